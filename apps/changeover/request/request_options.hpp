@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <charconv>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,15 @@ struct RequestFileRequest {
 /// The longest request document that is read from a file.
 inline constexpr std::size_t most_request_bytes = std::size_t{1} << 28;
 
+/// "3" is a number, "benches.csv" a file, as "./3" is.
+[[nodiscard]] inline RequestList number_or_file(const std::string& text) {
+  std::uint64_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, failure] = std::from_chars(text.data(), end, number);
+  return failure == std::errc() && rest == end ? RequestList{.number = number}
+                                               : RequestList{.file = text};
+}
+
 /// Adds an option for each record but those that `others` has already, and the rules. What `request` points to must live as
 /// long as the program.
 template <typename Request>
@@ -49,6 +59,12 @@ void add_request_options(Verb& verb, Request& request, const RequestTable<Reques
           } else if constexpr (std::is_same_v<Value, std::optional<std::uint64_t>>) {
             verb.option(flags, kept, value, help);
           } else if constexpr (std::is_same_v<Value, RequestList>) {
+            if (record.shape == RowShape::benches) {
+              verb.option(
+                  flags, [&kept](const std::string& text) { kept = number_or_file(text); }, value,
+                  help);
+              return;
+            }
             flags.starts_with('-') ? verb.option(flags, kept.file, value, help)
                                    : verb.positional(flags, kept.file, help, false);
           } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {

@@ -41,8 +41,9 @@ enum class RowShape {
   reasons,  ///< [a, b] or [a, b, why]
   weights,  ///< [a, b, weight]
   slots,    ///< {"name", "least", "most"}
-  setups,   ///< [a, b, …]
-  tests,    ///< [a, b, …] or {"parts": [a, b, …], "result"}
+  setups,   ///< [a, b, …] or {"parts": [a, b, …], "bench"}
+  tests,    ///< [a, b, …] or {"parts": [a, b, …], "result", "bench"}
+  benches,  ///< "name" or {"name", "at_once", "test_cost", …}, or how many
   table,    ///< [field, …], with a head for each row and column
   document  ///< this is no list but a text with a language of its own: "text"
 };
@@ -52,6 +53,8 @@ struct ListRow {
   std::vector<std::string> fields;
   /// The result of a test as written, which may be empty. Without one the test was done.
   std::optional<std::string> result = {};
+  std::string bench =
+      {};  ///< of a set-up: on which bench, by name or number; empty: that is not said
 
   bool operator==(const ListRow&) const = default;
 };
@@ -64,8 +67,11 @@ struct RequestList {
   std::optional<std::string> workbook = {};       ///< the bytes of a workbook (.xlsx)
   std::string sheet = {};                         ///< of that workbook; empty: the first one
   std::optional<std::vector<ListRow>> rows = {};  ///< each of the list's shape
+  std::optional<std::uint64_t> number = {};       ///< of benches: how many that are alike
 
-  [[nodiscard]] bool is_given() const { return !file.empty() || text || workbook || rows; }
+  [[nodiscard]] bool is_given() const {
+    return !file.empty() || text || workbook || rows || number;
+  }
   bool operator==(const RequestList&) const = default;
 };
 

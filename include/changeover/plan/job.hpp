@@ -92,6 +92,8 @@ struct Slot {
   std::string name;
   std::uint64_t least = 0;
   std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+
+  bool operator==(const Slot&) const = default;
 };
 
 /// As many of a part as there are benches.
@@ -105,6 +107,8 @@ struct MountedPlace {
   std::uint64_t number = 0;          ///< from 1; "slot_3" on a sheet
   std::uint32_t slot = no_slot;      ///< whose parts it takes
   std::optional<Element> part = {};  ///< what is there before the first test
+
+  bool operator==(const MountedPlace&) const = default;
 };
 
 /// What costs are, if they are times: a clock then runs along with the sheet.
@@ -347,8 +351,8 @@ std::uint64_t need_triples(Job& job);
 //     why. A first row with two words that head columns of parts and are no parts is a header, and
 //     says which columns count.
 //   - Set-ups: the parts of one a row. The CSV of a run sheet (plan/run_plan.hpp) is taken too: its
-//     columns slot_1, slot_2, … count, or its column set_up with all parts in one field, its column result, and
-//     its rows in their order.
+//     columns slot_1, slot_2, … count, or its column set_up with all parts in one field, its
+//     columns result and bench, and its rows in their order.
 // Each of them may be a sheet of a workbook (.xlsx) instead, known by its content: the first sheet, or open_list() (io/input.hpp) names
 // one. Its cells are what they say, so no row is a comment and no name needs quotes; a number is taken in full, a formula
 // for the value that the file holds, line ends within a cell for blanks; what stands right of the columns that the header names says nothing. Places are then `parts.xlsx:Costs!B3`.
@@ -388,10 +392,14 @@ struct PartList {
 [[nodiscard]] PartList read_parts(Input& input, const PartListOptions& options);
 
 /// The pairs, as elements below names.size(); repetitions are fine. A third field says why, which
-/// is kept in `why` if that is given; without a header it may not be a part. @throws BadInput for
-/// unknown parts, a part with itself, rows that are no pair; MissingResource if reading fails.
+/// is kept in `why` if that is given; without a header it may not be a part. If `gone` is given,
+/// rows of a file that name parts which are none (any more) are left out, and each such name is
+/// added to it once; a number, and a name that differs in its case only, is refused all the same.
+/// @throws BadInput for unknown parts, a part with itself, rows that are no pair; MissingResource
+/// if reading fails.
 [[nodiscard]] PairSet read_pairs(Input& input, const std::vector<std::string>& names,
-                                 PairReasons* why = nullptr);
+                                 PairReasons* why = nullptr,
+                                 std::vector<std::string>* gone = nullptr);
 
 /// The set-ups in order. @throws BadInput for unknown or repeated parts and for a set-up of more than
 /// `at_once`; MissingResource if reading fails.
@@ -405,19 +413,23 @@ struct PartList {
 [[nodiscard]] PairSet read_pairs(Input& input, const Job& job, PairReasons* why = nullptr);
 [[nodiscard]] std::vector<Block> read_setups(Input& input, const Job& job);
 
-/// What a change costs by what is replaced, for Job::replace_costs: a square table. Its first row names the parts that are put
-/// in, after a field that says nothing; every other row begins with the part that is taken out. Each part heads one
-/// row and one column, in any order; where a part meets itself the field is empty. With slots, by
-/// part, fields for parts of two slots may be empty, and say nothing: 0. @throws BadInput for a
+/// What a change costs by what is replaced, for Job::replace_costs: a square table. Its first row
+/// names the parts that are put in, after a field that says nothing; every other row begins with
+/// the part that is taken out. Each part heads one row and one column, in any order; where a part
+/// meets itself the field is empty. With slots, by part, fields for parts of two slots may be
+/// empty, and say nothing: 0. `gone` as in read_pairs(), of rows and columns. @throws BadInput for a
 /// part that heads none or two, unknown parts, fields that are no cost, too few and too many of
 /// them; MissingResource if reading fails.
 [[nodiscard]] std::vector<Amount> read_change_costs(Input& input,
                                                     const std::vector<std::string>& names,
-                                                    const std::vector<std::uint32_t>& slot_of = {});
+                                                    const std::vector<std::uint32_t>& slot_of = {},
+                                                    std::vector<std::string>* gone = nullptr);
 
-/// What pairs are worth, `A,B,weight` a row; a header is taken for one. @throws BadInput for other rows, negative weights and a pair with two
-/// weights; MissingResource if reading fails.
-[[nodiscard]] PairWeights read_priorities(Input& input, const std::vector<std::string>& names);
+/// What pairs are worth, `A,B,weight` a row; a header is taken for one. `gone` as in read_pairs().
+/// @throws BadInput for other rows, negative weights and a pair with two weights; MissingResource
+/// if reading fails.
+[[nodiscard]] PairWeights read_priorities(Input& input, const std::vector<std::string>& names,
+                                          std::vector<std::string>* gone = nullptr);
 
 /// Set-ups that must come first in a job that is otherwise complete, for Job::first. Of a model a
 /// set-up may lack values, which are chosen. @throws BadInput as read_setups(), with the line of a
@@ -446,6 +458,8 @@ struct DoneList {
   std::vector<std::string> notes;  ///< by set-up: its column notes
   std::vector<std::string>
       unread;  ///< by set-up: the place of its result if that is unread, else ""
+  std::vector<std::string>
+      benches;  ///< by set-up: the bench that it was on, as written; "" where none is
 
   [[nodiscard]] bool has_results() const;
 };

@@ -54,8 +54,12 @@ struct JobRequest {
   RequestList done = {};
   std::optional<std::uint64_t> done_first = {};
   bool trust_failed = false;
-  std::optional<std::uint64_t> benches = {};
+  std::vector<std::string> without = {};
+  RequestList benches = {};
   std::string objective = {};
+  std::string hours = {};
+  std::string first_day = {};
+  bool weekends = false;
   bool what_if = false;
   bool diagnose = false;
   std::optional<std::uint64_t> shuffle = {};
@@ -108,13 +112,14 @@ void check_options(const JobRequest& request, Door door);
 /// A request of which everything was read and checked.
 struct AskedJob {
   CheckedJob job;
-  std::vector<std::string> notes;          ///< what else is to be said of it, a line each
-  std::string done_from;                   ///< what the tests that were done were read from
-  std::vector<Block> rest;                 ///< of the plan that is under way
-  std::vector<DoneTest> done;              ///< tests that were done, in their order
-  DoneRecord record;                       ///< the same as they are written
-  std::vector<TestedSetup> results;        ///< those that passed or failed
-  std::uint64_t unread = 0;                ///< results that are not understood
+  std::vector<std::string> notes;    ///< what else is to be said of it, a line each
+  std::string done_from;             ///< what the tests that were done were read from
+  std::vector<Bench> benches;        ///< those that were asked for; the job is then that of all
+  std::vector<Block> rest;           ///< of the plan that is under way; of benches each has its own
+  std::vector<DoneTest> done;        ///< tests that were done, in their order
+  DoneRecord record;                 ///< the same as they are written
+  std::vector<TestedSetup> results;  ///< those that passed or failed
+  std::uint64_t unread = 0;          ///< results that are not understood
   std::vector<UnreadResult> first_unread;  ///< the first of them
   /// What was asked, its lists as rows, but for tests that were done: it needs no file.
   JobRequest question;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -37,9 +38,11 @@ std::string_view wanted(RowShape shape) {
     case RowShape::slots:
       return "{\"name\":…,\"least\":…,\"most\":…}";
     case RowShape::setups:
-      return "[a,b,…]";
+      return "[a,b,…], or {\"parts\":[…],\"bench\":…}";
     case RowShape::tests:
-      return "[\"a\",\"b\",…] or {\"parts\":[…],\"result\":\"pass\" or \"fail\"}";
+      return "[\"a\",\"b\",…] or {\"parts\":[…],\"result\":\"pass\" or \"fail\",\"bench\":…}";
+    case RowShape::benches:
+      return "\"name\" or {\"name\":…,\"start\":[…],\"hours\":…,…}";
     case RowShape::table:
       return "[field,…]";
     case RowShape::document:
@@ -80,13 +83,8 @@ std::optional<std::vector<std::string>> members_of(const JsonNode& object,
   return first != nullptr && !first->is_null() ? std::optional(fields) : std::nullopt;
 }
 
-const std::vector<std::string_view>& keys_of(RowShape shape) {
-  static const std::vector<std::string_view> parts{"name", "cost", "slot", "quantity"};
-  static const std::vector<std::string_view> slots{"name", "least", "most"};
-  return shape == RowShape::parts ? parts : slots;
-}
-
-std::optional<ListRow> test_of(const JsonNode& node) {
+// The parts of a set-up, and beside them its result, if that may be, and its bench.
+std::optional<ListRow> setup_of(const JsonNode& node, bool has_result) {
   if (!node.is_object()) {
     auto fields = fields_of(node);
     return fields ? std::optional(ListRow{std::move(*fields)}) : std::nullopt;
@@ -101,13 +99,59 @@ std::optional<ListRow> test_of(const JsonNode& node) {
       }
       row.fields = std::move(*fields);
       has_parts = true;
-    } else if (key == "result" && (member.is_text() || member.is_null())) {
+    } else if (key == "result" && has_result && (member.is_text() || member.is_null())) {
       row.result = member.is_text() ? member.text : "";
+    } else if (const auto bench = field_of(member); key == "bench" && bench) {
+      row.bench = *bench;
     } else {
       return std::nullopt;
     }
   }
   return has_parts ? std::optional(row) : std::nullopt;
+}
+
+// What a bench says under a key, as a field of a row: parts with commas between them, slots as
+// CPU=1,disk=2..4.
+std::optional<std::string> bench_field(const JsonNode& node) {
+  if (node.type == JsonEvent::Type::boolean) {
+    return node.text == "true" ? "yes" : "no";
+  }
+  if (!node.is_array()) {
+    return field_of(node);
+  }
+  std::string text;
+  for (const auto& [none, member] : node.members) {
+    auto field = field_of(member);
+    if (member.is_object()) {
+      const auto slot = members_of(member, row_keys(RowShape::slots));
+      field = slot ? std::optional(fmt::format("{}={}..{}", (*slot)[0], (*slot)[1], (*slot)[2]))
+                   : std::nullopt;
+    }
+    if (!field || field->empty()) {
+      return std::nullopt;
+    }
+    text += (text.empty() ? "" : ",") + quoted(*field);
+  }
+  return text.empty() ? "," : text;  // no parts, which is more than saying nothing
+}
+
+std::optional<ListRow> bench_of(const JsonNode& node) {
+  const std::vector<std::string_view>& keys = row_keys(RowShape::benches);
+  ListRow row;
+  row.fields.resize(keys.size());
+  if (!node.is_object()) {
+    row.fields.front() = node.is_text() ? node.text : "";
+    return node.is_text() ? std::optional(row) : std::nullopt;
+  }
+  for (const auto& [key, member] : node.members) {
+    const auto at = std::find(keys.begin(), keys.end(), key);
+    const auto field = bench_field(member);
+    if (at == keys.end() || !field) {
+      return std::nullopt;
+    }
+    row.fields[static_cast<std::size_t>(at - keys.begin())] = *field;
+  }
+  return row;
 }
 
 std::optional<ListRow> row_of(RowShape shape, const JsonNode& node) {
@@ -117,14 +161,20 @@ std::optional<ListRow> row_of(RowShape shape, const JsonNode& node) {
       if (shape == RowShape::parts && node.is_text()) {
         return ListRow{{node.text}};
       }
-      auto fields = node.is_object() ? members_of(node, keys_of(shape)) : std::nullopt;
+      auto fields = node.is_object() ? members_of(node, row_keys(shape)) : std::nullopt;
       if (constexpr std::size_t without_quantity = 3; fields && fields->back().empty()) {
         fields->resize(without_quantity);
       }
       return fields ? std::optional(ListRow{std::move(*fields)}) : std::nullopt;
     }
+    case RowShape::benches:
+      return bench_of(node);
     case RowShape::tests:
-      return test_of(node);
+      return setup_of(node, true);
+    case RowShape::setups: {
+      auto row = setup_of(node, false);
+      return row && !row->fields.empty() ? row : std::nullopt;
+    }
     default: {
       auto fields = fields_of(node);
       const std::size_t size = fields ? fields->size() : 0;
@@ -135,6 +185,11 @@ std::optional<ListRow> row_of(RowShape shape, const JsonNode& node) {
       return fits ? std::optional(ListRow{std::move(*fields)}) : std::nullopt;
     }
   }
+}
+
+bool is_one_of_parts(std::string_view key) {
+  constexpr std::array<std::string_view, 4> all{"mounted", "start", "own", "without"};
+  return std::find(all.begin(), all.end(), key) != all.end();
 }
 
 // Writes a number as one if it has JSON's form; else as a text.
@@ -156,7 +211,48 @@ void write_members(JsonWriter& json, const ListRow& row,
   json.end_object();
 }
 
+void write_bench_row(JsonWriter& json, const ListRow& row) {
+  const std::vector<std::string_view>& keys = row_keys(RowShape::benches);
+  json.begin_object();
+  for (std::size_t i = 0; i < keys.size() && i < row.fields.size(); ++i) {
+    const std::string& field = row.fields[i];
+    if (field.empty()) {
+      continue;
+    }
+    json.key(keys[i]);
+    if (is_one_of_parts(keys[i])) {
+      json.value(names_in(field));
+    } else if (keys[i] == "down" && (field == "yes" || field == "no")) {
+      json.value(field == "yes");
+    } else if (keys[i] == "at_once") {
+      write_field(json, field);
+    } else {
+      json.value(field);
+    }
+  }
+  json.end_object();
+}
+
+// Rows of set-ups as a run sheet has them, so that no name of a part is taken for one of its
+// columns.
+GivenRows::Fields sheet_header(std::size_t parts) {
+  GivenRows::Fields header{"step", "take_out", "put_in", "cost_so_far", "result", "bench"};
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, parts); ++i) {
+    header.push_back(fmt::format("slot_{}", i + 1));
+  }
+  return header;
+}
+
 }  // namespace
+
+const std::vector<std::string_view>& row_keys(RowShape shape) {
+  static const std::vector<std::string_view> parts{"name", "cost", "slot", "quantity"};
+  static const std::vector<std::string_view> slots{"name", "least", "most"};
+  static const std::vector<std::string_view> benches{
+      "name",  "at_once", "test_cost", "change_factor", "slots", "mounted",
+      "start", "own",     "without",   "hours",         "down"};
+  return shape == RowShape::parts ? parts : shape == RowShape::slots ? slots : benches;
+}
 
 RequestDocument::RequestDocument(std::string_view format, std::string text, std::string name)
     : text_(std::move(text)), name_(std::move(name)) {
@@ -298,6 +394,10 @@ RequestList RequestDocument::list(const OptionRecord& record, const JsonNode& no
     }
     return list;
   }
+  if (record.shape == RowShape::benches && node.is_number()) {
+    list.number = number(record, node);
+    return list;
+  }
   if (!node.is_array() || is_document) {
     fail(node, record.key, what);
   }
@@ -334,17 +434,31 @@ void write_list(JsonWriter& json, const OptionRecord& record, const RequestList&
     json.end_object();
     return;
   }
+  if (list.number) {
+    json.value(*list.number);
+    return;
+  }
   json.begin_array();
   for (const ListRow& row : *list.rows) {
     switch (record.shape) {
       case RowShape::parts:
       case RowShape::slots:
-        write_members(json, row, keys_of(record.shape));
+        write_members(json, row, row_keys(record.shape));
         break;
+      case RowShape::benches:
+        write_bench_row(json, row);
+        break;
+      case RowShape::setups:
       case RowShape::tests:
-        if (row.result) {
+        if (row.result || !row.bench.empty()) {
           json.begin_object().key("parts").value(row.fields);
-          json.key("result").value(*row.result).end_object();
+          if (row.result) {
+            json.key("result").value(*row.result);
+          }
+          if (!row.bench.empty()) {
+            json.key("bench").value(row.bench);
+          }
+          json.end_object();
           break;
         }
         [[fallthrough]];
@@ -377,6 +491,12 @@ std::unique_ptr<Input> open(const RequestList& list, const OptionRecord& record,
   for (const ListRow& row : *list.rows) {
     widest = std::max(widest, row.fields.size());
   }
+  // Benches of set-ups that come first have a column, too; without them rows are set-ups as they
+  // stand.
+  const bool has_benches = std::any_of(list.rows->begin(), list.rows->end(),
+                                       [](const ListRow& row) { return !row.bench.empty(); });
+  const bool as_sheet =
+      record.shape == RowShape::tests || (record.shape == RowShape::setups && has_benches);
   if (record.shape == RowShape::parts) {
     header = {"name", "change cost", "slot", "quantity"};
     header.resize(std::clamp<std::size_t>(widest, 1, header.size()));
@@ -388,17 +508,16 @@ std::unique_ptr<Input> open(const RequestList& list, const OptionRecord& record,
           }));
     }
     std::reverse(says_nothing.begin(), says_nothing.end());
-  } else if (record.shape == RowShape::tests) {
-    // The columns of a run sheet, so that no name of a part is taken for one.
-    header = {"step", "take_out", "put_in", "cost_so_far", "result"};
-    for (std::size_t i = 0; i < std::max<std::size_t>(1, widest); ++i) {
-      header.push_back(fmt::format("slot_{}", i + 1));
-    }
+  } else if (record.shape == RowShape::benches) {
+    const std::vector<std::string_view>& keys = row_keys(record.shape);
+    header.assign(keys.begin(), keys.end());
+  } else if (as_sheet) {
+    header = sheet_header(widest);
   }
   for (const ListRow& row : *list.rows) {
     GivenRows::Fields& fields = rows.emplace_back();
-    if (record.shape == RowShape::tests) {
-      fields = {"", "", "", "", row.result.value_or("done")};
+    if (as_sheet) {
+      fields = {"", "", "", "", row.result.value_or("done"), row.bench};
     }
     fields.insert(fields.end(), row.fields.begin(), row.fields.end());
     if (!header.empty()) {

@@ -36,11 +36,23 @@ std::string row(RowShape shape) {
       return fields("2", "3");
     case RowShape::weights:
       return fields("3", "3");
+    case RowShape::setups:
+      return fmt::format(
+          R"({{"anyOf":[{0},{{"type":"object","required":["parts"],"additionalProperties":false,)"
+          R"("properties":{{"parts":{0},"bench":{1}}}}}]}})",
+          fields("1", ""), field);
     case RowShape::tests:
       return fmt::format(
           R"({{"anyOf":[{0},{{"type":"object","required":["parts"],"additionalProperties":false,)"
-          R"("properties":{{"parts":{0},"result":{{"type":["string","null"]}}}}}}]}})",
-          fields("", ""));
+          R"("properties":{{"parts":{0},"result":{{"type":["string","null"]}},"bench":{1}}}}}]}})",
+          fields("", ""), field);
+    case RowShape::benches:
+      return fmt::format(
+          R"({{"anyOf":[{{"type":"string"}},{{"type":"object","additionalProperties":false,"properties":{{)"
+          R"("name":{0},"at_once":{0},"test_cost":{0},"change_factor":{0},"slots":{{"anyOf":[{0},{{"type":"array","items":{1}}}]}},)"
+          R"("mounted":{2},"start":{2},"own":{2},"without":{2},"hours":{0},"down":{{"type":["boolean","string","null"]}}}}}}]}})",
+          field, row(RowShape::slots),
+          fmt::format(R"({{"anyOf":[{},{}]}})", field, fields("", "")));
     default:
       return fields("1", "");
   }
@@ -59,7 +71,9 @@ std::string list(const OptionRecord& record) {
       R"({{"type":"object","required":["workbook"],"additionalProperties":false,)"
       R"("properties":{{"workbook":{{"type":"string","contentEncoding":"base64"}},"sheet":{{"type":"string"}}}}}}]}})";
   return fmt::format(fmt::runtime(one_of),
-                     record.shape == RowShape::parts ? R"({"type":"integer","minimum":0},)" : "",
+                     record.shape == RowShape::parts || record.shape == RowShape::benches
+                         ? R"({"type":"integer","minimum":0},)"
+                         : "",
                      row(record.shape));
 }
 

@@ -42,9 +42,10 @@ void require_all(const RowReader& reader, const Field& where, const std::vector<
 }  // namespace
 
 std::vector<Amount> read_change_costs(Input& input, const std::vector<std::string>& names,
-                                      const std::vector<std::uint32_t>& slot_of) {
+                                      const std::vector<std::uint32_t>& slot_of,
+                                      std::vector<std::string>* gone) {
   RowReader reader(input);
-  const PartFinder finder(names, numbers_in(reader));
+  PartFinder finder(names, numbers_in(reader));
   CostReader cost_of(reader);
   const std::size_t v = names.size();
   std::vector<Amount> costs(v * v);
@@ -53,21 +54,30 @@ std::vector<Amount> read_change_costs(Input& input, const std::vector<std::strin
     fail(input.name(), {}, "no cost is listed; write ,A,B in the first line, and A,,5 below it");
   }
   std::vector<bool> seen(v, false);
-  std::vector<Element> columns;
+  std::vector<std::optional<Element>> columns;  // nothing where a part is none any more
   for (std::size_t i = 1; i < header->size(); ++i) {
-    columns.push_back(head(finder, reader, (*header)[i], "column", seen));
+    const Field& field = (*header)[i];
+    columns.push_back(finder.some_gone({&field, 1}, reader, gone)
+                          ? std::nullopt
+                          : std::optional(head(finder, reader, field, "column", seen)));
   }
   require_all(reader, header->front(), seen, names, "column");
   seen.assign(v, false);
   while (const auto row = reader.next()) {
-    const Element out = head(finder, reader, row->front(), "row", seen);
-    if (row->size() > v + 1) {
-      reader.fail((*row)[v + 1], fmt::format("more than {} costs in this row; give one for each "
-                                             "column",
-                                             v));
+    if (finder.some_gone({&row->front(), 1}, reader, gone)) {
+      continue;
     }
-    for (std::size_t i = 0; i < v; ++i) {
-      const Element in = columns[i];
+    const Element out = head(finder, reader, row->front(), "row", seen);
+    if (row->size() > columns.size() + 1) {
+      reader.fail(
+          (*row)[columns.size() + 1],
+          fmt::format("more than {} costs in this row; give one for each column", columns.size()));
+    }
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (!columns[i]) {
+        continue;
+      }
+      const Element in = *columns[i];
       const bool given = i + 1 < row->size() && !(*row)[i + 1].text.empty();
       if (in == out) {
         if (given) {

@@ -82,11 +82,20 @@ void complete_values(const Job& job, const std::string& name, DoneList& list) {
 
 }  // namespace
 
-std::vector<Block> read_first(Input& input, const Job& job) {
-  DoneList list = read_list(input, job, job.at_once, false);
+DoneList read_first_list(Input& input, const PartNames& names, std::uint64_t at_once,
+                         std::vector<std::string>* gone) {
+  DoneList list = read_list(input, names, at_once, gone != nullptr);
+  if (gone != nullptr) {
+    *gone = list.gone;
+  }
   if (list.setups.empty()) {
     fail(input.name(), {}, "no set-up is listed; write the parts of a set-up a line");
   }
+  return list;
+}
+
+std::vector<Block> read_first(Input& input, const Job& job) {
+  DoneList list = read_first_list(input, job, job.at_once);
   if (job.model != nullptr) {
     complete_values(job, input.name(), list);
   }

@@ -97,6 +97,30 @@ class PartFinder {
     return in_small_letters_.count(lower(word)) != 0;
   }
   [[nodiscard]] std::size_t size() const { return names_->size(); }
+  // It may be the name of a part that is none any more: no number, and none that differs in its
+  // case only.
+  [[nodiscard]] bool may_be_gone(const std::string& word) const {
+    return word.find_first_not_of("0123456789") != std::string::npos && !find(word) &&
+           !is_name_in_any_case(word);
+  }
+  // Whether one of these fields is; those that are join `gone`, each once. Nothing is gone from
+  // rows that were sent: they are no older list.
+  [[nodiscard]] bool some_gone(std::span<const Field> fields, const RowReader& reader,
+                               std::vector<std::string>* gone) {
+    if (gone == nullptr || reader.is_given()) {
+      return false;
+    }
+    bool some = false;
+    for (const Field& field : fields) {
+      if (may_be_gone(field.text)) {
+        some = true;
+        if (gone_.insert(field.text).second) {
+          gone->push_back(field.text);
+        }
+      }
+    }
+    return some;
+  }
 
   // Of names that begin or end with blanks, as only quotes in a text can say, a workbook has them in full.
   void restore_blanks(Row& row) const {
@@ -130,6 +154,7 @@ class PartFinder {
   std::optional<ModelNames> of_model_;
   std::unordered_map<std::string, Element> by_name_;
   std::unordered_set<std::string> in_small_letters_;
+  std::unordered_set<std::string> gone_;
 };
 
 /// That for these rows: what is no file was made by a program, whose numbers may be names.

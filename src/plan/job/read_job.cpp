@@ -27,6 +27,7 @@ struct SetupColumns {
   std::vector<std::size_t> parameters;  // of a model, by slot: whose values stand there
   std::optional<std::size_t> result;
   std::optional<std::size_t> notes;
+  std::optional<std::size_t> bench;
   bool header = false;  // the first row is one
 };
 
@@ -136,6 +137,8 @@ SetupColumns setup_columns(const Row& first, const PartFinder& finder, bool is_g
       columns.result = i;
     } else if (lower(first[i].text) == "notes") {
       columns.notes = i;
+    } else if (lower(first[i].text) == "bench") {
+      columns.bench = i;
     }
   }
   columns.header = beyond_doubt || columns.list || !columns.slots.empty();
@@ -202,7 +205,7 @@ void name_value(const PartFinder& finder, std::size_t parameter, const std::stri
 
 DoneList read_list(Input& input, const PartNames& names, std::uint64_t at_once, bool forgiving) {
   RowReader reader(input);
-  const PartFinder finder(names, numbers_in(reader));
+  PartFinder finder(names, numbers_in(reader));
   DoneList list;
   std::vector<Block>& setups = list.setups;
   const bool names_only = forgiving && finder.has_number_as_name();
@@ -262,6 +265,8 @@ DoneList read_list(Input& input, const PartNames& names, std::uint64_t at_once, 
     list.notes.emplace_back(columns.notes && *columns.notes < row.size()
                                 ? text_of(row[*columns.notes].text)
                                 : std::string());
+    const bool on_a_bench = columns.bench && *columns.bench < row.size();
+    list.benches.push_back(on_a_bench ? text_of(row[*columns.bench].text) : "");
     if (columns.result && *columns.result < row.size()) {
       const Field& result = row[*columns.result];
       list.results.back() = text_of(result.text);
@@ -270,7 +275,12 @@ DoneList read_list(Input& input, const PartNames& names, std::uint64_t at_once, 
       }
     }
     if (!columns.header) {
+      const bool separated = row.size() > 1;
       split_at_blanks(row, finder, reader);
+      if (forgiving && separated && finder.some_gone(row, reader, &list.gone)) {
+        std::erase_if(row, [&](const Field& field) { return finder.may_be_gone(field.text); });
+        list.lacks.back() = true;
+      }
       setups.push_back(find_parts(finder, row, find, fail));
     } else if (!columns.slots.empty()) {
       Row slots;

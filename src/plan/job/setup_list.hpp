@@ -20,6 +20,10 @@ namespace changeover {
 
 /// What stands behind a forbidden pair where it is named: " (why)", or nothing.
 [[nodiscard]] std::string why_forbidden(const Job& job, Element x, Element y);
+/// The set-ups that come first, whatever they may hold; if `gone` is given, names that are no parts
+/// are left out and added to it. @throws as read_setups(), and for no set-up.
+[[nodiscard]] DoneList read_first_list(Input& input, const PartNames& names, std::uint64_t at_once,
+                                       std::vector<std::string>* gone = nullptr);
 
 /// Why no list may hold this set-up, whose parts are parts of the job, none twice: without a place. Nothing if one may.
 [[nodiscard]] std::optional<std::string> setup_defect(const Job& job, const Block& setup);

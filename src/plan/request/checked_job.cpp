@@ -14,69 +14,20 @@
 #include "core/words.hpp"
 #include "io/request/request_document.hpp"
 #include "io/scan/place.hpp"
+#include "plan/job/bench_jobs.hpp"
+#include "plan/request/asked_benches.hpp"
 #include "plan/request/done_tests.hpp"
+#include "plan/request/parts_left.hpp"
+#include "plan/request/question.hpp"
 #include "plan/request/whole_question.hpp"
 #include "plan/request/workbook_question.hpp"
+#include "plan/sheet/bench_calendar.hpp"
 #include "plan/sheet/clock.hpp"
 
 namespace changeover {
 namespace {
 
 constexpr std::uint64_t triples = 3;  // the strength that asks for them
-
-// A request with the words of the door that it came through.
-class Question {
- public:
-  Question(const JobRequest& request, Door door) : request_(request), door_(door) {}
-
-  [[nodiscard]] const JobRequest& operator*() const { return request_; }
-  [[nodiscard]] const JobRequest* operator->() const { return &request_; }
-
-  // "--at-once", "at_once".
-  [[nodiscard]] std::string key(std::string_view key) const {
-    return spelled(option_of(job_table(), key).record, door_);
-  }
-  // "--at-once K", "at_once".
-  [[nodiscard]] std::string with_value(std::string_view key) const {
-    const OptionRecord& record = option_of(job_table(), key).record;
-    return door_ == Door::command_line ? fmt::format("{} {}", this->key(key), record.value)
-                                       : this->key(key);
-  }
-  // A list that is no file stands in a document, at every door, and notes on it are the same at all
-  // of them.
-  [[nodiscard]] std::unique_ptr<Input> open(std::string_view key, const RequestList& list) const {
-    return changeover::open(list, option_of(job_table(), key).record, std::string(key));
-  }
-  [[nodiscard]] bool has_file() const {
-    return std::ranges::any_of(job_table().options, [&](const auto& option) {
-      const auto* const field = std::get_if<RequestList JobRequest::*>(&option.field);
-      return field != nullptr && !(request_.**field).file.empty();
-    });
-  }
-
-  // What is wrong with the value of a key is the key's fault.
-  template <typename Read>
-  auto value_of(std::string_view key, Read&& read) const {
-    try {
-      return read();
-    } catch (const BadOption&) {
-      throw;
-    } catch (const BadInput& fault) {
-      throw BadOption(fmt::format("{}: {}", this->key(key), fault.what()));
-    } catch (const ImpossibleParameters& fault) {
-      throw BadOption(fmt::format("{}: {}", this->key(key), fault.what()));
-    }
-  }
-  [[nodiscard]] std::optional<Amount> amount(std::string_view key, const std::string& text) const {
-    return text.empty() ? std::nullopt
-                        : std::optional(value_of(key, [&] { return parse_amount(text); }));
-  }
-  [[nodiscard]] Door door() const { return door_; }
-
- private:
-  const JobRequest& request_;
-  Door door_;
-};
 
 }  // namespace
 
@@ -91,13 +42,17 @@ class JobMaker {
     take_constraints();
     take_needs();
     take_first_and_weights();
-    check(job_);
+    check_job(job_);
     finish_question();
     AskedJob asked;
     if (question_->done.is_given()) {
       asked = done_of_job();
     }
+    if (has_benches() && !question_->pairs.is_given() && job_.triples.empty()) {
+      leave_out(cannot_meet(job_, benches_), "on any bench that works");
+    }
     asked.job.job_ = std::move(job_);
+    asked.benches = std::move(benches_);
     notes_.insert(notes_.end(), asked.notes.begin(), asked.notes.end());
     asked.notes = std::move(notes_);
     asked.question = std::move(whole_);
@@ -105,11 +60,56 @@ class JobMaker {
   }
 
  private:
+  [[nodiscard]] bool has_benches() const { return question_->benches.is_given(); }
+
+  // A list that may be older than the parts list: names that are no parts are left out, with a
+  // note. It names parts that broke, too.
+  template <typename Read>
+  auto read_old(Input& input, Read&& read) {
+    std::vector<std::string> gone;
+    auto found = read(input, names_, &gone);
+    if (!gone.empty()) {
+      notes_.push_back(gone_note(input.name(), gone));
+    }
+    return found;
+  }
+
+  // A model is no list, and knows its values by more than one name.
+  [[nodiscard]] Block named(std::string_view key, const std::vector<std::string>& words) const {
+    return left_(question_.value_of(key, [&] {
+      return job_.model != nullptr ? parts_named(words, job_) : parts_named(words, names_);
+    }));
+  }
+  PairSet pairs_of(Input& input, PairReasons* why) {
+    return job_.model != nullptr
+               ? read_pairs(input, job_, why)
+               : read_old(input, [why](Input& list, const auto& names, auto* gone) {
+                   return read_pairs(list, names, why, gone);
+                 });
+  }
+
+  // Which parts of the list broke.
+  void take_parts_left(const std::vector<std::string>& names) {
+    names_ = names;
+    const Block without =
+        question_.value_of("without", [&] { return parts_named(question_->without, names_); });
+    left_ = PartsLeft(names_.size(), without);
+    if (without.empty()) {
+      return;
+    }
+    if (left_.size() < 2) {
+      throw BadOption(fmt::format("{}: {} left; a pair needs two", question_.key("without"),
+                                  left_.size() == 1 ? "one part is" : "no part is"));
+    }
+    notes_.push_back(fmt::format("without: left out from now on: {}", parts_text(without, names_)));
+  }
+
   // The parts and what they cost.
   void take_parts() {
     const JobRequest& asked = *question_;
     if (asked.model.is_given()) {
       take_model();
+      take_parts_left(job_.names);
       return;
     }
     const Amount test = *question_.amount("test_cost", asked.test_cost);
@@ -123,6 +123,18 @@ class JobMaker {
         }
         return job;
       });
+      take_parts_left(job_.names);
+      if (!left_.all()) {
+        job_.names = left_(job_.names);
+        job_.change_costs = left_(job_.change_costs);
+        job_.needed = left_(job_.needed);
+        job_.never = left_(job_.never);
+        whole_.items.reset();
+        PartList list;
+        list.names = job_.names;
+        list.change_costs.assign(job_.change_costs.begin(), job_.change_costs.end());
+        whole_.parts = part_rows(list, job_);
+      }
       take_unit(CostUnit::none);
       return;
     }
@@ -133,7 +145,15 @@ class JobMaker {
                             .cost_column = asked.cost_column};
     std::ranges::transform(slots, std::back_inserter(options.slots), &Slot::name);
     const auto input = question_.open("parts", asked.parts);
-    const PartList list = read_parts(*input, options);
+    PartList list = read_parts(*input, options);
+    if (list.names.size() < 2) {
+      throw BadInput(fmt::format("{}: one part is listed; a pair needs two", input->name()));
+    }
+    take_parts_left(list.names);
+    list.names = left_(list.names);
+    list.change_costs = left_(list.change_costs);
+    list.slots = left_(list.slots);
+    list.quantities = left_(list.quantities);
     job_ = make_job(list.names.size(), asked.at_once.value_or(0), test, change.value_or(Amount{}));
     for (std::size_t i = 0; i < list.names.size(); ++i) {
       if (list.change_costs[i]) {
@@ -144,9 +164,6 @@ class JobMaker {
                         list.names[i], question_.with_value("change_cost")));
       }
     }
-    if (list.names.size() < 2) {
-      throw BadInput(fmt::format("{}: one part is listed; a pair needs two", input->name()));
-    }
     job_.names = list.names;
     if (!list.note.empty()) {
       notes_.push_back(list.note);
@@ -155,6 +172,45 @@ class JobMaker {
     take_slots(list.slots, std::move(slots), input->name());
     quantities_ = list.quantities;
     whole_.parts = part_rows(list, job_);
+  }
+
+  void take_benches() {
+    const JobRequest& asked = *question_;
+    if (!has_benches()) {
+      return;
+    }
+    if (asked.benches.number) {
+      benches_ = benches_alike(*asked.benches.number);
+    } else {
+      const auto input = question_.open("benches", asked.benches);
+      benches_ = read_old(*input, [&](Input& list, const auto&, std::vector<std::string>* gone) {
+        return listed_benches(list, {&names_, &left_, asked.benches.rows ? nullptr : gone});
+      });
+    }
+    const auto hours = question_.amount("hours", asked.hours);
+    bool some_rest = false;
+    for (Bench& bench : benches_) {
+      bench.hours = bench.hours ? bench.hours : hours;
+      some_rest = some_rest || bench.hours.has_value();
+    }
+    if (!asked.first_day.empty() && !some_rest) {
+      throw BadOption(fmt::format("{} is for benches with hours of work a day; give {} too",
+                                  question_.key("first_day"), question_.with_value("hours")));
+    }
+  }
+
+  // With benches these are checked instead; what cannot meet on any need not, and is said later.
+  void check_job(const Job& job) const {
+    if (!has_benches()) {
+      check(job);
+      return;
+    }
+    Job any = job;
+    if (!question_->pairs.is_given()) {
+      any.needed = PairSet(any.parts());
+      any.triples.clear();
+    }
+    check_benches(any, benches_, question_->benches.file);
   }
 
   // What costs are: as is asked, or as the list says.
@@ -239,6 +295,9 @@ class JobMaker {
     }
     if (!quantities_.empty()) {
       if (const std::uint64_t added = add_pieces(job_, quantities_)) {
+        names_.insert(names_.end(), job_.names.end() - static_cast<std::ptrdiff_t>(added),
+                      job_.names.end());
+        left_.add(added);
         notes_.push_back(fmt::format(
             "{} may fill slots that need several: {}; what is tested with one piece of a part is "
             "tested",
@@ -298,6 +357,11 @@ class JobMaker {
     whole_.done = {};
     whole_.done_first.reset();
     whole_.diagnose = whole_.what_if = false;
+    if (!left_.all()) {  // The lists are of what is left.
+      whole_.without.clear();
+      whole_.mounted = names_in(job_.mounted);
+      whole_.start = names_in(job_.start);
+    }
     if (job_.model != nullptr && question_->change_costs.is_given()) {
       whole_.change_costs = value_cost_rows(job_);
     } else if (job_.replaces()) {
@@ -311,17 +375,38 @@ class JobMaker {
     }
   }
 
+  // The slots of all parts of the list; what broke takes no place of another part.
+  [[nodiscard]] std::vector<std::uint32_t> slots_of_names() const {
+    std::vector<std::uint32_t> slots;
+    for (Element x = 0; x < names_.size() && !job_.slots.empty(); ++x) {
+      const Block part = left_(Block{x});
+      slots.push_back(part.empty() ? no_slot - 1 - x : job_.slot_of[part.front()]);
+    }
+    return slots;
+  }
+
+  [[nodiscard]] std::vector<std::string> names_in(const Block& parts) const {
+    std::vector<std::string> names;
+    std::ranges::transform(parts, std::back_inserter(names),
+                           [&](Element x) { return job_.names[x]; });
+    return names;
+  }
+
   // What cannot be at all.
   void take_constraints() {
     const JobRequest& asked = *question_;
     if (asked.change_costs.is_given() && !asked.model.is_given()) {
-      job_.replace_costs =
-          read_change_costs(*question_.open("change_costs", asked.change_costs), job_.names,
-                            job_.slots.empty() ? std::vector<std::uint32_t>() : job_.slot_of);
+      const auto input = question_.open("change_costs", asked.change_costs);
+      job_.replace_costs = left_.square(
+          read_old(*input, [&](Input& list, const auto& names, std::vector<std::string>* gone) {
+            return read_change_costs(list, names, slots_of_names(), gone);
+          }));
     }
     if (asked.never.is_given()) {
       const auto input = question_.open("never", asked.never);
-      job_.never = read_pairs(*input, job_, &job_.why_never);
+      PairReasons why;
+      job_.never = left_(pairs_of(*input, &why));
+      job_.why_never = left_(why);
       drop_needed(job_, job_.never);
       whole_.never = pair_rows(job_.never, job_, job_.why_never);
       if (!asked.pairs.is_given() && job_.needed.size() == 0) {
@@ -332,24 +417,28 @@ class JobMaker {
     take_pieces_and_room();
     if (asked.pairs.is_given()) {
       const auto input = question_.open("pairs", asked.pairs);
-      job_.needed = read_pairs(*input, job_);
-      if (job_.needed.size() == 0) {
+      const std::size_t notes = notes_.size();
+      const PairSet pairs = pairs_of(*input, nullptr);
+      job_.needed = left_(pairs);
+      if (pairs.size() == 0 && notes_.size() == notes) {
         throw BadInput(
             fmt::format("{}: no pair is listed; write A,B, a pair a line", input->name()));
       }
       whole_.pairs = pair_rows(job_.needed, job_);
     }
-    job_.mounted = question_.value_of("mounted", [&] { return parts_named(asked.mounted, job_); });
-    job_.start = question_.value_of("start", [&] { return parts_named(asked.start, job_); });
+    job_.mounted = named("mounted", asked.mounted);
+    job_.start = named("start", asked.start);
+    take_benches();
     Job any = job_;
     any.needed = PairSet(job_.parts());
-    check(any);
+    check_job(any);
   }
 
   // Pairs and triples that cannot meet need not, and this is said.
   void take_needs() {
     if (question_->strength == triples) {
-      const std::uint64_t apart = need_triples(job_);
+      std::uint64_t apart = need_triples(job_);
+      apart += drop_impossible_triples(job_, benches_);
       if (job_.triples.empty()) {
         throw BadInput(job_.parts() < triples
                            ? "a triple needs three parts"
@@ -361,14 +450,17 @@ class JobMaker {
             "{} cannot meet, for slots, forbidden pairs or what stays mounted, and need not",
             count_of(apart, "triple")));
       }
-    } else if (!question_->pairs.is_given() && !job_.slots.empty()) {
-      leave_out(cannot_meet(job_));
+    } else if (!question_->pairs.is_given() && !job_.slots.empty() && !has_benches()) {
+      leave_out(cannot_meet(job_), job_.model == nullptr ? "within the slots" : "by the rules");
     }
   }
 
-  void leave_out(const PairSet& apart) {
+  void leave_out(const PairSet& apart, std::string_view where) {
     if (apart.size() == 0) {
       return;
+    }
+    if (apart.size() == job_.needed.size() && has_benches()) {
+      throw BadInput("no two parts that must meet can be on one bench in one set-up");
     }
     if (apart.size() == job_.needed.size()) {
       throw BadInput(
@@ -385,17 +477,19 @@ class JobMaker {
                               job_.names[std::min(x, y)], job_.names[std::max(x, y)]);
     });
     drop_needed(job_, apart);
-    notes_.push_back(fmt::format(
-        "{} {} and need not: {}{}", count_of(apart.size(), "pair"),
-        job_.model == nullptr ? "cannot meet within the slots" : "cannot meet, by the rules,",
-        examples, apart.size() > few ? "; …" : ""));
+    notes_.push_back(fmt::format("{} cannot meet {} and need not: {}{}",
+                                 count_of(apart.size(), "pair"), where, examples,
+                                 apart.size() > few ? "; …" : ""));
   }
 
   void take_first_and_weights() {
     if (question_->first.is_given()) {
       const auto input = question_.open("first", question_->first);
-      job_.first = read_first(*input, job_);
       first_tests_ = input->name();
+      read_old(*input, [&](Input& list, const auto&, std::vector<std::string>* gone) {
+        take_first(list, {&names_, &left_, gone}, job_, benches_);
+        return 0;
+      });
     }
     if (question_->weights.is_given()) {
       take_weights();
@@ -405,7 +499,7 @@ class JobMaker {
   // A weight of a pair that need not meet says nothing.
   void take_weights() {
     const auto input = question_.open("weights", question_->weights);
-    job_.weights = read_priorities(*input, job_.names);
+    job_.weights = left_(read_old(*input, read_priorities));
     try {
       Amount all;
       job_.needed.for_each(~std::uint64_t{0},
@@ -427,125 +521,38 @@ class JobMaker {
 
   AskedJob done_of_job() {
     const JobRequest& asked = *question_;
-    const auto inputs = open_done(asked.done, "done");
+    std::vector<std::unique_ptr<Input>> inputs;
+    if (has_benches()) {
+      for (const std::string& sheet : bench_sheets(asked.done.file)) {
+        inputs.push_back(open_list(asked.done.file + ":" + sheet));
+      }
+    }
+    if (inputs.empty()) {
+      inputs = open_done(asked.done, "done");
+    }
     DoneWords words{.done_first = question_.key("done_first"),
                     .trust_failed = question_.key("trust_failed"),
                     .first_tests = first_tests_};
     return take_done(inputs,
-                     {.first = asked.done_first,
+                     {.names = &names_,
+                      .left = &left_,
+                      .first = asked.done_first,
                       .failed = asked.trust_failed ? FailedTests::trusted : FailedTests::again,
                       .for_diagnosis = asked.diagnose,
                       .all_parts_known = asked.done.rows.has_value()},
-                     words, job_);
+                     words, job_, benches_);
   }
 
   Question question_;
   JobRequest whole_;  // the question with its lists as rows
   Job job_;
+  std::vector<std::string> names_;  // of all parts of the list, and further pieces
+  PartsLeft left_;                  // of them
+  std::vector<Bench> benches_;
   std::vector<std::uint64_t> quantities_;  // of the parts of the list, if it says so
   std::vector<std::string> notes_;
   std::string first_tests_;
 };
-
-namespace {
-
-// What the objective and a model ask of costs.
-void check_objective(const JobRequest& request, const Question& question) {
-  const bool of_model = request.model.is_given();
-  if (of_model ? request.objective == "makespan" : request.objective == "tests") {
-    throw BadOption(fmt::format("{} {} is for {}", question.key("objective"), request.objective,
-                                of_model ? "several benches" : "a model"));
-  }
-  if (!of_model || request.objective == "tests") {
-    return;
-  }
-  if (request.test_cost.empty()) {
-    throw BadOption(
-        fmt::format("give {}, what it costs to run one test; or {} tests, which asks for no costs",
-                    question.with_value("test_cost"), question.key("objective")));
-  }
-  if (request.change_cost.empty() && !request.change_costs.is_given()) {
-    throw BadOption(fmt::format(
-        "give {}, what it costs to set a value, or {} for each; or {} tests, which asks "
-        "for no costs",
-        question.with_value("change_cost"), question.with_value("change_costs"),
-        question.key("objective")));
-  }
-}
-
-}  // namespace
-
-void check_options(const JobRequest& request, Door door) {
-  const Question question(request, door);
-  const auto refuse = [](const std::string& line) { throw BadOption(line); };
-  const auto key = [&](std::string_view name) { return question.key(name); };
-  if (!request.model.is_given() && request.parts.is_given() == request.items.has_value()) {
-    refuse(door == Door::command_line ? "give either a parts list or --items N"
-           : request.items            ? "give either parts or items, not both"
-                           : "parts is missing: write a number of parts, or an array of them");
-  }
-  check_rules(job_table(), request, door);
-  if (request.benches && (*request.benches < 1 || *request.benches > max_benches)) {
-    refuse(fmt::format("{} {}: give a number from 1 to {}", key("benches"), *request.benches,
-                       max_benches));
-  }
-  const bool of_triples = request.strength == triples;
-  if (request.strength.value_or(2) != 2 && !of_triples) {
-    refuse(fmt::format("{} {}: give 2, for pairs, or 3, for triples", key("strength"),
-                       *request.strength));
-  }
-  const std::vector<std::pair<std::string_view, bool>> of_pairs{
-      {"pairs", request.pairs.is_given()},
-      {"weights", request.weights.is_given()},
-      {"shuffle", request.shuffle.has_value()},
-      {"what_if", request.what_if},
-      {"diagnose", request.diagnose}};
-  for (const auto& [name, given] : of_pairs) {
-    if (of_triples && given) {
-      refuse(
-          fmt::format("{} is of pairs; it has no meaning with {} 3", key(name), key("strength")));
-    }
-  }
-  if (const auto defect = text_defect(request.title)) {
-    refuse(fmt::format("{}: {}", key("title"), *defect));
-  }
-  check_objective(request, question);
-  if (request.model.is_given()) {
-    static_cast<void>(question.amount("test_cost", request.test_cost));
-    static_cast<void>(question.amount("change_cost", request.change_cost));
-    static_cast<void>(question.amount("budget", request.budget));
-    return;
-  }
-  const std::uint64_t least = of_triples ? triples : 2;
-  if (request.at_once.value_or(least) < least) {
-    refuse(fmt::format("{} {}: no {} can meet; give at least {}", key("at_once"), *request.at_once,
-                       of_triples ? "triple" : "pair", least));
-  }
-  if (request.test_cost.empty()) {
-    refuse(fmt::format("give {}, what it costs to run one test", question.with_value("test_cost")));
-  }
-  static_cast<void>(question.amount("test_cost", request.test_cost));
-  static_cast<void>(question.amount("change_cost", request.change_cost));
-  static_cast<void>(question.amount("budget", request.budget));
-  if (!request.items) {
-    return;
-  }
-  if (request.slots.is_given() || !request.slot.empty()) {
-    refuse(fmt::format("{} and {} are for a parts list with a column slot, not for {}",
-                       key("slots"), key("slot"), key("items")));
-  }
-  if (request.header || request.no_header) {
-    refuse(fmt::format("{} and {} are for a parts list, not for {}", key("header"),
-                       key("no_header"), key("items")));
-  }
-  if (!request.cost_column.empty()) {
-    refuse(fmt::format("{} is for a parts list, not for {}", key("cost_column"), key("items")));
-  }
-  if (request.change_cost.empty() && !request.change_costs.is_given()) {
-    refuse(
-        fmt::format("give {}, what it costs to mount a part", question.with_value("change_cost")));
-  }
-}
 
 AskedJob checked_job(const JobRequest& request, Door door) {
   check_options(request, door);

@@ -3,14 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <map>
+#include <system_error>
 #include <utility>
 
 #include "changeover/core/error.hpp"
 #include "core/words.hpp"
 #include "io/scan/place.hpp"
+#include "io/workbook/workbook_sheet.hpp"
+#include "plan/job/bench_jobs.hpp"
+#include "plan/job/bench_list.hpp"
 #include "plan/job/part_finder.hpp"
+#include "plan/request/asked_benches.hpp"
 
 namespace changeover {
 namespace {
@@ -36,36 +42,35 @@ void note_unread(const DoneOptions& options, const DoneWords& words, AskedJob& a
                               words.trust_failed)));
 }
 
-void note_gone(const std::string& name, const std::vector<std::string>& gone,
-               std::vector<std::string>& notes) {
-  std::string names;
-  for (std::size_t i = 0; i < std::min(few, gone.size()); ++i) {
-    names += (i == 0 ? "" : ", ") + gone[i];
-  }
-  if (gone.size() > few) {
-    names += fmt::format(" and {} more", gone.size() - few);
-  }
-  if (!gone.empty()) {
-    notes.push_back(fmt::format("{}: no longer in the parts list, and left out: {}", name, names));
-  }
-}
-
 // Those of the first tests that were done are not to be run again.
-void drop_first(const std::vector<DoneTest>& done, Job& job) {
+void drop_first(const std::vector<Block>& done, std::vector<Block>& first) {
   std::map<Block, std::vector<std::size_t>> places;  // of each set-up, the last one first
-  for (std::size_t i = job.first.size(); i-- > 0;) {
-    places[in_order(job.first[i])].push_back(i);
+  for (std::size_t i = first.size(); i-- > 0;) {
+    places[in_order(first[i])].push_back(i);
   }
-  std::vector<bool> is_done(job.first.size());
-  for (const DoneTest& test : done) {
-    const auto found = places.find(in_order(test.setup));
+  std::vector<bool> is_done(first.size());
+  for (const Block& setup : done) {
+    const auto found = places.find(in_order(setup));
     if (found != places.end() && !found->second.empty()) {
       is_done[found->second.back()] = true;
       found->second.pop_back();
     }
   }
   std::size_t next = 0;
-  std::erase_if(job.first, [&](const Block&) { return is_done[next++]; });
+  std::erase_if(first, [&](const Block&) { return is_done[next++]; });
+}
+
+// The set-ups of a list as the parts are numbered now.
+void leave_out(const PartsLeft& left, DoneList& list) {
+  for (std::size_t i = 0; i < list.setups.size(); ++i) {
+    Block setup = left(list.setups[i]);
+    list.lacks[i] = list.lacks[i] || setup.size() < list.setups[i].size();
+    list.setups[i] = std::move(setup);
+    for (std::optional<Element>& part : list.in_place[i]) {
+      const Block one = part ? left(Block{*part}) : Block();
+      part = one.empty() ? std::nullopt : std::optional(one.front());
+    }
+  }
 }
 
 // Where a place of this number is in a list, or is put now.
@@ -118,6 +123,7 @@ void append(DoneList& list, DoneList more) {
   list.lacks.insert(list.lacks.end(), more.lacks.begin(), more.lacks.end());
   add(list.lines, more.lines);
   add(list.unread, more.unread);
+  add(list.benches, more.benches);
   add(list.in_place, more.in_place);
   add(list.written, more.written);
   add(list.notes, more.notes);
@@ -176,78 +182,236 @@ std::vector<MountedPlace> places_after(const DoneList& list, std::size_t test, c
   return places;
 }
 
-}  // namespace
+// Takes tests off a job, list by list.
+class DoneTaker {
+ public:
+  DoneTaker(const DoneOptions& options, const DoneWords& words, Job& job,
+            std::vector<Bench>& benches)
+      : options_(&options),
+        words_(&words),
+        job_(&job),
+        benches_(&benches),
+        on_bench_(benches.size()) {}
 
-AskedJob take_done(const std::vector<std::unique_ptr<Input>>& inputs, const DoneOptions& options,
-                   const DoneWords& words, Job& job) {
-  DoneList list;
-  for (const auto& each : inputs) {
-    append(list, read_done(*each, job));
+  AskedJob take(const std::vector<std::unique_ptr<Input>>& inputs) {
+    name_ = inputs.back()->name();
+    answer_.done_from = name_;
+    read(inputs);
+    for (std::size_t i = 0; i < list_.setups.size(); ++i) {
+      add(i);
+    }
+    say_notes();
+    go_on();
+    return std::move(answer_);
   }
-  const Input& input = *inputs.back();
-  const std::size_t all = list.setups.size();
-  if (options.first.value_or(0) > all) {
-    throw BadOption(fmt::format("{} {}: {} has {}", words.done_first, *options.first, input.name(),
-                                count_of(all, "set-up")));
+
+ private:
+  void read(const std::vector<std::unique_ptr<Input>>& inputs) {
+    for (const auto& input : inputs) {
+      append(list_, job_->model != nullptr
+                        ? read_done(*input, *job_)
+                        : read_done(*input, *options_->names, most_at_once(*job_, *benches_)));
+    }
+    leave_out(*options_->left, list_);
+    all_ = list_.setups.size();
+    has_results_ = list_.has_results();
+    if (options_->first.value_or(0) > all_) {
+      throw BadOption(fmt::format("{} {}: {} has {}", words_->done_first, *options_->first, name_,
+                                  count_of(all_, "set-up")));
+    }
+    if (options_->all_parts_known && !list_.gone.empty()) {
+      const PartFinder finder =
+          job_->model != nullptr ? PartFinder(*job_) : PartFinder(*options_->names);
+      throw BadInput(fmt::format("{}: {}", name_, finder.complaint(list_.gone.front())));
+    }
   }
-  if (options.all_parts_known && !list.gone.empty()) {
-    throw BadInput(
-        fmt::format("{}: {}", input.name(), PartFinder(job).complaint(list.gone.front())));
+
+  // On which bench a test was; nothing if that is not known.
+  std::optional<std::size_t> bench_of(const std::string& word) {
+    if (word.empty() && benches_->size() == 1) {
+      return 0;
+    }
+    const auto found = find_bench(*benches_, word);
+    if (!benches_->empty() && !found) {
+      if (std::find(no_benches_.begin(), no_benches_.end(), word) == no_benches_.end()) {
+        no_benches_.push_back(word);
+      }
+    }
+    return found;
   }
-  AskedJob answer;
-  answer.done_from = input.name();
-  const bool has_results = list.has_results();
-  std::vector<DoneTest>& done = answer.done;
-  std::uint64_t failed_with_gone = 0;
-  std::uint64_t not_run = 0;
-  std::optional<std::size_t> last;
-  for (std::size_t i = 0; i < all; ++i) {
+
+  void add(std::size_t i) {
+    const DoneList& list = list_;
+    const Block& setup = list.setups[i];
     const TestResult result = result_of(list.results[i]);
     const bool counts =
-        options.first ? i < *options.first : !has_results || result != TestResult::none;
+        options_->first ? i < *options_->first : !has_results_ || result != TestResult::none;
+    const auto bench = bench_of(list.benches[i]);
     if (!counts || result == TestResult::not_run) {
-      not_run += counts ? 1U : 0U;
-      answer.rest.push_back(list.setups[i]);
-      continue;
+      not_run_ += counts ? 1U : 0U;
+      if (bench) {
+        (*benches_)[*bench].rest.push_back(setup);
+      } else if (benches_->empty()) {
+        answer_.rest.push_back(setup);
+      }
+      return;
     }
-    done.push_back({list.setups[i], result});
-    record_test(answer.record, list, i, job);
-    last = i;
+    answer_.done.push_back({setup, result});
+    record_test(answer_.record, list, i, *job_);
+    last_ = i;
+    if (bench) {
+      on_bench_[*bench].push_back(i);
+    } else {
+      ++on_none_;
+    }
     if (result == TestResult::fail && list.lacks[i]) {
-      ++failed_with_gone;  // what is gone may be to blame: nothing else is
+      ++failed_with_gone_;  // what is gone may be to blame: nothing else is
     } else if (result == TestResult::pass || result == TestResult::fail) {
-      answer.results.push_back({list.setups[i], result == TestResult::fail});
-    } else if (result == TestResult::unread && answer.unread++ < few) {
-      answer.first_unread.push_back({list.unread[i], list.results[i]});
+      answer_.results.push_back({setup, result == TestResult::fail});
+    } else if (result == TestResult::unread && answer_.unread++ < few) {
+      answer_.first_unread.push_back({list.unread[i], list.results[i]});
     }
   }
-  if (failed_with_gone > 0) {
-    answer.notes.push_back(fmt::format(
-        "{}: {} failed with a part that is gone, which may be to blame: a diagnosis leaves {} out",
-        input.name(), count_of(failed_with_gone, "test"), failed_with_gone == 1 ? "it" : "them"));
+
+  void say_notes() {
+    std::vector<std::string>& notes = answer_.notes;
+    if (failed_with_gone_ > 0) {
+      notes.push_back(fmt::format(
+          "{}: {} failed with a part that is gone, which may be to blame: a diagnosis leaves {} out",
+          name_, count_of(failed_with_gone_, "test"), failed_with_gone_ == 1 ? "it" : "them"));
+    }
+    note_unread(*options_, *words_, answer_);
+    if (!list_.gone.empty()) {
+      notes.push_back(gone_note(name_, list_.gone));
+    }
+    for (const std::string& bench : no_benches_) {
+      notes.push_back(
+          bench.empty()
+              ? fmt::format("{}: tests that name no bench count, but nothing says what is mounted "
+                            "where; add a column bench",
+                            name_)
+              : fmt::format("{}: {} is none of the benches; what was tested there counts, and the "
+                            "rest of its sheet is planned anew",
+                            name_, shown(bench)));
+    }
+    if (not_run_ > 0) {
+      notes.push_back(fmt::format("{}: {} not run, by the column result, and {} not done", name_,
+                                  count_of(not_run_, "test was", "tests were"),
+                                  not_run_ == 1 ? "is" : "are"));
+    }
+    if (!options_->first && has_results_ && answer_.done.size() < all_) {
+      notes.push_back(fmt::format("{}: {} of {} tests have a result and are done", name_,
+                                  answer_.done.size(), all_));
+    }
   }
-  note_unread(options, words, answer);
-  note_gone(input.name(), list.gone, answer.notes);
-  if (not_run > 0) {
-    answer.notes.push_back(fmt::format("{}: {} not run, by the column result, and {} not done",
-                                       input.name(), count_of(not_run, "test was", "tests were"),
-                                       not_run == 1 ? "is" : "are"));
+
+  // The job, and each bench, after the tests that were done.
+  void go_on() {
+    if (benches_->empty()) {
+      std::vector<Block> setups;
+      for (const DoneTest& test : answer_.done) {
+        setups.push_back(test.setup);
+      }
+      take_first_off(setups, job_->first);
+      mark_tested(*job_, answer_.done, options_->failed);
+      if (last_) {
+        job_->places = places_after(list_, *last_, *job_);
+      }
+      return;
+    }
+    Job whole = *job_;
+    whole.at_once = most_at_once(*job_, *benches_);
+    mark_tested(whole, answer_.done, options_->failed);
+    whole.at_once = job_->at_once;
+    whole.start = job_->start;
+    whole.tests_done = on_none_;
+    for (std::size_t b = 0; b < benches_->size(); ++b) {
+      Bench& bench = (*benches_)[b];
+      if (on_bench_[b].empty()) {
+        continue;
+      }
+      std::vector<Block> setups;
+      for (const std::size_t test : on_bench_[b]) {
+        setups.push_back(list_.setups[test]);
+      }
+      bench.tests_done = setups.size();
+      std::vector<Block> first = bench.first.value_or(job_->first);
+      take_first_off(setups, first);
+      bench.first = std::move(first);
+      const std::vector<bool> barred = barred_parts(*job_, bench);
+      Block start = setups.back();
+      std::erase_if(start, [&](Element x) { return barred[x]; });
+      // Less may fit than did.
+      start.resize(std::min<std::size_t>(start.size(), bench.at_once.value_or(job_->at_once)));
+      bench.start = std::move(start);
+    }
+    *job_ = std::move(whole);
+    drop_overdrawn(*job_, *benches_, answer_.notes);
+    for (std::size_t b = 0; b < benches_->size(); ++b) {
+      if (!on_bench_[b].empty()) {
+        Job there = *job_;
+        there.start = *(*benches_)[b].start;
+        (*benches_)[b].places = places_after(list_, on_bench_[b].back(), there);
+      }
+    }
   }
-  if (!options.first && has_results && done.size() < all) {
-    answer.notes.push_back(fmt::format("{}: {} of {} tests have a result and are done",
-                                       input.name(), done.size(), all));
+
+  void take_first_off(const std::vector<Block>& done, std::vector<Block>& first) {
+    const std::size_t before = first.size();
+    drop_first(done, first);
+    if (first.size() < before) {
+      answer_.notes.push_back(fmt::format("{}: {} of {} done already", words_->first_tests,
+                                          before - first.size(), count_of(before, "set-up")));
+    }
   }
-  const std::size_t first = job.first.size();
-  drop_first(done, job);
-  if (job.first.size() < first) {
-    answer.notes.push_back(fmt::format("{}: {} of {} done already", words.first_tests,
-                                       first - job.first.size(), count_of(first, "set-up")));
+
+  const DoneOptions* options_;
+  const DoneWords* words_;
+  Job* job_;
+  std::vector<Bench>* benches_;
+  std::string name_;
+  DoneList list_;
+  std::vector<std::string> no_benches_;             // that tests name, "" for none
+  std::vector<std::vector<std::size_t>> on_bench_;  // by bench: what was tested there
+  std::optional<std::size_t> last_;
+  std::uint64_t on_none_ = 0;
+  std::uint64_t all_ = 0;
+  std::uint64_t failed_with_gone_ = 0;
+  std::uint64_t not_run_ = 0;
+  bool has_results_ = false;
+  AskedJob answer_;
+};
+
+}  // namespace
+
+std::vector<std::string> bench_sheets(const std::string& path) {
+  constexpr std::size_t most_bytes = std::size_t{1} << 26;  // of a workbook
+  std::error_code ignored;
+  std::vector<std::string> found;
+  if (path.empty() || list_file(path) != path || !std::filesystem::is_regular_file(path, ignored) ||
+      std::filesystem::file_size(path, ignored) > most_bytes) {
+    return found;
   }
-  mark_tested(job, done, options.failed);
-  if (last) {
-    job.places = places_after(list, *last, job);
+  const std::string bytes = read_to_end(*open_input(path), most_bytes);
+  if (!begins_like_a_workbook(bytes)) {
+    return found;
   }
-  return answer;
+  for (const SheetName& sheet : workbook_sheets(bytes, path)) {
+    const auto head = sheet.hidden ? std::nullopt : WorkbookSheet(bytes, path, sheet.name).next();
+    const auto has = [&](std::string_view word) {
+      return std::any_of(head->cells.begin(), head->cells.end(),
+                         [&](const SheetCell& cell) { return cell.text == word; });
+    };
+    if (head && has("bench") && has("take_out") && has("put_in")) {
+      found.push_back(sheet.name);
+    }
+  }
+  return found;
+}
+
+AskedJob take_done(const std::vector<std::unique_ptr<Input>>& inputs, const DoneOptions& options,
+                   const DoneWords& words, Job& job, std::vector<Bench>& benches) {
+  return DoneTaker(options, words, job, benches).take(inputs);
 }
 
 }  // namespace changeover

@@ -8,11 +8,14 @@
 #include <vector>
 
 #include "changeover/plan/job_request.hpp"
+#include "plan/request/parts_left.hpp"
 
 namespace changeover {
 
 /// How such a list is to be read.
 struct DoneOptions {
+  const std::vector<std::string>* names = nullptr;  ///< of all parts of the list
+  const PartsLeft* left = nullptr;                  ///< what is left of them
   std::optional<std::uint64_t> first;  ///< how many of its tests were done, if that was said
   FailedTests failed = FailedTests::again;
   bool for_diagnosis = false;    ///< no note says what is planned
@@ -26,12 +29,20 @@ struct DoneWords {
   std::string first_tests;  ///< what the set-ups that come first were read from
 };
 
-/// Takes the tests that were done, of several lists one after another, off the job: the first ones
-/// if their number is given, else those with a result if any has one, else all; without those whose
-/// result says that they were not run. Those of the job's first tests among them are not to be run
-/// again. Fills all of the answer but its job. O(size of the list), besides mark_tested(). @throws
-/// BadOption, BadInput, MissingResource
+/// The sheets of a workbook that are run sheets of benches, in their order; none of another file,
+/// nor if the path names a sheet.
+[[nodiscard]] std::vector<std::string> bench_sheets(const std::string& path);
+
+/// Takes the tests that were done off the job: the first ones if their number is given, else those
+/// with a result if any has one, else all; without those whose result says that they were not run.
+/// Those of the job's first tests among them are not to be run again. Several inputs are sheets of
+/// one workbook. A test says by name or number on which bench it was; a bench then goes on after
+/// its last test, with what was mounted there and the rest of its sheet. Tests of a bench that is
+/// none any more, or of none, count all the same. Fills all of the answer but its job and its
+/// benches. O(size of the lists), besides mark_tested(). @throws BadOption, BadInput,
+/// MissingResource
 [[nodiscard]] AskedJob take_done(const std::vector<std::unique_ptr<Input>>& inputs,
-                                 const DoneOptions& options, const DoneWords& words, Job& job);
+                                 const DoneOptions& options, const DoneWords& words, Job& job,
+                                 std::vector<Bench>& benches);
 
 }  // namespace changeover

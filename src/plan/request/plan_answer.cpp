@@ -1,16 +1,44 @@
 // From a checked job to its answer.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "core/words.hpp"
 #include "io/scan/place.hpp"
+#include "plan/job/bench_jobs.hpp"
 #include "plan/request/workbook_question.hpp"
 #include "plan/search/first_pieces.hpp"
 
 namespace changeover {
 namespace {
+
+// The next test is on the first bench that works and can have the most parts.
+std::size_t bench_to_diagnose_on(const AskedJob& asked) {
+  std::size_t best = 0;
+  std::ptrdiff_t fewest = std::numeric_limits<std::ptrdiff_t>::max();
+  for (std::size_t b = 0; b < asked.benches.size(); ++b) {
+    const std::vector<bool> barred = barred_parts(*asked.job, asked.benches[b]);
+    const std::ptrdiff_t few = std::count(barred.begin(), barred.end(), true);
+    if (!asked.benches[b].down && few < fewest) {
+      best = b;
+      fewest = few;
+    }
+  }
+  return best;
+}
+
+// The job of the bench that the next test is for.
+Job diagnosed_job(const AskedJob& asked) {
+  return asked.benches.empty()
+             ? *asked.job
+             : job_by_itself(*asked.job, asked.benches[bench_to_diagnose_on(asked)]);
+}
 
 // Which faults the results leave, and what to test next.
 Diagnosis diagnosis_of(const AskedJob& asked) {
@@ -22,10 +50,14 @@ Diagnosis diagnosis_of(const AskedJob& asked) {
                   "{}: no result says pass or fail; {} is not understood; write pass or fail",
                   asked.first_unread.front().place, shown(asked.first_unread.front().text)));
   }
-  Diagnosis found = diagnose(*asked.job, asked.results);
+  Diagnosis found = diagnose(diagnosed_job(asked), asked.results);
   found.unread = asked.unread;
   found.first_unread = asked.first_unread;
   found.notes = asked.notes;
+  if (asked.benches.size() > 1 && found.next) {
+    found.notes.push_back("the next test is for " +
+                          name_of(asked.benches, bench_to_diagnose_on(asked)));
+  }
   return found;
 }
 
@@ -68,10 +100,9 @@ PlanAnswer answer_to(const JobRequest& request, const AskedJob& asked, RunContro
   }
   answer.options = plan_options(request, asked);
   answer.objective = request.objective == "cost" ? BenchObjective::cost : BenchObjective::makespan;
-  if (request.benches) {
+  if (!asked.benches.empty()) {
     answer.benches = make_bench_plan(
-        asked.job,
-        {.benches = *request.benches, .objective = answer.objective, .plan = answer.options},
+        asked.job, {.objective = answer.objective, .plan = answer.options, .each = asked.benches},
         control);
     return answer;
   }
@@ -94,7 +125,8 @@ std::string written(const JobRequest& request, const AskedJob& asked, const Plan
                     const std::string& format, std::size_t width) {
   const Job& job = *asked.job;
   if (answer.diagnosis) {
-    return written(DiagnosisDocument{.job = &job,
+    const Job own = diagnosed_job(asked);
+    return written(DiagnosisDocument{.job = &own,
                                      .found = &*answer.diagnosis,
                                      .rest = asked.rest,
                                      .done = &asked.record,
@@ -108,7 +140,10 @@ std::string written(const JobRequest& request, const AskedJob& asked, const Plan
     BenchDocument document{.job = &job,
                            .plan = &*answer.benches,
                            .objective = answer.objective,
-                           .notes = answer.notes};
+                           .notes = answer.notes,
+                           .budget = answer.options.budget,
+                           .first_day = request.first_day,
+                           .weekends = request.weekends};
     document.title = request.title.empty() ? document.title : request.title;
     return written(document, format, width);
   }

@@ -165,7 +165,8 @@ Start heaviest_within(const Job& job, Amount budget, Amount whole, const std::ve
     if (there.total() > search.budget) {
       break;
     }
-    const FoundLists found = search_lists(job, weights, {{best}}, search, control);
+    const FoundLists found =
+        search_lists(ListsJob::alike(job, weights, 1), {{best}}, search, control);
     best = found.lists.front();
     steps += found.steps;
     ++search.round;

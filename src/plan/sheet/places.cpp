@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <set>
 #include <span>
 
@@ -32,24 +34,31 @@ std::size_t count_in(const Job& job, const Block& parts, std::uint32_t slot) {
 
 // The places that are known and those that the sheets need besides, each new one with the least
 // number that is free.
-std::vector<MountedPlace> all_places(const Job& job, const std::vector<const RunSheet*>& sheets) {
-  std::set<std::uint64_t> numbers;
-  for (const MountedPlace& place : job.places) {
-    numbers.insert(place.number);
+std::vector<MountedPlace> all_places(const std::vector<const Job*>& jobs,
+                                     const std::vector<const RunSheet*>& sheets) {
+  std::map<std::uint64_t, std::uint32_t> known;  // slots by number
+  for (const Job* job : jobs) {
+    for (const MountedPlace& place : job->places) {
+      known.emplace(place.number, place.slot);
+    }
   }
+  std::set<std::uint64_t> numbers;
+  std::ranges::transform(known, std::inserter(numbers, numbers.end()),
+                         [](const auto& place) { return place.first; });
   std::uint64_t next = 1;
   std::vector<MountedPlace> places;
-  for (const std::uint32_t slot : slots_of(job)) {
-    std::size_t width = count_in(job, job.start, slot);
-    for (const RunSheet* sheet : sheets) {
-      for (const RunStep& step : sheet->steps) {
-        width = std::max(width, count_in(job, step.setup, slot));
+  for (const std::uint32_t slot : slots_of(*jobs.front())) {
+    std::size_t width = 0;
+    for (std::size_t i = 0; i < sheets.size(); ++i) {
+      width = std::max(width, count_in(*jobs[i], jobs[i]->start, slot));
+      for (const RunStep& step : sheets[i]->steps) {
+        width = std::max(width, count_in(*jobs[i], step.setup, slot));
       }
     }
     const std::size_t begin = places.size();
-    for (const MountedPlace& place : job.places) {
-      if (place.slot == slot) {
-        places.push_back({place.number, slot, {}});
+    for (const auto& [number, of] : known) {
+      if (of == slot) {
+        places.push_back({number, slot, {}});
       }
     }
     while (places.size() < begin + width) {
@@ -64,9 +73,9 @@ std::vector<MountedPlace> all_places(const Job& job, const std::vector<const Run
 }
 
 // One bench while its steps go by.
-class Bench {
+class BenchPlaces {
  public:
-  Bench(const Job& job, const std::vector<MountedPlace>& places)
+  BenchPlaces(const Job& job, const std::vector<MountedPlace>& places)
       : job_(&job), places_(&places), now_(places.size()), last_(job.names.size()) {
     for (const MountedPlace& known : job.places) {
       if (known.part && std::ranges::count(job.start, *known.part) != 0) {
@@ -147,18 +156,28 @@ std::string PlacedSheets::head(const Job& job, std::size_t place) const {
 }
 
 PlacedSheets placed(const Job& job, const std::vector<const RunSheet*>& sheets) {
-  PlacedSheets made{.places = all_places(job, sheets), .sheets = {}};
-  for (const RunSheet* sheet : sheets) {
-    Bench bench(job, made.places);
+  return placed(std::vector<const Job*>(sheets.size(), &job), sheets);
+}
+
+PlacedSheets placed(const std::vector<const Job*>& jobs,
+                    const std::vector<const RunSheet*>& sheets) {
+  PlacedSheets made{.places = {}, .sheets = {}};
+  if (sheets.empty()) {
+    return made;
+  }
+  made.places = all_places(jobs, sheets);
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    BenchPlaces bench(*jobs[i], made.places);
     PlacedSheet& list = made.sheets.emplace_back();
     list.before = bench.now();
-    for (const RunStep& step : sheet->steps) {
+    for (const RunStep& step : sheets[i]->steps) {
       bench.take(step);
       list.steps.push_back(bench.now());
     }
-  }
-  if (const auto faults = place_faults(job, sheets, made); !faults.empty()) {
-    throw InternalError("places of parts: " + faults.front());
+    const PlacedSheets alone{.places = made.places, .sheets = {list}};
+    if (const auto faults = place_faults(*jobs[i], {sheets[i]}, alone); !faults.empty()) {
+      throw InternalError("places of parts: " + faults.front());
+    }
   }
   return made;
 }

@@ -41,6 +41,9 @@ struct PlacedSheets {
 /// places. O(parts + steps · places²).
 /// @throws InternalError if place_faults() finds one.
 [[nodiscard]] PlacedSheets placed(const Job& job, const std::vector<const RunSheet*>& sheets);
+/// The same with a job for each sheet; these differ in what is mounted at the start, and where.
+[[nodiscard]] PlacedSheets placed(const std::vector<const Job*>& jobs,
+                                  const std::vector<const RunSheet*>& sheets);
 
 /// What is wrong with them, a line each: the count that checks them, which shares nothing with what
 /// made them. A set-up that is not mounted as it is, a place that holds a part of another slot, a

@@ -25,6 +25,8 @@ void add_lists(TableDocument& document, const Job& job) {
   }
 }
 
+}  // namespace
+
 std::vector<std::string> mounted_on_page(const Job& job) {
   return job.mounted.empty()
              ? std::vector<std::string>()
@@ -36,6 +38,8 @@ void set_lines(TableDocument& document, std::vector<std::string> lines) {
   lines.erase(lines.begin());
   document.lines = std::move(lines);
 }
+
+namespace {
 
 std::vector<Figure> figures_of(const SheetDocument& document) {
   const Job& job = *document.job;
@@ -105,22 +109,6 @@ Table compared(const SheetDocument& document) {
                    {"cost", cost_column},
                    {what_meets(job), number_column},
                    {"dearer by", number_column},
-                   {"how", remark}},
-                  std::move(rows));
-}
-
-Table compared(const BenchDocument& document) {
-  const Money money(*document.job);
-  std::vector<std::vector<std::string>> rows;
-  for (const BenchCandidate& c : document.plan->candidates) {
-    rows.push_back(
-        {c.name, text(c.tests), text(c.changes), money(c.largest), money(c.cost), c.how});
-  }
-  return table_of({{"plan", {}},
-                   {"tests", number_column},
-                   {"changes", number_column},
-                   {"largest", cost_column},
-                   {"together", cost_column},
                    {"how", remark}},
                   std::move(rows));
 }
@@ -237,20 +225,6 @@ void add_question(TableDocument& document, const std::vector<std::string>& quest
   }
 }
 
-std::string bench_name(std::size_t bench) { return fmt::format("Bench {}", bench + 1); }
-
-// What the tests of each bench come to.
-Table benches(const std::vector<RunSheet>& sheets, const Money& money) {
-  std::vector<std::vector<std::string>> rows;
-  for (const RunSheet& sheet : sheets) {
-    rows.push_back({bench_name(rows.size()), text(sheet.steps.size()), text(sheet.changes),
-                    money(sheet.cost)});
-  }
-  return table_of(
-      {{"bench", {}}, {"tests", number_column}, {"changes", number_column}, {"cost", cost_column}},
-      std::move(rows));
-}
-
 }  // namespace
 
 std::string style_of(const Job& job, bool compact) {
@@ -308,37 +282,6 @@ TableDocument table_document(const SheetDocument& document) {
        .sheet = "Run sheet"},
       {.heading = "Compared", .table = compared(document), .in = everywhere & ~in_csv}};
   add_what_goes_on(made, job, money, document.done, document.question);
-  return made;
-}
-
-TableDocument table_document(const BenchDocument& document) {
-  const Job& job = *document.job;
-  const std::vector<RunSheet>& sheets = document.plan->sheets;
-  const Money money(job);
-  TableDocument made{.title = document.title, .style = style_of(job), .overview = "Plan"};
-  set_lines(made, bench_summary(document));
-  add_lists(made, job);
-  made.sections.push_back({.heading = "Compared", .table = compared(document), .in = in_html});
-  std::vector<const RunSheet*> all;
-  for (std::size_t bench = 0; bench < sheets.size(); ++bench) {
-    const RunSheet& sheet = sheets[bench];
-    all.push_back(&sheet);
-    made.sections.push_back(
-        {.heading = fmt::format("{}: {}, {}, cost {}", bench_name(bench),
-                                count_of(sheet.steps.size(), "test"),
-                                count_of(sheet.changes, "change"), money(sheet.cost)),
-         .page_lines = mounted_on_page(job),
-         .table = step_table(job, {&sheet}, money, {}),
-         .in = everywhere & ~in_csv,
-         .css = "bench",
-         .sheet = bench_name(bench),
-         .sheet_head = fmt::format("{}: {}", document.title, bench_name(bench))});
-  }
-  made.sections.push_back({.table = step_table(job, all, money, {.benches = true}), .in = in_csv});
-  made.sections.push_back({.table = benches(sheets, money), .in = in_workbook});
-  made.sections.push_back(
-      {.heading = "Compared", .table = compared(document), .in = everywhere & ~in_csv & ~in_html});
-  add_lists_of_job(made, job, money);
   return made;
 }
 

@@ -1,6 +1,9 @@
 // Run sheets as documents that every format can write.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "changeover/plan/benches.hpp"
 #include "changeover/plan/diagnosis.hpp"
 #include "changeover/plan/run_plan.hpp"
@@ -26,6 +29,16 @@ void add_lists_of_job(TableDocument& document, const Job& job, const Money& mone
 /// the job, the tests that were done, and the question. `done` may be null, `question` empty.
 void add_what_goes_on(TableDocument& document, const Job& job, const Money& money,
                       const DoneRecord* done, const std::vector<std::string>& question);
+
+/// "Stay mounted: A · B", for a page; nothing if no part does.
+[[nodiscard]] std::vector<std::string> mounted_on_page(const Job& job);
+
+/// The first of these lines is the headline.
+void set_lines(TableDocument& document, std::vector<std::string> lines);
+
+/// The job as the sheet of each bench shows it: with what is mounted there at the start, and with
+/// the same places on all sheets.
+[[nodiscard]] std::vector<Job> jobs_on_sheets(const BenchDocument& document);
 
 /// One line for programs.
 [[nodiscard]] std::string json_of(const SheetDocument& document);

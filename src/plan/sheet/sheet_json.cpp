@@ -2,13 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
 #include "changeover/plan/job.hpp"
 #include "io/write/json_writer.hpp"
 #include "plan/sheet/clock.hpp"
-#include "plan/sheet/places.hpp"
+#include "plan/sheet/places_json.hpp"
 #include "plan/sheet/sheet_document.hpp"
 #include "plan/sheet/sheet_words.hpp"
 #include "plan/sheet/shown_values.hpp"
@@ -44,46 +43,6 @@ void write_parameters(JsonWriter& json, const Job& job) {
 void write_ratio(JsonWriter& json, const std::optional<Ratio>& ratio) {
   ratio ? json.value(static_cast<double>(ratio->over) / static_cast<double>(ratio->under))
         : json.null();
-}
-
-// Places by their numbers, and what is in them.
-class PlacesInJson {
- public:
-  PlacesInJson(const Job& job, const std::vector<const RunSheet*>& sheets)
-      : job_(&job), placed_(placed(job, sheets)), order_(placed_.places.size()) {
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::ranges::sort(order_, {}, [&](std::size_t i) { return placed_.places[i].number; });
-  }
-
-  void write_all(JsonWriter& json) const {
-    json.key("places").begin_array();
-    for (const std::size_t i : order_) {
-      const MountedPlace& place = placed_.places[i];
-      json.begin_object().key("number").value(place.number).key("slot");
-      place.slot == no_slot ? json.null() : json.value(job_->slots[place.slot].name);
-      json.end_object();
-    }
-    json.end_array();
-  }
-
-  void write(JsonWriter& json, std::size_t sheet, std::size_t step) const {
-    json.key("places").begin_array();
-    for (const std::size_t i : order_) {
-      const auto& part = placed_.sheets[sheet].steps[step][i];
-      part ? json.value(job_->names[*part]) : json.null();
-    }
-    json.end_array();
-  }
-
- private:
-  const Job* job_;
-  PlacedSheets placed_;
-  std::vector<std::size_t> order_;
-};
-
-void write_unit(JsonWriter& json, const Job& job) {
-  json.key("cost_unit");
-  job.cost_unit == CostUnit::none ? json.null() : json.value(word_of(job.cost_unit));
 }
 
 }  // namespace
@@ -230,66 +189,6 @@ std::string json_of(const Job& job, const WhatIf& answer) {
   }
   json.end_array().key("met_only_in_failed").value(job.met_only_in_failed);
   json.key("trust_failed").value(job.trust_failed).key("notes").value(answer.notes).end_object();
-  return json.take() + "\n";
-}
-
-std::string json_of(const BenchDocument& document) {
-  const Job& job = *document.job;
-  const BenchPlan& plan = *document.plan;
-  const Money money(job);
-  JsonWriter json;
-  json.begin_object().key("format").value("changeover-benches/1");
-  json.key("title").value(document.title).key("benches").value(plan.sheets.size());
-  json.key("objective").value(document.objective == BenchObjective::cost ? "cost" : "makespan");
-  json.key("cost").raw(money(plan.cost)).key("makespan").raw(money(plan.largest));
-  json.key("tests").value(plan.tests).key("changes").value(plan.changes);
-  json.key("pairs_needed").value(plan.pairs_needed).key("pairs_tested").value(plan.pairs_tested);
-  json.key("triples_needed").value(plan.triples_needed);
-  json.key("triples_tested").value(plan.triples_tested);
-  json.key("lower_bound").begin_object().key("cost").raw(money(plan.bound.cost));
-  json.key("makespan").raw(money(plan.largest_bound));
-  json.key("cost_reason").value(plan.bound.reason);
-  json.key("makespan_reason").value(plan.largest_reason).end_object();
-  write_unit(json, job);
-  std::vector<const RunSheet*> sheets;
-  for (const RunSheet& sheet : plan.sheets) {
-    sheets.push_back(&sheet);
-  }
-  const PlacesInJson places(job, sheets);
-  places.write_all(json);
-  json.key("sheets").begin_array();
-  for (std::size_t bench = 0; bench < plan.sheets.size(); ++bench) {
-    const RunSheet& sheet = plan.sheets[bench];
-    json.begin_object().key("bench").value(bench + 1).key("tests").value(sheet.steps.size());
-    json.key("changes").value(sheet.changes).key("cost").raw(money(sheet.cost));
-    json.key("steps").begin_array();
-    std::uint64_t number = 0;
-    for (const RunStep& step : sheet.steps) {
-      json.begin_object().key("step").value(++number);
-      json.key("take_out").value(names_of(job, step.take_out));
-      json.key("put_in").value(names_of(job, step.put_in));
-      json.key("set_up").value(names_of(job, step.setup));
-      places.write(json, bench, static_cast<std::size_t>(number - 1));
-      json.key("new_" + what_meets(job)).value(new_here(job, step));
-      if (job.replaces()) {
-        json.key("replaced").begin_array();
-        for (const auto& [out, in] : step.replaced) {
-          json.value(names_of(job, {out, in}));
-        }
-        json.end_array();
-      }
-      json.key("cost").raw(money(step.cost));
-      json.key("cost_so_far").raw(money(step.cost_so_far)).end_object();
-    }
-    json.end_array().end_object();
-  }
-  json.end_array().key("candidates").begin_array();
-  for (const BenchCandidate& c : plan.candidates) {
-    json.begin_object().key("name").value(c.name).key("how").value(c.how);
-    json.key("tests").value(c.tests).key("changes").value(c.changes);
-    json.key("cost").raw(money(c.cost)).key("makespan").raw(money(c.largest)).end_object();
-  }
-  json.end_array().key("notes").value(document.notes).end_object();
   return json.take() + "\n";
 }
 

@@ -11,12 +11,6 @@
 namespace changeover {
 namespace {
 
-// How far a is above b, in per cent.
-std::string per_cent_above(Amount a, Amount b) {
-  return fmt::format("{:.1f} %", 100.0 * static_cast<double>((a - b).millionths) /
-                                     static_cast<double>(b.millionths));
-}
-
 // How many changes the same tests need in a random order, on average, to the nearest number: each ordered pair
 // of tests follows each other with the same probability.
 std::uint64_t changes_in_random_order(const Job& job, const RunSheet& sheet) {
@@ -91,7 +85,8 @@ std::string tests_line(const RunPlan& plan, const std::string& all) {
                      count_of(plan.bound.tests, "test"), tests - plan.bound.tests);
 }
 
-// What met only in tests that did not pass.
+}  // namespace
+
 std::string failed_line(const Job& job) {
   const bool one = job.met_only_in_failed == 1;
   return fmt::format("{} met only in tests that failed or whose result is not understood: {} {}",
@@ -101,7 +96,10 @@ std::string failed_line(const Job& job) {
                                       : (one ? "is needed again" : "are needed again"));
 }
 
-}  // namespace
+std::string per_cent_above(Amount a, Amount b) {
+  return fmt::format("{:.1f} %", 100.0 * static_cast<double>((a - b).millionths) /
+                                     static_cast<double>(b.millionths));
+}
 
 Money::Money(const Job& job, std::optional<Amount> budget) {
   decimals_ = decimals_needed(job.test_cost);
@@ -259,39 +257,6 @@ std::string difference(const SheetDocument& document, const Candidate& candidate
   const Money money(*document.job, document.budget);
   std::string text = "+" + money(candidate.cost - least);
   return least.millionths == 0 ? text : text + " (" + per_cent_above(candidate.cost, least) + ")";
-}
-
-std::vector<std::string> bench_summary(const BenchDocument& document) {
-  const Job& job = *document.job;
-  const BenchPlan& plan = *document.plan;
-  const Money money(job);
-  const bool triples = !job.triples.empty();
-  std::vector<std::string> lines{
-      fmt::format("{}, {} at a time, on {}: {}, {}", count_of(parts_listed(job), "part"),
-                  job.at_once, count_of(plan.sheets.size(), "bench", "benches"),
-                  count_of(plan.tests, "test"), count_of(plan.changes, "change")),
-      fmt::format("{} on the bench that costs most, {} together", money(plan.largest),
-                  money(plan.cost)),
-      fmt::format("{} of {} tested on some bench, checked by an independent count",
-                  triples ? plan.triples_tested : plan.pairs_tested,
-                  triples ? count_of(plan.triples_needed, "needed triple")
-                          : count_of(plan.pairs_needed, "needed pair")),
-      fmt::format("best for {}: {}",
-                  document.objective == BenchObjective::cost ? "the least cost together"
-                                                             : "the least largest cost",
-                  plan.candidates.front().name)};
-  lines.push_back(plan.largest == plan.largest_bound
-                      ? fmt::format("no plan is done for less than {} on each bench: {}",
-                                    money(plan.largest), plan.largest_reason)
-                      : fmt::format("lower bound for the bench that costs most: {}, since {}",
-                                    money(plan.largest_bound), plan.largest_reason));
-  lines.push_back(
-      fmt::format("lower bound for all benches together: {}, since their lists end to end are one "
-                  "list",
-                  money(plan.bound.cost)));
-  lines.push_back("every bench begins empty, and every bench can have every part");
-  lines.insert(lines.end(), document.notes.begin(), document.notes.end());
-  return lines;
 }
 
 }  // namespace changeover

@@ -1,6 +1,7 @@
 // What all formats of a run sheet say in the same words.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ class Money {
   Money(const Job& job, std::optional<Amount> budget = {});
   [[nodiscard]] std::string operator()(Amount amount) const { return to_string(amount, decimals_); }
   [[nodiscard]] unsigned decimals() const { return decimals_; }
+  /// With the decimals that this needs, too.
+  void widen(Amount amount) { decimals_ = std::max(decimals_, decimals_needed(amount)); }
 
  private:
   unsigned decimals_ = 0;
@@ -46,8 +49,11 @@ class Money {
 /// What is to be said beside the ranges of ratios, a line each.
 [[nodiscard]] std::vector<std::string> what_if_notes(const Job& job, const WhatIf& answer);
 
-/// The same of several benches.
-[[nodiscard]] std::vector<std::string> bench_summary(const BenchDocument& document);
+/// What met only in tests that did not pass, in a line.
+[[nodiscard]] std::string failed_line(const Job& job);
+
+/// How far a is above b: "0.9 %".
+[[nodiscard]] std::string per_cent_above(Amount a, Amount b);
 
 /// "pairs", or "triples" where these have to meet.
 [[nodiscard]] std::string what_meets(const Job& job);

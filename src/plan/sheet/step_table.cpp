@@ -20,6 +20,7 @@ struct Line {
   std::size_t bench = 0;
   std::uint64_t number = 0;
   const RunStep* step = nullptr;
+  const StepTime* time = nullptr;
   const MountedParts* before = nullptr;
   const MountedParts* now = nullptr;
   std::size_t at = 0;  // in its list
@@ -31,14 +32,18 @@ struct Steps {
   std::vector<Line> lines;
 };
 
-std::shared_ptr<const Steps> steps_of(const Job& job, const std::vector<const RunSheet*>& sheets) {
-  const auto made = std::make_shared<Steps>(Steps{placed(job, sheets), {}});
+std::shared_ptr<const Steps> steps_of(const Job& job, const std::vector<const RunSheet*>& sheets,
+                                      const StepTableOptions& options) {
+  const std::vector<const Job*> jobs =
+      options.jobs.empty() ? std::vector<const Job*>(sheets.size(), &job) : options.jobs;
+  const auto made = std::make_shared<Steps>(Steps{placed(jobs, sheets), {}});
   for (std::size_t bench = 0; bench < sheets.size(); ++bench) {
     const PlacedSheet& list = made->placed.sheets[bench];
     const MountedParts* before = &list.before;
     for (std::size_t i = 0; i < list.steps.size(); ++i) {
-      made->lines.push_back(
-          {bench, job.tests_done + i + 1, &sheets[bench]->steps[i], before, &list.steps[i], i});
+      const StepTime* const time = options.times.empty() ? nullptr : &(*options.times[bench])[i];
+      made->lines.push_back({bench, jobs[bench]->tests_done + i + 1, &sheets[bench]->steps[i], time,
+                             before, &list.steps[i], i});
       before = &list.steps[i];
     }
   }
@@ -148,7 +153,7 @@ class StepTable {
  public:
   StepTable(const Job& job, const std::vector<const RunSheet*>& sheets, const Money& money,
             const StepTableOptions& options)
-      : job_(&job), money_(money), options_(options), steps_(steps_of(job, sheets)) {
+      : job_(&job), money_(money), options_(options), steps_(steps_of(job, sheets, options)) {
     const bool long_names = has_long_names(job);
     // One name a line would make a step as high as a third of a page.
     constexpr std::uint64_t most_lines = 6;
@@ -197,12 +202,51 @@ class StepTable {
   void add_heads() {
     add("Pass Fail", [](const Line&) { return TableCell(); },
         {.kind = ColumnKind::choice, .in = in_html, .css = "verdict"});
-    if (options_.benches) {
-      add("bench", [](const Line& line) { return number_cell(line.bench + 1); },
-          {.kind = ColumnKind::number, .in = for_programs});
+    if (!options_.benches.empty()) {
+      add("bench",
+          [names = options_.benches](const Line& line) { return TableCell(names[line.bench]); },
+          {.in = for_programs});
     }
     add("step", [](const Line& line) { return number_cell(line.number); },
         {.kind = ColumnKind::number, .css = "step"});
+    if (!options_.times.empty()) {
+      options_.calendar == nullptr ? add_times() : add_days(*options_.calendar);
+    }
+  }
+
+  // From when to when a step is.
+  void add_times() {
+    add("from", [money = money_](const Line& line) { return TableCell(money(line.time->begin)); },
+        {.kind = ColumnKind::number, .name = "begin"});
+    add("to", [money = money_](const Line& line) { return TableCell(money(line.time->end)); },
+        {.kind = ColumnKind::number, .name = "end"});
+  }
+
+  // The same as days, with hours of a day.
+  void add_days(const BenchCalendar& days) {
+    add("day", [days](const Line& line) { return number_cell(days.day(line.time->begin)); },
+        {.kind = ColumnKind::number});
+    if (!days.iso_date(1).empty()) {
+      add("date",
+          [days](const Line& line) { return TableCell(days.iso_date(days.day(line.time->begin))); },
+          {.in = for_programs});
+      add("date",
+          [days](const Line& line) { return TableCell(days.date(days.day(line.time->begin))); },
+          {.in = for_people});
+    }
+    add("from\n" + days.unit(),
+        [days, money = money_](const Line& line) {
+          return TableCell(money(days.hour(line.time->begin)));
+        },
+        {.kind = ColumnKind::number, .name = "from_" + days.unit()});
+    add("to\n" + days.unit(),
+        [days, money = money_](const Line& line) {
+          const std::uint64_t day = days.last_day(line.time->end);
+          const std::string hour = money(days.last_hour(line.time->end));
+          const bool same = day == days.day(line.time->begin);
+          return TableCell(same ? hour : fmt::format("{} on day {}", hour, day));
+        },
+        {.kind = ColumnKind::number, .name = "to_" + days.unit()});
   }
 
   // Where each slot has a column, or each place, that says what comes and goes.

@@ -5,16 +5,21 @@
 #include <vector>
 
 #include "io/table/table.hpp"
+#include "plan/sheet/bench_calendar.hpp"
 #include "plan/sheet/sheet_words.hpp"
 
 namespace changeover {
 
 struct StepTableOptions {
-  bool compact = false;  ///< as in SheetDocument
-  bool benches = false;  ///< the bench of each step stands first
+  bool compact = false;                   ///< as in SheetDocument
+  std::vector<std::string> benches = {};  ///< by sheet: the bench of each step stands first
+  std::vector<const Job*> jobs = {};      ///< by sheet: the job as it shows it; empty: that of all
+  std::vector<const std::vector<StepTime>*> times =
+      {};                                   ///< by sheet: when steps are; empty: as the costs say
+  const BenchCalendar* calendar = nullptr;  ///< times are days and hours
 };
 
-/// The job and the sheets must outlive the table.
+/// The jobs, the sheets, the times and the calendar must outlive the table.
 [[nodiscard]] Table step_table(const Job& job, const std::vector<const RunSheet*>& sheets,
                                const Money& money, const StepTableOptions& options);
 

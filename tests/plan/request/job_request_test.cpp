@@ -236,7 +236,7 @@ TEST(JobRequest, SaysWhatIsWrongAndWhere) {
       {base + R"("parts":["a","b","c"],"done":[{"parts":["a"],"when":1}]})", "done[0]: write"},
       {base + R"("parts":["a","b","c"],"slots":[{"least":1}]})", "slots[0]: write {\"name\""},
       {base + R"("parts":9,"objective":"time"})", "objective: write one of makespan, cost"},
-      {base + R"("parts":9,"benches":2,"budget":3})", "budget has no meaning with benches"},
+      {base + R"("parts":9,"benches":2,"shuffle":3})", "shuffle has no meaning with benches"},
       {base + R"("parts":9,"seconds":-1})", "seconds: write a number of seconds"},
       {base + R"("parts":9,"what_if":1})", "what_if: write true or false"},
       {base + R"("parts":9,"title":"a\u202eb"})", "title: "},

@@ -93,6 +93,17 @@ class PairReader {
   [[nodiscard]] bool has_header() const { return columns_.header; }
   [[nodiscard]] std::size_t parts() const { return finder_.size(); }
 
+  // Whether the pair names a part that is none any more; its names join `gone`.
+  [[nodiscard]] bool is_gone(const Row& row, std::vector<std::string>* gone) {
+    bool some = false;
+    for (const std::size_t i : {columns_.one, columns_.other}) {
+      if (i < row.size() && came_in_fields_) {
+        some = finder_.some_gone({&row[i], 1}, reader_, gone) || some;
+      }
+    }
+    return some;
+  }
+
   // The pair, with what to write instead if it is none.
   [[nodiscard]] std::pair<Element, Element> pair(const Row& row, std::string_view example) const {
     Row parts;
@@ -133,7 +144,8 @@ std::optional<Amount> weight_in(const Field& field, const RowReader& reader) {
   }
 }
 
-PairSet pairs_in(Input& input, const PartNames& names, PairReasons* why) {
+PairSet pairs_in(Input& input, const PartNames& names, PairReasons* why,
+                 std::vector<std::string>* gone) {
   PairReader rows(input, names);
   PairSet pairs(rows.parts());
   while (const auto row = rows.next(heads_reasons)) {
@@ -147,6 +159,9 @@ PairSet pairs_in(Input& input, const PartNames& names, PairReasons* why) {
          (row->size() == most_fields && third == nullptr && !row->back().text.empty()))) {
       rows.reader().fail(row->front(), "more than two stand here, and a pair has two; write A,B");
     }
+    if (rows.is_gone(*row, gone)) {
+      continue;
+    }
     const auto [one, other] = rows.pair(*row, "A,B");
     pairs.insert(one, other);
     if (why != nullptr && says_why) {
@@ -158,15 +173,17 @@ PairSet pairs_in(Input& input, const PartNames& names, PairReasons* why) {
 
 }  // namespace
 
-PairSet read_pairs(Input& input, const std::vector<std::string>& names, PairReasons* why) {
-  return pairs_in(input, names, why);
+PairSet read_pairs(Input& input, const std::vector<std::string>& names, PairReasons* why,
+                   std::vector<std::string>* gone) {
+  return pairs_in(input, names, why, gone);
 }
 
 PairSet read_pairs(Input& input, const Job& job, PairReasons* why) {
-  return pairs_in(input, job, why);
+  return pairs_in(input, job, why, nullptr);
 }
 
-PairWeights read_priorities(Input& input, const std::vector<std::string>& names) {
+PairWeights read_priorities(Input& input, const std::vector<std::string>& names,
+                            std::vector<std::string>* gone) {
   PairReader rows(input, names);
   PairWeights weights;
   std::set<std::uint64_t> seen;
@@ -177,6 +194,9 @@ PairWeights read_priorities(Input& input, const std::vector<std::string>& names)
     }
     const Field& said =
         rows.has_header() && rows.third(*row) != nullptr ? *rows.third(*row) : row->back();
+    if (weight_in(said, rows.reader()) && rows.is_gone(*row, gone)) {
+      continue;
+    }
     const auto [one, other] = rows.pair(*row, "A,B,5");
     const auto weight = weight_in(said, rows.reader());
     if (!weight) {
@@ -191,7 +211,7 @@ PairWeights read_priorities(Input& input, const std::vector<std::string>& names)
     }
     weights.set(one, other, *weight);
   }
-  if (weights.empty()) {
+  if (weights.empty() && (gone == nullptr || gone->empty())) {
     fail(input.name(), {}, "no pair is listed; write A,B,5, a pair and its weight a line");
   }
   return weights;

@@ -8,17 +8,20 @@
 namespace changeover {
 namespace {
 
-// The set-up nearest to `beside` that holds the target; nothing if it is not found.
-std::optional<Block> around(const Lists& lists, std::span<const Element> beside,
+// The set-up of a bench nearest to `beside` that holds the target; nothing if it is not found.
+std::optional<Block> around(const Lists& lists, std::size_t bench, std::span<const Element> beside,
                             std::span<const Element> target) {
-  const Job& job = lists.job();
-  const Fitting& fitting = lists.fitting();
+  const Job& job = lists.job(bench);
+  const Fitting& fitting = lists.fitting(bench);
   Block setup = job.mounted;
   const auto holds = [&](Element z) {
     return std::find(setup.begin(), setup.end(), z) != setup.end();
   };
   for (const Element x : target) {
     if (!holds(x)) {
+      if (!lists.joins(setup, x)) {  // What stays mounted on this bench is against it.
+        return std::nullopt;
+      }
       setup.push_back(x);
     }
   }
@@ -58,7 +61,7 @@ bool complete(Lists& lists, RunControl& control) {
     Spot place;
     Block chosen;
     const auto consider = [&](Spot where, std::span<const Element> beside) {
-      const auto setup = around(lists, beside, target);
+      const auto setup = around(lists, where.bench, beside, target);
       if (!setup) {
         return;
       }
@@ -78,7 +81,7 @@ bool complete(Lists& lists, RunControl& control) {
       }
     };
     for (std::size_t bench = 0; bench < lists.benches(); ++bench) {
-      consider({bench, 0}, lists.job().start);
+      consider({bench, 0}, lists.job(bench).start);
     }
     for (std::size_t i = 0; i < lists.tests(); i += stride) {
       Spot where = lists.spot(i);
@@ -119,6 +122,9 @@ void prune(Lists& lists, RunControl& control) {
       for (const Element x : lists.movable()) {
         if (control.stop_wanted()) {
           return;
+        }
+        if (!lists.is_movable(bench, x)) {
+          continue;
         }
         for (std::size_t at = 0; at < lists.tests(bench); ++at) {
           bool spare = true;

@@ -28,21 +28,116 @@ Weights weights_of(const Job& job, std::uint64_t tests) {
   return weights;
 }
 
-Lists::Lists(const Job& job, Weights weights, const BenchLists& lists)
-    : job_(&job),
-      fitting_(job),
-      weights_(std::move(weights)),
-      parts_(job.names.size()),
-      triples_(!job.triples.empty()),
+std::vector<Weights> weights_of(const std::vector<const Job*>& jobs, std::uint64_t tests) {
+  std::vector<Weights> all;
+  std::uint64_t unit = 1;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const bool is_same = i > 0 && jobs[i] == jobs[i - 1];
+    all.push_back(is_same ? all.back() : weights_of(*jobs[i], tests));
+    unit = std::max(unit, all.back().unit);
+  }
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    if (all[i].unit != unit) {
+      all[i].unit = unit;
+      all[i].test = ceil_div(jobs[i]->test_cost.millionths, unit);
+      for (std::size_t x = 0; x < all[i].change.size(); ++x) {
+        all[i].change[x] =
+            ceil_div(std::max<std::uint64_t>(1, jobs[i]->change_costs[x].millionths), unit);
+      }
+    }
+  }
+  return all;
+}
+
+ListsJob ListsJob::alike(const Job& job, const Weights& weights, std::size_t benches) {
+  return {.common = &job,
+          .jobs = std::vector<const Job*>(benches, &job),
+          .weights = std::vector<Weights>(benches, weights)};
+}
+
+void Lists::fill(Place& place, std::span<const Element> setup) const {
+  place.elements.assign(setup.begin(), setup.end());
+  place.bits.assign((parts_ + 63) / 64, 0);
+  for (const Element x : setup) {
+    place.bits[x >> 6] |= std::uint64_t{1} << (x & 63);
+  }
+}
+
+Lists::Place Lists::place_of(std::span<const Element> setup) const {
+  Place place;
+  fill(place, setup);
+  return place;
+}
+
+void Lists::add_views(const ListsJob& job) {
+  for (std::size_t bench = 0; bench < job.jobs.size(); ++bench) {
+    const Job& own = *job.jobs[bench];
+    const auto same = std::find_if(views_.begin(), views_.end(),
+                                   [&](const View& other) { return other.job == &own; });
+    view_of_.push_back(static_cast<std::size_t>(same - views_.begin()));
+    if (same != views_.end()) {
+      continue;
+    }
+    View view{.job = &own,
+              .fitting = Fitting(own),
+              .weights = job.weights[bench],
+              .replace = {},
+              .stays = std::vector<bool>(parts_, false),
+              .start = place_of(own.start)};
+    for (const Element m : own.mounted) {
+      view.stays[m] = true;
+    }
+    for (const Amount cost : own.replace_costs) {
+      view.replace.push_back(static_cast<std::int64_t>(
+          ceil_div(std::max<std::uint64_t>(1, cost.millionths), view.weights.unit)));
+    }
+    most_room_ = std::max(most_room_, own.room());
+    views_.push_back(std::move(view));
+  }
+}
+
+void Lists::set_clock(const ListsJob& job) {
+  if (job.clock == nullptr) {
+    return;
+  }
+  const ClockRules& rules = *job.clock;
+  const std::uint64_t unit = job.weights.front().unit;
+  clock_.emplace(rules.quantity, static_cast<Ticks>(ceil_div(rules.day, unit)));
+  for (std::size_t bench = 0; bench < benches(); ++bench) {
+    Before before{.start = place_of(rules.start[bench]),
+                  .steps = {},
+                  .shared = Bits((parts_ + 63) / 64, 0),
+                  .change = {}};
+    for (Element x = 0; x < parts_; ++x) {
+      before.shared[x >> 6] |= std::uint64_t{rules.shared[bench][x]} << (x & 63);
+      before.change.push_back(static_cast<Ticks>(view(bench).weights.change[x]));
+    }
+    for (const Block& setup : rules.first[bench]) {
+      Place place = place_of(setup);
+      const Place& from = before.steps.empty() ? before.start : before.steps.back();
+      place.cost =
+          static_cast<std::int64_t>(view(bench).weights.test) + step(view(bench), from, place);
+      before.steps.push_back(std::move(place));
+    }
+    before_.push_back(std::move(before));
+    hours_.push_back(static_cast<Ticks>(rules.hours[bench] / unit));
+  }
+}
+
+Lists::Lists(const ListsJob& job, const BenchLists& lists)
+    : job_(job.common),
+      parts_(job.common->names.size()),
+      triples_(!job.common->triples.empty()),
       is_movable_(parts_, false),
       order_(lists.size()),
       cost_(lists.size(), 0) {
   const std::size_t words = (parts_ + 63) / 64;
   const std::size_t places = triples_ ? choose_three(parts_) : choose_two(parts_);
   constexpr auto all = std::numeric_limits<std::uint64_t>::max();
+  add_views(job);
   count_.assign(places, 1);
   place_.assign(places, 0);
-  if (!job.weights.empty()) {
+  if (!job_->weights.empty()) {
     weight_.assign(places, one);
   }
   const auto need = [&](std::size_t i) {
@@ -52,46 +147,42 @@ Lists::Lists(const Job& job, Weights weights, const BenchLists& lists)
     missing_ += weight_.empty() ? one : weight_[i];
   };
   if (triples_) {
-    for (const Triple& t : job.triples) {
+    for (const Triple& t : job_->triples) {
       is_movable_[t[0]] = is_movable_[t[1]] = is_movable_[t[2]] = true;
       need(index(t[0], t[1], t[2]));
     }
   } else {
-    job.needed.for_each(all, [&](Element x, Element y) {
+    job_->needed.for_each(all, [&](Element x, Element y) {
       is_movable_[x] = is_movable_[y] = true;
       if (!weight_.empty()) {
-        weight_[index(x, y)] = job.weights(x, y).millionths;
+        weight_[index(x, y)] = job_->weights(x, y).millionths;
       }
       need(index(x, y));
     });
   }
   for (Element x = 0; x < parts_; ++x) {
-    is_movable_[x] = is_movable_[x] || fitting_.least(fitting_.slot(x)) > 0;
-  }
-  for (const Element m : job.mounted) {
-    is_movable_[m] = false;
-  }
-  for (Element x = 0; x < parts_; ++x) {
-    if (is_movable_[x]) {
+    bool moves = false;  // on some bench
+    for (const View& view : views_) {
+      const bool fills = view.fitting.least(view.fitting.slot(x)) > 0;
+      moves = moves || (!view.stays[x] && (is_movable_[x] || fills));
+    }
+    is_movable_[x] = moves;
+    if (moves) {
       movable_.push_back(x);
     }
   }
-  if (job.never.size() > 0) {
+  if (job_->never.size() > 0) {
     never_.assign(parts_, Bits(words, 0));
-    job.never.for_each(all, [&](Element x, Element y) {
+    job_->never.for_each(all, [&](Element x, Element y) {
       never_[x][y >> 6] |= std::uint64_t{1} << (y & 63);
       never_[y][x >> 6] |= std::uint64_t{1} << (x & 63);
     });
   }
-  start_.bits.assign(words, 0);
-  for (const Element x : job.start) {
-    start_.elements.push_back(x);
-    start_.bits[x >> 6] |= std::uint64_t{1} << (x & 63);
+  for (std::size_t bench = 0; bench < job.spent.size(); ++bench) {
+    cost_[bench] = job.spent[bench];
+    total_ += job.spent[bench];
   }
-  for (const Amount cost : job.replace_costs) {
-    replace_.push_back(static_cast<std::int64_t>(
-        ceil_div(std::max<std::uint64_t>(1, cost.millionths), weights_.unit)));
-  }
+  set_clock(job);
   for (std::size_t bench = 0; bench < lists.size(); ++bench) {
     for (const Block& setup : lists[bench]) {
       stop_if_asked();
@@ -146,7 +237,33 @@ Spot Lists::spot(std::size_t index) const {
   return {bench, index};
 }
 
-std::int64_t Lists::largest() const { return *std::max_element(cost_.begin(), cost_.end()); }
+std::int64_t Lists::largest() const {
+  return clock_ ? clocked().finish : *std::max_element(cost_.begin(), cost_.end());
+}
+
+const BenchClock::Result& Lists::clocked() const {
+  if (!clocked_) {
+    courses_.resize(benches());
+    for (std::size_t bench = 0; bench < benches(); ++bench) {
+      const Before& before = before_[bench];
+      ClockBench& course = courses_[bench];
+      course.start = before.start.bits.data();
+      course.shared = before.shared.data();
+      course.change = before.change;
+      course.hours = hours_[bench];
+      course.steps.clear();
+      for (const Place& place : before.steps) {
+        course.steps.push_back({place.cost, place.bits.data()});
+      }
+      for (const std::uint32_t handle : order_[bench]) {
+        course.steps.push_back({places_[handle].cost, places_[handle].bits.data()});
+      }
+    }
+    (void)clock_->run(courses_);
+    clocked_ = true;
+  }
+  return clock_->result();
+}
 
 BenchLists Lists::lists() const {
   BenchLists result(benches());
@@ -166,21 +283,23 @@ bool Lists::joins(std::span<const Element> setup, Element y) const {
 
 bool Lists::may_replace(Spot where, Element out, Element in) const {
   const std::span<const Element> now = setup(where);
-  if (out == no_part && now.size() >= job_->room()) {
+  const View& own = view(where.bench);
+  const Fitting& fitting = own.fitting;
+  if (out == no_part && now.size() >= own.job->room()) {
     return false;
   }
   if (in == no_part && now.size() < 2) {
     return false;
   }
-  if (fitting_.has_slots()) {
-    const std::size_t from = out == no_part ? fitting_.slots() : fitting_.slot(out);
-    const std::size_t to = in == no_part ? fitting_.slots() : fitting_.slot(in);
+  if (fitting.has_slots()) {
+    const std::size_t from = out == no_part ? fitting.slots() : fitting.slot(out);
+    const std::size_t to = in == no_part ? fitting.slots() : fitting.slot(in);
     const auto there = [&](std::size_t slot) {
       return static_cast<std::uint64_t>(std::count_if(
-          now.begin(), now.end(), [&](Element z) { return fitting_.slot(z) == slot; }));
+          now.begin(), now.end(), [&](Element z) { return fitting.slot(z) == slot; }));
     };
-    if (from != to && ((from < fitting_.slots() && there(from) <= fitting_.least(from)) ||
-                       (to < fitting_.slots() && there(to) >= fitting_.most(to)))) {
+    if (from != to && ((from < fitting.slots() && there(from) <= fitting.least(from)) ||
+                       (to < fitting.slots() && there(to) >= fitting.most(to)))) {
       return false;
     }
   }
@@ -189,7 +308,27 @@ bool Lists::may_replace(Spot where, Element out, Element in) const {
          });
 }
 
-std::int64_t Lists::replacing_step(const Place& from, const Place& to) const {
+bool Lists::allows(std::size_t bench, std::span<const Element> setup) const {
+  const View& own = view(bench);
+  if (setup.empty() || setup.size() > own.job->room()) {
+    return false;
+  }
+  for (const Element m : own.job->mounted) {
+    if (std::find(setup.begin(), setup.end(), m) == setup.end()) {
+      return false;
+    }
+  }
+  for (std::size_t slot = 0; slot < own.fitting.slots(); ++slot) {
+    const auto there = static_cast<std::uint64_t>(std::count_if(
+        setup.begin(), setup.end(), [&](Element x) { return own.fitting.slot(x) == slot; }));
+    if (there < own.fitting.least(slot) || there > own.fitting.most(slot)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::int64_t Lists::replacing_step(const View& view, const Place& from, const Place& to) const {
   gone_.clear();
   come_.clear();
   for (const Element x : from.elements) {
@@ -202,56 +341,60 @@ std::int64_t Lists::replacing_step(const Place& from, const Place& to) const {
       come_.push_back(x);
     }
   }
-  if (!fitting_.has_slots()) {
-    return replaced(gone_, come_);
+  if (!view.fitting.has_slots()) {
+    return replaced(view, gone_, come_);
   }
   // Each slot by itself.
-  const auto slot = [&](Element x) { return fitting_.slot(x); };
+  const auto slot = [&](Element x) { return view.fitting.slot(x); };
   std::ranges::sort(gone_, {}, slot);
   std::ranges::sort(come_, {}, slot);
   std::int64_t weight = 0;
   for (auto first = come_.begin(); first != come_.end();) {
     const auto end = std::ranges::upper_bound(first, come_.end(), slot(*first), {}, slot);
     const auto gone = std::ranges::equal_range(gone_, slot(*first), {}, slot);
-    weight += replaced({gone.begin(), gone.end()}, {first, end});
+    weight += replaced(view, {gone.begin(), gone.end()}, {first, end});
     first = end;
   }
   return weight;
 }
 
-std::int64_t Lists::replaced(std::span<const Element> gone, std::span<const Element> come) const {
+std::int64_t Lists::replaced(const View& view, std::span<const Element> gone,
+                             std::span<const Element> come) const {
   const std::size_t columns = std::max(gone.size(), come.size());
   table_.clear();
   for (const Element in : come) {
     for (const Element out : gone) {
-      table_.push_back(replace_[out * parts_ + in]);
+      table_.push_back(view.replace[out * parts_ + in]);
     }
     table_.insert(table_.end(), columns - gone.size(),
-                  static_cast<std::int64_t>(weights_.change[in]));
+                  static_cast<std::int64_t>(view.weights.change[in]));
   }
   return cheapest_assignment(come.size(), columns, table_);
 }
 
-std::int64_t Lists::step(const Place& from, const Place& to) const {
-  if (!replace_.empty()) {
-    return replacing_step(from, to);
+std::int64_t Lists::step(const View& view, const Place& from, const Place& to) const {
+  if (!view.replace.empty()) {
+    return replacing_step(view, from, to);
   }
   std::int64_t weight = 0;
   for (const Element x : to.elements) {
-    weight += bit(from.bits, x) ? 0 : static_cast<std::int64_t>(weights_.change[x]);
+    weight += bit(from.bits, x) ? 0 : static_cast<std::int64_t>(view.weights.change[x]);
   }
   return weight;
 }
 
-std::int64_t Lists::step_into(Spot where) const {
-  return where.at >= tests(where.bench)
-             ? 0
-             : step(before(where), places_[order_[where.bench][where.at]]);
-}
-
-void Lists::add_cost(std::size_t bench, std::int64_t rise) {
-  cost_[bench] += rise;
-  total_ += rise;
+// Pays anew for the step into a place, which may be behind the last.
+void Lists::price(Spot where) {
+  if (where.at >= tests(where.bench)) {
+    return;
+  }
+  const View& own = view(where.bench);
+  Place& place = places_[order_[where.bench][where.at]];
+  const std::int64_t now =
+      static_cast<std::int64_t>(own.weights.test) + step(own, before(where), place);
+  cost_[where.bench] += now - place.cost;
+  total_ += now - place.cost;
+  place.cost = now;
 }
 
 void Lists::meet(std::size_t index) {
@@ -298,9 +441,8 @@ void Lists::count_all(const Block& setup) {
 }
 
 void Lists::do_replace(Spot where, Element out, Element in) {
+  clocked_ = false;
   Place& place = places_[order_[where.bench][where.at]];
-  const Spot next{where.bench, where.at + 1};
-  std::int64_t rise = -step_into(where) - step_into(next);
   if (out != no_part) {
     *std::find(place.elements.begin(), place.elements.end(), out) = place.elements.back();
     place.elements.pop_back();
@@ -312,44 +454,39 @@ void Lists::do_replace(Spot where, Element out, Element in) {
     place.elements.push_back(in);
     place.bits[in >> 6] |= std::uint64_t{1} << (in & 63);
   }
-  rise += step_into(where) + step_into(next);
-  add_cost(where.bench, rise);
+  price(where);
+  price({where.bench, where.at + 1});
 }
 
 void Lists::attach(Spot where, std::uint32_t handle) {
+  clocked_ = false;
   std::vector<std::uint32_t>& order = order_[where.bench];
-  const Spot next{where.bench, where.at + 1};
-  std::int64_t rise = static_cast<std::int64_t>(weights_.test) - step_into(where);
   order.insert(order.begin() + static_cast<std::ptrdiff_t>(where.at), handle);
-  rise += step_into(where) + step_into(next);
-  add_cost(where.bench, rise);
+  places_[handle].cost = 0;
+  price(where);
+  price({where.bench, where.at + 1});
   ++tests_;
 }
 
 std::uint32_t Lists::detach(Spot where) {
+  clocked_ = false;
   std::vector<std::uint32_t>& order = order_[where.bench];
   const std::uint32_t handle = order[where.at];
-  const Spot next{where.bench, where.at + 1};
-  std::int64_t rise =
-      -static_cast<std::int64_t>(weights_.test) - step_into(where) - step_into(next);
+  cost_[where.bench] -= places_[handle].cost;
+  total_ -= places_[handle].cost;
   order.erase(order.begin() + static_cast<std::ptrdiff_t>(where.at));
-  rise += step_into(where);
-  add_cost(where.bench, rise);
+  price(where);
   --tests_;
   return handle;
 }
 
 void Lists::do_reverse(std::size_t bench, Stretch where) {
-  std::int64_t rise = 0;
-  for (std::size_t at = where.first; at <= where.last + 1; ++at) {
-    rise -= step_into({bench, at});
-  }
+  clocked_ = false;
   std::reverse(order_[bench].begin() + static_cast<std::ptrdiff_t>(where.first),
                order_[bench].begin() + static_cast<std::ptrdiff_t>(where.last) + 1);
   for (std::size_t at = where.first; at <= where.last + 1; ++at) {
-    rise += step_into({bench, at});
+    price({bench, at});
   }
-  add_cost(bench, rise);
 }
 
 std::uint32_t Lists::new_place(std::span<const Element> setup) {
@@ -361,12 +498,7 @@ std::uint32_t Lists::new_place(std::span<const Element> setup) {
     handle = free_.back();
     free_.pop_back();
   }
-  Place& place = places_[handle];
-  place.elements.assign(setup.begin(), setup.end());
-  place.bits.assign((parts_ + 63) / 64, 0);
-  for (const Element x : setup) {
-    place.bits[x >> 6] |= std::uint64_t{1} << (x & 63);
-  }
+  fill(places_[handle], setup);
   return handle;
 }
 

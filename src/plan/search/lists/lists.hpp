@@ -1,6 +1,9 @@
 // The state of the search for lists of set-ups on one bench or several, in which pairs or triples of parts have to meet:
 // the lists, what each costs, and the weight of what has not met, kept up to date under every move.
 //
+// Benches may differ in costs, room, slots and what is mounted; where parts are scarce or benches
+// rest, a clock says when all is done. It is asked after every move, which takes O(tests) then.
+//
 // If costs ask what is replaced, a step that changes j parts takes O(j³) to price.
 // Where all pairs of one list have the same weight and they do not, plan/search/anneal/sequence.hpp does the same in less time.
 //
@@ -11,12 +14,14 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "changeover/plan/job.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/search/anneal/sequence.hpp"
+#include "plan/search/benches/bench_clock.hpp"
 
 namespace changeover {
 
@@ -34,21 +39,69 @@ struct Spot {
 
 /// Weights::of(), with a unit that also suits what a change costs by what is replaced.
 [[nodiscard]] Weights weights_of(const Job& job, std::uint64_t tests);
+/// The same for several jobs, all with one unit.
+[[nodiscard]] std::vector<Weights> weights_of(const std::vector<const Job*>& jobs,
+                                              std::uint64_t tests);
+
+/// Scarce parts, and hours a day.
+struct ClockRules {
+  std::vector<std::uint64_t> quantity;    ///< by part
+  std::vector<std::vector<bool>> shared;  ///< by bench and part: scarce, and not the bench's own
+  std::vector<std::uint64_t> hours;       ///< by bench, in millionths; 0: it never rests
+  std::uint64_t day = 0;                  ///< in millionths
+  std::vector<std::vector<Block>> first = {};  ///< by bench: what is run before its list
+  std::vector<Block> start = {};               ///< by bench: what is mounted before that
+};
+
+/// What lists are searched for: what must meet, and the benches. All that is referred to must
+/// outlive the lists.
+struct ListsJob {
+  const Job* common =
+      nullptr;  ///< whose pairs, triples and weights of pairs matter, and what must never meet
+  std::vector<const Job*> jobs = {};     ///< by bench; the same one for benches that are alike
+  std::vector<Weights> weights = {};     ///< by bench
+  std::vector<std::int64_t> spent = {};  ///< by bench: what is paid before its list; empty: nothing
+  const ClockRules* clock = nullptr;     ///< nothing: no bench waits or rests
+
+  /// So many benches that are alike.
+  static ListsJob alike(const Job& job, const Weights& weights, std::size_t benches);
+};
 
 class Lists {
  public:
   /// Set-ups that break no constraint but may leave something unmet. Every bench begins with what the job has at its
   /// start. The job must outlive this. @throws Stopped if the scope of this thread (run/control.hpp) wants to stop.
-  Lists(const Job& job, Weights weights, const BenchLists& lists);
+  Lists(const ListsJob& job, const BenchLists& lists);
+  /// On benches that are alike.
+  Lists(const Job& job, const Weights& weights, const BenchLists& lists)
+      : Lists(ListsJob::alike(job, weights, lists.size()), lists) {}
 
+  /// What has to meet.
   [[nodiscard]] const Job& job() const { return *job_; }
+  [[nodiscard]] const Job& job(std::size_t bench) const { return *view(bench).job; }
+  [[nodiscard]] const Fitting& fitting(std::size_t bench) const { return view(bench).fitting; }
+  /// The most parts that a set-up of some bench can have.
+  [[nodiscard]] std::uint64_t most_room() const { return most_room_; }
+  /// A set-up may be on a bench as well as on another.
+  [[nodiscard]] bool alike(std::size_t bench, std::size_t other) const {
+    return view_of_[bench] == view_of_[other];
+  }
+  /// Whether a set-up may be on this bench.
+  [[nodiscard]] bool allows(std::size_t bench, std::span<const Element> setup) const;
   [[nodiscard]] std::size_t benches() const { return order_.size(); }
   [[nodiscard]] std::size_t tests(std::size_t bench) const { return order_[bench].size(); }
   [[nodiscard]] std::size_t tests() const { return tests_; }
   /// Set-up number `index` of all benches, index < tests().
   [[nodiscard]] Spot spot(std::size_t index) const;
-  [[nodiscard]] std::int64_t total() const { return total_; }
+  /// What all benches cost, with what is put in again.
+  [[nodiscard]] std::int64_t total() const { return total_ + (clock_ ? clocked().again : 0); }
+  /// The makespan: the largest cost of a bench, if none waits or rests.
   [[nodiscard]] std::int64_t largest() const;
+  [[nodiscard]] bool has_clock() const { return clock_.has_value(); }
+  /// When the last test of a bench ends: what the bench costs, if none waits or rests.
+  [[nodiscard]] std::int64_t end(std::size_t bench) const {
+    return clock_ ? clocked().ends[bench] : cost_[bench];
+  }
   /// The weight of what has not met, in millionths; 1 each where the job says nothing else.
   [[nodiscard]] std::uint64_t missing() const { return missing_; }
   [[nodiscard]] std::size_t open() const { return open_.size(); }
@@ -56,15 +109,22 @@ class Lists {
   [[nodiscard]] std::array<Element, 3> open_target(std::size_t index) const;
   [[nodiscard]] bool of_triples() const { return triples_; }
   [[nodiscard]] const std::vector<Element>& movable() const { return movable_; }
-  [[nodiscard]] bool is_movable(Element x) const { return is_movable_[x]; }
+  [[nodiscard]] bool is_movable(std::size_t bench, Element x) const {
+    return is_movable_[x] && !view(bench).stays[x];
+  }
   [[nodiscard]] std::span<const Element> setup(Spot where) const {
     return places_[order_[where.bench][where.at]].elements;
   }
   [[nodiscard]] bool holds(Spot where, Element x) const {
     return bit(places_[order_[where.bench][where.at]].bits, x);
   }
+  /// What was mounted before this set-up, which may be behind the last one of its bench.
+  [[nodiscard]] std::span<const Element> before_setup(Spot where) const {
+    return before(where).elements;
+  }
+  /// Whether x was among it.
+  [[nodiscard]] bool was_there(Spot where, Element x) const { return bit(before(where).bits, x); }
   [[nodiscard]] BenchLists lists() const;
-  [[nodiscard]] const Fitting& fitting() const { return fitting_; }
   /// Whether a set-up stays one that may be if `out` goes and `in` comes; `no_part` for neither.
   [[nodiscard]] bool may_replace(Spot where, Element out, Element in) const;
   /// Whether y may be with all parts of a set-up.
@@ -86,6 +146,23 @@ class Lists {
   struct Place {
     Block elements;
     Bits bits;
+    std::int64_t cost = 0;  // of the step into it, with its test
+  };
+  // A bench, or several that are alike.
+  struct View {
+    const Job* job;
+    Fitting fitting;
+    Weights weights;
+    std::vector<std::int64_t> replace;  // by part out and part in, if costs ask what is replaced
+    std::vector<bool> stays;            // by part: always mounted
+    Place start;                        // what is there before the list
+  };
+  // For the clock, what comes before the lists.
+  struct Before {
+    Place start;
+    std::vector<Place> steps;
+    Bits shared;
+    std::vector<Ticks> change;
   };
   enum class Kind { replaced, taken_out, inserted, detached, attached, reversed };
   struct Note {
@@ -96,15 +173,22 @@ class Lists {
   };
 
   static bool bit(const Bits& bits, Element x) { return (bits[x >> 6] >> (x & 63) & 1) != 0; }
+  [[nodiscard]] const View& view(std::size_t bench) const { return views_[view_of_[bench]]; }
   [[nodiscard]] const Place& before(Spot where) const {
-    return where.at == 0 ? start_ : places_[order_[where.bench][where.at - 1]];
+    return where.at == 0 ? view(where.bench).start : places_[order_[where.bench][where.at - 1]];
   }
-  [[nodiscard]] std::int64_t step(const Place& from, const Place& to) const;
-  [[nodiscard]] std::int64_t replacing_step(const Place& from, const Place& to) const;
+  [[nodiscard]] std::int64_t step(const View& view, const Place& from, const Place& to) const;
+  [[nodiscard]] std::int64_t replacing_step(const View& view, const Place& from,
+                                            const Place& to) const;
   // What it costs that some parts take the places of others, all of one slot.
-  [[nodiscard]] std::int64_t replaced(std::span<const Element> gone,
+  [[nodiscard]] std::int64_t replaced(const View& view, std::span<const Element> gone,
                                       std::span<const Element> come) const;
-  [[nodiscard]] std::int64_t step_into(Spot where) const;
+  void price(Spot where);
+  void fill(Place& place, std::span<const Element> setup) const;
+  [[nodiscard]] Place place_of(std::span<const Element> setup) const;
+  void add_views(const ListsJob& job);
+  void set_clock(const ListsJob& job);
+  [[nodiscard]] const BenchClock::Result& clocked() const;
   [[nodiscard]] std::size_t index(Element x, Element y) const;
   [[nodiscard]] std::size_t index(Element x, Element y, Element z) const;
   void meet(std::size_t index);
@@ -113,7 +197,6 @@ class Lists {
   void count_with(const Block& others, Element x);
   template <bool coming>
   void count_all(const Block& setup);
-  void add_cost(std::size_t bench, std::int64_t rise);
   void do_replace(Spot where, Element out, Element in);
   void attach(Spot where, std::uint32_t handle);
   std::uint32_t detach(Spot where);
@@ -121,15 +204,14 @@ class Lists {
   std::uint32_t new_place(std::span<const Element> setup);
 
   const Job* job_;
-  Fitting fitting_;
-  Weights weights_;
-  std::vector<std::int64_t> replace_;  // by part out and part in, if costs ask what is replaced
+  std::vector<View> views_;
+  std::vector<std::size_t> view_of_;  // by bench
+  std::uint64_t most_room_ = 0;
   std::size_t parts_;
   bool triples_;
   std::vector<Bits> never_;  // by part, if there are forbidden pairs
   std::vector<Element> movable_;
   std::vector<bool> is_movable_;
-  Place start_;
   std::vector<Place> places_;
   std::vector<std::uint32_t> free_;
   std::vector<std::vector<std::uint32_t>> order_;  // by bench
@@ -142,6 +224,11 @@ class Lists {
   std::vector<std::uint32_t> open_;
   std::uint64_t missing_ = 0;
   std::vector<Note> notes_;
+  mutable std::optional<BenchClock> clock_;
+  std::vector<Before> before_;  // by bench, if there is a clock
+  std::vector<Ticks> hours_;    // likewise
+  mutable std::vector<ClockBench> courses_;
+  mutable bool clocked_ = false;  // the clock knows the lists as they are
   // Room to work for what is const.
   mutable Block gone_;
   mutable Block come_;

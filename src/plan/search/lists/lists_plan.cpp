@@ -103,7 +103,8 @@ class ListsPlanner {
       for (std::size_t i = 0; i < std::min(few, all.size()); ++i) {
         starts.push_back({all[i].setups});
       }
-      const FoundLists found = search_lists(*job_, weights_, starts, search, *control_);
+      const FoundLists found =
+          search_lists(ListsJob::alike(*job_, weights_, 1), starts, search, *control_);
       plan.steps += found.steps;
       std::erase_if(plan.candidates, [&](const Candidate& c) { return c.name == search_name; });
       add(plan, {search_name,
@@ -126,7 +127,7 @@ class ListsPlanner {
     std::stable_sort(within.begin(), within.end(), tests_more);
     keep_what_there_is(plan, [&] {
       const FoundLists found = search_lists(
-          *job_, weights_, {{within.front().setups}},
+          ListsJob::alike(*job_, weights_, 1), {{within.front().setups}},
           {.aim = Aim::most_weight,
            .budget = static_cast<std::int64_t>(budget.millionths / weights_.unit),
            .whole = static_cast<std::int64_t>(plan.bound.cost.millionths / weights_.unit),

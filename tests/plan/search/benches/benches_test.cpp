@@ -70,9 +70,9 @@ TEST(Benches, TheLeastLargestCostOfTinyJobs) {
       const BenchPlan plan = planned(job, {.benches = static_cast<std::uint64_t>(benches)});
       const std::uint64_t best = least_largest(least, benches);
       EXPECT_TRUE(plan.does_the_job());
-      EXPECT_LE(plan.largest_bound.millionths, best) << seed;
+      EXPECT_LE(plan.makespan_bound.millionths, best) << seed;
       EXPECT_LE(plan.bound.cost, plan.cost);
-      EXPECT_EQ(plan.largest.millionths, best) << seed << ' ' << benches;
+      EXPECT_EQ(plan.makespan.millionths, best) << seed << ' ' << benches;
     }
   }
 }
@@ -82,7 +82,7 @@ TEST(Benches, TheLeastCostTogetherIsThatOfOneBench) {
     const Job job = without_start(test::random_job(seed, 5));
     const BenchPlan plan = planned(job, {.benches = 2, .objective = BenchObjective::cost});
     EXPECT_EQ(plan.cost.millionths, test::least_cost(job)) << seed;
-    EXPECT_LE(plan.largest, plan.cost);
+    EXPECT_LE(plan.makespan, plan.cost);
   }
 }
 
@@ -93,12 +93,12 @@ TEST(Benches, NoWorseThanCuttingAndNoBetterThanTheBounds) {
     const BenchPlan plan = planned(job, {.benches = benches});
     EXPECT_EQ(plan.sheets.size(), benches);
     for (const BenchCandidate& c : plan.candidates) {
-      EXPECT_GE(c.largest, plan.largest);
-      EXPECT_GE(c.largest, plan.largest_bound);
+      EXPECT_GE(c.makespan, plan.makespan);
+      EXPECT_GE(c.makespan, plan.makespan_bound);
       EXPECT_GE(c.cost, plan.bound.cost);
       const BenchCount count = count_benches(job, c.lists);
       EXPECT_TRUE(count.does_the_job()) << c.name;
-      EXPECT_EQ(count.largest, c.largest);
+      EXPECT_EQ(count.makespan, c.makespan);
       EXPECT_EQ(count.cost, c.cost);
     }
     std::uint64_t pairs = 0;
@@ -115,12 +115,12 @@ TEST(Benches, TheRefereeSeesWhatIsWrong) {
   EXPECT_FALSE(count_benches(job, {{{0, 1, 2}}, {{1, 2, 3}}}).does_the_job());
   const BenchCount count = count_benches(job, {{{0, 1, 2}}, {{0, 3}, {1, 2, 3}}});
   EXPECT_EQ(count.cost, units(4 + 6));
-  EXPECT_EQ(count.largest, units(6));
+  EXPECT_EQ(count.makespan, units(6));
   EXPECT_EQ(count.sheets[1].pairs_tested, 3U);
   job.never.insert(1, 2);
   job.needed = all_pairs_but(job.never);
   EXPECT_THAT(count_benches(job, {{{0, 1}}, {{1, 2, 3}}}).faults,
-              Contains(HasSubstr("bench 2: set-up 1 holds 2 and 3, which must never meet")));
+              Contains(HasSubstr("Bench 2: set-up 1 holds 2 and 3, which must never meet")));
 }
 
 TEST(Benches, TriplesMeetOnSomeBench) {
@@ -131,7 +131,7 @@ TEST(Benches, TriplesMeetOnSomeBench) {
   EXPECT_EQ(plan.triples_tested, 20U);
   Job tiny = make_job(5, 4, units(1), units(1));
   need_triples(tiny);
-  EXPECT_EQ(planned(tiny, {.benches = 2}).largest.millionths,
+  EXPECT_EQ(planned(tiny, {.benches = 2}).makespan.millionths,
             least_largest(costs_at_least(tiny), 2));
 }
 
@@ -147,9 +147,10 @@ TEST(Benches, RefuseWhatTheyDoNotServe) {
   Job job = make_job(5, 3, units(1), units(1));
   EXPECT_THROW((void)planned(job, {.benches = 0}), BadInput);
   EXPECT_THROW((void)planned(job, {.benches = 65}), BadInput);
-  EXPECT_THROW((void)planned(job, {.plan = {.budget = units(3)}}), BadInput);
-  job.start = {0};
+  EXPECT_THROW((void)planned(job, {.plan = {.rest = {{0, 1}}}}), BadInput);
+  job.weights.set(0, 1, units(3));
   EXPECT_THROW((void)planned(job, {}), BadInput);
+  EXPECT_NO_THROW((void)planned(job, {.plan = {.budget = units(3)}}));
 }
 
 }  // namespace

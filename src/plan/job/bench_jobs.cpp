@@ -1,0 +1,343 @@
+#include "plan/job/bench_jobs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/run/control.hpp"
+#include "core/words.hpp"
+#include "io/scan/place.hpp"
+#include "plan/job/fitting.hpp"
+#include "plan/job/pair_numbers.hpp"
+#include "plan/job/setup_list.hpp"
+
+namespace changeover {
+namespace {
+
+__extension__ using WideCost = unsigned __int128;
+
+constexpr std::size_t most_bench_defects = 10;
+
+bool has(const Block& block, Element x) {
+  return std::find(block.begin(), block.end(), x) != block.end();
+}
+
+Amount multiplied(Amount cost, Amount factor) {
+  constexpr std::uint64_t one = 1'000'000;
+  const WideCost product = WideCost{cost.millionths} * factor.millionths;
+  if (product % one != 0) {
+    throw BadInput(
+        fmt::format("a change cost of {} times {} has more than six decimals; change one of them",
+                    to_string(cost), to_string(factor)));
+  }
+  constexpr WideCost most = std::numeric_limits<std::int64_t>::max();
+  if (product / one > most) {
+    throw ImpossibleParameters(fmt::format("a change cost of {} times {} is too large",
+                                           to_string(cost), to_string(factor)));
+  }
+  return Amount{static_cast<std::uint64_t>(product / one)};
+}
+
+void limit_slots(Job& own, const Bench& bench) {
+  for (const Slot& limit : bench.slots) {
+    const auto found = std::find_if(own.slots.begin(), own.slots.end(),
+                                    [&](const Slot& slot) { return slot.name == limit.name; });
+    if (found == own.slots.end()) {
+      throw BadInput(
+          fmt::format("there is no slot {}; name one of the job's slots", shown(limit.name)));
+    }
+    *found = limit;
+  }
+}
+
+// Whether a set-up of this bench can hold these parts.
+bool can_hold(const Job& own, const Fitting& fitting, std::initializer_list<Element> parts) {
+  Block setup = with_mounted(own, parts);
+  for (std::size_t i = 0; i < setup.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (own.never.contains(setup[i], setup[j])) {
+        return false;
+      }
+    }
+  }
+  return setup.size() <= own.room() &&
+         (!fitting.has_slots() || fitting.simplest(std::move(setup)).setup.has_value());
+}
+
+// Only what can meet on this bench.
+void keep_possible(Job& own) {
+  const Fitting fitting(own);
+  PairSet pairs(own.parts());
+  own.needed.for_each(all_of_them, [&](Element x, Element y) {
+    stop_if_asked();
+    if (can_hold(own, fitting, {x, y})) {
+      pairs.insert(x, y);
+    }
+  });
+  own.needed = std::move(pairs);
+  std::erase_if(own.triples, [&](const Triple& t) {
+    stop_if_asked();
+    return !can_hold(own, fitting, {t[0], t[1], t[2]});
+  });
+}
+
+// The job on a bench, with all that must meet.
+Job whole_job_of_bench(const Job& job, const Bench& bench) {
+  Job own = job;
+  own.quantities.clear();
+  own.at_once = bench.at_once.value_or(job.at_once);
+  own.test_cost = bench.test_cost.value_or(job.test_cost);
+  for (Amount& cost : own.change_costs) {
+    cost = multiplied(cost, bench.change_factor);
+  }
+  for (Amount& cost : own.replace_costs) {
+    cost = multiplied(cost, bench.change_factor);
+  }
+  own.mounted = bench.mounted.value_or(job.mounted);
+  own.start = bench.start.value_or(job.start);
+  own.places = bench.places;
+  own.first = bench.first.value_or(job.first);
+  own.tests_done = bench.tests_done;
+  limit_slots(own, bench);
+  const std::vector<bool> barred = barred_parts(job, bench);
+  if (std::find(barred.begin(), barred.end(), true) != barred.end()) {
+    own.slot_of.resize(own.names.size(), no_slot);
+    for (std::size_t x = 0; x < barred.size(); ++x) {
+      own.slot_of[x] = barred[x] ? static_cast<std::uint32_t>(own.slots.size()) : own.slot_of[x];
+    }
+    own.slots.push_back({"not on this bench", 0, 0});
+  }
+  return own;
+}
+
+// The same without slots that are empty there and need none: a job by itself has no such slots.
+Job without_empty_slots(Job own) {
+  std::vector<std::uint32_t> number(own.slots.size(), no_slot);
+  std::vector<Slot> kept;
+  for (std::uint32_t s = 0; s < own.slots.size(); ++s) {
+    const bool is_empty = std::find(own.slot_of.begin(), own.slot_of.end(), s) == own.slot_of.end();
+    if (!is_empty || own.slots[s].least > 0) {
+      number[s] = static_cast<std::uint32_t>(kept.size());
+      kept.push_back(own.slots[s]);
+    }
+  }
+  for (std::uint32_t& slot : own.slot_of) {
+    slot = slot == no_slot ? no_slot : number[slot];
+  }
+  own.slots = std::move(kept);
+  if (own.slots.empty()) {
+    own.slot_of.clear();
+  }
+  return own;
+}
+
+// What is wrong with one bench, whatever must meet.
+std::optional<std::string> defect_of(const Job& job, const Bench& bench) {
+  for (const Block* parts : {&bench.own, &bench.without}) {
+    for (const Element x : *parts) {
+      if (x >= job.parts()) {
+        return "it names a part that is none of the parts";
+      }
+    }
+  }
+  for (const Element x : bench.own) {
+    if (has(bench.without, x)) {
+      return fmt::format("it has {} of its own, and cannot have it; leave one out", job.names[x]);
+    }
+  }
+  if (bench.hours && bench.hours->millionths == 0) {
+    return "it works no hours a day; give more than 0, or say that it is down";
+  }
+  if (bench.hours && *bench.hours > Amount{24'000'000}) {
+    return fmt::format("{} hours a day; a day has 24", to_string(*bench.hours));
+  }
+  Job own;
+  try {
+    own = whole_job_of_bench(job, bench);
+  } catch (const BadInput& fault) {
+    return fault.what();
+  } catch (const ImpossibleParameters& fault) {
+    return fault.what();
+  }
+  const std::vector<bool> barred = barred_parts(job, bench);
+  const auto barred_of = [&](const Block& parts) {
+    return std::find_if(parts.begin(), parts.end(),
+                        [&](Element x) { return x < barred.size() && barred[x]; });
+  };
+  if (const auto x = barred_of(own.mounted); x != own.mounted.end()) {
+    return fmt::format("{} stays mounted, but the bench cannot have it", job.names[*x]);
+  }
+  if (const auto x = barred_of(own.start); x != own.start.end()) {
+    return fmt::format("{} is mounted at the start, but the bench cannot have it", job.names[*x]);
+  }
+  for (const Block& setup : own.first) {
+    if (const auto x = barred_of(setup); x != setup.end()) {
+      return fmt::format("a set-up that comes first has {}, which the bench cannot have",
+                         job.names[*x]);
+    }
+  }
+  own.needed = PairSet(own.parts());
+  own.triples.clear();
+  const std::vector<std::string> found = defects(without_empty_slots(std::move(own)));
+  return found.empty() ? std::nullopt : std::optional(found.front());
+}
+
+void find_names_twice(const std::vector<Bench>& benches, std::vector<std::string>& found) {
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < benches.size(); ++i) {
+    const std::string name = name_of(benches, i);
+    if (const auto defect = text_defect(name)) {
+      found.push_back(fmt::format("the name of bench {}: {}", i + 1, *defect));
+    } else if (!seen.insert(name).second) {
+      found.push_back(fmt::format("two benches are called {}; rename one", name));
+    }
+  }
+}
+
+// More of a part mounted at the start than there are.
+void find_overdrawn(const Job& job, const std::vector<Bench>& benches,
+                    std::vector<std::string>& found) {
+  for (Element x = 0; x < job.quantities.size(); ++x) {
+    std::uint64_t there = 0;
+    for (const Bench& bench : benches) {
+      const Block& start = bench.start ? *bench.start : job.start;
+      there += !bench.down && !has(bench.own, x) && has(start, x) ? 1U : 0U;
+    }
+    if (there > job.quantities[x]) {
+      found.push_back(
+          fmt::format("{} is mounted at the start on {}, but there {} {}; say what is "
+                      "mounted where",
+                      job.names[x], count_of(there, "bench", "benches"),
+                      job.quantities[x] == 1 ? "is" : "are", job.quantities[x]));
+    }
+  }
+}
+
+}  // namespace
+
+std::string name_of(const std::vector<Bench>& benches, std::size_t bench) {
+  return benches[bench].name.empty() ? fmt::format("Bench {}", bench + 1) : benches[bench].name;
+}
+
+std::uint64_t costs_of_hour(const Job& job) {
+  constexpr std::uint64_t sixty = 60;
+  return job.cost_unit == CostUnit::minutes   ? sixty
+         : job.cost_unit == CostUnit::seconds ? sixty * sixty
+                                              : 1;
+}
+
+std::vector<Bench> benches_alike(std::uint64_t number) {
+  return std::vector<Bench>(static_cast<std::size_t>(number));
+}
+
+std::vector<bool> barred_parts(const Job& job, const Bench& bench) {
+  std::vector<bool> barred(job.names.size(), false);
+  for (Element x = 0; x < job.parts(); ++x) {
+    const bool is_out = x < job.quantities.size() && job.quantities[x] == 0;
+    barred[x] = has(bench.without, x) || (is_out && !has(bench.own, x));
+  }
+  return barred;
+}
+
+Job job_of_bench(const Job& job, const Bench& bench) {
+  Job own = whole_job_of_bench(job, bench);
+  keep_possible(own);
+  return own;
+}
+
+Job job_by_itself(const Job& job, const Bench& bench) {
+  return without_empty_slots(job_of_bench(job, bench));
+}
+
+PairSet cannot_meet(const Job& job, const std::vector<Bench>& benches) {
+  PairSet left = job.needed;
+  for (const Bench& bench : benches) {
+    if (bench.down) {
+      continue;
+    }
+    Job own = whole_job_of_bench(job, bench);
+    own.needed = left;
+    own.triples.clear();
+    keep_possible(own);
+    PairSet rest(job.parts());
+    left.for_each(all_of_them, [&](Element x, Element y) {
+      if (!own.needed.contains(x, y)) {
+        rest.insert(x, y);
+      }
+    });
+    left = std::move(rest);
+  }
+  return left;
+}
+
+std::vector<std::string> bench_defects(const Job& job, const std::vector<Bench>& benches) {
+  if (benches.empty() || benches.size() > max_benches) {
+    return {fmt::format("{} benches; give 1 to {}", benches.size(), max_benches)};
+  }
+  Job any = job;  // What holds of the job on whatever bench.
+  any.needed = PairSet(any.parts());
+  any.triples.clear();
+  any.slots.clear();
+  any.slot_of.clear();
+  any.mounted.clear();
+  any.start.clear();
+  any.first.clear();
+  std::vector<std::string> found = defects(any);
+  if (!found.empty()) {
+    return found;
+  }
+  if (!job.quantities.empty() && job.quantities.size() != job.parts()) {
+    return {"the quantities do not fit the parts"};
+  }
+  find_names_twice(benches, found);
+  bool some = false;
+  for (std::size_t i = 0; i < benches.size() && found.size() < most_bench_defects; ++i) {
+    if (benches[i].down) {
+      continue;
+    }
+    some = true;
+    if (const auto defect = defect_of(job, benches[i])) {
+      found.push_back(fmt::format("{}: {}", name_of(benches, i), *defect));
+    }
+  }
+  if (!some && job.needed.size() > 0) {
+    found.emplace_back("all benches are down; nothing can be tested");
+  }
+  find_overdrawn(job, benches, found);
+  if (!found.empty()) {
+    found.resize(std::min(found.size(), most_bench_defects));
+    return found;
+  }
+  cannot_meet(job, benches).for_each(most_bench_defects, [&](Element x, Element y) {
+    found.push_back(
+        job.never.contains(x, y)
+            ? fmt::format("{} and {} must meet and must never be in one set-up", job.names[x],
+                          job.names[y])
+            : fmt::format("{} and {} must meet, but no bench can hold both in one set-up",
+                          job.names[x], job.names[y]));
+  });
+  if (found.empty() && !job.triples.empty()) {
+    std::vector<Job> jobs;
+    for (const Bench& bench : benches) {
+      if (!bench.down) {
+        jobs.push_back(job_of_bench(job, bench));
+      }
+    }
+    for (const Triple& t : job.triples) {
+      const bool can = std::any_of(jobs.begin(), jobs.end(), [&](const Job& own) {
+        return std::find(own.triples.begin(), own.triples.end(), t) != own.triples.end();
+      });
+      if (!can && found.size() < most_bench_defects) {
+        found.push_back(
+            fmt::format("{}, {} and {} must meet, but no bench can hold all three in one set-up",
+                        job.names[t[0]], job.names[t[1]], job.names[t[2]]));
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace changeover

@@ -1,0 +1,245 @@
+#include "plan/job/bench_list.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "io/request/request_document.hpp"
+#include "io/scan/place.hpp"
+#include "io/scan/row_reader.hpp"
+#include "plan/job/part_finder.hpp"
+
+namespace changeover {
+namespace {
+
+enum class BenchColumn : std::uint8_t {
+  name,
+  at_once,
+  test_cost,
+  change_factor,
+  slots,
+  mounted,
+  start,
+  own,
+  without,
+  hours,
+  down
+};
+
+// Small letters, with underscores for what stands between words.
+std::string plain_heading(std::string_view text) {
+  std::string plain = lower(text);
+  std::replace_if(
+      plain.begin(), plain.end(), [](char c) { return c == ' ' || c == '-'; }, '_');
+  return plain;
+}
+
+std::optional<BenchColumn> bench_column(std::string_view text) {
+  const std::string heading = plain_heading(text);
+  constexpr std::array<std::pair<std::string_view, BenchColumn>, 6> others{
+      {{"bench", BenchColumn::name},
+       {"benches", BenchColumn::name},
+       {"room", BenchColumn::at_once},
+       {"hours_a_day", BenchColumn::hours},
+       {"slot", BenchColumn::slots},
+       {"cannot_have", BenchColumn::without}}};
+  for (const auto& [word, column] : others) {
+    if (heading == word) {
+      return column;
+    }
+  }
+  const auto& columns = bench_columns();
+  const auto found = std::find(columns.begin(), columns.end(), heading);
+  return found == columns.end() ? std::nullopt
+                                : std::optional(static_cast<BenchColumn>(found - columns.begin()));
+}
+
+class BenchReader {
+ public:
+  BenchReader(Input& input, const std::vector<std::string>& names, std::vector<std::string>* gone)
+      : rows_(input), finder_(names, numbers_in(rows_)), gone_(gone) {}
+
+  std::vector<Bench> read() {
+    std::vector<Bench> benches;
+    std::vector<BenchColumn> columns;
+    while (const auto row = rows_.next()) {
+      if (columns.empty()) {
+        columns = columns_of(*row);
+        if (!only_names_) {
+          continue;
+        }
+      }
+      if (benches.size() == max_benches) {
+        rows_.fail(row->front(), fmt::format("more than {} benches", max_benches));
+      }
+      benches.push_back(bench_of(*row, columns));
+    }
+    return benches;
+  }
+
+ private:
+  std::vector<BenchColumn> columns_of(const Row& header) {
+    std::vector<BenchColumn> columns;
+    for (const Field& field : header) {
+      const auto column = bench_column(field.text);
+      if (!column && header.size() == 1) {
+        only_names_ = true;
+        return {BenchColumn::name};
+      }
+      if (!column) {
+        rows_.fail(field, fmt::format("there is no column {} of benches; there are {}",
+                                      shown(field.text), fmt::join(bench_columns(), ", ")));
+      }
+      if (std::find(columns.begin(), columns.end(), *column) != columns.end()) {
+        rows_.fail(field, fmt::format("a second column {}; remove one", shown(field.text)));
+      }
+      columns.push_back(*column);
+    }
+    return columns;
+  }
+
+  Bench bench_of(const Row& row, const std::vector<BenchColumn>& columns) {
+    Bench bench;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i >= columns.size()) {
+        if (!row[i].text.empty() && !rows_.is_workbook()) {
+          rows_.fail(row[i], fmt::format("more fields than the {} of the header; quote those with "
+                                         "a comma",
+                                         columns.size()));
+        }
+      } else if (!row[i].text.empty()) {
+        take(bench, columns[i], row[i]);
+      }
+    }
+    return bench;
+  }
+
+  template <typename Read>
+  auto at(const Field& field, Read&& read) {
+    try {
+      return read();
+    } catch (const BadInput& fault) {
+      rows_.fail(field, fault.what());
+    } catch (const ImpossibleParameters& fault) {
+      rows_.fail(field, fault.what());
+    }
+  }
+
+  void take(Bench& bench, BenchColumn column, const Field& field) {
+    switch (column) {
+      case BenchColumn::name:
+        bench.name = field.text;
+        break;
+      case BenchColumn::at_once:
+        bench.at_once = number(field);
+        break;
+      case BenchColumn::test_cost:
+        bench.test_cost = amount(field);
+        break;
+      case BenchColumn::change_factor:
+        bench.change_factor = amount(field);
+        break;
+      case BenchColumn::hours:
+        bench.hours = amount(field);
+        break;
+      case BenchColumn::slots:
+        bench.slots = at(field, [&] { return parse_slots(field.text); });
+        break;
+      case BenchColumn::mounted:
+        bench.mounted = parts(field);
+        break;
+      case BenchColumn::start:
+        bench.start = parts(field);
+        break;
+      case BenchColumn::own:
+        bench.own = parts(field);
+        break;
+      case BenchColumn::without:
+        bench.without = parts(field);
+        break;
+      case BenchColumn::down:
+        bench.down = is_down(field);
+        break;
+    }
+  }
+
+  std::uint64_t number(const Field& field) {
+    std::uint64_t value = 0;
+    const char* const end = field.text.data() + field.text.size();
+    const auto [rest, failure] = std::from_chars(field.text.data(), end, value);
+    if (failure != std::errc() || rest != end) {
+      rows_.fail(field, fmt::format("{} is no number of parts", shown(field.text)));
+    }
+    return value;
+  }
+
+  Amount amount(const Field& field) {
+    std::string text = field.text;
+    if (rows_.separator() != ',' && std::count(text.begin(), text.end(), ',') == 1) {
+      text[text.find(',')] = '.';
+    }
+    return at(field, [&] { return parse_amount(text); });
+  }
+
+  bool is_down(const Field& field) {
+    const std::string word = lower(field.text);
+    constexpr std::array<std::string_view, 6> yes{"yes", "true", "1", "x", "down", "y"};
+    constexpr std::array<std::string_view, 6> no{"no", "false", "0", "up", "n", "-"};
+    if (std::find(yes.begin(), yes.end(), word) != yes.end()) {
+      return true;
+    }
+    if (std::find(no.begin(), no.end(), word) == no.end()) {
+      rows_.fail(field,
+                 fmt::format("{}: write yes if the bench is down, or nothing", shown(field.text)));
+    }
+    return false;
+  }
+
+  Block parts(const Field& field) {
+    Row words = at(field, [&] { return split_row(field.text); });
+    if (finder_.some_gone(words, rows_, gone_)) {
+      std::erase_if(words, [&](const Field& word) { return finder_.may_be_gone(word.text); });
+    }
+    return find_parts(
+        finder_, words, [&](const std::string& word) { return finder_.find(word); },
+        [&](const Field&, const std::string& what) { rows_.fail(field, what); });
+  }
+
+  RowReader rows_;
+  PartFinder finder_;
+  std::vector<std::string>* gone_;
+  bool only_names_ = false;
+};
+
+}  // namespace
+
+const std::vector<std::string_view>& bench_columns() { return row_keys(RowShape::benches); }
+
+std::vector<Bench> read_benches(Input& input, const std::vector<std::string>& names,
+                                std::vector<std::string>* gone) {
+  std::vector<Bench> benches = BenchReader(input, names, gone).read();
+  if (benches.empty()) {
+    fail(input.name(), {}, "no bench is listed; write the name of one a line below a header");
+  }
+  return benches;
+}
+
+std::optional<std::size_t> find_bench(const std::vector<Bench>& benches, const std::string& word) {
+  for (std::size_t i = 0; i < benches.size() && !word.empty(); ++i) {
+    if (benches[i].name == word || name_of(benches, i) == word) {
+      return i;
+    }
+  }
+  std::size_t number = 0;
+  const auto [rest, failure] = std::from_chars(word.data(), word.data() + word.size(), number);
+  const bool whole = failure == std::errc() && rest == word.data() + word.size();
+  return whole && number >= 1 && number <= benches.size() ? std::optional(number - 1)
+                                                          : std::nullopt;
+}
+
+}  // namespace changeover

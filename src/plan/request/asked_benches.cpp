@@ -1,0 +1,144 @@
+#include "plan/request/asked_benches.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "changeover/core/error.hpp"
+#include "core/words.hpp"
+#include "io/scan/place.hpp"
+#include "plan/job/bench_jobs.hpp"
+#include "plan/job/bench_list.hpp"
+#include "plan/job/setup_list.hpp"
+
+namespace changeover {
+namespace {
+
+bool is_among(const Block& parts, Element x) {
+  return std::find(parts.begin(), parts.end(), x) != parts.end();
+}
+
+}  // namespace
+
+std::vector<Bench> listed_benches(Input& input, const OldListOptions& options) {
+  std::vector<Bench> benches = read_benches(input, *options.names, options.gone);
+  const PartsLeft& left = *options.left;
+  for (Bench& bench : benches) {
+    bench.own = left(bench.own);
+    bench.without = left(bench.without);
+    for (std::optional<Block>* parts : {&bench.mounted, &bench.start}) {
+      if (*parts) {
+        *parts = left(**parts);
+      }
+    }
+  }
+  return benches;
+}
+
+std::uint64_t most_at_once(const Job& job, const std::vector<Bench>& benches) {
+  std::uint64_t most = job.at_once;
+  for (const Bench& bench : benches) {
+    most = std::max(most, bench.at_once.value_or(0));
+  }
+  return most;
+}
+
+void check_benches(const Job& job, const std::vector<Bench>& benches, const std::string& file) {
+  std::vector<std::string> found = bench_defects(job, benches);
+  if (found.empty() &&
+      std::all_of(benches.begin(), benches.end(), [](const Bench& bench) { return bench.down; })) {
+    found.emplace_back("all benches are down; nothing can be tested");
+  }
+  if (!found.empty()) {
+    throw BadInput(
+        (file.empty() ? "" : file + ": ") + found.front() +
+        (found.size() == 1 ? "" : fmt::format(" (and {} more like this)", found.size() - 1)));
+  }
+}
+
+void take_first(Input& input, const OldListOptions& options, Job& job,
+                std::vector<Bench>& benches) {
+  if (job.model != nullptr) {
+    job.first = read_first(input, job);
+    return;
+  }
+  const DoneList list =
+      read_first_list(input, *options.names, most_at_once(job, benches), options.gone);
+  for (std::size_t i = 0; i < list.setups.size(); ++i) {
+    const Place place{list.lines[i], 1};
+    const Block setup = (*options.left)(list.setups[i]);
+    if (setup.empty() && (list.lacks[i] || !list.setups[i].empty())) {
+      continue;
+    }
+    const std::string& name = list.benches[i];
+    const auto bench = find_bench(benches, name);
+    if (!name.empty() && !bench) {
+      fail(input.name(), place,
+           fmt::format("there is no bench {}; give the name or the number of one", shown(name)));
+    }
+    if (bench || benches.empty()) {
+      if (const auto defect =
+              setup_defect(bench ? job_of_bench(job, benches[*bench]) : job, setup)) {
+        fail(input.name(), place, *defect);
+      }
+    }
+    if (!bench) {
+      job.first.push_back(setup);
+      continue;
+    }
+    std::optional<std::vector<Block>>& own = benches[*bench].first;
+    own = own.value_or(std::vector<Block>());
+    own->push_back(setup);
+  }
+  for (Bench& bench : benches) {
+    if (bench.first) {
+      bench.first->insert(bench.first->begin(), job.first.begin(), job.first.end());
+    }
+  }
+}
+
+std::uint64_t drop_impossible_triples(Job& job, const std::vector<Bench>& benches) {
+  if (benches.empty()) {
+    return 0;
+  }
+  std::set<Triple> possible;
+  for (const Bench& bench : benches) {
+    if (!bench.down) {
+      const Job own = job_of_bench(job, bench);
+      possible.insert(own.triples.begin(), own.triples.end());
+    }
+  }
+  const std::uint64_t all = job.triples.size();
+  std::erase_if(job.triples, [&](const Triple& t) { return possible.count(t) == 0; });
+  drop_met_triples(job, Meetings(job.parts(), true));
+  return all - job.triples.size();
+}
+
+void drop_overdrawn(const Job& job, std::vector<Bench>& benches, std::vector<std::string>& notes) {
+  for (Element x = 0; x < job.quantities.size(); ++x) {
+    std::vector<std::size_t> there;
+    std::string where;
+    for (std::size_t i = 0; i < benches.size(); ++i) {
+      if (!benches[i].down && !is_among(benches[i].own, x) &&
+          is_among(benches[i].start.value_or(job.start), x)) {
+        where += (there.empty() ? "" : ", ") + name_of(benches, i);
+        there.push_back(i);
+      }
+    }
+    if (there.size() <= job.quantities[x]) {
+      continue;
+    }
+    for (const std::size_t i : there) {
+      Block start = benches[i].start.value_or(job.start);
+      std::erase(start, x);
+      benches[i].start = std::move(start);
+    }
+    notes.push_back(
+        fmt::format("{} was in the last test of {}, but there {} {}: the sheets have it taken out, "
+                    "and put in where it is needed",
+                    job.names[x], where, job.quantities[x] == 1 ? "is" : "are", job.quantities[x]));
+  }
+}
+
+}  // namespace changeover

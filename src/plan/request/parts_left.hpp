@@ -1,0 +1,60 @@
+// A parts list without the parts that broke. Lists are read with all names, since they may be
+// older, and then hold what is left.
+//
+//     const PartsLeft left(4, {1});         // of parts 0 to 3 without part 1
+//     left(Block{0, 1, 3});                 // 0 and 2, as the parts are numbered now
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "changeover/plan/job.hpp"
+
+namespace changeover {
+
+class PartsLeft {
+ public:
+  PartsLeft() = default;
+  PartsLeft(std::size_t parts, const Block& without);
+
+  /// There are so many more, at the end of the list; all of them are left.
+  void add(std::uint64_t more);
+
+  /// How many parts are left.
+  [[nodiscard]] std::size_t size() const { return left_; }
+  [[nodiscard]] bool all() const { return left_ == number_.size(); }
+
+  [[nodiscard]] Block operator()(const Block& parts) const;
+  [[nodiscard]] PairSet operator()(const PairSet& pairs) const;
+  [[nodiscard]] PairWeights operator()(const PairWeights& weights) const;
+  [[nodiscard]] PairReasons operator()(const PairReasons& reasons) const;
+  /// Something said of each part, or of none.
+  template <typename T>
+  [[nodiscard]] std::vector<T> operator()(std::vector<T> by_part) const {
+    std::size_t next = 0;
+    std::erase_if(by_part, [&](const T&) { return !number_[next++]; });
+    return by_part;
+  }
+  /// A square table, row by row.
+  template <typename T>
+  [[nodiscard]] std::vector<T> square(std::vector<T> by_pair) const {
+    std::size_t next = 0;
+    std::erase_if(by_pair, [&](const T&) {
+      const std::size_t at = next++;
+      return !number_[at / number_.size()] || !number_[at % number_.size()];
+    });
+    return by_pair;
+  }
+
+ private:
+  std::vector<std::optional<Element>> number_;  // by part of the list
+  std::size_t left_ = 0;
+};
+
+/// "sheet.csv: no longer in the parts list, and left out: A, B", of at least one name.
+[[nodiscard]] std::string gone_note(const std::string& name, const std::vector<std::string>& gone);
+
+}  // namespace changeover

@@ -1,0 +1,586 @@
+#include "plan/search/benches/bench_bounds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/run/control.hpp"
+#include "core/checked.hpp"
+#include "core/words.hpp"
+#include "plan/job/pair_numbers.hpp"
+#include "plan/job/prices.hpp"
+#include "plan/job/setup_list.hpp"
+#include "plan/search/bounds/dearest_parts.hpp"
+#include "plan/search/bounds/rounded_up.hpp"
+#include "plan/search/valid_job.hpp"
+#include "plan/search/weighted.hpp"
+
+namespace changeover {
+namespace {
+
+__extension__ using Huge = unsigned __int128;
+
+bool has_part(const Block& block, Element x) {
+  return std::find(block.begin(), block.end(), x) != block.end();
+}
+
+// The easiest of all benches, with an empty start.
+Job easiest_job(const BenchField& field) {
+  Job easiest = at_prices(field.rest(0), Price::least);
+  easiest.needed = field.common().needed;
+  easiest.triples = field.common().triples;
+  easiest.start.clear();
+  for (std::size_t w = 1; w < field.size(); ++w) {
+    if (&field.rest(w) == &field.rest(0)) {
+      continue;
+    }
+    const Job other = at_prices(field.rest(w), Price::least);
+    easiest.at_once = std::max(easiest.at_once, other.at_once);
+    easiest.test_cost = std::min(easiest.test_cost, other.test_cost);
+    for (std::size_t x = 0; x < easiest.change_costs.size(); ++x) {
+      easiest.change_costs[x] = std::min(easiest.change_costs[x], other.change_costs[x]);
+    }
+    std::erase_if(easiest.mounted, [&](Element m) { return !has_part(other.mounted, m); });
+    // A part that some bench cannot have is in another slot there.
+    const auto of_both = std::min(easiest.slots.size(), other.slots.size());
+    for (std::size_t s = 0; s < of_both; ++s) {
+      easiest.slots[s].least = std::min(easiest.slots[s].least, other.slots[s].least);
+      easiest.slots[s].most = std::max(easiest.slots[s].most, other.slots[s].most);
+    }
+    if (easiest.slot_of != other.slot_of) {
+      easiest.slots.clear();
+      easiest.slot_of.clear();
+    }
+  }
+  return easiest;
+}
+
+// Something that holds from some time on, if at all: the first such time.
+Amount earliest(const std::function<bool(std::uint64_t)>& holds) {
+  constexpr std::uint64_t latest = std::uint64_t{1} << 61U;
+  std::uint64_t high = 1;
+  while (high < latest && !holds(high)) {
+    stop_if_asked();
+    high *= 2;
+  }
+  std::uint64_t low = 0;
+  while (low < high) {
+    stop_if_asked();
+    const std::uint64_t middle = low + (high - low) / 2;
+    holds(middle) ? high = middle : low = middle + 1;
+  }
+  return Amount{low};
+}
+
+class BenchBounder {
+ public:
+  explicit BenchBounder(const BenchField& field) : field_(&field) {}
+
+  BenchBounds run() {
+    for (std::size_t w = 0; w < field_->size(); ++w) {
+      spent_ += field_->spent(w);
+    }
+    bounds_.makespan_reason = "nothing is left to test";
+    for (std::size_t w = 0; w < field_->size(); ++w) {
+      raise(by(w, field_->spent(w).millionths), [&] {
+        return "the first set-ups of " + name_of(field_->benches(), number(w)) + " take so long";
+      });
+    }
+    bounds_.cost.reason = "nothing is left to test";
+    if (field_->size() > 0 && field_->common().needed.size() > 0) {
+      easiest_ = easiest_job(*field_);
+      bound_costs();
+      try {
+        set_ratios();
+        bound_shared();
+        bound_one_pair();
+        bound_scarce();
+        bound_whole_tests();
+        bound_pairs();
+      } catch (const Stopped&) {
+        // What is known is true.
+      }
+    }
+    if (spent_.millionths > 0) {
+      bounds_.cost.cost += spent_;
+      bounds_.cost.reason = fmt::format("the first set-ups cost {}; after them, {}",
+                                        to_string(spent_), bounds_.cost.reason);
+    }
+    return std::move(bounds_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t number(std::size_t w) const {
+    return static_cast<std::size_t>(&field_->bench(w) - field_->benches().data());
+  }
+
+  void raise(Amount makespan, const std::function<std::string()>& reason) {
+    if (makespan > bounds_.makespan) {
+      bounds_.makespan = makespan;
+      bounds_.makespan_reason = reason();
+    }
+  }
+
+  // Whether all costs and times are multiples of what divides all costs.
+  [[nodiscard]] Amount rounded(Amount makespan) const {
+    const bool plain = field_->alike() && !field_->has_clock();
+    return plain ? rounded_up(field_->rest(0), makespan) : makespan;
+  }
+
+  // u_w(M).
+  [[nodiscard]] std::uint64_t work(std::size_t w, std::uint64_t time) const {
+    const auto& rules = field_->rules();
+    if (!rules || rules->hours[w] == 0) {
+      return time;
+    }
+    const std::uint64_t hours = rules->hours[w];
+    return time / rules->day * hours + std::min(hours, time % rules->day);
+  }
+
+  // The first time by which a bench can have worked so long.
+  [[nodiscard]] Amount by(std::size_t w, std::uint64_t hours) const {
+    const auto& rules = field_->rules();
+    if (hours == 0 || !rules || rules->hours[w] == 0) {
+      return Amount{hours};
+    }
+    const std::uint64_t days = (hours - 1) / rules->hours[w];
+    return Amount{days} * rules->day + Amount{hours - days * rules->hours[w]};
+  }
+
+  // What costs once more where it is at the start of a bench.
+  [[nodiscard]] bool has_start(std::size_t w) const { return !field_->rest(w).start.empty(); }
+
+  void bound_costs() {
+    std::size_t starts = 0;
+    std::size_t first = 0;
+    for (std::size_t w = 0; w < field_->size(); ++w) {
+      first = starts == 0 && has_start(w) ? w : first;
+      starts += has_start(w) ? 1U : 0U;
+    }
+    Job one = easiest_;
+    one.start = field_->rest(first).start;
+    Amount once_more;
+    bool fits = true;
+    for (std::size_t w = 0; w < field_->size(); ++w) {
+      if (w == first || !has_start(w)) {
+        continue;
+      }
+      Block start = field_->rest(w).start;
+      fits = fits && !setup_defect(one, start);
+      once_more += easiest_.test_cost;
+      for (const Element x : start) {
+        once_more += easiest_.change_costs[x];
+      }
+    }
+    if (!fits) {  // Set-ups that are none of the job are put in between: then any may be.
+      one.slots.clear();
+      one.slot_of.clear();
+      one.mounted.clear();
+    }
+    bounds_.cost = bound_of_valid_job(one);
+    const Amount known = bounds_.cost.cost;
+    bounds_.cost.cost = known - std::min(known, once_more);
+    if (once_more.millionths > 0) {
+      bounds_.cost.reason += fmt::format(
+          "; that is with what is at the start of the other benches put in once more, for {}",
+          to_string(once_more));
+    }
+    count_dearest();
+    if (one_list_ && one_list_->cost > bounds_.cost.cost) {
+      bounds_.cost.cost = one_list_->cost;
+      bounds_.cost.reason = fmt::format(
+          "the dearest parts must meet among themselves (docs/plan.md, The lower bound): {} with {} "
+          "cost least",
+          count_of(one_list_->tests, "test"), count_of(one_list_->introductions, "change"));
+    }
+    if (field_->alike() && !field_->rest(0).replaces()) {
+      bounds_.cost.cost = rounded_up(field_->rest(0), bounds_.cost.cost);
+    }
+  }
+
+  // b_n with what stays mounted; that of one list if it is not known.
+  [[nodiscard]] DearestCost lists_cost(std::uint64_t lists) const {
+    DearestCost cost = cost_of_dearest(*dearest_, lists);
+    cost.cost += mounted_on(lists, mounting_);
+    return cost;
+  }
+
+  // Prepares the count within the dearest parts.
+  void count_dearest() {
+    try {
+      Amount mounting;
+      std::optional<DearestParts> question = dearest_parts_of(easiest_, mounting);
+      if (!question || question->parts.size() > most_dearest_parts) {
+        return;
+      }
+      for (std::size_t w = 0; w < field_->size(); ++w) {
+        std::uint64_t there = 0;
+        for (std::size_t i = 0; i < question->parts.size(); ++i) {
+          const bool is_there = has_part(field_->rest(w).start, question->parts[i]);
+          question->at_start[i] += is_there ? 1U : 0U;
+          there += is_there ? 1U : 0U;
+        }
+        question->starts += there > 0 ? 1U : 0U;
+        question->room = std::max(question->room, there);
+        question->first = there > 0 ? 1 : question->first;
+      }
+      dearest_ = std::move(question);
+      mounting_ = mounting;
+      one_list_ = lists_cost(1);
+    } catch (const Stopped&) {
+      // What is known is true.
+    }
+  }
+
+  // Each list puts in what stays mounted, unless it is there; `mounting` is what one pays, with
+  // what slots need besides.
+  [[nodiscard]] Amount mounted_on(std::uint64_t lists, Amount mounting) const {
+    Amount all;
+    for (const Element m : easiest_.mounted) {
+      std::uint64_t there = 0;
+      for (std::size_t w = 0; w < field_->size(); ++w) {
+        there += has_part(field_->rest(w).start, m) ? 1U : 0U;
+      }
+      all += easiest_.change_costs[m] * (lists - std::min(lists, there));
+      mounting = mounting - std::min(mounting, easiest_.change_costs[m]);
+    }
+    bool any_start = false;
+    for (std::size_t w = 0; w < field_->size(); ++w) {
+      any_start = any_start || has_start(w);
+    }
+    return any_start ? all : all + mounting;
+  }
+
+  // φ_w as a fraction.
+  void set_ratios() {
+    for (std::size_t w = 0; w < field_->size(); ++w) {
+      const Job own = at_prices(field_->rest(w), Price::least);
+      Ratio least{1, 1};
+      bool any = false;
+      const auto look_at = [&](Amount cost, Amount base) {
+        const bool less = Huge{cost.millionths} * least.under < Huge{least.over} * base.millionths;
+        if (base.millionths > 0 && (!any || less)) {
+          const std::uint64_t common = std::gcd(cost.millionths, base.millionths);
+          least = {cost.millionths / common, base.millionths / common};
+          any = true;
+        }
+      };
+      look_at(own.test_cost, easiest_.test_cost);
+      for (std::size_t x = 0; x < own.change_costs.size(); ++x) {
+        look_at(own.change_costs[x], easiest_.change_costs[x]);
+      }
+      ratios_.push_back(least);
+    }
+  }
+
+  // What a bench can do by this time, by the least costs, besides its first set-ups; no less than
+  // that.
+  [[nodiscard]] std::uint64_t can_do(std::size_t w, std::uint64_t time) const {
+    const std::uint64_t hours = work(w, time);
+    const std::uint64_t left = hours - std::min(hours, field_->spent(w).millionths);
+    const Huge done = (Huge{left} * ratios_[w].under + ratios_[w].over - 1) / ratios_[w].over;
+    constexpr Huge most = std::uint64_t{1} << 62U;
+    return static_cast<std::uint64_t>(std::min(done, most));
+  }
+
+  // Whether so many benches can do so much, those that can do most.
+  [[nodiscard]] bool can_share(std::uint64_t lists, Huge cost, std::uint64_t time) const {
+    std::vector<std::uint64_t> each;
+    for (std::size_t w = 0; w < field_->size(); ++w) {
+      each.push_back(can_do(w, time));
+    }
+    std::sort(each.begin(), each.end(), std::greater<>());
+    Huge all = 0;
+    for (std::size_t i = 0; i < lists; ++i) {
+      all += each[i];
+    }
+    return all >= cost;
+  }
+
+  // (1) and (2).
+  void bound_shared() {
+    const std::uint64_t benches = field_->size();
+    std::string why;
+    const std::uint64_t together = most_at_a_time(why);
+    std::optional<Amount> least;
+    std::uint64_t used = 1;
+    Amount cost;
+    const auto done_by = [&](std::uint64_t n, Amount all) {
+      return rounded(earliest([&](std::uint64_t time) {
+        return can_share(std::min(n, together), all.millionths, time);
+      }));
+    };
+    // With fewer benches, each has more to do; more lists cost no less than one.
+    for (std::uint64_t n = benches; n > 0; --n) {
+      Amount all = bounds_.cost.cost;
+      if (least && done_by(n, all) >= *least) {
+        break;
+      }
+      all = one_list_ ? std::max(all, lists_cost(n).cost) : all;
+      const Amount found = done_by(n, all);
+      if (!least || found < *least) {
+        least = found;
+        used = n;
+        cost = all;
+      }
+    }
+    raise(least.value_or(Amount{}), [&] {
+      const std::string each =
+          benches == 1
+              ? "every plan costs so much"
+              : fmt::format("{} together cost at least {}",
+                            count_of(used, "list of tests", "lists of tests"), to_string(cost));
+      return together < used ? fmt::format("{}, and {}", each, why) : each;
+    });
+  }
+
+  // How many benches can work at a time.
+  [[nodiscard]] std::uint64_t most_at_a_time(std::string& why) const {
+    std::uint64_t most = field_->size();
+    for (const Element m : easiest_.mounted) {
+      if (field_->most_holders(m) < most) {
+        most = field_->most_holders(m);
+        why = fmt::format("only {} can have {} at a time, which stays mounted",
+                          count_of(most, "bench", "benches"), field_->asked().names[m]);
+      }
+    }
+    for (std::uint32_t s = 0; s < easiest_.slots.size(); ++s) {
+      const Slot& slot = easiest_.slots[s];
+      std::uint64_t there = 0;
+      for (Element x = 0; x < easiest_.parts(); ++x) {
+        there += easiest_.slot_of[x] == s ? field_->most_holders(x) : 0;
+      }
+      if (slot.least > 0 && there / slot.least < most) {
+        most = there / slot.least;
+        why = fmt::format("only {} can work at a time, since slot {} needs {} and there {} {}",
+                          count_of(most, "bench", "benches"), slot.name,
+                          count_of(slot.least, "part"), there == 1 ? "is" : "are", there);
+      }
+    }
+    return std::max<std::uint64_t>(most, 1);
+  }
+
+  // (3)
+  void bound_scarce() {
+    for (Element x = 0; x < easiest_.parts(); ++x) {
+      const std::uint64_t holders = field_->most_holders(x);
+      if (holders >= field_->size() || holders == 0 || has_part(easiest_.mounted, x)) {
+        continue;
+      }
+      const Amount held = least_held(x);
+      if (held.millionths == 0) {
+        continue;
+      }
+      const Amount found = earliest([&](std::uint64_t time) {
+        std::vector<std::uint64_t> each;
+        for (std::size_t w = 0; w < field_->size(); ++w) {
+          each.push_back(work(w, time));
+        }
+        std::sort(each.begin(), each.end(), std::greater<>());
+        Huge all = 0;
+        for (std::size_t i = 0; i < holders; ++i) {
+          all += each[i];
+        }
+        return all >= held.millionths;
+      });
+      raise(found, [&] {
+        return fmt::format("{} is on some bench for at least {}, and {} can have it at a time",
+                           easiest_.names[x], to_string(held),
+                           count_of(holders, "bench", "benches"));
+      });
+    }
+  }
+
+  // How long a part is on benches at least.
+  [[nodiscard]] Amount least_held(Element x) const {
+    std::vector<Amount> others;  // what it must meet, the cheapest first
+    for (Element y = 0; y < easiest_.parts(); ++y) {
+      if (y != x && !has_part(easiest_.mounted, y) && easiest_.needed.contains(x, y)) {
+        others.push_back(easiest_.change_costs[y]);
+      }
+    }
+    const std::uint64_t room = easiest_.room() - easiest_.mounted.size();
+    if (others.empty() || room < 2) {
+      return {};
+    }
+    std::sort(others.begin(), others.end());
+    std::uint64_t starts = 0;
+    std::uint64_t at_start = 0;  // the most that is there with it before the first test
+    for (std::size_t w = 0; w < field_->size(); ++w) {
+      const Block& start = field_->rest(w).start;
+      if (has_part(start, x)) {
+        ++starts;
+        at_start = std::max<std::uint64_t>(at_start, start.size());
+      }
+    }
+    const std::uint64_t each = std::max(room, at_start) - 1;
+    const std::uint64_t tests = ceil_div(others.size(), each);
+    std::optional<Amount> least;
+    for (std::uint64_t stays = 1; stays <= others.size(); ++stays) {
+      const std::uint64_t there = std::min<std::uint64_t>(others.size(), stays * each);
+      Amount held = easiest_.test_cost * std::max(tests, stays) +
+                    easiest_.change_costs[x] * (stays - std::min(stays, starts));
+      for (std::size_t i = 0; i < others.size() - there; ++i) {
+        held += others[i];
+      }
+      least = least ? std::min(*least, held) : held;
+      if (there == others.size()) {
+        break;  // More stays only take longer.
+      }
+    }
+    return *least;
+  }
+
+  // (4)
+  void bound_one_pair() {
+    std::vector<Job> jobs;
+    for (std::size_t w = 0; w < field_->size(); ++w) {
+      jobs.push_back(at_prices(field_->rest(w), Price::least));
+    }
+    field_->common().needed.for_each(all_of_them, [&](Element x, Element y) {
+      stop_if_asked();
+      std::optional<Amount> least;
+      for (std::size_t w = 0; w < jobs.size(); ++w) {
+        const Job& own = jobs[w];
+        if (!own.needed.contains(x, y)) {
+          continue;
+        }
+        Amount pair = field_->spent(w) + own.test_cost;
+        const auto put_in = [&](Element z) {
+          pair += has_part(own.start, z) ? Amount{} : own.change_costs[z];
+        };
+        std::for_each(own.mounted.begin(), own.mounted.end(), put_in);
+        for (const Element z : {x, y}) {
+          if (!has_part(own.mounted, z)) {
+            put_in(z);
+          }
+        }
+        const Amount found = by(w, pair.millionths);
+        least = least ? std::min(*least, found) : found;
+      }
+      raise(least.value_or(Amount{}), [&] {
+        return fmt::format("a test of {} and {} takes so long", easiest_.names[x],
+                           easiest_.names[y]);
+      });
+    });
+  }
+
+  // (5)
+  void bound_pairs() {
+    constexpr std::uint64_t most_parts = 150;
+    if (easiest_.parts() > most_parts) {
+      return;
+    }
+    std::vector<Job> jobs;  // of each kind
+    std::vector<std::size_t> kind;
+    for (std::size_t w = 0; w < field_->size(); ++w) {
+      std::size_t same = 0;
+      while (same < w && &field_->rest(same) != &field_->rest(w)) {
+        ++same;
+      }
+      kind.push_back(same < w ? kind[same] : jobs.size());
+      if (same == w) {
+        jobs.push_back(at_prices(field_->rest(w), Price::least));
+      }
+    }
+    std::uint64_t inner = 0;
+    field_->common().needed.for_each(all_of_them, [&](Element x, Element y) {
+      const bool outside = std::any_of(jobs.begin(), jobs.end(), [&](const Job& own) {
+        return has_part(own.mounted, x) || has_part(own.mounted, y);
+      });
+      inner += outside ? 0U : 1U;
+    });
+    const Amount found = earliest([&](std::uint64_t time) {
+      if (time < bounds_.makespan.millionths) {
+        return false;  // That is known.
+      }
+      std::uint64_t pairs = 0;
+      std::vector<std::pair<std::size_t, std::uint64_t>> known;  // by kind and time
+      std::vector<std::uint64_t> numbers;
+      for (std::size_t w = 0; w < field_->size(); ++w) {
+        const std::uint64_t hours = work(w, time);
+        const std::uint64_t left = hours - std::min(hours, field_->spent(w).millionths);
+        const std::pair key(kind[w], left);
+        const auto same = std::find(known.begin(), known.end(), key);
+        if (same == known.end()) {
+          known.push_back(key);
+          numbers.push_back(most_pairs_within(jobs[kind[w]], Amount{left}));
+          pairs += numbers.back();
+        } else {
+          pairs += numbers[static_cast<std::size_t>(same - known.begin())];
+        }
+      }
+      return pairs >= inner;
+    });
+    raise(rounded(found), [&] {
+      return field_->size() == 1
+                 ? fmt::format("for less, no more than {} pairs can be tested", inner - 1)
+                 : fmt::format("for less, {} cannot test {} together",
+                               count_of(field_->size(), "bench", "benches"),
+                               count_of(inner, "pair"));
+    });
+  }
+
+  // (6)
+  void bound_whole_tests() {
+    const auto& rules = field_->rules();
+    if (!rules) {
+      return;
+    }
+    const std::uint64_t tests = bounds_.cost.tests;
+    std::vector<std::uint64_t> shortest;
+    for (std::size_t w = 0; w < field_->size(); ++w) {
+      const Job own = at_prices(field_->rest(w), Price::least);
+      Amount cheapest{std::numeric_limits<std::uint64_t>::max()};
+      for (Element x = 0; x < own.parts(); ++x) {
+        cheapest = has_part(own.mounted, x) ? cheapest : std::min(cheapest, own.change_costs[x]);
+      }
+      // A first set-up may be there already, and where all parts stay mounted none is put in.
+      const bool changes = !has_start(w) && own.mounted.size() < own.parts();
+      shortest.push_back(own.test_cost.millionths + (changes ? cheapest.millionths : 0));
+    }
+    const auto number = [&](std::size_t w, std::uint64_t time) -> std::uint64_t {
+      const std::uint64_t hours = rules->hours[w];
+      const std::uint64_t each = shortest[w];
+      if (each == 0) {
+        return tests;
+      }
+      if (hours == 0 || each > hours) {
+        return work(w, time) / each;
+      }
+      return time / rules->day * (hours / each) + std::min(hours, time % rules->day) / each;
+    };
+    const Amount found = earliest([&](std::uint64_t time) {
+      std::uint64_t all = 0;
+      for (std::size_t w = 0; w < field_->size(); ++w) {
+        all += number(w, time);
+      }
+      return all >= tests;
+    });
+    raise(found, [&] {
+      return fmt::format("at least {} are needed, and a day has hours for only so many",
+                         count_of(tests, "test"));
+    });
+  }
+
+  const BenchField* field_;
+  Job easiest_;
+  Amount spent_;
+  std::optional<DearestParts> dearest_;
+  Amount mounting_;  // of one list
+  std::optional<DearestCost> one_list_;
+  std::vector<Ratio> ratios_;
+  BenchBounds bounds_;
+};
+
+}  // namespace
+
+BenchBounds bench_bounds(const BenchField& field) { return BenchBounder(field).run(); }
+
+}  // namespace changeover

@@ -1,0 +1,579 @@
+// Plans for several benches.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <new>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/plan/benches.hpp"
+#include "changeover/run/control.hpp"
+#include "core/words.hpp"
+#include "plan/job/bench_jobs.hpp"
+#include "plan/search/benches/bench_bounds.hpp"
+#include "plan/search/benches/bench_field.hpp"
+#include "plan/search/benches/cut_list.hpp"
+#include "plan/search/candidates.hpp"
+#include "plan/search/lists/lists_search.hpp"
+#include "plan/search/valid_job.hpp"
+#include "plan/search/weighted.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr const char* between_benches = "local search between benches";
+
+class BenchPlanner {
+ public:
+  BenchPlanner(const Job& job, const std::vector<Bench>& benches, const BenchOptions& options,
+               RunControl& control)
+      : field_(job, benches), options_(&options), control_(&control) {}
+
+  BenchPlan run() {
+    const RunScope scope(*control_);
+    const BenchBounds bounds = bench_bounds(field_);
+    plan_.bound = bounds.cost;
+    plan_.makespan_bound = bounds.makespan;
+    plan_.makespan_reason = bounds.makespan_reason;
+    if (field_.common().needed.size() == 0) {
+      add("no test",
+          field_.asked().needed.size() == 0 ? "nothing is left to test"
+                                            : "no test after those that come first",
+          BenchLists(field_.size()));
+    } else {
+      find_complete();
+    }
+    std::stable_sort(
+        plan_.candidates.begin(), plan_.candidates.end(),
+        [&](const BenchCandidate& a, const BenchCandidate& b) { return better(a, b); });
+    if (options_->plan.budget) {
+      plan_.complete = plan_.candidates.front();
+      if (plan_.complete->cost > *options_->plan.budget) {
+        find_affordable(*options_->plan.budget);
+      }
+    }
+    static_cast<BenchCount&>(plan_) =
+        count_benches(field_.asked(), field_.benches(),
+                      field_.schedule(without_first(plan_.candidates.front().lists)));
+    return std::move(plan_);
+  }
+
+ private:
+  [[nodiscard]] bool by_cost() const { return options_->objective == BenchObjective::cost; }
+
+  [[nodiscard]] bool better(const BenchCandidate& a, const BenchCandidate& b) const {
+    return by_cost()
+               ? std::tuple(a.cost, a.makespan, a.tests) < std::tuple(b.cost, b.makespan, b.tests)
+               : std::tuple(a.makespan, a.cost, a.tests) < std::tuple(b.makespan, b.cost, b.tests);
+  }
+
+  [[nodiscard]] static bool tests_more(const BenchCandidate& a, const BenchCandidate& b) {
+    return std::tuple(b.weight, b.triples_tested, b.pairs_tested, a.cost, a.makespan) <
+           std::tuple(a.weight, a.triples_tested, a.pairs_tested, b.cost, b.makespan);
+  }
+
+  [[nodiscard]] const BenchCandidate& best() const {
+    return *std::min_element(
+        plan_.candidates.begin(), plan_.candidates.end(),
+        [&](const BenchCandidate& a, const BenchCandidate& b) { return better(a, b); });
+  }
+
+  [[nodiscard]] bool is_best_possible() const {
+    return by_cost() ? best().cost == plan_.bound.cost && field_.size() == 1
+                     : best().makespan == plan_.makespan_bound;
+  }
+
+  // Lists of the benches that work, without what comes first.
+  [[nodiscard]] BenchLists without_first(const BenchLists& all) const {
+    BenchLists lists;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!field_.benches()[i].down) {
+        const std::size_t first = field_.whole(lists.size()).first.size();
+        lists.emplace_back(all[i].begin() + static_cast<std::ptrdiff_t>(first), all[i].end());
+      }
+    }
+    return lists;
+  }
+
+  [[nodiscard]] BenchCandidate counted(const std::string& name, const std::string& how,
+                                       const BenchLists& lists) const {
+    RunControl undisturbed({});
+    const RunScope scope(undisturbed);
+    const BenchSchedule schedule = field_.schedule(lists);
+    const BenchCount count = count_benches(field_.asked(), field_.benches(), schedule);
+    if (!count.faults.empty()) {
+      throw InternalError(name + ": " + count.faults.front());
+    }
+    BenchCandidate candidate{.name = name,
+                             .how = how,
+                             .lists = {},
+                             .tests = count.tests,
+                             .changes = count.changes,
+                             .cost = count.cost,
+                             .makespan = count.makespan,
+                             .pairs_tested = count.pairs_tested,
+                             .triples_tested = count.triples_tested,
+                             .weight = count.weight_tested};
+    for (const std::vector<BenchStep>& steps : schedule) {
+      candidate.lists.emplace_back();
+      for (const BenchStep& step : steps) {
+        candidate.lists.back().push_back(step.setup);
+      }
+    }
+    return candidate;
+  }
+
+  void add(const std::string& name, const std::string& how, const BenchLists& lists) {
+    BenchCandidate candidate = counted(name, how, lists);
+    const Job& asked = field_.asked();
+    if (candidate.pairs_tested != asked.needed.size() ||
+        candidate.triples_tested != asked.triples.size()) {
+      throw InternalError(name + " leaves something untested");
+    }
+    if (candidate.cost < plan_.bound.cost || candidate.makespan < plan_.makespan_bound) {
+      throw InternalError(name + " costs less than the lower bound");
+    }
+    const auto same = std::find_if(plan_.candidates.begin(), plan_.candidates.end(),
+                                   [&](const BenchCandidate& c) { return c.name == name; });
+    if (same == plan_.candidates.end()) {
+      plan_.candidates.push_back(std::move(candidate));
+    } else if (better(candidate, *same)) {
+      *same = std::move(candidate);
+    }
+  }
+
+  // Runs what may end early; what was found before stays.
+  template <typename Work>
+  void keep_what_there_is(Work&& work) {
+    try {
+      work();
+    } catch (const Stopped&) {
+      // The control knows why.
+    } catch (const MissingResource& fault) {
+      plan_.shortage = fault.what();
+    } catch (const std::bad_alloc&) {
+      plan_.shortage = "not enough memory to go on searching";
+    }
+  }
+
+  [[nodiscard]] std::uint64_t most_tests() const {
+    const Job& common = field_.common();
+    return common.needed.size() + common.triples.size() + 64;
+  }
+
+  // The bench that can test everything for the least, if one can.
+  [[nodiscard]] std::optional<std::size_t> bench_for_all() const {
+    std::optional<std::size_t> found;
+    Amount least;
+    for (std::size_t w = 0; w < field_.size(); ++w) {
+      const Job& rest = field_.rest(w);
+      const bool can = rest.needed.size() == field_.common().needed.size() &&
+                       rest.triples.size() == field_.common().triples.size();
+      if (!can || (found && field_.alike())) {
+        continue;
+      }
+      if (const Amount bound = bound_of_valid_job(rest).cost; !found || bound < least) {
+        found = w;
+        least = bound;
+      }
+    }
+    return found;
+  }
+
+  void find_complete() {
+    std::vector<BenchLists> starts;
+    if (const auto alone = bench_for_all()) {
+      plan_for_one(*alone, starts);
+    } else {
+      RunControl undisturbed({});
+      Lists lists(field_.lists_job(most_tests()), BenchLists(field_.size()));
+      (void)changeover::complete(lists, undisturbed);
+      add("from nothing", "each test where it costs least for what it brings", lists.lists());
+      starts.push_back(lists.lists());
+    }
+    keep_what_there_is([&] { add_rest(); });
+    keep_what_there_is([&] { search(std::move(starts)); });
+  }
+
+  // The list of one bench, and pieces of it for all.
+  void plan_for_one(std::size_t alone, std::vector<BenchLists>& starts) {
+    PlanOptions once = options_->plan;
+    once.until_stopped = options_->plan.until_stopped && field_.size() == 1 && !field_.has_clock();
+    once.budget.reset();
+    once.rest.clear();
+    const Job& rest = field_.rest(alone);
+    constexpr double share = 0.15;  // of the time: the search for all benches needs more
+    const auto left = control_->time_left();
+    std::optional<RunControl> part;
+    if (left && field_.size() > 1) {
+      part.emplace(*control_, *left * share);
+    }
+    const RunPlan one = plan_of_valid_job(rest, once, part ? *part : *control_);
+    plan_.shortage = one.shortage;
+    plan_.steps += one.steps;
+    BenchLists lists(field_.size());
+    lists[alone] = one.candidates.front().setups;
+    take_exact_bound(one.bound, alone);
+    add("one bench",
+        field_.size() == 1 ? "the " + one.candidates.front().name
+                           : "the " + one.candidates.front().name + ", the other benches idle",
+        lists);
+    if (field_.size() == 1) {
+      starts.push_back(lists);
+      return;
+    }
+    constexpr std::size_t few = 3;
+    for (std::size_t i = 0; i < std::min(few, one.candidates.size()); ++i) {
+      starts.push_back(pieces_of(rest, one.candidates[i].setups));
+    }
+    if (field_.alike()) {
+      add("one list, cut", "the " + one.candidates.front().name + " in pieces of about equal cost",
+          starts.front());
+    }
+  }
+
+  // Looking through all lists of a small job may have found a better bound.
+  void take_exact_bound(const CostBound& found, std::size_t alone) {
+    const bool end_to_end = field_.alike() && field_.rest(alone).start.empty() &&
+                            !field_.rest(alone).replaces() && field_.spent(alone).millionths == 0;
+    if (field_.size() > 1 && !end_to_end) {
+      return;
+    }
+    CostBound bound = found;
+    bound.cost += field_.spent(alone);
+    if (bound.cost > plan_.bound.cost) {
+      plan_.bound = bound;
+    }
+    if (field_.size() == 1 && plan_.bound.cost > plan_.makespan_bound) {
+      plan_.makespan_bound = plan_.bound.cost;
+      plan_.makespan_reason = plan_.bound.reason;
+    }
+  }
+
+  // Pieces of about equal cost; on benches that differ, those set-ups that may be there.
+  [[nodiscard]] BenchLists pieces_of(const Job& job, const std::vector<Block>& setups) const {
+    BenchLists lists = cut_list(job, setups, field_.size());
+    if (!field_.alike()) {
+      const Lists rules(field_.lists_job(most_tests()), BenchLists(field_.size()));
+      for (std::size_t w = 0; w < lists.size(); ++w) {
+        std::erase_if(lists[w], [&](const Block& setup) { return !rules.allows(w, setup); });
+      }
+    }
+    return lists;
+  }
+
+  // The lists under way without what breaks a rule, and with what they lack.
+  void add_rest() {
+    BenchLists rest(field_.size());
+    bool any = false;
+    for (std::size_t w = 0; w < field_.size(); ++w) {
+      PlanOptions options;
+      options.rest = after_given(field_.whole(w).first, field_.bench(w).rest);
+      rest[w] = sound_rest(field_.rest(w), options);
+      any = any || !rest[w].empty();
+    }
+    if (!any) {
+      return;
+    }
+    Lists lists(field_.lists_job(most_tests()), rest);
+    if (lists.open() == 0) {
+      add("rest of the sheets", "the tests of the sheets that are not done, as they are", rest);
+    }
+    if (complete(lists, *control_)) {
+      prune(lists, *control_);
+      add("rest of the sheets, mended", "with what they lacked, without what is not needed",
+          lists.lists());
+    }
+  }
+
+  // What is left of a list when these were taken off, wherever they stand.
+  static std::vector<Block> after_given(const std::vector<Block>& first,
+                                        const std::vector<Block>& rest) {
+    std::vector<Block> left;
+    std::vector<Block> open = first;
+    const auto sorted = [](Block block) {
+      std::sort(block.begin(), block.end());
+      return block;
+    };
+    for (const Block& setup : rest) {
+      const auto found = std::find_if(open.begin(), open.end(), [&](const Block& other) {
+        return sorted(other) == sorted(setup);
+      });
+      if (found == open.end()) {
+        left.push_back(setup);
+      } else {
+        open.erase(found);
+      }
+    }
+    return left;
+  }
+
+  void search(std::vector<BenchLists> starts) {
+    if (field_.size() == 1 && !field_.has_clock()) {
+      return;  // The search for one bench has done what there is to do.
+    }
+    const ListsJob job = field_.lists_job(most_tests());
+    {
+      Lists lists(job, starts.front());
+      if (!complete(lists, *control_)) {
+        return;
+      }
+      prune(lists, *control_);
+      add("one list, cut and shortened", "without what other benches test anyway", lists.lists());
+      add("each bench anew", "cut, and each bench planned anew for what only it tests",
+          each_anew(lists.lists()));
+    }
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      Lists lists(job, starts[i]);
+      if (complete(lists, *control_)) {
+        starts[i] = lists.lists();
+      }
+    }
+    Lists from_nothing(job, BenchLists(field_.size()));
+    if (complete(from_nothing, *control_)) {
+      starts.push_back(from_nothing.lists());
+    }
+    starts.insert(starts.begin(), without_first(best().lists));
+    ListsSearch search{.aim = by_cost() ? Aim::least_cost : Aim::least_largest,
+                       .steps = options_->plan.steps,
+                       .attempts = options_->plan.attempts,
+                       .phase = between_benches};
+    unsigned idle = 0;
+    while (!is_best_possible() && !control_->stop_wanted()) {
+      const auto before = std::tuple(best().makespan, best().cost);
+      FoundLists found = search_lists(job, starts, search, *control_);
+      plan_.steps += found.steps;
+      add(between_benches, "tests and parts moved between benches", found.lists);
+      if (!control_->stop_wanted()) {
+        found.lists = each_anew(found.lists);
+        add("local search, each bench anew", "then each bench planned anew for what only it tests",
+            found.lists);
+      }
+      ++search.round;
+      idle = std::tuple(best().makespan, best().cost) == before ? idle + 1 : 0;
+      constexpr unsigned most_rounds = 4;
+      const bool enough = options_->plan.steps != 0 || idle > 0 || search.round >= most_rounds;
+      if (!options_->plan.until_stopped && enough) {
+        break;
+      }
+      starts.front() = without_first(best().lists);
+    }
+  }
+
+  // What only this bench tests of what has to meet.
+  [[nodiscard]] Job only_on(const BenchLists& lists, std::size_t bench) const {
+    Job own = field_.rest(bench);
+    for (std::size_t other = 0; other < lists.size(); ++other) {
+      if (other != bench) {
+        own.at_once = field_.rest(other).at_once;
+        mark_done(own, lists[other]);
+      }
+    }
+    own.at_once = field_.rest(bench).at_once;
+    own.start = field_.rest(bench).start;
+    own.tests_done = 0;
+    return own;
+  }
+
+  // Each bench gets the cheapest list for what no other tests, one after the other.
+  BenchLists each_anew(BenchLists lists) {
+    for (std::size_t bench = 0; bench < lists.size() && !control_->stop_wanted(); ++bench) {
+      const Job own = only_on(lists, bench);
+      if (own.needed.size() == 0) {
+        lists[bench].clear();
+        continue;
+      }
+      constexpr std::uint64_t short_search = 200'000;
+      PlanOptions options{.steps = options_->plan.steps == 0
+                                       ? short_search
+                                       : std::min(short_search, options_->plan.steps),
+                          .attempts = 2,
+                          .rest = lists[bench],
+                          .design_moves = 0,
+                          .states = 20'000};
+      const RunPlan anew = plan_of_valid_job(own, options, *control_);
+      plan_.steps += anew.steps;
+      lists[bench] = anew.candidates.front().setups;
+    }
+    return lists;
+  }
+
+  // The longest beginning, in time, that the budget pays for.
+  [[nodiscard]] BenchLists affordable(const BenchCandidate& whole, Amount budget) const {
+    const BenchLists lists = without_first(whole.lists);
+    const BenchSchedule schedule = field_.schedule(lists);
+    struct Begin {
+      Amount at;
+      std::size_t bench = 0;
+    };
+    std::vector<Begin> begins;
+    for (std::size_t i = 0, w = 0; i < schedule.size(); ++i) {
+      if (!field_.benches()[i].down) {
+        for (std::size_t step = field_.whole(w).first.size(); step < schedule[i].size(); ++step) {
+          begins.push_back({schedule[i][step].begin, w});
+        }
+        ++w;
+      }
+    }
+    std::stable_sort(begins.begin(), begins.end(),
+                     [](const Begin& a, const Begin& b) { return a.at < b.at; });
+    const auto beginning = [&](std::size_t tests) {
+      BenchLists part(lists.size());
+      for (std::size_t i = 0; i < tests; ++i) {
+        const std::size_t w = begins[i].bench;
+        part[w].push_back(lists[w][part[w].size()]);
+      }
+      return part;
+    };
+    std::size_t low = 0;
+    for (std::size_t high = begins.size(); low < high;) {
+      const std::size_t middle = low + (high - low + 1) / 2;
+      counted("", "", beginning(middle)).cost <= budget ? low = middle : high = middle - 1;
+    }
+    return beginning(low);
+  }
+
+  void find_affordable(Amount budget) {
+    Amount spent;
+    for (std::size_t w = 0; w < field_.size(); ++w) {
+      spent += field_.spent(w);
+    }
+    std::vector<BenchCandidate> within;
+    BenchCandidate none =
+        counted("the first tests", "no test after them", BenchLists(field_.size()));
+    if (none.cost > budget) {
+      throw BadInput(fmt::format(
+          "the tests that come first cost {} by themselves, more than the budget of {}; give more "
+          "or fewer of them",
+          to_string(none.cost), to_string(budget)));
+    }
+    constexpr std::size_t few = 3;
+    for (std::size_t i = 0; i < std::min(few, plan_.candidates.size()); ++i) {
+      const BenchCandidate& whole = plan_.candidates[i];
+      if (i == 0 || !control_->stop_wanted()) {
+        BenchCandidate part = counted("beginning of: " + whole.name, "", affordable(whole, budget));
+        part.how = fmt::format("the first {} of its {} tests", part.tests, whole.tests);
+        within.push_back(std::move(part));
+      }
+    }
+    if (!field_.asked().weights.empty()) {
+      plan_.most_weight = most_weight(budget);
+    }
+    std::stable_sort(within.begin(), within.end(), tests_more);
+    keep_what_there_is([&] { search_within(budget, within); });
+    within.push_back(std::move(none));
+    std::erase_if(within, [&](const BenchCandidate& c) { return c.cost > budget; });
+    std::stable_sort(within.begin(), within.end(), tests_more);
+    plan_.candidates = std::move(within);
+  }
+
+  void search_within(Amount budget, std::vector<BenchCandidate>& within) {
+    const ListsJob job = field_.lists_job(most_tests(), true);
+    const std::uint64_t unit = job.weights.front().unit;
+    ListsSearch search{.aim = Aim::most_weight,
+                       .budget = static_cast<std::int64_t>(budget.millionths / unit),
+                       .whole = static_cast<std::int64_t>(plan_.bound.cost.millionths / unit),
+                       .steps = options_->plan.steps,
+                       .attempts = options_->plan.attempts,
+                       .phase = "looking for the most pairs within the budget"};
+    do {
+      std::vector<BenchLists> starts;
+      for (const BenchCandidate& candidate : within) {
+        const BenchLists lists = without_first(candidate.lists);
+        if (Lists(job, lists).total() <= search.budget) {
+          starts.push_back(lists);
+        }
+      }
+      if (starts.empty() || control_->stop_wanted()) {
+        return;
+      }
+      const FoundLists found = search_lists(job, starts, search, *control_);
+      plan_.steps += found.steps;
+      BenchCandidate candidate = counted(
+          between_benches, "tests and parts moved between benches, within the budget", found.lists);
+      std::erase_if(within, [&](const BenchCandidate& c) {
+        return c.name == candidate.name && tests_more(candidate, c);
+      });
+      if (std::none_of(within.begin(), within.end(),
+                       [&](const BenchCandidate& c) { return c.name == candidate.name; })) {
+        within.push_back(std::move(candidate));
+      }
+      std::stable_sort(within.begin(), within.end(), tests_more);
+      ++search.round;
+    } while (options_->plan.until_stopped);
+  }
+
+  // No lists within the budget test more weight: end to end they are one list, for which it is
+  // enough to know the least costs. What is at the start of a bench is put in once more, with a
+  // test.
+  [[nodiscard]] std::optional<Amount> most_weight(Amount budget) const {
+    if (!field_.alike()) {
+      return std::nullopt;
+    }
+    Job job = field_.asked();
+    const Job& own = field_.whole(0);
+    job.test_cost = own.test_cost;
+    job.change_costs = own.change_costs;
+    job.at_once = own.at_once;
+    job.mounted = own.mounted;
+    job.slots = own.slots;
+    job.slot_of = own.slot_of;
+    job.start = own.start;
+    job.first.clear();
+    for (std::size_t w = 1; w < field_.size() && !own.start.empty(); ++w) {
+      budget += job.test_cost;
+      for (const Element x : own.start) {
+        budget += job.change_costs[x];
+      }
+    }
+    return most_weight_within(job, budget);
+  }
+
+  BenchField field_;
+  const BenchOptions* options_;
+  RunControl* control_;
+  BenchPlan plan_;
+};
+
+std::vector<Bench> benches_of(const BenchOptions& options) {
+  if (options.each.empty() && (options.benches == 0 || options.benches > max_benches)) {
+    throw BadInput(fmt::format("{} benches; give 1 to {}", options.benches, max_benches));
+  }
+  return options.each.empty() ? benches_alike(options.benches) : options.each;
+}
+
+void check_options(const Job& job, const BenchOptions& options) {
+  if (!options.plan.rest.empty()) {
+    throw BadInput("the rest of a plan for several benches is said by bench");
+  }
+  if (!job.weights.empty() && !options.plan.budget) {
+    throw BadInput("pairs are weighed in plans for several benches only within a budget");
+  }
+}
+
+}  // namespace
+
+BenchPlan make_bench_plan(const CheckedJob& job, const BenchOptions& options, RunControl& control) {
+  return make_bench_plan(*job, options, control);  // A checked job says nothing of the benches.
+}
+
+BenchPlan make_bench_plan(const Job& job, const BenchOptions& options, RunControl& control) {
+  check_options(job, options);
+  const std::vector<Bench> benches = benches_of(options);
+  {
+    RunControl no_limit({});
+    const RunScope scope(no_limit);
+    const std::vector<std::string> found = bench_defects(job, benches);
+    if (!found.empty()) {
+      throw BadInput(found.size() == 1 ? found.front()
+                                       : fmt::format("{} (and {} more like this)", found.front(),
+                                                     found.size() - 1));
+    }
+  }
+  return BenchPlanner(job, benches, options, control).run();
+}
+
+}  // namespace changeover

@@ -1,0 +1,45 @@
+#include "plan/search/benches/cut_list.hpp"
+
+#include <algorithm>
+
+namespace changeover {
+
+BenchLists cut_list(const Job& job, const std::vector<Block>& setups, std::size_t benches) {
+  std::vector<std::uint64_t> going_on;  // by set-up: what it costs after the one before
+  std::vector<std::uint64_t> anew;      // and at the beginning of a list
+  std::uint64_t most = 0;
+  for (const RunStep& step : run_sheet(job, setups).steps) {
+    anew.push_back(run_sheet(job, {step.setup}).cost.millionths);
+    going_on.push_back(step.cost.millionths);
+    most += going_on.back();
+  }
+  // Where pieces begin if none costs more than the limit.
+  const auto pieces = [&](std::uint64_t limit) {
+    std::vector<std::size_t> begins;
+    std::uint64_t cost = 0;
+    for (std::size_t i = 0; i < setups.size(); ++i) {
+      if (begins.empty() || cost + going_on[i] > limit) {
+        begins.push_back(i);
+        cost = anew[i];
+      } else {
+        cost += going_on[i];
+      }
+    }
+    return begins;
+  };
+  std::uint64_t low = setups.empty() ? 0 : *std::max_element(anew.begin(), anew.end());
+  for (std::uint64_t high = std::max(low, most); low < high;) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    pieces(middle).size() <= benches ? high = middle : low = middle + 1;
+  }
+  const std::vector<std::size_t> begins = pieces(low);
+  BenchLists lists(benches);
+  for (std::size_t i = 0; i < begins.size(); ++i) {
+    const std::size_t end = i + 1 < begins.size() ? begins[i + 1] : setups.size();
+    lists[i].assign(setups.begin() + static_cast<std::ptrdiff_t>(begins[i]),
+                    setups.begin() + static_cast<std::ptrdiff_t>(end));
+  }
+  return lists;
+}
+
+}  // namespace changeover

@@ -1,0 +1,528 @@
+#include "plan/search/lists/lists_annealer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "run/portable_math.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr double a_pair_weighs = 1e6;  // in millionths
+
+}  // namespace
+
+std::optional<Rank> rank_of(const Lists& lists, const ListsSearch& options) {
+  switch (options.aim) {
+    case Aim::most_weight:
+      return lists.total() <= options.budget
+                 ? std::optional(Rank(lists.missing(), lists.total(), 0))
+                 : std::nullopt;
+    case Aim::least_largest:
+      return lists.open() == 0 ? std::optional(Rank(0, lists.largest(), lists.total()))
+                               : std::nullopt;
+    case Aim::least_cost:
+      break;
+  }
+  return lists.open() == 0 ? std::optional(Rank(0, lists.total(), lists.largest())) : std::nullopt;
+}
+
+ListsAnnealer::ListsAnnealer(Lists& lists, const ListsSearch& options,
+                             const ListsSchedule& schedule, Random& random)
+    : lists_(&lists),
+      options_(&options),
+      schedule_(schedule),
+      random_(&random),
+      most_tests_(lists.tests() + std::min<std::size_t>(lists.open() + 16, lists.tests() + 16)),
+      everything_(static_cast<double>(options.everything) / a_pair_weighs),
+      wide_(schedule.penalty > 0) {
+  constexpr double parts = 1024;
+  octaves_ = std::round(natural_log(schedule.hot / schedule.cold) / natural_log(2) * parts) / parts;
+  penalty_ = schedule.penalty;
+  cool(0);
+  record();
+}
+
+std::uint64_t ListsAnnealer::run(std::uint64_t steps, RunControl& control) {
+  constexpr std::uint64_t batch = 256;
+  const auto began = control.elapsed();
+  std::uint64_t step = 0;
+  for (; step < steps && !lists_->movable().empty(); ++step) {
+    if (step % batch == 0) {
+      if (control.stop_wanted()) {
+        break;
+      }
+      const double gone = schedule_.time ? (control.elapsed() - began) / *schedule_.time : 0.0;
+      if (gone >= 1) {
+        break;
+      }
+      // Steps alone decide as long as they may do: then the result is the same again.
+      const double share = static_cast<double>(step) / static_cast<double>(steps);
+      constexpr double early = 0.1;
+      cool(std::min(1.0, gone < early ? share : std::max(gone, share)));
+      if (control.progress_due()) {
+        control.tell({.phase = options_->phase, .steps = step, .missing = lists_->open()});
+      }
+    }
+    wide_ ? move_widely() : move();
+  }
+  return step;
+}
+
+void ListsAnnealer::cool(double done) {
+  if (wide_) {
+    const double left = 1.0 - done;
+    temperature_ = schedule_.cold + (schedule_.hot - schedule_.cold) * left * left * left;
+    energy_ = energy();
+    return;
+  }
+  const double open = static_cast<double>(lists_->missing()) / a_pair_weighs;
+  const double a_pair = static_cast<double>(lists_->total()) / std::max(1.0, everything_ - open);
+  constexpr double at_first = 2.0;  // for a moment, until the lists are of this temperature
+  constexpr double later = 2.8;
+  constexpr double moment = 0.05;
+  const double base = std::max(1.0, a_pair) * (done < moment ? at_first : later);
+  temperature_ = schedule_.hot * base * two_to_minus(octaves_ * done);
+  // In the second part, so much may be open.
+  constexpr double second = 0.5;
+  constexpr double speed = 5.0;
+  constexpr double none_from = 0.9;
+  const double left = std::max(0.0, none_from - done);
+  const double allowed = 0.1 * everything_ * left * left;
+  if (done > second) {
+    const double excess = (open - allowed) / (open + allowed + 1.0);
+    raise_ *= 1.0 + std::clamp(speed * (done - done_) * excess, -0.5, 0.5);
+  }
+  raise_ = std::max(1.0, raise_);
+  penalty_ = base * raise_ / a_pair_weighs;
+  done_ = done;
+  energy_ = energy();
+}
+
+// What benches cost or how long they take, together, and more the more they differ.
+double ListsAnnealer::costs() const {
+  const auto total = static_cast<double>(lists_->total());
+  switch (options_->aim) {
+    case Aim::most_weight:
+      return total * 0.25 +
+             schedule_.over * std::max(0.0, total - static_cast<double>(options_->budget));
+    case Aim::least_largest: {
+      const auto benches = static_cast<double>(lists_->benches());
+      double sum = 0;
+      double squares = 0;
+      for (std::size_t bench = 0; bench < lists_->benches(); ++bench) {
+        const auto end = static_cast<double>(lists_->end(bench));
+        sum += end;
+        squares += end * end;
+      }
+      constexpr double evenly = 2.0;
+      const double mean = sum / benches;
+      return sum + (mean > 0 ? evenly * (squares / mean - sum) : 0.0);
+    }
+    case Aim::least_cost:
+      break;
+  }
+  return total;
+}
+
+double ListsAnnealer::energy() const {
+  return costs() + penalty_ * static_cast<double>(lists_->missing());
+}
+
+void ListsAnnealer::record() {
+  const auto rank = rank_of(*lists_, *options_);
+  if (rank && (!best_rank_ || *rank < *best_rank_)) {
+    best_rank_ = rank;
+    best_ = lists_->lists();
+  }
+}
+
+void ListsAnnealer::decide() {
+  const double now = energy();
+  const double rise = now - energy_;
+  if (rise > 0 && rise > temperature_ * log_table()[random_->next() >> 52]) {
+    lists_->undo();
+    return;
+  }
+  lists_->keep();
+  energy_ = now;
+  if (rise < 0 || lists_->open() == 0) {
+    record();
+  }
+}
+
+// A movable part of a set-up; `no_part` if it is none or one of those that are to stay.
+Element ListsAnnealer::some_part_of(Spot where, std::span<const Element> staying) {
+  const auto setup = lists_->setup(where);
+  if (setup.empty()) {
+    return no_part;
+  }
+  const Element x = setup[below(setup.size())];
+  const bool stays = std::find(staying.begin(), staying.end(), x) != staying.end();
+  return lists_->is_movable(where.bench, x) && !stays ? x : no_part;
+}
+
+void ListsAnnealer::move() {
+  if (lists_->tests() == 0) {
+    insert();
+    return;
+  }
+  const std::size_t dice = below(128);
+  if (dice < 66) {
+    shift();
+  } else if (dice < 80) {
+    replace_one();
+  } else if (dice < 94) {
+    replace_one_aimed();
+  } else if (dice < 100) {
+    dice % 2 == 0 && lists_->open() > 0 ? exchange_aimed() : exchange();
+  } else if (dice < 107) {
+    take_out();
+  } else if (dice < 111) {
+    copy();
+  } else if (dice < 113) {
+    change_run();
+  } else if (dice < 116) {
+    insert();
+  } else if (dice < 119) {
+    reverse();
+  } else {
+    relocate();
+  }
+}
+
+// Where it matters what is replaced, or which pairs meet at all, steps by themselves say less.
+void ListsAnnealer::move_widely() {
+  if (lists_->tests() == 0) {
+    insert();
+    return;
+  }
+  const std::size_t dice = below(64);
+  if (dice < 42) {
+    dice % 2 == 0 && lists_->open() > 0 ? exchange_aimed() : exchange();
+  } else if (dice < 48) {
+    change_run();
+  } else if (dice < 52) {
+    take_out();
+  } else if (dice < 57) {
+    insert();
+  } else if (dice < 59) {
+    reverse();
+  } else {
+    relocate();
+  }
+}
+
+// Some movable part of `in` that a set-up lacks; `no_part` if there is none.
+Element ListsAnnealer::some_difference(std::span<const Element> in, Spot lacks, std::size_t bench) {
+  const std::size_t begin = below(in.size() + 1);
+  for (std::size_t i = 0; i < in.size(); ++i) {
+    const Element x = in[begin + i < in.size() ? begin + i : begin + i - in.size()];
+    if (!lists_->was_there(lacks, x) && lists_->is_movable(bench, x)) {
+      return x;
+    }
+  }
+  return no_part;
+}
+
+// One part stays a set-up longer and what comes for it comes later, or it leaves sooner.
+void ListsAnnealer::shift() {
+  const Spot where = some_spot();
+  const Spot after{where.bench, where.at + 1};
+  const auto earlier = lists_->before_setup(where);
+  const Element coming = some_difference(lists_->setup(where), where, where.bench);
+  const Element leaving = some_difference(earlier, after, where.bench);
+  const bool later = random_->one_in_two();
+  if (later ? leaving == no_part : (coming == no_part || where.at == 0)) {
+    return;
+  }
+  const Spot at{where.bench, later ? where.at : where.at - 1};
+  const Element out = later ? coming : leaving;
+  const Element in = later ? leaving : coming;
+  if ((out == no_part && !has_room(at)) || !replaceable(at, out, in)) {
+    return;
+  }
+  lists_->replace(at, out, in);
+  decide();
+}
+
+// Some part in the place of another, in one set-up.
+void ListsAnnealer::replace_one() {
+  const Spot where = some_spot();
+  const Element in = some_part();
+  const Element out = some_part_of(where, {});
+  if (out != no_part && lists_->is_movable(where.bench, in) && replaceable(where, out, in)) {
+    lists_->replace(where, out, in);
+    decide();
+  }
+}
+
+void ListsAnnealer::replace_one_aimed() {
+  if (lists_->open() == 0) {
+    replace_one();
+    return;
+  }
+  const std::vector<Element> target = some_target();
+  const std::span<const Element> staying(target.data(), target.size() - 1);
+  const Element in = target.back();
+  const auto where = some_holder(staying);
+  if (!where || !lists_->is_movable(where->bench, in)) {
+    return;
+  }
+  const Element out = some_part_of(*where, staying);
+  if (out != no_part && out != in && replaceable(*where, out, in)) {
+    lists_->replace(*where, out, in);
+    decide();
+  }
+}
+
+void ListsAnnealer::exchange() {
+  const Spot where = some_spot();
+  const Element in = some_part();
+  const Element out = some_part_of(where, {});
+  if (out != no_part && lists_->is_movable(where.bench, in) && !lists_->holds(where, in)) {
+    replace_around(where, out, in);
+  }
+}
+
+// A set-up that holds all of these, searched for from a random place on.
+std::optional<Spot> ListsAnnealer::some_holder(std::span<const Element> parts) {
+  Spot where = some_spot();
+  for (std::size_t left = lists_->tests(); left > 0; --left) {
+    if (std::all_of(parts.begin(), parts.end(),
+                    [&](Element x) { return lists_->holds(where, x); })) {
+      return where;
+    }
+    ++where.at;
+    while (where.at >= lists_->tests(where.bench)) {
+      where = {where.bench + 1 < lists_->benches() ? where.bench + 1 : 0, 0};
+    }
+  }
+  return std::nullopt;
+}
+
+// Something that has not met: the part that is to come last, those before it stay.
+std::vector<Element> ListsAnnealer::some_target() {
+  if (lists_->open() == 0) {  // Something that has met, to meet on another bench as well.
+    const auto there = lists_->setup(some_spot());
+    std::vector<Element> target(there.begin(), there.end());
+    while (target.size() > (lists_->of_triples() ? 3 : 2)) {
+      target.erase(target.begin() + static_cast<std::ptrdiff_t>(below(target.size())));
+    }
+    return target;
+  }
+  const auto found = lists_->open_target(below(lists_->open()));
+  std::vector<Element> target(found.begin(), found.end() - (lists_->of_triples() ? 0 : 1));
+  std::swap(target[below(target.size())], target.back());
+  return target;
+}
+
+void ListsAnnealer::exchange_aimed() {
+  const std::vector<Element> target = some_target();
+  const std::span<const Element> staying(target.data(), target.size() - 1);
+  const Element in = target.back();
+  const auto where = some_holder(staying);
+  if (!where || !lists_->is_movable(where->bench, in) || lists_->holds(*where, in)) {
+    return;
+  }
+  if (has_room(*where) && random_->one_in_two()) {
+    replace_around(*where, no_part, in);
+  } else if (const Element out = some_part_of(*where, staying); out != no_part) {
+    replace_around(*where, out, in);
+  }
+}
+
+bool ListsAnnealer::replaceable(Spot where, Element out, Element in) const {
+  return (out == no_part || lists_->holds(where, out)) &&
+         (in == no_part || !lists_->holds(where, in)) && lists_->may_replace(where, out, in);
+}
+
+// Here, or also in set-ups before it, after it or both, as long as it goes.
+void ListsAnnealer::replace_around(Spot where, Element out, Element in) {
+  if (!replaceable(where, out, in)) {
+    return;
+  }
+  const std::size_t choice = below(4);
+  lists_->replace(where, out, in);
+  for (Spot at = where; (choice & 1U) != 0 && at.at > 0;) {
+    --at.at;
+    if (!replaceable(at, out, in)) {
+      break;
+    }
+    lists_->replace(at, out, in);
+  }
+  for (Spot at = where; (choice & 2U) != 0 && at.at + 1 < lists_->tests(at.bench);) {
+    ++at.at;
+    if (!replaceable(at, out, in)) {
+      break;
+    }
+    lists_->replace(at, out, in);
+  }
+  decide();
+}
+
+void ListsAnnealer::change_run() {
+  const Spot where = some_spot();
+  if (has_room(where) && random_->one_in_two()) {
+    if (const Element in = some_part(); lists_->is_movable(where.bench, in)) {
+      replace_around(where, no_part, in);
+    }
+  } else if (const Element out = some_part_of(where, {}); out != no_part) {
+    replace_around(where, out, no_part);
+  }
+}
+
+void ListsAnnealer::take_out() {
+  lists_->take_out(some_spot());
+  decide();
+}
+
+// A set-up comes once more, perhaps with a part of something that has not met in place of another.
+void ListsAnnealer::copy() {
+  if (lists_->tests() >= most_tests_) {
+    return;
+  }
+  Spot where = some_spot();
+  Element out = no_part;
+  Element in = no_part;
+  if (lists_->open() > 0 && random_->one_in_two()) {
+    const std::vector<Element> target = some_target();
+    const std::span<const Element> staying(target.data(), target.size() - 1);
+    const auto holder = some_holder(staying);
+    if (!holder || !lists_->is_movable(holder->bench, target.back())) {
+      return;
+    }
+    where = *holder;
+    in = target.back();
+    out = some_part_of(where, staying);
+    if (out == no_part || !replaceable(where, out, in)) {
+      return;
+    }
+  }
+  const auto there = lists_->setup(where);
+  Block setup(there.begin(), there.end());
+  if (out != no_part) {
+    *std::find(setup.begin(), setup.end(), out) = in;
+  }
+  lists_->insert({where.bench, where.at + 1}, setup);
+  decide();
+}
+
+// A set-up with something that has not met, otherwise like the one beside which it comes.
+void ListsAnnealer::insert() {
+  // Where nothing is open, another set-up helps only if what has met is to meet on another bench,
+  // or if going by way of it is cheaper.
+  const bool may_help = lists_->open() > 0 || lists_->benches() > 1 || lists_->job(0).replaces();
+  if (!may_help || (lists_->open() == 0 && lists_->tests() == 0) ||
+      lists_->tests() >= most_tests_) {
+    return;
+  }
+  const std::vector<Element> target = some_target();
+  Block setup;
+  Spot at{below(lists_->benches()), 0};
+  bool alone = true;
+  if (lists_->tests() > 0) {
+    const std::span<const Element> first(target.data(), 1);
+    const auto holder = below(8) == 0 ? std::nullopt : some_holder(first);
+    at = holder.value_or(some_spot());
+    const auto beside = lists_->setup(at);
+    setup.assign(beside.begin(), beside.end());
+    at.at += random_->one_in_two() ? 1U : 0U;
+    alone = false;
+  }
+  // By itself, on any bench: what grows from it costs as little as can be at first.
+  if (below(lists_->benches() > 1 ? 3 : 12) == 0) {
+    at.bench = below(lists_->benches());
+    at.at = below(lists_->tests(at.bench) + 1);
+    alone = true;
+  }
+  if (alone) {
+    setup = lists_->job(at.bench).mounted;
+  }
+  for (const Element x : target) {
+    if (!bring(at.bench, setup, x, target)) {
+      return;
+    }
+  }
+  if (const Fitting& fitting = lists_->fitting(at.bench); fitting.has_slots()) {
+    const auto whole = fitting.completed(setup, {});
+    if (!whole) {
+      return;
+    }
+    setup = *whole;
+  }
+  lists_->insert(at, setup);
+  decide();
+}
+
+// Mounts x in place of what it must not meet, of what is too much in its slot, and of what has no
+// room.
+bool ListsAnnealer::bring(std::size_t bench, Block& setup, Element x,
+                          const std::vector<Element>& target) {
+  if (std::find(setup.begin(), setup.end(), x) != setup.end()) {
+    return true;
+  }
+  const Job& job = lists_->job(bench);
+  std::erase_if(setup, [&](Element z) { return job.never.contains(z, x); });
+  const Fitting& fitting = lists_->fitting(bench);
+  const auto of_slot = [&](std::size_t slot) {
+    return static_cast<std::uint64_t>(std::count_if(
+        setup.begin(), setup.end(), [&](Element z) { return fitting.slot(z) == slot; }));
+  };
+  const std::size_t slot = fitting.slot(x);
+  const bool crowded = slot < fitting.slots() && of_slot(slot) >= fitting.most(slot);
+  if (!crowded && setup.size() < job.room()) {
+    setup.push_back(x);
+    return true;
+  }
+  const std::size_t begin = below(setup.size() + 1);
+  for (std::size_t i = 0; i < setup.size(); ++i) {
+    Element& z = setup[(begin + i) % setup.size()];
+    const bool may_go = lists_->is_movable(bench, z) &&
+                        std::find(target.begin(), target.end(), z) == target.end() &&
+                        (!crowded || fitting.slot(z) == slot);
+    if (may_go) {
+      z = x;
+      return true;
+    }
+  }
+  return false;
+}
+
+void ListsAnnealer::reverse() {
+  const Spot where = some_spot();
+  Stretch stretch{where.at, below(lists_->tests(where.bench))};
+  if (stretch.first > stretch.last) {
+    std::swap(stretch.first, stretch.last);
+  }
+  constexpr std::size_t longest = 64;
+  stretch.last = std::min(stretch.last, stretch.first + longest);
+  lists_->reverse(where.bench, stretch);
+  decide();
+}
+
+// A stretch goes elsewhere, also backwards; a long one between benches is a cut.
+void ListsAnnealer::relocate() {
+  const Spot from = some_spot();
+  const std::size_t after = lists_->tests(from.bench) - from.at;
+  const std::size_t longest = below(4) == 0 ? 16 : 3;
+  const std::size_t count = 1 + below(std::min<std::size_t>(after, longest));
+  Spot to{below(lists_->benches()), 0};
+  const std::size_t places = lists_->tests(to.bench) - (to.bench == from.bench ? count : 0) + 1;
+  to.at = below(places);
+  if (to.bench == from.bench && to.at == from.at) {
+    return;
+  }
+  for (std::size_t i = 0; i < count && !lists_->alike(from.bench, to.bench); ++i) {
+    if (!lists_->allows(to.bench, lists_->setup({from.bench, from.at + i}))) {
+      return;
+    }
+  }
+  lists_->move(from, count, to);
+  if (count > 1 && random_->one_in_two()) {
+    lists_->reverse(to.bench, {to.at, to.at + count - 1});
+  }
+  decide();
+}
+
+}  // namespace changeover

@@ -1,0 +1,102 @@
+// One annealing over lists of set-ups on one bench or several: the moves, and when they are made.
+//
+// For the least cost and the least makespan, temperature and penalty are measured by what something
+// that has met costs in the lists as they are now, as plan/search/anneal/anneal.hpp does for one
+// list: the temperature falls geometrically, and in the second half the penalty rises whenever more
+// is open than the schedule has for this moment. For the most weight, and where it matters what is
+// replaced, the penalty is fixed at the start, the temperature falls with the third power of what
+// is left, and moves are wider.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "changeover/run/control.hpp"
+#include "plan/search/lists/lists.hpp"
+#include "plan/search/lists/lists_search.hpp"
+#include "run/random.hpp"
+
+namespace changeover {
+
+/// What makes one state better than another: less of the first that differs.
+using Rank = std::tuple<std::uint64_t, std::int64_t, std::int64_t>;
+
+/// Nothing for a state that is no answer: something has not met, or the budget does not suffice.
+[[nodiscard]] std::optional<Rank> rank_of(const Lists& lists, const ListsSearch& options);
+
+/// Temperatures and penalties. If there is a penalty they are in the unit of the weights; else in
+/// what a thing that meets costs.
+struct ListsSchedule {
+  double penalty = 0;  ///< of a millionth of weight, if it is fixed
+  double hot = 0;
+  double cold = 0;
+  double over = 0;  ///< what money beyond the budget counts
+  /// The schedule ends when this time is up, even if steps are left.
+  std::optional<std::chrono::duration<double>> time = {};
+};
+
+class ListsAnnealer {
+ public:
+  ListsAnnealer(Lists& lists, const ListsSearch& options, const ListsSchedule& schedule,
+                Random& random);
+
+  /// Returns the moves that were made.
+  std::uint64_t run(std::uint64_t steps, RunControl& control);
+
+  [[nodiscard]] const std::optional<Rank>& best_rank() const { return best_rank_; }
+  [[nodiscard]] const BenchLists& best() const { return best_; }
+
+ private:
+  [[nodiscard]] double energy() const;
+  [[nodiscard]] double costs() const;
+  void cool(double done);
+  void record();
+  void decide();
+  std::size_t below(std::size_t limit) { return random_->below(static_cast<std::uint32_t>(limit)); }
+  Spot some_spot() { return lists_->spot(below(lists_->tests())); }
+  Element some_part() { return lists_->movable()[below(lists_->movable().size())]; }
+  Element some_part_of(Spot where, std::span<const Element> staying);
+  Element some_difference(std::span<const Element> in, Spot lacks, std::size_t bench);
+  [[nodiscard]] std::optional<Spot> some_holder(std::span<const Element> parts);
+  [[nodiscard]] std::vector<Element> some_target();
+  [[nodiscard]] bool has_room(Spot where) const {
+    return lists_->setup(where).size() < lists_->job(where.bench).room();
+  }
+  [[nodiscard]] bool replaceable(Spot where, Element out, Element in) const;
+  void move();
+  void move_widely();
+  void shift();
+  void replace_one();
+  void replace_one_aimed();
+  void exchange();
+  void exchange_aimed();
+  void replace_around(Spot where, Element out, Element in);
+  void change_run();
+  void take_out();
+  void copy();
+  void insert();
+  bool bring(std::size_t bench, Block& setup, Element x, const std::vector<Element>& target);
+  void reverse();
+  void relocate();
+
+  Lists* lists_;
+  const ListsSearch* options_;
+  ListsSchedule schedule_;
+  Random* random_;
+  std::size_t most_tests_;
+  double everything_;  // what has to meet, as a number of pairs or triples of weight 1
+  bool wide_;          // the penalty is fixed, moves are wide
+  double octaves_ = 0;
+  double done_ = 0;
+  double raise_ = 1;
+  double penalty_ = 0;  // of a millionth of weight
+  double temperature_ = 0;
+  double energy_ = 0;
+  std::optional<Rank> best_rank_;
+  BenchLists best_;
+};
+
+}  // namespace changeover

@@ -1,0 +1,182 @@
+// The sheets of several benches as documents.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "core/words.hpp"
+#include "plan/sheet/bench_words.hpp"
+#include "plan/sheet/places.hpp"
+#include "plan/sheet/sheet_document.hpp"
+#include "plan/sheet/step_table.hpp"
+
+namespace changeover {
+namespace {
+
+std::string number_text(std::uint64_t n) { return std::to_string(n); }
+
+Table compared_benches(const BenchDocument& document, const Money& money) {
+  const Job& job = *document.job;
+  const bool all = !document.plan->complete;
+  std::vector<std::vector<std::string>> rows;
+  for (const BenchCandidate& c : document.plan->candidates) {
+    rows.push_back({c.name, number_text(c.tests), number_text(c.changes), money(c.makespan),
+                    money(c.cost),
+                    number_text(job.triples.empty() ? c.pairs_tested : c.triples_tested), c.how});
+  }
+  Table table = table_of({{"plan", {}},
+                          {"tests", number_column},
+                          {"changes", number_column},
+                          {"largest", cost_column},
+                          {"together", cost_column},
+                          {what_meets(job), number_column},
+                          {"how", {.kind = ColumnKind::remark}}},
+                         std::move(rows));
+  if (all) {  // Every plan tests all.
+    table.columns.erase(table.columns.end() - 2);
+  }
+  return table;
+}
+
+// What the tests of each bench come to.
+Table bench_table(const BenchDocument& document, const Money& money) {
+  const BenchPlan& plan = *document.plan;
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t b = 0; b < plan.sheets.size(); ++b) {
+    const RunSheet& sheet = plan.sheets[b];
+    rows.push_back({name_of(plan.benches, b), number_text(sheet.steps.size()),
+                    number_text(sheet.changes), money(sheet.cost),
+                    plan.times[b].empty() ? "" : money(plan.times[b].back().end)});
+  }
+  return table_of({{"bench", {}},
+                   {"tests", number_column},
+                   {"changes", number_column},
+                   {"cost", cost_column},
+                   {"end", cost_column}},
+                  std::move(rows));
+}
+
+// The job as the sheet of a bench shows it.
+Job shown_job(const Job& job, const Bench& bench) {
+  Job own = job;
+  own.mounted = bench.mounted.value_or(job.mounted);
+  own.start = bench.start.value_or(job.start);
+  own.places = bench.places;
+  own.tests_done = bench.tests_done;
+  return own;
+}
+
+// The name of a sheet of a workbook: at most 31 letters, without some signs, none twice.
+std::string sheet_name(const std::string& name, std::set<std::string>& taken) {
+  constexpr std::size_t longest = 31;
+  std::string clean;
+  for (const char c : name) {
+    const bool plain =
+        (c >= ' ' && c <= '~') && std::string_view("[]:*?/\\'").find(c) == std::string_view::npos;
+    clean += plain ? c : '_';
+  }
+  clean.resize(std::min(clean.size(), longest));
+  const auto lower_case = [](std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](char c) {
+      return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return text;
+  };
+  for (std::size_t number = 2; !taken.insert(lower_case(clean)).second; ++number) {
+    const std::string end = fmt::format(" {}", number);
+    clean.resize(std::min(clean.size(), longest - end.size()));
+    clean += end;
+  }
+  return clean;
+}
+
+}  // namespace
+
+std::vector<Job> jobs_on_sheets(const BenchDocument& document) {
+  const BenchPlan& plan = *document.plan;
+  std::vector<Job> jobs;
+  for (const Bench& bench : plan.benches) {
+    jobs.push_back(shown_job(*document.job, bench));
+  }
+  std::vector<const Job*> all;
+  std::vector<const RunSheet*> sheets;
+  for (std::size_t b = 0; b < jobs.size(); ++b) {
+    all.push_back(&jobs[b]);
+    sheets.push_back(&plan.sheets[b]);
+  }
+  const std::vector<MountedPlace> places = placed(all, sheets).places;
+  for (Job& job : jobs) {
+    const std::vector<MountedPlace> known = std::exchange(job.places, places);
+    for (const MountedPlace& one : known) {
+      std::ranges::find(job.places, one.number, &MountedPlace::number)->part = one.part;
+    }
+  }
+  return jobs;
+}
+
+TableDocument table_document(const BenchDocument& document) {
+  const BenchPlan& plan = *document.plan;
+  const Money money = money_of(document);
+  const BenchCalendar calendar = calendar_of(document);
+  const bool timed = calendar.has_days() || some_bench_waits(plan);
+  // What the tables refer to lives as long as they do.
+  const auto jobs = std::make_shared<const std::vector<Job>>(jobs_on_sheets(document));
+  TableDocument made{.title = document.title, .style = style_of(*document.job), .overview = "Plan"};
+  set_lines(made, bench_summary(document));
+  if (!document.job->mounted.empty()) {
+    made.lists.push_back("mounted all the time: " +
+                         joined(names_of(*document.job, document.job->mounted)));
+  }
+  made.sections.push_back(
+      {.heading = "Compared", .table = compared_benches(document, money), .in = in_html});
+  std::vector<const RunSheet*> all;
+  StepTableOptions whole;
+  std::set<std::string> taken{"plan", "parts",     "slots",  "never",
+                              "done", "run sheet", "history"};  // Excel has a use for the last
+  for (std::size_t b = 0; b < plan.sheets.size(); ++b) {
+    const RunSheet& sheet = plan.sheets[b];
+    const std::string name = name_of(plan.benches, b);
+    const Job& job = (*jobs)[b];
+    StepTableOptions options{.benches = {name}};
+    if (timed) {
+      options.times = {&plan.times[b]};
+      options.calendar = calendar.has_days() ? &calendar : nullptr;
+    }
+    all.push_back(&sheet);
+    whole.benches.push_back(plan.benches[b].name.empty() ? number_text(b + 1) : name);
+    whole.jobs.push_back(&job);
+    whole.times.push_back(&plan.times[b]);
+    Table table = step_table(job, {&sheet}, money, options);
+    for (TableColumn& column : table.columns) {  // They keep the job alive.
+      column.cell = [cell = std::move(column.cell), jobs](std::size_t row) { return cell(row); };
+    }
+    std::vector<std::string> lines = mounted_on_page(job);
+    if (!job.start.empty() && !sheet.steps.empty()) {
+      lines.push_back("Mounted before the first step: " + joined(names_of(job, job.start), " · "));
+    }
+    made.sections.push_back(
+        {.heading = fmt::format("{}: {}, {}, cost {}", name, count_of(sheet.steps.size(), "test"),
+                                count_of(sheet.changes, "change"), money(sheet.cost)),
+         .page_lines = std::move(lines),
+         .table = std::move(table),
+         .in = everywhere & ~in_csv,
+         .css = "bench",
+         .sheet = sheet_name(name, taken),
+         .sheet_head = fmt::format("{}: {}", document.title, name)});
+  }
+  whole.calendar = calendar.has_days() ? &calendar : nullptr;
+  if (!timed) {
+    whole.times.clear();
+  }
+  made.sections.push_back({.table = step_table(*document.job, all, money, whole), .in = in_csv});
+  made.sections.push_back({.table = bench_table(document, money), .in = in_workbook});
+  made.sections.push_back({.heading = "Compared",
+                           .table = compared_benches(document, money),
+                           .in = everywhere & ~in_csv & ~in_html});
+  add_what_goes_on(made, *document.job, money, nullptr, {});
+  return made;
+}
+
+}  // namespace changeover

@@ -1,0 +1,158 @@
+// The sheets of several benches for programs.
+#include "io/write/json_writer.hpp"
+#include "plan/sheet/bench_words.hpp"
+#include "plan/sheet/places_json.hpp"
+#include "plan/sheet/sheet_document.hpp"
+
+namespace changeover {
+namespace {
+
+// When something begins or ends, with days in days and hours too.
+void write_times(JsonWriter& json, const StepTime& time, const BenchCalendar& calendar,
+                 const Money& money) {
+  json.key("begin").raw(money(time.begin)).key("end").raw(money(time.end));
+  if (calendar.has_days()) {
+    json.key("day").value(calendar.day(time.begin));
+    json.key("hour").raw(money(calendar.hour(time.begin)));
+    if (const std::string date = calendar.iso_date(calendar.day(time.begin)); !date.empty()) {
+      json.key("date").value(date);
+    }
+  }
+}
+
+void write_bench_steps(JsonWriter& json, const BenchDocument& document, std::size_t bench,
+                       const Money& money, const BenchCalendar& calendar,
+                       const PlacesInJson& places) {
+  const Job& job = *document.job;
+  const BenchPlan& plan = *document.plan;
+  json.key("steps").begin_array();
+  std::uint64_t number = plan.benches[bench].tests_done;
+  for (std::size_t i = 0; i < plan.sheets[bench].steps.size(); ++i) {
+    const RunStep& step = plan.sheets[bench].steps[i];
+    json.begin_object().key("step").value(++number);
+    json.key("take_out").value(names_of(job, step.take_out));
+    json.key("put_in").value(names_of(job, step.put_in));
+    json.key("set_up").value(names_of(job, step.setup));
+    places.write(json, bench, i);
+    json.key("new_" + what_meets(job)).value(new_here(job, step));
+    if (job.replaces()) {
+      json.key("replaced").begin_array();
+      for (const auto& [out, in] : step.replaced) {
+        json.value(names_of(job, {out, in}));
+      }
+      json.end_array();
+    }
+    json.key("cost").raw(money(step.cost));
+    json.key("cost_so_far").raw(money(step.cost_so_far));
+    write_times(json, plan.times[bench][i], calendar, money);
+    if (const Block& again = plan.schedule[bench][i].again; !again.empty()) {
+      json.key("again").value(names_of(job, again));
+    }
+    json.end_object();
+  }
+  json.end_array();
+}
+
+void write_bench(JsonWriter& json, const BenchDocument& document, std::size_t bench,
+                 const Money& money, const BenchCalendar& calendar, const PlacesInJson& places) {
+  const Job& job = *document.job;
+  const BenchPlan& plan = *document.plan;
+  const Bench& asked = plan.benches[bench];
+  const RunSheet& sheet = plan.sheets[bench];
+  json.begin_object().key("bench").value(bench + 1).key("name").value(name_of(plan.benches, bench));
+  json.key("down").value(asked.down).key("tests_done").value(asked.tests_done);
+  json.key("start").value(names_of(job, asked.start.value_or(job.start)));
+  json.key("hours");
+  asked.hours ? json.raw(to_string(*asked.hours)) : json.null();
+  json.key("tests").value(sheet.steps.size());
+  json.key("changes").value(sheet.changes).key("cost").raw(money(sheet.cost));
+  json.key("end").raw(money(plan.times[bench].empty() ? Amount{} : plan.times[bench].back().end));
+  write_bench_steps(json, document, bench, money, calendar, places);
+  json.end_object();
+}
+
+void write_finish(JsonWriter& json, Amount end, const BenchCalendar& calendar, const Money& money) {
+  json.begin_object().key("day").value(calendar.last_day(end));
+  json.key("hour").raw(money(calendar.last_hour(end)));
+  if (const std::string date = calendar.iso_date(calendar.last_day(end)); !date.empty()) {
+    json.key("date").value(date);
+  }
+  json.end_object();
+}
+
+}  // namespace
+
+std::string json_of(const BenchDocument& document) {
+  const Job& job = *document.job;
+  const BenchPlan& plan = *document.plan;
+  const Money money = money_of(document);
+  const BenchCalendar calendar = calendar_of(document);
+  JsonWriter json;
+  json.begin_object().key("format").value("changeover-benches/1");
+  json.key("title").value(document.title).key("benches").value(plan.sheets.size());
+  json.key("objective").value(document.objective == BenchObjective::cost ? "cost" : "makespan");
+  json.key("cost").raw(money(plan.cost)).key("makespan").raw(money(plan.makespan));
+  json.key("tests").value(plan.tests).key("changes").value(plan.changes);
+  json.key("pairs_needed").value(plan.pairs_needed).key("pairs_tested").value(plan.pairs_tested);
+  json.key("triples_needed").value(plan.triples_needed);
+  json.key("triples_tested").value(plan.triples_tested);
+  json.key("lower_bound").begin_object().key("cost").raw(money(plan.bound.cost));
+  json.key("makespan").raw(money(plan.makespan_bound));
+  json.key("cost_reason").value(plan.bound.reason);
+  json.key("makespan_reason").value(plan.makespan_reason);
+  if (calendar.has_days()) {
+    json.key("finish");
+    write_finish(json, plan.makespan_bound, calendar, money);
+  }
+  json.end_object().key("budget");
+  document.budget ? json.raw(money(*document.budget)) : json.null();
+  json.key("tests_done").value(tests_done_of(document));
+  json.key("met_only_in_failed").value(job.met_only_in_failed);
+  json.key("trust_failed").value(job.trust_failed).key("weight");
+  if (job.weights.empty()) {
+    json.null();
+  } else {
+    json.begin_object().key("needed").raw(to_string(plan.weight_needed));
+    json.key("tested").raw(to_string(plan.weight_tested)).key("most");
+    plan.most_weight ? json.raw(to_string(*plan.most_weight)) : json.null();
+    json.end_object();
+  }
+  json.key("stock").begin_array();
+  for (Element x = 0; x < job.quantities.size(); ++x) {
+    if (job.quantities[x] != enough_for_all) {
+      json.begin_object().key("name").value(job.names[x]);
+      json.key("quantity").value(job.quantities[x]).end_object();
+    }
+  }
+  json.end_array();
+  if (calendar.has_days()) {
+    json.key("finish");
+    write_finish(json, plan.makespan, calendar, money);
+  }
+  write_unit(json, job);
+  const std::vector<Job> jobs = jobs_on_sheets(document);
+  std::vector<const Job*> each;
+  std::vector<const RunSheet*> sheets;
+  for (std::size_t bench = 0; bench < jobs.size(); ++bench) {
+    each.push_back(&jobs[bench]);
+    sheets.push_back(&plan.sheets[bench]);
+  }
+  const PlacesInJson places(each, sheets, job);
+  places.write_all(json);
+  json.key("sheets").begin_array();
+  for (std::size_t bench = 0; bench < plan.sheets.size(); ++bench) {
+    write_bench(json, document, bench, money, calendar, places);
+  }
+  json.end_array().key("candidates").begin_array();
+  for (const BenchCandidate& c : plan.candidates) {
+    json.begin_object().key("name").value(c.name).key("how").value(c.how);
+    json.key("tests").value(c.tests).key("changes").value(c.changes);
+    json.key("cost").raw(money(c.cost)).key("makespan").raw(money(c.makespan));
+    json.key("pairs_tested").value(c.pairs_tested);
+    json.key("triples_tested").value(c.triples_tested).end_object();
+  }
+  json.end_array().key("notes").value(document.notes).end_object();
+  return json.take() + "\n";
+}
+
+}  // namespace changeover

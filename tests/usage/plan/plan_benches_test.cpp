@@ -1,0 +1,134 @@
+// changeover plan on benches as they are, and without parts that broke, as it is run.
+#include <gmock/gmock.h>
+
+#include "../cases.hpp"
+#include "zip_files.hpp"
+
+namespace changeover::test::plan_benches_test {
+namespace {
+
+const std::string costs = " -k 4 --test-cost 1 --change-cost 0.25 --quiet --threads 1 --steps 5000";
+
+std::string plan(const std::string& rest) { return "$changeover plan " + rest + costs; }
+
+// One H100 for two benches, of which one has hours, a start and no Arc.
+void write_lab(const TemporaryFolder& folder) {
+  spit(folder.file("parts.csv"),
+       "part,change cost,qty\nH100,0.50,1\nA40,,2\nL4,,\nArc,,2\nEpyc,1,\nXeon,1,\nNVMe,,\n");
+  spit(folder.file("benches.csv"),
+       "bench,hours,start,without,at once\nNorth,8,\"H100, Epyc\",Arc,\nSouth,6,,,3\n");
+}
+
+TEST(PlanBenches, AsTheyAre) {
+  const TemporaryFolder folder;
+  write_lab(folder);
+  spit(folder.file("down.csv"), "bench,down\nNorth,yes\nSouth,\n");
+  spit(folder.file("first.csv"),
+       "step,bench,take_out,put_in,cost_so_far,slot_1,slot_2\n"
+       "1,South,,,,L4,NVMe\n");
+  const std::string lab = "parts.csv --benches benches.csv ";
+  expect(
+      {{plan(lab), 0, "7 parts, 4 at a time, on 2 benches: "},
+       {plan(lab), 0,
+        "21 of 21 needed pairs tested on some bench, checked by an independent count"},
+       {plan(lab), 0, "scarce, on no more benches at a time: H100 (1), L4 (1), Epyc (1)"},
+       {plan(lab), 0, "North: mounted at the start: H100, Epyc; cannot have: Arc; 8 hours a day"},
+       {plan(lab), 0, "South: 3 at a time; 6 hours a day"},
+       {plan(lab + "--first-day 2025-03-07"), 0, "\ndone on day "},
+       {plan(lab + "--first-day 2025-03-08 --json"), 0, "\"date\":\"2025-03-10\""},
+       {plan(lab + "--first-day 2025-03-08 --weekends --json"), 0, "\"date\":\"2025-03-08\""},
+       {plan(lab + "--format csv --first-day 2025-03-10"), 0,
+        "bench,step,day,date,from_hour,to_hour,take_out"},
+       {plan(lab + "--budget 9"), 0, "best within the budget: "},
+       {plan(lab + "--first first.csv"), 0, "South: 3 at a time; its first test is given"},
+       {plan("parts.csv --benches down.csv"), 0, "on 2 benches, one of them down: "},
+       {plan("parts.csv --benches 2 --start H100,A40"), 3, "H100 is mounted at the start on 2"},
+       {plan("--items 9 --benches 2 --hours 8 --start 1,2"), 0, "on day 1 after "}},
+      folder);
+}
+
+TEST(PlanBenches, SayWhatIsWrong) {
+  const TemporaryFolder folder;
+  write_lab(folder);
+  const auto bench = [&](const std::string& list) {
+    static int number = 0;
+    const std::string name = "b" + std::to_string(++number) + ".csv";
+    spit(folder.file(name), list);
+    return plan("parts.csv --benches " + name);
+  };
+  expect({{bench("bench,colour\nNorth,red\n"), 3, ".csv:1:7: there is no column 'colour' of bench"},
+          {bench("bench,start\nNorth,h100\n"), 3, "did you mean 'H100'?"},
+          {bench("bench,hours\nNorth,25\n"), 3, "North: 25 hours a day; a day has 24"},
+          {bench("bench,hours\nNorth,soon\n"), 3, ".csv:2:7: "},
+          {bench("bench,at_once\nNorth,many\n"), 3, "'many' is no number of parts"},
+          {bench("bench,down\nNorth,maybe\n"), 3, "write yes if the bench is down, or nothing"},
+          {bench("bench,slots\nNorth,GPU=1\n"), 3, "there is no slot 'GPU'"},
+          {bench("bench,own,without\nNorth,L4,L4\n"), 3, "North: it has L4 of its own, and cannot"},
+          {bench("bench\nNorth\nNorth\n"), 3, "two benches are called North; rename one"},
+          {bench("bench,down\nNorth,yes\n"), 3, "all benches are down"},
+          {bench("bench,hours\n"), 3, "no bench is listed"},
+          {plan("parts.csv --benches none.csv"), 4, "none.csv"},
+          {plan("parts.csv --benches benches.csv --first-day soon"), 2, "'soon' is no day"},
+          {plan("parts.csv --benches 2 --first-day 2025-03-31"), 2,
+           "--first-day DATE is for benches with hours of work a day; give --hours H too"},
+          {plan("parts.csv --hours 8"), 2, "is for --benches"},
+          {plan("parts.csv --benches 2 --done-first 2 --done parts.csv"), 2, "has no meaning with"},
+          {plan("parts.csv --benches 2 --priority w.csv"), 2, "give --budget Z too"}},
+         folder);
+}
+
+TEST(PlanBenches, GoOnAfterTheTestsOfEachBench) {
+  const TemporaryFolder folder;
+  write_lab(folder);
+  const std::string lab = "parts.csv --benches benches.csv ";
+  ASSERT_EQ(run(plan(lab + "-o plan.csv"), folder.path()).code, 0);
+  // The first two tests of each bench passed.
+  ASSERT_EQ(run("awk -F, 'BEGIN { OFS = \",\" } NR > 1 && $2 <= 2 { $0 = $0 \"pass\" } { print }' "
+                "plan.csv > sheet.csv",
+                folder.path())
+                .code,
+            0);
+  spit(folder.file("other.csv"), "bench\nWest\nSouth\n");
+  expect({{plan(lab + "--done sheet.csv"), 0, ", after 4 tests done"},
+          {plan(lab + "--done sheet.csv"), 0, "8 hours a day; 2 tests done before"},
+          {plan(lab + "--done sheet.csv --format csv"), 0, "\nSouth,3,"},
+          {plan(lab + "--done sheet.csv --json"), 0, "\"tests_done\":4"},
+          {plan("parts.csv --benches other.csv --done sheet.csv"), 0,
+           "sheet.csv: 'North' is none of the benches; what was tested there counts"},
+          {plan(lab + "--done plan.csv"), 0, "nothing is left to do"},
+          {"sed '2s/pass/fail/' sheet.csv > failed.csv; $changeover plan " + lab +
+               "-k 4 --test-cost 1 --change-cost 1 --done failed.csv --diagnose",
+           0, "the next test is for South"}},
+         folder);
+}
+
+TEST(PlanBenches, ReadTheirWorkbookBack) {
+  const TemporaryFolder folder;
+  write_lab(folder);
+  const std::string lab = "parts.csv --benches benches.csv ";
+  ASSERT_EQ(run(plan(lab + "-o plan.xlsx"), folder.path()).code, 0);
+  expect({{plan(lab + "--done plan.xlsx"), 0, "nothing is left to do"},
+          {plan(lab + "--done plan.xlsx:South"), 0, "South: 3 at a time; "}},
+         folder);
+}
+
+TEST(PlanBenches, APartBreaks) {
+  const TemporaryFolder folder;
+  write_lab(folder);
+  spit(folder.file("never.csv"), "L4,Xeon\n");
+  spit(folder.file("first.csv"), "L4,A40\n");
+  const std::string all = "parts.csv --never never.csv --first first.csv --start L4,Xeon ";
+  expect({{plan(all), 0, "7 parts, 4 at a time: "},
+          {plan(all + "--without L4"), 0, "6 parts, 4 at a time: "},
+          {plan(all + "--without L4"), 0, "without: left out from now on: L4"},
+          {plan(all + "--without L4"), 0, "15 of 15 needed pairs tested"},
+          {plan("--items 6 --without 2,3 --format csv"), 0, "6"},
+          {plan("--items 6 --without 2,3"), 0, "4 parts, 4 at a time: 1 test"},
+          {plan("parts.csv --benches benches.csv --without H100"), 0, "15 of 15 needed pairs"},
+          {plan("parts.csv --without H200"), 2, "--without: there is no part 'H200'"},
+          {plan("--items 3 --without 2,3"), 2, "--without: one part is left; a pair needs two"}},
+         folder);
+}
+
+}  // namespace
+}  // namespace changeover::test::plan_benches_test
