@@ -102,11 +102,14 @@ def _done_setup(setup: Any, of_model: bool) -> Any:
 def _test(test: Any, of_model: bool) -> Any:
     if of_model and isinstance(test, dict) and "parts" not in test:
         return _done_setup(test, of_model)
+    bench: dict[str, str] = {}
     if isinstance(test, dict):
-        if not {"parts"} <= test.keys() <= {"parts", "result"}:
-            raise BadInput('done has dicts with "parts" and "result" only')
+        if not {"parts"} <= test.keys() <= {"parts", "result", "bench"}:
+            raise BadInput('done has dicts with "parts", "result" and "bench" only')
+        bench = _bench_of(test)
         if "result" not in test:
-            return _done_setup(test["parts"], of_model)
+            names = _done_setup(test["parts"], of_model)
+            return {"parts": names, **bench} if bench else names
         setup, result = test["parts"], test["result"]
     elif (isinstance(test, tuple) and len(test) == 2 and hasattr(type(test[0]), "__iter__")
           and not is_text(test[0])):
@@ -116,7 +119,64 @@ def _test(test: Any, of_model: bool) -> Any:
     said = result_of(result)
     if said is None:
         raise BadInput(_wanted_of_done)
-    return {"parts": _done_setup(setup, of_model), "result": said}
+    return {"parts": _done_setup(setup, of_model), "result": said, **bench}
+
+
+def _bench_of(setup: dict[str, Any]) -> dict[str, str]:
+    """On which bench a set-up is, by name or number, if that is said."""
+    bench = setup.get("bench")
+    return {} if is_missing(bench) else {"bench": words_of(bench)}
+
+
+def _first(setup: Any, of_model: bool) -> Any:
+    if of_model or not isinstance(setup, dict):
+        return _setup("first", setup, of_model)
+    if not {"parts"} <= setup.keys() <= {"parts", "bench"}:
+        raise BadInput('first has dicts with "parts" and "bench" only')
+    return {"parts": names_in("first", setup["parts"]), **_bench_of(setup)}
+
+
+_of_benches = {
+    "name": "words", "at_once": "words", "test_cost": "amount", "change_factor": "amount",
+    "slots": "slots", "mounted": "names", "start": "names", "own": "names", "without": "names",
+    "hours": "amount", "down": "choice"}
+
+
+def _bench(given: Any) -> Any:
+    """A bench by its name, or as a dict of what it does not have from the job."""
+    if not isinstance(given, dict):
+        return {"name": _part_named(given, "benches")}
+    bench: dict[str, Any] = {}
+    for key, value in given.items():
+        kind = _of_benches.get(key)
+        argument = f"benches: {key}"
+        if kind is None:
+            raise BadInput(f"benches has dicts with {', '.join(_of_benches)} only, not "
+                           f"{_core.quoted(words_of(key))}")
+        if is_missing(value):
+            continue
+        if kind == "names":
+            bench[key] = names_in(argument, value)
+        elif kind == "slots":
+            bench[key] = [_slot(words_of(name), room) for name, room in _items(argument, value)]
+        elif kind == "amount":
+            bench[key] = _amount(argument, value)
+        elif kind == "choice":
+            bench[key] = bool(value)
+        else:
+            bench[key] = words_of(value)
+    return bench
+
+
+def benches_of(given: Any) -> Any:
+    """How many benches that are alike, or one after another."""
+    if hasattr(type(given), "__index__") and not hasattr(type(given), "__iter__"):
+        return operator.index(given)
+    rows = [_bench(bench)
+            for bench in _rows("benches", listed("benches", "names or dicts", given, True))]
+    if not rows:
+        raise BadInput("benches names none; give how many, or a name or dict for each")
+    return rows
 
 
 def _slot(name: str, room: Any) -> dict[str, Any]:
@@ -166,7 +226,8 @@ def _check_columns(columns: list[Any]) -> None:
         of["name"].append(others.pop(0))
     if not of["name"]:
         raise BadInput("parts: no column has the names; call one of them name")
-    others += [heading for key in ("name", "slot", "cost", "quantity") for heading in of[key][1:]]
+    others += [heading for key in ("name", "slot", "cost", "quantity")
+               for heading in of[key][1:]]
     if others:
         raise BadInput(f"parts: the column {_core.quoted(others[0])} is not read; leave it out, or "
                        "have one column each called name, cost, slot and quantity")
@@ -197,12 +258,12 @@ def _parts_in_columns(frame: Any) -> list[dict[str, str]]:
     return parts
 
 
-def _part_named(part: Any) -> str:
+def _part_named(part: Any, argument: str = "parts") -> str:
     """What has items inside is no name, nor is what is missing."""
     if not is_text(part) and (is_bytes(part) or hasattr(type(part), "__iter__")
                               or is_missing(part)):
         shown = _core.quoted(words_of(repr(part)))
-        raise TypeError(f"parts has names, texts or numbers, not {shown}")
+        raise TypeError(f"{argument} has names, texts or numbers, not {shown}")
     return words_of(part)
 
 
@@ -228,17 +289,20 @@ def _parts_one_by_one(given: Any) -> list[dict[str, str]]:
     return parts
 
 
-def _parts(given: Any, slots: Any, slot_of: Any, needs_costs: bool) -> Any:
-    """The parts by number, by name, or by name with their costs and slots; or the file of them."""
+def _parts(given: Any, slots: Any, slot_of: Any, quantities: Any, needs_costs: bool) -> Any:
+    """The parts by number, by name, or by name with their costs, slots and quantities; or the
+    file of them."""
     if isinstance(given, os.PathLike):
-        if slot_of is not None:
-            raise BadInput("parts is a file, which says in a column slot what slot_of would")
+        for argument, said in (("slot", slot_of), ("quantity", quantities)):
+            if said is not None:
+                raise BadInput("parts is a file, which says in a column " + argument + " what "
+                               + ("slot_of" if argument == "slot" else "quantities") + " would")
         return {"file": words_of(os.fsdecode(given))}
     if hasattr(type(given), "__index__") and not hasattr(type(given), "__iter__"):
         count = operator.index(given)
         if not 2 <= count <= _most_parts:
             raise BadInput(_too_many_or_few)
-        if slot_of is None:
+        if slot_of is None and quantities is None:
             return count
         parts = [{"name": str(number)} for number in range(1, count + 1)]
     else:
@@ -253,13 +317,14 @@ def _parts(given: Any, slots: Any, slot_of: Any, needs_costs: bool) -> Any:
             "parts has a column slot; give slots, how many parts each has, or leave the column out"
             if has_column else "slots and slot_of come together: how many parts a slot has, and "
             "which parts are in it")
-    if slot_of is not None:
-        by_name = {part["name"]: part for part in parts}
-        for part, slot in _items("slot_of", slot_of):
+    by_name = {part["name"]: part for part in parts}
+    for argument, key, said in (("slot_of", "slot", slot_of),
+                                ("quantities", "quantity", quantities)):
+        for part, value in _items(argument, said) if said is not None else ():
             name = words_of(part)
             if name not in by_name:
-                raise BadInput(f"slot_of: there is no part {_core.quoted(name)}")
-            by_name[name]["slot"] = words_of(slot)
+                raise BadInput(f"{argument}: there is no part {_core.quoted(name)}")
+            by_name[name][key] = words_of(value)
     if needs_costs and not all(part.get("cost") for part in parts):
         raise BadInput("give change_cost, or parts as a dict from names to their change costs")
     return parts
@@ -299,7 +364,7 @@ def document_of(given: dict[str, Any]) -> dict[str, Any]:
     of_model = given["model"] is not None
     document: dict[str, Any] = {}
     if of_model:
-        for argument in ("parts", "at_once", "slots", "slot_of"):
+        for argument in ("parts", "at_once", "slots", "slot_of", "quantities"):
             if given[argument] is not None:
                 raise BadInput(f"{argument} has no meaning with model; leave it out")
         document["model"] = _model(given["model"])
@@ -307,8 +372,9 @@ def document_of(given: dict[str, Any]) -> dict[str, Any]:
         raise TypeError("plan() wants parts or a model")
     else:
         document["parts"] = _parts(given["parts"], given["slots"], given["slot_of"],
+                                   given["quantities"],
                                    change_cost is None and change_costs is None)
-    for argument in ("test_cost", "change_cost", "budget"):
+    for argument in ("test_cost", "change_cost", "budget", "hours"):
         if given[argument] is not None:
             document[argument] = _amount(argument, given[argument])
     if change_costs is not None:
@@ -322,7 +388,8 @@ def document_of(given: dict[str, Any]) -> dict[str, Any]:
     lists = {"never": _forbidden(given["never"]),
              "mounted": names_in("mounted", given["mounted"]),
              "start": names_in("start", given["start"]),
-             "first": [_setup("first", setup, of_model)
+             "without": names_in("without", given["without"]),
+             "first": [_first(setup, of_model)
                        for setup in _rows("first",
                            rows_of("first", "set-ups, lists of parts", given["first"], True))]}
     if given["weights"] is not None:

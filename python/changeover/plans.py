@@ -10,7 +10,7 @@ from fractions import Fraction
 from typing import Any, Dict, Iterable, List, Literal, Mapping, Optional, Tuple, Union, overload
 
 from . import _core
-from ._job import document_of, names_in, result_of
+from ._job import benches_of, document_of, names_in, result_of
 from ._made import Made, Progress, check_calls, fact, made
 from ._notebook import shown, table
 from .errors import BadInput
@@ -24,9 +24,10 @@ Room = Union[int, Tuple[Optional[int], Optional[int]]]
 Result = Union[bool, str, None]
 Done = Union[Iterable[Optional[Part]], Tuple[Iterable[Optional[Part]], Result], Dict[str, Any]]
 CostUnit = Literal["money", "seconds", "minutes", "hours"]
+First = Union[Iterable[Part], Mapping[str, Any]]
+Benches = Union[int, Iterable[Union[str, Mapping[str, Any]]]]
 Objective = Literal["makespan", "cost", "tests"]
 Model = Union[str, "os.PathLike[str]"]
-Test = Union[Iterable[Part], Mapping[str, Any]]
 
 
 def _decimal(amount: Any) -> Decimal:
@@ -43,6 +44,13 @@ def _step(step: Dict[str, Any]) -> Dict[str, Any]:
             "setup": step["set_up"], "places": step["places"],
             **({"values": step["values"]} if "values" in step else {}),
             "cost": _decimal(step["cost"]), "cost_so_far": _decimal(step["cost_so_far"])}
+
+
+def _bench_step(step: Dict[str, Any]) -> Dict[str, Any]:
+    """With the times of the step, of which some are in hours of a day."""
+    return {**_step(step),
+            **{key: _decimal(step[key]) for key in ("begin", "end", "hour") if key in step},
+            **{key: step[key] for key in ("day", "date", "again") if key in step}}
 
 
 class _Sheets(Made):
@@ -246,14 +254,21 @@ class RunSheet(_Sheets):
 class BenchSheets(_Sheets):
     """Run sheets for several benches, counted by code that shares nothing with what made them."""
 
-    sheets: List[List[Dict[str,
-                           Any]]] = fact("For each bench a list of its tests, as RunSheet.steps.")
-    makespan: Decimal = fact("What the bench costs that costs most; exact.")
-    makespan_bound: Decimal = fact("Of the bench that costs most.")
+    sheets: List[List[Dict[str, Any]]] = fact(
+        "For each bench a list of its tests, as RunSheet.steps, and begin and end, when; with "
+        "hours a day also day and hour, date if the first day is known; again, parts that stayed "
+        "and were lent to another bench meanwhile.")
+    benches: List[str] = fact("The name of each bench.")
+    makespan: Decimal = fact(
+        "When the last test ends; where no bench waits or rests, the cost of the bench that costs "
+        "most. Exact.")
+    makespan_bound: Decimal = fact("Nothing is done earlier.")
     makespan_reason: str = fact("Of that bound.")
+    finish: Optional[Dict[str, Any]] = fact(
+        "With hours a day: day, hour and, if the first day is known, date of the end; else None.")
 
     def _rows(self) -> List[Dict[str, Any]]:
-        return [{"bench": bench, **step} for bench, sheet in enumerate(self.sheets, 1)
+        return [{"bench": bench, **step} for bench, sheet in zip(self.benches, self.sheets)
                 for step in sheet]
 
     def __len__(self) -> int:
@@ -279,7 +294,9 @@ def _facts(core: Any) -> Dict[str, Any]:
                 "reason": bound["reason"],
                 "cheapest": said["proved_cheapest"], "fewest": said.get("proved_fewest_tests")}
     return {**facts,
-            "sheets": [[_step(step) for step in sheet["steps"]] for sheet in said["sheets"]],
+            "sheets": [[_bench_step(step) for step in sheet["steps"]] for sheet in said["sheets"]],
+            "benches": [sheet["name"] for sheet in said["sheets"]],
+            "finish": said.get("finish"),
             "reason": bound["cost_reason"], "makespan": _decimal(said["makespan"]),
             "makespan_bound": _decimal(bound["makespan"]),
             "makespan_reason": bound["makespan_reason"]}
@@ -293,13 +310,15 @@ def plan(
     cost_column: Optional[str] = None, cost_unit: Optional[CostUnit] = None, strength: int = 2,
     pairs: Pairs = None, never: Pairs = (), slots: Optional[Mapping[str, Room]] = None,
     slot_of: Optional[Mapping[Any, str]] = None, mounted: Iterable[Part] = (),
-    start: Iterable[Part] = (), first: Iterable[Test] = (),
+    start: Iterable[Part] = (), first: Iterable[First] = (),
     weights: Optional[Mapping[Pair, Cost]] = None, done: Iterable[Done] = (),
     trust_failed: bool = False, budget: Optional[Cost] = None, benches: None = None,
     objective: Optional[Objective] = None, time: Optional[float] = None, threads: int = 1,
     seed: int = 1, progress: Progress = None, done_first: Optional[int] = None,
     shuffle: Optional[int] = None, title: Optional[str] = None, compact: bool = False,
-    steps: Optional[int] = None,
+    steps: Optional[int] = None, without: Iterable[Part] = (),
+    quantities: Optional[Mapping[Any, int]] = None, hours: Optional[Cost] = None,
+    first_day: Optional[str] = None, weekends: bool = False,
 ) -> RunSheet: ...
 @overload
 def plan(
@@ -309,13 +328,15 @@ def plan(
     cost_column: Optional[str] = None, cost_unit: Optional[CostUnit] = None, strength: int = 2,
     pairs: Pairs = None, never: Pairs = (), slots: Optional[Mapping[str, Room]] = None,
     slot_of: Optional[Mapping[Any, str]] = None, mounted: Iterable[Part] = (),
-    start: Iterable[Part] = (), first: Iterable[Test] = (),
+    start: Iterable[Part] = (), first: Iterable[First] = (),
     weights: Optional[Mapping[Pair, Cost]] = None, done: Iterable[Done] = (),
-    trust_failed: bool = False, budget: Optional[Cost] = None, benches: int,
+    trust_failed: bool = False, budget: Optional[Cost] = None, benches: Benches,
     objective: Optional[Objective] = None, time: Optional[float] = None, threads: int = 1,
     seed: int = 1, progress: Progress = None, done_first: Optional[int] = None,
     shuffle: Optional[int] = None, title: Optional[str] = None, compact: bool = False,
-    steps: Optional[int] = None,
+    steps: Optional[int] = None, without: Iterable[Part] = (),
+    quantities: Optional[Mapping[Any, int]] = None, hours: Optional[Cost] = None,
+    first_day: Optional[str] = None, weekends: bool = False,
 ) -> BenchSheets: ...
 
 
@@ -327,11 +348,13 @@ def plan(
     pairs: Any = None, never: Any = (), slots: Optional[Mapping[str, Room]] = None,
     slot_of: Optional[Mapping[Any, str]] = None, mounted: Any = (), start: Any = (),
     first: Any = (), weights: Optional[Mapping[Pair, Cost]] = None, done: Any = (),
-    trust_failed: bool = False, budget: Optional[Cost] = None, benches: Optional[int] = None,
+    trust_failed: bool = False, budget: Optional[Cost] = None, benches: Optional[Benches] = None,
     objective: Optional[Objective] = None, time: Optional[float] = None, threads: int = 1,
     seed: int = 1, progress: Progress = None, done_first: Optional[int] = None,
     shuffle: Optional[int] = None, title: Optional[str] = None, compact: bool = False,
-    steps: Optional[int] = None,
+    steps: Optional[int] = None, without: Iterable[Part] = (),
+    quantities: Optional[Mapping[Any, int]] = None, hours: Optional[Cost] = None,
+    first_day: Optional[str] = None, weekends: bool = False,
 ) -> Union[RunSheet, BenchSheets]:
     """The cheapest list of tests that was found in which every two parts are mounted together at
     least once.
@@ -356,11 +379,19 @@ def plan(
     done: tests that were done, lists of names, each alone or as (names, result), where result is
     True (passed), False (failed), None or a text such as 'FAILED - hang'. Pairs that met only in
     tests that failed, or whose text is not understood, are needed again, unless trust_failed.
-    budget: test as much as it pays for. benches: so many side by side, which gives BenchSheets,
-    else it is a RunSheet; objective: 'makespan' (None), what the bench costs that costs most is
-    least, or 'cost', of all of them. time: seconds of search; None: a fixed amount of it, or steps,
-    moves of each local search. done_first: only so many of done were done. shuffle: a seed by which
-    parts are exchanged that nothing tells apart. title, compact: of what is written.
+    budget: test as much as it pays for. benches: so many side by side, or a name or a dict for
+    each, which gives BenchSheets, else it is a RunSheet; a dict has any of name, at_once,
+    test_cost, change_factor, slots, mounted, start, own (parts of which it has one of its own),
+    without (parts that it cannot have), hours (of work a day) and down. objective: 'makespan'
+    (None), the last test ends as early as can be, or 'cost', of all of them. quantities: a dict
+    from parts to how many there are, for all benches and for slots that need several; of others
+    there is one, without quantities one for each bench. hours: of work a day on benches that say
+    nothing else, with costs in hours; first_day: of the first tests, as '2025-03-31'; weekends:
+    they are worked on. With benches, done and first may have dicts with parts, bench and result.
+    without: parts that broke; other arguments may name them. time: seconds of search; None: a fixed
+    amount of it, or steps, moves of each local search. done_first: only so many of done were done.
+    shuffle: a seed by which parts are exchanged that nothing tells apart. title, compact: of what
+    is written.
 
     model: instead of parts and at_once, parameters with their values and rules in the language of
     PICT or ACTS, a string, or a file as a pathlib.Path. Every test then has one value of each
@@ -375,14 +406,17 @@ def plan(
     given = locals()
     document = document_of(given)
     if objective not in (None, "makespan", "cost", "tests"):
-        raise BadInput("objective is 'makespan', what the bench costs that costs most, 'cost', of "
-                       "all tests, or 'tests' where there is a model")
-    for argument in ("at_once", "cost_column", "cost_unit", "strength", "benches", "objective",
-                     "done_first", "shuffle", "steps"):
+        raise BadInput("objective is 'makespan', when the last test ends, 'cost', of all benches "
+                       "or tests, or 'tests' where there is a model")
+    if benches is not None:
+        document["benches"] = benches_of(benches)
+    for argument in ("at_once", "cost_column", "cost_unit", "strength", "objective", "done_first",
+                     "shuffle", "steps"):
         if given[argument] is not None:
             document[argument] = given[argument]
     document.update({key: value for key,
-        value in (("trust_failed", trust_failed), ("compact", compact), ("title", title)) if value})
+        value in (("trust_failed", trust_failed), ("compact", compact), ("title", title),
+                  ("first_day", first_day), ("weekends", weekends)) if value})
     core = _core.plan(json.dumps(document), time, threads, seed, progress)
     facts = _facts(core)  # What a workbook asks for may be of several benches.
     return made(BenchSheets, facts, core) if "sheets" in facts else made(RunSheet, facts, core)

@@ -2,12 +2,10 @@
 
 import collections
 import itertools
-<<<<<<< HEAD
-import pathlib
-=======
+import json
 import os
+import pathlib
 import pickle
->>>>>>> b8d7f4ff (WIP all)
 import signal
 import tempfile
 import unittest
@@ -127,7 +125,6 @@ class Plans(unittest.TestCase):
                 self.plan("a b c d".split(), 3, **wrong)
 
     def test_a_request_and_its_answer_are_documents(self):
-        import json
         sheet = changeover.plan({"a": 1, "b": "2.50", "c": 3}, 2, test_cost=1, done=[(["a", "b"], "FAILED - hang")], title="T")
         asked = json.loads(sheet.request_json())
         self.assertEqual(asked["parts"], [{"name": "a", "cost": 1}, {"name": "b", "cost": "2.50"}, {"name": "c", "cost": 3}])
@@ -154,8 +151,8 @@ class Plans(unittest.TestCase):
         self.assertTrue(any("shuffled with seed 3" in note for note in sheet.notes), sheet.notes)
         with self.assertRaisesRegex(changeover.BadInput, "^done_first is for done; give both"):
             self.plan(6, 3, done_first=1)
-        with self.assertRaisesRegex(changeover.BadInput, "^budget has no meaning with benches"):
-            self.plan(6, 3, budget=3, benches=2)
+        with self.assertRaisesRegex(changeover.BadInput, "^shuffle has no meaning with benches"):
+            self.plan(6, 3, shuffle=3, benches=2)
 
     def test_what_does_not_hold_what_is_meant_is_refused(self):
         pair = {"a", "b"}
@@ -520,12 +517,37 @@ class Benches(unittest.TestCase):
             self.assertFalse(both.interrupted)
 
     def test_wrong_ones_are_refused(self):
-        for wrong in ({"benches": 0}, {"benches": 65}, {"benches": 2, "objective": "time"}, {"benches": 2, "budget": 5},
-                      {"benches": 2, "start": ["1"]}, {"benches": 2, "weights": {(1, 2): 3}}, {"objective": "cost"}):
+        for wrong in ({"benches": 0}, {"benches": 65}, {"benches": 2, "objective": "time"}, {"benches": 2, "compact": True},
+                      {"benches": []}, {"benches": [{"colour": 1}]}, {"benches": [{"hours": 25}]}, {"benches": ["A", "A"]},
+                      {"benches": [{"start": ["x"]}]}, {"benches": 2, "first_day": "2025-03-31"}, {"hours": 8}, {"without": ["x"]},
+                      {"benches": 2, "weights": {(1, 2): 3}}, {"objective": "cost"}, {"quantities": {"x": 1}, "benches": 2}):
             with self.assertRaises(changeover.BadInput, msg=wrong):
                 changeover.plan(9, 3, test_cost=1, change_cost=1, **wrong)
         with self.assertRaises(TypeError):
             changeover.plan(9, 3, test_cost=1, change_cost=1, benches="two")
+
+    def test_benches_as_they_are(self):
+        def lab(**more):
+            return changeover.plan(["H100", "A40", "Epyc", "Xeon", "NVMe"], 3, test_cost=1, change_cost="0.5", steps=3000,
+                                   quantities={"H100": 1}, first_day="2025-03-07",
+                                   benches=[{"name": "North", "hours": 8, "start": ["H100"]}, {"name": "South", "hours": 6, "without": ["A40"]}],
+                                   **more)
+        both = lab()
+        self.assertEqual(both.benches, ["North", "South"])
+        self.assertEqual(both.finish["date"], max(sheet[-1]["date"] for sheet in both.sheets))
+        self.assertTrue(both.complete)
+        self.assertNotIn("A40", {part for step in both.sheets[1] for part in step["setup"]})
+        held = [[(step["begin"], step["end"]) for step in sheet if "H100" in step["setup"]] for sheet in both.sheets]
+        for one, other in itertools.product(*held):
+            self.assertTrue(one[1] <= other[0] or other[1] <= one[0])
+        done = [{"parts": both.sheets[0][0]["setup"], "bench": "North", "result": True}]
+        rest = lab(done=done, without=["Xeon"])
+        self.assertEqual(rest.sheets[0][0]["number"], 2)
+        self.assertNotIn("Xeon", {part for sheet in rest.sheets for step in sheet for part in step["setup"]})
+        self.assertIn("without: left out from now on: Xeon", rest.notes)
+        asked = json.loads(rest.request_json())
+        self.assertEqual(asked["benches"][0], {"name": "North", "start": ["H100"], "hours": "8"})
+        self.assertEqual(asked["done"], [{**done[0], "result": "pass"}])
 
 
 class Ratios(unittest.TestCase):
