@@ -102,14 +102,14 @@ class Server:
 
 def any_job(rng):
     """A job that may or may not make sense."""
-    parts = rng.choice([7, ["A", "B", "C", "D", "E"], [{"name": "A", "cost": 2}, {"name": "B", "cost": "1.50"}, "C", "D"]])
+    parts = rng.choice([7, ["A", "B", "C", "D", "E"], [{"name": "A", "cost": 2}, {"name": "B", "cost": "1.50", "quantity": 1}, "C", "D"]])
     names = [str(i + 1) for i in range(parts)] if isinstance(parts, int) else [p if isinstance(p, str) else p["name"] for p in parts]
     pair = lambda: rng.sample(names, 2)  # noqa: E731
     job = {"parts": parts, "at_once": rng.choice([2, 3, 3, 4]), "test_cost": rng.choice([1, "2.50", 0]), "change_cost": rng.choice([1, "0.25"])}
     may_be = {
         "strength": rng.choice([2, 3]), "pairs": [pair() for _ in range(3)], "never": [[*pair(), "too hot"]], "cost_unit": "minutes", "mounted": names[:1], "start": names[:2],
         "first": [names[:2]], "weights": [[*pair(), 5]], "budget": "30", "done": [names[:2], {"parts": names[1:3], "result": "FAIL"}],
-        "done_first": 1, "trust_failed": True, "benches": 2, "objective": "cost", "what_if": True, "diagnose": True, "shuffle": 3,
+        "done_first": 1, "trust_failed": True, "benches": any_benches(rng, names), "objective": "cost", "without": names[2:3], "hours": 8, "what_if": True, "diagnose": True, "shuffle": 3,
         "title": "A title", "steps": 300, "compact": False, "header": False,
     }
     for key in rng.sample(list(may_be), rng.choice([0, 1, 1, 2, 2, 3])):
@@ -140,6 +140,11 @@ def any_model(rng):
     if job.get("diagnose"):
         del job["steps"]
     return job
+
+
+def any_benches(rng, names):
+    return rng.choice([1, 2, ["North", "South"], [{"name": "North", "start": names[:2], "hours": 7}, {"without": names[:1]}, {"down": True}],
+                       [{"at_once": 3, "test_cost": "1.50", "change_factor": 2, "own": names[1:2]}, {"mounted": names[:1]}]])
 
 
 def check_plans(server, count):
@@ -173,6 +178,8 @@ def check_plans(server, count):
             fault(f"--show-request says something else: {body} {shown}")
         arguments = {key: value for key, value in job.items() if key not in ("what_if", "diagnose", "compact", "header")}
         if kind in ("plan", "benches"):
+            if isinstance(parts := job["parts"], list):
+                arguments["quantities"] = {part["name"]: part["quantity"] for part in parts if "quantity" in part}
             for key, to in (("parts", lambda p: {(q if isinstance(q, str) else q["name"]): (
                     job["change_cost"] if isinstance(q, str) else q["cost"]) for q in p} if isinstance(p, list) else p),
                     ("weights", lambda w: {(a, b): c for a, b, c in w})):
