@@ -182,8 +182,9 @@ std::vector<RequestOption<R>> options() {
           {{.key = "benches",
             .flags = "--benches",
             .kind = K::list,
-            .value = "N|FILE",
-            .help = "on N benches side by side, or on those of a list, a bench a line",
+            .value = "BENCHES",
+            .help = "on so many benches side by side, or on those of a list, a file with a bench a "
+                    "line",
             .shape = RowShape::benches},
            &R::benches},
           {{.key = "objective",
