@@ -86,12 +86,18 @@ class BenchReferee {
   }
 
  private:
-  // What a bench does on a day, as much as it costs.
+  static constexpr Amount whole_day{24'000'000};
+
   [[nodiscard]] Amount hours_of(const Bench& bench) const {
+    return cost_of(bench.hours.value_or(whole_day));
+  }
+
+  // So many hours, in the unit of costs.
+  [[nodiscard]] Amount cost_of(Amount hours) const {
     const std::uint64_t unit = job_->cost_unit == CostUnit::minutes   ? 60
                                : job_->cost_unit == CostUnit::seconds ? 3600
                                                                       : 1;
-    return bench.hours.value_or(Amount{24'000'000}) * unit;
+    return hours * unit;
   }
 
   [[nodiscard]] std::string name(std::size_t bench) const { return name_of(*benches_, bench); }
@@ -179,7 +185,7 @@ class BenchReferee {
     const Bench& bench = (*benches_)[number];
     const std::uint64_t day = day_.millionths;
     const std::uint64_t hours = hours_of(bench).millionths;
-    const bool rests = hours < hours_of({}).millionths;
+    const bool rests = hours < cost_of(whole_day).millionths;
     std::vector<StepTime>& times = count_.times.emplace_back();
     Amount free;
     for (std::size_t i = 0; i < sheet.steps.size(); ++i) {
