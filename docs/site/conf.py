@@ -19,7 +19,8 @@ nitpick_ignore_regex = [(r"py:.*", r"(collections\.abc\.|typing\.|decimal\.)?(in
                          r"|Literal|Union|Callable|Iterable|Iterator|Mapping|Sequence|SupportsIndex|Decimal|\w*Error|Exception)")]
 # Names for types of arguments, which the page of the reference explains.
 nitpick_ignore = [("py:class", name)
-                  for name in ("Cost", "Part", "Pair", "Parts", "Pairs", "Room", "Done", "Objective", "CostUnit")]
+                  for name in ("Cost", "Part", "Pair", "Parts", "Pairs", "Room", "Done", "Objective", "CostUnit",
+                               "Benches", "First", "Model")]
 smartquotes = False
 highlight_language = "none"
 

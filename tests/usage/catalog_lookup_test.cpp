@@ -89,7 +89,8 @@ TEST(CatalogVerbs, SayThatTheUsersFileIsNoCatalogAndGoOn) {
   const Outcome verified =
       run("$changeover catalog verify --users --quiet --catalog mine.db", folder.path());
   EXPECT_EQ(verified.code, 1);
-  EXPECT_EQ(verified.out.rfind("WRONG: your own catalog: mine.db: damaged, or not a catalog", 0), 0U);
+  EXPECT_EQ(verified.out.rfind("WRONG: your own catalog: mine.db: damaged, or not a catalog", 0),
+            0U);
   // Where the answer is that there is nothing, the file that was left out may be why.
   const std::string left_out = "your own catalog was left out: mine.db: damaged, or not a catalog";
   for (const std::string words :

@@ -219,13 +219,14 @@ TEST(ModelUsage, AsADocument) {
       shown.out,
       "{\"format\":\"changeover-job/1\",\"model\":{\"file\":\"m.txt\"},\"objective\":\"tests\"}\n");
   spit(folder.file("job.json"),
-       nlohmann::json{{"model", browsers},
-                      {"test_cost", 2},
-                      {"change_costs", {{"OS", 5}, {"Browser", "1"}, {"Locale", "ja", 2}}},
-                      {"change_cost", 1},
-                      {"first", nlohmann::json::array({nlohmann::json::array({"Edge", "OS: Windows"})})},
-                      {"steps", 2000},
-                      {"done", {{{"parts", {"Debian", "Firefox", "de"}}, {"result", "pass"}}}}}
+       nlohmann::json{
+           {"model", browsers},
+           {"test_cost", 2},
+           {"change_costs", {{"OS", 5}, {"Browser", "1"}, {"Locale", "ja", 2}}},
+           {"change_cost", 1},
+           {"first", nlohmann::json::array({nlohmann::json::array({"Edge", "OS: Windows"})})},
+           {"steps", 2000},
+           {"done", {{{"parts", {"Debian", "Firefox", "de"}}, {"result", "pass"}}}}}
            .dump());
   const auto plan = answer_of("$changeover plan --request job.json --quiet --json", folder);
   EXPECT_EQ(plan.at("steps").at(0).at("values").at("Browser"), "Edge");

@@ -307,7 +307,8 @@ Credit shared_from_header(std::string_view line, const std::string& name) {
   LineHandler handler(json);
   parse_json(json, handler);
   if (!handler.format_name.starts_with("changeover-catalog/")) {
-    json.fail(0, fmt::format("not a catalog: the first line must be {{\"format\":\"{}\"}}", format));
+    json.fail(0,
+              fmt::format("not a catalog: the first line must be {{\"format\":\"{}\"}}", format));
   }
   if (handler.format_name != format) {
     json.fail(0, fmt::format("a catalog of the unknown format {}; "

@@ -52,10 +52,6 @@ class RequestDocument {
   JsonNode object_;
 };
 
-/// The keys of the rows of such a list, where these are objects with fields: of parts, slots and
-/// benches.
-[[nodiscard]] const std::vector<std::string_view>& row_keys(RowShape shape);
-
 /// The value as JSON.
 void write_list(JsonWriter& json, const OptionRecord& record, const RequestList& list);
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "io/request/request_document.hpp"
+#include "io/request/request_rows.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/part_finder.hpp"

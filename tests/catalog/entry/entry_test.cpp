@@ -96,8 +96,7 @@ TEST(Entry, EveryKeyMissingOrTwice) {
     Fields fields = good;
     fields.erase(fields.begin() + static_cast<std::ptrdiff_t>(i));
     const std::string said = refusal(line_of_fields(fields));
-    EXPECT_EQ(said, i < 6 ? fmt::format("mine.jsonl:7:1: the entry lacks {}; add it",
-                                        good[i].first)
+    EXPECT_EQ(said, i < 6 ? fmt::format("mine.jsonl:7:1: the entry lacks {}; add it", good[i].first)
                           : "");
     fields = good;
     fields.push_back(good[i]);
@@ -191,7 +190,8 @@ TEST(Entry, WhatCannotBe) {
                 HasSubstr("the date is not a day like"));
   }
   EXPECT_EQ(refusal(with("credit", R"({"date":"2024-02-29"})")), "");
-  EXPECT_THAT(refusal(with("credit", R"({"age":"1"})")), HasSubstr("unknown key 'age' in the credit"));
+  EXPECT_THAT(refusal(with("credit", R"({"age":"1"})")),
+              HasSubstr("unknown key 'age' in the credit"));
 }
 
 TEST(Header, SaysWhatItIs) {

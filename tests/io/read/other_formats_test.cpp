@@ -160,7 +160,8 @@ TEST(OtherFormats, OneLineForEachFaultInXml) {
   EXPECT_THAT(xml(""), HasSubstr("no block_design with blocks"));
   EXPECT_THAT(xml(blocks, ""), HasSubstr("no attribute v"));
   EXPECT_THAT(xml(blocks, "v='much'"), HasSubstr("'much' points"));
-  EXPECT_THAT(xml("<blocks><block><z>0</z><z>3</z></block></blocks>"), HasSubstr("3 is not a point"));
+  EXPECT_THAT(xml("<blocks><block><z>0</z><z>3</z></block></blocks>"),
+              HasSubstr("3 is not a point"));
   EXPECT_THAT(xml("<blocks><block><z>-1</z></block></blocks>"), HasSubstr("'-1' is not a point"));
   EXPECT_THAT(xml("<blocks><block>0 1</block></blocks>"), HasSubstr("text among the blocks"));
   EXPECT_THAT(xml("<blocks><block><q>1/2</q></block></blocks>"), HasSubstr("'q' among the blocks"));

@@ -44,8 +44,9 @@ TEST(ModelSheets, SayWhatToSetAndTheWholeTest) {
       sheet_of(job, setups, "table"),
       HasSubstr("   3  Mode: load, Retry: Off                      Windows  load   Off    Off"));
   EXPECT_THAT(sheet_of(job, setups, "html"), HasSubstr("<td data-head=\"Mode\">store</td>"));
-  EXPECT_THAT(sheet_of(job, setups, "markdown"),
-              HasSubstr("| 3 | **Mode: load**, **Retry: Off** | Windows | **load** | **Off** | Off |"));
+  EXPECT_THAT(
+      sheet_of(job, setups, "markdown"),
+      HasSubstr("| 3 | **Mode: load**, **Retry: Off** | Windows | **load** | **Off** | Off |"));
   const auto json = nlohmann::json::parse(sheet_of(job, setups, "json"));
   EXPECT_EQ(json["steps"][3]["values"].dump(),
             "{\"Log\":\"On\",\"Mode\":\"store\",\"OS\":\"Debian\",\"Retry\":\"Off\"}");

@@ -16,6 +16,7 @@
 #include "plan/job/pair_numbers.hpp"
 #include "plan/job/prices.hpp"
 #include "plan/search/bounds/dearest_parts.hpp"
+#include "plan/search/bounds/job_numbers.hpp"
 #include "plan/search/bounds/rounded_up.hpp"
 #include "plan/search/bounds/stays_cost.hpp"
 #include "plan/search/choices/choice_plan.hpp"
@@ -28,164 +29,10 @@ namespace {
 
 __extension__ using Wide = unsigned __int128;
 
-// The numbers of the proof in the header.
-struct Numbers {
-  std::uint64_t room = 0;             // K
-  std::uint64_t pairs = 0;            // P
-  std::vector<Element> parts;         // of F with a needed pair
-  std::vector<std::uint64_t> degree;  // by part: all needed pairs
-  std::vector<std::uint64_t> inner;   // by part: needed pairs within F
-  std::vector<bool> at_start;         // by part: in S
-  std::uint64_t start = 0;            // |S|
-  std::uint64_t start_pairs = 0;      // needed pairs within S
-  Amount mounting;                    // of the parts that stay mounted
-  std::uint64_t mounted_introductions = 0;
-  std::vector<std::uint32_t> slot_of;  // by part; slots.size() if it has none
-  std::vector<std::uint64_t>
-      most;                 // by slot, the last for no slot: parts of F that a set-up holds at most
-  std::uint64_t first = 0;  // e of (8)
-};
-
-// Colours of a greedy colouring of the graph of pairs that may meet: no clique is larger.
-std::uint64_t clique_bound(const Job& job, const std::vector<Element>& parts) {
-  std::vector<std::vector<Element>> classes;
-  for (const Element x : parts) {
-    const auto fitting = std::find_if(classes.begin(), classes.end(), [&](const auto& members) {
-      return std::all_of(members.begin(), members.end(),
-                         [&](Element y) { return job.never.contains(x, y); });
-    });
-    if (fitting == classes.end()) {
-      classes.push_back({x});
-    } else {
-      fitting->push_back(x);
-    }
-  }
-  return classes.size();
-}
-
-// How the slots limit the parts of F, and what they need besides.
-void add_slots(const Job& job, const std::vector<bool>& mounted, Numbers& n) {
-  const std::size_t slots = job.slots.size();
-  n.slot_of.assign(job.names.size(), static_cast<std::uint32_t>(slots));
-  for (Element x = 0; x < job.slot_of.size(); ++x) {
-    n.slot_of[x] = job.slot_of[x] == no_slot ? n.slot_of[x] : job.slot_of[x];
-  }
-  std::vector<std::vector<Element>> members(slots + 1);  // of F, with a needed pair
-  for (const Element x : n.parts) {
-    members[n.slot_of[x]].push_back(x);
-  }
-  n.most.push_back(0);
-  n.room = job.room() - job.mounted.size();
-  std::uint64_t all = 0;
-  for (std::size_t s = 0; s <= slots; ++s) {
-    std::uint64_t most = clique_bound(job, members[s]);
-    if (s < slots) {
-      std::uint64_t stay = 0;
-      std::uint64_t on_bench = 0;    // of F, with or without a needed pair
-      std::uint64_t idle_there = 0;  // on the bench, without one
-      std::vector<Amount> idle;      // to be mounted, without one
-      for (Element x = 0; x < job.parts(); ++x) {
-        if (n.slot_of[x] != s) {
-          continue;
-        }
-        stay += mounted[x] ? 1U : 0U;
-        on_bench += !mounted[x] && n.at_start[x] ? 1U : 0U;
-        if (!mounted[x] && n.degree[x] == 0) {
-          idle_there += n.at_start[x] ? 1U : 0U;
-          if (!n.at_start[x]) {
-            idle.push_back(job.change_costs[x]);
-          }
-        }
-      }
-      const Slot& slot = job.slots[s];
-      most = std::min(most, slot.most - std::min(slot.most, stay));
-      const std::uint64_t rest = slot.least - std::min(slot.least, stay);
-      const std::uint64_t by_idle = rest - std::min<std::uint64_t>(rest, members[s].size());
-      n.room -= std::min(n.room, by_idle);
-      std::sort(idle.begin(), idle.end());
-      for (std::uint64_t i = idle_there; i < by_idle; ++i) {
-        n.mounting += idle[static_cast<std::size_t>(i - idle_there)];
-        ++n.mounted_introductions;
-      }
-      const std::uint64_t others = idle.size() + on_bench;
-      n.first += rest - std::min(rest, others);
-    }
-    n.most.insert(n.most.end() - 1, most);
-    all += most;
-  }
-  n.most.pop_back();
-  n.room = std::min(n.room, all);
-}
-
-Numbers numbers_of(const Job& job) {
-  Numbers n;
-  std::vector<bool> mounted(job.names.size());
-  for (const Element m : job.mounted) {
-    mounted[m] = true;
-  }
-  n.at_start.resize(job.names.size());
-  for (const Element x : job.start) {
-    n.at_start[x] = true;
-  }
-  for (const Element m : job.mounted) {
-    if (!n.at_start[m]) {
-      n.mounting += job.change_costs[m];
-      ++n.mounted_introductions;
-    }
-  }
-  n.degree.resize(job.names.size());
-  n.inner.resize(job.names.size());
-  job.needed.for_each(all_of_them, [&](Element x, Element y) {
-    ++n.degree[x];
-    ++n.degree[y];
-    if (!mounted[x] && !mounted[y]) {
-      ++n.pairs;
-      ++n.inner[x];
-      ++n.inner[y];
-      n.start_pairs += n.at_start[x] && n.at_start[y] ? 1U : 0U;
-    }
-  });
-  for (Element x = 0; x < job.parts(); ++x) {
-    if (!mounted[x]) {
-      n.start += n.at_start[x] ? 1U : 0U;
-      if (n.degree[x] > 0) {
-        n.parts.push_back(x);
-      }
-    }
-  }
-  add_slots(job, mounted, n);
-  n.room = std::min(n.room, clique_bound(job, n.parts));
-  if (job.start.empty() && n.pairs == job.needed.size()) {
-    n.first = std::max<std::uint64_t>(n.first, 2);  // Each needed pair is of two parts of F.
-  } else if (job.start.empty() && !n.parts.empty()) {
-    n.first = std::max<std::uint64_t>(n.first, 1);  // One set-up has all pairs of mounted parts.
-  }
-  return n;
-}
-
-// (1): the most pairs that `tests` steps with `introductions` cover.
-std::uint64_t most_pairs(const Numbers& n, std::uint64_t tests, std::uint64_t introductions) {
-  const auto p = [&](std::uint64_t j) { return choose_two(j) + j * (n.room - j); };
-  std::uint64_t most = 0;
-  for (std::uint64_t j = 0; j <= std::min(n.room, introductions); ++j) {
-    const std::uint64_t kept = std::min(n.start, n.room - j);
-    std::uint64_t pairs = choose_two(j) + j * kept + std::min(choose_two(kept), n.start_pairs);
-    if (tests > 1) {
-      const std::uint64_t rest = std::min(introductions - j, n.room * (tests - 1));
-      const std::uint64_t each = rest / (tests - 1);
-      const std::uint64_t more = rest % (tests - 1);
-      pairs +=
-          more == 0 ? (tests - 1) * p(each) : more * p(each + 1) + (tests - 1 - more) * p(each);
-    }
-    most = std::max(most, pairs);
-  }
-  return most;
-}
-
 // (5): the least that so many introductions of parts of F can cost.
 class IntroductionCosts {
  public:
-  IntroductionCosts(const Job& job, const Numbers& n) {
+  IntroductionCosts(const Job& job, const JobNumbers& n) {
     std::vector<Element> by_cost = n.parts;
     std::stable_sort(by_cost.begin(), by_cost.end(), [&](Element x, Element y) {
       return job.change_costs[x] < job.change_costs[y];
@@ -234,7 +81,7 @@ class IntroductionCosts {
 // (6): the least that the introductions must cost so that all parts meet whom they must.
 class DegreeCosts {
  public:
-  DegreeCosts(const Job& job, const Numbers& n) : numbers_(&n) {
+  DegreeCosts(const Job& job, const JobNumbers& n) : numbers_(&n) {
     const std::uint64_t each = n.room - 1;
     for (const Element x : n.parts) {
       std::uint64_t left = n.inner[x];
@@ -282,7 +129,7 @@ class DegreeCosts {
   // Y of the proof.
   [[nodiscard]] std::uint64_t most_met_by_staying(std::uint64_t tests,
                                                   std::uint64_t introductions) const {
-    const Numbers& n = *numbers_;
+    const JobNumbers& n = *numbers_;
     const auto met = [&](std::uint64_t j) { return j * (n.room - j); };
     std::uint64_t most = 0;
     for (std::uint64_t j = 0; j <= std::min(n.room, introductions); ++j) {
@@ -302,14 +149,14 @@ class DegreeCosts {
     return most;
   }
 
-  const Numbers* numbers_;
+  const JobNumbers* numbers_;
   Amount base_;
   std::uint64_t lacking_ = 0;
   std::vector<Offer> offers_;
 };
 
 // (7): parts of which every two must meet, as many as come together by taking those with most pairs first.
-std::vector<Element> all_meeting(const Job& job, const Numbers& n) {
+std::vector<Element> all_meeting(const Job& job, const JobNumbers& n) {
   if (n.pairs == choose_two(n.parts.size())) {
     return n.parts;
   }
@@ -327,7 +174,7 @@ std::vector<Element> all_meeting(const Job& job, const Numbers& n) {
 }
 
 // (7): of all introductions of parts of F.
-StaysCost least_by_stays(const Job& job, const Numbers& n) {
+StaysCost least_by_stays(const Job& job, const JobNumbers& n) {
   std::vector<Amount> prices;
   std::uint64_t at_start = 0;  // more than K if parts that will stay mounted are not there yet
   for (const Element x : all_meeting(job, n)) {
@@ -356,7 +203,7 @@ struct Least {
   }
 };
 
-Least least_tests(const Job& job, const Numbers& n) {
+Least least_tests(const Job& job, const JobNumbers& n) {
   const bool slots = !job.slots.empty();
   std::vector<std::uint64_t> inner_of_slot(slots ? job.names.size() * n.most.size() : 0, 0);
   if (slots) {
@@ -403,7 +250,7 @@ Least least_tests(const Job& job, const Numbers& n) {
   return tests;
 }
 
-Least least_introductions(const Numbers& n, std::uint64_t once, std::uint64_t by_stays) {
+Least least_introductions(const JobNumbers& n, std::uint64_t once, std::uint64_t by_stays) {
   Least least{0, "none is needed"};
   least.at_least(once, "each part once");
   const std::uint64_t v = n.parts.size();
@@ -425,7 +272,7 @@ Least least_introductions(const Numbers& n, std::uint64_t once, std::uint64_t by
   return least;
 }
 
-// Numbers of tests and of introductions of parts of F that cost least.
+// JobNumbers of tests and of introductions of parts of F that cost least.
 struct Cheapest {
   Amount cost;
   std::uint64_t tests = 0;
@@ -433,7 +280,7 @@ struct Cheapest {
 };
 
 // The least over all numbers that (1) to (4) allow; `seven` is (7). @throws Stopped
-Cheapest cheapest_numbers(const Job& job, const Numbers& n, const IntroductionCosts& costs,
+Cheapest cheapest_numbers(const Job& job, const JobNumbers& n, const IntroductionCosts& costs,
                           Amount seven, std::uint64_t least_tests,
                           std::uint64_t least_introductions) {
   std::optional<DegreeCosts> degrees;
@@ -500,7 +347,7 @@ Amount rounded_up(const Job& job, Amount cost) {
 }
 
 std::optional<DearestParts> dearest_parts_of(const Job& job, Amount& mounting) {
-  const Numbers n = numbers_of(job);
+  const JobNumbers n = numbers_of(job);
   mounting = n.mounting;
   if (n.pairs == 0 || n.room < 2) {
     return std::nullopt;
@@ -569,7 +416,7 @@ CostBound bound_of_valid_job(const Job& job) {
 namespace {
 
 CostBound bound_of_pairs(const Job& job) {
-  const Numbers n = numbers_of(job);
+  const JobNumbers n = numbers_of(job);
   CostBound bound;
   if (job.needed.size() == 0) {
     bound.reason = "nothing is left to test";

@@ -1,0 +1,147 @@
+#include "plan/search/bounds/job_numbers.hpp"
+
+#include <algorithm>
+
+#include "plan/job/pair_numbers.hpp"
+
+namespace changeover {
+namespace {
+
+// Colours of a greedy colouring of the graph of pairs that may meet: no clique is larger.
+std::uint64_t clique_bound(const Job& job, const std::vector<Element>& parts) {
+  std::vector<std::vector<Element>> classes;
+  for (const Element x : parts) {
+    const auto fitting = std::find_if(classes.begin(), classes.end(), [&](const auto& members) {
+      return std::all_of(members.begin(), members.end(),
+                         [&](Element y) { return job.never.contains(x, y); });
+    });
+    if (fitting == classes.end()) {
+      classes.push_back({x});
+    } else {
+      fitting->push_back(x);
+    }
+  }
+  return classes.size();
+}
+
+// How the slots limit the parts of F, and what they need besides.
+void add_slots(const Job& job, const std::vector<bool>& mounted, JobNumbers& n) {
+  const std::size_t slots = job.slots.size();
+  n.slot_of.assign(job.names.size(), static_cast<std::uint32_t>(slots));
+  for (Element x = 0; x < job.slot_of.size(); ++x) {
+    n.slot_of[x] = job.slot_of[x] == no_slot ? n.slot_of[x] : job.slot_of[x];
+  }
+  std::vector<std::vector<Element>> members(slots + 1);  // of F, with a needed pair
+  for (const Element x : n.parts) {
+    members[n.slot_of[x]].push_back(x);
+  }
+  n.most.push_back(0);
+  n.room = job.room() - job.mounted.size();
+  std::uint64_t all = 0;
+  for (std::size_t s = 0; s <= slots; ++s) {
+    std::uint64_t most = clique_bound(job, members[s]);
+    if (s < slots) {
+      std::uint64_t stay = 0;
+      std::uint64_t on_bench = 0;    // of F, with or without a needed pair
+      std::uint64_t idle_there = 0;  // on the bench, without one
+      std::vector<Amount> idle;      // to be mounted, without one
+      for (Element x = 0; x < job.parts(); ++x) {
+        if (n.slot_of[x] != s) {
+          continue;
+        }
+        stay += mounted[x] ? 1U : 0U;
+        on_bench += !mounted[x] && n.at_start[x] ? 1U : 0U;
+        if (!mounted[x] && n.degree[x] == 0) {
+          idle_there += n.at_start[x] ? 1U : 0U;
+          if (!n.at_start[x]) {
+            idle.push_back(job.change_costs[x]);
+          }
+        }
+      }
+      const Slot& slot = job.slots[s];
+      most = std::min(most, slot.most - std::min(slot.most, stay));
+      const std::uint64_t rest = slot.least - std::min(slot.least, stay);
+      const std::uint64_t by_idle = rest - std::min<std::uint64_t>(rest, members[s].size());
+      n.room -= std::min(n.room, by_idle);
+      std::sort(idle.begin(), idle.end());
+      for (std::uint64_t i = idle_there; i < by_idle; ++i) {
+        n.mounting += idle[static_cast<std::size_t>(i - idle_there)];
+        ++n.mounted_introductions;
+      }
+      const std::uint64_t others = idle.size() + on_bench;
+      n.first += rest - std::min(rest, others);
+    }
+    n.most.insert(n.most.end() - 1, most);
+    all += most;
+  }
+  n.most.pop_back();
+  n.room = std::min(n.room, all);
+}
+
+}  // namespace
+
+JobNumbers numbers_of(const Job& job) {
+  JobNumbers n;
+  std::vector<bool> mounted(job.names.size());
+  for (const Element m : job.mounted) {
+    mounted[m] = true;
+  }
+  n.at_start.resize(job.names.size());
+  for (const Element x : job.start) {
+    n.at_start[x] = true;
+  }
+  for (const Element m : job.mounted) {
+    if (!n.at_start[m]) {
+      n.mounting += job.change_costs[m];
+      ++n.mounted_introductions;
+    }
+  }
+  n.degree.resize(job.names.size());
+  n.inner.resize(job.names.size());
+  job.needed.for_each(all_of_them, [&](Element x, Element y) {
+    ++n.degree[x];
+    ++n.degree[y];
+    if (!mounted[x] && !mounted[y]) {
+      ++n.pairs;
+      ++n.inner[x];
+      ++n.inner[y];
+      n.start_pairs += n.at_start[x] && n.at_start[y] ? 1U : 0U;
+    }
+  });
+  for (Element x = 0; x < job.parts(); ++x) {
+    if (!mounted[x]) {
+      n.start += n.at_start[x] ? 1U : 0U;
+      if (n.degree[x] > 0) {
+        n.parts.push_back(x);
+      }
+    }
+  }
+  add_slots(job, mounted, n);
+  n.room = std::min(n.room, clique_bound(job, n.parts));
+  if (job.start.empty() && n.pairs == job.needed.size()) {
+    n.first = std::max<std::uint64_t>(n.first, 2);  // Each needed pair is of two parts of F.
+  } else if (job.start.empty() && !n.parts.empty()) {
+    n.first = std::max<std::uint64_t>(n.first, 1);  // One set-up has all pairs of mounted parts.
+  }
+  return n;
+}
+
+std::uint64_t most_pairs(const JobNumbers& n, std::uint64_t tests, std::uint64_t introductions) {
+  const auto p = [&](std::uint64_t j) { return choose_two(j) + j * (n.room - j); };
+  std::uint64_t most = 0;
+  for (std::uint64_t j = 0; j <= std::min(n.room, introductions); ++j) {
+    const std::uint64_t kept = std::min(n.start, n.room - j);
+    std::uint64_t pairs = choose_two(j) + j * kept + std::min(choose_two(kept), n.start_pairs);
+    if (tests > 1) {
+      const std::uint64_t rest = std::min(introductions - j, n.room * (tests - 1));
+      const std::uint64_t each = rest / (tests - 1);
+      const std::uint64_t more = rest % (tests - 1);
+      pairs +=
+          more == 0 ? (tests - 1) * p(each) : more * p(each + 1) + (tests - 1 - more) * p(each);
+    }
+    most = std::max(most, pairs);
+  }
+  return most;
+}
+
+}  // namespace changeover
