@@ -71,6 +71,9 @@ JobRequest any_request(std::mt19937_64& random) {
                     row.fields.push_back("2.5");
                   } else if (record.shape == RowShape::parts || record.shape == RowShape::slots) {
                     row = {{word(), "12", "3"}};
+                  } else if (record.shape == RowShape::benches) {
+                    constexpr std::size_t columns = 11;
+                    row.fields.resize(columns);
                   } else if (record.shape == RowShape::tests && random() % 2 == 0) {
                     row.result = word();
                   }
