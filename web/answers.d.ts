@@ -28,11 +28,11 @@ export type Job = {
   no_header?: boolean | null;
   /** the column of the parts list that has the change costs, by its head; -: none */
   cost_column?: string | null;
-  /** N parts called 1, …, N instead of a list */
+  /** use N parts named 1 to N */
   items?: number | null;
   /** how many parts fit at once; if not given, as many as the slots hold */
   at_once?: number | null;
-  /** what one test costs, e.g. 12.50 */
+  /** cost of one test */
   test_cost?: (number | string) | null;
   /** what mounting a part costs where the list does not say */
   change_cost?: (number | string) | null;
@@ -87,7 +87,7 @@ export type Job = {
     | null;
   /** test as many pairs as this pays for */
   budget?: (number | string) | null;
-  /** tests already done, a set-up a line or a run sheet (CSV, .xlsx): plan the rest */
+  /** tests already run (one set-up per line, or a run sheet); plans the remaining tests */
   done?:
     | (
         | ((string | number | null)[] | {parts: (string | number | null)[]; result?: string | null})[]
@@ -110,7 +110,7 @@ export type Job = {
   compact?: boolean | null;
   /** exchange parts at random that nothing tells apart */
   shuffle?: number | null;
-  /** which part or pair the results of --done blame, and the one test to run next */
+  /** find the part or pair that explains the failed tests, and the next test to run */
   diagnose?: boolean | null;
   /** the heading of the run sheet */
   title?: string | null;

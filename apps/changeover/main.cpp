@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
   add_paper(program);
   add_loadorder(program);
   add_serve(program);
-  program.add_group("catalog", "designs that are known: shown, added, exchanged, improved");
+  program.add_group("catalog", "browse and extend the catalog of known designs");
   add_catalog_show(program);
   add_catalog_list(program);
   add_catalog_history(program);

@@ -1,4 +1,4 @@
-// Plans: a request as a document in, and what came of it as documents out.
+// Plans: a request as a document in, and its answer as documents out.
 #include "bind.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"

@@ -1,4 +1,4 @@
-// changeover verify FILE: is it a change covering design, and how good.
+// changeover verify FILE: checks a design and reports its quality.
 #include "changeover/verify/verdict.hpp"
 
 #include <fmt/format.h>
@@ -157,7 +157,7 @@ Answer run(const VerifyRequest& request) {
 
 void add_verify(Program& program) {
   auto [verb, request] =
-      program.add<VerifyRequest>("verify", "is it a change covering design, and how good", run);
+      program.add<VerifyRequest>("verify", "check a design and report its quality", run);
   verb.positional("FILE", request.path, "text, JSON, CSV, GAP, Sage or XML; - is standard input");
   verb.option("-v", request.declared.v, "V", "number of elements, if the file does not say");
   verb.option("-k", request.declared.k, "K", "elements in a block");

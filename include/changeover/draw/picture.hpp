@@ -46,7 +46,7 @@ class Paint {
 
   Paint(Role role = Role::none) : role_(role) {}  // NOLINT(google-explicit-constructor)
 
-  /// One of seven that can be told apart; from the eighth on they begin anew (and ask for dashes).
+  /// One of seven that can be told apart; from the eighth on the seven repeat (add dashes).
   [[nodiscard]] static Paint series(std::size_t index);
   static constexpr std::size_t series_length = 7;
 

@@ -75,7 +75,7 @@ def unless_over(over: Callable[[], bool]) -> Callable[[Dict[str, Any]], None]:
 
 
 class Bag:
-    """`take(arguments, result)` is given what came of each part, and may put more parts into the
+    """`take(arguments, result)` is given the outcome of each part, and may put more parts into the
     bag; `is_over` ends it before all are done."""
 
     def __init__(self, take: Callable[[Dict[str, Any], Any], None],

@@ -37,7 +37,7 @@ class Flight(NamedTuple):
 
 
 class Deliver(Protocol):
-    """Takes what came of a stretch; returns how many pairs are settled, the first ones."""
+    """Takes the outcome of a stretch; returns how many pairs are settled, the first ones."""
 
     def __call__(self, stretch: Stretch, worker: str, outcome: Outcome) -> int: ...
 

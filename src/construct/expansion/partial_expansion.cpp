@@ -48,7 +48,7 @@ void check_fit(const Parameters& p, std::uint64_t w) {
     refuse(fmt::format("v + w = {} + {} is too large", p.v, w));
   }
   if (w < p.change && p.v < p.k + 2 * p.change - w) {
-    refuse(fmt::format("w = {} < m needs v >= k + 2m - w = {}: nothing else can come beside", w,
+    refuse(fmt::format("w = {} < m needs v >= k + 2m - w = {}: no other element fits", w,
                        p.k + 2 * p.change - w));
   }
 }

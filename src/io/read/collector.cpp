@@ -49,7 +49,7 @@ std::optional<std::string> Collector::end_block() {
   return std::nullopt;
 }
 
-// Decides what the words mean and replaces them by elements.
+// Decides whether the words are numbers or names, and replaces them by elements.
 void Collector::settle(const Context& context) {
   const std::vector<std::string>& words = table_.words();
   const auto fail_at_word = [&](std::size_t which, const std::string& what) {

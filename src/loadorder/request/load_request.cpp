@@ -243,7 +243,7 @@ void check_together(const LoadRequest& request, Door door) {
                     key("room", door), items / *request.workers));
   }
   if ((request.disjoint || request.fast_room) && items > max_elements_in_memory) {
-    refuse(fmt::format("{}: at most {} items; make items larger",
+    refuse(fmt::format("{}: at most {} items; group items into larger ones",
                        key(request.disjoint ? "disjoint" : "fast_room", door),
                        max_elements_in_memory));
   }

@@ -406,7 +406,7 @@ AllPairsReport run(ItemSource& source, const LoadOrder& order, const WorkerSplit
                                source.item_count(), facts.items));
   }
   if (facts.items > max_elements_in_memory && facts.wanted.graph() == nullptr) {
-    throw ImpossibleParameters(fmt::format("{} items: a job has at most {}; make items larger",
+    throw ImpossibleParameters(fmt::format("{} items: a job has at most {}; group items into larger ones",
                                            facts.items, max_elements_in_memory));
   }
   if (options.threads > most_job_threads || options.readers > most_job_threads) {

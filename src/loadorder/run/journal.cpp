@@ -136,7 +136,7 @@ void Journal::open_locked() {
       if (errno != EWOULDBLOCK) {
         refuse(path_, "the journal cannot be locked");
       }
-      throw MissingResource(path_ + ": another process writes this file; wait for its end");
+      throw MissingResource(path_ + ": another process writes this file; wait until it finishes");
     }
     struct stat named {};
     if (::stat(path_.c_str(), &named) == 0 && named.st_ino == mine.st_ino &&
@@ -198,7 +198,7 @@ void Journal::check_head(const std::string& found, const std::vector<JournalFiel
   }
   throw BadInput(
       fmt::format("{}: is the journal of another job, which differs in: {}; name another file, or "
-                  "remove this one to begin anew",
+                  "remove this one to restart from the beginning",
                   path_, differs));
 }
 

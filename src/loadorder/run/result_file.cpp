@@ -115,7 +115,7 @@ void ResultFile::lock(const ResultsClaim& claim) const {
         refuse("cannot be locked");
       }
       throw MissingResource(
-          fmt::format("{}: another process computes share {} of {} of this job; wait for its end",
+          fmt::format("{}: another process computes share {} of {} of this job; wait until it finishes",
                       path_, claim.share.index, claim.share.of));
     }
     struct flock none = range(F_UNLCK, mine, 1);
@@ -123,7 +123,7 @@ void ResultFile::lock(const ResultsClaim& claim) const {
     // Differently long for different jobs.
     std::this_thread::sleep_for(std::chrono::milliseconds(1 + chosen % 16));
   }
-  throw MissingResource(path_ + ": another job writes its results there; wait for its end");
+  throw MissingResource(path_ + ": another job writes its results there; wait until it finishes");
 }
 
 void ResultFile::reserve(std::uint64_t bytes) const {

@@ -298,7 +298,7 @@ class UpdateJob {
     if (items.checksum() != journal.records().back().results) {
       throw BadInput(fmt::format(
           "{}: with {} it is not what the journal recorded after step {}: something else has "
-          "changed it; restore both, or begin anew with the data of the beginning",
+          "changed it; restore both, or restart from the original data",
           options_.data, beside_, report_.steps_done));
     }
     pool.run(steps_.size(), [&](std::size_t w) {

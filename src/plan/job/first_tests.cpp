@@ -89,7 +89,7 @@ DoneList read_first_list(Input& input, const PartNames& names, std::uint64_t at_
     *gone = list.gone;
   }
   if (list.setups.empty()) {
-    fail(input.name(), {}, "no set-up is listed; write the parts of a set-up a line");
+    fail(input.name(), {}, "no set-up is listed; write one set-up per line");
   }
   return list;
 }

@@ -81,7 +81,7 @@ class Words {
 
   [[noreturn]] void damaged() const {
     throw BadInput(fmt::format(
-        "{}: the checkpoint is damaged; remove it to begin anew, or name another file", path_));
+        "{}: the checkpoint is damaged; remove it to restart, or name another file", path_));
   }
 
  private:

@@ -55,7 +55,7 @@ TEST(Journal, SaysWhatIsAnother) {
   EXPECT_NE(
       complaint(job("sums", "4, even in loads"))
           .find("differs in: shares, there '4', now '4, even in loads'; name another file, or "
-                "remove this one to begin anew"),
+                "remove this one to restart from the beginning"),
       std::string::npos)
       << complaint(job("sums", "4, even in loads"));
   { Journal(folder.file("even"), job("sums", "4, even in loads"), 20).begin(); }

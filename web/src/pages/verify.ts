@@ -336,7 +336,7 @@ async function render(view: View): Promise<void> {
     h(
       'p',
       {},
-      'Is a list of blocks a change covering design, and how good? Every pair of elements must be in some block, and every step from a block to the next must change exactly m elements.',
+      'Check a list of blocks and see its quality as a change covering design. Every pair of elements must be in some block, and every step from a block to the next must change exactly m elements.',
     ),
     h(
       'p',

@@ -24,7 +24,7 @@ export class Choice {
     signal.addEventListener('abort', () => this.listeners.delete(listener));
   }
 
-  /** A first element, a second to it; one that is chosen already goes; a third begins anew. */
+  /** A first element, a second to it; one that is chosen already goes; a third starts again. */
   toggle(x: number): void {
     this.choose(this.elements.includes(x) ? this.elements.filter((each) => each !== x) : this.elements.length === 2 ? [x] : [...this.elements, x]);
   }

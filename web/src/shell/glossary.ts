@@ -1,4 +1,4 @@
-// What the words mean: one list, a click away on every page.
+// The glossary: one list, a click away on every page.
 import { fill, h } from '../lib/dom';
 import { mathText } from '../lib/mathematics';
 import { glossary } from '../lib/terms';

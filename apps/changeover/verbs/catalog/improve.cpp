@@ -1,4 +1,4 @@
-// changeover catalog improve, submit: searches where the catalog is weakest, and what came of it for others.
+// changeover catalog improve, submit: searches where the catalog is weakest, and the results as a file for others.
 #include <fmt/format.h>
 
 #include "answer/answer.hpp"

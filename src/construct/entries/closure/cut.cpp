@@ -77,7 +77,7 @@ class CutSource final : public BlockSource {
   std::unique_ptr<BlockSource> source_;
   std::uint64_t at_;
   bool started_ = false;     // the first `at` blocks were skipped
-  bool wrapped_ = false;     // the source began anew
+  bool wrapped_ = false;     // the source started again
   std::uint64_t again_ = 0;  // blocks read since
 };
 

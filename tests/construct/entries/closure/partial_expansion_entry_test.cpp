@@ -205,7 +205,7 @@ TEST(PartialExpansionEntry, RefusesSpoiltRecipes) {
   expect_spoilt_recipes_refused(circular(12, 4, 1)->recipe);
   Recipe few{std::string(own), {7, 4, 2, Kind::circular, 2}, {{"w", 1}}, {}, {}};
   few.inputs.push_back(offer_of("doubling", {6, 4, 2, Kind::circular, 2})->recipe);
-  expect_refused(few, "nothing can come beside");
+  expect_refused(few, "no other element fits");
 }
 
 TEST(PartialExpansionEntry, ExplainsItself) {
