@@ -81,7 +81,7 @@ static _Noreturn void stop(int code, const struct place* at, const char* format,
 
 enum { V, K, CHANGE, STRENGTH, KIND, PARAMETERS };
 enum { LINEAR = 1, CIRCULAR = 2 };
-enum source { NOBODY, COMMAND, HEADER };
+enum source { NONE, COMMAND, HEADER };
 static const char* const key[PARAMETERS] = {"v", "k", "change", "strength", "kind"};
 static const char* const range[PARAMETERS] = {"1 to 65535", "1 to 65535", "1 to 65535", "1 to 4",
                                               "linear or circular"};
@@ -108,7 +108,7 @@ static void give(int p, const char* text, enum source by, const struct place* at
   if (p == KIND && strcmp(text, "circular") == 0) n = CIRCULAR;
   if (n < 1 || n > most[p]) stop(code, at, "bad value %s for %s; give %s", text, key[p], range[p]);
   if (given_by[p] == by) stop(code, at, "%s is given twice; give it once", key[p]);
-  if (given_by[p] == NOBODY) {
+  if (given_by[p] == NONE) {
     value[p] = (unsigned)n;
     given_by[p] = by;
   }
@@ -195,7 +195,7 @@ static unsigned element(bool may_be_new) {
 /* With v given: numbers, if there is nothing else, must be below v, and there
  * must be at most v names. */
 static void check_names(void) {
-  for (unsigned id = 0; id < names && !have_labels && given_by[V] != NOBODY; id++) {
+  for (unsigned id = 0; id < names && !have_labels && given_by[V] != NONE; id++) {
     if (all_numbers && number(name[id]) >= (long)value[V])
       stop(BAD_INPUT, &met_at[id], "element %s is not below v = %u; count from 0 or change v",
            name[id], value[V]);
@@ -382,7 +382,7 @@ static void add_to_block(void) {
  * it cannot be larger; no list of blocks would do, so that is no verdict. */
 static void check_parameters(void) {
   static const struct place top = {1, 1};
-  if (given_by[CHANGE] == NOBODY && value[K] < 2) value[CHANGE] = 1;
+  if (given_by[CHANGE] == NONE && value[K] < 2) value[CHANGE] = 1;
   for (int p = CHANGE; p <= STRENGTH; p++)
     if (value[p] > value[K])
       stop(given_by[p] == COMMAND ? USAGE : BAD_INPUT, given_by[p] == COMMAND ? NULL : &top,
@@ -443,7 +443,7 @@ static void read_comment(bool alone) {
 static void begin_first_block(void) {
   if (word_at.line == 1 && word_at.column == 1 && strncmp(word, "\xEF\xBB\xBF", 3) == 0)
     stop(BAD_INPUT, &word_at, "byte order mark; save the file without it");
-  if (have_labels && given_by[V] != NOBODY && value[V] != names)
+  if (have_labels && given_by[V] != NONE && value[V] != names)
     stop(BAD_INPUT, &word_at, "%u labels but v = %u; correct one", names, value[V]);
   if (have_labels) value[V] = names;
 }
@@ -477,7 +477,7 @@ static unsigned order[MAX_ELEMENTS]; /* the ids in the order of the report */
 /* With v given, numbers are in the order 0, ..., v - 1 and those never met get
  * their names here.  Everything else is in the order in which it was met. */
 static void make_order(void) {
-  bool numbers = all_numbers && !have_labels && given_by[V] != NOBODY;
+  bool numbers = all_numbers && !have_labels && given_by[V] != NONE;
   for (unsigned n = 0; n < value[V]; n++) {
     word_length = (size_t)snprintf(word, sizeof word, "%u", n);
     order[n] = numbers ? element(true) : n;

@@ -229,7 +229,7 @@ def main() -> None:
     settle_theme(out)
     if not arguments.without_cpp:
         build_cpp(build, scratch / "cpp", out / "cpp")
-    for leftover in (".buildinfo", "objects.inv"):  # Nobody reads them here.
+    for leftover in (".buildinfo", "objects.inv"):  # They are not used here.
         (out / leftover).unlink(missing_ok=True)
     print(f"the site: {out}/index.html")
 

@@ -99,7 +99,7 @@ def _made_again(kind: Any, *state: Any) -> Any:
 
 
 def _own(value: Any) -> Any:
-    """A copy for whoever may change it."""
+    """A copy that the caller may change."""
     if isinstance(value, list):
         return [_own(each) for each in value]
     return {key: _own(each) for key, each in value.items()} if isinstance(value, dict) else value
@@ -191,7 +191,7 @@ def _fitted(wanted: Any, value: Any) -> Any:
         return value
     try:
         return reader(value)
-    except Exception:  # Of whoever wrote the value.
+    except Exception:  # Whatever the class of the value raises.
         is_text = isinstance(value, str) and reader is _text
         raise _Misfit(words + " that can be written as UTF-8" if is_text else words)
 

@@ -84,7 +84,7 @@ py::tuple next_full(FullSteps& self) {
                         step.late);
 }
 
-// Reads all steps on a thread of its own; whoever lets go of it stops that.
+// Reads all steps on a thread of its own; destroying it stops that.
 class Check {
  public:
   explicit Check(std::shared_ptr<const LoadsAnswer> answer)

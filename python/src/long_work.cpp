@@ -81,8 +81,8 @@ class AllWork {
     changed_.notify_all();
   }
 
-  // Then threads that nobody waits for do not work any more. The thread that ends Python does, and those that it starts and waits
-  // for: what is registered to be done at the end.
+  // Then threads that are not waited for do not work any more. The thread that ends Python does,
+  // and those that it starts and waits for: what is registered to be done at the end.
   void sleep_if_python_ends() {
     {
       const std::lock_guard lock(mutex_);

@@ -33,7 +33,7 @@ def compute(i, j, first, second):
 
 
 class Workers:
-    """Worker processes without a nanny; whoever is killed is replaced."""
+    """Worker processes without a nanny; a killed one is replaced."""
 
     def __init__(self, address, folder):
         self.command = [sys.executable, "-m", "distributed.cli.dask_worker", address, "--no-nanny",

@@ -147,7 +147,7 @@ enum class Need : std::uint8_t { blocks, expansion_set };
 /// The offer to build upon: of all constructions but `asking`, the one with the fewest blocks; ties
 /// go to a tight one, then to one with an expansion set, then to the smaller recipe, then by name.
 ///
-/// @note So that offers end, whoever asks must ask for fewer elements or, as cut does, for a
+/// @note So that offers end, an entry that asks must ask for fewer elements or, as cut does, for a
 /// circular design where a linear one is wanted.
 [[nodiscard]] std::optional<Offer> best_input(const Parameters& p, Need need,
                                               const Construction& asking, const Registry& registry);

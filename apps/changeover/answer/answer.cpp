@@ -59,7 +59,7 @@ void deliver_precious(const std::string& path, const Write& write) {
     write_file(path, write);
     return;
   } catch (const ReaderGone& failure) {
-    leave_with_the_reader();  // Nobody wants it, unless the parent said not to end for that.
+    leave_with_the_reader();  // No reader is left, unless the parent said not to end for that.
     fault = failure.what();
   } catch (const MissingResource& failure) {
     fault = failure.what();

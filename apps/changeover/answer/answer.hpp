@@ -30,8 +30,8 @@ namespace changeover::cli {
 struct Answer {
   int code = exit_code::done;
   OutputRequest output = {};
-  /// Writes all of it and does not commit; it may be called again, for another file, and then starts again. If it
-  /// is empty, another process of the team speaks.
+  /// Writes all of it and does not commit; it may be called again, for another file, and then
+  /// starts from the beginning. If it is empty, another process of the team speaks.
   std::function<void(OutputFile&)> write = {};
   /// What was done for good before the answer is written: said if it cannot be written, in one line
   /// with why.

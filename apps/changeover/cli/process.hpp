@@ -4,8 +4,8 @@
 namespace changeover::cli {
 
 /// Call it first. A closed standard stream gets a descriptor that cannot be used, so that no file takes its
-/// number; a write to a pipe that nobody reads, or beyond the limit on the size of files, fails instead of
-/// ending the process.
+/// number; a write to a pipe without a reader, or beyond the limit on the size of files, fails
+/// instead of ending the process.
 void prepare_process();
 
 /// The reader of standard output left: ends the process as it would have ended without prepare_process(), by

@@ -30,7 +30,7 @@ std::size_t distance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
-  constexpr std::size_t longest = 40;  // Nobody misspells more.
+  constexpr std::size_t longest = 40;  // A longer word is no misspelling.
   if (word.size() > longest) {
     return {};
   }

@@ -55,7 +55,7 @@ struct ParameterRequest {
   [[nodiscard]] std::vector<Parameters> of_each_kind(const std::string& v_typed,
                                                      const std::string& k_typed) const;
 
-  /// As they are declared to whoever reads a design. @throws UsageError.
+  /// As they are declared to the reader of a design. @throws UsageError.
   [[nodiscard]] ReadOptions reading() const;
 };
 

@@ -27,8 +27,8 @@ std::atomic<std::int64_t> first_asked = 0;  // milliseconds of the monotonic clo
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 static_assert(std::atomic<std::int64_t>::is_always_lock_free, "a signal handler sets it");
 
-// The first signal asks, the next one ends the process: unless it is the same once more, for whoever stops
-// a process and then its whole group (timeout does) signals it twice.
+// The first signal asks, the next one ends the process: unless it is the same once more, for a
+// program that stops a process and then its whole group (timeout does) signals it twice.
 void ask_to_stop(int signal) {
   constexpr std::int64_t at_once = 200;
   timespec time{};

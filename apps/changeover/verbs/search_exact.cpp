@@ -282,7 +282,7 @@ std::string file_name(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-// For whoever finds the proofs without the program: what each file says and how to check it.
+// For readers who find the proofs without the program: what each file says and how to check it.
 void explain_proofs(const ExactSearch& request, const MinimumResult& result) {
   const Parameters& p = result.parameters;
   std::string files;

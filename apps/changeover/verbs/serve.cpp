@@ -80,7 +80,7 @@ class SignalsWaitedFor {
 void open_browser(const std::string& address, const sigset_t& signals) {
   const pid_t child = ::fork();
   if (child == 0) {
-    // Its child is nobody's to wait for.
+    // A child of this child leaves no zombie.
     if (::fork() != 0) {
       ::_exit(0);
     }
@@ -157,7 +157,7 @@ Answer run(const ServeRequest& request) {
   auto server = std::make_unique<serve::ExplorerServer>(std::move(settings), catalog);
   if (!server->is_local()) {
     status_line().say(fmt::format(
-        "changeover: --host {}: others on the network can reach this server, and whoever has the "
+        "changeover: --host {}: others on the network can reach this server, and anyone with the "
         "token of the address can start searches and add to your catalog",
         printable(request.host)));
   }

@@ -180,7 +180,8 @@ struct CircleFigure {
 // Each square is a rectangle of class "cell" with data-v and data-k and a title that says in words what is known. Colour
 // is never alone: what it cannot say is a sign in the square (= minimum, ? open, - none exists).
 
-/// What a colour shows: blocks over the lower bound as a ratio, the status, blocks less the lower bound.
+/// What a colour shows: blocks over the lower bound as a ratio, the status, blocks less the lower
+/// bound.
 enum class HeatMeasure : std::uint8_t { ratio, status, gap };
 
 /// "ratio", "status" or "gap".

@@ -153,7 +153,7 @@ class ResultFile {
   void read(void* bytes, std::size_t count, std::uint64_t offset) const;
 
   /// Waits for the disk. @throws MissingResource if the system refuses, or if the path no longer
-  /// names this file or somebody has changed its size: then the results would be lost without a
+  /// names this file or its size was changed: then the results would be lost without a
   /// word.
   void sync() const;
 

@@ -33,8 +33,8 @@
 // *Certificate.* For P ≤ `read_up_to` every step is read before plan_load_order() returns
 // (loadorder/schedule.hpp): C(P,2) bits of memory. For more items the streamed order is taken and
 // certified by its structure: the differences of its base blocks (verify/difference.hpp) and the
-// argument of docs/loadorder.md; facts().certificate says which. Whoever streams such an order can
-// have it audited on the way (ScheduleCheck).
+// argument of docs/loadorder.md; facts().certificate says which. A caller that streams such an
+// order can have it audited on the way (ScheduleCheck).
 #pragma once
 
 #include <cstdint>

@@ -255,7 +255,8 @@ void drop_needed(Job& job, const PairSet& pairs);
 /// @throws BadInput with the first of defects() and how many more there are.
 void check(const Job& job);
 
-/// A job in which check() found nothing. Nothing else makes one, so whoever gets it need not look again.
+/// A job in which check() found nothing. Nothing else makes one, so a function that takes it need
+/// not check again.
 class CheckedJob {
  public:
   /// Without parts: nothing has to meet.
@@ -387,7 +388,7 @@ struct PartList {
 
 /// The parts in the order of their rows.
 /// @throws BadInput for no part, an empty or repeated name, a cost that is none, too many fields, a first row
-/// of which nobody can say whether it is a header; MissingResource if reading fails.
+/// that may or may not be a header; MissingResource if reading fails.
 [[nodiscard]] PartList read_parts(Input& input, Header header = Header::guessed);
 [[nodiscard]] PartList read_parts(Input& input, const PartListOptions& options);
 

@@ -4,10 +4,11 @@
 //
 // Take the stays of a linear single-change design in the order in which they begin, without those of some elements.
 // The first k different elements make a block; after that each stay's element enters for one whose own stay has ended, of
-// those the one that comes back last; if it is still there, no block is made at all. Such an element there always is: whoever's
-// stay has not ended was in a block with the one that enters, so these are at most k−1. And nothing is
-// lost: who was together in a block still is, since the later of the two stays begins while the earlier one lasts. Other elements stay
-// longer than they did, so the stays of those elements are saved, and sometimes more.
+// those the one that comes back last; if it is still there, no block is made at all. Such an
+// element there always is: an element whose stay has not ended was in a block with the one that
+// enters, so these are at most k−1. And nothing is lost: elements that were together in a block
+// still are, since the later of the two stays begins while the earlier one lasts. Other elements
+// stay longer than they did, so the stays of those elements are saved, and sometimes more.
 #pragma once
 
 #include <optional>

@@ -91,7 +91,7 @@ class LegsOfWindows : public SwapPlan {
   Kind kind_;
 };
 
-/// Legs in which 0, …, r−1 are left out and others hold their places in the windows: nobody does
+/// Legs in which 0, …, r−1 are left out and others hold their places in the windows: none does
 /// at the window that the linear list begins after, that of K+r−1, and r, …, K+r−1 are there at
 /// the end of window −1. Element x is number x−r.
 class LegsWithHeldPlaces : public LegsOfWindows {

@@ -256,8 +256,8 @@ LoadOrder plan_disjoint_order(std::uint64_t items, std::uint64_t room, std::uint
   }
   if (items > max_elements_in_memory) {
     throw ImpossibleParameters(
-        fmt::format("{} items: disjoint workers have at most {}; group items into larger ones", items,
-                    max_elements_in_memory));
+        fmt::format("{} items: disjoint workers have at most {}; group items into larger ones",
+                    items, max_elements_in_memory));
   }
   const WorkerMaker worker = best_steps(facts, options);
   LoadOrder::Maker maker = [worker, workers] {

@@ -129,7 +129,7 @@ class Growth {
     return best;
   }
 
-  // The most pairs that anybody would bring to w after `out` has gone for `in`.
+  // The most pairs that any item would bring to w after `out` has gone for `in`.
   [[nodiscard]] std::uint64_t gain_afterwards(std::uint32_t w, Element out, Element in) const {
     std::uint32_t most = 0;
     const std::uint8_t* gone = &open_[out * items_];

@@ -194,7 +194,7 @@ void MetPairs::watch(const CheckOptions& options) {
   met_.assign(watched_.size(), std::vector<bool>(static_cast<std::size_t>(items_), false));
 }
 
-// Pairs that nobody wants are not missed. Where sets are wanted, an item has at most two runs of
+// Pairs that are not wanted are not missed. Where sets are wanted, an item has at most two runs of
 // others.
 void MetPairs::leave_out_unwanted() {
   for (Element x = 1; x < items_; ++x) {

@@ -135,7 +135,7 @@ class StepWork::State {
     }
   }
 
-  // What was changed and goes, before anybody loads.
+  // What was changed and goes, before any worker loads.
   void store() {
     for (Step& step : made_) {
       step.store.clear();

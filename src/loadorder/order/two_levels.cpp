@@ -412,8 +412,9 @@ LoadOrder plan_two_levels(std::uint64_t items, std::uint64_t room, std::uint64_t
         fast_room, room));
   }
   if (items > max_elements_in_memory) {
-    throw ImpossibleParameters(fmt::format(
-        "{} items: two levels have at most {}; group items into larger ones", items, max_elements_in_memory));
+    throw ImpossibleParameters(
+        fmt::format("{} items: two levels have at most {}; group items into larger ones", items,
+                    max_elements_in_memory));
   }
   // As many as take no more than some seconds.
   constexpr std::uint64_t most_work = 30'000'000;

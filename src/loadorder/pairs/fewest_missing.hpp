@@ -1,8 +1,9 @@
 // Internal: an order of closing items that knows how much fits into memory.
 //
 // What is in memory and lacks the fewest partners is closed next: they are loaded, one after another. What has not met
-// anything for longest goes. If nothing in memory lacks anybody, what lacks the fewest of what went goes on, and at
-// last the next one of `roots`. The loads themselves are of no use: with the order known, Closing evicts better.
+// anything for longest goes. If nothing in memory lacks a partner, what lacks the fewest of what
+// went goes on, and at last the next one of `roots`. The loads themselves are of no use: with the
+// order known, Closing evicts better.
 #pragma once
 
 #include <cstdint>

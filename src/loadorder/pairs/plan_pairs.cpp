@@ -122,8 +122,8 @@ class ListSearch {
     }
   }
 
-  // Of a search that goes on until it is stopped: whether it is. Otherwise whoever asked for all of
-  // this may stop it.
+  // Of a search that goes on until it is stopped: whether it is. Otherwise the caller
+  // may stop it.
   bool in_a_hurry() const {
     if (!until_stopped_) {
       stop_if_asked();

@@ -61,7 +61,7 @@ std::optional<std::string> as_number(std::string_view word) {
   return negative && number != "0" ? '-' + number : number;
 }
 
-/// "0 1": whoever wrote it meant two items, and not one of this name.
+/// "0 1": its author meant two items, and not one of this name.
 bool are_numbers(std::string_view text) {
   if (text.find(' ') == std::string_view::npos) {
     return false;
@@ -76,8 +76,8 @@ bool are_numbers(std::string_view text) {
   return true;
 }
 
-/// A character that nobody sees and that makes another name of a name, as in "U+200B"; nothing if there is none. `word`
-/// is UTF-8.
+/// An invisible character that makes another name of a name, as in "U+200B"; nothing if there is
+/// none. `word` is UTF-8.
 std::optional<std::string> invisible_character(std::string_view word) {
   constexpr auto ranges = std::to_array<std::pair<char32_t, char32_t>>({{0xA0, 0xA0},
                                                                         {0xAD, 0xAD},

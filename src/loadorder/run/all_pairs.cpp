@@ -406,8 +406,9 @@ AllPairsReport run(ItemSource& source, const LoadOrder& order, const WorkerSplit
                                source.item_count(), facts.items));
   }
   if (facts.items > max_elements_in_memory && facts.wanted.graph() == nullptr) {
-    throw ImpossibleParameters(fmt::format("{} items: a job has at most {}; group items into larger ones",
-                                           facts.items, max_elements_in_memory));
+    throw ImpossibleParameters(
+        fmt::format("{} items: a job has at most {}; group items into larger ones", facts.items,
+                    max_elements_in_memory));
   }
   if (options.threads > most_job_threads || options.readers > most_job_threads) {
     throw BadInput(fmt::format("{} threads and {} readers: give at most {} of each",

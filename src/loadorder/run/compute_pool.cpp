@@ -68,7 +68,7 @@ void ComputePool::run(std::size_t count, const std::function<void(std::size_t)>&
     const std::lock_guard lock(mutex_);
     next_ = 0;
     fault_ = nullptr;
-    // One task needs nobody else.
+    // One task needs no other thread.
     if (count > 1 && !threads_.empty()) {
       task_ = &task;
       count_ = count;

@@ -61,7 +61,7 @@ void Reader::serve() {
       index = queue_.front();
       queue_.pop_front();
     }
-    // Nobody else touches a slot that is on its way.
+    // No other thread touches a slot that is on its way.
     Slot& slot = slots_[index];
     try {
       slot.bytes = source_->read(slot.item, {slot.place, capacity_});

@@ -114,9 +114,9 @@ void ResultFile::lock(const ResultsClaim& claim) const {
       if (errno != EAGAIN && errno != EACCES) {
         refuse("cannot be locked");
       }
-      throw MissingResource(
-          fmt::format("{}: another process computes share {} of {} of this job; wait until it finishes",
-                      path_, claim.share.index, claim.share.of));
+      throw MissingResource(fmt::format(
+          "{}: another process computes share {} of {} of this job; wait until it finishes", path_,
+          claim.share.index, claim.share.of));
     }
     struct flock none = range(F_UNLCK, mine, 1);
     static_cast<void>(::fcntl(file_, F_OFD_SETLK, &none));

@@ -137,7 +137,7 @@ class UpdateJob {
     }
     check_beside(journal);
     // What is refused is not touched: a journal whose last lines do not count keeps them until the items are known to be those of the
-    // line before. A new one comes before its second file, which without it would be nobody's.
+    // line before. A new one comes before its second file, which without it would belong to no job.
     const bool goes_on = !journal.records().empty();
     if (!goes_on) {
       journal.begin();

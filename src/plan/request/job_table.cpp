@@ -158,7 +158,8 @@ std::vector<RequestOption<R>> options() {
             .kind = K::list,
             .value = "FILE",
             .help =
-                "tests already run (one set-up per line, or a run sheet); plans the remaining tests",
+                "tests already run (one set-up per line, or a run sheet); plans the remaining "
+                "tests",
             .shape = RowShape::tests},
            &R::done},
           {{.key = "done_first",
@@ -230,7 +231,8 @@ std::vector<RequestOption<R>> options() {
            &R::shuffle},
           {{.key = "diagnose",
             .flags = "--diagnose",
-            .help = "find the part or pair that explains the failed tests, and the next test to run",
+            .help =
+                "find the part or pair that explains the failed tests, and the next test to run",
             .not_in_python = "a run sheet has the method diagnose()"},
            &R::diagnose},
           {{.key = "title",

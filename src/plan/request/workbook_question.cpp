@@ -271,7 +271,7 @@ bool is_as_written(const Book& book, const std::string& name, const Table& table
   return !sheet.next();
 }
 
-// Takes the lists that someone changed on the sheets of a workbook since it was written for a job.
+// Takes the lists that the user changed on the sheets of a workbook since it was written for a job.
 void take_changed_sheets(JobRequest& request, JobRequest& question, const Book& book,
                          const Job& job, std::vector<std::string>& notes) {
   if (job.model != nullptr) {

@@ -199,7 +199,7 @@ class Planner {
     return {all / much < steps ? 4 * all : steps, each_thread_one};
   }
 
-  // Whether a search that nobody gave a time has gone on for long enough.
+  // Whether a search without a given time has gone on for long enough.
   [[nodiscard]] bool enough(const RunPlan& plan, Amount now, unsigned round, unsigned idle,
                             bool many) const {
     constexpr std::uint64_t small_gap = 100;  // one in so many

@@ -2,7 +2,7 @@
 //
 // The trees are cut into prefixes, some hundreds a case however many threads there are. A thread takes one
 // prefix after another, judges what it finds, and hands it out when its turn comes: prefix by prefix from
-// left to right, so that nobody can see from the outcome how many threads there were.
+// left to right, so that the outcome does not depend on the number of threads.
 #pragma once
 
 #include <functional>

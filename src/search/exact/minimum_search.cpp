@@ -82,7 +82,7 @@ void look_above(MinimumResult& result, const MinimumOptions& options, RunControl
     try {
       result.steps.push_back(decide_by(options, quick, result.parameters, b, control));
     } catch (const MissingResource&) {
-      return;  // nobody asked for this number
+      return;  // this number was not asked for
     }
     if (result.steps.back().outcome == Outcome::found) {
       result.best = result.steps.back().design;

@@ -18,8 +18,8 @@
 // these parameters can have.
 //
 // One search at a time works with a file: CheckpointFile locks it as long as it lives, by the lock of the
-// system on FILE.lock, which ends with the process however that ends. What somebody else puts into the place of
-// the file meanwhile is read before it would be replaced.
+// system on FILE.lock, which ends with the process however that ends. What another process puts
+// into the place of the file meanwhile is read before it would be replaced.
 #pragma once
 
 #include <array>

@@ -499,8 +499,8 @@ class Improver {
                                                 options_.checkpoint_interval);
   }
 
-  // Somebody may have put another checkpoint there, a better one: it is not lost. What is none is not
-  // replaced.
+  // Another process may have put another checkpoint there, a better one: it is not lost. What is
+  // none is not replaced.
   void keep_what_others_found() {
     if (!file_->was_replaced()) {
       return;

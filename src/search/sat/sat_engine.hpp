@@ -41,7 +41,7 @@ class SatEngine {
   void set(const char* option, int value);
   /// Likewise: counts conflicts, which the solver does not tell, by the clauses that it learns.
   void count_conflicts();
-  /// Likewise: writes a DRAT proof in text. Nobody looks whether that succeeds.
+  /// Likewise: writes a DRAT proof in text. It is not checked whether that succeeds.
   void trace_proof(std::FILE* file, const std::string& name);
   void close_proof();
 

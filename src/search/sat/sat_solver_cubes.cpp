@@ -58,7 +58,7 @@ class Lookahead {
   }
 
  private:
-  // An exception leaves the counters in disorder; nobody looks at them any more.
+  // An exception leaves the counters in disorder; they are not read any more.
   void ask_now_and_then() {
     constexpr unsigned often = 1024;
     if (++steps_ % often == 0) {

@@ -1,6 +1,6 @@
 // What the server tells by itself: one stream for the window, whichever pages listen.
 //
-// The stream is open while somebody listens and the window is seen (a browser has few connections for one server), and is
+// The stream is open while something listens and the window is seen (a browser has few connections for one server), and is
 // opened again with growing pauses when it breaks. After each opening listeners hear 'open', so that they ask for what they missed.
 import type { SearchJob } from './api';
 

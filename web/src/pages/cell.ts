@@ -63,7 +63,7 @@ function argument(detail: CellDetail): string {
   return best?.status === 'minimum' ? `its ${count(best.b, 'block')} are the lower bound “${detail.bounds[0]!.name}”: ${detail.reason}` : '';
 }
 
-/** What a publication reports and nobody here can verify. */
+/** What a publication reports and the catalog cannot verify. */
 function reported(detail: CellDetail): Child[] {
   return detail.reported ? [`${count(detail.reported.blocks, 'block')} are reported by `, work(detail.reported.cites), '; the blocks are not held here, so this is not verified.'] : [];
 }

@@ -28,7 +28,7 @@ struct Judgement {
 /// over Z_v, their differences are checked instead. @throws InternalError if what was promised does not hold.
 ///
 /// A list of 10⁸ blocks without such a certificate takes a minute or more, in which nothing would be
-/// shown. So whoever only passes blocks on may do one of two things instead:
+/// shown. So a caller that only passes blocks on may do one of two things instead:
 ///   - write them to a file, verified while they are written: the file appears whole when the verdict is
 ///     good, and not at all when it is not;
 ///   - write them to standard output and say first that they are verified while they are written, and
@@ -42,8 +42,9 @@ struct Judgement {
 [[nodiscard]] std::optional<Judgement> judge_at_once(const BlockSource& source,
                                                      const Offer& promise);
 
-/// Hands on the blocks of a stream and verifies them on the way. Whoever reads the end of it has a
-/// design that was verified: read() @throws InternalError there if what was promised does not hold.
+/// Hands on the blocks of a stream and verifies them on the way. A caller that reads the end of it
+/// has a design that was verified: read() @throws InternalError there if what was promised does not
+/// hold.
 class JudgedWhileRead final : public BlockSource {
  public:
   /// Both must outlive it.

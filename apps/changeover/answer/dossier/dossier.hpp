@@ -3,8 +3,9 @@
 //     const Dossier dossier = dossier_of(built(offer), label);
 //     dossier_latex(dossier);                 // a document that LaTeX and BibTeX compile
 //
-// It says what the design is, its quality, why fewer blocks cannot be (each bound with its reason), how the design is made, its
-// blocks if they are few, a picture, how anybody can check it with other programs, and whom to cite.
+// It says what the design is, its quality, why fewer blocks cannot be (each bound with its reason),
+// how the design is made, its blocks if they are few, a picture, how to check it with other
+// programs, and whom to cite.
 #pragma once
 
 #include <cstdint>

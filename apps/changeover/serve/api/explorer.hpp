@@ -38,7 +38,8 @@ struct Limits {
   unsigned searches = 2;                           ///< at once
 };
 
-/// Answers that were given, so that nobody waits for the same twice. Thread-safe; the least recently used go first.
+/// Answers that were given, so that the same is not computed twice. Thread-safe; the least recently
+/// used go first.
 class AnswerCache {
  public:
   explicit AnswerCache(std::size_t most_bytes) : most_bytes_(most_bytes) {}
@@ -82,11 +83,12 @@ struct Explorer {
 /// How an answer may be given again.
 enum class Again : std::uint8_t {
   made_anew,       ///< it depends on what happens
-  while_unchanged  ///< as long as nobody adds to the catalog
+  while_unchanged  ///< as long as the catalog does not change
 };
 
 /// Makes an answer within the limits, with faults as the statuses of HTTP: 400 for a question that cannot be, 422 with the
-/// place for a file that is malformed, 503 if a limit was reached. Work stops when whoever asked has gone.
+/// place for a file that is malformed, 503 if a limit was reached. Work stops when the client has
+/// gone.
 /// @throws Refusal; InternalError
 [[nodiscard]] Response answered(Explorer& explorer, const Request& request, Again again,
                                 const std::function<Response()>& make);

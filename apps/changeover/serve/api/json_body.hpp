@@ -2,7 +2,7 @@
 //
 //     const JsonBody body(request.body);
 //     const std::uint64_t items = body.needed_number("items");
-//     body.finish();                                   // refuses members that nobody asked for
+//     body.finish();                                   // refuses members that were not read
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ class JsonBody {
   [[nodiscard]] std::optional<bool> boolean(const std::string& name);
   [[nodiscard]] std::optional<std::string> text(const std::string& name);
 
-  /// @throws Refusal 422 if there are members that nobody asked for.
+  /// @throws Refusal 422 if there are members that were not read.
   void finish() const;
 
  private:

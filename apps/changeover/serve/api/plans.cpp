@@ -98,7 +98,7 @@ Response plan(const Explorer& explorer, const Request& sent) {
   }
   RunControl control(*RunScope::current(), std::chrono::duration<double>(seconds));
   const PlanAnswer answer = answer_to(request, asked, control);
-  stop_if_asked();  // whoever asked may have gone
+  stop_if_asked();  // the client may have gone
   JsonWriter json;
   json.begin_object();
   if (answer.plan && !answer.what_if) {

@@ -9,7 +9,7 @@
 
 namespace changeover::serve {
 
-/// ?v=&k=&change=&kind=&strength=, as whoever sends a design declares it. @throws Refusal 400
+/// ?v=&k=&change=&kind=&strength=, as the sender of a design declares it. @throws Refusal 400
 [[nodiscard]] ReadOptions reading_of(const Request& request);
 
 /// {"valid","verdict","bound","details","bad_steps","uncovered_pairs","design"}: what `verify --json` says, the first bad

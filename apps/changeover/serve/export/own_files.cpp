@@ -187,7 +187,7 @@ std::optional<std::string> OwnFiles::what_else() const {
 }
 
 bool OwnFiles::remove() const noexcept try {
-  // Whoever stopped the export wants this done.
+  // Files are removed even if the export was stopped.
   RunControl unlimited{RunControl::Settings()};
   const RunScope scope(unlimited);
   std::error_code ignored;

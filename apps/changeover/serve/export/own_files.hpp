@@ -18,8 +18,8 @@ namespace changeover::serve {
 /// The list: a line about the program, then a line a file, its checksum and its name, in order.
 constexpr const char* list_name = ".changeover-explorer";
 /// In a folder that an export works in, and in an earlier one that it is about to replace: the
-/// names of files that it is about to write. Whoever finds such a folder unlocked may remove these,
-/// and those of its list.
+/// names of files that it is about to write. A process that finds such a folder unlocked may remove
+/// these, and those of its list.
 constexpr const char* unfinished_name = ".changeover-unfinished";
 
 /// Whether the name leads to a place below the folder, and no link is above it there.

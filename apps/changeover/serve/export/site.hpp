@@ -3,7 +3,8 @@
 //     const SiteSummary site = export_site("public", {.k = {3, 8}, .v = {4, 40}}, "", pages, catalog, control);
 //
 // docs/explorer.md has the rule by which addresses become files. The site is made beside its place and put there when it is
-// whole: whoever kills the program finds the old site or none. A folder that holds anything else is left alone.
+// whole: after a kill there is the old site or none. A folder that holds anything else is left
+// alone.
 #pragma once
 
 #include <cstdint>

@@ -49,8 +49,8 @@ OwnFiles own_files_of_stopped(const fs::path& folder) {
   }
 }
 
-// Removes what exports to `place` left that were killed. Whoever makes a site has its folder locked, as the temporaries of files
-// are (io/file/left_behind.hpp).
+// Removes what exports to `place` left that were killed. The process that makes a site has its
+// folder locked, as the temporaries of files are (io/file/left_behind.hpp).
 void remove_left_behind(const fs::path& place) {
   const std::string front = place.filename().string() + std::string(before_random);
   std::vector<fs::path> found;
@@ -147,7 +147,7 @@ void Workshop::refuse_what_is_no_site() {
   refuse_where_we_are();
 }
 
-// The new folder takes the place of the one that is there, which goes: whoever is in it would be
+// The new folder takes the place of the one that is there, which goes: a process in it would be
 // nowhere.
 void Workshop::refuse_where_we_are() const {
   std::error_code fault;
@@ -237,7 +237,7 @@ void Workshop::write(const std::string& name, std::string_view bytes) {
 std::optional<std::string> Workshop::put_in_place() {
   write(list_name, OwnFiles::text_of(list_));
   if (there_) {
-    // Long work: somebody may have put something there meanwhile.
+    // Long work: another process may have put something there meanwhile.
     refuse_what_is_no_site();
   }
   fs::permissions(work_, there_ ? mode_ : as_new_folders_are());

@@ -1,4 +1,5 @@
-// A folder that appears whole at its place, or replaces an earlier one that was made here and that nobody changed.
+// A folder that appears whole at its place, or replaces an earlier one that was made here and was
+// not changed.
 //
 //     Workshop workshop("public/designs");      // refuses a folder that holds anything else
 //     workshop.write("data/a.json", text);
@@ -55,8 +56,8 @@ class Workshop {
   void write(const std::string& name, std::string_view bytes);
 
   /// Writes the list and puts the folder at its place, on the disk; the earlier one goes. What
-  /// somebody put into that at the last moment, or what cannot be removed, stays beside the place;
-  /// its folder is returned then.
+  /// another process put into that at the last moment, or what cannot be removed, stays beside the
+  /// place; its folder is returned then.
   /// @throws MissingResource, also if what is at the place has changed since; Stopped.
   [[nodiscard]] std::optional<std::string> put_in_place();
 

@@ -76,7 +76,7 @@ void Deadlines::let_go(int socket, Open& open, Clock::time_point now) const {
     static_cast<void>(
         ::send(socket, timed_out_.data(), timed_out_.size(), MSG_DONTWAIT | MSG_NOSIGNAL));
   }
-  // Whoever reads from it sees the end, and closes it.
+  // The thread that reads from it sees the end, and closes it.
   ::shutdown(socket, SHUT_RDWR);
   open = {Stage::answer, now};
 }

@@ -29,8 +29,8 @@ class Deadlines {
     Seconds body{60};
     Seconds reading{300};
     // With more connections than this, those that were waited for longest make room, after this
-    // time: whoever only holds connections keeps nobody out. Of one address the server takes twice
-    // as many.
+    // time: a client that only holds connections keeps no other out. Of one address the server
+    // takes twice as many.
     std::size_t crowd = 250;
     Seconds in_a_crowd{0.5};
   };
@@ -41,7 +41,7 @@ class Deadlines {
   Deadlines(const Deadlines&) = delete;
   Deadlines& operator=(const Deadlines&) = delete;
 
-  /// A connection that is open until close(), and closed by nobody else meanwhile.
+  /// A connection that is open until close(), and not closed by another thread meanwhile.
   void open(int socket);
   void enter(int socket, Stage stage);
   /// A request has begun on it: its first line is there.

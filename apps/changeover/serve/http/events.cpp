@@ -105,7 +105,7 @@ void EventHub::close() {
     feeds.swap(feeds_);
     closing_.notify_all();
   }
-  // Nobody is woken by it from here on: who listened may go away.
+  // It wakes no listener from here on: the listener may go away.
   if (thread_.joinable()) {
     thread_.join();
   }

@@ -57,7 +57,7 @@ class EventHub {
   EventHub(const EventHub&) = delete;
   EventHub& operator=(const EventHub&) = delete;
 
-  /// A feed that begins with `event: hello`. It is dropped when nobody else holds it.
+  /// A feed that begins with `event: hello`. It is dropped when the caller lets go of it.
   [[nodiscard]] std::shared_ptr<EventFeed> listen();
 
   /// How many feeds are held.

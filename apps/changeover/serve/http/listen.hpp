@@ -9,7 +9,7 @@ namespace changeover::serve {
 struct Listening {
   int socket = -1;
   std::uint16_t port = 0;
-  bool loopback = false;  ///< nobody outside this machine can reach it
+  bool loopback = false;  ///< it cannot be reached from another machine
 };
 
 /// Listens on a name or number of this machine; port 0 picks one that is free. The caller closes the socket.

@@ -36,7 +36,7 @@ struct Request {
   std::map<std::string, std::string> headers;                   ///< names in lower case
   std::vector<std::string> repeated;  ///< headers that were given more than once
   std::string body;
-  std::function<bool()> left = {};  ///< whether whoever asked has gone; may be missing
+  std::function<bool()> left = {};  ///< whether the client has gone; may be missing
 
   /// The value of a parameter. @throws Refusal if it is there twice.
   [[nodiscard]] std::optional<std::string> parameter(std::string_view name) const;

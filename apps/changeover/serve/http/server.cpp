@@ -525,7 +525,7 @@ MHD_Result Server::State::send(Exchange& exchange) {
   }
   const int status = unchanged ? MHD_HTTP_NOT_MODIFIED : response.status;
   if (settings.log) {
-    // The token is nobody's to read in a log.
+    // The token must not be in a log.
     const std::string target = exchange.target.find("token=") == std::string::npos
                                    ? exchange.target
                                    : exchange.target.substr(0, exchange.target.find('?'));

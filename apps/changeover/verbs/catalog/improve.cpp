@@ -1,4 +1,5 @@
-// changeover catalog improve, submit: searches where the catalog is weakest, and the results as a file for others.
+// changeover catalog improve, submit: searches where the catalog is weakest, and the results as a
+// file for others.
 #include <fmt/format.h>
 
 #include "answer/answer.hpp"

@@ -100,7 +100,7 @@ class Found final : public Entry {
     const auto entry = standard_catalog().find(recipe.provenance);
     if (!entry || !carries_blocks(entry->recipe)) {
       throw BadInput(
-          fmt::format("no design {} is written down in the catalog; ask whoever wrote "
+          fmt::format("no design {} is written down in the catalog; ask the author of "
                       "the recipe for it, and add it (changeover catalog add FILE)",
                       recipe.provenance));
     }
