@@ -4,7 +4,7 @@ export type Kind = 'linear' | 'circular';
 export type Block = number[];
 export type Job = {
   format?: 'changeover-job/1';
-  /** CSV or .xlsx: a part a line, with its change cost or not */
+  /** CSV or .xlsx: one part per line, with its change cost or not */
   parts?:
     | (
         | number

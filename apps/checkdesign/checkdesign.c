@@ -174,7 +174,7 @@ static unsigned element(bool may_be_new) {
     n = character(word + i);
     if (n == 0 || strchr(",\"", word[i]) != NULL)
       stop(BAD_INPUT, &word_at,
-           "name %s with a comma, a quote or bytes that are no text; rename it", word);
+           "name %s with a comma, a quote or an unprintable character; rename it", word);
   }
   for (const char* s = word; *s != '\0'; s++) h = (h ^ (unsigned char)*s) * 16777619U;
   for (h %= SLOTS; slots[h] != 0; h = (h + 1) % SLOTS)

@@ -142,8 +142,8 @@ def table(k: Range, v: Range, change: int = 2, kind: Optional[Kind] = None) -> T
 
 
 def to_pandas(what: Union[Design, RunSheet, Iterable[Cell]]) -> Any:
-    """A pandas.DataFrame of a table (a row a cell), a design (a row a block), or a run sheet (a row
-    a test).
+    """A pandas.DataFrame of a table (one row per cell), a design (one row per block), or a run sheet
+    (one row per test).
 
     Raises ImportError without pandas.
     """

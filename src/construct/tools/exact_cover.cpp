@@ -519,7 +519,7 @@ std::size_t ExactCover::add_row(std::span<const std::uint32_t> columns) {
   if (repeated != sorted.end()) {
     throw BadInput(fmt::format("row {} has column {} twice", number, *repeated));
   }
-  // A node an entry, a spacer a row and one more, a head a column and one more.
+  // One node per entry, one spacer per row and one more, one head per column and one more.
   const std::uint64_t links = entries_.size() + sorted.size() + number + column_count_ + 3;
   if (links > max_links) {
     throw ImpossibleParameters(fmt::format("row {} is too much: {} links in all", number, links));

@@ -17,7 +17,7 @@
 
 namespace changeover {
 
-/// A number with its name: on a page in a row of large figures, in a workbook a line each.
+/// A number with its name: on a page in a row of large figures, in a workbook one line each.
 struct Figure {
   std::string name;
   std::string words;

@@ -1,4 +1,4 @@
-// Internal: what pairs cost to compute, from a list: two items and a number a row, with what
+// Internal: what pairs cost to compute, from a list: two items and a number per row, with what
 // separates them in a list of pairs.
 #pragma once
 

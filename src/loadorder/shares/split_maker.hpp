@@ -26,7 +26,7 @@ class SplitMaker {
                                std::uint64_t workers, Cut cut);
   static WorkerSplit shares(GroupShares shares, std::uint64_t items, std::uint64_t room,
                             std::uint64_t workers);
-  /// For two sets: as `other`, but a block a worker.
+  /// For two sets: as `other`, but one block per worker.
   static WorkerSplit blocks(HeldBlocks blocks, const WorkerSplit& other);
   /// The same steps, of which only these pairs are wanted.
   static WorkerSplit for_fewer_pairs(WorkerSplit split, const WantedPairs& wanted,

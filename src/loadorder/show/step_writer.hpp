@@ -1,4 +1,4 @@
-// A schedule, a step a line: what --json, --format csv and --format text say of a step.
+// A schedule, one step per line: what --json, --format csv and --format text say of a step.
 //
 //     StepWriter writer(out, "jsonl", names, {Column::step, Column::load, Column::evict});
 //     writer.begin(json, text);

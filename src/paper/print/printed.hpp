@@ -83,7 +83,7 @@ struct ParsedTable {
 /// @throws BadInput if a block has not k distinct elements of the table.
 [[nodiscard]] Design printed_design(const PrintedTable& table, Kind kind);
 
-/// A 1-factorization, a factor a line: "a-b c-d".
+/// A 1-factorization, one factor per line: "a-b c-d".
 struct PrintedFactorization {
   std::string place;
   std::vector<std::string> vertices;  ///< names by number

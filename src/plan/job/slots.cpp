@@ -103,7 +103,7 @@ std::vector<Slot> read_slots(Input& input) {
     const Field* const name = field(table.name);
     if (name == nullptr || (!table.header && (row.size() < 2 || row.size() > 3))) {
       reader.fail(row[0],
-                  "no slot with its least and most parts; write a slot a line, as in CPU,1,1");
+                  "no slot with its least and most parts; write one slot per line, as in CPU,1,1");
     }
     const auto limit = [&](const Field& said) {
       const auto value = number(said.text);
@@ -139,7 +139,7 @@ std::vector<Slot> read_slots(Input& input) {
     slots.push_back(std::move(slot));
   }
   if (slots.empty()) {
-    fail(input.name(), {}, "no slot is listed; write a slot a line, as in CPU,1,1");
+    fail(input.name(), {}, "no slot is listed; write one slot per line, as in CPU,1,1");
   }
   return slots;
 }

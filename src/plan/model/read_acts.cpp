@@ -1,4 +1,4 @@
-// A model as ACTS has it: sections, and in them a parameter, a relation or a rule a line.
+// A model as ACTS has it: sections, and in them one parameter, relation or rule per line.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -422,7 +422,7 @@ class JobMaker {
       job_.needed = left_(pairs);
       if (pairs.size() == 0 && notes_.size() == notes) {
         throw BadInput(
-            fmt::format("{}: no pair is listed; write A,B, a pair a line", input->name()));
+            fmt::format("{}: no pair is listed; write A,B, one pair per line", input->name()));
       }
       whole_.pairs = pair_rows(job_.needed, job_);
     }

@@ -19,7 +19,7 @@ std::vector<RequestOption<R>> options() {
           {{.key = "parts",
             .flags = "PARTS",
             .kind = K::list,
-            .help = "CSV or .xlsx: a part a line, with its change cost or not",
+            .help = "CSV or .xlsx: one part per line, with its change cost or not",
             .shape = RowShape::parts},
            &R::parts},
           {{.key = "model",
@@ -157,9 +157,8 @@ std::vector<RequestOption<R>> options() {
             .flags = "--done",
             .kind = K::list,
             .value = "FILE",
-            .help =
-                "tests already run (one set-up per line, or a run sheet); plans the remaining "
-                "tests",
+            .help = "tests already run (one set-up per line, or a run sheet); plans the remaining "
+                    "tests",
             .shape = RowShape::tests},
            &R::done},
           {{.key = "done_first",
@@ -184,8 +183,8 @@ std::vector<RequestOption<R>> options() {
             .flags = "--benches",
             .kind = K::list,
             .value = "BENCHES",
-            .help = "on so many benches side by side, or on those of a list, a file with a bench a "
-                    "line",
+            .help = "on so many benches side by side, or on those of a list, a file with one bench "
+                    "per line",
             .shape = RowShape::benches},
            &R::benches},
           {{.key = "objective",

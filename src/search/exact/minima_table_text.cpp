@@ -111,7 +111,7 @@ std::string defect(const MinimaRow& row) {
       return fmt::format("{} seconds", seconds);
     }
   }
-  return is_printable(row.by) ? "" : "a name that has characters which are no text";
+  return is_printable(row.by) ? "" : "a name with unprintable characters";
 }
 
 std::string interval(const MinimaRow& row) {

@@ -53,7 +53,7 @@ async function render(view: View): Promise<void> {
     autocomplete: 'off',
     autocapitalize: 'off',
     placeholder: '0 1 2 3\n2 3 4 5\n…',
-    'aria-label': 'The design: a block a line, or any format that Changeover reads',
+    'aria-label': 'The design: one block per line, or any format that Changeover reads',
   });
   const chosen = h('div', { class: 'note chosen', hidden: true });
   const result = h('div', { class: 'result' });
@@ -311,7 +311,7 @@ async function render(view: View): Promise<void> {
       h(
         'p',
         { class: 'hint' },
-        'A block a line, JSON, CSV, GAP, Sage, designtheory.org or the La Jolla repository: the format is recognised. You can drop a file here. What it does not say is taken from the blocks: as many changes as the first step has, and linear.',
+        'One block per line, JSON, CSV, GAP, Sage, designtheory.org or the La Jolla repository: the format is recognised. You can drop a file here. What it does not say is taken from the blocks: as many changes as the first step has, and linear.',
       ),
     ),
     h(

@@ -4,7 +4,7 @@ import { h } from '../lib/dom';
 import { downloadAddress, type Asked } from '../lib/source';
 
 const formats: readonly (readonly [string, string, string])[] = [
-  ['text', 'Text', 'a block a line'],
+  ['text', 'Text', 'one block per line'],
   ['json', 'JSON', 'with recipe and verdict'],
   ['csv', 'CSV', 'for a spreadsheet'],
   ['latex', 'LaTeX', 'the array as the field prints it'],

@@ -15,7 +15,7 @@
 
 namespace changeover::serve {
 
-/// The list: a line about the program, then a line a file, its checksum and its name, in order.
+/// The list: a line about the program, then one line per file, its checksum and its name, in order.
 constexpr const char* list_name = ".changeover-explorer";
 /// In a folder that an export works in, and in an earlier one that it is about to replace: the
 /// names of files that it is about to write. A process that finds such a folder unlocked may remove

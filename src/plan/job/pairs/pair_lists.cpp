@@ -190,7 +190,7 @@ PairWeights read_priorities(Input& input, const std::vector<std::string>& names,
   while (const auto row = rows.next(heads_weights)) {
     constexpr std::size_t fields = 3;
     if (!rows.has_header() && row->size() != fields) {
-      rows.reader().fail(row->front(), "no pair with its weight; write A,B,5, a pair a line");
+      rows.reader().fail(row->front(), "no pair with its weight; write A,B,5, one pair per line");
     }
     const Field& said =
         rows.has_header() && rows.third(*row) != nullptr ? *rows.third(*row) : row->back();

@@ -19,7 +19,7 @@ export function totals(cells: readonly AtlasCell[]): HTMLElement {
   return h('ul', { class: 'totals', 'aria-label': 'What is known in this range' }, facts.map(([name, value]) => h('li', {}, h('strong', {}, value), ' ', name)));
 }
 
-/** The catalog's completeness for one change number and kind: a row a block size. */
+/** The catalog's completeness for one change number and kind: one row per block size. */
 export function completenessTable(all: readonly Completeness[], change: number, kind: string): HTMLElement {
   const mine = all.filter((each) => each.change === change && each.kind === kind);
   if (mine.length === 0) {

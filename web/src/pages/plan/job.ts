@@ -176,7 +176,7 @@ const saysCost =
 
 /**
  * Parts of a pasted table or a file: a name and, if there is one, a cost; with or without a first row of headings.
- * @throws Error for bytes that are no text, and for columns that this page does not use: nothing is dropped.
+ * @throws Error for bytes that are not UTF-8, and for columns that this page does not use: nothing is dropped.
  */
 export function partsOf(text: string): Part[] {
   if (text.startsWith('PK\u0003\u0004') || /[\u0000-\u0008\u000e-\u001f\ufffd]/.test(text)) {
