@@ -182,8 +182,8 @@ struct BenchPlan : BenchCount {
 [[nodiscard]] BenchPlan make_bench_plan(const Job& job, const BenchOptions& options,
                                         RunControl& control);
 
-/// What sheet_formats.hpp writes of one list, for all benches: one table per bench; CSV with a column
-/// bench; JSON, format "changeover-benches/1": title, benches, objective, cost, makespan, tests,
+/// What sheet_formats.hpp writes of one list, for all benches: one table per bench; CSV with a
+/// column bench; JSON, format "changeover-benches/1": title, benches, objective, cost, makespan, tests,
 /// changes, pairs_needed, pairs_tested, triples_needed, triples_tested, lower_bound {cost,
 /// makespan, cost_reason, makespan_reason}, cost_unit, places, sheets [{bench, tests, changes,
 /// cost, steps [{step, take_out, put_in, set_up, places, new_pairs (their number), cost,
