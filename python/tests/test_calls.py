@@ -43,7 +43,7 @@ class Calls(unittest.TestCase):
                          "design(): too many positional arguments" + names)
         self.assertEqual(self.said(changeover.design, 6, 4, kid=1),
                          "design(): got an unexpected keyword argument 'kid'" + names)
-        self.assertIn("missing a required argument: 'parts'", self.said(changeover.plan, at_once=3))
+        self.assertIn("plan() wants parts or a model", self.said(changeover.plan, at_once=3))
         self.assertEqual(self.said(changeover.constructions, 1),
                          "constructions(): too many positional arguments; its arguments are none")
 

@@ -178,7 +178,7 @@ def check_plans(server, count):
             fault(f"--show-request says something else: {body} {shown}")
         arguments = {key: value for key, value in job.items() if key not in ("what_if", "diagnose", "compact", "header")}
         if kind in ("plan", "benches"):
-            if isinstance(parts := job["parts"], list):
+            if isinstance(parts := job.get("parts"), list):
                 arguments["quantities"] = {part["name"]: part["quantity"] for part in parts if "quantity" in part}
             for key, to in (("parts", lambda p: {(q if isinstance(q, str) else q["name"]): (
                     job["change_cost"] if isinstance(q, str) else q["cost"]) for q in p} if isinstance(p, list) else p),

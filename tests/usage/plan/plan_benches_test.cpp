@@ -70,7 +70,7 @@ TEST(PlanBenches, SayWhatIsWrong) {
           {plan("parts.csv --benches none.csv"), 4, "none.csv"},
           {plan("parts.csv --benches benches.csv --first-day soon"), 2, "'soon' is no day"},
           {plan("parts.csv --benches 2 --first-day 2025-03-31"), 2,
-           "--first-day DATE is for benches with hours of work a day; give --hours H too"},
+           "--first-day is for benches with hours of work a day; give --hours H too"},
           {plan("parts.csv --hours 8"), 2, "is for --benches"},
           {plan("parts.csv --benches 2 --done-first 2 --done parts.csv"), 2, "has no meaning with"},
           {plan("parts.csv --benches 2 --priority w.csv"), 2, "give --budget Z too"}},

@@ -563,6 +563,7 @@ BenchPlan make_bench_plan(const CheckedJob& job, const BenchOptions& options, Ru
 BenchPlan make_bench_plan(const Job& job, const BenchOptions& options, RunControl& control) {
   check_options(job, options);
   const std::vector<Bench> benches = benches_of(options);
+  std::optional<BenchPlanner> planner;
   {
     RunControl no_limit({});
     const RunScope scope(no_limit);
@@ -572,8 +573,9 @@ BenchPlan make_bench_plan(const Job& job, const BenchOptions& options, RunContro
                                        : fmt::format("{} (and {} more like this)", found.front(),
                                                      found.size() - 1));
     }
+    planner.emplace(job, benches, options, control);
   }
-  return BenchPlanner(job, benches, options, control).run();
+  return planner->run();
 }
 
 }  // namespace changeover
