@@ -22,6 +22,8 @@ export type Job = {
         | {workbook: string; sheet?: string}
       )
     | null;
+  /** instead of parts: parameters with their values and rules, in the language of PICT or ACTS */
+  model?: (string | {file: string} | {text: string}) | null;
   /** the first row of the parts list heads its columns */
   header?: boolean | null;
   /** the first row of the parts list is a part */
@@ -36,7 +38,7 @@ export type Job = {
   test_cost?: (number | string) | null;
   /** what mounting a part costs where the list does not say */
   change_cost?: (number | string) | null;
-  /** a square table: what putting in the part of the column costs where that of the row was taken out */
+  /** a square table: what putting in the part of the column costs where that of the row was taken out; of a model: parameter,value,cost a line */
   change_costs?:
     | ([string | number | null, ...(string | number | null)[]][] | {file: string} | {text: string} | {workbook: string; sheet?: string})
     | null;
@@ -74,7 +76,19 @@ export type Job = {
   start?: (string | number | null)[] | null;
   /** the set-ups that must be run first, in this order: the parts of one a line */
   first?:
-    | ([string | number | null, ...(string | number | null)[]][] | {file: string} | {text: string} | {workbook: string; sheet?: string})
+    | (
+        | (
+            | [string | number | null, ...(string | number | null)[]]
+            | {
+                /** @minItems 1 */
+                parts: [string | number | null, ...(string | number | null)[]];
+                bench?: string | number | null;
+              }
+          )[]
+        | {file: string}
+        | {text: string}
+        | {workbook: string; sheet?: string}
+      )
     | null;
   /** what pairs are worth, A,B,weight a line; others are worth 1 */
   weights?:
@@ -90,7 +104,7 @@ export type Job = {
   /** tests already run (one set-up per line, or a run sheet); plans the remaining tests */
   done?:
     | (
-        | ((string | number | null)[] | {parts: (string | number | null)[]; result?: string | null})[]
+        | ((string | number | null)[] | {parts: (string | number | null)[]; result?: string | null; bench?: string | number | null})[]
         | {file: string}
         | {text: string}
         | {workbook: string; sheet?: string}
@@ -100,10 +114,43 @@ export type Job = {
   done_first?: number | null;
   /** pairs that met only in tests that did not pass count as tested, and are not needed again */
   trust_failed?: boolean | null;
-  /** on N benches side by side, each with parts of its own */
-  benches?: number | null;
-  /** of several benches: the least largest cost (default), or the least cost together */
-  objective?: ('makespan' | 'cost') | null;
+  /** parts that broke: they are left out from now on, and what was done stays done */
+  without?: (string | number | null)[] | null;
+  /** on so many benches side by side, or on those of a list, a file with one bench per line */
+  benches?:
+    | (
+        | number
+        | (
+            | string
+            | {
+                name?: string | number | null;
+                at_once?: string | number | null;
+                test_cost?: string | number | null;
+                change_factor?: string | number | null;
+                slots?:
+                  | (string | number | null)
+                  | {name: string | number | null; least?: string | number | null; most?: string | number | null}[];
+                mounted?: (string | number | null) | (string | number | null)[];
+                start?: (string | number | null) | (string | number | null)[];
+                own?: (string | number | null) | (string | number | null)[];
+                without?: (string | number | null) | (string | number | null)[];
+                hours?: string | number | null;
+                down?: boolean | string | null;
+              }
+          )[]
+        | {file: string}
+        | {text: string}
+        | {workbook: string; sheet?: string}
+      )
+    | null;
+  /** of several benches: the earliest end of the last test (makespan, the default) or the least cost together; of a model: the least cost (default) or the fewest tests */
+  objective?: ('makespan' | 'cost' | 'tests') | null;
+  /** hours of work a day on each bench that says nothing else, with costs in hours */
+  hours?: (number | string) | null;
+  /** the day of the first tests, as 2025-03-31: steps then have dates */
+  first_day?: string | null;
+  /** Saturdays and Sundays are worked on, too */
+  weekends?: boolean | null;
   /** which plan is cheapest at which ratio of change to test cost */
   what_if?: boolean | null;
   /** without the whole set-ups, in two columns on paper */
@@ -205,14 +252,33 @@ export interface Benches {
   pairs_tested: number;
   triples_needed: number;
   triples_tested: number;
-  lower_bound: {cost: number; makespan: number; cost_reason: string; makespan_reason: string};
+  lower_bound: {
+    cost: number;
+    makespan: number;
+    cost_reason: string;
+    makespan_reason: string;
+    finish?: {day: number; hour: number; date?: string};
+  };
+  budget: number | null;
+  tests_done: number;
+  met_only_in_failed: number;
+  trust_failed: boolean;
+  weight: {needed: number; tested: number; most: number | null} | null;
+  stock: {name: string; quantity: number}[];
+  finish?: {day: number; hour: number; date?: string};
   cost_unit: null | 'seconds' | 'minutes' | 'hours';
   places: {number: number; slot: null | string}[];
   sheets: {
     bench: number;
+    name: string;
+    down: boolean;
+    tests_done: number;
+    start: string[];
+    hours: number | null;
     tests: number;
     changes: number;
     cost: number;
+    end: number;
     steps: {
       step: number;
       take_out: string[];
@@ -224,9 +290,24 @@ export interface Benches {
       cost_so_far: number;
       new_triples?: number;
       replaced?: string[][];
+      begin: number;
+      end: number;
+      day?: number;
+      hour?: number;
+      date?: string;
+      again?: string[];
     }[];
   }[];
-  candidates: {name: string; how: string; tests: number; changes: number; cost: number; makespan: number}[];
+  candidates: {
+    name: string;
+    how: string;
+    tests: number;
+    changes: number;
+    cost: number;
+    makespan: number;
+    pairs_tested: number;
+    triples_tested: number;
+  }[];
   notes: string[];
 }
 export interface Design {
