@@ -456,13 +456,16 @@ void ListsAnnealer::insert() {
 }
 
 // Mounts x in place of what it must not meet, of what is too much in its slot, and of what has no
-// room.
+// room. What stays mounted on the bench stays: what must not meet it cannot come.
 bool ListsAnnealer::bring(std::size_t bench, Block& setup, Element x,
                           const std::vector<Element>& target) {
   if (std::find(setup.begin(), setup.end(), x) != setup.end()) {
     return true;
   }
   const Job& job = lists_->job(bench);
+  if (!lists_->joins(job.mounted, x)) {
+    return false;
+  }
   std::erase_if(setup, [&](Element z) { return job.never.contains(z, x); });
   const Fitting& fitting = lists_->fitting(bench);
   const auto of_slot = [&](std::size_t slot) {

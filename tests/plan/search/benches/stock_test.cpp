@@ -295,6 +295,21 @@ TEST(BenchStock, AnUnsharedStockIsNoStock) {
   }
 }
 
+TEST(BenchStock, WhatStaysMountedStaysWherePartsMustNotMeetIt) {
+  for (std::uint32_t v = 3; v <= 5; ++v) {
+    Job job = make_job(v, 3, units(4), Amount{});
+    job.change_costs[2] = units(2);
+    job.never.insert(1, 2);
+    job.needed = all_pairs_but(job.never);
+    job.quantities.assign(v, 1);
+    std::vector<Bench> benches(2);
+    benches[0].mounted = Block{1};
+    expect_sound(job, planned(job, benches), std::to_string(v) + " parts");
+    benches[1].hours = units(4);
+    expect_sound(job, planned(job, benches), std::to_string(v) + " parts, a rest");
+  }
+}
+
 TEST(BenchStock, DefectsAreSaid) {
   Job job = make_job(4, 3, units(1), units(1));
   std::vector<Bench> benches(2);
