@@ -285,6 +285,18 @@ TEST(ModelPlans, WhatWasDoneWhatComesFirstAndWhatStays) {
   EXPECT_TRUE(within.complete);
 }
 
+TEST(ModelPlans, WhatIsThereAtTheStartMustNotStayForWhatIsMounted) {
+  Job job = test::job_of_text("A: a, b\nB: c, d\nC: e, f, g\n", "2", "2");
+  job.mounted = {0};
+  drop_needed(job, cannot_meet(job));
+  job.start = {1, 5};
+  const RunPlan plan = planned(job);
+  EXPECT_TRUE(plan.sheet.does_the_job());
+  for (const RunStep& step : plan.sheet.steps) {
+    EXPECT_EQ(step.setup.front(), 0U);
+  }
+}
+
 TEST(ModelPlans, SaysWhichRuleLeavesNoTest) {
   const auto complaint = [](const std::string& text) -> std::string {
     const std::vector<std::string> found =

@@ -153,8 +153,12 @@ class ChoiceAnnealer {
     const std::size_t from = random_.one_in_two() ? cell.at + 1 : cell.at - 1;
     if (from < list_.size()) {
       try_cell(cell, list_.row(from)[cell.slot]);
-    } else if (cell.at == 0 && from + 1 == 0 && choices_.start()[cell.slot] != no_choice) {
-      try_cell(cell, choices_.start()[cell.slot]);
+    } else if (cell.at == 0 && from + 1 == 0) {
+      const std::vector<Element>& values = choices_.values(cell.slot);
+      const Element start = choices_.start()[cell.slot];
+      if (std::ranges::find(values, start) != values.end()) {  // Else it must not stay.
+        try_cell(cell, start);
+      }
     }
   }
 
