@@ -22,7 +22,8 @@ class ValueCosts {
         job_(job),
         names_(*job.model),
         cost_of_(reader_),
-        given_(job.names.size(), false) {
+        given_(job.names.size(), false),
+        given_by_(job.names.size(), 0) {
     while (auto row = reader_.next()) {
       rows_.push_back(std::move(*row));
     }
@@ -42,6 +43,9 @@ class ValueCosts {
       is_table(*parameter) ? read_table(*parameter) : read_row(*parameter);
     }
     for (const Replaced& each : replaced_) {
+      if (each.row < given_by_[each.in]) {  // A later row says what setting the value costs.
+        continue;
+      }
       if (job_.replace_costs.empty()) {
         start_replacing();
       }
@@ -55,6 +59,7 @@ class ValueCosts {
     Element out;
     Element in;
     Amount cost;
+    std::size_t row;
   };
 
   // A first row of words: "parameter,value,cost".
@@ -106,6 +111,7 @@ class ValueCosts {
   void give(Element x, Amount cost) {
     job_.change_costs[x] = cost;
     given_[x] = true;
+    given_by_[x] = at_;
   }
 
   void set(std::size_t parameter, Amount cost) {
@@ -130,7 +136,7 @@ class ValueCosts {
           reader_.fail(row[2], fmt::format("{} does not replace itself; leave out this row",
                                            shown(row[2].text)));
         }
-        replaced_.push_back({out, in, cost_of_.read(row[3])});
+        replaced_.push_back({out, in, cost_of_.read(row[3]), at_});
         return;
       }
       default:
@@ -172,7 +178,7 @@ class ValueCosts {
                                            job_.names[columns[j]], shown(row.front().text)));
         }
         if (given) {
-          replaced_.push_back({out, columns[j], cost_of_.read(row[j + 1])});
+          replaced_.push_back({out, columns[j], cost_of_.read(row[j + 1]), at_});
         }
       }
       if (width(row) > columns.size() + 1) {
@@ -199,7 +205,8 @@ class ValueCosts {
   CostReader cost_of_;
   std::vector<Row> rows_;
   std::vector<Replaced> replaced_;
-  std::vector<bool> given_;  // by part
+  std::vector<bool> given_;            // by part
+  std::vector<std::size_t> given_by_;  // by part: the last row that said so
   std::size_t at_ = 0;
 };
 

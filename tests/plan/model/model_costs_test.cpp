@@ -61,6 +61,10 @@ TEST(ModelCosts, OfWhatIsReplaced) {
   EXPECT_EQ(replaced(rows, 2, 3), "1");
   EXPECT_EQ(replaced(rows, 3, 2), "7");
   EXPECT_EQ(replaced("OS,5\n", 0, 1), "none");
+  // Later rows win, also over what was said of one replacement.
+  EXPECT_EQ(replaced("OS,Debian,Fedora,8\nOS,5\nN,8,16,1\n", 0, 1), "5");
+  EXPECT_EQ(replaced("OS,Debian,Fedora,8\nOS,Debian,5\n", 0, 1), "8");
+  EXPECT_EQ(replaced("OS,Debian,Fedora,8\nOS,5\n", 0, 1), "none");
   const std::string table = "OS,5\nN,16,8,-1\n8,1,,2\n16,,3,4\n-1,5,6,\nOff,x,y,9\n";
   EXPECT_EQ(replaced(table, 2, 3), "1");
   EXPECT_EQ(replaced(table, 2, 4), "2");
