@@ -171,6 +171,15 @@ void find_impossible(const Job& job, std::vector<std::string>& found) {
       }
     }
   }
+  for (std::size_t i = 0; job.model != nullptr && i < job.start.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (job.slot_of[job.start[i]] == job.slot_of[job.start[j]]) {
+        found.push_back(fmt::format("{} are both set at the start, but {} has one value; keep one",
+                                    pair_name(job, job.start[j], job.start[i]),
+                                    job.slots[job.slot_of[job.start[i]]].name));
+      }
+    }
+  }
   find_impossible_slots(job, found);
   if (found.empty() && job.model != nullptr) {
     if (auto defect = no_setup_of_model(job)) {

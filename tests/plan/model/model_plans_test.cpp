@@ -295,6 +295,10 @@ TEST(ModelPlans, WhatIsThereAtTheStartMustNotStayForWhatIsMounted) {
   for (const RunStep& step : plan.sheet.steps) {
     EXPECT_EQ(step.setup.front(), 0U);
   }
+  job.start = {0, 1, 5};
+  ASSERT_EQ(defects(job).size(), 1U);
+  EXPECT_EQ(defects(job).front(),
+            "a and b are both set at the start, but A has one value; keep one");
 }
 
 TEST(ModelPlans, SaysWhichRuleLeavesNoTest) {
