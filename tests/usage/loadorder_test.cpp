@@ -235,6 +235,11 @@ TEST(LoadOrderVerb, SpreadsWhatPairsCost) {
   spit(folder.file("twice"), "0 1 5\n1 0 5\n");
   spit(folder.file("negative"), "0 1 -5\n");
   spit(folder.file("short"), "0 1 2\n0 2\n");
+  spit(folder.file("unit"), "0 1 5s\n");
+  spit(folder.file("endless"), "0 1 1e999\n2 3 4\n");
+  spit(folder.file("huge"), "0 1 1e100\n2 3 1e308\n");
+  spit(folder.file("word"), "a b dear\nb c 2\n");
+  spit(folder.file("header"), "one other cost\na b 2\n");
   const std::string command = "$changeover loadorder --items 24 --room 8 --workers 3 ";
   const Outcome spread = run(command + "--pair-cost costs.csv --json", folder.path());
   ASSERT_EQ(spread.code, 0) << spread.err;
@@ -248,28 +253,37 @@ TEST(LoadOrderVerb, SpreadsWhatPairsCost) {
            {"--pair-cost negative", 3,
             "negative:1:5: '-5' is not a cost; give a number, 0 or more"},
            {"--pair-cost short", 3, "give two items and what their pair costs"},
+           {"--pair-cost unit", 3, "unit:1:5: '5s' is not a cost"},
+           {"--pair-cost endless", 3, "endless:1:5: '1e999' is not a cost"},
+           {"--pair-cost huge", 3, "huge:2:5: '1e308' is too much for a cost; give 1e+100 at most"},
            {"--pair-cost absent", 4, "absent: cannot read"},
            {"--pair-cost costs.csv --first-holder", 2, "exclude each other"},
            {"--pair-cost costs.csv --disjoint", 2, "--disjoint"},
            {"--balance --first-holder", 2, "exclude each other"},
            {"--worker 3", 2, "give 0 to 2"},
            {"--worker 0 --disjoint", 2, "--disjoint"},
-           {"--from-step 3", 2, "--from-step"},
+           {"--from-step 3", 2, "--from-step N has no meaning with --workers; leave it out"},
            {"--verify-beside", 0, "every step is read while it is written"},
            {"--verify-beside --new-pairs", 0, "every step is read while it is written"},
            {"--verify-beside --worker 1", 0, "the steps of worker 1 are read while"}}) {
     expect({{command + each.command, each.code, each.says}}, folder);
   }
-  expect({{"$changeover loadorder --pairs edges --room 2 --workers 2 --pair-cost named", 0, "cost"},
-          {"$changeover loadorder --pairs edges --room 2 --workers 2 --pair-cost twice", 3,
-           "'0' is not in the listed pairs"},
-          {"$changeover loadorder --items 9 --room 4 --pair-cost named", 2, "--workers"},
-          {"$changeover loadorder --items 9 --room 4 --worker 0", 2, "--workers"},
-          {"$changeover loadorder --items 9 --room 4 --from-step 0", 2, "--from-step 0"},
-          {"$changeover loadorder --items 9 --room 4 --from-step 99", 3, "step 99 of"},
-          {"$changeover loadorder --items 6000 --room 90 --workers 2 --pair-cost costs.csv", 3,
-           "give at most 5000 items"}},
-         folder);
+  expect(
+      {{"$changeover loadorder --pairs edges --room 2 --workers 2 --pair-cost named", 0, "cost"},
+       {"$changeover loadorder --pairs edges --room 2 --workers 2 --pair-cost twice", 3,
+        "'0' is not in the listed pairs"},
+       {"$changeover loadorder --pairs edges --room 2 --workers 2 --pair-cost word", 3,
+        "word:1:5: 'dear' is not a cost"},
+       {"$changeover loadorder --pairs edges --room 2 --workers 2 --pair-cost header", 0, "cost"},
+       {"$changeover loadorder --items 9 --room 4 --pair-cost named", 2, "--workers"},
+       {"$changeover loadorder --items 9 --room 4 --worker 0", 2, "--workers"},
+       {"$changeover loadorder --items 9 --room 4 --from-step 0", 2, "--from-step 0"},
+       {"$changeover loadorder --items 9 --room 4 --from-step 3 --verify-beside", 2,
+        "--from-step N has no meaning with --verify-beside"},
+       {"$changeover loadorder --items 9 --room 4 --from-step 99", 3, "step 99 of"},
+       {"$changeover loadorder --items 6000 --room 90 --workers 2 --pair-cost costs.csv", 3,
+        "give at most 5000 items"}},
+      folder);
 }
 
 TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {

@@ -4,6 +4,8 @@
 //     JobRequest request = read_request(job_table(), document);
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -234,7 +236,9 @@ void check_rules(const std::vector<OptionRule>& rules, Given&& given, Spell&& sp
         request_rules::refuse_alone(spell_in_full(key), spelled_all(rule.others));
       }
       if (given(key) && rule.says == OptionRule::Says::never_with && any) {
-        request_rules::refuse_together(spell_in_full(key), spelled_all(rule.others));
+        std::vector<std::string_view> present;
+        std::ranges::copy_if(rule.others, std::back_inserter(present), given);
+        request_rules::refuse_together(spell_in_full(key), spelled_all(present));
       }
     }
   }

@@ -18,6 +18,9 @@ namespace {
 
 using Costs = std::unordered_map<std::uint64_t, double>;
 
+// The sum of as many as there may be is a number, too.
+constexpr double highest_cost = 1e100;
+
 std::uint64_t key_of(Element x, Element y) {
   return std::uint64_t{std::max(x, y)} << 32 | std::min(x, y);
 }
@@ -64,8 +67,12 @@ class CostList {
     return options;
   }
 
+  // Words over columns, none of which is an item: else the cost of a pair would be lost.
   [[nodiscard]] bool is_header(const Row& row) const {
-    return row.size() == 3 && !number_in<double>(row[2]);
+    const auto is_item = [&](const Field& field) {
+      return numbers_.contains(field.text) || number_in<double>(field);
+    };
+    return row.size() == 3 && !number_in<double>(row[2]) && !is_item(row[0]) && !is_item(row[1]);
   }
 
   Element item(const Field& field) {
@@ -95,6 +102,10 @@ class CostList {
     const auto cost = number_in<double>(row[2]);
     if (!cost || !std::isfinite(*cost) || *cost < 0) {
       rows_.fail(row[2], fmt::format("'{}' is not a cost; give a number, 0 or more", row[2].text));
+    }
+    if (*cost > highest_cost) {
+      rows_.fail(row[2], fmt::format("'{}' is too much for a cost; give {} at most", row[2].text,
+                                     highest_cost));
     }
     if (x == y) {
       rows_.fail(row[1],

@@ -173,7 +173,7 @@ std::vector<OptionRule> rules() {
       {Says::never_with,
        {"worker", "from_step", "verify_beside"},
        {"disjoint", "fast_room", "prefetch", "write_back"}},
-      {Says::never_with, {"from_step"}, {"workers", "new_pairs"}},
+      {Says::never_with, {"from_step"}, {"workers", "new_pairs", "verify_beside"}},
       {Says::never_with, {"balance", "first_holder", "pair_cost"}, {"disjoint"}},
       {Says::never_with,
        {"fast_room"},
