@@ -415,7 +415,7 @@ int main(int count, char** words) {
   std::puts(
       "// Written by docs/tools/find_shares.sh. Do not edit: a line that is wrong is refused by the tests.\n"
       "#include \"loadorder/shares/known_shares.hpp\"\n\n"
-      "namespace changeover {\nnamespace {\n\nconstexpr const char* lines[] = {");
+      "namespace changeover {\nnamespace {\n\n// clang-format off\nconstexpr const char* lines[] = {");
   for (const Shares& shares : search.useful()) {
     if (!is_right(shares)) {
       std::fprintf(stderr, "a share that was found is wrong\n");

@@ -4,6 +4,7 @@
 namespace changeover {
 namespace {
 
+// clang-format off
 constexpr const char* lines[] = {
     "3 1 | 1 / 0",
     "3 1 | 0 1 /",

@@ -29,10 +29,6 @@ Meetings::Meetings(std::uint64_t parts, bool triples)
       triples_(triples ? parts_ * parts_ * words_ : 0) {}
 
 void Meetings::add(const Job& job, const Block& setup) {
-  if (setup.size() > job.at_once) {
-    throw BadInput(fmt::format("a test that was done has {} parts, but only {} fit at once",
-                               setup.size(), job.at_once));
-  }
   together_.assign(words_, 0);
   for (const Element x : setup) {
     if (x >= parts_) {
@@ -98,6 +94,10 @@ void mark_tested(Job& job, const std::vector<DoneTest>& tests, FailedTests faile
     stop_if_asked();
     if (test.result == TestResult::not_run) {
       continue;
+    }
+    if (test.setup.size() > job.at_once) {
+      throw BadInput(fmt::format("a test that was done has {} parts, but only {} fit at once",
+                                 test.setup.size(), job.at_once));
     }
     (is_in_doubt(test.result) ? in_doubt : sure).add(job, test.setup);
     last = &test;

@@ -34,7 +34,8 @@ class Meetings {
  public:
   Meetings(std::uint64_t parts, bool triples);
 
-  /// @throws BadInput for more parts than at_once, a part twice or none of the parts; nothing is then added.
+  /// A set-up of any size. @throws BadInput for a part twice, or one that there is not; nothing is
+  /// then added.
   void add(const Job& job, const Block& setup);
   [[nodiscard]] bool met(Element x, Element y) const { return has(pairs_, x, y); }
   [[nodiscard]] bool met(const Triple& t) const {
