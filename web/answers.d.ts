@@ -177,7 +177,8 @@ export type LoadRequest = {
   /** how many are in memory at once */
   room?: number | null;
   /** only the pairs listed there, two items per line (text, CSV, .xlsx); "-": standard input */
-  pairs?: ([string | number | null, string | number | null][] | {file: string} | {text: string}) | null;
+  pairs?:
+    ([string | number | null, string | number | null][] | {file: string} | {text: string} | {workbook: string; sheet?: string}) | null;
   /** each of the P items with each of B others */
   against?: number | null;
   /** the pairs of the first N items are done */
@@ -195,7 +196,14 @@ export type LoadRequest = {
   /** the first worker that has a pair computes it */
   first_holder?: boolean | null;
   /** what pairs cost to compute, two items and a number per line, otherwise 1; costs are spread evenly over workers */
-  pair_cost?: ([string | number | null, string | number | null, string | number | null][] | {file: string} | {text: string}) | null;
+  pair_cost?:
+    | (
+        | [string | number | null, string | number | null, string | number | null][]
+        | {file: string}
+        | {text: string}
+        | {workbook: string; sheet?: string}
+      )
+    | null;
   /** begin at step N, which loads what is in memory then */
   from_step?: number | null;
   /** begin at once: steps are read while they are written, and the end says whether they are right */
