@@ -109,9 +109,9 @@ std::vector<Block> lines_of_the_plane() {
 
 TEST_F(SearchExamples, LockedSearch) {
   RunControl control({.time = std::chrono::seconds(20)});
-  LockedResult found = search_locked({.v = 12, .k = 4, .change = 1},
-                                     {.first = {0, 1, 2}, .expansion_set = true}, {.blocks = 21},
-                                     control);
+  LockedResult found =
+      search_locked({.v = 12, .k = 4, .change = 1}, {.first = {0, 1, 2}, .expansion_set = true},
+                    {.blocks = 21}, control);
   ASSERT_TRUE(found.design);
   EXPECT_EQ(found.design->block_count(), 21U);
   EXPECT_EQ(found.parts.size(), 3U);

@@ -8,6 +8,7 @@
 #include "changeover/plan/model.hpp"
 #include "changeover/run/control.hpp"
 #include "plan/job/pair_numbers.hpp"
+#include "run/random.hpp"
 
 namespace changeover {
 namespace {
@@ -35,6 +36,9 @@ ChoiceSolver::ChoiceSolver(const Job& job) : job_(&job), rules_(*job.model) {
 
 std::optional<Block> ChoiceSolver::completed(std::span<const Element> parts,
                                              std::span<const Element> liked) {
+  if (auto row = as_liked(parts, liked, false)) {
+    return row;
+  }
   assumed_.clear();
   for (const Element x : parts) {
     assumed_.push_back(value_literal(x));
@@ -44,14 +48,49 @@ std::optional<Block> ChoiceSolver::completed(std::span<const Element> parts,
 
 std::optional<Block> ChoiceSolver::testing(std::span<const Element> parts,
                                            std::span<const Element> liked) {
+  const bool in_range = !out_of_range(*job_, parts);
+  if (auto row = as_liked(parts, liked, in_range)) {
+    return row;
+  }
   assumed_.clear();
   for (const Element x : parts) {
     assumed_.push_back(value_literal(x));
   }
-  if (!out_of_range(*job_, parts)) {
+  if (in_range) {
     assumed_.push_back(in_range_);
   }
   return solve(liked);
+}
+
+std::optional<Block> ChoiceSolver::as_liked(std::span<const Element> parts,
+                                            std::span<const Element> liked, bool in_range) const {
+  if (liked.size() != job_->slots.size()) {
+    return std::nullopt;
+  }
+  Block row(liked.begin(), liked.end());
+  for (const Element m : job_->mounted) {
+    row[job_->slot_of[m]] = m;
+  }
+  for (const Element x : parts) {
+    row[job_->slot_of[x]] = x;
+  }
+  const auto has = [&](Element x) { return row[job_->slot_of[x]] == x; };
+  if (!std::ranges::all_of(parts, has) || !std::ranges::all_of(job_->mounted, has)) {
+    return std::nullopt;
+  }
+  for (std::size_t s = 0; s < row.size(); ++s) {
+    const Element x = row[s];
+    if (job_->slot_of[x] != s || rules_.banned(x) || !rules_.allows(row, s, x) ||
+        (in_range && job_->model->value(x).negative)) {
+      return std::nullopt;
+    }
+    for (std::size_t t = 0; t < s; ++t) {
+      if (rules_.apart(row[t], x) || job_->never.contains(row[t], x)) {
+        return std::nullopt;
+      }
+    }
+  }
+  return row;
 }
 
 std::optional<Block> ChoiceSolver::solve(std::span<const Element> liked) {
@@ -78,17 +117,59 @@ std::optional<Block> ChoiceSolver::solve(std::span<const Element> liked) {
   return setup;
 }
 
+namespace {
+
+/// Set-ups that have many pairs which those before had not: of a few values of each parameter, the
+/// one with most.
+class NewRows {
+ public:
+  NewRows(const Job& job, const PairSet& seen) : seen_(&seen), values_(job.slots.size()) {
+    for (Element x = 0; x < job.parts(); ++x) {
+      values_[job.slot_of[x]].push_back(x);
+    }
+  }
+
+  Block next() {
+    constexpr int samples = 4;
+    Block row;
+    for (const std::vector<Element>& values : values_) {
+      Element best = values.front();
+      std::ptrdiff_t most = -1;
+      for (int i = 0; i < samples; ++i) {
+        const Element x = values[random_.below(static_cast<std::uint32_t>(values.size()))];
+        const std::ptrdiff_t fresh =
+            std::ranges::count_if(row, [&](Element y) { return !seen_->contains(x, y); });
+        if (fresh > most) {
+          most = fresh;
+          best = x;
+        }
+      }
+      row.push_back(best);
+    }
+    return row;
+  }
+
+ private:
+  const PairSet* seen_;
+  std::vector<std::vector<Element>> values_;
+  Random random_{1};
+};
+
+}  // namespace
+
 PairSet apart_in_choices(const Job& job) {
   PairSet apart(job.parts());
   ChoiceSolver solver(job);
   PairSet seen(job.parts());
+  NewRows rows(job, seen);
   Block last;
   job.needed.for_each(all_of_them, [&](Element x, Element y) {
     if (seen.contains(x, y)) {
       return;
     }
     const Element both[] = {x, y};
-    auto setup = job.slot_of[x] == job.slot_of[y] ? std::nullopt : solver.testing(both, last);
+    auto setup =
+        job.slot_of[x] == job.slot_of[y] ? std::nullopt : solver.testing(both, rows.next());
     if (!setup) {
       apart.insert(x, y);
       return;

@@ -35,6 +35,9 @@ class ChoiceSolver {
   [[nodiscard]] const CompiledRules& rules() const { return rules_; }
 
  private:
+  /// The liked set-up with these parts in it if it breaks nothing; most often no solver is needed.
+  [[nodiscard]] std::optional<Block> as_liked(std::span<const Element> parts,
+                                              std::span<const Element> liked, bool in_range) const;
   [[nodiscard]] std::optional<Block> solve(std::span<const Element> liked);
 
   const Job* job_;

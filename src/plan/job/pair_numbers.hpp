@@ -3,6 +3,9 @@
 
 #include <cstdint>
 #include <limits>
+#include <utility>
+
+#include "changeover/core/block.hpp"
 
 namespace changeover {
 
@@ -12,6 +15,19 @@ inline constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>:
 /// C(n, 2), for n below 2³².
 [[nodiscard]] inline std::uint64_t choose_two(std::uint64_t n) {
   return n < 2 ? 0 : n * (n - 1) / 2;
+}
+
+/// Puts three elements in increasing order.
+inline void sort_three(Element& x, Element& y, Element& z) {
+  if (x > y) {
+    std::swap(x, y);
+  }
+  if (y > z) {
+    std::swap(y, z);
+  }
+  if (x > y) {
+    std::swap(x, y);
+  }
 }
 
 }  // namespace changeover

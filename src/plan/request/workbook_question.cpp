@@ -1,6 +1,7 @@
 #include "plan/request/workbook_question.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +18,7 @@
 #include "io/scan/row_reader.hpp"
 #include "io/workbook/workbook_sheet.hpp"
 #include "plan/job/parts/heading_words.hpp"
+#include "plan/request/done_tests.hpp"
 #include "plan/sheet/sheet_document.hpp"
 
 namespace changeover {
@@ -376,6 +378,14 @@ JobRequest with_other_sheets(JobRequest request, const Book& book,
   }
   if (!taken.empty()) {
     notes.push_back(fmt::format("{}: {}, by the names of its sheets", book.name, taken));
+  }
+  // Without results they count as a plan and not as tests, so they are not taken unasked.
+  const std::vector<std::string> benches =
+      request.done.is_given() ? std::vector<std::string>() : bench_sheets(book.list.file);
+  if (!benches.empty()) {
+    notes.push_back(fmt::format("{}: results on its run sheets '{}' are not read; give the "
+                                "workbook as done tests, too, if there are any",
+                                book.name, fmt::join(benches, "', '")));
   }
   return request;
 }

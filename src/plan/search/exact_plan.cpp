@@ -1,5 +1,7 @@
 #include "plan/search/exact_plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -7,8 +9,10 @@
 #include <numeric>
 #include <queue>
 #include <unordered_map>
+#include <utility>
 
 #include "changeover/plan/model.hpp"
+#include "core/words.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/pair_numbers.hpp"
 #include "plan/search/choices/choice_lists.hpp"
@@ -466,6 +470,20 @@ bool is_small(const Job& job) {
 
 ExactPlan exact_plan(const Job& job, Amount below, std::uint64_t most_states, RunControl& control) {
   return Exact(job, below.millionths, control).run(most_states);
+}
+
+std::optional<Start> take_exact(RunPlan& plan, ExactPlan exact) {
+  if (exact.bound > plan.bound.cost) {
+    plan.bound.cost = exact.bound;
+    plan.bound.reason = fmt::format(
+        "of all lists, looked through from the cheapest on in {}, none costs less; without that, {}",
+        count_of(exact.states, "state"), plan.bound.reason);
+  }
+  if (!exact.setups) {
+    return std::nullopt;
+  }
+  return Start{"exact search", "the cheapest of all lists, which were looked through",
+               std::move(*exact.setups)};
 }
 
 }  // namespace changeover

@@ -15,7 +15,9 @@
 #include <vector>
 
 #include "changeover/plan/job.hpp"
+#include "changeover/plan/run_plan.hpp"
 #include "changeover/run/control.hpp"
+#include "plan/search/starts/starts.hpp"
 
 namespace changeover {
 
@@ -33,5 +35,8 @@ struct ExactPlan {
 /// For a job that is_small() and has no defects.
 [[nodiscard]] ExactPlan exact_plan(const Job& job, Amount below, std::uint64_t most_states,
                                    RunControl& control);
+
+/// Raises the bound of a plan to that of a look at all lists, and returns the list that was found.
+[[nodiscard]] std::optional<Start> take_exact(RunPlan& plan, ExactPlan exact);
 
 }  // namespace changeover

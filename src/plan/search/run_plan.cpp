@@ -220,15 +220,8 @@ class Planner {
     constexpr std::uint64_t bytes_a_state = 128;
     require_memory(options_->states * bytes_a_state, "looking at all lists of a small job");
     ExactPlan exact = exact_plan(*job_, best, options_->states, *control_);
-    if (exact.bound > plan.bound.cost) {
-      plan.bound.cost = exact.bound;
-      plan.bound.reason = fmt::format(
-          "of all lists, looked through from the cheapest on in {}, none costs less; without that, {}",
-          count_of(exact.states, "state"), plan.bound.reason);
-    }
-    if (exact.setups) {
-      add(plan, {"exact search", "the cheapest of all lists, which were looked through",
-                 std::move(*exact.setups)});
+    if (auto found = take_exact(plan, std::move(exact))) {
+      add(plan, *std::move(found));
     }
   }
 

@@ -301,6 +301,25 @@ TEST(ModelPlans, WhatIsThereAtTheStartMustNotStayForWhatIsMounted) {
             "a and b are both set at the start, but A has one value; keep one");
 }
 
+// A row serves as many pairs as it can, also in haste: two parameters need 64 tests here.
+TEST(ModelPlans, StoppedAtOnceTheListIsNotLong) {
+  std::string text;
+  for (int p = 0; p < 12; ++p) {
+    text += "P" + std::to_string(p) + ": ";
+    for (int v = 0; v < 8; ++v) {
+      text += (v > 0 ? ", v" : "v") + std::to_string(v) + "_" + std::to_string(p);
+    }
+    text += "\n";
+  }
+  text += "IF [P0] = \"v0_0\" THEN [P1] <> \"v1_1\";\n";
+  const Job job = test::job_of_text(text);
+  RunControl control({.time = std::chrono::seconds(0), .threads = 1});
+  const RunPlan plan =
+      make_run_plan(job, {.objective = PlanObjective::tests, .steps = 0, .attempts = 1}, control);
+  EXPECT_EQ(plan.sheet.pairs_tested, job.needed.size());
+  EXPECT_LT(plan.sheet.steps.size(), 200U);  // a pair a row would be thousands
+}
+
 TEST(ModelPlans, SaysWhichRuleLeavesNoTest) {
   const auto complaint = [](const std::string& text) -> std::string {
     const std::vector<std::string> found =

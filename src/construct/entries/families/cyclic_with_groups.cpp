@@ -210,8 +210,8 @@ class CyclicWithGroups final : public Family {
         "The cyclic {} has the unchanged subsets {{x, ..., x+{}}} for all x. At those with x = {}, {}, ... pairs of {} "
         "groups of {} new elements are inserted, so that two of different groups meet. After the last block comes for "
         "each group the cyclic {}, {} elements of which are the first ones of the other.",
-        changeover::name(base), s.n - 1, s.hole, s.hole + s.n, s.groups.groups, s.groups.size, changeover::name(piece),
-        s.hole);
+        changeover::name(base), s.n - 1, s.hole, s.hole + s.n, s.groups.groups, s.groups.size,
+        changeover::name(piece), s.hole);
   }
 };
 

@@ -17,6 +17,7 @@
 #include "plan/job/prices.hpp"
 #include "plan/search/bounds/dearest_parts.hpp"
 #include "plan/search/bounds/job_numbers.hpp"
+#include "plan/search/bounds/least_number.hpp"
 #include "plan/search/bounds/rounded_up.hpp"
 #include "plan/search/bounds/stays_cost.hpp"
 #include "plan/search/choices/choice_plan.hpp"
@@ -191,19 +192,7 @@ StaysCost least_by_stays(const Job& job, const JobNumbers& n) {
   return least;
 }
 
-struct Least {
-  std::uint64_t number = 0;
-  std::string why;
-
-  void at_least(std::uint64_t other, const std::string& reason) {
-    if (other > number) {
-      number = other;
-      why = reason;
-    }
-  }
-};
-
-Least least_tests(const Job& job, const JobNumbers& n) {
+LeastNumber least_tests(const Job& job, const JobNumbers& n) {
   const bool slots = !job.slots.empty();
   std::vector<std::uint64_t> inner_of_slot(slots ? job.names.size() * n.most.size() : 0, 0);
   if (slots) {
@@ -218,7 +207,7 @@ Least least_tests(const Job& job, const JobNumbers& n) {
       }
     });
   }
-  Least tests{1, "there is something to test"};
+  LeastNumber tests{1, "there is something to test"};
   std::uint64_t occurrences = 0;
   std::vector<std::uint64_t> by_slot(n.most.size(), 0);
   for (const Element x : n.parts) {
@@ -250,8 +239,8 @@ Least least_tests(const Job& job, const JobNumbers& n) {
   return tests;
 }
 
-Least least_introductions(const JobNumbers& n, std::uint64_t once, std::uint64_t by_stays) {
-  Least least{0, "none is needed"};
+LeastNumber least_introductions(const JobNumbers& n, std::uint64_t once, std::uint64_t by_stays) {
+  LeastNumber least{0, "none is needed"};
   least.at_least(once, "each part once");
   const std::uint64_t v = n.parts.size();
   std::uint64_t start = 0;
@@ -408,7 +397,11 @@ CostBound bound_of_valid_job(const Job& job) {
   }
   CostBound bound = job.triples.empty() ? bound_of_pairs(job) : bound_for_triples(job);
   if (job.model != nullptr) {
-    improve_choice_bound(job, bound);
+    try {
+      improve_choice_bound(job, bound);
+    } catch (const Stopped&) {
+      // What is known is true.
+    }
   }
   return bound;
 }
@@ -423,9 +416,9 @@ CostBound bound_of_pairs(const Job& job) {
     return bound;
   }
   const IntroductionCosts costs(job, n);
-  const Least tests = least_tests(job, n);
+  const LeastNumber tests = least_tests(job, n);
   const StaysCost stays = least_by_stays(job, n);
-  const Least introductions = least_introductions(n, costs.once(), stays.extra);
+  const LeastNumber introductions = least_introductions(n, costs.once(), stays.extra);
 
   Cheapest cheapest;
   bound.tests = tests.number;

@@ -11,6 +11,7 @@
 #include "core/checked.hpp"
 #include "core/words.hpp"
 #include "plan/job/pair_numbers.hpp"
+#include "plan/search/bounds/least_number.hpp"
 #include "plan/search/bounds/rounded_up.hpp"
 #include "plan/search/choices/choice_plan.hpp"
 #include "plan/search/choices/tests_apart.hpp"
@@ -49,18 +50,6 @@ struct ChoiceNumbers {
   }
 };
 
-struct LeastTests {
-  std::uint64_t number = 0;
-  std::string why;
-
-  void at_least(std::uint64_t other, const std::string& reason) {
-    if (other > number) {
-      number = other;
-      why = reason;
-    }
-  }
-};
-
 // C(n, k), or the largest number.
 std::uint64_t choose(std::uint64_t n, std::uint64_t k) {
   __extension__ using Wide = unsigned __int128;
@@ -96,8 +85,8 @@ std::uint64_t two_valued_clique(const Job& job, const ChoiceNumbers& n) {
   return chosen.size();
 }
 
-LeastTests least_choice_tests(const Job& job, const ChoiceNumbers& n) {
-  LeastTests least;
+LeastNumber least_choice_tests(const Job& job, const ChoiceNumbers& n) {
+  LeastNumber least;
   for (std::size_t p = 0; p < n.slots; ++p) {
     for (std::size_t q = 0; q < p; ++q) {
       least.at_least(n.in_range[p][q], fmt::format("the {} of {} and {} come one a test",
@@ -205,7 +194,7 @@ void improve_choice_bound(const Job& job, CostBound& bound) {
     return;
   }
   const ChoiceNumbers n(job);
-  const LeastTests tests = least_choice_tests(job, n);
+  const LeastNumber tests = least_choice_tests(job, n);
   const LeastChanges changes = least_choice_changes(job, n);
   const Amount cost =
       rounded_up(job, job.test_cost * std::max(tests.number, bound.tests) + changes.cost);

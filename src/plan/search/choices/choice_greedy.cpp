@@ -1,5 +1,6 @@
 // Lists of set-ups of a model, built row by row.
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "changeover/core/error.hpp"
@@ -22,11 +23,12 @@ class ChoiceGreedy {
 
   void run() {
     while (list_.missing() > 0) {
-      if (control_.stop_wanted()) {
-        list_.insert(list_.size(), with_missing());
+      best_value_ = -1;
+      if (control_.stop_wanted()) {  // One try a row: the list is complete soon, and not long.
+        improve(with_missing());
+        list_.insert(list_.size(), best_);
         continue;
       }
-      best_value_ = -1;
       const std::size_t tries = aim_ == GreedyAim::tests ? many_tries : few_tries;
       for (std::size_t i = 0; i < tries; ++i) {
         if (i == 0 && list_.size() > 0) {
@@ -201,9 +203,16 @@ class ChoiceGreedy {
 
 void complete_greedily(const ChoiceJob& choices, ChoiceList& list, GreedyAim aim, Random& random,
                        RunControl& control) {
-  if (list.missing() > 0) {
-    ChoiceGreedy(choices, list, aim, random, control).run();
+  if (list.missing() == 0) {
+    return;
   }
+  std::optional<ChoiceGreedy> greedy;
+  {
+    RunControl undisturbed({});
+    const RunScope without_limit(undisturbed);
+    greedy.emplace(choices, list, aim, random, control);
+  }
+  greedy->run();
 }
 
 void prune_choices(const ChoiceJob& choices, ChoiceList& list) {

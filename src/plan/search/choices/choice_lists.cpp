@@ -67,15 +67,7 @@ ChoiceJob::ChoiceJob(const Job& job)
 }
 
 std::size_t ChoiceJob::triple(Element x, Element y, Element z) const {
-  if (x > y) {
-    std::swap(x, y);
-  }
-  if (y > z) {
-    std::swap(y, z);
-  }
-  if (x > y) {
-    std::swap(x, y);
-  }
+  sort_three(x, y, z);
   return (x * parts() + y) * parts() + z;
 }
 

@@ -36,8 +36,12 @@ class ChoicePlanner {
       settle(job_, plan, control_);
       return plan;
     }
-    choices_.emplace(job_);
-    add(plan, greedy(GreedyAim::cost, 0));
+    {
+      RunControl undisturbed({});
+      const RunScope without_limit(undisturbed);
+      choices_.emplace(job_);
+    }
+    add(plan, greedy(few_tests() ? GreedyAim::tests : GreedyAim::cost, 0));
     keep_what_there_is(plan, [&] {
       add_rest(plan);
       search(plan);
@@ -101,7 +105,10 @@ class ChoicePlanner {
     if (!control_.stop_wanted()) {
       prune_choices(*choices_, list);
     }
-    return {"greedy list", "always the test that brings most for its cost", list.setups()};
+    return {"greedy list",
+            aim == GreedyAim::tests ? "always the test that brings most"
+                                    : "always the test that brings most for its cost",
+            list.setups()};
   }
 
   // The list under way without what breaks a rule, and with what it lacks.
@@ -261,15 +268,8 @@ class ChoicePlanner {
 
   void look_at_all(RunPlan& plan) const {
     ExactPlan exact = exact_plan(job_, best(plan).cost, options_.states, control_);
-    if (exact.bound > plan.bound.cost) {
-      plan.bound.cost = exact.bound;
-      plan.bound.reason = fmt::format(
-          "of all lists, looked through from the cheapest on in {}, none costs less; without that, {}",
-          count_of(exact.states, "state"), plan.bound.reason);
-    }
-    if (exact.setups) {
-      add(plan, {"exact search", "the cheapest of all lists, which were looked through",
-                 std::move(*exact.setups)});
+    if (auto found = take_exact(plan, std::move(exact))) {
+      add(plan, *std::move(found));
     }
   }
 

@@ -6,6 +6,7 @@
 
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "plan/job/pair_numbers.hpp"
 #include "plan/job/prices.hpp"
 #include "plan/search/lists/assignment.hpp"
 
@@ -14,7 +15,6 @@ namespace {
 
 constexpr std::uint64_t one = 1'000'000;
 
-std::size_t choose_two(std::size_t n) { return n * (n - 1) / 2; }
 std::size_t choose_three(std::size_t n) { return n < 3 ? 0 : n * (n - 1) * (n - 2) / 6; }
 
 }  // namespace
@@ -197,15 +197,7 @@ std::size_t Lists::index(Element x, Element y) const {
 }
 
 std::size_t Lists::index(Element x, Element y, Element z) const {
-  if (x > y) {
-    std::swap(x, y);
-  }
-  if (y > z) {
-    std::swap(y, z);
-  }
-  if (x > y) {
-    std::swap(x, y);
-  }
+  sort_three(x, y, z);
   return choose_three(z) + choose_two(y) + x;
 }
 
