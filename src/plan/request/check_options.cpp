@@ -7,7 +7,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
 #include "plan/request/question.hpp"
-#include "plan/sheet/bench_calendar.hpp"
+#include "plan/sheet/benches/bench_calendar.hpp"
 
 namespace changeover {
 namespace {

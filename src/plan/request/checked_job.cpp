@@ -21,7 +21,7 @@
 #include "plan/request/question.hpp"
 #include "plan/request/whole_question.hpp"
 #include "plan/request/workbook_question.hpp"
-#include "plan/sheet/bench_calendar.hpp"
+#include "plan/sheet/benches/bench_calendar.hpp"
 #include "plan/sheet/clock.hpp"
 
 namespace changeover {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/table/table.hpp"
-#include "plan/sheet/bench_calendar.hpp"
+#include "plan/sheet/benches/bench_calendar.hpp"
 #include "plan/sheet/sheet_words.hpp"
 
 namespace changeover {

@@ -89,12 +89,15 @@ TEST(PlanBenches, GoOnAfterTheTestsOfEachBench) {
                 .code,
             0);
   spit(folder.file("other.csv"), "bench\nWest\nSouth\n");
+  ASSERT_EQ(run(plan(lab + "-o week.xlsx"), folder.path()).code, 0);
   expect({{plan(lab + "--done sheet.csv"), 0, ", after 4 tests done"},
           {plan(lab + "--done sheet.csv"), 0, "8 hours a day; 2 tests done before"},
           {plan(lab + "--done sheet.csv --format csv"), 0, "\nSouth,3,"},
           {plan(lab + "--done sheet.csv --json"), 0, "\"tests_done\":4"},
           {plan("parts.csv --benches other.csv --done sheet.csv"), 0,
            "sheet.csv: 'North' is none of the benches; what was tested there counts"},
+          {plan("week.xlsx --benches benches.csv"), 0,
+           "results on its run sheets 'North', 'South' are not read"},
           {plan(lab + "--done plan.csv"), 0, "nothing is left to do"},
           {"sed '2s/pass/fail/' sheet.csv > failed.csv; $changeover plan " + lab +
                "-k 4 --test-cost 1 --change-cost 1 --done failed.csv --diagnose",

@@ -145,4 +145,20 @@ std::string gzip(std::string_view text, int level) {
   return packed;
 }
 
+std::optional<Refusal> address_defect(const std::string& target) {
+  constexpr std::size_t longest_target = 8192;
+  constexpr std::size_t most_parameters = 100;
+  if (target.size() > longest_target) {
+    return Refusal{414, "the address is too long"};
+  }
+  if (std::ranges::count(target, '&') >= static_cast<std::ptrdiff_t>(most_parameters)) {
+    return Refusal{414, fmt::format("the address has more than {} parameters", most_parameters)};
+  }
+  const auto is_blank = [](unsigned char c) { return c <= ' ' || c == 0x7f; };
+  if (std::ranges::any_of(target, is_blank)) {
+    return Refusal{400, "there is a blank in the address; write %20"};
+  }
+  return std::nullopt;
+}
+
 }  // namespace changeover::serve

@@ -79,4 +79,7 @@ struct Response {
 /// @throws MissingResource if there is no memory for it.
 [[nodiscard]] std::string gzip(std::string_view text, int level = 5);
 
+/// Why an address with its parameters, as it came, is refused; nothing if it is not.
+[[nodiscard]] std::optional<Refusal> address_defect(const std::string& target);
+
 }  // namespace changeover::serve

@@ -23,13 +23,12 @@
 
 #include "changeover/core/error.hpp"
 #include "core/printable.hpp"
+#include "serve/http/exchange.hpp"
 
 namespace changeover::serve {
 namespace {
 
-constexpr std::size_t longest_target = 8192;
 constexpr std::size_t bytes_of_a_head = 32 << 10;
-constexpr std::size_t most_parameters = 100;
 // What libmicrohttpd has for one request, and clears after each. Half of it is for reading; lines, parameters and cookies are kept
 // in the rest, and where that is full there is no room for the head of an answer, so that nothing is answered.
 constexpr std::size_t room_of_a_connection = 64 << 10;
@@ -39,74 +38,10 @@ constexpr const char* too_many_fields = "the head of the request has too many li
 // A request that is refused is read to its end if that is near, so that who sends it hears why.
 constexpr std::size_t read_though_refused = 64 << 10;
 
-/// One request on its way.
-struct Exchange {
-  MHD_Connection* connection = nullptr;
-  int socket = -1;
-  std::thread::id thread = std::this_thread::get_id();  // of libmicrohttpd, always the same
-  std::string target;                                   // as it came
-  Request request = {};
-  const Route* route = nullptr;
-  std::optional<Response> response = {};
-  std::size_t head_bytes = 0;  // of the head, as far as libmicrohttpd hands it out
-  std::size_t expected = 0;    // bytes of the body
-  std::size_t held = 0;
-  bool blank_in_name = false;  // of a header: others read "Content-Length : 3" as a length
-  bool begun = false;
-  bool dispatched = false;
-  bool refused_at_once = false;
-};
-
 struct Listener {
   std::shared_ptr<EventFeed> feed;
   MHD_Connection* connection;
 };
-
-/// Those whose address has been read, and the rest of the head not yet.
-class Heads {
- public:
-  void add(Exchange& exchange) {
-    const std::scoped_lock lock(mutex_);
-    all_.insert(&exchange);
-  }
-  void remove(Exchange& exchange) {
-    const std::scoped_lock lock(mutex_);
-    all_.erase(&exchange);
-  }
-  /// The one that libmicrohttpd is looking at on this thread; nullptr if its head is not complete. All others of the thread wait
-  /// for lines, as soon as a head is complete it goes on or is refused; or they are being refused by the library before that,
-  /// which looks as if their heads had come, with no bytes.
-  [[nodiscard]] Exchange* complete() {
-    const std::scoped_lock lock(mutex_);
-    const auto found = std::ranges::find_if(all_, [](const Exchange* each) {
-      if (each->thread != std::this_thread::get_id()) {
-        return false;
-      }
-      const MHD_ConnectionInfo* const head =
-          MHD_get_connection_info(each->connection, MHD_CONNECTION_INFO_REQUEST_HEADER_SIZE);
-      return head != nullptr && head->header_size > 0;
-    });
-    return found == all_.end() ? nullptr : *found;
-  }
-
- private:
-  std::mutex mutex_;
-  std::set<Exchange*> all_;
-};
-
-std::optional<Refusal> address_defect(const std::string& target) {
-  if (target.size() > longest_target) {
-    return Refusal{414, "the address is too long"};
-  }
-  if (std::ranges::count(target, '&') >= static_cast<std::ptrdiff_t>(most_parameters)) {
-    return Refusal{414, fmt::format("the address has more than {} parameters", most_parameters)};
-  }
-  const auto is_blank = [](unsigned char c) { return c <= ' ' || c == 0x7f; };
-  if (std::ranges::any_of(target, is_blank)) {
-    return Refusal{400, "there is a blank in the address; write %20"};
-  }
-  return std::nullopt;
-}
 
 }  // namespace
 

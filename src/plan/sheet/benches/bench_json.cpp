@@ -1,6 +1,6 @@
 // The sheets of several benches for programs.
 #include "io/write/json_writer.hpp"
-#include "plan/sheet/bench_words.hpp"
+#include "plan/sheet/benches/bench_words.hpp"
 #include "plan/sheet/places_json.hpp"
 #include "plan/sheet/sheet_document.hpp"
 

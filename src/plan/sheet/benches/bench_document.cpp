@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/words.hpp"
-#include "plan/sheet/bench_words.hpp"
+#include "plan/sheet/benches/bench_words.hpp"
 #include "plan/sheet/places.hpp"
 #include "plan/sheet/sheet_document.hpp"
 #include "plan/sheet/step_table.hpp"

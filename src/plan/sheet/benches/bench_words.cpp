@@ -1,4 +1,4 @@
-#include "plan/sheet/bench_words.hpp"
+#include "plan/sheet/benches/bench_words.hpp"
 
 #include <fmt/format.h>
 

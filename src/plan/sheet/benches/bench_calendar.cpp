@@ -1,4 +1,4 @@
-#include "plan/sheet/bench_calendar.hpp"
+#include "plan/sheet/benches/bench_calendar.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "changeover/plan/benches.hpp"
-#include "plan/sheet/bench_calendar.hpp"
+#include "plan/sheet/benches/bench_calendar.hpp"
 #include "plan/sheet/sheet_words.hpp"
 
 namespace changeover {
