@@ -3,9 +3,9 @@
 //     check(Parameters{.v = 61, .k = 4});
 //     std::cout << version << '\n';
 //
-// What is included here is the public door: these headers include each other, the standard library and nothing else, and what
-// they do not show may change at any time. A program that needs one room includes its headers only,
-// which compile faster.
+// What is included here is the public door: these headers include each other, the standard library
+// and nothing else, and what they do not show may change at any time. A program that needs one room
+// includes its headers only, which compile faster.
 //
 //   core         parameters, blocks and designs, recipes, faults
 //   run          limits, stop and progress of all that takes long

@@ -64,8 +64,8 @@ class Entry : public Construction {
     return {std::string(name()), p, std::move(arguments), std::move(inputs), {}};
   }
 
-  /// @throws BadInput unless the recipe has one input, any recipe of the parameters `smaller`, and is else
-  /// a recipe of this construction with these arguments.
+  /// @throws BadInput unless the recipe has one input, any recipe of the parameters `smaller`, and
+  /// is else a recipe of this construction with these arguments.
   void require_input(const Recipe& recipe, const std::optional<Parameters>& smaller,
                      const std::map<std::string, std::int64_t>& arguments) const;
 
@@ -111,12 +111,14 @@ class Family : public Entry {
   const Parameters& required(const Recipe& recipe) const;
 };
 
-/// A rule that makes a design of another one, its one input, and a number that their parameters tell.
+/// A rule that makes a design of another one, its one input, and a number that their parameters
+/// tell.
 class Rule : public Entry {
  protected:
   using Entry::Entry;
 
-  /// The number; 0 if the rule does not lead from the one to the other. Kinds and strengths are the same.
+  /// The number; 0 if the rule does not lead from the one to the other. Kinds and strengths are the
+  /// same.
   [[nodiscard]] virtual std::uint64_t number_between(const Parameters& small,
                                                      const Parameters& large) const = 0;
   /// The recipe of this rule.

@@ -11,13 +11,13 @@
 // needless blocks go. The answer is level 3, and 2 beyond v = 300.
 //
 // Each level refers to lower levels, to lower change numbers (and m = 1 to m = 2 without other
-// change numbers), to the circular design, to smaller blocks or to fewer elements; so this ends. A source is left out
-// where lower bounds show that it cannot help: that saves time and changes nothing. What else is
-// asked, before or at once, has no influence.
+// change numbers), to the circular design, to smaller blocks or to fewer elements; so this ends. A
+// source is left out where lower bounds show that it cannot help: that saves time and changes
+// nothing. What else is asked, before or at once, has no influence.
 //
 // Two kinds of cells have no levels. One whose best is its lower bound is done. One that the
-// catalog comes with was looked at with all others, again and again, when the catalog was made: there
-// only designs of the user's can be news, and only they and what comes of them are followed.
+// catalog comes with was looked at with all others, again and again, when the catalog was made:
+// there only designs of the user's can be news, and only they and what comes of them are followed.
 //
 // Results are kept, so a range is computed in one pass. Not thread-safe; each question has its own.
 #pragma once

@@ -1,7 +1,8 @@
 // Concatenation with groups: which designs are worth trying, and those that are made.
 //
-// What comes of a design depends on its blocks, too, not only on how many there are: on how many disjoint unchanged
-// subsets it has. So some designs with a few blocks more are kept as well, if they have more of these.
+// What comes of a design depends on its blocks, too, not only on how many there are: on how many
+// disjoint unchanged subsets it has. So some designs with a few blocks more are kept as well, if
+// they have more of these.
 #include <algorithm>
 #include <tuple>
 #include <utility>

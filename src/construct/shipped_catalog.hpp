@@ -1,4 +1,5 @@
-// The image of the catalog that comes with the program; the build makes it from the lines in catalog/.
+// The image of the catalog that comes with the program; the build makes it from the lines in
+// catalog/.
 #pragma once
 
 #include <cstddef>

@@ -17,7 +17,8 @@ namespace changeover {
 
 namespace {
 
-// Blocks on their way to the digest, judged by the parameters of the entry; no more than one over the number that it names.
+// Blocks on their way to the digest, judged by the parameters of the entry; no more than one over
+// the number that it names.
 class Judged final : public BlockSource {
  public:
   Judged(BlockSource& blocks, const CatalogEntry& entry)

@@ -79,7 +79,8 @@ CyclicWords cyclic_words(const Design& design) {
 
 LeastRotation least_rotation(const std::vector<BlockSymbol>& word) {
   const std::size_t n = word.size();
-  // Two candidates race; the one that loses at offset `same` is out, and so are the `same` after it.
+  // Two candidates race; the one that loses at offset `same` is out, and so are the `same` after
+  // it.
   std::size_t one = 0;
   std::size_t other = 1;
   std::size_t same = 0;

@@ -1,8 +1,9 @@
 // Cheap invariants of the blocks of a circular design, to tell its rotations apart.
 //
-// The symbol of a block says how long the elements that are introduced in it stay, and how long they were
-// and will be absent. Renaming elements does not change the word of the symbols, rotating the design
-// rotates it. Two equal symbols may stand for different blocks: that costs time, never truth.
+// The symbol of a block says how long the elements that are introduced in it stay, and how long
+// they were and will be absent. Renaming elements does not change the word of the symbols, rotating
+// the design rotates it. Two equal symbols may stand for different blocks: that costs time, never
+// truth.
 #pragma once
 
 #include <compare>
@@ -22,8 +23,8 @@ struct BlockSymbol {
   auto operator<=>(const BlockSymbol&) const = default;
 };
 
-/// The word of the blocks 0, 1, …, b−1, and that of the same blocks read backwards around the circle: symbol i
-/// of either is about block i.
+/// The word of the blocks 0, 1, …, b−1, and that of the same blocks read backwards around the
+/// circle: symbol i of either is about block i.
 struct CyclicWords {
   std::vector<BlockSymbol> forwards, backwards;
 };
@@ -31,7 +32,8 @@ struct CyclicWords {
 /// O(bk).
 [[nodiscard]] CyclicWords cyclic_words(const Design& design);
 
-/// Where the least rotation of a word begins, and the shortest rotation that leaves the word as it is.
+/// Where the least rotation of a word begins, and the shortest rotation that leaves the word as it
+/// is.
 struct LeastRotation {
   std::size_t start = 0;
   std::size_t period = 0;

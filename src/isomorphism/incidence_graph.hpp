@@ -1,9 +1,9 @@
 // The incidence graph of elements and blocks, for bliss.
 //
-// A second, independent way to decide what isomorphism/isomorphism.hpp decides by sorting columns, and the
-// only way where the order of blocks is forgotten. How much of the order is kept is a matter of gadgets:
-// block i of a sequence has a colour of its own; a circle has an arc of two vertices from each block to the
-// next, one vertex if its direction is forgotten.
+// A second, independent way to decide what isomorphism/isomorphism.hpp decides by sorting columns,
+// and the only way where the order of blocks is forgotten. How much of the order is kept is a
+// matter of gadgets: block i of a sequence has a colour of its own; a circle has an arc of two
+// vertices from each block to the next, one vertex if its direction is forgotten.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +25,11 @@ enum class BlockOrder : std::uint8_t {
 };
 
 struct GraphForm {
-  /// Vertex v of the graph has the place label[v] in the canonical graph; elements are vertices 0, …, v−1.
+  /// Vertex v of the graph has the place label[v] in the canonical graph; elements are vertices 0,
+  /// …, v−1.
   std::vector<unsigned> label;
-  /// The canonical graph: (place, colour) of each vertex, then its edges (lesser place first); sorted.
+  /// The canonical graph: (place, colour) of each vertex, then its edges (lesser place first);
+  /// sorted.
   std::vector<std::pair<unsigned, unsigned>> colours, edges;
   std::string group_order;                        ///< exact, in decimal
   std::vector<std::vector<unsigned>> generators;  ///< on vertices

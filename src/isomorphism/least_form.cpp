@@ -9,7 +9,8 @@
 namespace changeover {
 namespace {
 
-// Readings that may give the least form: start, start ± stride, …, `count` of them, in one direction.
+// Readings that may give the least form: start, start ± stride, …, `count` of them, in one
+// direction.
 struct Candidates {
   std::size_t start = 0;
   std::size_t stride = 0;
@@ -23,7 +24,8 @@ struct Candidates {
   }
 };
 
-// Whether two words of the same length are equal, each read from its own start; if not, which is less.
+// Whether two words of the same length are equal, each read from its own start; if not, which is
+// less.
 bool same_rotation(const std::vector<BlockSymbol>& a, std::size_t a_start,
                    const std::vector<BlockSymbol>& b, std::size_t b_start, bool& less) {
   const std::size_t n = a.size();
@@ -86,8 +88,8 @@ LeastForm least_form(const Design& design, const Sameness& same) {
                   .mirror = {}};
   bool any = false;
   for (const Candidates& set : candidates(design, same)) {
-    // Once two readings agree, rotating by their distance is a symmetry, and readings that differ by
-    // it need not be looked at any more. The distance is the same in both directions.
+    // Once two readings agree, rotating by their distance is a symmetry, and readings that differ
+    // by it need not be looked at any more. The distance is the same in both directions.
     std::size_t distinct = std::min(set.count, least.step / set.stride);
     std::size_t own_best = 0;
     bool own_is_best = false;

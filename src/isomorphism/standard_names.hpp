@@ -5,8 +5,8 @@
 //     names.name_of()[x];                                // 0 for an element of block 3
 //     names.form();                                      // the b·k renamed elements, block after block
 //
-// The elements are kept in an ordered partition into classes with the same column so far. Each block splits
-// the classes that it meets: its elements come first.
+// The elements are kept in an ordered partition into classes with the same column so far. Each
+// block splits the classes that it meets: its elements come first.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,8 @@
 
 namespace changeover {
 
-/// The order in which the blocks of a design are read; block `start` first, then on around the circle.
+/// The order in which the blocks of a design are read; block `start` first, then on around the
+/// circle.
 struct Reading {
   std::size_t start = 0;
   bool backwards = false;

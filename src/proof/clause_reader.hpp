@@ -62,8 +62,8 @@ class ByteReader {
 
   void skip_blanks(bool over_lines);
   void skip_line();
-  /// A whole number of decimal digits, perhaps with a minus. @throws BadInput if there is none or if it
-  /// exceeds `limit`.
+  /// A whole number of decimal digits, perhaps with a minus. @throws BadInput if there is none or
+  /// if it exceeds `limit`.
   std::int32_t number(std::uint64_t limit, const char* what);
   /// @throws BadInput with the name and the line.
   [[noreturn]] void fail(const std::string& what) const { fail_at(line_, what); }
@@ -88,8 +88,8 @@ class DimacsReader {
 
   [[nodiscard]] std::uint64_t variables() const { return variables_; }
 
-  /// The next clause; false at the end. @throws BadInput, also if there are not as many clauses as the
-  /// header says.
+  /// The next clause; false at the end. @throws BadInput, also if there are not as many clauses as
+  /// the header says.
   bool next(Literals& clause);
 
  private:

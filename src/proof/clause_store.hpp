@@ -5,8 +5,8 @@
 //     store.implies({1});               // does unit propagation from ¬1 meet a contradiction?
 //     store.contradictory();            // does unit propagation from nothing?
 //
-// Two literals of each clause are watched. What propagates from no assumption at all is kept: "the fixed
-// literals", and the clauses that fixed them are never deleted.
+// Two literals of each clause are watched. What propagates from no assumption at all is kept: "the
+// fixed literals", and the clauses that fixed them are never deleted.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +39,8 @@ class ClauseStore {
   /// Whether assuming all literals of `clause` false makes unit propagation meet a contradiction.
   [[nodiscard]] bool implies(std::span<const std::int32_t> clause);
 
-  /// Whether, besides, it does so for each clause on −pivot whose other literals are assumed false too.
+  /// Whether, besides, it does so for each clause on −pivot whose other literals are assumed false
+  /// too.
   [[nodiscard]] bool implies_resolvents(std::span<const std::int32_t> clause, std::int32_t pivot);
 
   [[nodiscard]] bool contradictory() const { return contradictory_; }

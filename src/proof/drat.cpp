@@ -13,7 +13,8 @@
 namespace changeover {
 namespace {
 
-/// Sorts and removes repetitions; false if a literal and its negation occur, so that the clause is true.
+/// Sorts and removes repetitions; false if a literal and its negation occur, so that the clause is
+/// true.
 bool normalise(Literals& clause) {
   std::sort(clause.begin(), clause.end(), [](std::int32_t a, std::int32_t b) {
     const std::int32_t x = a < 0 ? -a : a;

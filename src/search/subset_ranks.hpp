@@ -1,4 +1,5 @@
-// The t-subsets of {0, …, v−1} by number: {x₁ < x₂ < …} has rank ΣC(xᵢ,i), its place in colexicographic order.
+// The t-subsets of {0, …, v−1} by number: {x₁ < x₂ < …} has rank ΣC(xᵢ,i), its place in
+// colexicographic order.
 #pragma once
 
 #include <cstddef>

@@ -28,7 +28,8 @@ struct Closer {
 };
 using File = std::unique_ptr<std::FILE, Closer>;
 
-// A file without a name. What goes to and comes from another program goes through such, so that none waits for the other.
+// A file without a name. What goes to and comes from another program goes through such, so that
+// none waits for the other.
 File nameless_file() {
   File file(std::tmpfile());
   if (!file) {
@@ -126,7 +127,8 @@ std::string converted(const std::string& svg, const std::string& format, unsigne
     while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
     }
   }
-  // A shell's way to say that there is no such program; posix_spawnp may say so itself or leave it to the child.
+  // A shell's way to say that there is no such program; posix_spawnp may say so itself or leave it
+  // to the child.
   constexpr int not_there = 127;
   if (failure != 0 || (WIFEXITED(status) && WEXITSTATUS(status) == not_there)) {
     throw MissingResource(fmt::format(

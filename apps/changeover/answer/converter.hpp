@@ -5,8 +5,9 @@
 
 namespace changeover::cli {
 
-/// An SVG file as "pdf" or "png", enlarged by `zoom`. @throws MissingResource in one line: that the program is missing and which
-/// package has it, what it said, or that what it wrote is no such picture.
+/// An SVG file as "pdf" or "png", enlarged by `zoom`. @throws MissingResource in one line: that the
+/// program is missing and which package has it, what it said, or that what it wrote is no such
+/// picture.
 [[nodiscard]] std::string converted(const std::string& svg, const std::string& format,
                                     unsigned zoom);
 

@@ -47,7 +47,8 @@ int complain(int code, const std::string& message) {
   return code;
 }
 
-// Runs what makes an answer and delivers it; what goes wrong becomes one line and an exit code. `delivered` is set if nothing did.
+// Runs what makes an answer and delivers it; what goes wrong becomes one line and an exit code.
+// `delivered` is set if nothing did.
 int answer(const std::function<Answer()>& make, const std::string& verb,
            bool* delivered = nullptr) {
   const auto usage = [&verb](const std::string& message) {

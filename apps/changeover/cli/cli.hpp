@@ -1,4 +1,5 @@
-// The command line: what a verb may ask for, without the parser's header, which takes seconds a file.
+// The command line: what a verb may ask for, without the parser's header, which takes seconds a
+// file.
 //
 //     Answer run(const BoundsRequest& request) { … }
 //
@@ -9,8 +10,9 @@
 //       verb.exclude({"--first", "--json"});
 //     }
 //
-// What is parsed is a request; what it cannot mean is refused before the verb sees it, in one line and with exit
-// code 2. The verb makes an answer, and Program::run() delivers it (answer/answer.hpp).
+// What is parsed is a request; what it cannot mean is refused before the verb sees it, in one line
+// and with exit code 2. The verb makes an answer, and Program::run() delivers it
+// (answer/answer.hpp).
 #pragma once
 
 #include <cstdint>
@@ -90,7 +92,8 @@ class Verb {
   /// Command lines shown at the end of --help.
   void examples(const std::vector<std::string>& lines);
 
-  /// The exit codes of its answers, smallest first, and what each means here; without this, 0 is the only one.
+  /// The exit codes of its answers, smallest first, and what each means here; without this, 0 is
+  /// the only one.
   void outcomes(const std::vector<ExitCodeDescription>& codes);
 
  private:
@@ -108,8 +111,9 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  /// A verb that answers requests of its own kind; the request lives as long as the program. A name with a hyphen is
-  /// typed as two words: "catalog-show" is `changeover catalog show`, one verb of the group catalog.
+  /// A verb that answers requests of its own kind; the request lives as long as the program. A name
+  /// with a hyphen is typed as two words: "catalog-show" is `changeover catalog show`, one verb of
+  /// the group catalog.
   template <typename Request>
   std::pair<Verb&, Request&> add(const std::string& name, const std::string& summary,
                                  Answer (*act)(const Request&)) {
@@ -117,10 +121,12 @@ class Program {
     return {add_verb(name, summary, [request, act] { return act(*request); }), *request};
   }
 
-  /// What a group of verbs is for: `--help` lists the group, not its verbs. Before its first verb is added.
+  /// What a group of verbs is for: `--help` lists the group, not its verbs. Before its first verb
+  /// is added.
   void add_group(const std::string& name, const std::string& summary);
 
-  /// Parses, runs the verb, delivers its answer and maps faults to exit codes, one line on stderr each.
+  /// Parses, runs the verb, delivers its answer and maps faults to exit codes, one line on stderr
+  /// each.
   int run(int argc, char** argv);
 
   /// In the order of the help.

@@ -1,4 +1,5 @@
-// What the verbs are, as data: help, completion, manual pages, tests and other programs are made of it.
+// What the verbs are, as data: help, completion, manual pages, tests and other programs are made of
+// it.
 //
 //     for (const VerbDescription& verb : program.verbs()) {
 //       verb.typed();                    // "catalog show"

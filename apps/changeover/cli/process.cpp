@@ -18,7 +18,8 @@ void prepare_process() {
   // In this order: each gets the lowest number that is free.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) < 0) {
-      // Reading what is open for writing fails with EBADF, as the closed stream would, and the reverse.
+      // Reading what is open for writing fails with EBADF, as the closed stream would, and the
+      // reverse.
       static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
     }
   }

@@ -3,7 +3,8 @@
 //     status_line().show("annealing 40 blocks; best 41; 3 s", seconds);
 //     status_line().clear();                          // before an answer or a fault is written
 //
-// Nothing here ever fails: a stderr that is closed, full or a terminal that is gone is no reason to lose work.
+// Nothing here ever fails: a stderr that is closed, full or a terminal that is gone is no reason to
+// lose work.
 #pragma once
 
 #include <chrono>
@@ -20,7 +21,8 @@ class StatusLine {
   /// Columns that a line may have, so that it never wraps, which would leave its halves behind.
   [[nodiscard]] std::size_t width() const;
 
-  /// Replaces the line on a terminal. Elsewhere, in a log, a new line every ten seconds of `elapsed`.
+  /// Replaces the line on a terminal. Elsewhere, in a log, a new line every ten seconds of
+  /// `elapsed`.
   void show(std::string_view line, std::chrono::duration<double> elapsed);
 
   /// Removes the line from the terminal.

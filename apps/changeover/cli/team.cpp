@@ -28,8 +28,8 @@ class Alone final : public Team {
 
 #ifdef CHANGEOVER_WITH_MPI
 
-// Announcements carry the number of the exchange that they precede, so that a late one is not taken for
-// news of the next search.
+// Announcements carry the number of the exchange that they precede, so that a late one is not taken
+// for news of the next search.
 class MpiTeam final : public Team {
  public:
   MpiTeam() {

@@ -4,7 +4,8 @@
 //     if (found) { team.announce(); }               // the others stop: heard() tells them
 //     auto all = team.exchange(my_result);          // everybody's results, in order of index
 //
-// Without MPI, at build time or at run time, the team is this process alone and every call is trivial.
+// Without MPI, at build time or at run time, the team is this process alone and every call is
+// trivial.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,8 @@ namespace changeover::cli {
 
 class Team {
  public:
-  /// The team of this process; joined at the first call if the environment says that mpirun started it.
+  /// The team of this process; joined at the first call if the environment says that mpirun started
+  /// it.
   [[nodiscard]] static Team& world();
 
   virtual ~Team() = default;
@@ -33,12 +35,12 @@ class Team {
   /// Whether another member announced that, since the last exchange(). Thread-safe.
   [[nodiscard]] virtual bool heard() = 0;
 
-  /// Every member gives a message and gets all of them, in order of index. All members must call it equally
-  /// often; it waits for them.
+  /// Every member gives a message and gets all of them, in order of index. All members must call it
+  /// equally often; it waits for them.
   [[nodiscard]] virtual std::vector<std::string> exchange(const std::string& message) = 0;
 
-  /// Leaves in good order if `code` is an answer that all members have; otherwise this one cannot go on,
-  /// and all are ended. Call it once, last. Does nothing if world() was never called.
+  /// Leaves in good order if `code` is an answer that all members have; otherwise this one cannot
+  /// go on, and all are ended. Call it once, last. Does nothing if world() was never called.
   static void leave(int code);
 
  protected:

@@ -7,7 +7,8 @@
 
 namespace changeover::cli {
 
-/// Whether a descriptor is a terminal that can overwrite a line and show colours: not with TERM=dumb.
+/// Whether a descriptor is a terminal that can overwrite a line and show colours: not with
+/// TERM=dumb.
 [[nodiscard]] bool is_clever_terminal(int descriptor);
 
 /// Whether answers to standard output may be coloured: such a terminal, and NO_COLOR is not set.

@@ -18,8 +18,9 @@ struct CatalogRequest {
   /// Must live as long as the verb.
   void add_to(Verb& verb);
 
-  /// The catalog: what comes with the program, and the user's designs in FILE if one was named. What is wrong with that file is said
-  /// by Program::run(), once the verb has answered; what is thrown instead ends with left_out().
+  /// The catalog: what comes with the program, and the user's designs in FILE if one was named.
+  /// What is wrong with that file is said by Program::run(), once the verb has answered; what is
+  /// thrown instead ends with left_out().
   [[nodiscard]] Catalog& open() const;
 
   /// The same for a verb that changes the user's designs: not before its answer has a place.
@@ -30,14 +31,16 @@ struct CatalogRequest {
 /// Answer::done_before of such a verb.
 inline constexpr const char* catalog_was_changed = "the catalog was changed as asked";
 
-/// For a label, or its beginning, that leads nowhere: that the catalog has no such design, and where to look; in one line.
+/// For a label, or its beginning, that leads nowhere: that the catalog has no such design, and
+/// where to look; in one line.
 [[nodiscard]] std::string has_no_design(const std::string& label);
 
-/// "; your own catalog was left out: …", where that is so: for a fault that comes instead of an answer.
+/// "; your own catalog was left out: …", where that is so: for a fault that comes instead of an
+/// answer.
 [[nodiscard]] std::string left_out();
 
-/// [--k A..B] [--v C..D] [--change M] [--circular | --linear] [--strength T] [--status WORD] [--gap N] [--construction NAME]
-/// [--since DATE] [--all | --best] [--users].
+/// [--k A..B] [--v C..D] [--change M] [--circular | --linear] [--strength T] [--status WORD] [--gap
+/// N] [--construction NAME] [--since DATE] [--all | --best] [--users].
 struct FilterRequest {
   std::string k, v, status, construction, since;
   std::optional<std::uint64_t> change, strength, gap;

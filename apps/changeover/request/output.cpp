@@ -71,8 +71,8 @@ const Ending* known_ending(const std::string& name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-// In small letters. What a name has of digits only ("sheet.2026"), or of more letters than any ending has (mktemp's
-// "tmp.Qc5EWmNB1x"), is no ending.
+// In small letters. What a name has of digits only ("sheet.2026"), or of more letters than any
+// ending has (mktemp's "tmp.Qc5EWmNB1x"), is no ending.
 std::string ending_of(const std::string& path) {
   constexpr std::size_t longest = 9;
   std::string ending = std::filesystem::path(path).extension().string();

@@ -1,9 +1,10 @@
 // In which form an answer is wanted, and where.
 //
-// The end of FILE's name says the format, in small letters or large, in every verb: design.json, sheet.xlsx, circle.tex.
+// The end of FILE's name says the format, in small letters or large, in every verb: design.json,
+// sheet.xlsx, circle.tex.
 // --format and --json come before it, but must not contradict it: a file never holds something else than its name
-// says. .txt may hold every format that is text. An ending that says nothing (.dat) needs --format; a name without an
-// ending, and standard output, have the verb's default.
+// says. .txt may hold every format that is text. An ending that says nothing (.dat) needs --format;
+// a name without an ending, and standard output, have the verb's default.
 #pragma once
 
 #include <string>
@@ -18,14 +19,16 @@ struct OutputRequest {
   std::string path;
   bool precious = false;  ///< long work makes it: it is not lost because FILE cannot be written
 
-  /// Must live as long as the verb. The first word is the default. --json is for "json", or for "jsonl" if that is a word.
+  /// Must live as long as the verb. The first word is the default. --json is for "json", or for
+  /// "jsonl" if that is a word.
   void add_to(Verb& verb, const std::vector<std::string>& formats);
 
   /// [-o FILE] alone, for what has one format: a name that ends must end so.
   void add_file_to(Verb& verb, const std::vector<std::string>& endings);
 
   /// The format, as said above. A rule of the verb has asked for it before the verb runs.
-  /// @throws UsageError for an ending that the verb cannot write, and for a format that contradicts the ending or --json.
+  /// @throws UsageError for an ending that the verb cannot write, and for a format that contradicts
+  /// the ending or --json.
   [[nodiscard]] std::string format() const;
   /// Whether FILE's name says nothing else than this format; standard output has no name.
   [[nodiscard]] bool name_allows(const std::string& word) const;
@@ -33,7 +36,8 @@ struct OutputRequest {
   [[nodiscard]] bool is_asked_for() const { return json_ || !asked_.empty(); }
   [[nodiscard]] bool json() const { return format() == "json"; }
 
-  /// @throws UsageError if the format is none of `formats`, in which alone `option` means something.
+  /// @throws UsageError if the format is none of `formats`, in which alone `option` means
+  /// something.
   void require(const std::string& option, const std::vector<std::string>& formats) const;
 
   /// Tries whether FILE can be written, so that long work is not done in vain, and what cannot be

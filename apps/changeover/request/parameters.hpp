@@ -25,7 +25,8 @@ void add_kind_to(Verb& verb, std::optional<Kind>& kind, const std::string& circu
 /// The number that a text is; nothing for any other text, and for what is too large.
 [[nodiscard]] std::optional<std::uint64_t> whole_number(const std::string& text);
 
-/// [V K] [--change M] [--strength T] [--circular | --linear]: what a verb does not offer stays empty.
+/// [V K] [--change M] [--strength T] [--circular | --linear]: what a verb does not offer stays
+/// empty.
 struct ParameterRequest {
   std::optional<std::uint64_t> v;
   std::optional<std::uint64_t> k;

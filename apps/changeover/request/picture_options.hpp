@@ -9,7 +9,8 @@
 
 namespace changeover::cli {
 
-/// Why the option has no meaning with that picture, in one line with `dashes` before the names of both; nothing if it has one.
+/// Why the option has no meaning with that picture, in one line with `dashes` before the names of
+/// both; nothing if it has one.
 [[nodiscard]] std::optional<std::string> picture_option_defect(std::string_view option,
                                                                std::string_view picture,
                                                                std::string_view dashes);

@@ -1,4 +1,5 @@
-// The options of a verb, made of the records of its request (changeover/io/request.hpp), and requests from files.
+// The options of a verb, made of the records of its request (changeover/io/request.hpp), and
+// requests from files.
 #pragma once
 
 #include <algorithm>
@@ -38,8 +39,8 @@ inline constexpr std::size_t most_request_bytes = std::size_t{1} << 28;
                                                : RequestList{.file = text};
 }
 
-/// Adds an option for each record but those that `others` has already, and the rules. What `request` points to must live as
-/// long as the program.
+/// Adds an option for each record but those that `others` has already, and the rules. What
+/// `request` points to must live as long as the program.
 template <typename Request>
 void add_request_options(Verb& verb, Request& request, const RequestTable<Request>& table) {
   for (const auto& option : table.options) {
@@ -90,7 +91,8 @@ void add_request_options(Verb& verb, Request& request, const RequestTable<Reques
   }
 }
 
-/// What the command line says, with the names that it gives in one text told apart, on top of what the file says.
+/// What the command line says, with the names that it gives in one text told apart, on top of what
+/// the file says.
 /// @throws UsageError, BadInput, MissingResource
 template <typename Request, typename Read>
 Request whole_request(Request request, const RequestTable<Request>& table, const std::string& file,

@@ -27,7 +27,8 @@ namespace changeover::cli {
 [[nodiscard]] std::chrono::duration<double> parse_duration(const std::string& text,
                                                            const std::string& option);
 
-/// "500M", "4G", "4000000000": a number of bytes, in powers of 1000. @throws UsageError that names `option`.
+/// "500M", "4G", "4000000000": a number of bytes, in powers of 1000. @throws UsageError that names
+/// `option`.
 [[nodiscard]] std::uint64_t parse_size(const std::string& text, const std::string& option);
 
 /// [--time DURATION] [--memory SIZE] [--threads N] [--seed N] [--quiet].
@@ -48,15 +49,17 @@ struct RunRequest {
   /// The options as they would be typed, for provenance: "--seed 7 --threads 2 --time 60s".
   [[nodiscard]] std::string command() const;
 
-  /// What a control needs of it; the rest is added by Running. @throws UsageError if an option is wrong.
+  /// What a control needs of it; the rest is added by Running. @throws UsageError if an option is
+  /// wrong.
   [[nodiscard]] RunControl::Settings settings() const;
 
   std::string default_time;
 };
 
-/// A search under way: its control, which this thread listens to (run/control.hpp), its progress on stderr, and
-/// Ctrl-C, SIGTERM or a terminal that goes away, which ask it to stop; a second Ctrl-C ends the process. One at
-/// a time. Knows the team (team.hpp): only its first member shows progress.
+/// A search under way: its control, which this thread listens to (run/control.hpp), its progress on
+/// stderr, and Ctrl-C, SIGTERM or a terminal that goes away, which ask it to stop; a second Ctrl-C
+/// ends the process. One at a time. Knows the team (team.hpp): only its first member shows
+/// progress.
 class Running {
  public:
   /// @throws UsageError if an option is wrong; MissingResource if the output cannot be written.
@@ -67,8 +70,8 @@ class Running {
 
   [[nodiscard]] RunControl& control();
 
-  /// The search is over: no progress is shown any more, and this thread listens to no limit while what was
-  /// found is verified and written.
+  /// The search is over: no progress is shown any more, and this thread listens to no limit while
+  /// what was found is verified and written.
   void finish();
 
  private:
@@ -76,13 +79,13 @@ class Running {
   std::unique_ptr<State> state_;
 };
 
-/// The answer of a search: of several processes that share it the first one speaks, and Ctrl-C does not end the
-/// process before it is delivered.
+/// The answer of a search: of several processes that share it the first one speaks, and Ctrl-C does
+/// not end the process before it is delivered.
 [[nodiscard]] Answer final_answer(std::shared_ptr<Running> running, Answer answer);
 
-/// Work without limits of its own: what lasts longer than a second is told on a terminal, tables that half of
-/// the machine's memory does not hold are refused, and Ctrl-C ends the process. For the whole program; a Running
-/// takes its place while it lives.
+/// Work without limits of its own: what lasts longer than a second is told on a terminal, tables
+/// that half of the machine's memory does not hold are refused, and Ctrl-C ends the process. For
+/// the whole program; a Running takes its place while it lives.
 class Watched {
  public:
   Watched();

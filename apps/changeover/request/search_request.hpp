@@ -1,5 +1,5 @@
-// What changeover search was asked: one request a way of searching, each a file of verbs/, that holds only what
-// this way knows; and how all of them answer.
+// What changeover search was asked: one request a way of searching, each a file of verbs/, that
+// holds only what this way knows; and how all of them answer.
 #pragma once
 
 #include <cstdint>
@@ -42,7 +42,8 @@ struct BaseBlockSearch : SearchRequest {
   BaseBlockOptions options;
 };
 
-/// The blocks of a file in another order, with `reading.change` changes a step or with the fewest in all.
+/// The blocks of a file in another order, with `reading.change` changes a step or with the fewest
+/// in all.
 struct OrderSearch : SearchRequest {
   std::string file;
   Kind kind = Kind::linear;
@@ -77,8 +78,8 @@ struct SearchFind {
       {};  ///< the lower bound that the lines prove, if that is what they are for
 };
 
-/// What is known of a find: verified again, block by block. A bound that is no better than what the lines prove
-/// gives way to that; one that rests on the built-in table of checked proofs says so.
+/// What is known of a find: verified again, block by block. A bound that is no better than what the
+/// lines prove gives way to that; one that rests on the built-in table of checked proofs says so.
 /// @throws InternalError if it is not valid.
 [[nodiscard]] Judgement judge(const SearchFind& find);
 
@@ -92,8 +93,8 @@ struct SearchFind {
 /// The lower bound; nullopt if the search was stopped before that.
 [[nodiscard]] std::optional<Bound> bound_in_time(const Parameters& p, RunControl& control);
 
-/// The command line in one form, for provenance: "changeover 0.2.0: search 20 5 --linear --seed 1". `way` are its
-/// own options.
+/// The command line in one form, for provenance: "changeover 0.2.0: search 20 5 --linear --seed 1".
+/// `way` are its own options.
 [[nodiscard]] std::string provenance(const SearchRequest& request, const Parameters& p,
                                      const std::string& way);
 

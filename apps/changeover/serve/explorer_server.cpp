@@ -39,8 +39,8 @@ std::vector<std::string> names_of(const std::string& host, std::uint16_t port) {
   return names;
 }
 
-// What the map of the catalog shows is made while nothing is asked, so that the first who asks does not wait for it. It gives way to
-// all that answers.
+// What the map of the catalog shows is made while nothing is asked, so that the first who asks does
+// not wait for it. It gives way to all that answers.
 void prepare_tables(Explorer& explorer) {
   constexpr int gives_way = 10;
   static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), gives_way));

@@ -52,8 +52,8 @@ class ExplorerServer {
   [[nodiscard]] std::size_t connections() const;
   [[nodiscard]] std::size_t listeners() const;
 
-  /// Stops searches and answers under way, and closes all connections. Whether all ended within that time; if not, only the
-  /// end of the process ends them.
+  /// Stops searches and answers under way, and closes all connections. Whether all ended within
+  /// that time; if not, only the end of the process ends them.
   [[nodiscard]] bool stop(std::chrono::duration<double> patience);
 
  private:

@@ -1,9 +1,11 @@
-// Scripts by which shells complete command lines of the program, made of what it knows of its verbs.
+// Scripts by which shells complete command lines of the program, made of what it knows of its
+// verbs.
 //
 //     completion_script(program, Shell::zsh);          // begins with "#compdef changeover"
 //
-// Each knows the verbs, those of groups too, the options, the words that an option takes, and where a file or a folder is wanted;
-// zsh and fish show the help of each. Where a number or a name is wanted nothing is offered.
+// Each knows the verbs, those of groups too, the options, the words that an option takes, and where
+// a file or a folder is wanted; zsh and fish show the help of each. Where a number or a name is
+// wanted nothing is offered.
 #pragma once
 
 #include <cstdint>

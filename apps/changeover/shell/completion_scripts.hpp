@@ -16,7 +16,8 @@ namespace changeover::cli {
 /// In single quotes, as bash and zsh read them.
 [[nodiscard]] std::string shell_quoted(std::string_view text);
 
-/// What may stand after `changeover`: the verbs that are in no group, and the groups, which have no options.
+/// What may stand after `changeover`: the verbs that are in no group, and the groups, which have no
+/// options.
 [[nodiscard]] std::vector<VerbDescription> first_words(const Program& program);
 
 /// The verbs of a group.

@@ -2,8 +2,8 @@
 //
 //     roff_text("1-factorizations with --near");      // 1-factorizations with \-\-near
 //
-// A hyphen inside a word stays one; all other minus signs are written so that what is copied from the page can be typed.
-// No text can be taken for a macro or an escape.
+// A hyphen inside a word stays one; all other minus signs are written so that what is copied from
+// the page can be typed. No text can be taken for a macro or an escape.
 #pragma once
 
 #include <string>

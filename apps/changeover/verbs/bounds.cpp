@@ -62,7 +62,8 @@ std::string latex(const KnownBounds& answer) {
   return text + "\\end{itemize}\n";
 }
 
-// The kind that a single answer is about: the one with the fewest blocks known, circular among equals.
+// The kind that a single answer is about: the one with the fewest blocks known, circular among
+// equals.
 const KnownBounds& chosen(const std::vector<KnownBounds>& answers) {
   const KnownBounds* best = &answers.front();
   for (const KnownBounds& answer : answers) {

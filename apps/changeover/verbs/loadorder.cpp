@@ -1,4 +1,5 @@
-// changeover loadorder: loads and evictions after which every pair of items has been in memory together.
+// changeover loadorder: loads and evictions after which every pair of items has been in memory
+// together.
 #include <fmt/format.h>
 
 #include "changeover/core/error.hpp"

@@ -1,4 +1,5 @@
-// changeover minima: the table of small minima, continued where it was stopped; docs/minima.md is made of it.
+// changeover minima: the table of small minima, continued where it was stopped; docs/minima.md is
+// made of it.
 #include <fmt/format.h>
 
 #include <algorithm>

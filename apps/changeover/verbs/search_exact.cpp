@@ -1,4 +1,5 @@
-// changeover search V K --exact: the minimum, or whether there is a design with B blocks, with proofs.
+// changeover search V K --exact: the minimum, or whether there is a design with B blocks, with
+// proofs.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -71,8 +72,8 @@ std::string proof_of(const MinimumResult& result) {
   return text;
 }
 
-// What constructions give, as a start from above; nothing if there is no time to look. What is too long to be
-// handled quickly is left to changeover design.
+// What constructions give, as a start from above; nothing if there is no time to look. What is too
+// long to be handled quickly is left to changeover design.
 std::optional<Offer> known_offer(const Parameters& p, std::uint64_t least) try {
   constexpr std::uint64_t most_elements = 20'000'000;
   if (p.strength != 2 || least > most_elements / p.k) {
@@ -95,8 +96,8 @@ std::optional<Design> design_of(const std::optional<Offer>& offer) try {
   return std::nullopt;
 }
 
-// The minimum, from what is known. A formula that is too large is refused before anything else is done, unless
-// none is needed.
+// The minimum, from what is known. A formula that is too large is refused before anything else is
+// done, unless none is needed.
 MinimumResult minimum(const Parameters& p, const MinimumOptions& options, RunControl& control) {
   std::optional<Offer> offer;
   if (!impossibility(p)) {

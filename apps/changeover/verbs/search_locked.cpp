@@ -1,4 +1,5 @@
-// changeover search --first, --last, --expansion-set, --contains: designs that constructions can build upon.
+// changeover search --first, --last, --expansion-set, --contains: designs that constructions can
+// build upon.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

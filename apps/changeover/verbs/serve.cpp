@@ -168,7 +168,8 @@ Answer run(const ServeRequest& request) {
   signals.wait();
   constexpr std::chrono::milliseconds patience{800};
   if (!server->stop(patience)) {
-    // Some answer does not listen; nothing of it is worth waiting for, and files appear whole or not at all.
+    // Some answer does not listen; nothing of it is worth waiting for, and files appear whole or
+    // not at all.
     remove_unfinished_outputs();
     ::_exit(exit_code::done);
   }

@@ -94,7 +94,8 @@ std::string as_catalog(const Cells& cells, const TableRequest& request) {
   return text;
 }
 
-// The construction whose citation a cell has: the outermost of its recipe that cites a publication, or else the outermost.
+// The construction whose citation a cell has: the outermost of its recipe that cites a publication,
+// or else the outermost.
 const Recipe* cited_within(const Recipe& recipe) {
   const Construction* const made = Registry::standard().find(recipe.construction);
   if (made != nullptr && !made->citation().key.empty()) {

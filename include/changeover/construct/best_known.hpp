@@ -22,8 +22,8 @@
 //   interpolate  (v,k,2) → (v,k,1)
 // Most of them look at blocks, so designs are built, and each that is built is verified; one that
 // does not keep its promise is an InternalError. Cells that the catalog comes with
-// (is_stored_cell()) were looked for when it was made, and are looked up; what the user's own designs
-// make better is followed.
+// (is_stored_cell()) were looked for when it was made, and are looked up; what the user's own
+// designs make better is followed.
 //
 // Bound by: outside of the catalog's cells, building and verifying; neighbours share most of it.
 #pragma once
@@ -50,10 +50,12 @@ namespace changeover {
 //     const RecipeNode tree = explained(registry, offer->recipe);
 //     std::cout << tree.explanation << ' ' << tree.citation << '\n';
 //
-// The tree of a recipe has a node for each construction that takes part; the designs that one works on are its inputs.
+// The tree of a recipe has a node for each construction that takes part; the designs that one works
+// on are its inputs.
 
 /// The best offer for any of some parameters, the first among equals: what best_known() has, or, if
-/// `only` is given, what that construction offers. nullopt if nothing serves them. @throws as best_known().
+/// `only` is given, what that construction offers. nullopt if nothing serves them. @throws as
+/// best_known().
 [[nodiscard]] std::optional<Offer> best_offer(const Registry& registry,
                                               std::span<const Parameters> asked,
                                               const Construction* only = nullptr);
@@ -68,7 +70,8 @@ struct RecipeNode {
   std::vector<RecipeNode> inputs;
 };
 
-/// The tree of a recipe. Each node is built as far as it takes to count its blocks, none is verified.
+/// The tree of a recipe. Each node is built as far as it takes to count its blocks, none is
+/// verified.
 /// @throws BadInput as Registry::construction_of() and Registry::build().
 [[nodiscard]] RecipeNode explained(const Registry& registry, const Recipe& recipe);
 
@@ -123,8 +126,8 @@ class BestKnownTable {
 };
 
 /// Plans a range.
-/// @throws ImpossibleParameters if the range is empty, has k < 2 or v > 1000, or more than 10⁶ cells;
-/// InternalError if a construction does not keep its promise.
+/// @throws ImpossibleParameters if the range is empty, has k < 2 or v > 1000, or more than 10⁶
+/// cells; InternalError if a construction does not keep its promise.
 [[nodiscard]] BestKnownTable best_known_table(const Registry& registry, const CellRange& range,
                                               Stored stored = Stored::as_shipped);
 

@@ -22,8 +22,8 @@
 
 namespace changeover {
 
-/// The blocks of a design as a recipe of their own, "literal", and where they come from: the leaf that
-/// rules work on if a design has no better one.
+/// The blocks of a design as a recipe of their own, "literal", and where they come from: the leaf
+/// that rules work on if a design has no better one.
 [[nodiscard]] Recipe literal_recipe(const Design& design, std::string provenance = {});
 
 /// *Fix*: f new elements v, …, v+f−1 in every block. An m-change covering design on (v,k) becomes
@@ -44,13 +44,14 @@ namespace changeover {
 /// @throws BadInput if the input is not circular.
 [[nodiscard]] Recipe cut_recipe(Recipe input, std::uint64_t at = 0);
 
-/// *Truncate*: delete the largest element that can go: in each run of blocks that hold it some other
-/// element must be free to take its place. As many blocks; nullopt if no element can go. `design` is what
-/// the input builds. O(v·bk).
+/// *Truncate*: delete the largest element that can go: in each run of blocks that hold it some
+/// other element must be free to take its place. As many blocks; nullopt if no element can go.
+/// `design` is what the input builds. O(v·bk).
 [[nodiscard]] std::optional<Recipe> truncate_recipe(const Recipe& input, const Design& design);
 
-/// *Unfix*: take away an element that is in every block, the converse of fix; nullopt if there is none, or
-/// if blocks would become smaller than what changes. `design` is what the input builds. O(bk).
+/// *Unfix*: take away an element that is in every block, the converse of fix; nullopt if there is
+/// none, or if blocks would become smaller than what changes. `design` is what the input builds.
+/// O(bk).
 [[nodiscard]] std::optional<Recipe> unfix_recipe(const Recipe& input, const Design& design);
 
 /// *Drop*: leave out blocks that are not needed, one after another, while any can go.
@@ -65,8 +66,9 @@ struct BestCut {
   std::uint64_t needed = 0;
 };
 
-/// The first of the cuts at 0, 1, …, most_cuts − 1 after which fewest blocks are needed, or the first
-/// that needs no more than `enough`. O(bk²) for all of them, and O(k²) for each block that is dropped.
+/// The first of the cuts at 0, 1, …, most_cuts − 1 after which fewest blocks are needed, or the
+/// first that needs no more than `enough`. O(bk²) for all of them, and O(k²) for each block that is
+/// dropped.
 [[nodiscard]] BestCut best_cut(const Design& design, std::size_t most_cuts, std::uint64_t enough);
 
 // ---- The same on designs in memory, for strength 2.
@@ -78,12 +80,12 @@ struct BestCut {
 [[nodiscard]] std::optional<Design> truncated(const Design& design, std::uint64_t elements);
 
 /// The linear design with fewest blocks that is cut from consecutive blocks of this one (circular,
-/// or linear itself) without blocks that are not needed. O(bk² + v²). Designs of other strengths are
-/// only cut open. The design must be valid.
+/// or linear itself) without blocks that are not needed. O(bk² + v²). Designs of other strengths
+/// are only cut open. The design must be valid.
 [[nodiscard]] Design shortest_cut(const Design& design);
 
-/// The consecutive `blocks` of this design that leave fewest pairs uncovered, as a linear list: at least
-/// one block, at most all. For other strengths the first ones. O(bk² + v²).
+/// The consecutive `blocks` of this design that leave fewest pairs uncovered, as a linear list: at
+/// least one block, at most all. For other strengths the first ones. O(bk² + v²).
 [[nodiscard]] Design best_part(const Design& design, std::size_t blocks);
 
 /// A recipe that a rule made, and how many blocks it has.
@@ -92,9 +94,10 @@ struct Made {
   std::uint64_t b = 0;
 };
 
-/// *Close up*: delete the element of a linear single-change design after which fewest blocks are left when each
-/// stay begins as soon as another one has ended; of a few with the most stays. One block fewer for each stay of
-/// it, or better. `design` is what the input builds. nullopt if it is no such design or v ≤ k + 1. O(bk).
+/// *Close up*: delete the element of a linear single-change design after which fewest blocks are
+/// left when each stay begins as soon as another one has ended; of a few with the most stays. One
+/// block fewer for each stay of it, or better. `design` is what the input builds. nullopt if it is
+/// no such design or v ≤ k + 1. O(bk).
 [[nodiscard]] std::optional<Made> close_up_recipe(const Recipe& input, const Design& design);
 
 /// *Coarsen*: g consecutive blocks of a single-change design on (v,k) in one, a g-change design on
@@ -109,8 +112,9 @@ struct CoverPositions {
   std::uint64_t available = 0;     ///< how many positions the design has
 };
 
-/// A cover that leaves nothing out, of few unchanged subsets: the search for fewer is short. nullopt if some
-/// element is in none, k = m, or v > 2000. `design` must be valid. O(bk) and at most about 200 nodes.
+/// A cover that leaves nothing out, of few unchanged subsets: the search for fewer is short.
+/// nullopt if some element is in none, k = m, or v > 2000. `design` must be valid. O(bk) and at
+/// most about 200 nodes.
 [[nodiscard]] std::optional<CoverPositions> cover_positions(const Design& design);
 
 /// Whether w new elements can be added by partial expansion to a design with these parameters.
@@ -120,8 +124,8 @@ struct CoverPositions {
 [[nodiscard]] Recipe partial_expansion_recipe(const Recipe& input, const CoverPositions& cover,
                                               std::uint64_t w);
 
-/// How many blocks that has, for an input with parameters p and b blocks; nullopt if w takes more positions
-/// than there are. @throws ImpossibleParameters if w does not fit.
+/// How many blocks that has, for an input with parameters p and b blocks; nullopt if w takes more
+/// positions than there are. @throws ImpossibleParameters if w does not fit.
 [[nodiscard]] std::optional<std::uint64_t> partial_expansion_count(const Parameters& p,
                                                                    std::uint64_t b,
                                                                    const CoverPositions& cover,
@@ -131,7 +135,8 @@ struct CoverPositions {
 /// unchanged subsets of the second at these positions (increasing, 1 is between the first two
 /// blocks) must be disjoint and leave out k−1 elements, which are in its first or its last block:
 /// they become elements of the block before. Each time w−k+1 elements are added. What does not fit
-/// is refused when the recipe is built. @throws ImpossibleParameters if the elements exceed 64 bits.
+/// is refused when the recipe is built. @throws ImpossibleParameters if the elements exceed 64
+/// bits.
 [[nodiscard]] Recipe concatenate_recipe(Recipe first, Recipe second, std::vector<Element> positions,
                                         std::uint64_t times = 1);
 
@@ -139,8 +144,8 @@ struct CoverPositions {
 /// @throws BadInput if m does not divide M.
 [[nodiscard]] Recipe interpolate_recipe(const Recipe& input, std::uint64_t m);
 
-/// How many blocks that has, for an input with parameters p and b blocks. @throws ImpossibleParameters if they
-/// exceed 64 bits.
+/// How many blocks that has, for an input with parameters p and b blocks. @throws
+/// ImpossibleParameters if they exceed 64 bits.
 [[nodiscard]] std::uint64_t interpolated_count(const Parameters& p, std::uint64_t m,
                                                std::uint64_t b);
 

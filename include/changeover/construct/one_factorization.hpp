@@ -27,9 +27,9 @@
 //     Then one that fixes a factor F does, and takes the edge of F in the middle to another edge of
 //     F, since the rotations move every factor to every other. The reflection in F fixes the ends
 //     of the edge in the middle and swaps those of all other edges of F; so does its conjugate, for
-//     the other edge. Their product swaps the ends of two edges and fixes n − 4 ≥ 3 vertices. But an
-//     automorphism that fixes three vertices of a perfect 1-factorization fixes two factors and a
-//     vertex of their Hamiltonian cycle, hence everything.
+//     the other edge. Their product swaps the ends of two edges and fixes n − 4 ≥ 3 vertices. But
+//     an automorphism that fixes three vertices of a perfect 1-factorization fixes two factors and
+//     a vertex of their Hamiltonian cycle, hence everything.
 //
 // Not done here: other families, random 1-factorizations, canonical forms.
 // References: the circle [Kotzig1964], also for when it is perfect; two copies of odd order

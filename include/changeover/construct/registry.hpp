@@ -109,11 +109,12 @@ inline constexpr std::size_t max_recipe_depth = 64;
 /// A set of constructions, by name.
 class Registry {
  public:
-  /// The constructions of this library, and what the standard catalog knows (construct/standard_catalog.hpp).
+  /// The constructions of this library, and what the standard catalog knows
+  /// (construct/standard_catalog.hpp).
   [[nodiscard]] static const Registry& standard();
 
-  /// A registry of some constructions only, which must outlive it, and of a catalog, if one is given: its designs are
-  /// offered too. @throws BadInput if two have the same name.
+  /// A registry of some constructions only, which must outlive it, and of a catalog, if one is
+  /// given: its designs are offered too. @throws BadInput if two have the same name.
   explicit Registry(std::vector<const Construction*> constructions,
                     const Catalog* catalog = nullptr);
 
@@ -131,9 +132,9 @@ class Registry {
   /// the recipe's inputs are nested deeper than max_recipe_depth.
   [[nodiscard]] const Construction& construction_of(const Recipe& recipe) const;
 
-  /// Every offer for exactly these parameters, fewest blocks first, ties in the order of names, designs that are written
-  /// down ("found") last; that of the catalog is among them if it has fewer blocks than any other;
-  /// none if impossibility() rules them out. @throws as check().
+  /// Every offer for exactly these parameters, fewest blocks first, ties in the order of names,
+  /// designs that are written down ("found") last; that of the catalog is among them if it has
+  /// fewer blocks than any other; none if impossibility() rules them out. @throws as check().
   [[nodiscard]] std::vector<Offer> offers(const Parameters& p) const;
 
   /// The first of offers(); nullopt if no construction serves these parameters. @throws as check().

@@ -4,8 +4,9 @@
 //       entry->label();                                         // "20.6.1.linear.37.…"
 //     }
 //
-// The user's file is $CHANGEOVER_CATALOG if that is set (empty: none), else changeover/catalog.db in $XDG_DATA_HOME, else in
-// ~/.local/share. It is looked at when the catalog is first asked for anything.
+// The user's file is $CHANGEOVER_CATALOG if that is set (empty: none), else changeover/catalog.db
+// in $XDG_DATA_HOME, else in ~/.local/share. It is looked at when the catalog is first asked for
+// anything.
 #pragma once
 
 #include <string>
@@ -21,11 +22,13 @@ void choose_catalog(std::string path);
 /// The user's file, whether it is there or not; empty for none.
 [[nodiscard]] std::string standard_catalog_file();
 
-/// Whether the catalog that comes with the program has the best design of p that was known to all constructions, closure rules and
-/// searches when it was made: strength 2, m = 1, 2, 3, and 3 ≤ k ≤ 40 and v ≤ 160.
+/// Whether the catalog that comes with the program has the best design of p that was known to all
+/// constructions, closure rules and searches when it was made: strength 2, m = 1, 2, 3, and 3 ≤ k ≤
+/// 40 and v ≤ 160.
 [[nodiscard]] bool is_stored_cell(const Parameters& p);
 
-/// What is wrong with the user's file, as Catalog::problem(); empty if the catalog was not asked for anything.
+/// What is wrong with the user's file, as Catalog::problem(); empty if the catalog was not asked
+/// for anything.
 [[nodiscard]] std::string standard_catalog_problem();
 
 /// What else is to be said of it, as Catalog::remark(); empty if the catalog was not asked for

@@ -5,8 +5,9 @@
 //     std::string array = svg(draw(design));
 //     std::string stays = svg(draw(design, {.picture = PictureKind::stays}), Theme::dark);
 //
-// What is drawn need not be valid: a list with wrong steps and uncovered pairs is drawn as it is, with both marked, for
-// repairs start there. Nothing is verified here; who verified says so in `note`.
+// What is drawn need not be valid: a list with wrong steps and uncovered pairs is drawn as it is,
+// with both marked, for repairs start there. Nothing is verified here; who verified says so in
+// `note`.
 //
 //   array      blocks as columns, elements in the row in which they stay, as printed in [ChafeeStevens2025]: a star above an element
 //              that is introduced, below one that leaves, carets at an expansion set. A step that does not change m
@@ -47,7 +48,8 @@ enum class PictureKind : std::uint8_t { array, stays, coverage, circle, recipe }
 /// The kind of that name; nullopt for any other word.
 [[nodiscard]] std::optional<PictureKind> picture_kind_from_string(std::string_view name);
 
-/// The order of elements: of their first blocks, of their numbers of stays, or as they are numbered.
+/// The order of elements: of their first blocks, of their numbers of stays, or as they are
+/// numbered.
 enum class ElementOrder : std::uint8_t { first, stays, given };
 
 /// "first", "stays" or "given".
@@ -80,19 +82,22 @@ inline constexpr std::uint64_t most_drawn_lines = 500;           ///< coverage: 
 inline constexpr std::uint64_t most_drawn_points = 1'000;        ///< circle: v
 inline constexpr std::uint64_t most_read_elements = 20'000'000;  ///< circle: blocks times k
 
-/// Why no blocks can be meant by `from` and `to`, whatever the design, in one line; nullopt if some can.
+/// Why no blocks can be meant by `from` and `to`, whatever the design, in one line; nullopt if some
+/// can.
 [[nodiscard]] std::optional<std::string> range_defect(const DrawOptions& options);
 
-/// The same, or why so many blocks cannot be drawn like this, in one line that says how a part of them can; nullopt if they can. Cheap.
+/// The same, or why so many blocks cannot be drawn like this, in one line that says how a part of
+/// them can; nullopt if they can. Cheap.
 [[nodiscard]] std::optional<std::string> draw_defect(const Parameters& p, std::uint64_t blocks,
                                                      const DrawOptions& options);
 
-/// @throws BadInput with the defect, which is BadOption if there is no block `from` or no block `to`; if the picture is of a recipe and the design has
-/// none, or a wrong one.
+/// @throws BadInput with the defect, which is BadOption if there is no block `from` or no block
+/// `to`; if the picture is of a recipe and the design has none, or a wrong one.
 [[nodiscard]] Picture draw(const Design& design, const DrawOptions& options = {});
 
-/// The same of a stream, which is read from where it stands; labels are empty or one for each element. A circular one is read twice.
-/// It has no recipe. @throws also as BlockSource::read() and Transitions.
+/// The same of a stream, which is read from where it stands; labels are empty or one for each
+/// element. A circular one is read twice. It has no recipe. @throws also as BlockSource::read() and
+/// Transitions.
 [[nodiscard]] Picture draw(BlockSource& source, const DrawOptions& options = {},
                            const std::vector<std::string>& labels = {});
 
@@ -101,7 +106,8 @@ inline constexpr std::uint64_t most_read_elements = 20'000'000;  ///< circle: bl
                                   const Registry& registry = Registry::standard(),
                                   const std::string& note = {});
 
-/// Base blocks that were found in a list of blocks: block i·c + j is the image of base block j under π^(shift·i).
+/// Base blocks that were found in a list of blocks: block i·c + j is the image of base block j
+/// under π^(shift·i).
 struct FoundRotation {
   Automorphism pi;
   std::uint64_t shift = 1;
@@ -110,9 +116,9 @@ struct FoundRotation {
   bool operator==(const FoundRotation&) const = default;
 };
 
-/// The rotation of least c under which a circular design is developed: π is x ↦ x + 1 over Z_v, the same over Z_(v−1) with one
-/// fixed element, or has cycles of length b/c and at most three fixed elements; nullopt if there is none.
-/// O(b·k·v) at worst, in practice O(b·k).
+/// The rotation of least c under which a circular design is developed: π is x ↦ x + 1 over Z_v, the
+/// same over Z_(v−1) with one fixed element, or has cycles of length b/c and at most three fixed
+/// elements; nullopt if there is none. O(b·k·v) at worst, in practice O(b·k).
 [[nodiscard]] std::optional<FoundRotation> find_rotation(const Design& design);
 
 // Pictures on a circle: 1-factorizations and cyclic designs.
@@ -124,8 +130,8 @@ struct FoundRotation {
 //     CircleFigure circle{.v = 11, .blocks = {{{0, 1, 2, 5}, {2, 5}}, {{1, 2, 3, 6}, {3, 6}}}};
 //     std::string figure = tikz(draw_circle(circle));
 //
-// A picture is 480 by 480 and scalable, and has a title and a description but no headline. Beyond seven colours lines are dashed
-// too.
+// A picture is 480 by 480 and scalable, and has a title and a description but no headline. Beyond
+// seven colours lines are dashed too.
 
 /// A 1-factorization of K_order: one colour a factor.
 struct FactorFigure {
@@ -136,7 +142,8 @@ struct FactorFigure {
   std::string title = {};                    ///< empty: "1-factorization of K_n"
 };
 
-/// Without names. In GK_n, n > 2, it is vertex n − 1 that the rotation fixes and that belongs into the middle.
+/// Without names. In GK_n, n > 2, it is vertex n − 1 that the rotation fixes and that belongs into
+/// the middle.
 [[nodiscard]] FactorFigure factor_figure(const OneFactorization& factorization,
                                          std::optional<std::uint32_t> centre = {});
 
@@ -146,9 +153,9 @@ struct DrawnBlock {
   Block introduced;
 };
 
-/// Blocks on a circle of v points. Each block has a colour, in which its newly covered pairs are drawn:
-/// those with an introduced element. Elements that several of the blocks share, or that the only
-/// one did not introduce, are black: the unchanged subset.
+/// Blocks on a circle of v points. Each block has a colour, in which its newly covered pairs are
+/// drawn: those with an introduced element. Elements that several of the blocks share, or that the
+/// only one did not introduce, are black: the unchanged subset.
 struct CircleFigure {
   std::uint64_t v = 0;  ///< at most 1000
   std::vector<DrawnBlock> blocks = {};
@@ -157,8 +164,8 @@ struct CircleFigure {
   std::optional<std::uint32_t> centre = {};  ///< the point in the middle, if one shall be there
 };
 
-/// Blocks `first` to `first` + `count` − 1 of a design (from 0), as far as it has them, with what they
-/// introduce.
+/// Blocks `first` to `first` + `count` − 1 of a design (from 0), as far as it has them, with what
+/// they introduce.
 [[nodiscard]] CircleFigure circle_figure(const Design& design, std::uint64_t first,
                                          std::uint64_t count);
 
@@ -177,8 +184,9 @@ struct CircleFigure {
 //     }
 //     std::string page = svg(draw_heatmap(cells, HeatMeasure::gap));
 //
-// Each square is a rectangle of class "cell" with data-v and data-k and a title that says in words what is known. Colour
-// is never alone: what it cannot say is a sign in the square (= minimum, ? open, - none exists).
+// Each square is a rectangle of class "cell" with data-v and data-k and a title that says in words
+// what is known. Colour is never alone: what it cannot say is a sign in the square (= minimum, ?
+// open, - none exists).
 
 /// What a colour shows: blocks over the lower bound as a ratio, the status, blocks less the lower
 /// bound.
@@ -192,8 +200,8 @@ enum class HeatMeasure : std::uint8_t { ratio, status, gap };
 inline constexpr std::size_t most_cells_of_a_heatmap = 20'000;
 
 /// The cells of one kind and one change number, in any order; those that are missing stay empty.
-/// @throws BadInput if there is none, if two have the same v and k, if kinds or change numbers differ, or if they span more than
-/// most_cells_of_a_heatmap.
+/// @throws BadInput if there is none, if two have the same v and k, if kinds or change numbers
+/// differ, or if they span more than most_cells_of_a_heatmap.
 [[nodiscard]] Picture draw_heatmap(std::span<const KnownCell> cells, HeatMeasure measure);
 
 }  // namespace changeover

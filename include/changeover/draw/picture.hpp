@@ -1,4 +1,5 @@
-// Pictures before they are written: marks that say what they are, in groups, and two writers for them.
+// Pictures before they are written: marks that say what they are, in groups, and two writers for
+// them.
 //
 //     Picture picture{.width = 200, .height = 40, .title = "One stay"};
 //     picture.add({.shape = Rectangle{.x = 10, .y = 10, .width = 120, .height = 20},
@@ -9,14 +10,15 @@
 //     std::string page = svg(picture, Theme::dark);       // a whole SVG file
 //     std::string figure = tikz(picture);                 // one tikzpicture, for \usepackage{tikz}
 //
-// Lengths are CSS pixels (of TeX 3/4 bp), x to the right, y downwards. A mark has no colour but a *paint*, a role that the theme
-// turns into a colour when the picture is written, so one picture serves light and dark grounds. Colours of series are those of Okabe and
-// Ito, those of a ramp are viridis; both as far as they stand out from the ground: every mark by 3:1, every text by 4.5:1
+// Lengths are CSS pixels (of TeX 3/4 bp), x to the right, y downwards. A mark has no colour but a
+// *paint*, a role that the theme turns into a colour when the picture is written, so one picture
+// serves light and dark grounds. Colours of series are those of Okabe and Ito, those of a ramp are
+// viridis; both as far as they stand out from the ground: every mark by 3:1, every text by 4.5:1
 // (WCAG 2.1), which palette_defect() proves.
 //
-// SVG has presentation attributes and classes only: no style sheet, no style attribute, no script, no ids, no link. So it can be put
-// into a page under the strictest policy, several of them into one page. Texts from outside are escaped; what is no character is
-// shown as U+FFFD.
+// SVG has presentation attributes and classes only: no style sheet, no style attribute, no script,
+// no ids, no link. So it can be put into a page under the strictest policy, several of them into
+// one page. Texts from outside are escaped; what is no character is shown as U+FFFD.
 #pragma once
 
 #include <cstddef>
@@ -152,7 +154,8 @@ struct Picture {
 /// The number of marks that are no groups.
 [[nodiscard]] std::size_t mark_count(const Picture& picture);
 
-/// How wide a line of text may become in a usual font without serifs: an upper bound, as pictures leave room for it.
+/// How wide a line of text may become in a usual font without serifs: an upper bound, as pictures
+/// leave room for it.
 [[nodiscard]] double text_width(std::string_view text, double font_size, bool bold = false);
 
 /// A complete SVG file. O(its length).

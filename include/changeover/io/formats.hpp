@@ -153,7 +153,8 @@ std::uint64_t write_json(BlockSource& source, Sink& sink, const TextHeader& head
                                           const std::vector<std::string>& labels = {});
 
 /// {"construction":"cyclic","v":7,"k":3,"change":2,"kind":"circular","arguments":{"c":1},
-/// "inputs":[]}, with "strength" after kind if it is not 2 and "blocks" last if there are any. One line.
+/// "inputs":[]}, with "strength" after kind if it is not 2 and "blocks" last if there are any. One
+/// line.
 [[nodiscard]] std::string recipe_to_json(const Recipe& recipe);
 
 /// Reads what recipe_to_json() writes; missing arguments and inputs are empty.

@@ -1,5 +1,5 @@
-// Runs an order whose items change: training, out of core, with several workers, that goes on after a crash as if there had been
-// none.
+// Runs an order whose items change: training, out of core, with several workers, that goes on after
+// a crash as if there had been none.
 //
 //     LoadOrder order = plan_disjoint_order(24, 5, 2);
 //     UpdateOptions options{.data = "embeddings.f32", .item_bytes = 4096, .journal = "job.journal"};
@@ -8,27 +8,33 @@
 //       train(pair.first.bytes, pair.second.bytes);          // both may be written
 //     }, options);
 //
-// *Contract.* `update` is called once for each pair that StepWork gives, with the bytes of both items in memory: pairs of
-// one worker one after another, those of different workers at the same time, in the order of the steps. No item is with two workers at
-// once, so `update` may write both items without a lock, and if it depends on nothing else the result depends on the order and the data
-// alone. A worker is a task of a pool of as many threads.
+// *Contract.* `update` is called once for each pair that StepWork gives, with the bytes of both
+// items in memory: pairs of one worker one after another, those of different workers at the same
+// time, in the order of the steps. No item is with two workers at once, so `update` may write both
+// items without a lock, and if it depends on nothing else the result depends on the order and the
+// data alone. A worker is a task of a pool of as many threads.
 //
-// *A step.* All workers store what they evict if it has changed; when all have done so, they load and compute.
+// *A step.* All workers store what they evict if it has changed; when all have done so, they load
+// and compute.
 //
-// *What survives.* The file has two places for each item: its own, and one in a file beside it, DATA.versions. What is stored
-// goes to the place that the last checkpoint does not need. After every `checkpoint_every` steps, and at the end, what has changed and is
-// still held is stored, too; both files reach the disk; then a line of the journal says which step it was, with one checksum of
-// all items. From there on the other places count. So at every moment the disk holds the state after the step of the journal's
-// last line, whole; what was stored later is as if it had not been. A job that is started again with the same journal reads all items, compares
-// the checksum, and goes on after that step: what was computed after it is computed again, from the state before, so nothing is
-// applied twice. At the end items are copied to their own places, and DATA.versions goes.
+// *What survives.* The file has two places for each item: its own, and one in a file beside it,
+// DATA.versions. What is stored goes to the place that the last checkpoint does not need. After
+// every `checkpoint_every` steps, and at the end, what has changed and is still held is stored,
+// too; both files reach the disk; then a line of the journal says which step it was, with one
+// checksum of all items. From there on the other places count. So at every moment the disk holds
+// the state after the step of the journal's last line, whole; what was stored later is as if it had
+// not been. A job that is started again with the same journal reads all items, compares the
+// checksum, and goes on after that step: what was computed after it is computed again, from the
+// state before, so nothing is applied twice. At the end items are copied to their own places, and
+// DATA.versions goes.
 //
-// While a job is under way, the data file alone is no state of anything: it, the journal and DATA.versions belong together. If DATA.versions is there
-// without its journal, or the items are not those of the journal's last line, the job is refused, and nothing is changed. A journal is for
-// one job: the same data, order, options, and name.
+// While a job is under way, the data file alone is no state of anything: it, the journal and
+// DATA.versions belong together. If DATA.versions is there without its journal, or the items are
+// not those of the journal's last line, the job is refused, and nothing is changed. A journal is
+// for one job: the same data, order, options, and name.
 //
-// *What it costs.* Twice the space of the data; one more reading of them at the beginning; a store of what is held for each
-// checkpoint; SHA-256 of what is stored. Loads do not overlap computation.
+// *What it costs.* Twice the space of the data; one more reading of them at the beginning; a store
+// of what is held for each checkpoint; SHA-256 of what is stored. Loads do not overlap computation.
 #pragma once
 
 #include <atomic>
@@ -84,8 +90,9 @@ struct UpdateReport {
   std::chrono::duration<double> elapsed{};
 };
 
-/// Runs a job to its end. @throws BadInput if the order is none, the data are not its items, or the journal is another job's or says
-/// otherwise than the data; MissingResource if something cannot be read or written, or is in use; whatever `update` throws.
+/// Runs a job to its end. @throws BadInput if the order is none, the data are not its items, or the
+/// journal is another job's or says otherwise than the data; MissingResource if something cannot be
+/// read or written, or is in use; whatever `update` throws.
 UpdateReport update_pairs(const LoadOrder& order, const PairUpdater& update,
                           const UpdateOptions& options);
 

@@ -7,15 +7,17 @@
 //     matching.contains(3, 12)                 // true
 //     matching.count()                         // 240
 //
-// A file of pairs has two items per line, separated by a comma, a semicolon, a tab or blanks; an item in double quotes may hold
-// any of them, with quotes doubled ("cam 0/x.JPG","b"), and without quotes an item between commas, semicolons or tabs may
-// hold blanks. Empty lines and lines that begin with # or % are skipped, and so is a first line of two words over lines
-// of numbers. A workbook (.xlsx) is read, too: its first sheet, or the one that open_list() (io/input.hpp) names. If all
-// items are whole numbers below 10⁷ they are the numbers of the items, from 0. Otherwise they are names, of up to 255
-// bytes, and items are numbered as they first occur. A pair may come twice and either way round; an item with itself has
-// to be loaded and needs no other item. Items that do not occur are not loaded. Refused are numbers that are written in
-// another way than whole numbers before them ("01", "1.0"), two names of one number, two numbers between
-// separators (0 1,2), and names with invisible characters or a '|'.
+// A file of pairs has two items per line, separated by a comma, a semicolon, a tab or blanks; an
+// item in double quotes may hold any of them, with quotes doubled ("cam 0/x.JPG","b"), and without
+// quotes an item between commas, semicolons or tabs may hold blanks. Empty lines and lines that
+// begin with # or % are skipped, and so is a first line of two words over lines of numbers. A
+// workbook (.xlsx) is read, too: its first sheet, or the one that open_list() (io/input.hpp) names.
+// If all items are whole numbers below 10⁷ they are the numbers of the items, from 0. Otherwise
+// they are names, of up to 255 bytes, and items are numbered as they first occur. A pair may come
+// twice and either way round; an item with itself has to be loaded and needs no other item. Items
+// that do not occur are not loaded. Refused are numbers that are written in another way than whole
+// numbers before them ("01", "1.0"), two names of one number, two numbers between separators (0
+// 1,2), and names with invisible characters or a '|'.
 //
 // Memory: 8 bytes a pair and 8 an item, and 16 a pair while a file is read.
 #pragma once
@@ -42,9 +44,9 @@ inline constexpr std::uint64_t most_items = 10'000'000;
 /// Items and pairs of them.
 class PairGraph {
  public:
-  /// A pair may come twice and either way round; an item with itself is only needed. `names` are all
-  /// or none. @throws BadInput if a pair has no item below `items`, or there are other than `items` names;
-  /// ImpossibleParameters above most_items.
+  /// A pair may come twice and either way round; an item with itself is only needed. `names` are
+  /// all or none. @throws BadInput if a pair has no item below `items`, or there are other than
+  /// `items` names; ImpossibleParameters above most_items.
   PairGraph(std::uint64_t items, std::span<const ItemPair> pairs,
             std::vector<std::string> names = {});
 
@@ -64,7 +66,8 @@ class PairGraph {
   /// Whether the item occurs.
   [[nodiscard]] bool is_needed(Element x) const { return needed_[x]; }
 
-  /// A number below 2·pairs() of its own for each pair; nothing for two items that are none. O(log of the partners)
+  /// A number below 2·pairs() of its own for each pair; nothing for two items that are none. O(log
+  /// of the partners)
   [[nodiscard]] std::optional<std::uint64_t> place(Element x, Element y) const;
 
   /// Empty: items are called by their numbers.
@@ -81,8 +84,8 @@ struct PairFileOptions {
   std::optional<std::uint64_t> items = {};  ///< there are so many, numbered from 0 or named
 };
 
-/// Reads a file as described above, or standard input for "-". @throws BadInput with line and column, what is wrong
-/// and how to mend it; MissingResource if it cannot be read.
+/// Reads a file as described above, or standard input for "-". @throws BadInput with line and
+/// column, what is wrong and how to mend it; MissingResource if it cannot be read.
 [[nodiscard]] std::shared_ptr<const PairGraph> read_pairs(const std::string& path,
                                                           const PairFileOptions& options = {});
 [[nodiscard]] std::shared_ptr<const PairGraph> read_pairs(Input& input,
@@ -97,7 +100,8 @@ class WantedPairs {
   /// Items 0, …, a−1 with items a, …, a+b−1. @throws BadInput if one of them is 0.
   [[nodiscard]] static WantedPairs between(std::uint64_t a, std::uint64_t b);
 
-  /// All pairs of `items` items but those of two of the first `done`. @throws BadInput if done ≥ items.
+  /// All pairs of `items` items but those of two of the first `done`. @throws BadInput if done ≥
+  /// items.
   [[nodiscard]] static WantedPairs beyond(std::uint64_t done, std::uint64_t items);
 
   /// @throws BadInput if no item occurs.

@@ -115,8 +115,8 @@ struct BenchCandidate {
   Amount weight = {};  ///< of the pairs tested, if the job weighs them
 };
 
-/// The lists as run sheets: the referee, which shares nothing with what made them. A pair is new where it first meets if
-/// all of bench 1 comes before bench 2, and so on.
+/// The lists as run sheets: the referee, which shares nothing with what made them. A pair is new
+/// where it first meets if all of bench 1 comes before bench 2, and so on.
 struct BenchCount {
   std::vector<Bench> benches;  ///< what was counted
   BenchSchedule schedule;
@@ -183,8 +183,8 @@ struct BenchPlan : BenchCount {
                                         RunControl& control);
 
 /// What sheet_formats.hpp writes of one list, for all benches: one table per bench; CSV with a
-/// column bench; JSON, format "changeover-benches/1": title, benches, objective, cost, makespan, tests,
-/// changes, pairs_needed, pairs_tested, triples_needed, triples_tested, lower_bound {cost,
+/// column bench; JSON, format "changeover-benches/1": title, benches, objective, cost, makespan,
+/// tests, changes, pairs_needed, pairs_tested, triples_needed, triples_tested, lower_bound {cost,
 /// makespan, cost_reason, makespan_reason}, cost_unit, places, sheets [{bench, tests, changes,
 /// cost, steps [{step, take_out, put_in, set_up, places, new_pairs (their number), cost,
 /// cost_so_far, begin, end}]}], candidates [{name, how, tests, changes, cost, makespan}], notes; in
@@ -200,9 +200,9 @@ struct BenchDocument {
   bool weekends = false;       ///< Saturdays and Sundays are worked on, too
 };
 
-/// As written() of sheet_formats.hpp. A page has each bench on a sheet of paper of its own; a workbook a sheet per bench, `Bench 1`,
-/// `Bench 2`, …, as that of one list, then `Plan` and `Parts`. read_setups() and read_done() (plan/job.hpp) read the sheet of a
-/// bench back.
+/// As written() of sheet_formats.hpp. A page has each bench on a sheet of paper of its own; a
+/// workbook a sheet per bench, `Bench 1`, `Bench 2`, …, as that of one list, then `Plan` and
+/// `Parts`. read_setups() and read_done() (plan/job.hpp) read the sheet of a bench back.
 [[nodiscard]] std::string written(const BenchDocument& document, std::string_view format,
                                   std::size_t width = 80);
 

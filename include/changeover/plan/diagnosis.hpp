@@ -105,10 +105,10 @@ inline constexpr std::uint64_t max_faults = 3;
 /// The most explanations that are listed, of more than one suspect.
 inline constexpr std::size_t max_explanations = 5000;
 
-/// Nothing is suspect if no test failed. @throws BadInput as check(Job) for anything but needed pairs, which do not matter;
-/// for a tested set-up that names a part twice or none of the parts. ImpossibleParameters if costs overflow. Stopped if the
-/// scope of this thread (run/control.hpp) wants to stop. For 100 parts and thousands of tests
-/// within about a second.
+/// Nothing is suspect if no test failed. @throws BadInput as check(Job) for anything but needed
+/// pairs, which do not matter; for a tested set-up that names a part twice or none of the parts.
+/// ImpossibleParameters if costs overflow. Stopped if the scope of this thread (run/control.hpp)
+/// wants to stop. For 100 parts and thousands of tests within about a second.
 [[nodiscard]] Diagnosis diagnose(const Job& job, const std::vector<TestedSetup>& tests);
 
 /// A diagnosis with what is written around it; all must outlive it.

@@ -1,28 +1,29 @@
-// What an experimenter wants: parts to be tested in pairs, room for some of them at once, and what a
-// test and a change cost.
+// What an experimenter wants: parts to be tested in pairs, room for some of them at once, and what
+// a test and a change cost.
 //
 //     Job job = make_job(9, 3, parse_amount("1"), parse_amount("5"));   // nine parts, three at a time
 //     job.never.insert(2, 7);                                           // these two must not meet …
 //     job.needed = all_pairs_but(job.never);                            // … and all others must
 //     check(job);
 //
-// A *set-up* is a set of at most `at_once` parts that are mounted together and tested once. A list of
-// set-ups does the job if every needed pair is in some set-up, no pair of `never` is in any, the
-// `mounted` parts are in all, and every set-up has of each slot no fewer parts than its least and no more than its
-// most; at_once stays the room for all. It costs
+// A *set-up* is a set of at most `at_once` parts that are mounted together and tested once. A list
+// of set-ups does the job if every needed pair is in some set-up, no pair of `never` is in any, the
+// `mounted` parts are in all, and every set-up has of each slot no fewer parts than its least and
+// no more than its most; at_once stays the room for all. It costs
 //   (number of set-ups) · test_cost + Σ over all introductions of the change cost of the part,
-// where a part is introduced in a set-up if it was not in the one before; the first set-up introduces all
-// its parts but those of `start`, which are on the bench already. Taking parts out costs nothing. These
-// are the costs of [ChafeeStevens2025, Section 1].
+// where a part is introduced in a set-up if it was not in the one before; the first set-up
+// introduces all its parts but those of `start`, which are on the bench already. Taking parts out
+// costs nothing. These are the costs of [ChafeeStevens2025, Section 1].
 //
-// If a change costs more or less by what is replaced (Job::replace_costs), a step is paid for by pairs. Let it take out the
-// parts O and put in the parts N; for the first set-up, O are those of `start` that go. As many pairs of a part of O and one
-// of N as there can be, min(|O|,|N|), no part in two, are chosen so that the step is cheapest: a pair (o, n) costs what putting
-// in n costs where o was taken out; what is left of N goes to empty places, each at its own change cost; what is left of O is
-// taken out at no cost. With slots, that is so in each slot by itself, and among the parts of no
-// slot: a part takes the place of one of its own slot. Plans for weighed pairs, exchanged parts,
-// ratios of costs and diagnoses are not made for such jobs: BadInput. So a list that begins on an
-// empty bench pays for its first set-up as without such costs.
+// If a change costs more or less by what is replaced (Job::replace_costs), a step is paid for by
+// pairs. Let it take out the parts O and put in the parts N; for the first set-up, O are those of
+// `start` that go. As many pairs of a part of O and one of N as there can be, min(|O|,|N|), no part
+// in two, are chosen so that the step is cheapest: a pair (o, n) costs what putting in n costs
+// where o was taken out; what is left of N goes to empty places, each at its own change cost; what
+// is left of O is taken out at no cost. With slots, that is so in each slot by itself, and among
+// the parts of no slot: a part takes the place of one of its own slot. Plans for weighed pairs,
+// exchanged parts, ratios of costs and diagnoses are not made for such jobs: BadInput. So a list
+// that begins on an empty bench pays for its first set-up as without such costs.
 //
 // If some set-ups must come `first`, the list begins with them, in
 // their order: they break no constraint, their pairs count, and they are paid for like all others.
@@ -63,7 +64,8 @@ struct Amount {
   auto operator<=>(const Amount&) const = default;
 };
 
-/// The exact sum. @throws ImpossibleParameters if it exceeds 2⁶³ − 1 millionths, about 9.2·10¹² units.
+/// The exact sum. @throws ImpossibleParameters if it exceeds 2⁶³ − 1 millionths, about 9.2·10¹²
+/// units.
 [[nodiscard]] Amount operator+(Amount a, Amount b);
 /// The amount so many times. @throws as the sum.
 [[nodiscard]] Amount operator*(Amount a, std::uint64_t times);
@@ -114,7 +116,8 @@ struct MountedPlace {
 /// What costs are, if they are times: a clock then runs along with the sheet.
 enum class CostUnit : std::uint8_t { none, seconds, minutes, hours };
 
-/// What pairs are worth: 1, but where something else is said. Weights are exact decimals, like amounts of money.
+/// What pairs are worth: 1, but where something else is said. Weights are exact decimals, like
+/// amounts of money.
 class PairWeights {
  public:
   void set(Element x, Element y, Amount weight) { by_rank_[PairSet::rank(x, y)] = weight; }
@@ -212,9 +215,9 @@ struct Job {
   [[nodiscard]] bool one_change_cost() const;
 };
 
-/// Why a text cannot stand on a run sheet, as the name of a part or as its title: it is not UTF-8, or has
-/// control characters or those that turn the direction of writing around, which would make a sheet say
-/// something else than it holds. Nothing if it can.
+/// Why a text cannot stand on a run sheet, as the name of a part or as its title: it is not UTF-8,
+/// or has control characters or those that turn the direction of writing around, which would make a
+/// sheet say something else than it holds. Nothing if it can.
 [[nodiscard]] std::optional<std::string> text_defect(std::string_view text);
 
 /// A job with parts "1", …, "v" in which all pairs must meet. @throws BadInput if v > max_parts.
@@ -224,8 +227,9 @@ struct Job {
 /// All pairs of elements but these. O(v²).
 [[nodiscard]] PairSet all_pairs_but(const PairSet& pairs);
 
-/// Puts parts into slots: `of_parts` are the names of their slots, "" of those in none. @throws BadInput without a
-/// name for each part, and for a part in a slot that is not listed; the job is then as it was.
+/// Puts parts into slots: `of_parts` are the names of their slots, "" of those in none. @throws
+/// BadInput without a name for each part, and for a part in a slot that is not listed; the job is
+/// then as it was.
 void set_slots(Job& job, const std::vector<std::string>& of_parts, std::vector<Slot> slots);
 
 /// Adds further pieces of parts, called "DIMM A #2" and so on, where a set-up may need several: of
@@ -238,18 +242,18 @@ void set_slots(Job& job, const std::vector<std::string>& of_parts, std::vector<S
 /// piece, or there are more than max_parts.
 std::uint64_t add_pieces(Job& job, const std::vector<std::uint64_t>& quantities);
 
-/// The needed pairs that no set-up can hold, for what the slots need and allow; with forbidden pairs, those for which none was
-/// found among 100,000 choices. O(v³) without forbidden pairs. Stopped
-/// if the scope of this thread (run/control.hpp) wants to stop.
+/// The needed pairs that no set-up can hold, for what the slots need and allow; with forbidden
+/// pairs, those for which none was found among 100,000 choices. O(v³) without forbidden pairs.
+/// Stopped if the scope of this thread (run/control.hpp) wants to stop.
 [[nodiscard]] PairSet cannot_meet(const Job& job);
 
 /// These pairs need not meet any more.
 void drop_needed(Job& job, const PairSet& pairs);
 
-/// Why no list of set-ups can do the job, or why the job is malformed: a line for each reason, at most
-/// ten; none if there is one. The reasons are complete: without one, a set-up for each needed pair, of
-/// this pair, the mounted parts and what the slots need, does the job. With slots and forbidden pairs such
-/// a set-up is looked for among 100,000 choices. O(v³).
+/// Why no list of set-ups can do the job, or why the job is malformed: a line for each reason, at
+/// most ten; none if there is one. The reasons are complete: without one, a set-up for each needed
+/// pair, of this pair, the mounted parts and what the slots need, does the job. With slots and
+/// forbidden pairs such a set-up is looked for among 100,000 choices. O(v³).
 [[nodiscard]] std::vector<std::string> defects(const Job& job);
 
 /// @throws BadInput with the first of defects() and how many more there are.
@@ -272,10 +276,11 @@ class CheckedJob {
   Job job_;
 };
 
-/// Takes tests that were already done off a job: their pairs are needed no more, and unless the job says
-/// what is mounted at the start, the last of them is. @throws BadInput if one is larger than at_once, has a
-/// part twice or names none of the parts; the job is then as it was. O(v² + tests · at_once · v/64). Stopped
-/// if the scope of this thread (run/control.hpp) wants to stop; the job is then as it was.
+/// Takes tests that were already done off a job: their pairs are needed no more, and unless the job
+/// says what is mounted at the start, the last of them is. @throws BadInput if one is larger than
+/// at_once, has a part twice or names none of the parts; the job is then as it was. O(v² + tests ·
+/// at_once · v/64). Stopped if the scope of this thread (run/control.hpp) wants to stop; the job is
+/// then as it was.
 void mark_done(Job& job, const std::vector<Block>& setups);
 
 /// What the result of a test says.
@@ -288,9 +293,9 @@ enum class TestResult {
   unread    ///< anything else: "smelled of smoke", "12.5"
 };
 
-/// What is said by what people write: by the first word, in any case, in the languages of docs/plan.md ("FAILED - hang",
-/// "n.i.O.", "réussi", "不合格", "✓"). A word of success that is taken back later ("ok, but hot"), a number and a letter x
-/// are unread. O(length).
+/// What is said by what people write: by the first word, in any case, in the languages of
+/// docs/plan.md ("FAILED - hang", "n.i.O.", "réussi", "不合格", "✓"). A word of success that is taken
+/// back later ("ok, but hot"), a number and a letter x are unread. O(length).
 [[nodiscard]] TestResult result_of(std::string_view result);
 
 /// A test that was done.
@@ -305,23 +310,25 @@ enum class FailedTests {
   trusted  ///< they count as tested
 };
 
-/// As mark_done(), by results: what meets in a test that passed, that was done or of which no result is known (`none`) is
-/// needed no more; what meets only in tests that failed, or whose result is unread, is needed still, unless these are
-/// trusted. How much that is stands then in Job::met_only_in_failed: triples if these must meet, else pairs. Tests that
-/// were not run say nothing. @throws and complexity as mark_done().
+/// As mark_done(), by results: what meets in a test that passed, that was done or of which no
+/// result is known (`none`) is needed no more; what meets only in tests that failed, or whose
+/// result is unread, is needed still, unless these are trusted. How much that is stands then in
+/// Job::met_only_in_failed: triples if these must meet, else pairs. Tests that were not run say
+/// nothing. @throws and complexity as mark_done().
 void mark_tested(Job& job, const std::vector<DoneTest>& tests,
                  FailedTests failed = FailedTests::again);
 
 /// The most parts of a job in which triples have to meet.
 inline constexpr std::uint64_t max_parts_of_triples = 100;
 
-/// Asks for every three parts that can be in one set-up to meet, and for their pairs, instead of what was asked for; returns
-/// how many triples cannot, for the slots, forbidden pairs or what stays mounted. @throws BadInput for more than
-/// max_parts_of_triples parts. O(v³) without forbidden pairs. Stopped if the scope of this thread wants to stop; the job is then as it was.
+/// Asks for every three parts that can be in one set-up to meet, and for their pairs, instead of
+/// what was asked for; returns how many triples cannot, for the slots, forbidden pairs or what
+/// stays mounted. @throws BadInput for more than max_parts_of_triples parts. O(v³) without
+/// forbidden pairs. Stopped if the scope of this thread wants to stop; the job is then as it was.
 std::uint64_t need_triples(Job& job);
 
-/// What is left of a job when its first set-ups have been run: their pairs are needed no more, and the last of them is
-/// mounted. The job itself if there are none. O(v² + pairs of the set-ups).
+/// What is left of a job when its first set-ups have been run: their pairs are needed no more, and
+/// the last of them is mounted. The job itself if there are none. O(v² + pairs of the set-ups).
 [[nodiscard]] Job after_first(const Job& job);
 
 // What an experimenter writes down: parts with their change costs, pairs, and set-ups.
@@ -340,26 +347,28 @@ std::uint64_t need_triples(Job& job);
 //     Pump A,Motor
 //     2,3
 //
-// Files are rows of fields between commas, semicolons or tabs, whichever comes first outside quotes; a field
-// may be quoted; lines that begin with # and blank lines say nothing. Where a part is expected, its name or
-// its number in the parts list counts, from 1; a name wins over a number.
-//   - Parts: a name, and a change cost if there is a second field; with a header also other columns, of
-//     which those for names, costs, slots and quantities are found by their words. What is a header
-//     is decided by src/plan/job/parts/part_columns.hpp; a first row that may be a header or a part
-//     is refused. Between semicolons or tabs a cost may have a decimal comma, if no cost of the
-//     list has a point.
+// Files are rows of fields between commas, semicolons or tabs, whichever comes first outside
+// quotes; a field may be quoted; lines that begin with # and blank lines say nothing. Where a part
+// is expected, its name or its number in the parts list counts, from 1; a name wins over a number.
+//   - Parts: a name, and a change cost if there is a second field; with a header also other
+//     columns, of which those for names, costs, slots and quantities are found by their words. What
+//     is a header is decided by src/plan/job/parts/part_columns.hpp; a first row that may be a
+//     header or a part is refused. Between semicolons or tabs a cost may have a decimal comma, if
+//     no cost of the list has a point.
 //   - Pairs: two parts a row, or with blanks between them if that is no part; a third field may say
 //     why. A first row with two words that head columns of parts and are no parts is a header, and
 //     says which columns count.
 //   - Set-ups: the parts of one a row. The CSV of a run sheet (plan/run_plan.hpp) is taken too: its
 //     columns slot_1, slot_2, … count, or its column set_up with all parts in one field, its
 //     columns result and bench, and its rows in their order.
-// Each of them may be a sheet of a workbook (.xlsx) instead, known by its content: the first sheet, or open_list() (io/input.hpp) names
-// one. Its cells are what they say, so no row is a comment and no name needs quotes; a number is taken in full, a formula
-// for the value that the file holds, line ends within a cell for blanks; what stands right of the columns that the header names says nothing. Places are then `parts.xlsx:Costs!B3`.
+// Each of them may be a sheet of a workbook (.xlsx) instead, known by its content: the first sheet,
+// or open_list() (io/input.hpp) names one. Its cells are what they say, so no row is a comment and
+// no name needs quotes; a number is taken in full, a formula for the value that the file holds,
+// line ends within a cell for blanks; what stands right of the columns that the header names says
+// nothing. Places are then `parts.xlsx:Costs!B3`.
 //
-// Lists are UTF-8; control characters and those that turn the direction of writing around are refused.
-// They are read a line at a time: at most 16 MiB a line, 1 GiB and 4,194,304 rows in all.
+// Lists are UTF-8; control characters and those that turn the direction of writing around are
+// refused. They are read a line at a time: at most 16 MiB a line, 1 GiB and 4,194,304 rows in all.
 // A violation is BadInput with one line: `NAME:LINE:COLUMN: what is wrong; how to mend it`.
 
 /// Whether a parts list has a header.
@@ -387,8 +396,8 @@ struct PartList {
 };
 
 /// The parts in the order of their rows.
-/// @throws BadInput for no part, an empty or repeated name, a cost that is none, too many fields, a first row
-/// that may or may not be a header; MissingResource if reading fails.
+/// @throws BadInput for no part, an empty or repeated name, a cost that is none, too many fields, a
+/// first row that may or may not be a header; MissingResource if reading fails.
 [[nodiscard]] PartList read_parts(Input& input, Header header = Header::guessed);
 [[nodiscard]] PartList read_parts(Input& input, const PartListOptions& options);
 
@@ -402,8 +411,8 @@ struct PartList {
                                  PairReasons* why = nullptr,
                                  std::vector<std::string>* gone = nullptr);
 
-/// The set-ups in order. @throws BadInput for unknown or repeated parts and for a set-up of more than
-/// `at_once`; MissingResource if reading fails.
+/// The set-ups in order. @throws BadInput for unknown or repeated parts and for a set-up of more
+/// than `at_once`; MissingResource if reading fails.
 [[nodiscard]] std::vector<Block> read_setups(
     Input& input, const std::vector<std::string>& names,
     std::uint64_t at_once = std::numeric_limits<std::uint64_t>::max());
@@ -418,8 +427,8 @@ struct PartList {
 /// names the parts that are put in, after a field that says nothing; every other row begins with
 /// the part that is taken out. Each part heads one row and one column, in any order; where a part
 /// meets itself the field is empty. With slots, by part, fields for parts of two slots may be
-/// empty, and say nothing: 0. `gone` as in read_pairs(), of rows and columns. @throws BadInput for a
-/// part that heads none or two, unknown parts, fields that are no cost, too few and too many of
+/// empty, and say nothing: 0. `gone` as in read_pairs(), of rows and columns. @throws BadInput for
+/// a part that heads none or two, unknown parts, fields that are no cost, too few and too many of
 /// them; MissingResource if reading fails.
 [[nodiscard]] std::vector<Amount> read_change_costs(Input& input,
                                                     const std::vector<std::string>& names,
@@ -444,7 +453,8 @@ struct DonePlace {
   std::string slot = {};     ///< "disk"; "" where the head does not say
 };
 
-/// What was done by a list of set-ups, perhaps the run sheet of a parts list that has changed since.
+/// What was done by a list of set-ups, perhaps the run sheet of a parts list that has changed
+/// since.
 struct DoneList {
   std::vector<Block> setups;
   std::vector<std::string> results;  ///< by set-up, as written; "" where none is
@@ -477,9 +487,9 @@ struct DoneRecord {
   std::vector<Test> tests;
 };
 
-/// As read_setups(), but for a run sheet: parts that are none any more are left out of the set-ups and named
-/// once, and numbers count as parts only if no name is a number. A name that differs from one of a part in its case only
-/// is refused. @throws as read_setups().
+/// As read_setups(), but for a run sheet: parts that are none any more are left out of the set-ups
+/// and named once, and numbers count as parts only if no name is a number. A name that differs from
+/// one of a part in its case only is refused. @throws as read_setups().
 [[nodiscard]] DoneList read_done(Input& input, const std::vector<std::string>& names,
                                  std::uint64_t at_once = std::numeric_limits<std::uint64_t>::max());
 
@@ -494,11 +504,12 @@ struct DoneRecord {
 /// Slots in one line, "CPU=1, disk=2..4, fan=..2". @throws BadInput (without a place).
 [[nodiscard]] std::vector<Slot> parse_slots(std::string_view text);
 
-/// Parts in one line, "Pump A, 3"; fields as in files. @throws BadInput (without a place) for unknown or
-/// repeated parts.
+/// Parts in one line, "Pump A, 3"; fields as in files. @throws BadInput (without a place) for
+/// unknown or repeated parts.
 [[nodiscard]] Block parse_parts(std::string_view text, const std::vector<std::string>& names);
 
-/// Parts by name, or by number if no name is a number. @throws BadInput (without a place) for unknown or repeated parts.
+/// Parts by name, or by number if no name is a number. @throws BadInput (without a place) for
+/// unknown or repeated parts.
 [[nodiscard]] Block parts_named(const std::vector<std::string>& words,
                                 const std::vector<std::string>& names);
 

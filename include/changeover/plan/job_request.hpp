@@ -1,4 +1,5 @@
-// The question of an experimenter as plain data: what every door makes of what it is given, and what is planned for.
+// The question of an experimenter as plain data: what every door makes of what it is given, and
+// what is planned for.
 //
 //     JobRequest request{.items = 9, .at_once = 3, .test_cost = "1", .change_cost = "5"};
 //     to_json(request);       // {"format":"changeover-job/1","items":9,"at_once":3,"test_cost":"1","change_cost":"5"}
@@ -79,7 +80,8 @@ struct JobRequest {
 /// One line of JSON that job_request() reads back as the same request.
 [[nodiscard]] std::string to_json(const JobRequest& request);
 
-/// A request from its document; `name` is that of the file it is from, or empty. No file that it names is opened.
+/// A request from its document; `name` is that of the file it is from, or empty. No file that it
+/// names is opened.
 /// @throws BadInput with one line, with a place if there is a file, for what is no such document.
 [[nodiscard]] JobRequest job_request(std::string json, std::string name = "");
 
@@ -106,7 +108,8 @@ struct OpenedRequest {
 /// another kind, or that names files; MissingResource for a file that cannot be read.
 [[nodiscard]] OpenedRequest open_workbook(JobRequest request);
 
-/// What two keys cannot mean together, and what is out of range, before any list is read. @throws BadOption in the words of the door.
+/// What two keys cannot mean together, and what is out of range, before any list is read. @throws
+/// BadOption in the words of the door.
 void check_options(const JobRequest& request, Door door);
 
 /// A request of which everything was read and checked.
@@ -125,9 +128,10 @@ struct AskedJob {
   JobRequest question;
 };
 
-/// Reads the lists of a request and checks all of it: the one way from a question to a job, for every door. What waits is bounded by
-/// the scope of this thread (run/control.hpp). @throws BadOption, in the words of the door, for keys that are wrong; BadInput for
-/// lists that are; MissingResource for files that cannot be read. O(v³) and the size of the lists.
+/// Reads the lists of a request and checks all of it: the one way from a question to a job, for
+/// every door. What waits is bounded by the scope of this thread (run/control.hpp). @throws
+/// BadOption, in the words of the door, for keys that are wrong; BadInput for lists that are;
+/// MissingResource for files that cannot be read. O(v³) and the size of the lists.
 [[nodiscard]] AskedJob checked_job(const JobRequest& request, Door door);
 /// The same of one that was opened: its notes come first.
 [[nodiscard]] AskedJob checked_job(const OpenedRequest& opened, Door door);
@@ -149,15 +153,18 @@ struct PlanAnswer {
 /// The options of the search that a request asks for.
 [[nodiscard]] PlanOptions plan_options(const JobRequest& request, const AskedJob& asked);
 
-/// Plans, or diagnoses. The time and the threads are those of the control; a time that was asked for is used, otherwise the search ends by
-/// itself, so that answers repeat. @throws as make_run_plan(), make_bench_plan(), what_if() and diagnose(); BadInput if there is
-/// no result to be diagnosed.
+/// Plans, or diagnoses. The time and the threads are those of the control; a time that was asked
+/// for is used, otherwise the search ends by itself, so that answers repeat. @throws as
+/// make_run_plan(), make_bench_plan(), what_if() and diagnose(); BadInput if there is no result to
+/// be diagnosed.
 [[nodiscard]] PlanAnswer answer_to(const JobRequest& request, const AskedJob& asked,
                                    RunControl& control);
 
-/// The answer in one of the formats table, csv, markdown, html, xlsx, json; `width` is that of a terminal.
-/// "json" is "changeover-plan/1", "changeover-benches/1", "changeover-what-if/1" or "changeover-diagnosis/1": the same bytes at every door.
-/// @throws BadOption for a format that such an answer does not have; as written() of sheet_formats.hpp.
+/// The answer in one of the formats table, csv, markdown, html, xlsx, json; `width` is that of a
+/// terminal. "json" is "changeover-plan/1", "changeover-benches/1", "changeover-what-if/1" or
+/// "changeover-diagnosis/1": the same bytes at every door.
+/// @throws BadOption for a format that such an answer does not have; as written() of
+/// sheet_formats.hpp.
 [[nodiscard]] std::string written(const JobRequest& request, const AskedJob& asked,
                                   const PlanAnswer& answer, const std::string& format,
                                   std::size_t width = 80);

@@ -6,18 +6,21 @@
 //     verdict.line;                // otherwise: the first line that does not follow,
 //     verdict.reason;              // and why
 //
-// A proof is a list of clauses, each of which may be added to the formula without making a satisfiable
-// one unsatisfiable, until a contradiction is plain; and of clauses that are dropped because they are not
-// needed any more. A clause C may be added if unit propagation from ¬C meets a contradiction (RUP), or if
-// that is so for every resolvent of C with a clause on C's first literal (RAT) [WetzlerHeuleHunt2014].
+// A proof is a list of clauses, each of which may be added to the formula without making a
+// satisfiable one unsatisfiable, until a contradiction is plain; and of clauses that are dropped
+// because they are not needed any more. A clause C may be added if unit propagation from ¬C meets a
+// contradiction (RUP), or if that is so for every resolvent of C with a clause on C's first literal
+// (RAT) [WetzlerHeuleHunt2014].
 //
-// The checker goes forward, from the first line to the last, and looks at every added clause. It shares no
-// code and no header with whatever made the formula or the proof. As is usual, the deletion of a
-// clause that is unit under the literals already fixed is ignored: solvers delete such clauses and go on
-// using the literal. Ignoring a deletion can never make a wrong proof pass: what is kept is a formula that
-// is satisfiable if the given one is. Deleting a clause that is not there changes nothing.
+// The checker goes forward, from the first line to the last, and looks at every added clause. It
+// shares no code and no header with whatever made the formula or the proof. As is usual, the
+// deletion of a clause that is unit under the literals already fixed is ignored: solvers delete
+// such clauses and go on using the literal. Ignoring a deletion can never make a wrong proof pass:
+// what is kept is a formula that is satisfiable if the given one is. Deleting a clause that is not
+// there changes nothing.
 //
-// Bound by: unit propagation with two watched literals. Memory: the clauses that are alive, a few words each.
+// Bound by: unit propagation with two watched literals. Memory: the clauses that are alive, a few
+// words each.
 #pragma once
 
 #include <cstdint>
@@ -82,16 +85,16 @@ struct ProofVerdict {
 //     cubes_cover_everything({{1}, {-1, 2}, {-1, -2}});      // true
 //     cubes_cover_everything({{1}, {-1, 2}});                // false: −1 −2 is missing
 //
-// A cube is a list of literals that are all to hold. If a formula has no solution in any of some cubes, and
-// every assignment lies in one of these, then it has no solution at all: that is what allows a
-// search to be split, each part with a proof of its own.
+// A cube is a list of literals that are all to hold. If a formula has no solution in any of some
+// cubes, and every assignment lies in one of these, then it has no solution at all: that is what
+// allows a search to be split, each part with a proof of its own.
 
 /// Literals that hold together: ±1, ±2, …
 using Cube = std::vector<std::int32_t>;
 
-/// Whether each assignment of the variables satisfies all the literals of at least one cube. Splits on
-/// a variable of the shortest cube: linear in the total length of the cubes of a binary tree for each of
-/// its levels, exponential at worst.
+/// Whether each assignment of the variables satisfies all the literals of at least one cube. Splits
+/// on a variable of the shortest cube: linear in the total length of the cubes of a binary tree for
+/// each of its levels, exponential at worst.
 /// @throws BadInput if a literal is 0 or a cube contradicts itself.
 [[nodiscard]] bool cubes_cover_everything(const std::vector<Cube>& cubes);
 

@@ -10,9 +10,9 @@
 //       result.comparison;                  // Comparison::equal: the registry knows it by now
 //     }
 //
-// The shapes that the parameters allow (search/base_block_search.hpp) are tried one after another, fewest
-// blocks first, until one has base blocks. Any unchanged subsets may occur, not intervals only. Two
-// methods:
+// The shapes that the parameters allow (search/base_block_search.hpp) are tried one after another,
+// fewest blocks first, until one has base blocks. Any unchanged subsets may occur, not intervals
+// only. Two methods:
 //   sat     a formula for all base blocks at once, CaDiCaL; for a tight design every orbit of pairs is newly
 //           covered exactly once and each element has a degree that the degree identity allows. It can say
 //           that there are none of this shape. That is the solver's statement, not a certificate.
@@ -21,9 +21,9 @@
 //   automatic  a short annealing, then sat if the formula is small enough, then the rest of the annealing;
 //           for tight designs of few base blocks sat at once.
 //
-// Every result is developed by the registry and verified on all its blocks before it is returned. For a
-// linear p the circular design is cut open. With one seed and limits in moves and conflicts, but not in
-// time, the result is always the same. One thread.
+// Every result is developed by the registry and verified on all its blocks before it is returned.
+// For a linear p the circular design is cut open. With one seed and limits in moves and conflicts,
+// but not in time, the result is always the same. One thread.
 #pragma once
 
 #include <compare>
@@ -45,8 +45,9 @@ namespace changeover {
 
 // The shapes that a circular design with an automorphism can have, and why some cannot be.
 //
-// π has s cycles of one length n and f fixed points (core/developed.hpp), and B_{i+c} = π(B_i): the design
-// is developed from c base blocks and has b = cn blocks. With s = 1, f = 0 these are base blocks over Z_v.
+// π has s cycles of one length n and f fixed points (core/developed.hpp), and B_{i+c} = π(B_i): the
+// design is developed from c base blocks and has b = cn blocks. With s = 1, f = 0 these are base
+// blocks over Z_v.
 //
 //     for (const BaseBlockShape& shape : base_block_shapes(p, {.tight = true})) {
 //       std::cout << to_string(shape) << '\n';
@@ -56,16 +57,18 @@ namespace changeover {
 //
 // Every shift is 1: for a unit u, π^u is π with other names for the residues, so nothing is lost.
 //
-// What a tight design (every pair newly covered exactly once, b > 1) forces, for any automorphism that
-// moves every block c on. Let n = b/c: π^n fixes every block, but may swap *twins*, elements that are in the same
-// blocks, as the cube of (0 2 4 1 3 5) does for {0,1,2,3}, {2,3,4,5}, {4,5,0,1}. π maps classes of twins to classes of
-// twins; let it do so in the order of their elements. It still moves every block c on, and π^n is the identity.
-//   - No π^j, 0 < j < n, fixes two elements: their pair would be newly covered in some block and again
-//     jc blocks later. So all cycles have length n but for f ≤ 1 fixed points.
+// What a tight design (every pair newly covered exactly once, b > 1) forces, for any automorphism
+// that moves every block c on. Let n = b/c: π^n fixes every block, but may swap *twins*, elements
+// that are in the same blocks, as the cube of (0 2 4 1 3 5) does for {0,1,2,3}, {2,3,4,5},
+// {4,5,0,1}. π maps classes of twins to classes of twins; let it do so in the order of their
+// elements. It still moves every block c on, and π^n is the identity.
+//   - No π^j, 0 < j < n, fixes two elements: their pair would be newly covered in some block and
+//     again jc blocks later. So all cycles have length n but for f ≤ 1 fixed points.
 //   - n is odd: for even n the pair {x, π^{n/2}(x)} is moved onto itself n/2·c blocks later.
 //   - i introductions and r occurrences of an element satisfy i(k−1) + m(r−i) = v−1; for a fixed
-//     element, which is introduced nj times and is in nr blocks, n(j(k−1) + m(r−j)) = v−1. Each run of
-//     blocks with the element is followed by a block without it, unless it is fixed and in all blocks.
+//     element, which is introduced nj times and is in nr blocks, n(j(k−1) + m(r−j)) = v−1. Each run
+//     of blocks with the element is followed by a block without it, unless it is fixed and in all
+//     blocks.
 //   - Introductions of the cycles and of the fixed element add up to mc.
 // With c·n = b this leaves few shapes, often none: then the only automorphism of this kind is the
 // identity.
@@ -88,8 +91,8 @@ struct ShapeOptions {
   std::optional<std::uint64_t> fixed = {};  ///< only so many fixed points; otherwise at most 2
   std::optional<std::uint64_t> base_blocks = {};  ///< only so many base blocks
   bool tight = false;                             ///< only shapes of tight designs
-  /// No shape with more blocks. Nothing: what base_blocks says, or the least number of base blocks that
-  /// the lower bound allows for each n and f.
+  /// No shape with more blocks. Nothing: what base_blocks says, or the least number of base blocks
+  /// that the lower bound allows for each n and f.
   std::optional<std::uint64_t> most_blocks = {};
 };
 
@@ -100,8 +103,8 @@ struct ShapeOptions {
                                                            const BaseBlockShape& shape, bool tight);
 
 /// The shapes that are not excluded, fewest blocks first, among them the longest cycles first.
-/// Listens to the scope of this thread (run/control.hpp). @throws as check(), and as lower_bound(). At most 10,000
-/// shapes, none of more than 2⁶² blocks.
+/// Listens to the scope of this thread (run/control.hpp). @throws as check(), and as lower_bound().
+/// At most 10,000 shapes, none of more than 2⁶² blocks.
 [[nodiscard]] std::vector<BaseBlockShape> base_block_shapes(const Parameters& p,
                                                             const ShapeOptions& options = {});
 
@@ -163,12 +166,13 @@ struct BaseBlockResult {
   [[nodiscard]] const Verdict& verdict() const { return design.value().verdict(); }
 };
 
-/// Searches, see above. Without most_blocks or base_blocks a search that is not for tight designs tries
-/// ever more base blocks, up to what the registry needs (or twice the lower bound, if it has nothing).
+/// Searches, see above. Without most_blocks or base_blocks a search that is not for tight designs
+/// tries ever more base blocks, up to what the registry needs (or twice the lower bound, if it has
+/// nothing).
 /// @throws as check(); ImpossibleParameters if v exceeds 2000 or the strength is not 2; BadInput if
-/// shift is no unit; MissingResource if no shape fits into the memory that `control` allows; InternalError if a
-/// result does not verify. Bound by: options.moves and
-/// options.conflicts for each shape.
+/// shift is no unit; MissingResource if no shape fits into the memory that `control` allows;
+/// InternalError if a result does not verify. Bound by: options.moves and options.conflicts for
+/// each shape.
 [[nodiscard]] BaseBlockResult search_base_blocks(const Parameters& p,
                                                  const BaseBlockOptions& options,
                                                  RunControl& control);

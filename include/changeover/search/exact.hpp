@@ -5,15 +5,16 @@
 //     decision.excluded();                     // true: there is none, and the proof was checked
 //     decision.parts.front().proof_path;       // "proofs/linear-m1-v9-k4-b11.drat", and .cnf beside it
 //
-// The question becomes a formula (src/search/exact/exact_encoding.hpp) for a SAT solver. A design is verified before it
-// is handed out. "None" is said only after the solver's DRAT proof, read back from the disk with the
-// formula, was checked by room proof, which shares no code with what made them; anyone can check the two files
-// with another checker. docs/trust.md says what trust remains.
+// The question becomes a formula (src/search/exact/exact_encoding.hpp) for a SAT solver. A design
+// is verified before it is handed out. "None" is said only after the solver's DRAT proof, read back
+// from the disk with the formula, was checked by room proof, which shares no code with what made
+// them; anyone can check the two files with another checker. docs/trust.md says what trust remains.
 //
-// With one thread and no share the formula is solved whole. With more, or if several processes share the
-// search (RunControl::Settings::share), it is split into cubes; each has a formula and a proof of its own,
-// and it is checked that the cubes leave nothing out. Every process makes the same cubes and takes every
-// share.of-th of them: there is none if all of them excluded their part (Decision::in_share).
+// With one thread and no share the formula is solved whole. With more, or if several processes
+// share the search (RunControl::Settings::share), it is split into cubes; each has a formula and a
+// proof of its own, and it is checked that the cubes leave nothing out. Every process makes the
+// same cubes and takes every share.of-th of them: there is none if all of them excluded their part
+// (Decision::in_share).
 #pragma once
 
 #include <chrono>
@@ -36,7 +37,8 @@
 
 namespace changeover {
 
-/// Which clauses beyond the definition the formula has; the default is what was measured to be best.
+/// Which clauses beyond the definition the formula has; the default is what was measured to be
+/// best.
 struct EncodingOptions {
   bool order = true;
   bool degrees = true;
@@ -44,15 +46,17 @@ struct EncodingOptions {
 };
 
 struct ExactOptions {
-  /// Where formulas and proofs are kept, named by their parameters; made if it is missing. Files appear
-  /// whole or not at all, and only if there is no design. Empty: temporary files that are removed.
+  /// Where formulas and proofs are kept, named by their parameters; made if it is missing. Files
+  /// appear whole or not at all, and only if there is no design. Empty: temporary files that are
+  /// removed.
   std::string proof_directory = {};
-  /// Without a proof "none" cannot be said, only that the solver says so; designs are found a little faster.
+  /// Without a proof "none" cannot be said, only that the solver says so; designs are found a
+  /// little faster.
   bool prove = true;
   /// The most time for one number of blocks, besides the limit of the control.
   std::optional<std::chrono::duration<double>> time_per_step = {};
-  /// The most conflicts of the solver for one number of blocks (for each part, if it is split). With one thread
-  /// the answer then does not depend on the machine.
+  /// The most conflicts of the solver for one number of blocks (for each part, if it is split).
+  /// With one thread the answer then does not depend on the machine.
   std::optional<std::uint32_t> conflicts_per_step = {};
   EncodingOptions encoding = {};
   /// The question is split into about so many cubes, 4096 at most, however many threads and shares
@@ -91,23 +95,24 @@ struct Decision {
   [[nodiscard]] bool excluded() const { return outcome == Outcome::none && proved && !in_share; }
 };
 
-/// Checks, before long work, that decide() would have what it needs: memory that the control allows, where the
-/// formula is counted and not built, and the folder for proofs, which is made if it is missing. Returns the threads
-/// that the memory allows, those of the control or fewer.
+/// Checks, before long work, that decide() would have what it needs: memory that the control
+/// allows, where the formula is counted and not built, and the folder for proofs, which is made if
+/// it is missing. Returns the threads that the memory allows, those of the control or fewer.
 /// @throws ImpossibleParameters as check(); MissingResource; Stopped as stop_if_asked(). As fast as
 /// design_formula_size().
 unsigned require_room(const Parameters& p, std::uint64_t b, const ExactOptions& options,
                       const RunControl& control);
 
 /// Decides whether there is a design with exactly b ≥ 1 blocks.
-/// @throws ImpossibleParameters as check(); BadInput if b = 0; MissingResource if the formula is too large, or if a
-/// file cannot be written whole and no design was found meanwhile; InternalError if a design does not verify or a proof does
-/// not check. Bound by: the solver; checking takes about as long again.
+/// @throws ImpossibleParameters as check(); BadInput if b = 0; MissingResource if the formula is
+/// too large, or if a file cannot be written whole and no design was found meanwhile; InternalError
+/// if a design does not verify or a proof does not check. Bound by: the solver; checking takes
+/// about as long again.
 [[nodiscard]] Decision decide(const Parameters& p, std::uint64_t b, const ExactOptions& options,
                               RunControl& control);
 
-/// The name of the files of a question, without folder and ending: "linear-m1-v9-k4-b11", with "-t3" before
-/// the number of blocks if the strength is 3.
+/// The name of the files of a question, without folder and ending: "linear-m1-v9-k4-b11", with
+/// "-t3" before the number of blocks if the strength is 3.
 [[nodiscard]] std::string file_stem(const Parameters& p, std::uint64_t b);
 
 // The least number of blocks: every smaller one excluded by a proof, and a design.
@@ -117,16 +122,18 @@ unsigned require_room(const Parameters& p, std::uint64_t b, const ExactOptions& 
 //     result.settled();                     // true
 //     result.lower;  result.upper();         // 14, 14: bounds on paper give 13, which a checked proof excludes
 //
-// The walk starts from the largest bound that is a proof on paper (bounds/lower_bound.hpp; minima known
-// by exhaustive search are not used: they are what is settled here), and goes up one block at a time. It ends at
-// the first design, at the upper bound that is given, or when the control stops it: then an interval is left.
+// The walk starts from the largest bound that is a proof on paper (bounds/lower_bound.hpp; minima
+// known by exhaustive search are not used: they are what is settled here), and goes up one block at
+// a time. It ends at the first design, at the upper bound that is given, or when the control stops
+// it: then an interval is left.
 
 struct MinimumOptions {
   ExactOptions exact = {};
-  /// If the limit of a step is reached (ExactOptions) and the walk must end: how many greater numbers of blocks
-  /// are tried, without proof, for a better upper bound.
+  /// If the limit of a step is reached (ExactOptions) and the walk must end: how many greater
+  /// numbers of blocks are tried, without proof, for a better upper bound.
   std::uint64_t tries_above = 0;
-  /// Who decides about a number of blocks, if not decide(): several processes that share each question, say.
+  /// Who decides about a number of blocks, if not decide(): several processes that share each
+  /// question, say.
   std::function<Decision(std::uint64_t b, const ExactOptions&)> decider = {};
 };
 
@@ -139,8 +146,8 @@ struct MinimumResult {
   std::vector<Decision> steps = {};            ///< in the order of the walk
   WhyStopped why_stopped =
       WhyStopped::running;  ///< exhausted if settled or impossible; the limit if not
-  /// A MissingResource that ended the walk before its time, if something is known all the same: `best`, or steps.
-  /// Show what is known, then throw it on.
+  /// A MissingResource that ended the walk before its time, if something is known all the same:
+  /// `best`, or steps. Show what is known, then throw it on.
   std::exception_ptr fault = {};
   std::chrono::duration<double> time{};
 
@@ -153,16 +160,17 @@ struct MinimumResult {
 /// The largest bound that is a proof on paper. @throws as lower_bounds().
 [[nodiscard]] Bound lower_bound_on_paper(const Parameters& p);
 
-/// Walks up to the minimum. `known` is a design with these parameters, from a construction say; it is verified.
-/// What is stopped while `known` is verified or bounds are looked for goes on without: one block is a bound.
-/// @throws as decide() if nothing is known by then, and BadInput if `known` is not a design with these
-/// parameters. Bound by: decide().
+/// Walks up to the minimum. `known` is a design with these parameters, from a construction say; it
+/// is verified. What is stopped while `known` is verified or bounds are looked for goes on without:
+/// one block is a bound.
+/// @throws as decide() if nothing is known by then, and BadInput if `known` is not a design with
+/// these parameters. Bound by: decide().
 [[nodiscard]] MinimumResult find_minimum(const Parameters& p, const MinimumOptions& options,
                                          RunControl& control,
                                          const std::optional<Design>& known = std::nullopt);
 
-// A table of minima: for each set of small parameters the bound on paper, the best construction, and what
-// exact search with checked proofs makes of the gap between them.
+// A table of minima: for each set of small parameters the bound on paper, the best construction,
+// and what exact search with checked proofs makes of the gap between them.
 //
 //     std::vector<MinimaRow> rows = read_minima(*open_input("minima.csv"));       // of an earlier run
 //     fill_minima({.changes = {1}, .k_from = 3, .k_to = 3, .v_to = 6}, rows, {}, control,
@@ -173,8 +181,9 @@ struct MinimumResult {
 //                 });
 //     std::string text = minima_markdown(rows);
 //
-// Filling goes on where it was stopped: rows that are settled stay, and so do those that were tried with at least
-// as many conflicts a step. A limit of conflicts and not of time makes the table the same everywhere.
+// Filling goes on where it was stopped: rows that are settled stay, and so do those that were tried
+// with at least as many conflicts a step. A limit of conflicts and not of time makes the table the
+// same everywhere.
 
 /// What is known of one set of parameters. Times are in seconds.
 struct MinimaRow {
@@ -203,11 +212,12 @@ struct MinimaRange {
   std::uint32_t strength = 2;
 };
 
-/// Fills in what is missing of the range, the smallest v first, so that easy rows come before hard ones, and
-/// calls on_row after each new row. Rows stay in the order of strength, m, kind, k and v. With a control that has
-/// stopped only rows are filled in that need no search. Ends early, without an exception, where the scope of
-/// the caller stops (run/control.hpp).
-/// @throws as find_minimum() and best_known_table(), and a MissingResource that ended a search; the rows until then stay.
+/// Fills in what is missing of the range, the smallest v first, so that easy rows come before hard
+/// ones, and calls on_row after each new row. Rows stay in the order of strength, m, kind, k and v.
+/// With a control that has stopped only rows are filled in that need no search. Ends early, without
+/// an exception, where the scope of the caller stops (run/control.hpp).
+/// @throws as find_minimum() and best_known_table(), and a MissingResource that ended a search; the
+/// rows until then stay.
 void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
                  const MinimumOptions& options, RunControl& control,
                  const std::function<void(const MinimaRow&)>& on_row);
@@ -216,8 +226,9 @@ void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
 /// Sink::write().
 void write_minima(const std::vector<MinimaRow>& rows, Sink& sink);
 
-/// The rows in their order. @throws BadInput with the line if the text is not what write_minima() writes: impossible parameters,
-/// some that stand there twice, and bounds that decrease are refused, too; MissingResource if reading fails.
+/// The rows in their order. @throws BadInput with the line if the text is not what write_minima()
+/// writes: impossible parameters, some that stand there twice, and bounds that decrease are
+/// refused, too; MissingResource if reading fails.
 [[nodiscard]] std::vector<MinimaRow> read_minima(Input& input);
 
 /// One object whose "minima" are the rows, in their order.

@@ -8,10 +8,10 @@
 //
 // Contract. The result is verified, and has no more blocks than the best recipe that is known (by
 // construct/best_known.hpp), whatever happens: if there is no memory for the search, or v is too
-// large for it, that design is handed out and `unsearched` says why. Only if `control` says stop a second
-// before even that is built there is none. What is sought is a design with
-// `target` blocks, or with as many as the lower bound says. With one thread and a limit of moves
-// the answer depends on the parameters, the options and the seed alone.
+// large for it, that design is handed out and `unsearched` says why. Only if `control` says stop a
+// second before even that is built there is none. What is sought is a design with `target` blocks,
+// or with as many as the lower bound says. With one thread and a limit of moves the answer depends
+// on the parameters, the options and the seed alone.
 //
 // How. Three kinds of attempts compete, each with a budget of moves that doubles when it fails:
 //   - blocks without any symmetry, from random lists (segment_pairs.hpp);
@@ -64,13 +64,14 @@ struct ImproveResult {
   WhyStopped why_stopped = WhyStopped::running;  ///< `found` if the target is reached
 };
 
-/// Searches until the target is reached or `control` or the limit of moves says stop. Of the memory that
-/// `control` allows each thread has its share; kinds of attempts that need more are left out. v above 4096
-/// is not searched.
-/// @throws ImpossibleParameters as check(), or if no such design exists; BadInput if the start is not a valid
-/// design with these parameters, or for a checkpoint that is of other parameters or damaged; MissingResource if
-/// no design fits into memory, or if another process works with the checkpoint, or it cannot be written from the
-/// beginning (later the search goes on: checkpoint_fault); InternalError if a result fails verification.
+/// Searches until the target is reached or `control` or the limit of moves says stop. Of the memory
+/// that `control` allows each thread has its share; kinds of attempts that need more are left out.
+/// v above 4096 is not searched.
+/// @throws ImpossibleParameters as check(), or if no such design exists; BadInput if the start is
+/// not a valid design with these parameters, or for a checkpoint that is of other parameters or
+/// damaged; MissingResource if no design fits into memory, or if another process works with the
+/// checkpoint, or it cannot be written from the beginning (later the search goes on:
+/// checkpoint_fault); InternalError if a result fails verification.
 [[nodiscard]] ImproveResult improve(const Parameters& p, const ImproveOptions& options,
                                     RunControl& control);
 

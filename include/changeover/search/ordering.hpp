@@ -13,21 +13,23 @@
 //     least.cost;              // elements introduced in all, the first block's included
 //     least.lower_bound;       // no order has less
 //
-// order_for_change looks for a Hamiltonian path (linear) or cycle (circular) in the graph of the pairs
-// of blocks that differ in exactly m elements: first by rotations and extensions of a path
-// [Posa1976], then, for few blocks, by SAT with a cut for every set of blocks that a model leaves by
-// itself. That answers "none" too: as the solver's statement, or with a reason that is a short argument.
+// order_for_change looks for a Hamiltonian path (linear) or cycle (circular) in the graph of the
+// pairs of blocks that differ in exactly m elements: first by rotations and extensions of a path
+// [Posa1976], then, for few blocks, by SAT with a cut for every set of blocks that a model leaves
+// by itself. That answers "none" too: as the solver's statement, or with a reason that is a short
+// argument.
 //
-// order_for_least_change is a travelling salesman problem. A step from A to B costs |B∖A| = |B| − |A∩B|,
-// the elements introduced. That is not symmetric if sizes differ, but a whole order costs the sum of all
-// sizes less the overlaps of neighbours (and less the first block's size if that is free), so only the
-// choice of the first block depends on the direction. Up to `exact_blocks` blocks: dynamic programming
-// over sets [HeldKarp1962]. Beyond: nearest neighbours, then 2-opt and Or-opt moves with neighbour lists,
-// then random double bridges in a small window, kept unless they are worse [JohnsonMcGeoch1997]. The
-// lower bound is that of spanning trees, with multipliers where time allows [HeldKarp1970].
+// order_for_least_change is a travelling salesman problem. A step from A to B costs |B∖A| = |B| −
+// |A∩B|, the elements introduced. That is not symmetric if sizes differ, but a whole order costs
+// the sum of all sizes less the overlaps of neighbours (and less the first block's size if that is
+// free), so only the choice of the first block depends on the direction. Up to `exact_blocks`
+// blocks: dynamic programming over sets [HeldKarp1962]. Beyond: nearest neighbours, then 2-opt and
+// Or-opt moves with neighbour lists, then random double bridges in a small window, kept unless they
+// are worse [JohnsonMcGeoch1997]. The lower bound is that of spanning trees, with multipliers where
+// time allows [HeldKarp1970].
 //
-// Every order is recounted from the blocks before it is returned. The same seed and step limits give the
-// same order. One thread.
+// Every order is recounted from the blocks before it is returned. The same seed and step limits
+// give the same order. One thread.
 #pragma once
 
 #include <cstddef>
@@ -80,7 +82,8 @@ struct ChangeOrder {
 struct LeastChangeWanted {
   std::uint64_t v = 0;  ///< elements are below v
   Kind kind = Kind::linear;
-  /// The elements of the first block of a linear order count as introduced; as a run must load them.
+  /// The elements of the first block of a linear order count as introduced; as a run must load
+  /// them.
   bool first_counts = true;
 };
 
@@ -104,15 +107,16 @@ struct LeastChangeOrder {
 
 /// An order that introduces few elements. Blocks may be of different sizes, empty, or repeated.
 /// @throws BadInput if there is no block, or a block is not distinct elements below v;
-/// MissingResource if the blocks as bit sets would need more than 4 GiB. O(2ᵇb²) up to `exact_blocks`,
-/// beyond that O(b²·v/64) at worst, besides the kicks and the lower bound.
+/// MissingResource if the blocks as bit sets would need more than 4 GiB. O(2ᵇb²) up to
+/// `exact_blocks`, beyond that O(b²·v/64) at worst, besides the kicks and the lower bound.
 [[nodiscard]] LeastChangeOrder order_for_least_change(std::span<const Block> blocks,
                                                       const LeastChangeWanted& wanted,
                                                       const LeastChangeOptions& options,
                                                       RunControl& control);
 
-/// What an order costs, counted from the blocks: elements introduced, from the last to the first block
-/// too if it is circular. @throws BadInput unless `order` is a permutation of the blocks. O(b + sizes).
+/// What an order costs, counted from the blocks: elements introduced, from the last to the first
+/// block too if it is circular. @throws BadInput unless `order` is a permutation of the blocks. O(b
+/// + sizes).
 [[nodiscard]] std::uint64_t change_cost(std::span<const Block> blocks,
                                         std::span<const std::size_t> order,
                                         const LeastChangeWanted& wanted);

@@ -16,9 +16,10 @@
 // *Extend* keeps the given blocks as the first ones, in their order, and appends as few as it can
 // until everything is covered: it anneals what follows the given blocks, with ever fewer blocks.
 //
-// Both use one thread and are deterministic in the seed while no clock stops them. When they are stopped they
-// have a second to finish the simple way, by adding blocks; if that takes longer there is no design, never an
-// unfinished one. A list too large for annealing is completed the simple way at once. Every result is verified.
+// Both use one thread and are deterministic in the seed while no clock stops them. When they are
+// stopped they have a second to finish the simple way, by adding blocks; if that takes longer there
+// is no design, never an unfinished one. A list too large for annealing is completed the simple way
+// at once. Every result is verified.
 #pragma once
 
 #include <cstdint>
@@ -50,8 +51,8 @@ struct RepairResult {
 
 /// A design that has much of the list. A valid list is returned as it is.
 /// @throws ImpossibleParameters if there is no design with the list's parameters; BadInput if it
-/// has no block; MissingResource if even its subsets cannot be counted in memory; InternalError if the result fails
-/// verification. Bound by: options.moves.
+/// has no block; MissingResource if even its subsets cannot be counted in memory; InternalError if
+/// the result fails verification. Bound by: options.moves.
 [[nodiscard]] RepairResult repair(const Design& list, const RepairOptions& options,
                                   RunControl& control);
 

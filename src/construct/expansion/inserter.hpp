@@ -7,8 +7,8 @@
 //       Insertion insertion(std::uint64_t i, const Place&) override { return {set_[i].elements, {x_}}; }
 //     };
 //
-// Subclasses describe what is inserted, one insertion after another; the inserter reads, counts and rewinds.
-// It holds the blocks beside a position and one description.
+// Subclasses describe what is inserted, one insertion after another; the inserter reads, counts and
+// rewinds. It holds the blocks beside a position and one description.
 #pragma once
 
 #include <cstddef>
@@ -58,8 +58,8 @@ class InsertingSource : public BlockSource {
   /// Where the i-th insertion is, i = 0, 1, …; the positions do not decrease.
   [[nodiscard]] virtual std::uint64_t position(std::uint64_t i) const = 0;
 
-  /// What is inserted there. Asked in turn, and from 0 again after rewind(). @throws BadInput if nothing
-  /// can be inserted at this place.
+  /// What is inserted there. Asked in turn, and from 0 again after rewind(). @throws BadInput if
+  /// nothing can be inserted at this place.
   [[nodiscard]] virtual Insertion insertion(std::uint64_t i, const Place& place) = 0;
 
  private:

@@ -59,9 +59,9 @@ namespace changeover {
 [[nodiscard]] bool add_positions(UnchangedCover& cover, const std::vector<UnchangedSubset>& more,
                                  std::uint64_t count);
 
-/// The cover by the unchanged subsets at these positions: at the ends of a linear design by elements of
-/// its first and last block that no other subset has, and then by its first ones. nullopt if a
-/// position is none of the design, they do not increase, or elements are left over.
+/// The cover by the unchanged subsets at these positions: at the ends of a linear design by
+/// elements of its first and last block that no other subset has, and then by its first ones.
+/// nullopt if a position is none of the design, they do not increase, or elements are left over.
 [[nodiscard]] std::optional<UnchangedCover> cover_at(const Design& design,
                                                      std::span<const Element> positions);
 

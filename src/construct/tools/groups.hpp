@@ -27,14 +27,14 @@ struct Groups {
   std::uint64_t size = 0;
 };
 
-/// How many classes it takes that each pair of elements of two groups is together once: (q−1)g/(m−1).
-/// 0 if none are known: m = 2 takes an even number of elements; m ≥ 3 takes q = m and a g without
-/// divisors from 2 to m−1.
+/// How many classes it takes that each pair of elements of two groups is together once:
+/// (q−1)g/(m−1). 0 if none are known: m = 2 takes an even number of elements; m ≥ 3 takes q = m and
+/// a g without divisors from 2 to m−1.
 [[nodiscard]] std::uint64_t class_count(const Groups& groups, std::uint64_t m);
 
 /// Class `index` < class_count(): each element i·g+t, 0 ≤ t < g, of group i < q is in one of its
-/// blocks. m = 2: 1-factors of the complete multipartite graph, made of 1-factors of a complete graph
-/// on the groups or on their halves. m ≥ 3: lines of slope `index`. O(qg).
+/// blocks. m = 2: 1-factors of the complete multipartite graph, made of 1-factors of a complete
+/// graph on the groups or on their halves. m ≥ 3: lines of slope `index`. O(qg).
 [[nodiscard]] std::vector<Block> group_class(const Groups& groups, std::uint64_t m,
                                              std::uint64_t index);
 
@@ -62,8 +62,8 @@ struct OpenedPiece {
 /// How many consecutive blocks are inside a hole of h elements at the most: 0 if h < k.
 [[nodiscard]] std::uint64_t most_dropped(std::uint64_t h, const Parameters& p);
 
-/// The design without `dropped` consecutive blocks, the first ones if it is linear; nullopt if no hole of h elements
-/// fits there.
+/// The design without `dropped` consecutive blocks, the first ones if it is linear; nullopt if no
+/// hole of h elements fits there.
 [[nodiscard]] std::optional<OpenedPiece> opened(const Design& design, std::uint64_t h,
                                                 std::uint64_t dropped);
 
@@ -82,9 +82,9 @@ struct Grouping {
                                                         std::optional<std::uint64_t> open,
                                                         bool ends_open);
 
-/// The blocks, on the elements of `base` and group i of g elements from base.v + ig on. `closed` may
-/// be null if each piece is one block, `open` if the last piece is like the others. What does not
-/// fit @throws BadInput, in one line. O(bk) time and memory.
+/// The blocks, on the elements of `base` and group i of g elements from base.v + ig on. `closed`
+/// may be null if each piece is one block, `open` if the last piece is like the others. What does
+/// not fit @throws BadInput, in one line. O(bk) time and memory.
 [[nodiscard]] std::vector<Block> with_groups(const Parameters& p, const Grouping& how,
                                              const Design& base, const Design* closed,
                                              const Design* open);

@@ -1,5 +1,5 @@
-// Disjoint unchanged subsets: a greedy search, in which an element that few of them can still hold comes
-// first, and then a walk that takes a set for one that it meets, until another set fits in.
+// Disjoint unchanged subsets: a greedy search, in which an element that few of them can still hold
+// comes first, and then a walk that takes a set for one that it meets, until another set fits in.
 #include <algorithm>
 #include <limits>
 #include <map>

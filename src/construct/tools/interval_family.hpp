@@ -1,5 +1,5 @@
-// What the cyclic families over Z_v have in common: base blocks of an interval A = {0, …, k−m−1} and m
-// points each, with unchanged subsets A + j.
+// What the cyclic families over Z_v have in common: base blocks of an interval A = {0, …, k−m−1}
+// and m points each, with unchanged subsets A + j.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ namespace changeover {
 /// A tight circular m-change family of cv blocks; subclasses say which, and name the points.
 class IntervalFamily : public Family {
  public:
-  // At position p = jc+i, 1 ≤ i < c, two blocks of a round meet in A+j; at p = jc, where B_{c−1}+(j−1)
-  // holds A+j as well, too. Hence U_p = A + ⌊p/c⌋.
+  // At position p = jc+i, 1 ≤ i < c, two blocks of a round meet in A+j; at p = jc, where
+  // B_{c−1}+(j−1) holds A+j as well, too. Hence U_p = A + ⌊p/c⌋.
   std::optional<std::vector<UnchangedSubset>> expansion_set(const Recipe& recipe,
                                                             const Registry&) const override {
     const std::uint64_t c = base_block_count(required(recipe));

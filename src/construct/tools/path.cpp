@@ -22,8 +22,9 @@ struct Range {
   [[nodiscard]] bool empty() const { return low > high; }
 };
 
-/// One step at distance d from the goal: of the m that go, a are not in the goal; of the m that come,
-/// h are in neither block. Both can be chosen freely in their range, and lead to distance d − a + h.
+/// One step at distance d from the goal: of the m that go, a are not in the goal; of the m that
+/// come, h are in neither block. Both can be chosen freely in their range, and lead to distance d −
+/// a + h.
 struct Moves {
   Range a;
   Range h;
@@ -44,7 +45,8 @@ Distances::Distances(std::uint64_t k, std::uint64_t change, std::uint64_t v)
   }
   const std::uint64_t farthest = std::min(k, v - k);
   steps_.assign(static_cast<std::size_t>(farthest) + 1, unreached);
-  // unseen[d] leads to the least distance from d on that was not reached, farthest + 1 if there is none.
+  // unseen[d] leads to the least distance from d on that was not reached, farthest + 1 if there is
+  // none.
   std::vector<std::uint64_t> unseen(static_cast<std::size_t>(farthest) + 2);
   std::iota(unseen.begin(), unseen.end(), std::uint64_t{0});
   const auto first_unseen = [&unseen](std::uint64_t d) {

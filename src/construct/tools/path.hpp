@@ -3,11 +3,12 @@
 //     connecting_blocks({0, 1, 2, 3}, {6, 7, 8, 9}, 2, 10);      // one block between them
 //     connecting_steps(4, 4, 2, 10);                             // 2, without naming elements
 //
-// Blocks that differ in d elements are (d, k, v) apart whatever their elements are, so the shortest way
-// is found among distances: a step from distance d can lead to every distance d − a + h where a of the
-// d wrong elements go, h elements outside both blocks come, and what is left over suffices.
+// Blocks that differ in d elements are (d, k, v) apart whatever their elements are, so the shortest
+// way is found among distances: a step from distance d can lead to every distance d − a + h where a
+// of the d wrong elements go, h elements outside both blocks come, and what is left over suffices.
 //
-// Who needs many ways, or long ones, makes the distances once and takes the blocks of a way one by one:
+// Who needs many ways, or long ones, makes the distances once and takes the blocks of a way one by
+// one:
 //
 //     const auto distances = std::make_shared<const Distances>(k, m, v);
 //     Way way(distances, from, to);
@@ -53,8 +54,8 @@ class Way {
   /// How many blocks are still to come before the goal.
   [[nodiscard]] std::uint64_t left() const { return left_; }
 
-  /// The next block, false when only the goal is left. O(k + m²), and O(v) if elements of neither block
-  /// come.
+  /// The next block, false when only the goal is left. O(k + m²), and O(v) if elements of neither
+  /// block come.
   bool next(std::span<Element> block);
 
  private:
@@ -68,9 +69,9 @@ class Way {
   std::uint64_t left_ = 0;
 };
 
-/// The least number of steps that change exactly `change` elements each and lead from a k-subset of a
-/// v-set to another that differs from it in `distance` elements; 0 if distance is 0; nullopt if there is
-/// no way (only for v < k + change, and for v = 2k, change = k). O(min(k, v−k)).
+/// The least number of steps that change exactly `change` elements each and lead from a k-subset of
+/// a v-set to another that differs from it in `distance` elements; 0 if distance is 0; nullopt if
+/// there is no way (only for v < k + change, and for v = 2k, change = k). O(min(k, v−k)).
 [[nodiscard]] std::optional<std::uint64_t> connecting_steps(std::uint64_t distance, std::uint64_t k,
                                                             std::uint64_t change, std::uint64_t v);
 

@@ -1,5 +1,5 @@
-// Designs written down as what they are: a first block, and in each step x leaves and y enters; m times for an m-change
-// design.
+// Designs written down as what they are: a first block, and in each step x leaves and y enters; m
+// times for an m-change design.
 //
 //     class Slide final : public SwapPlan {             // {0,1,2}, {1,2,3}, {2,3,4}, …
 //       Block start() const override { return {0, 1, 2}; }
@@ -35,7 +35,8 @@ class SwapPlan {
 
   [[nodiscard]] virtual Block start() const = 0;
 
-  /// Appends the swaps of leg `index` = 0, 1, …; there may be none. False when there is no such leg.
+  /// Appends the swaps of leg `index` = 0, 1, …; there may be none. False when there is no such
+  /// leg.
   virtual bool leg(std::uint64_t index, std::vector<Swap>& swaps) const = 0;
 
  protected:

@@ -17,8 +17,8 @@ constexpr double list_width = 330;
 constexpr double font = 12;
 constexpr double list_line = 17;
 
-// What a block newly covers, in words: "5" between elements of the only cycle, "0:5" of cycle 0, "0-1:5" from cycle 0 to cycle
-// 1, ∞ for a pair with a fixed element.
+// What a block newly covers, in words: "5" between elements of the only cycle, "0:5" of cycle 0,
+// "0-1:5" from cycle 0 to cycle 1, ∞ for a pair with a fixed element.
 std::vector<std::string> differences_of(const DrawnBlock& block, const Automorphism& pi) {
   const auto is_new = [&](Element x) {
     return std::find(block.introduced.begin(), block.introduced.end(), x) != block.introduced.end();

@@ -36,15 +36,16 @@ inline constexpr double legend_font = 11;
 /// Words without a sample.
 [[nodiscard]] LegendEntry remark(std::string text);
 
-/// `content` with headline and note above it and the legend below, which breaks into lines; title and description of the content stay,
-/// the title is the headline if it has none.
+/// `content` with headline and note above it and the legend below, which breaks into lines; title
+/// and description of the content stay, the title is the headline if it has none.
 [[nodiscard]] Picture framed(const Heading& heading, Picture content,
                              const std::vector<LegendEntry>& legend = {});
 
 /// Moves marks.
 void shift(std::vector<Mark>& marks, double right, double down);
 
-/// The least of 1, 2, 5, 10, 20, … that is at least so large: how far apart the numbers of an axis stand.
+/// The least of 1, 2, 5, 10, 20, … that is at least so large: how far apart the numbers of an axis
+/// stand.
 [[nodiscard]] std::uint64_t axis_step(double least);
 
 }  // namespace changeover

@@ -1,4 +1,5 @@
-// One function a kind of picture: see changeover/draw/draw.hpp. The sources may be read from where they stand, the limits were held.
+// One function a kind of picture: see changeover/draw/draw.hpp. The sources may be read from where
+// they stand, the limits were held.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +46,8 @@ struct Drawing {
   /// "6 elements in 3 blocks" and the like, for those who cannot see the picture.
   [[nodiscard]] std::string summary() const;
 
-  /// `last` is the number of the last block that there is, as far as the range goes; 0: there is none.
+  /// `last` is the number of the last block that there is, as far as the range goes; 0: there is
+  /// none.
   /// @throws BadInput unless the range is all there.
   void require_range(std::uint64_t last) const;
 

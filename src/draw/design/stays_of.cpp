@@ -9,7 +9,8 @@
 namespace changeover {
 namespace {
 
-// In a circular design that is drawn whole, the stay that is there at its end is the one that is there at its beginning.
+// In a circular design that is drawn whole, the stay that is there at its end is the one that is
+// there at its beginning.
 void close_circle(std::vector<DrawnStay>& stays) {
   if (stays.empty() || !stays.front().began_before || !stays.back().goes_on) {
     return;
@@ -77,7 +78,8 @@ std::vector<Element> ordered(const DrawnStays& stays, ElementOrder order) {
   if (order == ElementOrder::given) {
     return elements;
   }
-  // The first block that holds it and the last of that stay. What goes over the end is there from the first block on.
+  // The first block that holds it and the last of that stay. What goes over the end is there from
+  // the first block on.
   const auto entry = [&](Element x) {
     constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
     const std::vector<DrawnStay>& own = stays.of[x];

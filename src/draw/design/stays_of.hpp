@@ -13,8 +13,8 @@
 
 namespace changeover {
 
-/// Consecutive blocks, counted from 1, that hold an element; of a stay over the end of a circular design `from` is greater than
-/// `to` unless it takes all blocks.
+/// Consecutive blocks, counted from 1, that hold an element; of a stay over the end of a circular
+/// design `from` is greater than `to` unless it takes all blocks.
 struct DrawnStay {
   std::uint64_t from = 0;
   std::uint64_t to = 0;

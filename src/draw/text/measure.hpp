@@ -8,7 +8,8 @@
 
 namespace changeover {
 
-/// As much of the beginning of a text as has room, with "…" behind it if that is not all. (Of too little room only "…" is left.)
+/// As much of the beginning of a text as has room, with "…" behind it if that is not all. (Of too
+/// little room only "…" is left.)
 [[nodiscard]] std::string fitted(std::string_view text, double room, double font_size,
                                  bool bold = false);
 

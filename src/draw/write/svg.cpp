@@ -204,7 +204,8 @@ class Writer {
     if (subscript) {
       piece(escaped(shape.content.substr(under + 1)), 0.75, 0.22);
     }
-    // A star stands high in its line already, so one below goes down by more than one above goes up.
+    // A star stands high in its line already, so one below goes down by more than one above goes
+    // up.
     if (shape.introduced) {
       piece("*", star_size, -0.15);
     }

@@ -8,19 +8,21 @@
 
 namespace changeover {
 
-/// A number as a spreadsheet shows it in full: at most 15 digits that count, never with an exponent below 10¹⁵.
+/// A number as a spreadsheet shows it in full: at most 15 digits that count, never with an exponent
+/// below 10¹⁵.
 [[nodiscard]] std::string number_text(double number);
 
 /// How a number is shown.
 enum class NumberStyle : std::uint8_t { number, date };
 
-/// What a number format such as `yyyy-mm-dd` makes of a number. Hours of any length, as [h]:mm, stay numbers.
+/// What a number format such as `yyyy-mm-dd` makes of a number. Hours of any length, as [h]:mm,
+/// stay numbers.
 [[nodiscard]] NumberStyle style_of_format(std::string_view format);
 /// The same of a format that spreadsheets know by its number.
 [[nodiscard]] NumberStyle style_of_built_in(std::uint64_t format);
 
-/// A day number as 2024-05-01, with a time 2024-05-01 13:30:00, or 13:30:00 alone below one day; the number itself
-/// where no calendar has such a day.
+/// A day number as 2024-05-01, with a time 2024-05-01 13:30:00, or 13:30:00 alone below one day;
+/// the number itself where no calendar has such a day.
 [[nodiscard]] std::string date_text(double days, bool from_1904);
 
 /// _x000D_ and the like are characters that XML cannot hold.

@@ -1,4 +1,5 @@
-// What a workbook says apart from its sheets: where they are, the texts and the formats that they share.
+// What a workbook says apart from its sheets: where they are, the texts and the formats that they
+// share.
 #pragma once
 
 #include <cstdint>

@@ -3,13 +3,14 @@
 //     WorkbookSheet sheet(bytes, "parts.xlsx", "Costs");     // or its first sheet
 //     while (const auto row = sheet.next()) row->cells;       // those with something in them
 //
-// An .xlsx is a zip archive of XML [ISO/IEC 29500]: the sheet itself is unpacked and read a piece at a time; what
-// the whole workbook shares (texts, formats of numbers) is held in memory. A cell says what a reader of the sheet
-// sees: a text, a number in full, TRUE or FALSE, a date as 2024-05-01; a formula says the value that the file
-// holds for it. Line ends and tabs within a cell are blanks. Hidden sheets are found by their name only.
+// An .xlsx is a zip archive of XML [ISO/IEC 29500]: the sheet itself is unpacked and read a piece
+// at a time; what the whole workbook shares (texts, formats of numbers) is held in memory. A cell
+// says what a reader of the sheet sees: a text, a number in full, TRUE or FALSE, a date as
+// 2024-05-01; a formula says the value that the file holds for it. Line ends and tabs within a cell
+// are blanks. Hidden sheets are found by their name only.
 //
-// Limits: 64 MiB as a file; unpacked, 512 MiB of the sheet and 64 MiB of what is shared; 32,767 characters a cell and
-// 16 MiB a row; 1 GiB of text in all.
+// Limits: 64 MiB as a file; unpacked, 512 MiB of the sheet and 64 MiB of what is shared; 32,767
+// characters a cell and 16 MiB a row; 1 GiB of text in all.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +32,8 @@ struct SheetRow {
   std::vector<SheetCell> cells;  ///< at least one; columns increase
 };
 
-/// Whether a file that begins like this may be a workbook, an old or an encrypted one included; eight bytes are
-/// enough.
+/// Whether a file that begins like this may be a workbook, an old or an encrypted one included;
+/// eight bytes are enough.
 [[nodiscard]] bool begins_like_a_workbook(std::string_view beginning);
 
 /// A sheet of a workbook, in the order of the tabs.
@@ -48,15 +49,17 @@ struct SheetName {
 
 class WorkbookSheet {
  public:
-  /// The sheet of this name, compared without regard to the case of ASCII letters, or the first visible one.
-  /// @throws BadInput with one line that begins with `file` if it is no workbook that can be read, or there is no
-  /// such sheet.
+  /// The sheet of this name, compared without regard to the case of ASCII letters, or the first
+  /// visible one.
+  /// @throws BadInput with one line that begins with `file` if it is no workbook that can be read,
+  /// or there is no such sheet.
   WorkbookSheet(std::string bytes, std::string file, const std::optional<std::string>& sheet = {});
   ~WorkbookSheet();
   WorkbookSheet(const WorkbookSheet&) = delete;
   WorkbookSheet& operator=(const WorkbookSheet&) = delete;
 
-  /// The next row that has something in it; nothing at the end. @throws BadInput with file, sheet and cell.
+  /// The next row that has something in it; nothing at the end. @throws BadInput with file, sheet
+  /// and cell.
   [[nodiscard]] std::optional<SheetRow> next();
 
   /// "parts.xlsx:Costs!B3".

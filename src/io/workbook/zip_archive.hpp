@@ -25,7 +25,8 @@ class ZipArchive {
     Member& operator=(Member&&) noexcept;
     ~Member();
 
-    /// Some more bytes; empty at the end. @throws BadInput if they are damaged, or more than the limit.
+    /// Some more bytes; empty at the end. @throws BadInput if they are damaged, or more than the
+    /// limit.
     [[nodiscard]] std::string next();
 
    private:
@@ -35,8 +36,9 @@ class ZipArchive {
     std::unique_ptr<State> state_;
   };
 
-  /// Opens a member, whose name is compared without regard to case; nothing if there is none. No more than `limit`
-  /// bytes are unpacked. @throws BadInput if it cannot be read, for a password for instance.
+  /// Opens a member, whose name is compared without regard to case; nothing if there is none. No
+  /// more than `limit` bytes are unpacked. @throws BadInput if it cannot be read, for a password
+  /// for instance.
   [[nodiscard]] std::optional<Member> open(const std::string& member, std::uint64_t limit) const;
 
  private:

@@ -12,8 +12,8 @@
 
 namespace changeover {
 
-/// Steps of a stream of blocks, which is read once, to its end; the step back to the first block of a
-/// circular one is not made. O(k) a block.
+/// Steps of a stream of blocks, which is read once, to its end; the step back to the first block of
+/// a circular one is not made. O(k) a block.
 class BlockSteps final : public StepSource {
  public:
   /// `keeper` is whatever must live as long as the blocks.

@@ -125,7 +125,8 @@ void tend(Garden& garden, std::uint64_t items, std::uint64_t room, std::uint64_t
   garden.cut_and_grow(std::min<std::uint64_t>(work / one, 3000));
 }
 
-// With few items left beside those that are held, groups that move together are better than single items.
+// With few items left beside those that are held, groups that move together are better than single
+// items.
 void consider_groups(std::optional<GroupedOrder>& best, const LoadOrderFacts& facts,
                      std::uint64_t seed) {
   constexpr std::uint64_t most_room = 8;

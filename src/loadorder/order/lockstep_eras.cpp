@@ -116,7 +116,8 @@ std::uint64_t size_of(const EraShape& shape, const std::optional<std::uint64_t>&
   return group ? begin_of(shape, *group + 1) - begin_of(shape, *group) : 0;
 }
 
-/// Reads rounds as steps: one in which groups that are to stay are loaded, if there are any; then one for each item that passes.
+/// Reads rounds as steps: one in which groups that are to stay are loaded, if there are any; then
+/// one for each item that passes.
 class EraSteps final : public StepSource {
  public:
   EraSteps(const EraShape& shape, std::uint64_t worker)

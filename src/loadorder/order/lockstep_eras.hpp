@@ -1,11 +1,14 @@
 // Internal: lockstep orders for any number of items, made as they go.
 //
-// The items are in G groups of at most n ≤ C − 1 items. In an era W groups stay, group a + w at worker w.
-//   1. All groups behind them pass: in round r worker w is passed by the (r + w)-th of them, cyclically, item by item. So in
-//      each round the passing groups differ, and each group that stays is passed by each of the others.
-//   2. Those that stayed meet each other by halves: the first half of a block stays where it is, the workers of the other
-//      half drop theirs and stand idle, and the other half passes the first, one group at each in turn; then the same with both
-//      halves. Blocks begin at multiples of their size, a power of two.
+// The items are in G groups of at most n ≤ C − 1 items. In an era W groups stay, group a + w at
+// worker w.
+//   1. All groups behind them pass: in round r worker w is passed by the (r + w)-th of them,
+//      cyclically, item by item. So in each round the passing groups differ, and each group that
+//      stays is passed by each of the others.
+//   2. Those that stayed meet each other by halves: the first half of a block stays where it is,
+//      the workers of the other half drop theirs and stand idle, and the other half passes the
+//      first, one group at each in turn; then the same with both halves. Blocks begin at multiples
+//      of their size, a power of two.
 //   3. They are dropped for good.
 // A pair in a group meets when the group is loaded to stay.
 #pragma once

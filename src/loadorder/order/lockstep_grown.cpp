@@ -224,7 +224,8 @@ class Growth {
     }
   }
 
-  // Nothing brings a new pair: what has most open pairs comes, if that pays or nothing else has happened in this step.
+  // Nothing brings a new pair: what has most open pairs comes, if that pays or nothing else has
+  // happened in this step.
   void begin_anew(std::uint32_t w, bool must) {
     std::optional<Element> in;
     for (Element y = 0; y < items_; ++y) {
@@ -315,7 +316,8 @@ GrownOrder round_robin_order(std::uint64_t workers) {
     std::vector<bool> seen(count, false);
     std::vector<std::uint32_t> moved = worker_of;
     for (std::size_t start = 0; start < count; ++start) {
-      // The worker of `keeps` goes on with it; its other item is the one that the next worker along the cycle drops for.
+      // The worker of `keeps` goes on with it; its other item is the one that the next worker along
+      // the cycle drops for.
       for (std::size_t keeps = start; !seen[keeps];) {
         const std::size_t goes = now[keeps];
         const std::size_t comes = then[keeps];

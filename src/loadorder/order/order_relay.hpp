@@ -1,5 +1,6 @@
-// Internal: a place in an order that one reader leaves and the next one takes, so that stretches that are read one after another
-// cost one reading of the order, and not one each of all that comes before.
+// Internal: a place in an order that one reader leaves and the next one takes, so that stretches
+// that are read one after another cost one reading of the order, and not one each of all that comes
+// before.
 #pragma once
 
 #include <cstdint>

@@ -164,7 +164,8 @@ class Steps final : public StepSource {
     inner_ = inner_orders_->get(names_.size() - task.fresh, task.fresh, task.each_other).stream();
   }
 
-  // A step of the order for the accelerator; what is still there is not transferred again, and nothing leaves before it has to.
+  // A step of the order for the accelerator; what is still there is not transferred again, and
+  // nothing leaves before it has to.
   void follow(Step& step) {
     for (const Element i : inner_step_.evict) {
       unwant(names_[i]);
@@ -271,7 +272,8 @@ class KeptSteps final : public StepSource {
   std::size_t next_ = 0;
 };
 
-/// The order for the accelerator alone; what leaves it stays in memory, and what is needed last leaves memory.
+/// The order for the accelerator alone; what leaves it stays in memory, and what is needed last
+/// leaves memory.
 class Cache {
  public:
   explicit Cache(const Shape& shape)

@@ -4,8 +4,8 @@
 //     queue.put(x, degree);                     // or again, with another number
 //     while (const auto x = queue.take_lowest()) { … }
 //
-// Of equal numbers the one that was put last is taken, or the one that has waited longest. O(1) a change, 12 bytes an
-// item, however often they change.
+// Of equal numbers the one that was put last is taken, or the one that has waited longest. O(1) a
+// change, 12 bytes an item, however often they change.
 #pragma once
 
 #include <cstdint>

@@ -4,16 +4,16 @@
 //     closing.run();                            // closes all of them
 //     closing.take_moves();                     // what was loaded, and what went for it
 //
-// An item is open while a pair of it has not met. To close it is to load it, unless it is there, and then all
-// partners that it still lacks, one after another; afterwards it may go. Where memory is full, what is closed goes
-// first, and then what is needed last: an open pair is needed when the first of its two items is closed. For given
-// pairs in a given order this is the rule of Belady for caches. Every order of the items leads to an order of loads, so
-// orders can be searched: improve() moves items about within windows of the order and keeps what needs
-// fewer loads.
+// An item is open while a pair of it has not met. To close it is to load it, unless it is there,
+// and then all partners that it still lacks, one after another; afterwards it may go. Where memory
+// is full, what is closed goes first, and then what is needed last: an open pair is needed when the
+// first of its two items is closed. For given pairs in a given order this is the rule of Belady for
+// caches. Every order of the items leads to an order of loads, so orders can be searched: improve()
+// moves items about within windows of the order and keeps what needs fewer loads.
 //
-// Items are renamed by the order at the start, so partners are sorted by when they are closed. Looking for when
-// an item is needed next ends after some partners, and looking for what goes after some items of a large
-// memory: that makes results worse now and then, never wrong.
+// Items are renamed by the order at the start, so partners are sorted by when they are closed.
+// Looking for when an item is needed next ends after some partners, and looking for what goes after
+// some items of a large memory: that makes results worse now and then, never wrong.
 //
 // Memory: 8 bytes a pair, some 40 an item and 8 a load.
 #pragma once
@@ -40,9 +40,10 @@ class Closing {
 
   static constexpr std::uint64_t no_limit = ~std::uint64_t{0};
 
-  /// Loads that closing all items in order takes; gives up where they are more than `limit`, and says so by what it
-  /// returns. Once in_a_hurry() says yes it gives up, too, if there is a limit; otherwise it goes on to the end without care
-  /// for what is evicted. It may throw; then nothing is left but to destroy this.
+  /// Loads that closing all items in order takes; gives up where they are more than `limit`, and
+  /// says so by what it returns. Once in_a_hurry() says yes it gives up, too, if there is a limit;
+  /// otherwise it goes on to the end without care for what is evicted. It may throw; then nothing
+  /// is left but to destroy this.
   std::uint64_t run(std::uint64_t limit = no_limit, const std::function<bool()>& in_a_hurry = {});
 
   /// Of the last run() that did not give up; in the names of the graph. They are gone from here.
@@ -57,8 +58,8 @@ class Closing {
   /// Back to what closing_order() was.
   void take_order(std::vector<Element> order);
 
-  /// Looks for a better order for `work` steps of looking at a pair, window by window from the first to
-  /// the last. Orders are judged by loads within the window and somewhat beyond.
+  /// Looks for a better order for `work` steps of looking at a pair, window by window from the
+  /// first to the last. Orders are judged by loads within the window and somewhat beyond.
   void improve(std::uint64_t work, Random& random, const std::function<bool()>& stop_wanted);
 
  private:

@@ -8,7 +8,8 @@
 namespace changeover {
 namespace {
 
-// Loads of a items with b others, groups of one of them staying: to within the items that stay at a turn.
+// Loads of a items with b others, groups of one of them staying: to within the items that stay at a
+// turn.
 std::uint64_t estimate(std::uint64_t a, std::uint64_t b, std::uint64_t room) {
   const auto held = [&](std::uint64_t x, std::uint64_t y) {
     return checked_add(x, checked_multiply(ceil_div(x, room - 1), y));

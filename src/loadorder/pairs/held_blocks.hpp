@@ -1,7 +1,8 @@
-// Internal: two sets for several workers: both are cut, and each worker has a part of the one with a part of the other.
+// Internal: two sets for several workers: both are cut, and each worker has a part of the one with
+// a part of the other.
 //
-// One worker after another, as one order: where the next one begins, all that is in memory is evicted, even what it loads
-// again. So cut there, the order is one of each worker alone.
+// One worker after another, as one order: where the next one begins, all that is in memory is
+// evicted, even what it loads again. So cut there, the order is one of each worker alone.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +24,8 @@ struct HeldBlocks {
   [[nodiscard]] std::uint64_t makespan() const;
 };
 
-/// The parts with the smallest makespan of all p·q ≤ workers, as far as estimates tell; nothing where there would be more
-/// than a million groups.
+/// The parts with the smallest makespan of all p·q ≤ workers, as far as estimates tell; nothing
+/// where there would be more than a million groups.
 [[nodiscard]] std::optional<HeldBlocks> best_held_blocks(const WantedPairs& between,
                                                          std::uint64_t room, std::uint64_t workers);
 

@@ -29,7 +29,8 @@ class Walk {
     std::uint64_t times = 1;         // so many steps of the same size follow each other
   };
 
-  /// The next step; with `all_alike`, as many steps at once as load equally many and evict as many. False at the end.
+  /// The next step; with `all_alike`, as many steps at once as load equally many and evict as many.
+  /// False at the end.
   bool next(Change& change, bool all_alike) {
     change = {};
     if (round_ == shape_->groups.size()) {

@@ -1,9 +1,11 @@
-// Internal: groups that are held while others pass, for pairs between two sets and for items that are new.
+// Internal: groups that are held while others pass, for pairs between two sets and for items that
+// are new.
 //
-// A range of items is cut into groups. Each group in turn stays in memory while the others that it must meet pass
-// through the places left: one whole range, up and down in turn, so that the last to pass are the first of
-// the next time. For between() these others are the other set. For beyond() they are the old items and those new ones that
-// no group had yet: the groups are taken from the top of the range, 0 being the bottom.
+// A range of items is cut into groups. Each group in turn stays in memory while the others that it
+// must meet pass through the places left: one whole range, up and down in turn, so that the last to
+// pass are the first of the next time. For between() these others are the other set. For beyond()
+// they are the old items and those new ones that no group had yet: the groups are taken from the
+// top of the range, 0 being the bottom.
 //
 // Memory holds a group and the range that passed last, so nothing is remembered but ranges.
 #pragma once

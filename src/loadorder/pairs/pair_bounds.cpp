@@ -13,7 +13,8 @@
 namespace changeover {
 namespace {
 
-/// What is known of one component, as items with few partners are taken away from it one after another.
+/// What is known of one component, as items with few partners are taken away from it one after
+/// another.
 struct Component {
   std::uint64_t items = 0;  // that are left
   std::uint64_t pairs = 0;

@@ -36,8 +36,8 @@ std::optional<Element> item_number(const Field& field) {
   return plain && number < most_items ? std::optional(number) : std::nullopt;
 }
 
-/// What `word` is as a number if it is written like one: digits, perhaps with a sign, leading zeros or a point, without
-/// what makes no difference to the number. Nothing for all other words.
+/// What `word` is as a number if it is written like one: digits, perhaps with a sign, leading zeros
+/// or a point, without what makes no difference to the number. Nothing for all other words.
 std::optional<std::string> as_number(std::string_view word) {
   const bool negative = word.starts_with('-');
   if (negative || word.starts_with('+')) {
@@ -107,7 +107,8 @@ std::optional<std::string> invisible_character(std::string_view word) {
   return std::nullopt;
 }
 
-/// Two items as most files write them: digits, one blank, tab or comma, digits. Nothing for every other line.
+/// Two items as most files write them: digits, one blank, tab or comma, digits. Nothing for every
+/// other line.
 std::optional<std::pair<Element, Element>> plain_pair(std::string_view line) {
   constexpr std::size_t most_digits = 7;  // below most_items
   static_assert(most_items == 10'000'000);
@@ -130,8 +131,8 @@ std::optional<std::pair<Element, Element>> plain_pair(std::string_view line) {
   return std::nullopt;
 }
 
-/// Pairs in pieces, so that more of them move none. A piece is so large that the system has it back at once; what is not
-/// used of it takes no memory.
+/// Pairs in pieces, so that more of them move none. A piece is so large that the system has it back
+/// at once; what is not used of it takes no memory.
 class Pieces {
  public:
   void add(Element x, Element y) {

@@ -63,7 +63,8 @@ class Player {
   Player(const std::vector<std::vector<Element>>& partners, std::uint64_t room)
       : partners_(partners), room_(room), place_(partners.size()), open_(partners.size()) {}
 
-  /// Loads of this order; gives up where they are more than `limit`, which is then exceeded. With `moves`, says them.
+  /// Loads of this order; gives up where they are more than `limit`, which is then exceeded. With
+  /// `moves`, says them.
   std::uint64_t play(const Order& order, std::uint64_t limit, std::vector<LoadMove>* moves) {
     const auto n = static_cast<std::uint32_t>(order.size());
     order_ = &order;
@@ -180,7 +181,8 @@ class Player {
   std::uint64_t loads_ = 0;
 };
 
-// A run of items goes elsewhere, mostly near a partner of its first, and perhaps the other way round.
+// A run of items goes elsewhere, mostly near a partner of its first, and perhaps the other way
+// round.
 Order changed(const Order& order, const std::vector<std::vector<Element>>& partners,
               Random& random) {
   constexpr std::uint32_t longest = 8;

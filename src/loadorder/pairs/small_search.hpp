@@ -4,8 +4,9 @@
 //     SmallSearch::Found found = search.anneal(order, work, random, stop_wanted);
 //     found.moves;                              // what was loaded, and what went for it
 //
-// The rule by which items are closed is that of closing.hpp, and everything an item is needed for is looked at. Partners
-// that are not met are bits by when they are closed, so to play an order takes some microseconds.
+// The rule by which items are closed is that of closing.hpp, and everything an item is needed for
+// is looked at. Partners that are not met are bits by when they are closed, so to play an order
+// takes some microseconds.
 #pragma once
 
 #include <cstdint>
@@ -33,8 +34,9 @@ class SmallSearch {
     std::vector<LoadMove> moves;
   };
 
-  /// The best order on a way of `work` steps of looking at an item or a pair that begins at `order`; at least as good as
-  /// that. It ends when no more than `enough` loads are left, and once stop_wanted().
+  /// The best order on a way of `work` steps of looking at an item or a pair that begins at
+  /// `order`; at least as good as that. It ends when no more than `enough` loads are left, and once
+  /// stop_wanted().
   [[nodiscard]] Found anneal(const std::vector<Element>& order, std::uint64_t enough,
                              std::uint64_t work, Random& random,
                              const std::function<bool()>& stop_wanted);

@@ -33,7 +33,8 @@ void append_levels(const PairGraph& graph, Element root, std::vector<bool>& seen
   }
 }
 
-// One item of each component, at an end of it: the last one of a search from the last one of a search.
+// One item of each component, at an end of it: the last one of a search from the last one of a
+// search.
 Order ends(const PairGraph& graph) {
   Order roots;
   std::vector<bool> seen(static_cast<std::size_t>(graph.items()), false);

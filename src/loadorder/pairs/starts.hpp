@@ -20,8 +20,8 @@ namespace changeover {
 ///              met a partner last, or the other one
 ///   breadth    breadth first from an end of each component, fewest partners first, reversed: [CuthillMcKee1969]
 ///
-/// They are shown to `visit` one after another, as long as it says true; none is made before it is asked for. What
-/// give_up() interrupts is not shown.
+/// They are shown to `visit` one after another, as long as it says true; none is made before it is
+/// asked for. What give_up() interrupts is not shown.
 void each_start(
     const PairGraph& graph, std::uint64_t room,
     const std::function<bool(const std::string& name, std::vector<Element> order)>& visit,

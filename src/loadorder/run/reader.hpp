@@ -17,8 +17,8 @@
 
 namespace changeover {
 
-/// `room` buffers, each of them free, on its way or loaded. request(), wait() and release() are for one
-/// thread, the owner.
+/// `room` buffers, each of them free, on its way or loaded. request(), wait() and release() are for
+/// one thread, the owner.
 class Reader {
  public:
   /// @throws std::bad_alloc; MissingResource if a thread cannot be started

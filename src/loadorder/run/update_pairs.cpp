@@ -23,7 +23,8 @@ std::uint64_t workers_of(const LoadOrderFacts& facts) {
   return std::max<std::uint64_t>(1, facts.lockstep);
 }
 
-/// Plays a whole order: whether it is one, and a checksum by which it is known again. @throws BadInput
+/// Plays a whole order: whether it is one, and a checksum by which it is known again. @throws
+/// BadInput
 Checksum checksum_of(const LoadOrder& order, const ComputeRules& compute) {
   const LoadOrderFacts& facts = order.facts();
   const ScheduleRules rules = order.rules(compute);
@@ -136,8 +137,9 @@ class UpdateJob {
       return report_;
     }
     check_beside(journal);
-    // What is refused is not touched: a journal whose last lines do not count keeps them until the items are known to be those of the
-    // line before. A new one comes before its second file, which without it would belong to no job.
+    // What is refused is not touched: a journal whose last lines do not count keeps them until the
+    // items are known to be those of the line before. A new one comes before its second file, which
+    // without it would belong to no job.
     const bool goes_on = !journal.records().empty();
     if (!goes_on) {
       journal.begin();
@@ -229,7 +231,8 @@ class UpdateJob {
     }
   }
 
-  // What the next step of each worker stores, and what is changed and held after it. False at the end.
+  // What the next step of each worker stores, and what is changed and held after it. False at the
+  // end.
   bool plan_step() {
     for (Step& step : steps_) {
       if (!work_.next(step)) {

@@ -13,8 +13,8 @@
 
 namespace changeover {
 
-/// Place 0 of item x is in the data file, place 1 in another, at the same offset. Nothing that was committed is
-/// written to before the next commit.
+/// Place 0 of item x is in the data file, place 1 in another, at the same offset. Nothing that was
+/// committed is written to before the next commit.
 class VersionedItems {
  public:
   /// Opens and locks the data. @throws as ResultFile::open()

@@ -1,4 +1,5 @@
-// Parameters that the abstract and Section 4 write once more, against designs of the statements that they belong to.
+// Parameters that the abstract and Section 4 write once more, against designs of the statements
+// that they belong to.
 #include <fmt/format.h>
 
 #include "paper/checks/checking.hpp"

@@ -116,7 +116,8 @@ PaperItem check_pairs_of_elements(const Paper& paper) {
   return std::move(check).finish();
 }
 
-// "A Hamilton cycle exists in K_v for all v ≥ 6 as a consequence of Dirac's theorem": n/2 neighbours are enough.
+// "A Hamilton cycle exists in K_v for all v ≥ 6 as a consequence of Dirac's theorem": n/2
+// neighbours are enough.
 PaperItem check_dirac() {
   constexpr std::uint64_t largest_v = 100;
   Check check("Section 2.1", "cited: by Dirac's theorem a Hamilton cycle exists in K_v for v >= 6",
@@ -214,7 +215,8 @@ bool is_odd_prime_power(std::uint64_t n) {
   return false;
 }
 
-// "If 2k−3 is an odd prime power, then minimum linear DCCD(v,k,(2v−2)/3) can only exist if v ≥ 3k−5."
+// "If 2k−3 is an odd prime power, then minimum linear DCCD(v,k,(2v−2)/3) can only exist if v ≥
+// 3k−5."
 PaperItem check_prime_power(const PaperContext& context) {
   constexpr std::uint64_t largest_k = 12;
   const PrintedCited& cited = context.paper.cited;

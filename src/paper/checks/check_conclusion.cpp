@@ -20,7 +20,8 @@ PaperItem check_count(const Paper& paper) {
   return std::move(check).finish();
 }
 
-// A circular design for every v from k + change up to `largest_v(k)`, with as many blocks as the lower bound.
+// A circular design for every v from k + change up to `largest_v(k)`, with as many blocks as the
+// lower bound.
 template <typename LargestV>
 PaperItem check_all_minima(const PaperContext& context, std::string what, std::uint64_t change,
                            const LargestV& largest_v, const std::string& note) {

@@ -76,7 +76,8 @@ PaperItem check_range(const PaperContext& context, const std::vector<CyclicWithS
   return std::move(check).finish();
 }
 
-// "The order of the expansion set is (4ck−6c+1)/(k−2) = 4c + (2c+1)/(k−2). This is odd if and only if (2c+1)/(k−2) is."
+// "The order of the expansion set is (4ck−6c+1)/(k−2) = 4c + (2c+1)/(k−2). This is odd if and only
+// if (2c+1)/(k−2) is."
 PaperItem check_order(const PaperContext& context, const std::vector<CyclicWithSet>& designs) {
   Check check("Corollary 14", "the proofs: the order of the expansion set, and when it is odd",
               "values");
@@ -144,8 +145,8 @@ PaperItem check_formula(const PaperContext& context, const std::vector<CyclicWit
   return std::move(check).finish();
 }
 
-// How two numbers that no (c,k) gives may have come about: another k in the formulas of Corollary 14, or an expansion
-// with some of the subsets only.
+// How two numbers that no (c,k) gives may have come about: another k in the formulas of Corollary
+// 14, or an expansion with some of the subsets only.
 std::string likely_slip(const PaperContext& context, const PrintedTriple& triple,
                         const std::vector<CyclicWithSet>& designs) {
   const PrintedDesign& formulas = context.paper.expanded;

@@ -249,7 +249,8 @@ PaperItem check_runs(const PaperContext& context) {
   return std::move(check).finish();
 }
 
-// "As every element in a tight circular DCCD(2k−2,k,k−1) is introduced exactly once", the step to Theorem 8.
+// "As every element in a tight circular DCCD(2k−2,k,k−1) is introduced exactly once", the step to
+// Theorem 8.
 PaperItem check_introduced_once(const PaperContext& context) {
   Check check("Section 3.2",
               "every element of a tight circular DCCD(2k-2,k,k-1) is introduced exactly once",

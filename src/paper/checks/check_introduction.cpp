@@ -32,8 +32,9 @@ PaperItem check_count_in_abstract(const Paper& paper) {
   return std::move(check).finish();
 }
 
-// The three places write the recursion with different fractions; each is evaluated as printed, and compared with what
-// the 1-factors of a complete graph add: its vertices, and a block for each edge.
+// The three places write the recursion with different fractions; each is evaluated as printed, and
+// compared with what the 1-factors of a complete graph add: its vertices, and a block for each
+// edge.
 PaperItem check_recursion_formulas(const Paper& paper) {
   Check check("Abstract",
               "v* and b* of the recursion, as the abstract, Theorem 2 and Section 4 write them",
@@ -125,7 +126,8 @@ std::uint64_t pairs_met(const std::vector<Block>& blocks) {
   return pairs.size();
 }
 
-// "An optimal covering design with 12 blocks": what its blocks are, each from the others, and that fewer do not do.
+// "An optimal covering design with 12 blocks": what its blocks are, each from the others, and that
+// fewer do not do.
 PaperItem check_covering(const Paper& paper) {
   Check check("Section 1",
               "the covering design of nine components, threes: its blocks, each found anew from "
@@ -229,7 +231,8 @@ PaperItem check_costs(const Paper& paper) {
     compare(printed.single, once, "a minimum SCCD(9,3,18)");
     compare(printed.twice, twice, "a minimum DCCD(9,3,12)");
   }
-  // "The DCCD outperformed the SCCD and the covering" where a test costs more than a change, by the printed figures.
+  // "The DCCD outperformed the SCCD and the covering" where a test costs more than a change, by the
+  // printed figures.
   for (const PrintedCosts& printed : paper.costs) {
     const bool twice_is_best = printed.twice < printed.single && printed.twice < printed.covering;
     check.expect(

@@ -206,7 +206,8 @@ void for_each_expanded(const std::vector<WithSet>& designs, const Use& use) {
   }
 }
 
-// What the blocks without a new element introduce, in their order; with their numbers among all blocks, from 1.
+// What the blocks without a new element introduce, in their order; with their numbers among all
+// blocks, from 1.
 struct OldBlocks {
   std::vector<Block> blocks, introduced;
   std::vector<std::uint64_t> number;

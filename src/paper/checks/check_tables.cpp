@@ -57,7 +57,8 @@ std::vector<Kind> kinds_of(const PrintedTable& table) {
   return table.kinds.empty() ? std::vector{Kind::linear, Kind::circular} : table.kinds;
 }
 
-// The print itself: is it the design that its caption names? If the caption names no kind, one must do.
+// The print itself: is it the design that its caption names? If the caption names no kind, one must
+// do.
 void expect_caption(Check& check, const PrintedTable& table) {
   std::vector<std::string> wrong;
   const std::vector<Kind> kinds = kinds_of(table);

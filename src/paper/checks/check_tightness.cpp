@@ -57,15 +57,17 @@ std::string with_its_blocks(const Economical& found) {
       found.additional, found.never);
 }
 
-// All that fails here fails where two or more elements are in every block, as the circular bound does.
+// All that fails here fails where two or more elements are in every block, as the circular bound
+// does.
 constexpr const char* cause = "Theorem 1";
 
 constexpr std::string_view reason =
     "pairs of elements that are in every block are never covered in the paper's sense, and others are covered "
     "in their place; it holds where at most one element is in every block";
 
-// "In a tight DCCD every pair is covered exactly once. In an economical DCCD, there are less than 2k−3 additional
-// pairs covered." A statement for all of some designs, with the first counterexample and the count of all.
+// "In a tight DCCD every pair is covered exactly once. In an economical DCCD, there are less than
+// 2k−3 additional pairs covered." A statement for all of some designs, with the first
+// counterexample and the count of all.
 template <typename Holds>
 PaperItem check_for_all(std::string what, const std::vector<Economical>& designs,
                         const Holds& holds) {
@@ -210,7 +212,8 @@ PaperItem check_leaning_proof(const PaperContext& context) {
     const std::uint64_t v = count_of(family.design.v, {{'k', k}});
     const std::uint64_t b = count_of(family.design.b, {{'k', k}});
     for (std::uint64_t fixed = 2; fixed + 3 <= k; ++fixed) {
-      // With that many elements in every block C(fixed,2) pairs are never covered, so as many are covered in excess.
+      // With that many elements in every block C(fixed,2) pairs are never covered, so as many are
+      // covered in excess.
       const std::uint64_t covered = b * (2 * k - 3);
       const std::uint64_t to_cover = binomial(v, 2) - binomial(fixed, 2);
       check.expect(covered <= to_cover || gap, [&] {

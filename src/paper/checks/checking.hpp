@@ -102,7 +102,8 @@ class Check {
 [[nodiscard]] Fraction printed_bound(const Paper& paper, std::uint64_t v, std::uint64_t k,
                                      Kind kind);
 
-/// g₁ or g₂ from pairs that are counted one by one: all, those of a first block, those that a step newly covers.
+/// g₁ or g₂ from pairs that are counted one by one: all, those of a first block, those that a step
+/// newly covers.
 [[nodiscard]] Fraction counted_bound(std::uint64_t v, std::uint64_t k, Kind kind);
 
 /// How often each pair is covered in the paper's sense, by PairSet::rank(), counted block by block.
@@ -117,8 +118,9 @@ class Check {
                                               std::string_view construction,
                                               const Parameters& parameters);
 
-/// The design with fewest blocks that the registry knows for these parameters, verified; nullopt if it knows none. The
-/// closure rules are asked only if what the constructions offer is above the lower bound.
+/// The design with fewest blocks that the registry knows for these parameters, verified; nullopt if
+/// it knows none. The closure rules are asked only if what the constructions offer is above the
+/// lower bound.
 [[nodiscard]] std::optional<Design> best_design(const Registry& registry,
                                                 const Parameters& parameters);
 
@@ -147,8 +149,8 @@ struct CyclicWithSet {
 /// printed beneath it. Positions are as in construct/expansion.hpp.
 [[nodiscard]] ExpansionSet marked_expansion_set(const PrintedTable& table);
 
-/// What Theorem 2 makes of a printed design, its marked expansion set and the printed 1-factorization of
-/// that place, elements without names; nullopt if that cannot be done.
+/// What Theorem 2 makes of a printed design, its marked expansion set and the printed
+/// 1-factorization of that place, elements without names; nullopt if that cannot be done.
 [[nodiscard]] std::optional<Design> expanded_as_printed(const Paper& paper, std::string_view table,
                                                         Kind kind, std::string_view factorization);
 

@@ -64,16 +64,20 @@ struct PaperContext {
 /// Marks of a table: every asterisk, caret and highlight compared with the blocks.
 [[nodiscard]] PaperItem check_marks(const PrintedTable& table);
 
-/// The kind that a caption names: all of them if it names some, and only those; one at least if it names none.
+/// The kind that a caption names: all of them if it names some, and only those; one at least if it
+/// names none.
 [[nodiscard]] PaperItem check_kind(const PrintedTable& table);
 
-/// The blocks of a table from each other: each block again from all the others alone, by trying every k-subset.
+/// The blocks of a table from each other: each block again from all the others alone, by trying
+/// every k-subset.
 [[nodiscard]] PaperItem check_each_block(const PrintedTable& table);
 
-/// The number of blocks of a table against the lower bound, and against designs that are built without the print.
+/// The number of blocks of a table against the lower bound, and against designs that are built
+/// without the print.
 [[nodiscard]] PaperItem check_least(const PaperContext& context, const PrintedTable& table);
 
-/// The parameters that a place writes once more, against designs of the statement that they belong to.
+/// The parameters that a place writes once more, against designs of the statement that they belong
+/// to.
 [[nodiscard]] PaperItem check_again(const PaperContext& context, std::string_view place);
 
 }  // namespace changeover

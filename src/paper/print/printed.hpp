@@ -129,13 +129,15 @@ struct PrintedFamily {
   bool even = false;  ///< for even k; otherwise for odd k
 };
 
-/// The parameters of a numbered statement as they are written once more, in the abstract or in Section 4.
+/// The parameters of a numbered statement as they are written once more, in the abstract or in
+/// Section 4.
 struct PrintedAgain {
   PrintedDesign design;
   std::string statement;  ///< "Theorem 3"
 };
 
-/// The differences ±d that a proof lists for c base blocks, for each of them the intervals of d, ends as formulas.
+/// The differences ±d that a proof lists for c base blocks, for each of them the intervals of d,
+/// ends as formulas.
 struct PrintedDifferences {
   std::uint64_t c = 0;
   std::string v;  ///< "this is all the differences in Z_v"

@@ -1,4 +1,5 @@
-// The check of a job that a search makes once more: one that is to stop still has an answer to a job that is right.
+// The check of a job that a search makes once more: one that is to stop still has an answer to a
+// job that is right.
 #pragma once
 
 #include "changeover/plan/job.hpp"

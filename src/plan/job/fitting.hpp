@@ -1,4 +1,5 @@
-// Which sets of parts can be mounted together, and how a set that lacks parts in some slot is filled up.
+// Which sets of parts can be mounted together, and how a set that lacks parts in some slot is
+// filled up.
 //
 //     const Fitting fitting(job);
 //     fitting.completed({cpu, disk}, job.start);   // with a power supply too, if a set-up needs one
@@ -34,18 +35,18 @@ class Fitting {
     return slot < slots() ? most_[slot] : job_->room();
   }
 
-  /// The set with as few parts more as its slots need: those of `liked` first, then cheap ones. Nothing if that cannot be, or
-  /// was not found, nor by simplest(). The set must have the mounted parts and no part twice; whether it obeys all else is
-  /// found out. O(v) a choice.
+  /// The set with as few parts more as its slots need: those of `liked` first, then cheap ones.
+  /// Nothing if that cannot be, or was not found, nor by simplest(). The set must have the mounted
+  /// parts and no part twice; whether it obeys all else is found out. O(v) a choice.
   [[nodiscard]] std::optional<Block> completed(Block setup, std::span<const Element> liked) const;
 
   struct Found {
     std::optional<Block> setup;
     bool all_tried = true;  ///< otherwise 100,000 choices were: there may be one all the same
   };
-  /// The same with the parts that come first. This depends on the slots, the forbidden pairs and the room only, so that what is
-  /// found when a job is checked is found in all that is made of it, at other costs and when some pairs have met.
-  /// Without forbidden pairs no choice is wrong.
+  /// The same with the parts that come first. This depends on the slots, the forbidden pairs and
+  /// the room only, so that what is found when a job is checked is found in all that is made of it,
+  /// at other costs and when some pairs have met. Without forbidden pairs no choice is wrong.
   [[nodiscard]] Found simplest(Block setup) const;
 
  private:

@@ -72,7 +72,8 @@ class PartFinder {
     return std::nullopt;
   }
 
-  // What stands in a cell, which says `text` if it was written by csv_cell() and not by a spreadsheet.
+  // What stands in a cell, which says `text` if it was written by csv_cell() and not by a
+  // spreadsheet.
   [[nodiscard]] std::optional<Element> find_cell(const std::string& cell, const std::string& text,
                                                  bool names_only) const {
     if (names_only && !of_model_) {
@@ -122,7 +123,8 @@ class PartFinder {
     return some;
   }
 
-  // Of names that begin or end with blanks, as only quotes in a text can say, a workbook has them in full.
+  // Of names that begin or end with blanks, as only quotes in a text can say, a workbook has them
+  // in full.
   void restore_blanks(Row& row) const {
     for (Field& field : row) {
       if (!field.in_full.empty() && is_name(field.in_full)) {
@@ -131,7 +133,8 @@ class PartFinder {
     }
   }
 
-  // What to say of a word that is no part: with the name that differs in its case only, if there is one.
+  // What to say of a word that is no part: with the name that differs in its case only, if there is
+  // one.
   [[nodiscard]] std::string complaint(const std::string& word) const {
     if (of_model_) {
       return of_model_->complaint(word);

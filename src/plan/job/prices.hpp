@@ -15,8 +15,9 @@ enum class Price {
   dearest,  ///< of all of them
 };
 
-/// The same job with a price for each part, whatever it replaces; the job itself if it does not ask. No list costs less than
-/// at the least prices, and none more than at the dearest, since what stays mounted is never taken out. O(v²).
+/// The same job with a price for each part, whatever it replaces; the job itself if it does not
+/// ask. No list costs less than at the least prices, and none more than at the dearest, since what
+/// stays mounted is never taken out. O(v²).
 [[nodiscard]] Job at_prices(const Job& job, Price price);
 
 /// @throws BadInput for a job with replace_costs: `what` is not done for it.

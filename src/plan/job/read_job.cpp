@@ -108,8 +108,8 @@ SetupColumns parameter_columns(const Row& first, const PartFinder& finder) {
   return columns.header ? columns : SetupColumns();
 }
 
-// A first row with such words is the header of a sheet, unless they are names of parts; then only if it
-// is one beyond doubt.
+// A first row with such words is the header of a sheet, unless they are names of parts; then only
+// if it is one beyond doubt.
 SetupColumns setup_columns(const Row& first, const PartFinder& finder, bool is_given) {
   if (finder.model() != nullptr && !is_given) {
     SetupColumns columns = parameter_columns(first, finder);
@@ -171,7 +171,8 @@ void check_header(const Row& header, const RowReader& reader) {
   }
 }
 
-// A row under a header: not the header again, nor cut off before its last part, nor with more than was headed.
+// A row under a header: not the header again, nor cut off before its last part, nor with more than
+// was headed.
 void check_shape(const Row& row, const Row& header, const SetupColumns& columns,
                  const RowReader& reader) {
   const auto same = [](const Field& a, const Field& b) { return a.text == b.text; };

@@ -1,4 +1,5 @@
-// What people write into the column `result`. Whatever is not sure is unread: a pass that is none hides a fault.
+// What people write into the column `result`. Whatever is not sure is unread: a pass that is none
+// hides a fault.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -20,7 +21,8 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr std::string_view latin =
     "aaaaaaaceeeeiiiidnooooo ouuuuytsaaaaaaaceeeeiiiidnooooo ouuuuyty";
 
-// Small letters without accents, wide forms as usual ones, signs as words, other punctuation as blanks.
+// Small letters without accents, wide forms as usual ones, signs as words, other punctuation as
+// blanks.
 std::string folded(std::string_view text) {
   std::string result;
   while (!text.empty()) {
@@ -88,7 +90,8 @@ bool begins_with(const std::string& word, const std::array<std::string_view, N>&
                      [&](std::string_view beginning) { return word.starts_with(beginning); });
 }
 
-// The words of English, German, French, Spanish, Italian, Portuguese, Dutch, Japanese, Chinese and Korean.
+// The words of English, German, French, Spanish, Italian, Portuguese, Dutch, Japanese, Chinese and
+// Korean.
 bool is_pass(const std::string& word) {
   constexpr auto others = std::to_array<std::string_view>(
       {"passiv", "passw", "passag", "passen", "passpo", "passth", "passba", "passat"});

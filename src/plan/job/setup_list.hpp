@@ -25,11 +25,12 @@ namespace changeover {
 [[nodiscard]] DoneList read_first_list(Input& input, const PartNames& names, std::uint64_t at_once,
                                        std::vector<std::string>* gone = nullptr);
 
-/// Why no list may hold this set-up, whose parts are parts of the job, none twice: without a place. Nothing if one may.
+/// Why no list may hold this set-up, whose parts are parts of the job, none twice: without a place.
+/// Nothing if one may.
 [[nodiscard]] std::optional<std::string> setup_defect(const Job& job, const Block& setup);
 
-/// Which pairs and, if asked for, which triples of parts were in one set-up. A set-up costs O(k · v/64), with triples
-/// O(k² · v/64), so that a long list is read in the time that its pairs take.
+/// Which pairs and, if asked for, which triples of parts were in one set-up. A set-up costs O(k ·
+/// v/64), with triples O(k² · v/64), so that a long list is read in the time that its pairs take.
 class Meetings {
  public:
   Meetings(std::uint64_t parts, bool triples);
@@ -56,7 +57,8 @@ class Meetings {
   Bits triples_;   // for each two parts, x at x · parts + y, a row: with whom they were
 };
 
-/// Takes out the triples that have met; needed are then the pairs of the others. Nothing without triples.
+/// Takes out the triples that have met; needed are then the pairs of the others. Nothing without
+/// triples.
 void drop_met_triples(Job& job, const Meetings& meetings);
 
 }  // namespace changeover

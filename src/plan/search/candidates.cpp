@@ -15,8 +15,8 @@
 namespace changeover {
 namespace {
 
-// A list that changes the same number of parts at every step and tests all pairs is a change covering
-// design: the verifier must agree.
+// A list that changes the same number of parts at every step and tests all pairs is a change
+// covering design: the verifier must agree.
 void verify_as_design(const Job& job, const RunSheet& sheet) {
   const auto change = sheet.constant_change();
   const std::uint64_t v = job.parts();
@@ -84,8 +84,8 @@ std::vector<Block> sound_rest(const Job& job, const PlanOptions& options) {
       rest.push_back(setup);
     }
   }
-  // With more tests than there is to meet, some bring nothing. Without them a list costs no more, unless costs depend on
-  // what is replaced.
+  // With more tests than there is to meet, some bring nothing. Without them a list costs no more,
+  // unless costs depend on what is replaced.
   const std::uint64_t most = job.triples.empty() ? job.needed.size() : job.triples.size();
   if (rest.size() <= most || job.replaces()) {
     return rest;

@@ -9,25 +9,29 @@
 
 namespace changeover {
 
-/// A list as the referee counts it; one that is a change covering design must pass the verifier too. Counting is short, and
-/// is not stopped: nothing is shown without it. @throws InternalError if it breaks a constraint.
+/// A list as the referee counts it; one that is a change covering design must pass the verifier
+/// too. Counting is short, and is not stopped: nothing is shown without it. @throws InternalError
+/// if it breaks a constraint.
 [[nodiscard]] Candidate counted(const Job& job, const Start& start);
 
 /// The same for a list that must do the job. @throws InternalError if it leaves anything untested.
 [[nodiscard]] Candidate counted_complete(const Job& job, const Start& start);
 
-/// The set-ups of the plan under way (PlanOptions::rest) that break no constraint; of more than there is to meet, those that
-/// bring something new. O(tests · at_once²), besides one count of the list.
+/// The set-ups of the plan under way (PlanOptions::rest) that break no constraint; of more than
+/// there is to meet, those that bring something new. O(tests · at_once²), besides one count of the
+/// list.
 [[nodiscard]] std::vector<Block> sound_rest(const Job& job, const PlanOptions& options);
 
-/// Orders of candidates: the cheapest first; those that test the most weight, triples or pairs first.
+/// Orders of candidates: the cheapest first; those that test the most weight, triples or pairs
+/// first.
 [[nodiscard]] bool cheaper(const Candidate& a, const Candidate& b);
 [[nodiscard]] bool tests_more(const Candidate& a, const Candidate& b);
 
 /// The longest beginning of a plan that is within the budget.
 [[nodiscard]] Candidate affordable(const Job& job, const Candidate& plan, Amount budget);
 
-/// Does what may go on for long, or want more than there is: what the plan has by then stays, and it says what was missing.
+/// Does what may go on for long, or want more than there is: what the plan has by then stays, and
+/// it says what was missing.
 void keep_what_there_is(RunPlan& plan, const std::function<void()>& work);
 
 /// The sheet of the first candidate, and why the search ended.

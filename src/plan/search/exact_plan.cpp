@@ -211,7 +211,8 @@ class Exact {
     return choices_->allows(row);
   }
 
-  // Parts whose exchange changes nothing in the job, but for the start, which only the first step knows.
+  // Parts whose exchange changes nothing in the job, but for the start, which only the first step
+  // knows.
   void find_classes() {
     const bool has_rules = job_->model != nullptr && !job_->model->constraints.empty();
     const auto alike = [&](std::size_t i, std::size_t j) {
@@ -250,7 +251,8 @@ class Exact {
     }
   }
 
-  // By number of steps and of pairs left: the fewest introductions by which so many steps can meet so many.
+  // By number of steps and of pairs left: the fewest introductions by which so many steps can meet
+  // so many.
   void find_introductions() {
     const std::uint64_t k = job_->room();
     const auto most_new = [&](std::uint64_t j) {
@@ -343,7 +345,8 @@ class Exact {
     return least;
   }
 
-  // New labels for the parts: within a class by whether they are on the bench and whom they have yet to meet.
+  // New labels for the parts: within a class by whether they are on the bench and whom they have
+  // yet to meet.
   [[nodiscard]] Labels labels(Mask met, Parts setup) const {
     std::array<std::uint32_t, most_small_parts> key{};
     for (unsigned round = 0; round < 2; ++round) {

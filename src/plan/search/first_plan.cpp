@@ -53,7 +53,8 @@ RunPlan rest_of(const Job& job, const Job& rest, const RunPlan& plan) {
   return left;
 }
 
-// The set-ups of a list, each of which may go to a place of its own: equal ones are the same parts in any order.
+// The set-ups of a list, each of which may go to a place of its own: equal ones are the same parts
+// in any order.
 Block in_order(Block setup) {
   std::sort(setup.begin(), setup.end());
   return setup;

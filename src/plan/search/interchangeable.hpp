@@ -7,8 +7,8 @@
 
 namespace changeover {
 
-/// The parts by classes within which any exchange leaves costs, slots, pairs, what is mounted and what is at the start as
-/// they are. O(v³/64).
+/// The parts by classes within which any exchange leaves costs, slots, pairs, what is mounted and
+/// what is at the start as they are. O(v³/64).
 [[nodiscard]] std::vector<std::vector<Element>> interchangeable_parts(const Job& job);
 
 }  // namespace changeover

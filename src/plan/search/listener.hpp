@@ -12,8 +12,8 @@ class Listener {
  public:
   explicit Listener(RunControl& control) : control_(&control) {}
 
-  /// Whether to stop, after so much work: about as many nanoseconds, give or take a factor of ten. Once
-  /// true, always true.
+  /// Whether to stop, after so much work: about as many nanoseconds, give or take a factor of ten.
+  /// Once true, always true.
   [[nodiscard]] bool stop_wanted(std::uint64_t work) {
     constexpr std::uint64_t enough = 10'000;
     done_ += work;

@@ -84,8 +84,8 @@ class Planner {
     keep_what_there_is(plan, [&] { search(plan); });
   }
 
-  // The set-ups of the plan under way that break no constraint, as they are if they do the job, and with what
-  // they lack and without what is too much.
+  // The set-ups of the plan under way that break no constraint, as they are if they do the job, and
+  // with what they lack and without what is too much.
   void add_rest(RunPlan& plan) const {
     const std::vector<Block> rest = sound_rest(*job_, *options_);
     if (rest.empty()) {
@@ -181,8 +181,8 @@ class Planner {
     unsigned attempts = 0;
   };
 
-  // The next round of so many steps; if there is a time to use and not much would be left after it, one that uses it up. Few
-  // long annealings find more than many short ones where lists are long.
+  // The next round of so many steps; if there is a time to use and not much would be left after it,
+  // one that uses it up. Few long annealings find more than many short ones where lists are long.
   [[nodiscard]] Round round_of(const Attempts& attempts, std::uint64_t steps, bool many) const {
     if (options_->steps != 0) {
       return {steps, options_->attempts};
@@ -207,15 +207,16 @@ class Planner {
     const unsigned most_rounds = many ? 8 : 3;
     const unsigned least = many ? 4 : 1;  // rounds that are made in any case
     const std::uint64_t gap = (now - plan.bound.cost).millionths;
-    // One fruitless round says little of a short list; all lists of a small job are looked at anyway.
+    // One fruitless round says little of a short list; all lists of a small job are looked at
+    // anyway.
     const bool patient = many && gap > plan.bound.cost.millionths / large_gap && !is_small(*job_);
     return options_->steps != 0 || round + 1 >= most_rounds ||
            (round >= least && idle >= (patient ? 3U : 1U)) ||
            gap < plan.bound.cost.millionths / small_gap;
   }
 
-  // A small job is done: its cheapest list is found, or the best so far is proved to be one. Where that takes too
-  // long, the bound is better.
+  // A small job is done: its cheapest list is found, or the best so far is proved to be one. Where
+  // that takes too long, the bound is better.
   void look_at_all(RunPlan& plan, Amount best) const {
     constexpr std::uint64_t bytes_a_state = 128;
     require_memory(options_->states * bytes_a_state, "looking at all lists of a small job");

@@ -1,5 +1,5 @@
-// Plans and bounds of jobs that were checked: the public doors check, and what is made of their jobs on the way to a plan
-// has no defects either.
+// Plans and bounds of jobs that were checked: the public doors check, and what is made of their
+// jobs on the way to a plan has no defects either.
 #pragma once
 
 #include "changeover/plan/run_plan.hpp"

@@ -15,7 +15,8 @@ __extension__ using Wide = unsigned __int128;
 
 using CostMatrix = std::vector<std::vector<std::uint64_t>>;
 
-// Rows that can go around so that it costs less: each takes the place of the next, the last that of the first.
+// Rows that can go around so that it costs less: each takes the place of the next, the last that of
+// the first.
 std::optional<std::vector<std::size_t>> circle(const CostMatrix& costs,
                                                const std::vector<std::size_t>& place) {
   const std::size_t n = costs.size();
@@ -102,8 +103,8 @@ namespace {
 Replacement cheapest_among(const Job& job, const Block& out, const Block& in) {
   constexpr std::size_t few = 10;
   const std::size_t places = std::max(out.size(), in.size());
-  // A row for each part that is put in, and for each place that stays empty; a place for each part that was taken out, and
-  // for each that was empty.
+  // A row for each part that is put in, and for each place that stays empty; a place for each part
+  // that was taken out, and for each that was empty.
   CostMatrix costs(places, std::vector<std::uint64_t>(places, 0));
   for (std::size_t i = 0; i < in.size(); ++i) {
     for (std::size_t p = 0; p < places; ++p) {

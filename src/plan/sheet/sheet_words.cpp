@@ -11,8 +11,8 @@
 namespace changeover {
 namespace {
 
-// How many changes the same tests need in a random order, on average, to the nearest number: each ordered pair
-// of tests follows each other with the same probability.
+// How many changes the same tests need in a random order, on average, to the nearest number: each
+// ordered pair of tests follows each other with the same probability.
 std::uint64_t changes_in_random_order(const Job& job, const RunSheet& sheet) {
   const std::uint64_t tests = sheet.steps.size();
   std::vector<std::uint64_t> times(job.names.size(), 0);

@@ -43,7 +43,8 @@ class Money {
 /// What a step puts in, each "A for B" where it matters what it replaces.
 [[nodiscard]] std::vector<std::string> put_in_words(const Job& job, const RunStep& step);
 
-/// "17 tests, 20 changes, cost 117", and what is to be said of the budget and the bound, a line each.
+/// "17 tests, 20 changes, cost 117", and what is to be said of the budget and the bound, a line
+/// each.
 [[nodiscard]] std::vector<std::string> summary(const SheetDocument& document);
 
 /// What is to be said beside the ranges of ratios, a line each.
@@ -67,7 +68,8 @@ class Money {
 /// The parts of a set-up but those that stay mounted, which are said once.
 [[nodiscard]] Block without_mounted(const Job& job, const Block& setup);
 
-/// How much dearer a candidate is than the first: "+1 (0.9 %)"; empty for the first and under a budget.
+/// How much dearer a candidate is than the first: "+1 (0.9 %)"; empty for the first and under a
+/// budget.
 [[nodiscard]] std::string difference(const SheetDocument& document, const Candidate& candidate);
 
 }  // namespace changeover

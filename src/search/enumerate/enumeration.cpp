@@ -57,7 +57,8 @@ EnumerationRun enumerate_designs(const Parameters& p, std::uint64_t b, RunContro
   task.parameters = p;
   task.cases = enumeration_cases(p, b, false);
   task.judge = [&](const Design& design) -> std::optional<DesignClass> {
-    // Linear designs are found in standard form; circular ones are numbered by where they end as well.
+    // Linear designs are found in standard form; circular ones are numbered by where they end as
+    // well.
     DesignClass found{
         .representative = p.kind == Kind::linear ? design : standard_form(design).design,
         .group_order = {}};
@@ -78,8 +79,8 @@ Classification classify_designs(const Parameters& p, std::uint64_t b,
   EnumerationTask task;
   task.parameters = p;
   task.cases = enumeration_cases(p, b, true);
-  // A class is found from several of its sequences, but only one of them is its canonical form, which
-  // begins a longest run and so is found.
+  // A class is found from several of its sequences, but only one of them is its canonical form,
+  // which begins a longest run and so is found.
   task.judge = [&](const Design& design) -> std::optional<DesignClass> {
     CanonicalForm own = standard_form(design);
     CanonicalForm least = canonical_form(own.design, same);

@@ -44,8 +44,8 @@ std::vector<EnumerationCase> enumeration_cases(const Parameters& p, std::uint64_
   if (b < 3 || p.v < p.k + p.change) {
     return cases;
   }
-  // At most one fixed element: every pair is newly covered. f ≥ 2 of them: taken away, the others form
-  // a design without any.
+  // At most one fixed element: every pair is newly covered. f ≥ 2 of them: taken away, the others
+  // form a design without any.
   const std::uint64_t most_fixed =
       circular ? p.k - std::min(p.k, std::max<std::uint64_t>(p.change, 2)) : 0;
   for (std::uint64_t f = 0; f <= most_fixed; f = f == 0 ? 2 : f + 1) {

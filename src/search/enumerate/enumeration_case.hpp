@@ -32,9 +32,9 @@ struct EnumerationCase {
   }
 };
 
-/// Every design with b blocks, in standard form up to names, belongs to exactly one case and is found once
-/// there; with `one_rotation` at least one rotation of every circular design is, namely each that begins a
-/// longest run. Trivial parameters (v = k, or none by counting) have no case.
+/// Every design with b blocks, in standard form up to names, belongs to exactly one case and is
+/// found once there; with `one_rotation` at least one rotation of every circular design is, namely
+/// each that begins a longest run. Trivial parameters (v = k, or none by counting) have no case.
 /// @throws ImpossibleParameters as enumerate_designs().
 [[nodiscard]] std::vector<EnumerationCase> enumeration_cases(const Parameters& p, std::uint64_t b,
                                                              bool one_rotation);

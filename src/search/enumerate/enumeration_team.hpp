@@ -1,8 +1,9 @@
 // Threads and processes that explore the trees of an enumeration together.
 //
-// The trees are cut into prefixes, some hundreds a case however many threads there are. A thread takes one
-// prefix after another, judges what it finds, and hands it out when its turn comes: prefix by prefix from
-// left to right, so that the outcome does not depend on the number of threads.
+// The trees are cut into prefixes, some hundreds a case however many threads there are. A thread
+// takes one prefix after another, judges what it finds, and hands it out when its turn comes:
+// prefix by prefix from left to right, so that the outcome does not depend on the number of
+// threads.
 #pragma once
 
 #include <functional>
@@ -23,7 +24,8 @@ struct EnumerationTask {
   std::function<void(DesignClass&)> hand_out;
 };
 
-/// Explores all cases. `forms` of the answer counts what was handed out. @throws what judge and hand_out do.
+/// Explores all cases. `forms` of the answer counts what was handed out. @throws what judge and
+/// hand_out do.
 EnumerationRun explore_together(const EnumerationTask& task, RunControl& control);
 
 }  // namespace changeover

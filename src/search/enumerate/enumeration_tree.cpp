@@ -48,8 +48,8 @@ EnumerationTree::EnumerationTree(const EnumerationCase& own, const DegreeTable& 
   first.block = path_.front() = own.first_block();
   first.first_run = first.block;
   first.excess = own.excess;
-  // The first block, and the elements that have not been introduced, are twins; in a circular design what
-  // is introduced in the first block is told from what stays there.
+  // The first block, and the elements that have not been introduced, are twins; in a circular
+  // design what is introduced in the first block is told from what stays there.
   first.twins = own.all() & ~bit(0) & ~(own.k < 64 ? bit(own.k) : 0);
   if (own.circular && own.change < own.k) {
     first.twins &= ~bit(own.change);

@@ -1,9 +1,9 @@
 // The search tree of one case: partial designs, block after block.
 //
-// A node is a list of blocks; its children are the blocks that may follow. Elements with the same past
-// (twins) are always neighbours in number, kept as one bit for each element that is a twin of the
-// one below it, so that a block is in standard form if of each run of twins it holds the lowest. Going
-// down copies the masks of missing pairs, 8v bytes; going up costs nothing.
+// A node is a list of blocks; its children are the blocks that may follow. Elements with the same
+// past (twins) are always neighbours in number, kept as one bit for each element that is a twin of
+// the one below it, so that a block is in standard form if of each run of twins it holds the
+// lowest. Going down copies the masks of missing pairs, 8v bytes; going up costs nothing.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ class EnumerationVisitor {
   /// The blocks 0, …, depth of a node at the depth that was asked for, as masks; false stops.
   virtual bool reached(std::span<const std::uint64_t> blocks) = 0;
 
-  /// Asked every thousand nodes or so, and where there are none in between; false stops. `nodes` is how many were
-  /// met since the last time.
+  /// Asked every thousand nodes or so, and where there are none in between; false stops. `nodes` is
+  /// how many were met since the last time.
   virtual bool go_on(std::uint64_t nodes) = 0;
 
  protected:
@@ -44,8 +44,8 @@ class EnumerationTree {
     return b * (sizeof(Level) + sizeof(Mask));
   }
 
-  /// Visits, from left to right, all nodes at `depth` below the node with these blocks, whose first is the
-  /// first block; depth b−1 are the designs. Returns false if the visitor stopped it.
+  /// Visits, from left to right, all nodes at `depth` below the node with these blocks, whose first
+  /// is the first block; depth b−1 are the designs. Returns false if the visitor stopped it.
   bool explore(std::span<const std::uint64_t> blocks, std::size_t depth,
                EnumerationVisitor& visitor);
 

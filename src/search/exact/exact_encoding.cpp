@@ -73,7 +73,8 @@ Number repetitions(const Parameters& p, std::uint64_t b) {
   return static_cast<Number>(covered) - static_cast<Number>(wanted);
 }
 
-/// What decides which clauses there are: the encoder builds by it, and their number is counted by it.
+/// What decides which clauses there are: the encoder builds by it, and their number is counted by
+/// it.
 struct EncodingPlan {
   EncodingPlan(const Parameters& parameters, std::uint64_t blocks, const EncodingOptions& options)
       : p(parameters),
@@ -97,8 +98,8 @@ struct EncodingPlan {
     return met() - static_cast<Number>(binomial(p.k - 1 - p.change, p.strength - 1));
   }
 
-  /// The most repetitions at one element, if that is limited: all e_x together are twice the repetitions, and each
-  /// is at least the least residue of −(v−1) modulo gcd(k−1, m).
+  /// The most repetitions at one element, if that is limited: all e_x together are twice the
+  /// repetitions, and each is at least the least residue of −(v−1) modulo gcd(k−1, m).
   [[nodiscard]] std::optional<Number> most_excess() const {
     if (two_fixed || p.strength > 2) {
       return std::nullopt;
@@ -119,8 +120,8 @@ struct EncodingPlan {
   bool counted;  // repetitions are counted: the budget
 };
 
-// Calls each(i, least, largest) for i = 0 … b introductions of an element: it must then be in `least` blocks or
-// more (if that is positive) and in `largest` or fewer (if that is below b).
+// Calls each(i, least, largest) for i = 0 … b introductions of an element: it must then be in
+// `least` blocks or more (if that is positive) and in `largest` or fewer (if that is below b).
 template <typename Each>
 void for_each_degree(const EncodingPlan& plan, const Each& each) {
   const Number met = plan.met();
@@ -189,7 +190,8 @@ class Encoder {
     }
   }
 
-  // That m leave follows, but saying so lets unit propagation see it: without, it was ten times slower.
+  // That m leave follows, but saying so lets unit propagation see it: without, it was ten times
+  // slower.
   void steps() {
     introduced_.assign(b_ * p_.v, 0);
     Literals in(p_.v);
@@ -206,8 +208,8 @@ class Encoder {
     }
   }
 
-  // Column e is not below column e + 1. `same` holds if they agree in the blocks before i; of the two
-  // ways to agree it needs only what the order leaves open.
+  // Column e is not below column e + 1. `same` holds if they agree in the blocks before i; of the
+  // two ways to agree it needs only what the order leaves open.
   void order() {
     for (std::uint64_t e = 0; e + 1 < p_.v; ++e) {
       stop_if_asked();

@@ -10,18 +10,19 @@
 //   - every t-subset is in some block: one variable for each block and t-subset, which implies the
 //     elements, and one clause for each t-subset.
 // These alone are the definition. What follows leaves a design if there was one:
-//   - *order*: the columns x(·,0), x(·,1), … are in decreasing lexicographic order. Elements can be renamed
-//     so that they are, whatever the design; the first two blocks are thereby fixed.
-//   - *degrees*: an element x that is introduced i times and is in r blocks meets
-//     i·C(k−1,t−1) + (r − i)·(C(k−1,t−1) − C(k−1−m,t−1)) t-subsets newly, and each of the C(v−1,t−1) at least
-//     once, unless it is of fixed elements of a circular design only. So i and r are
-//     counted, and r is at least what i leaves. In total the newly covered t-subsets are as many as
-//     the blocks cover, so that no element can have more repetitions than all have together less what the
-//     others are forced to.
-//   - *budget*: for pairs, if few repetitions are possible, each newly covered pair has a variable and
-//     the repetitions are counted.
-// A pair of elements that are in every block of a circular design is never newly covered; where counting
-// does not exclude two such elements, the clauses of the last two kinds allow for them or are left out.
+//   - *order*: the columns x(·,0), x(·,1), … are in decreasing lexicographic order. Elements can be
+//     renamed so that they are, whatever the design; the first two blocks are thereby fixed.
+//   - *degrees*: an element x that is introduced i times and is in r blocks meets i·C(k−1,t−1) + (r
+//     − i)·(C(k−1,t−1) − C(k−1−m,t−1)) t-subsets newly, and each of the C(v−1,t−1) at least once,
+//     unless it is of fixed elements of a circular design only. So i and r are counted, and r is at
+//     least what i leaves. In total the newly covered t-subsets are as many as the blocks cover, so
+//     that no element can have more repetitions than all have together less what the others are
+//     forced to.
+//   - *budget*: for pairs, if few repetitions are possible, each newly covered pair has a variable
+//     and the repetitions are counted.
+// A pair of elements that are in every block of a circular design is never newly covered; where
+// counting does not exclude two such elements, the clauses of the last two kinds allow for them or
+// are left out.
 //
 // docs/trust.md says what remains to be trusted.
 #pragma once
@@ -62,8 +63,9 @@ class DesignFormula {
   Cnf cnf_;
 };
 
-/// How large encode_design() makes the formula, exactly, without building it. @throws ImpossibleParameters as
-/// check(); MissingResource if it is more than Cnf holds. O(b) at worst, and then b is below 10⁸.
+/// How large encode_design() makes the formula, exactly, without building it. @throws
+/// ImpossibleParameters as check(); MissingResource if it is more than Cnf holds. O(b) at worst,
+/// and then b is below 10⁸.
 [[nodiscard]] CnfSize design_formula_size(const Parameters& p, std::uint64_t b,
                                           const EncodingOptions& options = {});
 

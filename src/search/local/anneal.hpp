@@ -76,8 +76,9 @@ class AcceptanceTable {
 /// How often control and watch are asked, at least; more often where moves are slow.
 inline constexpr std::uint64_t anneal_moves_between_questions = 2048;
 
-/// How many moves may pass before the next question: twice as many as before if they took no time to speak of,
-/// for a move may cost 50 ns or, with long blocks and strength 4, a second. Asking changes no move.
+/// How many moves may pass before the next question: twice as many as before if they took no time
+/// to speak of, for a move may cost 50 ns or, with long blocks and strength 4, a second. Asking
+/// changes no move.
 class QuestionPace {
  public:
   [[nodiscard]] std::uint64_t next() {
@@ -100,7 +101,8 @@ class QuestionPace {
 /// Asked now and then with the moves so far and what is uncovered; false stops.
 using AnnealWatch = std::function<bool(std::uint64_t moves, std::uint64_t missing)>;
 
-/// Tells the control what `progress` says, with the moves besides those in it and what is missing now.
+/// Tells the control what `progress` says, with the moves besides those in it and what is missing
+/// now.
 [[nodiscard]] inline AnnealWatch telling(RunControl& control, Progress progress) {
   return [&control, progress = std::move(progress)](std::uint64_t moves, std::uint64_t missing) {
     if (control.progress_due()) {

@@ -11,15 +11,15 @@
 //     …
 //     check 9ae16a3b2f90404f
 //
-// Files are replaced as a whole (io/output.hpp), so that a process killed at any moment leaves
-// the old one or the new one. The last line is the FNV-1a hash of all before it: a damaged file is
+// Files are replaced as a whole (io/output.hpp), so that a process killed at any moment leaves the
+// old one or the new one. The last line is the FNV-1a hash of all before it: a damaged file is
 // refused, as is one of other parameters, with one line, and never overwritten. Reading needs no
-// trust beyond that: the design is verified before it is used, and every number must be one that a search with
-// these parameters can have.
+// trust beyond that: the design is verified before it is used, and every number must be one that a
+// search with these parameters can have.
 //
-// One search at a time works with a file: CheckpointFile locks it as long as it lives, by the lock of the
-// system on FILE.lock, which ends with the process however that ends. What another process puts
-// into the place of the file meanwhile is read before it would be replaced.
+// One search at a time works with a file: CheckpointFile locks it as long as it lives, by the lock
+// of the system on FILE.lock, which ends with the process however that ends. What another process
+// puts into the place of the file meanwhile is read before it would be replaced.
 #pragma once
 
 #include <array>
@@ -77,16 +77,16 @@ struct Checkpoint {
 void write_checkpoint(const Checkpoint& checkpoint, const std::string& path);
 
 /// Reads it; nullopt if there is no such file.
-/// @throws BadInput with one line if the file is damaged, of another version, of other parameters than p, or no
-/// regular file; MissingResource if it cannot be read.
+/// @throws BadInput with one line if the file is damaged, of another version, of other parameters
+/// than p, or no regular file; MissingResource if it cannot be read.
 [[nodiscard]] std::optional<Checkpoint> read_checkpoint(const std::string& path,
                                                         const Parameters& p);
 
 /// The checkpoint of a running search, locked. Not shared between threads.
 class CheckpointFile {
  public:
-  /// Locks it (io/file/file_lock.hpp). @throws as FileLock, and MissingResource with one line if it cannot be
-  /// written: better now than after hours.
+  /// Locks it (io/file/file_lock.hpp). @throws as FileLock, and MissingResource with one line if it
+  /// cannot be written: better now than after hours.
   CheckpointFile(std::string path, const Parameters& p);
   CheckpointFile(const CheckpointFile&) = delete;
   CheckpointFile& operator=(const CheckpointFile&) = delete;

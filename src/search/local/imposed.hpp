@@ -51,7 +51,8 @@ struct ImposedOutcome {
 };
 
 /// One anneal from random base blocks. The kind of p is taken for circular; its strength must be 2.
-/// @throws BadInput unless pi.v() = v, base_blocks ≥ 1, strength 2 and v ≤ 4096. O(moves · segment · k).
+/// @throws BadInput unless pi.v() = v, base_blocks ≥ 1, strength 2 and v ≤ 4096. O(moves · segment
+/// · k).
 [[nodiscard]] ImposedOutcome search_imposed(const Parameters& p, const Automorphism& pi,
                                             std::size_t base_blocks, const AnnealSchedule& schedule,
                                             Random& random, RunControl& control,

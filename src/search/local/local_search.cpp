@@ -344,7 +344,8 @@ class Improver {
     }
   }
 
-  // As linear as asked, without what is not needed; as it is if there is no time or memory for that.
+  // As linear as asked, without what is not needed; as it is if there is no time or memory for
+  // that.
   Design shorter(Design design) const {
     const RunGrace grace(control_, usual_grace);
     try {
@@ -358,8 +359,8 @@ class Improver {
     return design;
   }
 
-  // The design without a block from which as many elements change to the next one as to the one before;
-  // nullopt if no such block is soon found.
+  // The design without a block from which as many elements change to the next one as to the one
+  // before; nullopt if no such block is soon found.
   static std::optional<Design> without_a_block(const Design& best, Random& random) {
     const std::size_t b = best.block_count();
     const bool circular = best.parameters().kind == Kind::circular;
@@ -382,8 +383,8 @@ class Improver {
     return std::nullopt;
   }
 
-  // A linear design loses an end or a block inside; in a circular one that has none to lose a piece is
-  // replaced by a random way of a block less.
+  // A linear design loses an end or a block inside; in a circular one that has none to lose a piece
+  // is replaced by a random way of a block less.
   std::optional<Design> one_block_less(const Design& best, std::size_t blocks,
                                        Random& random) const {
     if (best.block_count() == blocks + 1 && random.below(2) == 0) {
@@ -474,7 +475,8 @@ class Improver {
     }
   }
 
-  // A checkpoint that cannot be written does not end the search: it is tried again, and said at the end.
+  // A checkpoint that cannot be written does not end the search: it is tried again, and said at the
+  // end.
   void save() {
     if (!file_) {
       return;

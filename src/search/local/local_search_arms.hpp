@@ -3,7 +3,8 @@
 // An arm is one kind of attempt; it aims at a number of blocks below the best so far, by `step` in
 // its own units, and doubles its budget whenever it fails at the nearest aim. The arm of least cost
 // comes next: moves spent and about to be spent, in the time that they take, times (1 + what the
-// last attempt missed)². An arm is left out while its counters would take more memory than an attempt may.
+// last attempt missed)². An arm is left out while its counters would take more memory than an
+// attempt may.
 #pragma once
 
 #include <cstddef>

@@ -20,7 +20,8 @@ void choose(Block& list, std::size_t count, Random& random) {
   }
 }
 
-// The elements below v that are in neither block, increasing, without a list of them: there are many.
+// The elements below v that are in neither block, increasing, without a list of them: there are
+// many.
 class Outside {
  public:
   Outside(const Block& one, const Block& other, std::uint64_t v) : taken_(one) {
@@ -67,8 +68,8 @@ class Outside {
   std::size_t count_ = 0;
 };
 
-// `count` random elements outside both blocks: as choose() would bring them to the front of their list. A
-// few swaps are remembered; many are made.
+// `count` random elements outside both blocks: as choose() would bring them to the front of their
+// list. A few swaps are remembered; many are made.
 Block choose_outside(const Block& one, const Block& other, std::uint64_t v, std::size_t count,
                      Random& random) {
   constexpr std::size_t few = 16;
@@ -102,8 +103,8 @@ struct Range {
 };
 
 // One step at distance d: of the m that go, `wrong` are not in the goal; of the m that come,
-// `strange` are in neither block. The distance becomes d − wrong + strange; both are chosen freely in
-// their ranges.
+// `strange` are in neither block. The distance becomes d − wrong + strange; both are chosen freely
+// in their ranges.
 struct Steps {
   Range wrong;
   Range strange;
@@ -167,8 +168,8 @@ class Arrivals {
   std::vector<bool> arrives_;
 };
 
-// One of the steps at distance d after which the goal can be reached in r steps, each as likely: how
-// many wrong elements go, and how many strange ones come. There must be one.
+// One of the steps at distance d after which the goal can be reached in r steps, each as likely:
+// how many wrong elements go, and how many strange ones come. There must be one.
 std::pair<std::uint64_t, std::uint64_t> random_choice(const Arrivals& arrives, std::size_t r,
                                                       std::uint64_t d, const Parameters& p,
                                                       std::vector<std::uint32_t>& counts,

@@ -5,8 +5,8 @@
 //
 // Which distances to a goal can be made good in exactly r steps is found first (only the distance
 // matters, see construct/tools/path.hpp); a walk then takes random steps among those that still can
-// arrive. All of it listens (run/control.hpp): Stopped may be thrown anywhere, and MissingResource if a
-// table would be too large.
+// arrive. All of it listens (run/control.hpp): Stopped may be thrown anywhere, and MissingResource
+// if a table would be too large.
 #pragma once
 
 #include <cstddef>

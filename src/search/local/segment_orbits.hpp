@@ -5,12 +5,11 @@
 //     state.missing();                                          // uncovered orbits of pairs
 //     state.design();                                           // all c·7 blocks
 //
-// π has cycles of one length n and fixed elements (core/developed.hpp). The list is circular with b = cn
-// blocks and B_{i+c} = π(Bᵢ), so c blocks say all: a pair is covered if some pair of its orbit is in one of
-// them. A segment swap of {x,y} is made together with its n images.
-// Images that reach the same blocks, or follow one another, must have no element in common with the
-// move itself (then they do not disturb each other); a segment that is too long for that is no
-// move.
+// π has cycles of one length n and fixed elements (core/developed.hpp). The list is circular with b
+// = cn blocks and B_{i+c} = π(Bᵢ), so c blocks say all: a pair is covered if some pair of its orbit
+// is in one of them. A segment swap of {x,y} is made together with its n images. Images that reach
+// the same blocks, or follow one another, must have no element in common with the move itself (then
+// they do not disturb each other); a segment that is too long for that is no move.
 //
 // Looking at a move costs O(segment · k): its counters are changed and changed back.
 #pragma once
@@ -34,7 +33,8 @@ namespace changeover {
 /// Base blocks under search; see above.
 class SegmentOrbits {
  public:
-  /// The memory that c base blocks need, at most. @throws ImpossibleParameters if that exceeds 64 bits.
+  /// The memory that c base blocks need, at most. @throws ImpossibleParameters if that exceeds 64
+  /// bits.
   [[nodiscard]] static std::uint64_t bytes(const Parameters& p, const Automorphism& pi,
                                            std::uint64_t c);
 

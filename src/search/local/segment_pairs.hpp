@@ -13,7 +13,8 @@
 // rows are added 16 bytes at a time, so looking costs O((n + 1)·v/16) whatever k is, and about 50
 // ns at (30,6).
 //
-// Memory: bytes(v, k, b), about (2v² + bv)·sizeof(Count) + 4v² + 2bk. Making it listens (run/control.hpp).
+// Memory: bytes(v, k, b), about (2v² + bv)·sizeof(Count) + 4v² + 2bk. Making it listens
+// (run/control.hpp).
 #pragma once
 
 #include <algorithm>
@@ -48,8 +49,8 @@ class SegmentPairs {
     return *std::max_element(blocks.begin(), blocks.end()) <= most;
   }
 
-  /// The memory that b < 2³² blocks of k of v ≤ 65,535 elements need, at most: while most pairs are uncovered
-  /// their list is as long as all pairs.
+  /// The memory that b < 2³² blocks of k of v ≤ 65,535 elements need, at most: while most pairs are
+  /// uncovered their list is as long as all pairs.
   [[nodiscard]] static constexpr std::uint64_t bytes(std::uint64_t v, std::uint64_t k,
                                                      std::uint64_t b) {
     const std::uint64_t row = 16 * vectors_of_a_row(v);

@@ -5,7 +5,8 @@
 //     anneal(state, {.moves = 1'000'000}, random, control);
 //
 // As segment_pairs.hpp, but with one counter for each of the C(v,t) subsets, and a move that is
-// looked at is made and, if refused, taken back: O(segment · C(k−1,t−1)). Making it listens (run/control.hpp).
+// looked at is made and, if refused, taken back: O(segment · C(k−1,t−1)). Making it listens
+// (run/control.hpp).
 #pragma once
 
 #include <array>
@@ -61,8 +62,8 @@ class SegmentSubsets {
 
   /// A move at a random place.
   [[nodiscard]] SegmentSwap propose(Random& random) const;
-  /// A move that brings one more element of an uncovered subset into a block that has some; missing()
-  /// must not be 0.
+  /// A move that brings one more element of an uncovered subset into a block that has some;
+  /// missing() must not be 0.
   [[nodiscard]] SegmentSwap propose_aimed(Random& random) const;
 
   /// As SegmentPairs::attempt(), in subsets.

@@ -14,11 +14,11 @@ constexpr std::int64_t scale = 1024;  // multipliers are whole 1024ths: nothing 
 constexpr int most_rounds = 400;
 constexpr std::int64_t infinite = std::numeric_limits<std::int64_t>::max() / 4;
 
-/// An order is a cycle through the blocks and, if it is linear, one more vertex that stands between the
-/// last and the first. A 1-tree, a spanning tree of all vertices but one and two edges at that one, is
-/// no longer than any cycle; nor is it if every edge at a vertex costs π more and the sum of 2π is taken
-/// off again [HeldKarp1970]. Edges cost −|A∩B|, those of the extra vertex nothing, or −|A| on one side
-/// if the first block is free.
+/// An order is a cycle through the blocks and, if it is linear, one more vertex that stands between
+/// the last and the first. A 1-tree, a spanning tree of all vertices but one and two edges at that
+/// one, is no longer than any cycle; nor is it if every edge at a vertex costs π more and the sum
+/// of 2π is taken off again [HeldKarp1970]. Edges cost −|A∩B|, those of the extra vertex nothing,
+/// or −|A| on one side if the first block is free.
 class OneTrees {
  public:
   OneTrees(const Overlaps& overlaps, const LeastChangeWanted& wanted)
@@ -70,8 +70,8 @@ class OneTrees {
     return length;
   }
 
-  // Moves the multipliers towards a tree in which every vertex has two edges, by a step for a gap of
-  // `gap` 1024ths. False if the last tree is a cycle.
+  // Moves the multipliers towards a tree in which every vertex has two edges, by a step for a gap
+  // of `gap` 1024ths. False if the last tree is a cycle.
   bool adjust(std::int64_t gap) {
     std::int64_t wrong = 0;
     for (const std::int64_t degree : degrees_) {
@@ -145,8 +145,8 @@ class OneTrees {
   std::vector<std::int64_t> degrees_;      // in the last tree
 };
 
-// Every element is introduced somewhere, but for those of a free first block; in a circular order those
-// that are in every block never are.
+// Every element is introduced somewhere, but for those of a free first block; in a circular order
+// those that are in every block never are.
 std::uint64_t element_bound(std::span<const Block> blocks, const LeastChangeWanted& wanted) {
   std::vector<std::uint32_t> in_blocks(static_cast<std::size_t>(wanted.v), 0);
   std::size_t largest = 0;

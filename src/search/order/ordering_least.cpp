@@ -71,10 +71,10 @@ std::vector<std::size_t> least_order(const Overlaps& overlaps, const LeastChange
   return order;
 }
 
-/// Steps as symmetric weights: what the largest block's size exceeds the overlap by. If the order is linear,
-/// city b stands between the last and the first block. Where the first block is free, city b stands before
-/// the first one, and that step costs what the block lacks to the largest size; city b + 1 stands after
-/// the last one; and the two belong together.
+/// Steps as symmetric weights: what the largest block's size exceeds the overlap by. If the order
+/// is linear, city b stands between the last and the first block. Where the first block is free,
+/// city b stands before the first one, and that step costs what the block lacks to the largest
+/// size; city b + 1 stands after the last one; and the two belong together.
 class StepWeight {
  public:
   StepWeight(const Overlaps& overlaps, std::size_t extra_cities)
@@ -117,8 +117,8 @@ class NearBlocks {
     }
   }
 
-  // O(b²k²/v). Where that takes more than half of the time that is left, the other blocks are compared with
-  // some of those that they meet only; after Ctrl-C with none.
+  // O(b²k²/v). Where that takes more than half of the time that is left, the other blocks are
+  // compared with some of those that they meet only; after Ctrl-C with none.
   Neighbours lists(RunControl& control) {
     Neighbours neighbours(blocks_.size());
     overlap_.assign(blocks_.size(), 0);
@@ -155,7 +155,8 @@ class NearBlocks {
     }
   };
 
-  // Counts the overlaps with block i, over at most so many blocks beside it for each of its elements.
+  // Counts the overlaps with block i, over at most so many blocks beside it for each of its
+  // elements.
   void meet(std::size_t i, std::size_t most) {
     met_.clear();
     for (const Element x : blocks_[i]) {
@@ -214,8 +215,8 @@ class NearBlocks {
   std::vector<Near> list_;
 };
 
-// From block to nearest free block. Where no neighbour is free, the next one in a list of all free blocks; when
-// it is stopped, the free blocks as they come.
+// From block to nearest free block. Where no neighbour is free, the next one in a list of all free
+// blocks; when it is stopped, the free blocks as they come.
 std::vector<City> nearest_first(const Overlaps& overlaps, const Neighbours& neighbours,
                                 RunControl& control) {
   const std::size_t n = overlaps.count();

@@ -13,8 +13,8 @@ namespace changeover {
 
 class Overlaps {
  public:
-  /// @throws BadInput if a block is not distinct elements below v; MissingResource if the bit sets would
-  /// need more than 4 GiB.
+  /// @throws BadInput if a block is not distinct elements below v; MissingResource if the bit sets
+  /// would need more than 4 GiB.
   Overlaps(std::span<const Block> blocks, std::uint64_t v);
 
   [[nodiscard]] std::size_t count() const { return sizes_.size(); }

@@ -4,10 +4,10 @@
 //     tour.descend();
 //     while (…) { tour.kick(); }
 //
-// A tour is an array of cities and the place of each. Every change is a reversal of a stretch, of the
-// shorter side where that is the same tour, or a rewritten window of some fifty places; both are written
-// down so that a kick that does not pay is taken back. Moves are tried from cities whose neighbourhood
-// changed only.
+// A tour is an array of cities and the place of each. Every change is a reversal of a stretch, of
+// the shorter side where that is the same tour, or a rewritten window of some fifty places; both
+// are written down so that a kick that does not pay is taken back. Moves are tried from cities
+// whose neighbourhood changed only.
 #pragma once
 
 #include <algorithm>
@@ -52,8 +52,8 @@ class Tour {
     undo_.clear();
   }
 
-  /// A double bridge in a small window and the descent from it; taken back if the tour is longer then.
-  /// Returns whether it is shorter than before. Needs 8 cities.
+  /// A double bridge in a small window and the descent from it; taken back if the tour is longer
+  /// then. Returns whether it is shorter than before. Needs 8 cities.
   bool kick() {
     undo_.clear();
     std::int64_t gain = bridge();
@@ -91,8 +91,8 @@ class Tour {
     }
   }
 
-  // Reverses the cities from a to b along the tour. False if all others were reversed instead, which is
-  // the same tour read backwards.
+  // Reverses the cities from a to b along the tour. False if all others were reversed instead,
+  // which is the same tour read backwards.
   bool reverse(City a, City b) {
     const std::size_t from = place_[a];
     const std::size_t to = place_[b];
@@ -140,7 +140,8 @@ class Tour {
     }
   }
 
-  // Exchanges two neighbouring stretches: a | b…c | d…e | f becomes a | d…e | b…c | f. Returns the gain.
+  // Exchanges two neighbouring stretches: a | b…c | d…e | f becomes a | d…e | b…c | f. Returns the
+  // gain.
   std::int64_t bridge() {
     const std::size_t reach = std::min(window, n_ - 2);
     const std::size_t from = random_.below(static_cast<std::uint32_t>(n_));
@@ -229,10 +230,12 @@ class Tour {
     return 0;
   }
 
-  // Moves a stretch of up to three cities that ends in a between a's neighbour c and a city beside c.
+  // Moves a stretch of up to three cities that ends in a between a's neighbour c and a city beside
+  // c.
   std::int64_t or_opt(City a) {
     for (const bool forwards : {true, false}) {
-      // The stretch a = s₁, s₂, …, towards the tour's end if forwards; outside are p, beside a, and q.
+      // The stretch a = s₁, s₂, …, towards the tour's end if forwards; outside are p, beside a, and
+      // q.
       City last = a;
       const City p = forwards ? previous(a) : next(a);
       for (std::size_t length = 1; length <= longest_segment && length + 3 <= n_; ++length) {
@@ -279,8 +282,8 @@ class Tour {
     return (place_[c] + n_ - begin) % n_ <= (end + n_ - begin) % n_;
   }
 
-  // The stretch from a to last to stand beside c, a next to it; after c or before it. As reversals of the
-  // stretch and of what it passes.
+  // The stretch from a to last to stand beside c, a next to it; after c or before it. As reversals
+  // of the stretch and of what it passes.
   void insert(City a, City last, bool forwards, City c, bool after) {
     const City begin = forwards ? a : last;  // the stretch along the tour
     const City end = forwards ? last : a;

@@ -15,7 +15,8 @@ namespace changeover {
   return Block(elements.begin(), elements.end());
 }
 
-/// Anneals by `work()`. Returns why it could not, in one line, if memory is short; else an empty line.
+/// Anneals by `work()`. Returns why it could not, in one line, if memory is short; else an empty
+/// line.
 template <typename Work>
 std::string annealing_fault(Work&& work) {
   try {

@@ -5,8 +5,8 @@
 //     covered.gain(candidate);              // subsets that it would newly cover
 //     covered.first_missing();              // one that is still uncovered
 //
-// Listens to the scope of this thread (run/control.hpp): Stopped may be thrown anywhere, MissingResource by the
-// constructor.
+// Listens to the scope of this thread (run/control.hpp): Stopped may be thrown anywhere,
+// MissingResource by the constructor.
 #pragma once
 
 #include <algorithm>

@@ -30,7 +30,8 @@ class Cnf {
   Literal new_variable();
 
   /// Adds a clause: one of the literals holds. Without literals it says that there is no solution.
-  /// @throws InternalError if a literal is 0 or of no variable; MissingResource beyond most_literals.
+  /// @throws InternalError if a literal is 0 or of no variable; MissingResource beyond
+  /// most_literals.
   void add(std::span<const Literal> clause);
   void add(std::initializer_list<Literal> clause) { add({clause.begin(), clause.size()}); }
 
@@ -50,8 +51,8 @@ class Cnf {
   std::size_t clauses_ = 0;
 };
 
-/// Writes the formula in DIMACS: the comments, one a line, the header, the clauses, and `assumptions`
-/// as clauses of one literal. @throws as Sink::write().
+/// Writes the formula in DIMACS: the comments, one a line, the header, the clauses, and
+/// `assumptions` as clauses of one literal. @throws as Sink::write().
 void write_dimacs(const Cnf& cnf, std::span<const Literal> assumptions,
                   const std::vector<std::string>& comments, Sink& sink);
 

@@ -4,9 +4,10 @@
 //     size += exactly_size(30, 5);                                    // search/sat/cardinality.hpp
 //     control.require_memory(solving_bytes(size, {.proof = true}), "the formula of DCCD(60,5)");
 //
-// Counts are exact: what is built afterwards has as many variables, clauses and literals. Bytes are an estimate
-// from above for formulas of a size that matters, by constants that were measured (src/search/sat/cnf_size.cpp); what a
-// solver learns on the way comes on top of it, and is little against a formula that is large.
+// Counts are exact: what is built afterwards has as many variables, clauses and literals. Bytes are
+// an estimate from above for formulas of a size that matters, by constants that were measured
+// (src/search/sat/cnf_size.cpp); what a solver learns on the way comes on top of it, and is little
+// against a formula that is large.
 #pragma once
 
 #include <cstdint>
@@ -45,12 +46,12 @@ struct SolvingNeeds {
   unsigned threads = 1;  ///< solvers at the same time
 };
 
-/// Bytes for the formula and for what works on it: the solvers, or the checkers of their proofs if these take more,
-/// or the splitter. The largest number there is if 64 bits do not hold it. O(1).
+/// Bytes for the formula and for what works on it: the solvers, or the checkers of their proofs if
+/// these take more, or the splitter. The largest number there is if 64 bits do not hold it. O(1).
 [[nodiscard]] std::uint64_t solving_bytes(const CnfSize& size, const SolvingNeeds& needs);
 
-/// Checks that Cnf holds a formula of this size. @throws MissingResource with one line that begins with
-/// `what`.
+/// Checks that Cnf holds a formula of this size. @throws MissingResource with one line that begins
+/// with `what`.
 void require_representable(const CnfSize& size, std::string_view what);
 
 }  // namespace changeover

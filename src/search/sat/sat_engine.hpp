@@ -1,12 +1,13 @@
-// The SAT solver CaDiCaL [BiereEtAl2020], as everything here uses it: it stops when a search is to stop, and
-// nothing that a callback throws passes through it.
+// The SAT solver CaDiCaL [BiereEtAl2020], as everything here uses it: it stops when a search is to
+// stop, and nothing that a callback throws passes through it.
 //
 //     SatEngine engine;
 //     if (engine.add(cnf, control)) {
 //       engine.solve(control, 100'000, {.progress = [] { return Progress{.phase = "deciding"}; }});
 //     }
 //
-// For one formula, with a proof if wanted, there is sat_solver.hpp; for one that grows, incremental_solver.hpp.
+// For one formula, with a proof if wanted, there is sat_solver.hpp; for one that grows,
+// incremental_solver.hpp.
 #pragma once
 
 #include <cstddef>
@@ -45,7 +46,8 @@ class SatEngine {
   void trace_proof(std::FILE* file, const std::string& name);
   void close_proof();
 
-  /// Hands over the clauses that were not yet; false if the control wants to stop: the next call goes on there.
+  /// Hands over the clauses that were not yet; false if the control wants to stop: the next call
+  /// goes on there.
   /// @throws MissingResource if memory does not suffice, as solve().
   [[nodiscard]] bool add(const Cnf& cnf, RunControl& control);
   /// The same for clauses of one literal each.
@@ -56,8 +58,8 @@ class SatEngine {
   /// Before one solve(): decisions take these first. They count until others are given.
   void prefer(std::span<const Literal> literals);
 
-  /// Looks for a model of all clauses until the control wants to stop or `conflicts` more conflicts have been
-  /// had. What a callback throws is thrown when the solver has ended.
+  /// Looks for a model of all clauses until the control wants to stop or `conflicts` more conflicts
+  /// have been had. What a callback throws is thrown when the solver has ended.
   [[nodiscard]] Outcome solve(RunControl& control, std::optional<std::uint64_t> conflicts,
                               const SatWatch& watch);
 

@@ -17,8 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// From so many literals on a pass over the formula takes long enough to be noticed, so that the solver asks
-// whether to stop wherever it can, and not only every tenth time. What it finds does not depend on that.
+// From so many literals on a pass over the formula takes long enough to be noticed, so that the
+// solver asks whether to stop wherever it can, and not only every tenth time. What it finds does
+// not depend on that.
 constexpr std::size_t large = 1'000'000;
 
 /// The proof on its way to the disk. The solver writes it and does not look whether that succeeds.

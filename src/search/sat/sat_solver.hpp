@@ -4,8 +4,8 @@
 //     if (result.outcome == Outcome::found) { result.is_true(x); }
 //     if (result.outcome == Outcome::none) { check_proof_files("a.cnf", "a.drat"); }
 //
-// Every call makes a solver of its own and hands it the formula with the assumptions as clauses of one
-// literal: proofs of a solver that is asked twice do not check. The proof is DRAT in text.
+// Every call makes a solver of its own and hands it the formula with the assumptions as clauses of
+// one literal: proofs of a solver that is asked twice do not check. The proof is DRAT in text.
 #pragma once
 
 #include <cstdint>
@@ -38,16 +38,18 @@ struct SatResult {
 };
 
 /// Decides a formula. Deterministic unless it is stopped.
-/// @throws MissingResource if the proof cannot be written whole, or memory does not suffice; InternalError if the solver lacks an option
-/// that proofs need; whatever the control's callback throws. Bound by: the solver; exponential at worst.
+/// @throws MissingResource if the proof cannot be written whole, or memory does not suffice;
+/// InternalError if the solver lacks an option that proofs need; whatever the control's callback
+/// throws. Bound by: the solver; exponential at worst.
 [[nodiscard]] SatResult solve_sat(const Cnf& cnf, std::span<const Literal> assumptions,
                                   const SatOptions& options, RunControl& control);
 
-/// Splits a formula into at most 2^depth cubes that leave nothing out: a binary tree whose inner nodes branch
-/// on one of the variables 1 … candidates, the one of which both values fix most others by unit
-/// propagation, looking ahead [HeuleKullmannWieringaBiere2011]. Where every value of every candidate is known
-/// or refuted, a branch ends early. Deterministic.
-/// @throws InternalError if there are fewer variables than candidates; Stopped as stop_if_asked(). O(2^depth · candidates) propagations.
+/// Splits a formula into at most 2^depth cubes that leave nothing out: a binary tree whose inner
+/// nodes branch on one of the variables 1 … candidates, the one of which both values fix most
+/// others by unit propagation, looking ahead [HeuleKullmannWieringaBiere2011]. Where every value of
+/// every candidate is known or refuted, a branch ends early. Deterministic.
+/// @throws InternalError if there are fewer variables than candidates; Stopped as stop_if_asked().
+/// O(2^depth · candidates) propagations.
 [[nodiscard]] std::vector<Cube> split_into_cubes(const Cnf& cnf, std::size_t candidates,
                                                  unsigned depth);
 

@@ -134,7 +134,8 @@ BaseBlockAnnealing base_blocks_by_annealing(const Parameters& p, const BaseBlock
   result.missing = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t length = first_anneal;
   for (int run = 0; result.moves < moves; ++run) {
-    // Twice as long each second time: base blocks are few, so several runs are worth more than a long one.
+    // Twice as long each second time: base blocks are few, so several runs are worth more than a
+    // long one.
     length *= run > 0 && run % 2 == 0 ? 2 : 1;
     const std::vector<Block> begin = random_base_blocks(p, shape, random);
     if (begin.empty() || control.stop_wanted()) {

@@ -8,14 +8,15 @@
 
 namespace changeover {
 
-/// Of an element of a cycle: in the whole design, or what is the same, of its cycle in the base blocks.
-/// Of a fixed element: in the base blocks.
+/// Of an element of a cycle: in the whole design, or what is the same, of its cycle in the base
+/// blocks. Of a fixed element: in the base blocks.
 struct Degree {
   std::uint64_t introductions = 0;
   std::uint64_t occurrences = 0;
 };
 
-/// Every degree that i(k−1) + m(r−i) = v−1 allows an element of a cycle, fewest introductions first.
+/// Every degree that i(k−1) + m(r−i) = v−1 allows an element of a cycle, fewest introductions
+/// first.
 [[nodiscard]] std::vector<Degree> cycle_degrees(const Parameters& p, const BaseBlockShape& shape);
 
 /// The same for the fixed element, n(j(k−1) + m(r−j)) = v−1.

@@ -54,7 +54,8 @@ class Model {
   Literal in(std::size_t i, Element x) const { return in_block_[i * v_ + x]; }
   Literal introduced(std::size_t i, Element x) const { return introduced_[i * v_ + x]; }
 
-  // x in the block before block i: block 0 follows π⁻¹(B_{c−1}), which holds x if B_{c−1} holds π(x).
+  // x in the block before block i: block 0 follows π⁻¹(B_{c−1}), which holds x if B_{c−1} holds
+  // π(x).
   Literal before(std::size_t i, Element x) const {
     return i > 0 ? in(i - 1, x) : in(c_ - 1, shape_.image(x, 1));
   }
@@ -120,8 +121,8 @@ class Model {
     }
   }
 
-  // Each cycle has one of the degrees that the identity allows: if its introductions are at least and at
-  // most i, then its occurrences are at least and at most r.
+  // Each cycle has one of the degrees that the identity allows: if its introductions are at least
+  // and at most i, then its occurrences are at least and at most r.
   void require_degrees() {
     for (std::uint64_t cycle = 0; cycle < shape_.cycles + shape_.fixed; ++cycle) {
       std::vector<Literal> enter;
@@ -173,8 +174,9 @@ class Model {
     cnf.add(one_of);
   }
 
-  // Sound together: each cycle can be rotated by itself; which blocks it meets does not change by that,
-  // so cycles can be ordered by it; and fixed points can be ordered by the blocks that hold them.
+  // Sound together: each cycle can be rotated by itself; which blocks it meets does not change by
+  // that, so cycles can be ordered by it; and fixed points can be ordered by the blocks that hold
+  // them.
   void break_symmetry() {
     Cnf& cnf = solver.cnf;
     std::vector<std::vector<Literal>> meets;
@@ -227,8 +229,9 @@ std::uint64_t sat_size(const BaseBlockShape& shape) {
   return checked_multiply(shape.base_blocks, binomial(shape.v(), 2));
 }
 
-// Literals of the pairs' clauses, with the zeros that end them: 8 for covering; 26 for covering exactly once, with
-// those of the chain that allows at most one. The rest, counters of blocks and steps, grows with c·v·k.
+// Literals of the pairs' clauses, with the zeros that end them: 8 for covering; 26 for covering
+// exactly once, with those of the chain that allows at most one. The rest, counters of blocks and
+// steps, grows with c·v·k.
 std::uint64_t sat_bytes(const Parameters& p, const BaseBlockShape& shape, bool tight) {
   // Ours take 4 bytes. The solver's, with its clauses, watches and copies: some 40 were seen.
   constexpr std::uint64_t bytes_of_a_literal = 44;

@@ -1,4 +1,5 @@
-// How much the catalog knows: cells filled, minima proved, by strength, change number, kind and block size.
+// How much the catalog knows: cells filled, minima proved, by strength, change number, kind and
+// block size.
 #pragma once
 
 #include <cstdint>

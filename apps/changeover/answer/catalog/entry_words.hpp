@@ -18,13 +18,15 @@ void write_entry(JsonWriter& json, const CatalogEntry& entry);
 /// A line of a list: label, blocks, bound, status, construction, date.
 [[nodiscard]] std::string entry_row(const CatalogEntry& entry);
 
-/// Those of docs/references.bib that the entry and the constructions of its recipe are from, each once.
+/// Those of docs/references.bib that the entry and the constructions of its recipe are from, each
+/// once.
 [[nodiscard]] std::vector<std::string> references_of(const CatalogEntry& entry);
 
 /// The text of docs/references.bib from "@" to its end for a key; empty if there is none.
 [[nodiscard]] std::string bibtex_of(const std::string& key);
 
-/// Adds the keys that a sentence cites in brackets, "[ChafeeStevens2025, Theorem 2]", each once, if they are in docs/references.bib.
+/// Adds the keys that a sentence cites in brackets, "[ChafeeStevens2025, Theorem 2]", each once, if
+/// they are in docs/references.bib.
 void add_keys(const std::string& sentence, std::vector<std::string>& keys);
 
 /// BibTeX of a design and of what it is from.

@@ -25,8 +25,8 @@ enum class Unread : std::uint8_t { never, may_be_left };
 /// What was offered. @throws InternalError if it does not keep its promise.
 [[nodiscard]] ChosenDesign built(const Offer& offer, Unread unread = Unread::never);
 
-/// A design of the catalog, elements by their numbers, as the checksum has them. @throws BadInput if its recipe makes
-/// other blocks than those that were published.
+/// A design of the catalog, elements by their numbers, as the checksum has them. @throws BadInput
+/// if its recipe makes other blocks than those that were published.
 [[nodiscard]] ChosenDesign built(const CatalogEntry& entry);
 
 }  // namespace changeover::cli

@@ -20,25 +20,29 @@ struct Judgement {
   DesignVerdict verdict;
   Bound bound;              ///< the lower bound that the design is measured by
   std::string certificate;  ///< how it was verified, in a few words
-  /// The bound is of a built-in table, where a search was to prove one: its name says so and is always shown.
+  /// The bound is of a built-in table, where a search was to prove one: its name says so and is
+  /// always shown.
   bool from_tables = false;
 };
 
-/// Verifies a stream of blocks and rewinds it. If the list is long and is the development of base blocks
-/// over Z_v, their differences are checked instead. @throws InternalError if what was promised does not hold.
+/// Verifies a stream of blocks and rewinds it. If the list is long and is the development of base
+/// blocks over Z_v, their differences are checked instead. @throws InternalError if what was
+/// promised does not hold.
 ///
-/// A list of 10⁸ blocks without such a certificate takes a minute or more, in which nothing would be
-/// shown. So a caller that only passes blocks on may do one of two things instead:
-///   - write them to a file, verified while they are written: the file appears whole when the verdict is
-///     good, and not at all when it is not;
-///   - write them to standard output and say first that they are verified while they are written, and
-///     last that they were. If the verdict is bad, the last line is missing and the exit code is 5.
+/// A list of 10⁸ blocks without such a certificate takes a minute or more, in which nothing would
+/// be shown. So a caller that only passes blocks on may do one of two things instead:
+///   - write them to a file, verified while they are written: the file appears whole when the
+///     verdict is good, and not at all when it is not;
+///   - write them to standard output and say first that they are verified while they are written,
+///     and last that they were. If the verdict is bad, the last line is missing and the exit code
+///     is 5.
 [[nodiscard]] Judgement judge(BlockSource& source, const Offer& promise);
 
 /// Whether that takes long unless there is a certificate.
 [[nodiscard]] bool takes_long_to_judge(const BlockSource& source, const Offer& promise);
 
-/// The part of judge() that reads no blocks: the judgement of a long list with a certificate, else nothing.
+/// The part of judge() that reads no blocks: the judgement of a long list with a certificate, else
+/// nothing.
 [[nodiscard]] std::optional<Judgement> judge_at_once(const BlockSource& source,
                                                      const Offer& promise);
 
@@ -68,8 +72,8 @@ class JudgedWhileRead final : public BlockSource {
   std::optional<Judgement> judgement_;
 };
 
-/// The same for a design without a promise, e.g. a user's; it need not be valid. `proved` is a bound that was
-/// proved just now; it is the one that counts unless a larger one is known.
+/// The same for a design without a promise, e.g. a user's; it need not be valid. `proved` is a
+/// bound that was proved just now; it is the one that counts unless a larger one is known.
 [[nodiscard]] Judgement judge(const Verdict& verdict, const std::optional<Bound>& proved = {});
 
 /// "tight, minimum: 366 blocks, the lower bound (counting)", and the like.

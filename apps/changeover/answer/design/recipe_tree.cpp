@@ -13,8 +13,8 @@
 namespace changeover::cli {
 namespace {
 
-/// The design of a node, verified unless that takes long: a tree is shown for what it says, and of a node that was
-/// not read it says so.
+/// The design of a node, verified unless that takes long: a tree is shown for what it says, and of
+/// a node that was not read it says so.
 std::optional<Judgement> judgement_of(const Recipe& recipe) {
   const auto source = Registry::standard().build(recipe);
   Offer promise;

@@ -1,5 +1,5 @@
-// How a design is made, as the tree of its constructions with their theorems; each node is built and verified
-// unless that takes long.
+// How a design is made, as the tree of its constructions with their theorems; each node is built
+// and verified unless that takes long.
 #pragma once
 
 #include <cstddef>

@@ -94,7 +94,8 @@ std::string label_of(const Offer& offer) {
   if (recipe.construction == "found" && recipe.inputs.empty()) {
     return recipe.provenance;
   }
-  // A label names blocks: other designs with as many blocks have others. The same recipe makes the same blocks.
+  // A label names blocks: other designs with as many blocks have others. The same recipe makes the
+  // same blocks.
   const auto known = standard_catalog().fewest(recipe.parameters);
   if (!known || known->b != offer.b) {
     return "";

@@ -47,7 +47,8 @@ void check_table(const TableRange& asked);
 /// @throws as check_table() and best_known_table().
 [[nodiscard]] KnownTable known_table(const TableRange& asked, Stored stored = Stored::as_shipped);
 
-/// The document of `table --json`; `with_labels`: each cell has "label" too, of its design in the catalog, or null.
+/// The document of `table --json`; `with_labels`: each cell has "label" too, of its design in the
+/// catalog, or null.
 [[nodiscard]] std::string table_json(const Cells& cells, bool with_labels = false);
 
 /// The label in the catalog of the design that is offered; empty if it is not there.

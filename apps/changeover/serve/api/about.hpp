@@ -17,7 +17,8 @@ struct Theorem {
   std::string proof;      ///< Markdown, and what follows it in its section; empty if there is none
 };
 
-/// The theorems of a text like docs/theorems.md: sections "## Theorem N", titles in the list of contents.
+/// The theorems of a text like docs/theorems.md: sections "## Theorem N", titles in the list of
+/// contents.
 [[nodiscard]] std::vector<Theorem> theorems_of(std::string_view text);
 
 /// [{"number","title","statement","proof","example":{v,k,change,kind}|null}]

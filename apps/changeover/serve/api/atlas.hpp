@@ -20,18 +20,20 @@ struct AtlasQuestion {
   std::uint32_t strength = 2;
 };
 
-/// The range that is shown unless another is asked for: all cells that the catalog comes with; for larger strengths
-/// the few that anything is known of.
+/// The range that is shown unless another is asked for: all cells that the catalog comes with; for
+/// larger strengths the few that anything is known of.
 [[nodiscard]] cli::TableRange atlas_range(std::uint64_t change, std::uint32_t strength);
 
-/// What is known of each cell of a strength that tables do not have, as a table would say it. Listens to the scope.
+/// What is known of each cell of a strength that tables do not have, as a table would say it.
+/// Listens to the scope.
 [[nodiscard]] std::deque<KnownCell> cells_of_strength(const AtlasQuestion& asked);
 
-/// Parameters that every cell shares, then the columns. A label has only what its cell and number of blocks do not say: its
-/// digits at the end.
+/// Parameters that every cell shares, then the columns. A label has only what its cell and number
+/// of blocks do not say: its digits at the end.
 [[nodiscard]] std::string atlas_json(const AtlasQuestion& asked, const cli::Cells& cells);
 
-/// The order of the group of each best design, in decimal, null where there is no design. Builds them; listens to the scope.
+/// The order of the group of each best design, in decimal, null where there is no design. Builds
+/// them; listens to the scope.
 [[nodiscard]] std::string groups_json(const AtlasQuestion& asked, const cli::Cells& cells);
 
 }  // namespace changeover::serve

@@ -10,7 +10,8 @@
 
 namespace changeover::serve {
 
-/// ?k=A..B&v=C..D&change=M; what is not named is as in `usual`, v from k on if that has none. @throws Refusal 400, 413
+/// ?k=A..B&v=C..D&change=M; what is not named is as in `usual`, v from k on if that has none.
+/// @throws Refusal 400, 413
 [[nodiscard]] cli::TableRange table_range_of(const Request& request,
                                              const cli::TableRange& usual = {.k = {3, 8},
                                                                              .v = {0, 40}});
@@ -18,7 +19,8 @@ namespace changeover::serve {
 /// Whether such a table takes milliseconds. @throws Refusal
 [[nodiscard]] bool is_quick_table(const Request& request);
 
-/// Bounds, the best design, what the catalog has, what constructions offer, how the cell became better.
+/// Bounds, the best design, what the catalog has, what constructions offer, how the cell became
+/// better.
 enum class Offers : std::uint8_t { with_recipes, by_name };
 [[nodiscard]] std::string cell_json(const Catalog& catalog, const Parameters& p,
                                     Offers how = Offers::with_recipes);

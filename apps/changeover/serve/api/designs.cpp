@@ -51,7 +51,8 @@ Response download(Explorer& explorer, const Request& request) {
   return response;
 }
 
-// One design for a paper. Files and searches have no dossier: what is said rests on the catalog and on constructions.
+// One design for a paper. Files and searches have no dossier: what is said rests on the catalog and
+// on constructions.
 Response dossier(Explorer& explorer, const Request& request) {
   static const std::map<std::string, std::string> types{
       {"html", "text/html; charset=utf-8"},

@@ -86,9 +86,9 @@ enum class Again : std::uint8_t {
   while_unchanged  ///< as long as the catalog does not change
 };
 
-/// Makes an answer within the limits, with faults as the statuses of HTTP: 400 for a question that cannot be, 422 with the
-/// place for a file that is malformed, 503 if a limit was reached. Work stops when the client has
-/// gone.
+/// Makes an answer within the limits, with faults as the statuses of HTTP: 400 for a question that
+/// cannot be, 422 with the place for a file that is malformed, 503 if a limit was reached. Work
+/// stops when the client has gone.
 /// @throws Refusal; InternalError
 [[nodiscard]] Response answered(Explorer& explorer, const Request& request, Again again,
                                 const std::function<Response()>& make);

@@ -16,7 +16,8 @@ namespace changeover::serve {
 
 class JsonBody {
  public:
-  /// @throws Refusal 422 with line and column if it is no JSON, nests deeper than 256 levels or is no object.
+  /// @throws Refusal 422 with line and column if it is no JSON, nests deeper than 256 levels or is
+  /// no object.
   explicit JsonBody(const std::string& text);
   ~JsonBody();
   JsonBody(const JsonBody&) = delete;

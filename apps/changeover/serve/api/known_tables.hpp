@@ -1,4 +1,5 @@
-// Tables that were asked for: a page asks for a table and for pictures of it at once, and to look for the best of each cell takes time.
+// Tables that were asked for: a page asks for a table and for pictures of it at once, and to look
+// for the best of each cell takes time.
 //
 //     const auto table = explorer.tables.of(range, explorer.generation());
 //     table->cells(Kind::linear);
@@ -17,11 +18,12 @@ struct TableRange;
 
 namespace changeover::serve {
 
-/// The last few tables. Thread-safe: who asks for a table that another request is making waits for it.
+/// The last few tables. Thread-safe: who asks for a table that another request is making waits for
+/// it.
 class KnownTables {
  public:
-  /// The table of a range, while the catalog is of this generation. @throws as known_table(); Stopped if the control of
-  /// this thread's scope wants to stop.
+  /// The table of a range, while the catalog is of this generation. @throws as known_table();
+  /// Stopped if the control of this thread's scope wants to stop.
   [[nodiscard]] std::shared_ptr<const cli::KnownTable> of(const cli::TableRange& range,
                                                           const std::string& generation);
 

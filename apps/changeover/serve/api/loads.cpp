@@ -173,7 +173,8 @@ class FirstLines final : public Sink {
   std::string text_;
 };
 
-// What is planned, whichever way: one order, or that of workers; of the room `spare` is for what is loading.
+// What is planned, whichever way: one order, or that of workers; of the room `spare` is for what is
+// loading.
 struct PlannedLoads {
   const LoadOrder* order = nullptr;
   const WorkerSplit* split = nullptr;

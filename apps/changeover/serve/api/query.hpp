@@ -28,8 +28,8 @@ namespace changeover::serve {
 /// "circular" or "linear", if one is named. @throws Refusal 400
 [[nodiscard]] std::optional<Kind> kind_of(const Request& request);
 
-/// v, k, change (2 if it is missing), strength (2) and kind, which must be there. @throws Refusal 400,
-/// ImpossibleParameters
+/// v, k, change (2 if it is missing), strength (2) and kind, which must be there. @throws Refusal
+/// 400, ImpossibleParameters
 [[nodiscard]] Parameters cell_of(const Request& request);
 /// The same for each kind that may answer: the named one, or circular and linear.
 [[nodiscard]] std::vector<Parameters> cells_of(const Request& request);

@@ -1,4 +1,5 @@
-// Bodies that are request documents (changeover/io/request.hpp): what the server does not take of them.
+// Bodies that are request documents (changeover/io/request.hpp): what the server does not take of
+// them.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,7 +13,8 @@
 
 namespace changeover::serve {
 
-/// @throws Refusal 422 for a file, of which the server opens none, and for keys that are not for this door, with the reason.
+/// @throws Refusal 422 for a file, of which the server opens none, and for keys that are not for
+/// this door, with the reason.
 template <typename Request>
 void require_of_server(const Request& request, const RequestTable<Request>& table) {
   for (const auto& option : table.options) {

@@ -17,8 +17,8 @@ struct Selection {
 /// The names of parameters that select a design.
 [[nodiscard]] std::vector<std::string> selectors();
 
-/// @throws Refusal 400 unless exactly one way of selecting is used, 404 if there is no such design, 413 if it has more than
-/// 200,000 blocks.
+/// @throws Refusal 400 unless exactly one way of selecting is used, 404 if there is no such design,
+/// 413 if it has more than 200,000 blocks.
 [[nodiscard]] Selection selected(Explorer& explorer, const Request& request);
 
 /// The recipe of what is selected: by parameters or by label. @throws Refusal

@@ -1,4 +1,5 @@
-// What search engines and feed readers are told of a site: its permanent addresses, and what is new.
+// What search engines and feed readers are told of a site: its permanent addresses, and what is
+// new.
 #pragma once
 
 #include <string>
@@ -9,7 +10,8 @@
 
 namespace changeover::serve {
 
-/// "https://example.org/designs/" as it must be: absolute, of http or https, with a slash at the end, without a query.
+/// "https://example.org/designs/" as it must be: absolute, of http or https, with a slash at the
+/// end, without a query.
 /// @throws cli::UsageError in one line otherwise.
 [[nodiscard]] std::string site_address(const std::string& given);
 

@@ -4,8 +4,9 @@
 //     shelf.add(label, design, verdict);       // from any thread
 //     workshop.write("data/design/2.circular.5.gz", gzip(shelf.take(), best_gzip));
 //
-// The first line is JSON: an array of what a design's document says but for its blocks, with "at", where its bytes begin behind that
-// line, and "way". Numbers are little-endian, of one byte if v is at most 256, else of two.
+// The first line is JSON: an array of what a design's document says but for its blocks, with "at",
+// where its bytes begin behind that line, and "way". Numbers are little-endian, of one byte if v is
+// at most 256, else of two.
 //   "steps"  Elements of the first block; then for j = 0, …, m−1 a column of places, one a step, and a column of elements. In a step
 //            the element at each of the places, which grow with j, gives way to another, which grow too; a column of elements has
 //            differences from the step before, modulo v. The elements of a block are what is in the k places, in increasing order.

@@ -158,7 +158,8 @@ class Site {
     write_cells(name, cells);
   }
 
-  // A file for each k: an object by v; and one with the designs. What is no list of blocks at all, with k > v, is in the atlas only.
+  // A file for each k: an object by v; and one with the designs. What is no list of blocks at all,
+  // with k > v, is in the atlas only.
   void write_cells(const std::string& name, cli::Cells cells) {
     std::erase_if(cells, [](const KnownCell* cell) {
       const Parameters& p = cell->parameters;

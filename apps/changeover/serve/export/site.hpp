@@ -1,10 +1,11 @@
-// The explorer as files, for any web server: pages that look up what was written down, without this program.
+// The explorer as files, for any web server: pages that look up what was written down, without this
+// program.
 //
 //     const SiteSummary site = export_site("public", {.k = {3, 8}, .v = {4, 40}}, "", pages, catalog, control);
 //
-// docs/explorer.md has the rule by which addresses become files. The site is made beside its place and put there when it is
-// whole: after a kill there is the old site or none. A folder that holds anything else is left
-// alone.
+// docs/explorer.md has the rule by which addresses become files. The site is made beside its place
+// and put there when it is whole: after a kill there is the old site or none. A folder that holds
+// anything else is left alone.
 #pragma once
 
 #include <cstdint>
@@ -34,10 +35,11 @@ struct SiteSummary {
   std::uint64_t designs = 0;
 };
 
-/// Every design is verified before it is written. `address` is where the site will be, or empty: then it has no sitemap and no feed,
-/// which name whole addresses. Uses the threads of the control.
-/// @throws MissingResource if there are no pages, if the folder is not new, empty or a site that was made here, or if it
-/// cannot be written; Stopped; cli::UsageError for a range that is too large.
+/// Every design is verified before it is written. `address` is where the site will be, or empty:
+/// then it has no sitemap and no feed, which name whole addresses. Uses the threads of the control.
+/// @throws MissingResource if there are no pages, if the folder is not new, empty or a site that
+/// was made here, or if it cannot be written; Stopped; cli::UsageError for a range that is too
+/// large.
 SiteSummary export_site(const std::string& folder, const SiteRange& range,
                         const std::string& address, const Pages& pages, const Catalog& catalog,
                         RunControl& control);

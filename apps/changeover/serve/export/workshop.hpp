@@ -45,8 +45,9 @@ class OpenFolder {
 /// The new folder, beside its place; it goes away unless it is put there.
 class Workshop {
  public:
-  /// @throws MissingResource if what is at `place` is not an unchanged folder of this kind or an empty one, naming what else is
-  /// there, or holds the current folder; or if nothing can be written beside it.
+  /// @throws MissingResource if what is at `place` is not an unchanged folder of this kind or an
+  /// empty one, naming what else is there, or holds the current folder; or if nothing can be
+  /// written beside it.
   explicit Workshop(const std::string& place);
   ~Workshop();
   Workshop(const Workshop&) = delete;

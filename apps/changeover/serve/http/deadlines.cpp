@@ -65,7 +65,8 @@ bool Deadlines::is_late(const Open& open, Clock::time_point now) const {
   return false;
 }
 
-// Whether all that came was read, and no more will come: libmicrohttpd does not look while it waits for the rest of a body.
+// Whether all that came was read, and no more will come: libmicrohttpd does not look while it waits
+// for the rest of a body.
 static bool has_gone(int socket) {
   char byte = 0;
   return ::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;

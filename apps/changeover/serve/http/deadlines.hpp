@@ -35,7 +35,8 @@ class Deadlines {
     Seconds in_a_crowd{0.5};
   };
 
-  /// `timed_out` is sent to who is too slow with a request that has begun, before the connection is closed.
+  /// `timed_out` is sent to who is too slow with a request that has begun, before the connection is
+  /// closed.
   Deadlines(const Settings& settings, std::string timed_out);
   ~Deadlines();
   Deadlines(const Deadlines&) = delete;

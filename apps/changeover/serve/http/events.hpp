@@ -5,7 +5,8 @@
 //     hub.publish("search", "1", R"({"id":1})");      // the last of each key counts, at most five a second
 //     hub.close();                                    // every feed ends
 //
-// A feed that nothing was said in for a while says so in a comment, so that a client that has gone is noticed.
+// A feed that nothing was said in for a while says so in a comment, so that a client that has gone
+// is noticed.
 #pragma once
 
 #include <condition_variable>
@@ -28,8 +29,8 @@ class EventFeed {
  public:
   enum class Read : std::uint8_t { some, nothing_yet, ended };
 
-  /// Moves up to room.size() bytes there, and says how many. If there are none yet, `pause` is called before anything can come,
-  /// and the function given to on_more() once something has.
+  /// Moves up to room.size() bytes there, and says how many. If there are none yet, `pause` is
+  /// called before anything can come, and the function given to on_more() once something has.
   Read read(std::span<char> room, std::size_t& count, const std::function<void()>& pause);
 
   /// Called from another thread when a feed that paused has more, or has ended.
@@ -66,7 +67,8 @@ class EventHub {
   /// `data` is one line.
   void publish(const std::string& event, const std::string& key, const std::string& data);
 
-  /// Ends all feeds; no function of on_more() is called any more when it returns. Not from two threads at once.
+  /// Ends all feeds; no function of on_more() is called any more when it returns. Not from two
+  /// threads at once.
   void close();
 
  private:

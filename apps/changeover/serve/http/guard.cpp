@@ -67,7 +67,8 @@ void Guard::check(const Request& request, Action action) const {
   if (!origin.empty() && !own_page) {
     throw Refusal{403, "pages of other sites are not answered"};
   }
-  // Browsers say whether the page that asks is of the same site; they show an address that was typed or followed.
+  // Browsers say whether the page that asks is of the same site; they show an address that was
+  // typed or followed.
   const bool to_page = !request.path.starts_with("api/");
   const std::string_view site = request.header("sec-fetch-site");
   if (!to_page && !site.empty() && site != "same-origin" && site != "none") {

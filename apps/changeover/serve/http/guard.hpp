@@ -1,11 +1,13 @@
-// Who may ask: pages of this server and programs of this machine's user, and no page of another site.
+// Who may ask: pages of this server and programs of this machine's user, and no page of another
+// site.
 //
 //     Guard guard({"127.0.0.1:8080", "localhost:8080"}, "0f1e…");
 //     guard.check(request, Action::asks);            // throws Refusal
 //
-// A page of another site that a browser shows can make it send requests here. It cannot choose the header Host (so a name of
-// its own that leads here, DNS rebinding, is refused), it cannot hide its Origin when it posts, and it does not know the
-// token. What changes anything needs the token, which is in the address that was printed and nowhere else.
+// A page of another site that a browser shows can make it send requests here. It cannot choose the
+// header Host (so a name of its own that leads here, DNS rebinding, is refused), it cannot hide its
+// Origin when it posts, and it does not know the token. What changes anything needs the token,
+// which is in the address that was printed and nowhere else.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +39,8 @@ class Guard {
 
   [[nodiscard]] const std::string& token() const { return token_; }
 
-  /// @throws Refusal: 400 without one Host, 403 for a foreign Host or Origin, 401 without the token.
+  /// @throws Refusal: 400 without one Host, 403 for a foreign Host or Origin, 401 without the
+  /// token.
   void check(const Request& request, Action action) const;
 
  private:

@@ -36,11 +36,12 @@ class Lanes {
   Lanes(const Lanes&) = delete;
   Lanes& operator=(const Lanes&) = delete;
 
-  /// The task is called once, on a thread of that lane, in the order in which tasks came; it must not throw.
+  /// The task is called once, on a thread of that lane, in the order in which tasks came; it must
+  /// not throw.
   void add(Lane lane, std::function<void()> task);
 
-  /// Lets no task begin that has not begun: those are called one after another by the caller, who has seen to it that they end
-  /// at once. Waits so long for those that have; whether all ended.
+  /// Lets no task begin that has not begun: those are called one after another by the caller, who
+  /// has seen to it that they end at once. Waits so long for those that have; whether all ended.
   bool stop(std::chrono::duration<double> patience);
 
  private:

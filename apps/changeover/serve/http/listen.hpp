@@ -12,8 +12,10 @@ struct Listening {
   bool loopback = false;  ///< it cannot be reached from another machine
 };
 
-/// Listens on a name or number of this machine; port 0 picks one that is free. The caller closes the socket.
-/// @throws MissingResource with one line if the port is taken or the address is none of this machine.
+/// Listens on a name or number of this machine; port 0 picks one that is free. The caller closes
+/// the socket.
+/// @throws MissingResource with one line if the port is taken or the address is none of this
+/// machine.
 [[nodiscard]] Listening listen_on(const std::string& host, std::uint16_t port);
 
 /// "127.0.0.1:8080", "[::1]:8080".

@@ -1,4 +1,5 @@
-// A request and a response of HTTP, as the rest of the server knows them; what speaks HTTP is behind server.hpp.
+// A request and a response of HTTP, as the rest of the server knows them; what speaks HTTP is
+// behind server.hpp.
 //
 //     Response answer(const Request& request) {
 //       const auto v = request.parameter("v");          // nothing if it was not given
@@ -21,7 +22,8 @@
 
 namespace changeover::serve {
 
-/// Why a request is not answered: a status of HTTP, and one clear line; where in the body, if that is known.
+/// Why a request is not answered: a status of HTTP, and one clear line; where in the body, if that
+/// is known.
 struct Refusal {
   int status = 400;
   std::string message;
@@ -66,7 +68,8 @@ struct Response {
 /// {"error":{"message":…,"line":…,"column":…}}
 [[nodiscard]] Response refused(const Refusal& refusal);
 
-/// The same with its head, as it goes through the socket before the connection is closed. For statuses 400, 408, 413, 414 and 431.
+/// The same with its head, as it goes through the socket before the connection is closed. For
+/// statuses 400, 408, 413, 414 and 431.
 [[nodiscard]] std::string refused_as_text(const Refusal& refusal);
 
 /// With A to Z as a to z, for names of headers and hosts.
@@ -75,7 +78,8 @@ struct Response {
 /// What is sent with every answer, whatever it is.
 [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& security_headers();
 
-/// gzip of a text, always the same for the same text. A larger level (up to 9) takes longer to make it smaller.
+/// gzip of a text, always the same for the same text. A larger level (up to 9) takes longer to make
+/// it smaller.
 /// @throws MissingResource if there is no memory for it.
 [[nodiscard]] std::string gzip(std::string_view text, int level = 5);
 

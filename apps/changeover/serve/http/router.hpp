@@ -46,8 +46,8 @@ class Router {
   /// For paths that are none of those, where `has` says that there is something.
   void add_elsewhere(Route route, std::function<bool(const std::string&)> has);
 
-  /// @throws Refusal 404 for a path that there is not, 405 for a method that it does not have, 400 for a parameter that it
-  /// does not know, 411, 413 or 415 for a body that it does not take.
+  /// @throws Refusal 404 for a path that there is not, 405 for a method that it does not have, 400
+  /// for a parameter that it does not know, 411, 413 or 415 for a body that it does not take.
   [[nodiscard]] const Route& route_of(const Request& request) const;
 
   /// What a path takes, as in the header Allow; empty if there is no such path.
@@ -67,8 +67,9 @@ class Router {
 /// The number in the header Content-Length; 0 if there is none. @throws Refusal if it is none.
 [[nodiscard]] std::size_t declared_length(const Request& request);
 
-/// Refuses a form where a file is expected. Programs that send a file seldom say what it is, and many say that it is a form (curl
-/// does), so the bytes tell: fields are joined by = and &, before any blank or end of a line. @throws Refusal
+/// Refuses a form where a file is expected. Programs that send a file seldom say what it is, and
+/// many say that it is a form (curl does), so the bytes tell: fields are joined by = and &, before
+/// any blank or end of a line. @throws Refusal
 void refuse_form(const Route& route, const Request& request);
 
 }  // namespace changeover::serve

@@ -16,7 +16,6 @@
 #include <exception>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -29,8 +28,9 @@ namespace changeover::serve {
 namespace {
 
 constexpr std::size_t bytes_of_a_head = 32 << 10;
-// What libmicrohttpd has for one request, and clears after each. Half of it is for reading; lines, parameters and cookies are kept
-// in the rest, and where that is full there is no room for the head of an answer, so that nothing is answered.
+// What libmicrohttpd has for one request, and clears after each. Half of it is for reading; lines,
+// parameters and cookies are kept in the rest, and where that is full there is no room for the head
+// of an answer, so that nothing is answered.
 constexpr std::size_t room_of_a_connection = 64 << 10;
 constexpr std::size_t room_of_fields = 24 << 10;
 constexpr std::size_t bytes_of_a_field = 64;
@@ -380,7 +380,8 @@ MHD_Result Server::State::dispatch(Exchange& exchange) {
     exchange.response = answer(exchange);
     return send(exchange);
   }
-  // Who sends no more may still wait for an answer, and cannot be told from who has gone: short answers are made for both.
+  // Who sends no more may still wait for an answer, and cannot be told from who has gone: short
+  // answers are made for both.
   exchange.request.left = [socket = exchange.socket, since = std::chrono::steady_clock::now()] {
     constexpr std::chrono::seconds short_answer{1};
     char byte = 0;

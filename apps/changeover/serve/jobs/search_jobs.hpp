@@ -6,8 +6,9 @@
 //     jobs.stop(id);
 //     jobs.keep(id).label;                       // into the user's catalog
 //
-// A search is `changeover search` with the same way, limits and seed, and its result is verified. Each
-// has a thread that gives way to those that answer. The last 50 searches that ended are remembered.
+// A search is `changeover search` with the same way, limits and seed, and its result is verified.
+// Each has a thread that gives way to those that answer. The last 50 searches that ended are
+// remembered.
 #pragma once
 
 #include <chrono>
@@ -52,8 +53,8 @@ struct Kept {
   bool already = false;  ///< it was there, or the same by other names of elements
 };
 
-/// A design into the user's catalog, verified and credited with today. @throws Refusal 422 if it is no change covering design;
-/// MissingResource if the catalog cannot be written, or is damaged.
+/// A design into the user's catalog, verified and credited with today. @throws Refusal 422 if it is
+/// no change covering design; MissingResource if the catalog cannot be written, or is damaged.
 [[nodiscard]] Kept keep_in_catalog(Catalog& catalog, const Design& design);
 
 class SearchJobs {
@@ -69,7 +70,8 @@ class SearchJobs {
   SearchJobs(const SearchJobs&) = delete;
   SearchJobs& operator=(const SearchJobs&) = delete;
 
-  /// Begins a search and returns its number. @throws Refusal 429 if as many run as may, 400 if no such design exists.
+  /// Begins a search and returns its number. @throws Refusal 429 if as many run as may, 400 if no
+  /// such design exists.
   std::uint64_t start(const SearchOrder& order);
 
   /// Asks a search to stop; it keeps what it has. @throws Refusal 404, as all below.

@@ -27,8 +27,8 @@ class Pages {
   /// `folder` is empty for those in the program. @throws MissingResource if it is no folder.
   explicit Pages(std::string folder);
 
-  /// The file of exactly that path, "" for index.html; nothing if there is none. No path leads out of the folder: those
-  /// that there are, are listed, and links are not followed.
+  /// The file of exactly that path, "" for index.html; nothing if there is none. No path leads out
+  /// of the folder: those that there are, are listed, and links are not followed.
   [[nodiscard]] std::optional<Response> find(const std::string& path) const;
 
   /// All paths.
@@ -39,7 +39,8 @@ class Pages {
   std::map<std::string, Response> embedded_;
 };
 
-/// "text/css; charset=utf-8" for a path that ends in .css, and so on; empty for what is no part of a page.
+/// "text/css; charset=utf-8" for a path that ends in .css, and so on; empty for what is no part of
+/// a page.
 [[nodiscard]] std::string_view type_of_page(std::string_view path);
 
 }  // namespace changeover::serve

@@ -1,4 +1,5 @@
-// changeover catalog cite [LABEL|KEY]: BibTeX of a design, of a reference, or of the catalog as it is today.
+// changeover catalog cite [LABEL|KEY]: BibTeX of a design, of a reference, or of the catalog as it
+// is today.
 #include "answer/answer.hpp"
 #include "answer/catalog/entry_words.hpp"
 #include "changeover/core/error.hpp"

@@ -1,4 +1,5 @@
-// changeover catalog retract LABEL --why TEXT, changeover catalog alias WORD LABEL: what is said of entries that are there.
+// changeover catalog retract LABEL --why TEXT, changeover catalog alias WORD LABEL: what is said of
+// entries that are there.
 #include <fmt/format.h>
 
 #include "answer/answer.hpp"

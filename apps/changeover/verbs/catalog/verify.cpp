@@ -59,7 +59,8 @@ class Ledger {
       }
     }
     old.close();
-    // Written anew, so that nothing is appended to half a line, and as a whole, so that nothing is lost.
+    // Written anew, so that nothing is appended to half a line, and as a whole, so that nothing is
+    // lost.
     OutputFile whole(path);
     whole.write(first + "\n");
     for (const std::string& label : done) {

@@ -1,9 +1,9 @@
 // Concatenate with groups: a design and pieces on groups of new elements, for every m ≥ 2.
 //
 // The recipe's inputs are W, the circular design of the pieces unless each is one block, and the
-// linear design of the last piece if that is another. Its lists are the positions of the parts of
-// W and the hinge. Arguments: `groups`, how many; `at`, the position of the hinge; `reversed`, 1 if all
-// this is of W read backwards; `dropped`, how many pieces lack the blocks inside the hole. See
+// linear design of the last piece if that is another. Its lists are the positions of the parts of W
+// and the hinge. Arguments: `groups`, how many; `at`, the position of the hinge; `reversed`, 1 if
+// all this is of W read backwards; `dropped`, how many pieces lack the blocks inside the hole. See
 // construct/tools/groups.hpp.
 #include <fmt/format.h>
 

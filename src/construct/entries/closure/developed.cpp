@@ -1,9 +1,9 @@
-// Base blocks developed under a permutation π of cycles of one length n and f fixed points, so that a
-// design found by search is stored as c blocks and not as cn.
+// Base blocks developed under a permutation π of cycles of one length n and f fixed points, so that
+// a design found by search is stored as c blocks and not as cn.
 //
-// The list is B₀, …, B_{c−1}, π(B₀), …, π^{n−1}(B_{c−1}) where π is the `shift`-th power, a unit of Z_n, of the
-// permutation of core/developed.hpp. With v = n and shift 1 these are base blocks over Z_v. Nothing is
-// offered and nothing promised.
+// The list is B₀, …, B_{c−1}, π(B₀), …, π^{n−1}(B_{c−1}) where π is the `shift`-th power, a unit of
+// Z_n, of the permutation of core/developed.hpp. With v = n and shift 1 these are base blocks over
+// Z_v. Nothing is offered and nothing promised.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,9 +1,9 @@
 // Drop: leave out blocks that are not needed.
 //
 // A block may go if each of its pairs is in some other block and its neighbours differ in exactly m
-// elements, or if it is the first or the last of a linear design. Blocks are tried from the ends inwards
-// (linear) or in order (circular), again and again until none can go: deterministic, not always the most
-// that could be dropped.
+// elements, or if it is the first or the last of a linear design. Blocks are tried from the ends
+// inwards (linear) or in order (circular), again and again until none can go: deterministic, not
+// always the most that could be dropped.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,9 +22,9 @@
 namespace changeover::drop_entry {
 namespace {
 
-/// Which blocks stay. The pairs are counted once; only blocks all of whose pairs are elsewhere can ever
-/// go, for what goes makes the others rarer. So a design without such blocks costs one pass, wherever it
-/// is cut open.
+/// Which blocks stay. The pairs are counted once; only blocks all of whose pairs are elsewhere can
+/// ever go, for what goes makes the others rarer. So a design without such blocks costs one pass,
+/// wherever it is cut open.
 class Dropping {
  public:
   explicit Dropping(const Design& design)

@@ -1,7 +1,8 @@
-// Interpolate: each step that changes M elements made in M/m steps of m, through the blocks between.
+// Interpolate: each step that changes M elements made in M/m steps of m, through the blocks
+// between.
 //
-// What was covered still is, so an M-change design with b blocks gives an m-change design, m a divisor of M, with
-// (M/m)(b−1) + 1 blocks if it is linear and (M/m)b if it is circular.
+// What was covered still is, so an M-change design with b blocks gives an m-change design, m a
+// divisor of M, with (M/m)(b−1) + 1 blocks if it is linear and (M/m)b if it is circular.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Truncate: one element fewer, as many blocks.
 //
-// Delete x. In each run of consecutive blocks that hold x, put in its place some element that is in none
-// of them nor in the block before or after the run: the steps at both ends of the run then change as
-// many elements as before, and no other pair is lost. The last element takes the name x.
+// Delete x. In each run of consecutive blocks that hold x, put in its place some element that is in
+// none of them nor in the block before or after the run: the steps at both ends of the run then
+// change as many elements as before, and no other pair is lost. The last element takes the name x.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,7 +39,8 @@ class Truncation {
     }
   }
 
-  /// Whether each run of blocks that hold x leaves an element to put in its place. O(blocks with x · k).
+  /// Whether each run of blocks that hold x leaves an element to put in its place. O(blocks with x
+  /// · k).
   bool can_go(Element x) {
     if (where_[x].size() == b_) {
       return false;

@@ -1,7 +1,7 @@
-// Unfix: take away an element that is in every block, the converse of fix. The steps change what they
-// changed and the other pairs are where they were, so a design on (v+1, k+1) becomes one on (v, k).
-// Whether an element is in every block is known only when they are there, so nothing is offered; see
-// construct/best_known.hpp.
+// Unfix: take away an element that is in every block, the converse of fix. The steps change what
+// they changed and the other pairs are where they were, so a design on (v+1, k+1) becomes one on
+// (v, k). Whether an element is in every block is known only when they are there, so nothing is
+// offered; see construct/best_known.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>

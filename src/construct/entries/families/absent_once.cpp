@@ -1,12 +1,12 @@
 // Minimum designs of strength t ≥ 3 for small v: every element is absent once.
 //
 // With d = v − k, p = ⌈d/m⌉ and mp = d + r no design has fewer than tp + 1 blocks ("end to end" in
-// bounds/lower_bound.hpp). Let tp + 1 blocks follow each other in a circle, and take m copies of each i
-// modulo tp + 1: copy 0, …, m−r−1 of i is absent from the p blocks i, …, i+p−1, the others from the
-// p − 1 blocks i, …, i+p−2. In each step one element of each copy leaves and one comes back, so m do, and
-// (m−r)p + r(p−1) = d are absent from each block. However many of them are in every block: t elements are
-// absent from at most tp blocks, so some block has them all. Proof and what is not known: docs/theorems.md,
-// Theorem 7.
+// bounds/lower_bound.hpp). Let tp + 1 blocks follow each other in a circle, and take m copies of
+// each i modulo tp + 1: copy 0, …, m−r−1 of i is absent from the p blocks i, …, i+p−1, the others
+// from the p − 1 blocks i, …, i+p−2. In each step one element of each copy leaves and one comes
+// back, so m do, and (m−r)p + r(p−1) = d are absent from each block. However many of them are in
+// every block: t elements are absent from at most tp blocks, so some block has them all. Proof and
+// what is not known: docs/theorems.md, Theorem 7.
 //
 // Strength 2 is served by small-v, which reaches further.
 #include <fmt/format.h>

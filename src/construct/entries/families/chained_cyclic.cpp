@@ -1,5 +1,5 @@
-// A linear SCCD(4k−3, k) with 8k−7 blocks: the tight circular design of two windows, chained where a
-// window moves while its visitor stays [docs/theorems.md, Theorem 11].
+// A linear SCCD(4k−3, k) with 8k−7 blocks: the tight circular design of two windows, chained where
+// a window moves while its visitor stays [docs/theorems.md, Theorem 11].
 #include <fmt/format.h>
 
 #include <memory>

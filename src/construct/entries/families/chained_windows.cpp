@@ -1,13 +1,16 @@
-// Linear SCCD(4k−3+w, k) for 2 ≤ w ≤ k−3 and k ≥ 6, one block fewer than visited-windows has: 8(k−1) + 5w, and yet one fewer for
-// k ≥ 7 and w ≥ 3 [docs/theorems.md, Theorem 11].
+// Linear SCCD(4k−3+w, k) for 2 ≤ w ≤ k−3 and k ≥ 6, one block fewer than visited-windows has:
+// 8(k−1) + 5w, and yet one fewer for k ≥ 7 and w ≥ 3 [docs/theorems.md, Theorem 11].
 //
-// With K = k−1 and W_j = {j, …, j+K−1} over Z_u, u = 4K+1, the tight design is W_j + (j+2K), W_j + (j+K). In two *chains*, j = K, 2K, 3K
-// and j = K+1, 2K+1, 3K+1, the visitor j+2K stays while the window moves, so that j never meets j+K but j+K meets j+2K. What the chains lose at their
-// beginning is in the first blocks; what they gain at their end saves K−1 and K from coming back there. The new elements
-// x_1, …, x_w meet 0, …, K−1, 2K and each other in the first blocks, and visit W_K, W_{2K+1} and W_{3K+1}.
+// With K = k−1 and W_j = {j, …, j+K−1} over Z_u, u = 4K+1, the tight design is W_j + (j+2K), W_j +
+// (j+K). In two *chains*, j = K, 2K, 3K and j = K+1, 2K+1, 3K+1, the visitor j+2K stays while the
+// window moves, so that j never meets j+K but j+K meets j+2K. What the chains lose at their
+// beginning is in the first blocks; what they gain at their end saves K−1 and K from coming back
+// there. The new elements x_1, …, x_w meet 0, …, K−1, 2K and each other in the first blocks, and
+// visit W_K, W_{2K+1} and W_{3K+1}.
 //
-// For the last saving x_w does not meet K−2 in the first blocks. It comes while the window moves to W_{2K+1} and to W_{3K}, there beside the
-// visitor K−2. Then 3K−1 misses 4K−1, which visits W_{2K} instead of W_{2K−1}; and 2K−1, which it misses there, is with it in the last block, for which 1
+// For the last saving x_w does not meet K−2 in the first blocks. It comes while the window moves to
+// W_{2K+1} and to W_{3K}, there beside the visitor K−2. Then 3K−1 misses 4K−1, which visits W_{2K}
+// instead of W_{2K−1}; and 2K−1, which it misses there, is with it in the last block, for which 1
 // leaves early.
 #include <fmt/format.h>
 
@@ -115,7 +118,8 @@ class Chained final : public SwapPlan {
     const auto step = [&](std::uint64_t leaves, std::uint64_t enters) {
       swaps.push_back({.leaves = leaves, .enters = enters});
     };
-    // 2, 3, … come, one at a time, and go but for the last; so all of 2, …, K−1 but the late one meet 2K and all x.
+    // 2, 3, … come, one at a time, and go but for the last; so all of 2, …, K−1 but the late one
+    // meet 2K and all x.
     std::vector<std::uint64_t> gone;
     std::uint64_t out = is_late(lowest()) ? big_ - 1 : lowest();
     for (std::uint64_t y = 2; y < lowest(); ++y) {

@@ -1,10 +1,13 @@
-// The tight circular SCCD(2cK+1, k), K = k−1, without r of its elements, closed up: a circular SCCD(2cK+1−r, k) with c(2cK+1) −
-// (c+1)r blocks, and a linear one with one block fewer [docs/theorems.md, Theorem 10].
+// The tight circular SCCD(2cK+1, k), K = k−1, without r of its elements, closed up: a circular
+// SCCD(2cK+1−r, k) with c(2cK+1) − (c+1)r blocks, and a linear one with one block fewer
+// [docs/theorems.md, Theorem 10].
 //
-// With u = 2cK+1 and W_j = {j, …, j+K−1} over Z_u the tight design is W_j + (j+pK), p = c, …, 1, for j = 0, …, u−1. Let
-// D = {0, …, r−1} be the elements that are left out. Where the place of d in D would begin, at j = d−K, the last visitor d+K stays, so that it
-// need not come again at j = d (if d+K is in D too, then d+2K does so). So each of D saves its own c stays and one of another element.
-// For d = r−1 the stay of d+K ends with W_{d+K} + (d+2K), a block that is needed for {d+K, d+2K} only; these two meet at j = d, too.
+// With u = 2cK+1 and W_j = {j, …, j+K−1} over Z_u the tight design is W_j + (j+pK), p = c, …, 1,
+// for j = 0, …, u−1. Let D = {0, …, r−1} be the elements that are left out. Where the place of d in
+// D would begin, at j = d−K, the last visitor d+K stays, so that it need not come again at j = d
+// (if d+K is in D too, then d+2K does so). So each of D saves its own c stays and one of another
+// element. For d = r−1 the stay of d+K ends with W_{d+K} + (d+2K), a block that is needed for {d+K,
+// d+2K} only; these two meet at j = d, too.
 //
 // Element x is number x − r. The first block of a circular design is {u−1, r, …, r+K−1}.
 #include <fmt/format.h>
@@ -47,7 +50,8 @@ class ClosedUpCycle final : public LegsWithHeldPlaces {
   }
 
  private:
-  // Who makes room when the window moves to W_j: j−1, or if there is no such element the last visitor of W_{j−1}.
+  // Who makes room when the window moves to W_j: j−1, or if there is no such element the last
+  // visitor of W_{j−1}.
   [[nodiscard]] std::uint64_t leaving_before(std::uint64_t j) const {
     const std::uint64_t before = (j + numbers().u - 1) % numbers().u;
     if (!deleted(before)) {

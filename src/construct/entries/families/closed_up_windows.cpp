@@ -1,10 +1,11 @@
-// The tight circular SCCD(4k−3,k) with r elements taken out and not one block lost: the minimum linear
-// SCCD(v,k) for 3k ≤ v ≤ 4k−5, with 3v − 4k + 1 blocks, k ≥ 5 [docs/theorems.md, Theorem 6].
+// The tight circular SCCD(4k−3,k) with r elements taken out and not one block lost: the minimum
+// linear SCCD(v,k) for 3k ≤ v ≤ 4k−5, with 3v − 4k + 1 blocks, k ≥ 5 [docs/theorems.md, Theorem 6].
 //
-// With K = k−1 the elements are r, …, 4K, r = 4k−3−v, 2 ≤ r ≤ K−2, and W_j = {j, …, j+K−1}. The window slides from W_r
-// to W_{3K+1}; in the tight design W_j is met by j+2K and j+K. Where an element would have to come back for one partner
-// only, it comes early or stays longer instead: 3K at W_{K+1}, 4K beside 2K, and the ends are gone through with a
-// queue. Y_s = K+s, S_s = s, L_s = 3K+1+s. Element x is number x − r.
+// With K = k−1 the elements are r, …, 4K, r = 4k−3−v, 2 ≤ r ≤ K−2, and W_j = {j, …, j+K−1}. The
+// window slides from W_r to W_{3K+1}; in the tight design W_j is met by j+2K and j+K. Where an
+// element would have to come back for one partner only, it comes early or stays longer instead: 3K
+// at W_{K+1}, 4K beside 2K, and the ends are gone through with a queue. Y_s = K+s, S_s = s, L_s =
+// 3K+1+s. Element x is number x − r.
 #include <fmt/format.h>
 
 #include <deque>

@@ -1,8 +1,8 @@
 // The tight circular DCCD(c(4k−6)+1, k, c²(4k−6)+c) for every c ≥ 1 and every k ≥ 3.
 //
 // The printed theorem stops at c = 5. What is needed for more is a way of pairing 2c numbers, which
-// has a closed form: construct/tools/cyclic.hpp, proved in docs/theorems.md. The pairs are made as they
-// are asked for, so the design is a stream without any memory for its base blocks.
+// has a closed form: construct/tools/cyclic.hpp, proved in docs/theorems.md. The pairs are made as
+// they are asked for, so the design is a stream without any memory for its base blocks.
 #include <algorithm>
 
 #include "construct/tools/interval_family.hpp"

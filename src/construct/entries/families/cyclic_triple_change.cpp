@@ -1,13 +1,13 @@
 // Tight circular 3-change designs (6c(k−2)+1, k) with c base blocks {0, …, k−4} ∪ {three points}.
 //
-// With n = k−3, N = n+1, v = 6cN+1 and A = {0, …, n−1} put x_p = pN+n. The differences x_p − a, a in A,
-// are pN+1, …, pN+n, up to sign those of p and of −p−1 alike; two points differ in (p−q)N. So c triples
-// of integers do for every k if of each two numbers p, −p−1 with 0 ≤ p < 3c one is used, once, and the
-// differences inside the triples are 1, …, 3c, once each. The base block with x_0 = n comes last: it
-// holds A+1. Proof: docs/theorems.md, Theorem 4.
+// With n = k−3, N = n+1, v = 6cN+1 and A = {0, …, n−1} put x_p = pN+n. The differences x_p − a, a
+// in A, are pN+1, …, pN+n, up to sign those of p and of −p−1 alike; two points differ in (p−q)N. So
+// c triples of integers do for every k if of each two numbers p, −p−1 with 0 ≤ p < 3c one is used,
+// once, and the differences inside the triples are 1, …, 3c, once each. The base block with x_0 = n
+// comes last: it holds A+1. Proof: docs/theorems.md, Theorem 4.
 //
-// Each triple has two differences that add up to the third, so 1 + … + 3c is even: c ≡ 0 or 1 modulo 4.
-// The triples below were found by exact cover.
+// Each triple has two differences that add up to the third, so 1 + … + 3c is even: c ≡ 0 or 1
+// modulo 4. The triples below were found by exact cover.
 #include <algorithm>
 #include <array>
 #include <span>

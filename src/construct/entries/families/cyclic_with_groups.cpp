@@ -1,9 +1,9 @@
 // Circular double-change designs of constant waste for infinitely many v: a cyclic design on w
 // elements, 2n groups of g and cyclic pieces on g+h, n = k−2. [docs/theorems.md, Theorem 16].
 //
-// Positions cx of the cyclic design have the unchanged subsets {x, …, x+n−1}. Those with x = h, h+n, …
-// are the parts; the hinge {0, …, n−1} is between the last block and the first. So the design is a
-// stream without any search, in memory of a class of pairs.
+// Positions cx of the cyclic design have the unchanged subsets {x, …, x+n−1}. Those with x = h,
+// h+n, … are the parts; the hinge {0, …, n−1} is between the last block and the first. So the
+// design is a stream without any search, in memory of a class of pairs.
 #include <fmt/format.h>
 
 #include <algorithm>

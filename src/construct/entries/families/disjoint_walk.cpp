@@ -1,10 +1,11 @@
-// A greedy walk through disjoint blocks, for k = m, where nothing can be held: the fallback that makes even
-// these parameters served.
+// A greedy walk through disjoint blocks, for k = m, where nothing can be held: the fallback that
+// makes even these parameters served.
 //
-// From a block go to the disjoint block that newly covers most pairs, chosen element by element; if all
-// pairs outside the block are covered, go through a block that leaves the elements of some uncovered pair
-// free. Every second step covers a pair, so the walk ends. In a circular design the shortest way leads
-// back (construct/tools/path.hpp). Nothing is promised but that it works; the walk is made to count its blocks.
+// From a block go to the disjoint block that newly covers most pairs, chosen element by element; if
+// all pairs outside the block are covered, go through a block that leaves the elements of some
+// uncovered pair free. Every second step covers a pair, so the walk ends. In a circular design the
+// shortest way leads back (construct/tools/path.hpp). Nothing is promised but that it works; the
+// walk is made to count its blocks.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -97,8 +98,8 @@ class Walk {
     return rest;
   }
 
-  // k elements of `from`, each the one with most uncovered pairs among those before it, the first the
-  // one with most among all; empty if no pair is uncovered there.
+  // k elements of `from`, each the one with most uncovered pairs among those before it, the first
+  // the one with most among all; empty if no pair is uncovered there.
   [[nodiscard]] Block best(const Block& from) const {
     std::vector<std::uint64_t> among(words_, 0);
     for (const Element y : from) {

@@ -1,10 +1,10 @@
 // The minimum linear DCCD(v,k) for v even, k odd and 3k−1 ≤ v ≤ 4k−12: closed-up-windows with two
 // copies of every element but four [docs/theorems.md, Theorem 6].
 //
-// Let k = 2K+1, and let r be as for the SCCD(4K+1−r, K+1): its elements are r, …, 4K. Those that are
-// r modulo K stay single: r, K+r, 2K+r, 3K+r; each window W_j of K elements has one of them, so W_j and
-// a visitor make 2K+1 elements. Where a single one visits and the next step brings a single one too,
-// both come in one step.
+// Let k = 2K+1, and let r be as for the SCCD(4K+1−r, K+1): its elements are r, …, 4K. Those that
+// are r modulo K stay single: r, K+r, 2K+r, 3K+r; each window W_j of K elements has one of them, so
+// W_j and a visitor make 2K+1 elements. Where a single one visits and the next step brings a single
+// one too, both come in one step.
 #include <fmt/format.h>
 
 #include <deque>

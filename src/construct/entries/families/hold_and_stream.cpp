@@ -1,11 +1,13 @@
-// Hold k − m elements, let all others pass through the m free places, drop what was held, repeat on the
-// rest: the general fallback, for any v, k and m < k. For m = 2 the others pass by the edges of a 1-factor.
+// Hold k − m elements, let all others pass through the m free places, drop what was held, repeat on
+// the rest: the general fallback, for any v, k and m < k. For m = 2 the others pass by the edges of
+// a 1-factor.
 //
-// With R the elements whose pairs are not all covered, r = |R|: a round holds H ⊂ R, |H| = k − m, and has
-// the blocks H ∪ g for groups g of m elements that hold all of R ∖ H. It covers every pair that meets H.
-// The next round works on R ∖ H and starts from the last group; the way there is a shortest one
-// (construct/tools/path.hpp). When r ≤ k one block holds R. A linear design may instead end with any design of
-// the last R ∖ H, renamed so that its first block holds the last group.
+// With R the elements whose pairs are not all covered, r = |R|: a round holds H ⊂ R, |H| = k − m,
+// and has the blocks H ∪ g for groups g of m elements that hold all of R ∖ H. It covers every pair
+// that meets H. The next round works on R ∖ H and starts from the last group; the way there is a
+// shortest one (construct/tools/path.hpp). When r ≤ k one block holds R. A linear design may
+// instead end with any design of the last R ∖ H, renamed so that its first block holds the last
+// group.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -76,8 +78,8 @@ class HoldAndStreamSource final : public BlockByBlock<HoldAndStreamSource> {
     return true;
   }
 
-  /// The number of blocks, and those of the first 1, 2, … rounds, when there is no tail. No block is
-  /// made but the first and the last of each round: O(k log k) a round.
+  /// The number of blocks, and those of the first 1, 2, … rounds, when there is no tail. No block
+  /// is made but the first and the last of each round: O(k log k) a round.
   struct Count {
     std::uint64_t total = 0;
     std::vector<std::uint64_t> after_round;
@@ -115,7 +117,8 @@ class HoldAndStreamSource final : public BlockByBlock<HoldAndStreamSource> {
   }
 
  private:
-  /// A shortest way between two blocks, without the first; the last is left out too unless it `arrives`.
+  /// A shortest way between two blocks, without the first; the last is left out too unless it
+  /// `arrives`.
   struct Leg {
     std::optional<Block> from;  // nothing once the way was begun
     Block to;
@@ -188,8 +191,9 @@ class HoldAndStreamSource final : public BlockByBlock<HoldAndStreamSource> {
       }
       return true;
     }
-    // The last block has in common with the next R its last group and what that was filled up with from
-    // the front. These elements come first in the next R. Everything happens at the ends of rest_.
+    // The last block has in common with the next R its last group and what that was filled up with
+    // from the front. These elements come first in the next R. Everything happens at the ends of
+    // rest_.
     const auto first = rest_.begin();
     const Block dropped(first, first + static_cast<std::ptrdiff_t>(held()));
     rest_.erase(first, first + static_cast<std::ptrdiff_t>(held()));
@@ -226,7 +230,8 @@ class HoldAndStreamSource final : public BlockByBlock<HoldAndStreamSource> {
   }
 
   void start_tail() {
-    // The first block of the tail gets the elements at the front of rest_, the last group among them.
+    // The first block of the tail gets the elements at the front of rest_, the last group among
+    // them.
     Block first(static_cast<std::size_t>(p_.k));
     if (!tail_->next(first)) {
       throw BadInput("hold-and-stream: the design at the end has no blocks");
@@ -425,8 +430,8 @@ class HoldAndStream final : public Entry {
            p.v <= largest_v && p.v * p.v / (p.k - p.change) <= most_work;
   }
 
-  // From the last group of a round to a block of the rest that holds that group. A last group that was
-  // not full has fewer elements in common with the rest.
+  // From the last group of a round to a block of the rest that holds that group. A last group that
+  // was not full has fewer elements in common with the rest.
   static std::uint64_t steps_to_tail(const Parameters& p, std::size_t round) {
     const std::uint64_t h = p.k - p.change;
     const std::uint64_t passing = p.v - (round + 1) * h;

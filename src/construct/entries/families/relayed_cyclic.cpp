@@ -1,12 +1,16 @@
-// A cyclic design with carriers, who hold t·m places and relieve each other while the base blocks go round.
+// A cyclic design with carriers, who hold t·m places and relieve each other while the base blocks
+// go round.
 //
-// Let a circular m-change design be the development of c base blocks over Z_u, let t ≥ 2 and u ≥ 2t−1. There are 2t−1
-// carriers, m elements each; t of them, τ_i, …, τ_{i+t−1} modulo 2t−1, are beside the blocks of the translates y_i, …,
-// y_{i+1}−1, where y_i = ⌊iu/(2t−1)⌋. Before translate y_i its first block is there with the carriers of before, so in
-// one more block τ_{i−1} is relieved by τ_{i+t−1}. That is a circular design on (u + m(2t−1), k + mt) with 2t−1 blocks more:
-// each carrier is beside half of the translates, and so it meets all of Z_u. Proof: docs/theorems.md, Theorem 9.
+// Let a circular m-change design be the development of c base blocks over Z_u, let t ≥ 2 and u ≥
+// 2t−1. There are 2t−1 carriers, m elements each; t of them, τ_i, …, τ_{i+t−1} modulo 2t−1, are
+// beside the blocks of the translates y_i, …, y_{i+1}−1, where y_i = ⌊iu/(2t−1)⌋. Before translate
+// y_i its first block is there with the carriers of before, so in one more block τ_{i−1} is
+// relieved by τ_{i+t−1}. That is a circular design on (u + m(2t−1), k + mt) with 2t−1 blocks more:
+// each carrier is beside half of the translates, and so it meets all of Z_u. Proof:
+// docs/theorems.md, Theorem 9.
 //
-// For m = 1 other constructions have fewer blocks; for m = 2 this serves odd v between the tight designs.
+// For m = 1 other constructions have fewer blocks; for m = 2 this serves odd v between the tight
+// designs.
 #include <fmt/format.h>
 
 #include <algorithm>

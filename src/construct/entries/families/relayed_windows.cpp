@@ -1,10 +1,11 @@
-// Minimum circular SCCD(v,k) for 2k+1 ≤ v ≤ 3k−3: 3v − 4k + 1 blocks, which no linear one goes below
-// either [docs/theorems.md, Theorems 5 and 8].
+// Minimum circular SCCD(v,k) for 2k+1 ≤ v ≤ 3k−3: 3v − 4k + 1 blocks, which no linear one goes
+// below either [docs/theorems.md, Theorems 5 and 8].
 //
-// K = k−1, w = v−2K−1, so 2 ≤ w ≤ K−1, and N = 2K+2−w. There are N *runners*, who stay once each and go round in
-// a circle, N, N+1, … being 0, 1, … again, and 2w−1 *carriers* t_0, t_1, …, indices modulo 2w−1, who stay twice. On one part
-// of the circle the block holds K+1 runners, and carriers visit; on the other w−1 carriers are there, who are relieved one by
-// one until each two of them have met. Runner i is element i, t_i is N+i.
+// K = k−1, w = v−2K−1, so 2 ≤ w ≤ K−1, and N = 2K+2−w. There are N *runners*, who stay once each
+// and go round in a circle, N, N+1, … being 0, 1, … again, and 2w−1 *carriers* t_0, t_1, …, indices
+// modulo 2w−1, who stay twice. On one part of the circle the block holds K+1 runners, and carriers
+// visit; on the other w−1 carriers are there, who are relieved one by one until each two of them
+// have met. Runner i is element i, t_i is N+i.
 #include <fmt/format.h>
 
 #include <memory>

@@ -1,5 +1,5 @@
-// One block that holds all elements: the only design with v = k. It counts as circular too, for it has no
-// step; [ChafeeStevens2025, Theorems 3 and 8] begin with such designs.
+// One block that holds all elements: the only design with v = k. It counts as circular too, for it
+// has no step; [ChafeeStevens2025, Theorems 3 and 8] begin with such designs.
 #include <fmt/format.h>
 
 #include <numeric>

@@ -1,10 +1,13 @@
-// The tight circular SCCD(2cK+1, k), K = k−1, in which r elements are left out and r others take their places in the window: a
-// circular SCCD(2cK+1−r, k) with c(2cK+1) − 2(c−1)r blocks, and a linear one with one block fewer [docs/theorems.md, Theorem 10].
+// The tight circular SCCD(2cK+1, k), K = k−1, in which r elements are left out and r others take
+// their places in the window: a circular SCCD(2cK+1−r, k) with c(2cK+1) − 2(c−1)r blocks, and a
+// linear one with one block fewer [docs/theorems.md, Theorem 10].
 //
-// With u = 2cK+1 and W_j = {j, …, j+K−1} over Z_u the tight design is W_j + (j+pK), p = c, …, 1, for j = 0, …, u−1. In place of d = 0,
-// …, r−1 write d + cK in the windows. That element is then in a window twice, far apart, and meets all others there, those of
-// the windows and those that visit them: it need visit no window itself. So each d saves c−1 visits, and its substitute as many.
-// The block W_{(c−1)K} + cK is needed for {(c−1)K, cK} only, and (c−1)K visits W_0, in which cK takes the place of 0.
+// With u = 2cK+1 and W_j = {j, …, j+K−1} over Z_u the tight design is W_j + (j+pK), p = c, …, 1,
+// for j = 0, …, u−1. In place of d = 0, …, r−1 write d + cK in the windows. That element is then in
+// a window twice, far apart, and meets all others there, those of the windows and those that visit
+// them: it need visit no window itself. So each d saves c−1 visits, and its substitute as many. The
+// block W_{(c−1)K} + cK is needed for {(c−1)K, cK} only, and (c−1)K visits W_0, in which cK takes
+// the place of 0.
 //
 // Element x is number x − r.
 #include <fmt/format.h>

@@ -1,7 +1,8 @@
-// A window slides over Z_u, u = 2c(k−1)+1, and is visited: single-change designs for every v between
-// two tight circular ones. With K = k−1 and W_j = {j, …, j+K−1} the tight circular SCCD(u,k) is
-// W_j + (j+pK) for p = c, …, 1 and all j. New elements x_1, …, x_w meet each other and 0, …, K at the start, and visit the
-// windows W_{1+K}, W_{1+2K}, …, W_{1+(2c−1)K}, which hold all others.
+// A window slides over Z_u, u = 2c(k−1)+1, and is visited: single-change designs for every v
+// between two tight circular ones. With K = k−1 and W_j = {j, …, j+K−1} the tight circular
+// SCCD(u,k) is W_j + (j+pK) for p = c, …, 1 and all j. New elements x_1, …, x_w meet each other and
+// 0, …, K at the start, and visit the windows W_{1+K}, W_{1+2K}, …, W_{1+(2c−1)K}, which hold all
+// others.
 //
 //   v = u + w, 1 ≤ w ≤ K      c·u + (2c+1)w − 1 blocks;
 //   v = u + w, K < w < 2K     w − K more: the x that do not fit go round among themselves;
@@ -10,7 +11,8 @@
 //
 // Those are linear. The first two become circular by one block more, W_0 + K.
 //
-// For c = 1 and w ≤ K, and for v = 3k−1, these are 3v − 4k + 1 blocks: minimum [docs/theorems.md, Theorem 6].
+// For c = 1 and w ≤ K, and for v = 3k−1, these are 3v − 4k + 1 blocks: minimum [docs/theorems.md,
+// Theorem 6].
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +30,8 @@
 namespace changeover::visited_windows_entry {
 namespace {
 
-// Appends the steps from one window to the next: `out` leaves for the first visitor, each visitor for the next.
+// Appends the steps from one window to the next: `out` leaves for the first visitor, each visitor
+// for the next.
 void visit(std::uint64_t& out, std::uint64_t visitor, std::vector<Swap>& swaps) {
   swaps.push_back({.leaves = out, .enters = visitor});
   out = visitor;
@@ -87,8 +90,8 @@ class Windows final : public SwapPlan {
     for (std::uint64_t i = 1; i < first_; ++i) {
       swaps.push_back({.leaves = i + 1, .enters = x(i + 1)});
     }
-    // If there are more than K, then hold x_1, …, x_{K−d−1} and let the other 2d+1 go round in d+1 places:
-    // every two of them meet. It ends with x_1, …, x_{K−1} and x_w inside.
+    // If there are more than K, then hold x_1, …, x_{K−d−1} and let the other 2d+1 go round in d+1
+    // places: every two of them meet. It ends with x_1, …, x_{K−1} and x_w inside.
     const std::uint64_t d = w_ - first_;
     const std::uint64_t ring = 2 * d + 1;
     const auto in_ring = [&](std::uint64_t i) { return x(big_ - d + i % ring); };

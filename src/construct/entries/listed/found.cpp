@@ -1,6 +1,7 @@
-// Designs that are written down: what searches found and no other construction gives, and what the user has added. They are in the
-// catalog, and a recipe names one by its label, which has the checksum of its blocks in it, so it stays what it is whatever is found
-// later. A recipe of an older program carries the blocks as its input.
+// Designs that are written down: what searches found and no other construction gives, and what the
+// user has added. They are in the catalog, and a recipe names one by its label, which has the
+// checksum of its blocks in it, so it stays what it is whatever is found later. A recipe of an
+// older program carries the blocks as its input.
 #include <fmt/format.h>
 
 #include <utility>
@@ -17,8 +18,9 @@
 namespace changeover::found_entry {
 namespace {
 
-// Of a valid design: whether it covers each pair, or what its strength says, newly, once. No two elements are in every block of a
-// circular design that comes with the program, which the tests see to.
+// Of a valid design: whether it covers each pair, or what its strength says, newly, once. No two
+// elements are in every block of a circular design that comes with the program, which the tests see
+// to.
 bool is_tight(const Parameters& p, std::uint64_t b) {
   const std::uint64_t first = p.kind == Kind::linear ? binomial(p.k, p.strength) : 0;
   const std::uint64_t later = p.kind == Kind::linear ? b - 1 : b;

@@ -1,9 +1,12 @@
 // Which columns of a parts list say what, and whether its first row is a header.
 //
-// A first row that could be either is refused, so that no header becomes a part and no part is lost:
-//   - two columns: the first row is a header if its second field is no number and another row's is, or if
-//     none has a number but the first row has a word of headers (name, part, sample, price, …);
-//   - one column: with such a word, unless it is of another kind than all other rows, which is refused;
+// A first row that could be either is refused, so that no header becomes a part and no part is
+// lost:
+//   - two columns: the first row is a header if its second field is no number and another row's is,
+//     or if none has a number but the first row has a word of headers (name, part, sample, price,
+//     …);
+//   - one column: with such a word, unless it is of another kind than all other rows, which is
+//     refused;
 //   - more columns need a header.
 // Rows of one field above a header of several, as a title is, say nothing; nor does a last row
 // `Total` with the sum of the costs.

@@ -299,7 +299,8 @@ class Annealer {
     return s_->is_movable(x) && x != kept ? std::optional(x) : std::nullopt;
   }
 
-  // A movable part of a set-up other than `kept` that could leave for y: of its slot, if that is full.
+  // A movable part of a set-up other than `kept` that could leave for y: of its slot, if that is
+  // full.
   std::optional<Element> someone_for(std::size_t at, Element y, std::optional<Element> kept) {
     if (!s_->slot_full(at, y)) {
       return some_part(at, kept);

@@ -3,13 +3,14 @@
 //     energy = cost + penalty · (uncovered needed pairs)
 // and under a budget
 //     energy = cost/4 + 4 · max(0, cost − budget) + penalty · (uncovered needed pairs).
-// Without a budget, temperature and penalty are measured by what a covered pair costs in the list as it is now, so one
-// schedule suits all jobs. The temperature falls geometrically; in the second half the penalty rises whenever more pairs
-// are uncovered than the schedule has for this moment, none in the end. Under a budget the penalty is fixed and the temperature falls
-// with the third power of what is left.
-// Most moves look at one step: what it puts in comes one set-up earlier or later in exchange for what it takes out, which
-// stays as long. Others put any part, or one of an uncovered pair, in the place of another, in one set-up or in
-// a stretch; mount or take out a part; take out a set-up, or insert one like that beside it; reverse a stretch, or move one.
+// Without a budget, temperature and penalty are measured by what a covered pair costs in the list
+// as it is now, so one schedule suits all jobs. The temperature falls geometrically; in the second
+// half the penalty rises whenever more pairs are uncovered than the schedule has for this moment,
+// none in the end. Under a budget the penalty is fixed and the temperature falls with the third
+// power of what is left. Most moves look at one step: what it puts in comes one set-up earlier or
+// later in exchange for what it takes out, which stays as long. Others put any part, or one of an
+// uncovered pair, in the place of another, in one set-up or in a stretch; mount or take out a part;
+// take out a set-up, or insert one like that beside it; reverse a stretch, or move one.
 // Deterministic: integers, and floating point with + − × ÷ and comparisons only.
 #pragma once
 
@@ -29,7 +30,8 @@ struct Annealing {
   std::uint64_t steps = 0;
   double hot = 0.8;  ///< first and last temperature, in about three times what a covered pair costs
   double cold = 0.03;
-  /// Of an uncovered pair, under a budget; this and the temperatures are then in the unit of the weights.
+  /// Of an uncovered pair, under a budget; this and the temperatures are then in the unit of the
+  /// weights.
   double penalty = 0;
   /// The schedule ends when this time is up, even if steps are left.
   std::optional<std::chrono::duration<double>> time = {};
@@ -38,8 +40,8 @@ struct Annealing {
   std::string phase = {};      ///< for progress
 };
 
-/// The best that an annealing met: all pairs covered, at the least cost; or within the budget, the most
-/// pairs, and at the least cost among these.
+/// The best that an annealing met: all pairs covered, at the least cost; or within the budget, the
+/// most pairs, and at the least cost among these.
 struct AnnealedPlan {
   std::optional<std::vector<Block>> setups;
   std::int64_t cost = 0;  ///< in weights
@@ -51,12 +53,13 @@ struct AnnealedPlan {
 AnnealedPlan anneal(Sequence& sequence, const Annealing& options, Random& random,
                     RunControl& control);
 
-/// Covers what is uncovered by set-ups where they cost least, then takes away what is not needed. False,
-/// with pairs uncovered, if the control says stop before that is done. O(tests · at_once²) a pair.
+/// Covers what is uncovered by set-ups where they cost least, then takes away what is not needed.
+/// False, with pairs uncovered, if the control says stop before that is done. O(tests · at_once²) a
+/// pair.
 bool repair(Sequence& sequence, RunControl& control);
 
-/// Takes away set-ups, and parts from whole runs of set-ups, while this leaves no pair uncovered that was
-/// covered and costs no more, or until the control says stop.
+/// Takes away set-ups, and parts from whole runs of set-ups, while this leaves no pair uncovered
+/// that was covered and costs no more, or until the control says stop.
 void prune(Sequence& sequence, RunControl& control);
 
 }  // namespace changeover

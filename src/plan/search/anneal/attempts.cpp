@@ -12,7 +12,8 @@
 namespace changeover {
 namespace {
 
-// How attempts differ in their temperatures. Hot ones forget where they started; the last one does not.
+// How attempts differ in their temperatures. Hot ones forget where they started; the last one does
+// not.
 struct Style {
   double hot;
   double cold;
@@ -20,8 +21,8 @@ struct Style {
 constexpr std::array<Style, 4> styles{{{0.8, 0.03}, {0.4, 0.05}, {0.6, 0.03}, {0.5, 0.04}}};
 constexpr Style warm{0.16, 0.03};
 
-// Under a budget: the penalty of an uncovered pair as a multiple of what a pair costs in the best list, and the
-// temperatures as multiples of the penalty.
+// Under a budget: the penalty of an uncovered pair as a multiple of what a pair costs in the best
+// list, and the temperatures as multiples of the penalty.
 struct BudgetStyle {
   double penalty;
   double hot;
@@ -137,7 +138,8 @@ Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>
       return;
     }
     const auto time = time_for(*control_, i, attempts);
-    // Too few moves for each place to make up for forgetting a good list, or a good one from the rounds before.
+    // Too few moves for each place to make up for forgetting a good list, or a good one from the
+    // rounds before.
     constexpr std::uint64_t few = 100;
     const std::uint64_t moves = time ? std::min(steps, steps_until(*time)) : steps;
     const bool stay_near = moves / few < best.tests() * job_->room() ||

@@ -9,8 +9,8 @@
 namespace changeover {
 namespace {
 
-// The set-up nearest to `beside` that holds x and y: what they must not meet goes, and where there is no
-// room those with the fewest uncovered pairs, which is taken to be those at the end.
+// The set-up nearest to `beside` that holds x and y: what they must not meet goes, and where there
+// is no room those with the fewest uncovered pairs, which is taken to be those at the end.
 std::optional<Block> with_pair(const Sequence& s, std::span<const Element> beside, Element x,
                                Element y) {
   const Job& job = s.job();

@@ -1,9 +1,10 @@
-// The state of the search for cheap lists of set-ups: a list, its cost and what it leaves uncovered,
-// kept up to date under every move.
+// The state of the search for cheap lists of set-ups: a list, its cost and what it leaves
+// uncovered, kept up to date under every move.
 //
-// The frequent moves can be looked at before they are made: rise_of_replace(), rise_of_take_out() and the like say
-// what they would add to cost() and to uncovered(), in O(at_once) and O(at_once²). The others are made at once and
-// can be taken back by their inverse. A move on a stretch of L set-ups costs O(L·at_once).
+// The frequent moves can be looked at before they are made: rise_of_replace(), rise_of_take_out()
+// and the like say what they would add to cost() and to uncovered(), in O(at_once) and O(at_once²).
+// The others are made at once and can be taken back by their inverse. A move on a stretch of L
+// set-ups costs O(L·at_once).
 #pragma once
 
 #include <cstdint>
@@ -23,9 +24,9 @@ struct Weights {
   std::vector<std::uint64_t> change;  ///< by part
   std::uint64_t unit = 1;             ///< how many millionths a weight of 1 stands for
 
-  /// The true costs in millionths; a change that costs nothing weighs one millionth, so that no search
-  /// wanders among lists of many changes. If `tests` tests could overflow, a larger unit is taken and the
-  /// weights are rounded up: no list weighs less than it costs.
+  /// The true costs in millionths; a change that costs nothing weighs one millionth, so that no
+  /// search wanders among lists of many changes. If `tests` tests could overflow, a larger unit is
+  /// taken and the weights are rounded up: no list weighs less than it costs.
   static Weights of(const Job& job, std::uint64_t tests);
 };
 
@@ -57,7 +58,8 @@ class Sequence {
   [[nodiscard]] const Job& job() const { return *job_; }
   [[nodiscard]] const Weights& weights() const { return weights_; }
 
-  /// Parts that a search may move: not mounted for good, and with a needed pair or of a slot that needs some.
+  /// Parts that a search may move: not mounted for good, and with a needed pair or of a slot that
+  /// needs some.
   [[nodiscard]] const std::vector<Element>& movable() const { return movable_; }
   [[nodiscard]] bool is_movable(Element x) const { return is_movable_[x]; }
   /// Uncovered needed pair number `index`, index < uncovered().
@@ -82,8 +84,9 @@ class Sequence {
   }
   [[nodiscard]] const Fitting& fitting() const { return fitting_; }
 
-  /// Of the movable parts that position `in` has and `without` lacks, number `choice` modulo how many there are; nothing
-  /// if there is none. Position size() stands for what is on the bench at the start.
+  /// Of the movable parts that position `in` has and `without` lacks, number `choice` modulo how
+  /// many there are; nothing if there is none. Position size() stands for what is on the bench at
+  /// the start.
   [[nodiscard]] std::optional<Element> some_difference(std::size_t in, std::size_t without,
                                                        std::uint32_t choice) const;
 
@@ -92,8 +95,8 @@ class Sequence {
   /// Makes it; `rise` is what rise_of_replace() says.
   void replace(std::size_t at, Element x, Element y, const Rise& rise);
 
-  /// Exchanges x and y in a stretch whose set-ups hold exactly one of them, where may_join() allows it. Its
-  /// own inverse.
+  /// Exchanges x and y in a stretch whose set-ups hold exactly one of them, where may_join() allows
+  /// it. Its own inverse.
   void exchange(Stretch where, Element x, Element y);
   /// Adds y to set-ups that have room for it and lack it; the inverse of remove().
   void add(Stretch where, Element y);
@@ -101,10 +104,12 @@ class Sequence {
   [[nodiscard]] Rise rise_of_take_out(std::size_t at) const;
   /// What a copy of a set-up, right after it, with y for x or, if y is x, as it is, would add.
   [[nodiscard]] Rise rise_of_copy(std::size_t at, Element x, Element y) const;
-  /// Takes out a set-up and returns a handle by which put_back() inserts it again, before position `at`.
+  /// Takes out a set-up and returns a handle by which put_back() inserts it again, before position
+  /// `at`.
   [[nodiscard]] std::uint32_t take_out(std::size_t at);
   void put_back(std::size_t at, std::uint32_t handle);
-  /// A new set-up before position `at`; forget() frees the handle of one that was taken out for good.
+  /// A new set-up before position `at`; forget() frees the handle of one that was taken out for
+  /// good.
   void insert(std::size_t at, std::span<const Element> setup);
   void forget(std::uint32_t handle) { free_.push_back(handle); }
   /// Reverses a stretch; its own inverse.

@@ -156,7 +156,8 @@ class DegreeCosts {
   std::vector<Offer> offers_;
 };
 
-// (7): parts of which every two must meet, as many as come together by taking those with most pairs first.
+// (7): parts of which every two must meet, as many as come together by taking those with most pairs
+// first.
 std::vector<Element> all_meeting(const Job& job, const JobNumbers& n) {
   if (n.pairs == choose_two(n.parts.size())) {
     return n.parts;

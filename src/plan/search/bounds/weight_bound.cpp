@@ -59,8 +59,8 @@ class Introductions {
   std::vector<Row> rows_;  // the cheapest first
 };
 
-// The most pairs if the introductions of each step are put in an order: each part then meets at most those that were there
-// before it.
+// The most pairs if the introductions of each step are put in an order: each part then meets at
+// most those that were there before it.
 std::uint64_t most_one_by_one(std::uint64_t room, std::uint64_t at_start,
                               std::uint64_t introductions) {
   std::uint64_t pairs = choose_two(at_start);

@@ -1,14 +1,17 @@
-// The state of the search for lists of set-ups on one bench or several, in which pairs or triples of parts have to meet:
-// the lists, what each costs, and the weight of what has not met, kept up to date under every move.
+// The state of the search for lists of set-ups on one bench or several, in which pairs or triples
+// of parts have to meet: the lists, what each costs, and the weight of what has not met, kept up to
+// date under every move.
 //
 // Benches may differ in costs, room, slots and what is mounted; where parts are scarce or benches
 // rest, a clock says when all is done. It is asked after every move, which takes O(tests) then.
 //
-// If costs ask what is replaced, a step that changes j parts takes O(j³) to price.
-// Where all pairs of one list have the same weight and they do not, plan/search/anneal/sequence.hpp does the same in less time.
+// If costs ask what is replaced, a step that changes j parts takes O(j³) to price. Where all pairs
+// of one list have the same weight and they do not, plan/search/anneal/sequence.hpp does the same
+// in less time.
 //
-// Moves are noted as they are made: keep() forgets the notes, undo() takes back all moves since. A part that comes or goes
-// costs O(room) for pairs and O(room²) for triples; moving a set-up as a whole costs O(room).
+// Moves are noted as they are made: keep() forgets the notes, undo() takes back all moves since. A
+// part that comes or goes costs O(room) for pairs and O(room²) for triples; moving a set-up as a
+// whole costs O(room).
 #pragma once
 
 #include <array>
@@ -69,8 +72,9 @@ struct ListsJob {
 
 class Lists {
  public:
-  /// Set-ups that break no constraint but may leave something unmet. Every bench begins with what the job has at its
-  /// start. The job must outlive this. @throws Stopped if the scope of this thread (run/control.hpp) wants to stop.
+  /// Set-ups that break no constraint but may leave something unmet. Every bench begins with what
+  /// the job has at its start. The job must outlive this. @throws Stopped if the scope of this
+  /// thread (run/control.hpp) wants to stop.
   Lists(const ListsJob& job, const BenchLists& lists);
   /// On benches that are alike.
   Lists(const Job& job, const Weights& weights, const BenchLists& lists)

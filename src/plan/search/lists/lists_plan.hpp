@@ -9,14 +9,15 @@
 
 namespace changeover {
 
-/// Complete lists to begin with. Those that are sure are made at once, also if the control says stop; there is one at least.
+/// Complete lists to begin with. Those that are sure are made at once, also if the control says
+/// stop; there is one at least.
 struct FirstLists {
   std::function<std::vector<Start>()> sure;
   std::function<std::vector<Start>()> more = {};
 };
 
-/// make_run_plan() for a job without first set-ups and without defects: these lists, the rest of a list under way, and a local
-/// search that starts from the best of them.
+/// make_run_plan() for a job without first set-ups and without defects: these lists, the rest of a
+/// list under way, and a local search that starts from the best of them.
 [[nodiscard]] RunPlan plan_by_lists(const Job& job, const PlanOptions& options, RunControl& control,
                                     const FirstLists& first);
 

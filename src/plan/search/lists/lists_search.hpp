@@ -1,5 +1,6 @@
-// Simulated annealing over lists of set-ups on one bench or several (lists.hpp), for what plan/search/anneal/anneal.hpp does not
-// search: several benches, pairs of different weights, triples.
+// Simulated annealing over lists of set-ups on one bench or several (lists.hpp), for what
+// plan/search/anneal/anneal.hpp does not search: several benches, pairs of different weights,
+// triples.
 //
 //     energy = what the aim counts + penalty · (weight of what has not met)
 // where the aim counts, of the costs c_1, …, c_N of the benches with sum C, or when they end, and
@@ -34,8 +35,9 @@ struct ListsSearch {
   std::uint64_t everything = 0;  ///< the weight of all that has to meet; search_lists() finds out
 };
 
-/// The best that was met, and the moves that it took. Attempt i begins with starts[i mod their number]. At least one start
-/// has to be valid: everything met, or within the budget; the result is no worse than any that is.
+/// The best that was met, and the moves that it took. Attempt i begins with starts[i mod their
+/// number]. At least one start has to be valid: everything met, or within the budget; the result is
+/// no worse than any that is.
 struct FoundLists {
   BenchLists lists;
   std::uint64_t steps = 0;
@@ -43,11 +45,12 @@ struct FoundLists {
 [[nodiscard]] FoundLists search_lists(const ListsJob& job, const std::vector<BenchLists>& starts,
                                       const ListsSearch& options, RunControl& control);
 
-/// Inserts set-ups until everything has met, each where it costs least for what it brings. False if the control says
-/// stop before.
+/// Inserts set-ups until everything has met, each where it costs least for what it brings. False if
+/// the control says stop before.
 bool complete(Lists& lists, RunControl& control);
 
-/// Takes away set-ups, and parts from whole runs of set-ups, while nothing more is missing and no bench costs more.
+/// Takes away set-ups, and parts from whole runs of set-ups, while nothing more is missing and no
+/// bench costs more.
 void prune(Lists& lists, RunControl& control);
 
 }  // namespace changeover

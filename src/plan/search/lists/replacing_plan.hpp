@@ -5,9 +5,9 @@
 
 namespace changeover {
 
-/// make_run_plan() for a job with replace_costs, without first set-ups and without defects: what the search for ordinary jobs finds
-/// at the mean price of each part, and a search among lists under the true costs from there. @throws BadInput for a job that weighs
-/// its pairs.
+/// make_run_plan() for a job with replace_costs, without first set-ups and without defects: what
+/// the search for ordinary jobs finds at the mean price of each part, and a search among lists
+/// under the true costs from there. @throws BadInput for a job that weighs its pairs.
 [[nodiscard]] RunPlan plan_for_replacing(const Job& job, const PlanOptions& options,
                                          RunControl& control);
 

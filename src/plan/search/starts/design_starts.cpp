@@ -55,8 +55,8 @@ std::vector<Block> as_setups(const Job& job, const std::vector<Element>& parts,
   const auto on_bench = [&](Element part) {
     return std::find(job.start.begin(), job.start.end(), part) != job.start.end();
   };
-  // Pairs an order of the elements with an order of the parts: first those on the bench with those of
-  // the first block, then the rest, seldom with dear.
+  // Pairs an order of the elements with an order of the parts: first those on the bench with those
+  // of the first block, then the rest, seldom with dear.
   std::vector<Element> elements(v);
   std::iota(elements.begin(), elements.end(), Element{0});
   std::stable_sort(elements.begin(), elements.end(),

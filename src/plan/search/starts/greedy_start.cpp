@@ -167,7 +167,8 @@ class Greedy {
     return std::min<std::uint64_t>(room_ - std::min<std::uint64_t>(room_, size), more);
   }
 
-  // What is kept when room for j more is wanted: the mounted parts and those with most left to meet.
+  // What is kept when room for j more is wanted: the mounted parts and those with most left to
+  // meet.
   [[nodiscard]] Block kept(std::uint64_t j) {
     Block candidates = bench_;
     std::stable_sort(candidates.begin(), candidates.end(),
@@ -193,8 +194,8 @@ class Greedy {
     }
   }
 
-  // Adds parts while there is room, always the one that meets most, and what the slots lack; returns the pairs
-  // tested, none if the slots cannot be filled.
+  // Adds parts while there is room, always the one that meets most, and what the slots lack;
+  // returns the pairs tested, none if the slots cannot be filled.
   std::uint64_t fill(Block& setup) {
     const std::uint64_t pairs = fill_up(setup);
     if (lacking_ == 0) {
@@ -259,8 +260,8 @@ class Greedy {
     return total;
   }
 
-  // The step with most new pairs for its cost; empty if those that are looked at have none, or if it is
-  // to stop.
+  // The step with most new pairs for its cost; empty if those that are looked at have none, or if
+  // it is to stop.
   [[nodiscard]] Block best_step() {
     // Prices ask for a closer look, as long as that is short.
     constexpr std::size_t few_parts = 300;
@@ -299,7 +300,8 @@ class Greedy {
       throw InternalError("a pair that can meet, for the job was checked, is in no set-up");
     }
     Block setup = *std::move(whole);
-    // Where one part more fits, set-ups are many; to look at all parts for each of them takes too long for who wants to stop.
+    // Where one part more fits, set-ups are many; to look at all parts for each of them takes too
+    // long for who wants to stop.
     count_slots(setup);
     if (in_haste && most_more(setup.size()) == 1) {
       add_open_partners(setup, other);
@@ -309,8 +311,8 @@ class Greedy {
     return setup;
   }
 
-  // Adds parts that the first open part has yet to meet while there is room, such as the last one has yet to meet
-  // too as long as there are any. O(parts), and in the mean far less.
+  // Adds parts that the first open part has yet to meet while there is room, such as the last one
+  // has yet to meet too as long as there are any. O(parts), and in the mean far less.
   void add_open_partners(Block& setup, Element last) {
     const std::uint8_t* const row = missing_with(first_open_);
     for (const bool both : {true, false}) {

@@ -18,7 +18,8 @@ std::uint64_t distance(const Weights& weights, const Block& from, const Block& t
   return weight;
 }
 
-// Puts the set-up nearest to the one before next, over and over, until all are placed or it is to stop.
+// Puts the set-up nearest to the one before next, over and over, until all are placed or it is to
+// stop.
 void nearest_next(const Job& job, const Weights& weights, std::vector<Block>& setups,
                   RunControl& control) {
   Block before = job.start;
