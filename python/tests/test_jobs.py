@@ -707,9 +707,9 @@ class Diagnoses(unittest.TestCase):
 class Signals(unittest.TestCase):
     """Ctrl-C ends each call, also where Python runs no code of its own."""
 
-    def interrupt(self, call):
+    def interrupt(self, call, after=0.3):
         before = signal.signal(signal.SIGALRM, signal.default_int_handler)
-        signal.setitimer(signal.ITIMER_REAL, 0.3)
+        signal.setitimer(signal.ITIMER_REAL, after)
         try:
             with self.assertRaises(KeyboardInterrupt):
                 call()
@@ -728,9 +728,10 @@ class Signals(unittest.TestCase):
         self.interrupt(lambda: sheet.diagnose(itertools.repeat(([1, 2], True))))
 
     def test_they_end_a_diagnosis_and_what_was_found_of_ratios_is_kept(self):
-        # A test of two hundred parts failed: what to test next is chosen among thousands of sets, for twenty thousand suspects.
-        sheet = changeover.plan(400, 200, test_cost=1, change_cost=1, time=0)
-        self.interrupt(lambda: sheet.diagnose([False]))
+        # A test of five hundred parts failed. What to test next is chosen for 124,750 suspects,
+        # which takes ten times as long as the signal waits.
+        sheet = changeover.plan(1000, 500, test_cost=1, change_cost=1, time=0)
+        self.interrupt(lambda: sheet.diagnose([False]), after=0.1)
         before = signal.signal(signal.SIGALRM, signal.default_int_handler)
         signal.setitimer(signal.ITIMER_REAL, 0.3)
         try:
