@@ -108,7 +108,7 @@ Table compared(const SheetDocument& document) {
                    {"changes", number_column},
                    {"cost", cost_column},
                    {what_meets(job), number_column},
-                   {"dearer by", number_column},
+                   {"extra cost", number_column},
                    {"how", remark}},
                   std::move(rows));
 }

@@ -68,7 +68,7 @@ class Money {
 /// The parts of a set-up but those that stay mounted, which are said once.
 [[nodiscard]] Block without_mounted(const Job& job, const Block& setup);
 
-/// How much dearer a candidate is than the first: "+1 (0.9 %)"; empty for the first and under a
+/// How much more a candidate costs than the first: "+1 (0.9 %)"; empty for the first and under a
 /// budget.
 [[nodiscard]] std::string difference(const SheetDocument& document, const Candidate& candidate);
 
