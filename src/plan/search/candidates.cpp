@@ -122,6 +122,18 @@ Candidate affordable(const Job& job, const Candidate& plan, Amount budget) {
   return counted(job, part);
 }
 
+void check_within(const std::vector<Candidate>& plans, Amount budget,
+                  std::optional<Amount> most_weight) {
+  for (const Candidate& plan : plans) {
+    if (plan.cost > budget) {
+      throw InternalError(plan.name + " exceeds the budget");
+    }
+    if (most_weight && plan.weight > *most_weight) {
+      throw InternalError(plan.name + " tests more weight than can be");
+    }
+  }
+}
+
 void keep_what_there_is(RunPlan& plan, const std::function<void()>& work) {
   try {
     work();

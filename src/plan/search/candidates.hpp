@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "changeover/plan/run_plan.hpp"
@@ -29,6 +30,10 @@ namespace changeover {
 
 /// The longest beginning of a plan that is within the budget.
 [[nodiscard]] Candidate affordable(const Job& job, const Candidate& plan, Amount budget);
+
+/// @throws InternalError if a plan costs more than the budget, or tests more than can be.
+void check_within(const std::vector<Candidate>& plans, Amount budget,
+                  std::optional<Amount> most_weight);
 
 /// Does what may go on for long, or want more than there is: what the plan has by then stays, and
 /// it says what was missing.

@@ -1,24 +1,14 @@
 #include "changeover/plan/run_plan.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <tuple>
-#include <utility>
+#include <array>
 
-#include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/run/control.hpp"
-#include "changeover/verify/verdict.hpp"
-#include "core/words.hpp"
 #include "plan/job/check_in_full.hpp"
-#include "plan/search/anneal/attempts.hpp"
-#include "plan/search/candidates.hpp"
 #include "plan/search/choices/choice_plan.hpp"
-#include "plan/search/exact_plan.hpp"
 #include "plan/search/first_plan.hpp"
 #include "plan/search/lists/replacing_plan.hpp"
-#include "plan/search/starts/starts.hpp"
+#include "plan/search/pairs_plan.hpp"
 #include "plan/search/triple_plan.hpp"
 #include "plan/search/valid_job.hpp"
 #include "plan/search/weighted.hpp"
@@ -26,300 +16,39 @@
 namespace changeover {
 namespace {
 
-class Planner {
- public:
-  Planner(const Job& job, const PlanOptions& options, RunControl& control)
-      : job_(&job), options_(&options), control_(&control) {}
+enum class Fewest { cost, cost_or_tests };
 
-  RunPlan run() {
-    const RunScope scope(*control_);
-    RunPlan plan;
-    plan.bound = bound_of_valid_job(*job_);
-    if (options_->budget && !job_->weights.empty()) {  // Before time is up.
-      most_weight_ = most_weight_within(*job_, *options_->budget);
-    }
-    require_memory(bytes_of_plans(plan.bound.tests),
-                   fmt::format("a plan of {} tests", plan.bound.tests));
-    if (job_->needed.size() == 0) {
-      plan.candidates.push_back(counted(*job_, {"no test", "nothing is left to test", {}}));
-    } else {
-      find_complete(plan);
-    }
-    if (options_->budget) {
-      find_affordable(plan);
-    }
-    std::stable_sort(plan.candidates.begin(), plan.candidates.end(),
-                     within_budget_ ? tests_more : cheaper);
-    drop_repeated(plan.candidates);
-    if (!job_->weights.empty() && !within_budget_) {
-      keep_what_there_is(plan, [&] { put_heavy_first(plan.candidates.front()); });
-    }
-    settle(*job_, plan, *control_);
-    return plan;
-  }
+// A way to plan jobs without defects.
+struct Strategy {
+  bool (*serves)(const Job&);
+  Fewest fewest;  // what it can look for
+  RunPlan (*plan)(const Job&, const PlanOptions&, RunControl&);
+};
 
- private:
-  // Candidates and sheets of so many tests, about.
-  [[nodiscard]] std::uint64_t bytes_of_plans(std::uint64_t tests) const {
-    constexpr std::uint64_t a_test = 500;
-    constexpr std::uint64_t a_part = 40;
-    constexpr std::uint64_t a_pair = 16;
-    return tests * (a_test + a_part * (job_->mounted.size() + 2)) +
-           a_pair * job_->parts() * job_->parts();
-  }
-
-  // The slots, counts and copies of all local searches, about.
-  [[nodiscard]] std::uint64_t bytes_of_search(const Candidate& like) const {
-    constexpr std::uint64_t a_test = 300;
-    constexpr std::uint64_t a_part = 12;
-    constexpr std::uint64_t a_pair = 12;
-    const std::uint64_t searches = std::min<std::uint64_t>(control_->threads(), options_->attempts);
-    return searches * (like.tests() * (a_test + a_part * job_->room() + job_->parts() / 8) +
-                       a_pair * job_->parts() * job_->parts());
-  }
-
-  void find_complete(RunPlan& plan) {
-    add(plan, greedy_start(*job_, *control_));
-    add_rest(plan);
-    keep_what_there_is(plan, [&] { search(plan); });
-  }
-
-  // The set-ups of the plan under way that break no constraint, as they are if they do the job, and
-  // with what they lack and without what is too much.
-  void add_rest(RunPlan& plan) const {
-    const std::vector<Block> rest = sound_rest(*job_, *options_);
-    if (rest.empty()) {
-      return;
-    }
-    if (run_sheet(*job_, rest).does_the_job()) {
-      add(plan,
-          {"rest of the sheet", "the tests of the sheet that are not done, as they are", rest});
-    }
-    keep_what_there_is(plan, [&] {
-      Sequence sequence(*job_, Weights::of(*job_, rest.size() + job_->needed.size()), rest);
-      if (repair(sequence, *control_)) {
-        add(plan, {"rest of the sheet, mended", "with what it lacked, without what is not needed",
-                   sequence.setups()});
-      }
-    });
-  }
-
-  void add(RunPlan& plan, const Start& start) const {
-    std::vector<Candidate>& all = plan.candidates;
-    try {
-      all.push_back(counted_complete(*job_, start));
-    } catch (const ImpossibleParameters&) {
-      if (all.empty()) {
-        throw;
-      }
-      return;  // It costs more than can be counted, and others do not.
-    }
-    if (all.back().cost < plan.bound.cost) {
-      throw InternalError(fmt::format("{} costs less than the lower bound", start.name));
-    }
-  }
-
-  void search(RunPlan& plan) {
-    std::vector<Candidate>& all = plan.candidates;
-    add_designs(plan);
-    const auto best = [&]() -> const Candidate& {
-      return *std::min_element(all.begin(), all.end(), cheaper);
-    };
-    require_memory(bytes_of_search(best()),
-                   fmt::format("searching among lists of {} tests", best().tests()));
-    Attempts attempts(*job_, plan.bound, *control_);
-    std::uint64_t steps = options_->steps == 0 ? attempts.suitable_steps(best()) : options_->steps;
-    keep_what_there_is(plan, [&] {
-      if (!control_->stop_wanted() && best().tests() > 1) {
-        const auto fewest = std::min_element(
-            all.begin(), all.end(),
-            [](const Candidate& a, const Candidate& b) { return a.tests() < b.tests(); });
-        const auto covering =
-            attempts.covering(*fewest, options_->steps == 0 ? steps / 8 : steps / 4);
-        if (covering) {
-          add(plan, *covering);
-        }
-      }
-      // Longer and longer searches, each from the best so far, as long as that helps or is wished.
-      unsigned idle = 0;  // rounds without anything better, one after another
-      for (unsigned round = 0; best().cost > plan.bound.cost && !control_->stop_wanted(); ++round) {
-        const Amount before = best().cost;
-        const Round next = round_of(attempts, steps, attempts.are_short(best()));
-        add(plan, attempts.cheaper_than(best(), next_best(all), next.steps, next.attempts, round));
-        if (round == 0 && best().cost > plan.bound.cost && options_->states > 0 &&
-            is_small(*job_)) {
-          look_at_all(plan, best().cost);
-        }
-        const bool many = attempts.are_short(best());
-        idle = best().cost == before ? idle + 1 : 0;
-        if (!options_->until_stopped && enough(plan, best().cost, round, idle, many)) {
-          break;
-        }
-        constexpr std::uint64_t longest = std::uint64_t{1} << 60;
-        steps = std::min(longest, many ? steps + steps / 4 : 3 * steps);
-      }
-    });
-    plan.steps += attempts.steps();
-  }
-
-  // Designs have an eighth of the time: other lists need it more.
-  void add_designs(RunPlan& plan) const {
-    constexpr double share = 0.125;
-    const auto left = control_->time_left();
-    std::optional<RunControl> part;
-    if (left) {
-      part.emplace(*control_, *left * share);
-    }
-    for (const Start& start :
-         design_starts(*job_, options_->design_moves, part ? *part : *control_)) {
-      add(plan, start);
-    }
-  }
-
-  struct Round {
-    std::uint64_t steps = 0;
-    unsigned attempts = 0;
-  };
-
-  // The next round of so many steps; if there is a time to use and not much would be left after it,
-  // one that uses it up. Few long annealings find more than many short ones where lists are long.
-  [[nodiscard]] Round round_of(const Attempts& attempts, std::uint64_t steps, bool many) const {
-    if (options_->steps != 0) {
-      return {steps, options_->attempts};
-    }
-    const auto left = control_->time_left();
-    if (!options_->until_stopped || !left) {
-      constexpr unsigned usual = 2;
-      return {steps, std::min(usual, options_->attempts)};
-    }
-    const unsigned each_thread_one = std::min(control_->threads(), options_->attempts);
-    const std::uint64_t all = attempts.steps_until(*left);
-    const std::uint64_t much = many ? 2 : 8;
-    // The clock ends a schedule of more steps than there will be.
-    return {all / much < steps ? 4 * all : steps, each_thread_one};
-  }
-
-  // Whether a search without a given time has gone on for long enough.
-  [[nodiscard]] bool enough(const RunPlan& plan, Amount now, unsigned round, unsigned idle,
-                            bool many) const {
-    constexpr std::uint64_t small_gap = 100;  // one in so many
-    constexpr std::uint64_t large_gap = 20;
-    const unsigned most_rounds = many ? 8 : 3;
-    const unsigned least = many ? 4 : 1;  // rounds that are made in any case
-    const std::uint64_t gap = (now - plan.bound.cost).millionths;
-    // One fruitless round says little of a short list; all lists of a small job are looked at
-    // anyway.
-    const bool patient = many && gap > plan.bound.cost.millionths / large_gap && !is_small(*job_);
-    return options_->steps != 0 || round + 1 >= most_rounds ||
-           (round >= least && idle >= (patient ? 3U : 1U)) ||
-           gap < plan.bound.cost.millionths / small_gap;
-  }
-
-  // A small job is done: its cheapest list is found, or the best so far is proved to be one. Where
-  // that takes too long, the bound is better.
-  void look_at_all(RunPlan& plan, Amount best) const {
-    constexpr std::uint64_t bytes_a_state = 128;
-    require_memory(options_->states * bytes_a_state, "looking at all lists of a small job");
-    ExactPlan exact = exact_plan(*job_, best, options_->states, *control_);
-    if (auto found = take_exact(plan, std::move(exact))) {
-      add(plan, *std::move(found));
-    }
-  }
-
-  // Heavy pairs early, without costing more.
-  void put_heavy_first(Candidate& candidate) const {
-    Start early{candidate.name, candidate.how + ", heavy pairs early",
-                heavy_first(*job_, candidate.setups, *control_)};
-    if (early.setups == candidate.setups) {
-      return;
-    }
-    Candidate other = counted_complete(*job_, early);
-    if (other.cost > candidate.cost) {
-      throw InternalError("an order for heavy pairs costs more");
-    }
-    candidate = std::move(other);
-  }
-
-  // The cheapest few that are no results of the search, but for the cheapest of all.
-  static std::vector<Candidate> next_best(std::vector<Candidate> all) {
-    constexpr std::size_t few = 3;
-    std::stable_sort(all.begin(), all.end(), cheaper);
-    const std::string best = all.front().name;
-    std::erase_if(all, [&](const Candidate& c) { return c.name == best || c.name == search_name; });
-    all.resize(std::min(all.size(), few));
-    return all;
-  }
-
-  // The search is listed once, and only if it found something better than the others.
-  static void drop_repeated(std::vector<Candidate>& all) {
-    bool seen = false;
-    std::size_t others_best = 0;
-    while (others_best < all.size() && all[others_best].name == search_name) {
-      ++others_best;
-    }
-    std::erase_if(all, [&, position = std::size_t{0}](const Candidate& c) mutable {
-      const std::size_t at = position++;
-      if (c.name != search_name) {
-        return false;
-      }
-      const bool worse = at > others_best;
-      return std::exchange(seen, true) || worse;
-    });
-  }
-
-  void find_affordable(RunPlan& plan) {
-    const Amount budget = *options_->budget;
-    std::stable_sort(plan.candidates.begin(), plan.candidates.end(), cheaper);
-    drop_repeated(plan.candidates);
-    plan.complete = plan.candidates.front();
-    if (plan.complete->cost <= budget) {
-      return;
-    }
-    std::vector<Candidate> within;
-    for (const Candidate& whole : plan.candidates) {
-      if (!within.empty() && control_->stop_wanted()) {
-        break;
-      }
-      within.push_back(affordable(*job_, whole, budget));
-    }
-    std::stable_sort(within.begin(), within.end(), tests_more);
-    plan.most_weight = most_weight_;
-    Attempts attempts(*job_, plan.bound, *control_);
-    const std::uint64_t steps =
-        options_->steps == 0 ? attempts.suitable_steps(*plan.complete) : options_->steps;
-    keep_what_there_is(plan, [&] {
-      if (!job_->weights.empty() && !control_->stop_wanted()) {
-        std::uint64_t made = 0;
-        within.push_back(
-            counted(*job_, heaviest_within(*job_, budget, plan.bound.cost, within.front().setups,
-                                           *options_, *control_, made)));
-        plan.steps += made;
-      } else if (!control_->stop_wanted()) {
-        within.push_back(
-            counted(*job_, attempts.within(budget, within.front(), steps, options_->attempts)));
-      }
-    });
-    plan.steps += attempts.steps();
-    for (const Candidate& candidate : within) {
-      if (candidate.cost > budget) {
-        throw InternalError(candidate.name + " exceeds the budget");
-      }
-      if (plan.most_weight && candidate.weight > *plan.most_weight) {
-        throw InternalError(candidate.name + " tests more weight than can be");
-      }
-    }
-    plan.candidates = std::move(within);
-    within_budget_ = true;
-  }
-
-  const Job* job_;
-  const PlanOptions* options_;
-  RunControl* control_;
-  std::optional<Amount> most_weight_;
-  bool within_budget_ = false;  // the candidates need not test all pairs
+// The first that serves a job plans it. `first` and `replacing` plan a simpler job by this list,
+// one that they do not serve. Plans for several benches (benches.hpp) are no strategy: they have
+// another answer, and ask this list for each bench.
+constexpr std::array strategies{
+    Strategy{[](const Job& job) { return !job.first.empty(); }, Fewest::cost_or_tests,
+             plan_with_first},
+    Strategy{[](const Job& job) { return job.model != nullptr; }, Fewest::cost_or_tests,
+             plan_for_choices},
+    Strategy{[](const Job& job) { return job.replaces(); }, Fewest::cost, plan_for_replacing},
+    Strategy{[](const Job& job) { return !job.triples.empty(); }, Fewest::cost, plan_for_triples},
+    Strategy{[](const Job& job) { return !job.weights.empty(); }, Fewest::cost, plan_for_weights},
+    Strategy{[](const Job&) { return true; }, Fewest::cost, plan_for_pairs},
 };
 
 }  // namespace
+
+RunPlan plan_of_valid_job(const Job& job, const PlanOptions& options, RunControl& control) {
+  const auto strategy =
+      std::ranges::find_if(strategies, [&](const Strategy& each) { return each.serves(job); });
+  if (options.objective == PlanObjective::tests && strategy->fewest == Fewest::cost) {
+    throw BadInput("the fewest tests are looked for where a model is given");
+  }
+  return strategy->plan(job, options, control);
+}
 
 RunPlan make_run_plan(const Job& job, const PlanOptions& options, RunControl& control) {
   check_in_full(job);
@@ -328,23 +57,6 @@ RunPlan make_run_plan(const Job& job, const PlanOptions& options, RunControl& co
 
 RunPlan make_run_plan(const CheckedJob& job, const PlanOptions& options, RunControl& control) {
   return plan_of_valid_job(*job, options, control);
-}
-
-RunPlan plan_of_valid_job(const Job& job, const PlanOptions& options, RunControl& control) {
-  if (!job.first.empty()) {
-    return plan_with_first(job, options, control);
-  }
-  if (job.model != nullptr) {
-    return plan_for_choices(job, options, control);
-  }
-  if (options.objective == PlanObjective::tests) {
-    throw BadInput("the fewest tests are looked for where a model is given");
-  }
-  if (job.replaces()) {
-    return plan_for_replacing(job, options, control);
-  }
-  return job.triples.empty() ? Planner(job, options, control).run()
-                             : plan_for_triples(job, options, control);
 }
 
 }  // namespace changeover

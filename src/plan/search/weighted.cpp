@@ -5,7 +5,8 @@
 
 #include "plan/search/anneal/attempts.hpp"
 #include "plan/search/interchangeable.hpp"
-#include "plan/search/lists/lists_search.hpp"
+#include "plan/search/lists/lists_plan.hpp"
+#include "plan/search/pairs_plan.hpp"
 #include "run/random.hpp"
 
 namespace changeover {
@@ -146,32 +147,30 @@ std::vector<Block> heavy_first(const Job& job, const std::vector<Block>& setups,
   return best;
 }
 
-Start heaviest_within(const Job& job, Amount budget, Amount whole, const std::vector<Block>& from,
-                      const PlanOptions& options, RunControl& control, std::uint64_t& steps) {
-  Weights weights = Weights::of(job, from.size() + job.needed.size());
-  for (Element x = 0; x < job.parts(); ++x) {  // What costs nothing must not break the budget.
-    weights.change[x] = job.change_costs[x].millionths == 0 ? 0 : weights.change[x];
-  }
-  ListsSearch search{.aim = Aim::most_weight,
-                     .budget = static_cast<std::int64_t>(budget.millionths / weights.unit),
-                     .whole = static_cast<std::int64_t>(whole.millionths / weights.unit),
-                     .steps = options.steps,
-                     .attempts = options.attempts,
-                     .phase = "looking for the heaviest pairs within the budget"};
-  std::vector<Block> best = from;
-  steps = 0;
-  do {
-    const Lists there(job, weights, {best});
-    if (there.total() > search.budget) {
-      break;
-    }
-    const FoundLists found =
-        search_lists(ListsJob::alike(job, weights, 1), {{best}}, search, control);
-    best = found.lists.front();
-    steps += found.steps;
-    ++search.round;
-  } while (options.until_stopped && !control.stop_wanted());
-  return {search_name, "the heaviest pairs within the budget", best};
+RunPlan plan_for_weights(const Job& job, const PlanOptions& options, RunControl& control) {
+  return plan_by_pairs(
+      job, options, control,
+      {.within =
+           [&](RunPlan& plan, Amount budget, const Candidate& best) {
+             Weights weights = Weights::of(job, best.tests() + job.needed.size());
+             for (Element x = 0; x < job.parts(); ++x) {
+               // What costs nothing must not break the budget.
+               weights.change[x] = job.change_costs[x].millionths == 0 ? 0 : weights.change[x];
+             }
+             return Start{search_name, "the heaviest pairs within the budget",
+                          heaviest_within(plan,
+                                          {.job = ListsJob::alike(job, weights, 1),
+                                           .budget = budget,
+                                           .whole = plan.bound.cost,
+                                           .what_meets = "heaviest pairs"},
+                                          best.setups, options, control)};
+           },
+       .most_weight = [&](Amount budget) { return most_weight_within(job, budget); },
+       .at_last =
+           [&](const Candidate& cheapest) {
+             return Start{cheapest.name, cheapest.how + ", heavy pairs early",
+                          heavy_first(job, cheapest.setups, control)};
+           }});
 }
 
 }  // namespace changeover

@@ -5,15 +5,13 @@
 #include <vector>
 
 #include "changeover/plan/run_plan.hpp"
-#include "plan/search/starts/starts.hpp"
 
 namespace changeover {
 
-/// The list within the budget that tests the most weight, no less than this one, which is within
-/// it. Testing everything costs at least `whole`. `steps` is set to the moves that it took.
-[[nodiscard]] Start heaviest_within(const Job& job, Amount budget, Amount whole,
-                                    const std::vector<Block>& from, const PlanOptions& options,
-                                    RunControl& control, std::uint64_t& steps);
+/// plan_by_pairs() for a job that weighs its pairs: heavy pairs early, and within a budget the
+/// heaviest.
+[[nodiscard]] RunPlan plan_for_weights(const Job& job, const PlanOptions& options,
+                                       RunControl& control);
 
 /// The same set-ups in another order, perhaps with parts exchanged that nothing but weights tells
 /// apart, in which the weight waits less: Σ weight · (cost up to where the pair first meets) is no

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 #include "changeover/core/error.hpp"
-#include "run/portable_math.hpp"
+#include "plan/search/anneal/cooling.hpp"
 
 namespace changeover {
 namespace {
@@ -14,10 +13,11 @@ namespace {
 class Annealer {
  public:
   Annealer(Sequence& sequence, const Annealing& options, Random& random)
-      : s_(&sequence), options_(options), random_(&random), penalty_(options.penalty) {
+      : s_(&sequence),
+        options_(options),
+        random_(&random),
+        cooling_(options.hot, options.cold, options.penalty) {
     constrained_ = s_->fitting().has_slots() || s_->job().never.size() > 0;
-    constexpr double parts = 1024;
-    octaves_ = std::round(natural_log(options.hot / options.cold) / natural_log(2) * parts) / parts;
     constexpr std::size_t long_list = 20'000;
     note_seldom_ = s_->size() * s_->job().room() > long_list;
   }
@@ -39,10 +39,7 @@ class Annealer {
       }
       if (step % batch == 0) {
         time_gone = options_.time ? (control.elapsed() - began) / *options_.time : 0.0;
-        // Steps alone decide as long as they may do: then the result is the same again.
-        const double steps = static_cast<double>(step) / static_cast<double>(options_.steps);
-        constexpr double early = 0.1;
-        cool(std::min(1.0, time_gone < early ? steps : std::max(time_gone, steps)));
+        cool(share_done(step, options_.steps, time_gone));
         record(true);
         if (control.progress_due()) {
           control.tell({.phase = options_.phase, .steps = step, .missing = s_->uncovered()});
@@ -59,38 +56,15 @@ class Annealer {
   }
 
  private:
-  // Sets temperature and penalty for the moment when so much is done.
   void cool(double done) {
-    if (options_.budget) {
-      const double left = 1.0 - done;
-      temperature_ = options_.cold + (options_.hot - options_.cold) * left * left * left;
-      return;
-    }
     const auto needed = static_cast<double>(s_->job().needed.size());
     const auto open = static_cast<double>(s_->uncovered());
-    const double a_pair = static_cast<double>(s_->cost()) / std::max(1.0, needed - open);
-    constexpr double at_first = 2.0;  // for a moment, until the list is one of this temperature
-    constexpr double later = 2.8;
-    constexpr double moment = 0.05;
-    const double base = a_pair * (done < moment ? at_first : later);
-    temperature_ = options_.hot * base * two_to_minus(octaves_ * done);
-    // In the second part, so many pairs may be open.
-    constexpr double second = 0.5;
-    constexpr double speed = 5.0;
-    constexpr double none_from = 0.9;
-    const double left = std::max(0.0, none_from - done);
-    const double allowed = 0.1 * needed * left * left;
-    if (done > second) {
-      const double excess = (open - allowed) / (open + allowed + 1.0);
-      raise_ *= 1.0 + std::clamp(speed * (done - done_) * excess, -0.5, 0.5);
-    }
-    raise_ = std::max(1.0, raise_);
-    penalty_ = base * raise_;
-    done_ = done;
+    const double met = std::max(1.0, needed - open);
+    cooling_.cool(done, {needed, open, static_cast<double>(s_->cost()) / met});
   }
 
   [[nodiscard]] double energy(std::int64_t cost, std::int64_t uncovered) const {
-    const double missing = penalty_ * static_cast<double>(uncovered);
+    const double missing = cooling_.penalty() * static_cast<double>(uncovered);
     const auto paid = static_cast<double>(cost);
     if (!options_.budget) {
       return paid + missing;
@@ -115,7 +89,7 @@ class Annealer {
                               ? energy(from.cost + rise.cost, from.uncovered + rise.uncovered) -
                                     energy(from.cost, from.uncovered)
                               : energy(rise.cost, rise.uncovered);
-    return higher <= 0 || higher <= temperature_ * log_table()[random_->next() >> 52];
+    return cooling_.accepts(higher, *random_);
   }
 
   // Notes where the list is before a move that is made before it is looked at.
@@ -554,13 +528,9 @@ class Annealer {
   Sequence* s_;
   Annealing options_;
   Random* random_;
-  double penalty_;
+  Cooling cooling_;
   static constexpr std::size_t none_met = std::numeric_limits<std::size_t>::max();
 
-  double temperature_ = 0;
-  double octaves_ = 0;  // between the first temperature and the last
-  double done_ = 0;
-  double raise_ = 1;
   bool note_seldom_ = false;
   bool constrained_ = false;  // by slots or forbidden pairs
   Standing before_;

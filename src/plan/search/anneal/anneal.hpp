@@ -3,11 +3,7 @@
 //     energy = cost + penalty · (uncovered needed pairs)
 // and under a budget
 //     energy = cost/4 + 4 · max(0, cost − budget) + penalty · (uncovered needed pairs).
-// Without a budget, temperature and penalty are measured by what a covered pair costs in the list
-// as it is now, so one schedule suits all jobs. The temperature falls geometrically; in the second
-// half the penalty rises whenever more pairs are uncovered than the schedule has for this moment,
-// none in the end. Under a budget the penalty is fixed and the temperature falls with the third
-// power of what is left. Most moves look at one step: what it puts in comes one set-up earlier or
+// Under a budget the penalty is fixed, else it is measured (cooling.hpp). Most moves look at one step: what it puts in comes one set-up earlier or
 // later in exchange for what it takes out, which stays as long. Others put any part, or one of an
 // uncovered pair, in the place of another, in one set-up or in a stretch; mount or take out a part;
 // take out a set-up, or insert one like that beside it; reverse a stretch, or move one.

@@ -7,19 +7,11 @@
 #include <limits>
 #include <string>
 
+#include "plan/search/anneal/cooling.hpp"
 #include "run/threads.hpp"
 
 namespace changeover {
 namespace {
-
-// How attempts differ in their temperatures. Hot ones forget where they started; the last one does
-// not.
-struct Style {
-  double hot;
-  double cold;
-};
-constexpr std::array<Style, 4> styles{{{0.8, 0.03}, {0.4, 0.05}, {0.6, 0.03}, {0.5, 0.04}}};
-constexpr Style warm{0.16, 0.03};
 
 // Under a budget: the penalty of an uncovered pair as a multiple of what a pair costs in the best
 // list, and the temperatures as multiples of the penalty.
@@ -34,19 +26,6 @@ constexpr std::array<BudgetStyle, 4> budget_styles{{
     {2.0, 0.25, 0.08},
     {2.3, 0.25, 0.10},
 }};
-
-// The share of the time left that an attempt has, if the attempts before it are over by now.
-std::optional<std::chrono::duration<double>> time_for(const RunControl& control,
-                                                      std::size_t attempt, std::size_t attempts) {
-  const auto left = control.time_left();
-  if (!left || left->count() <= 0) {
-    return std::nullopt;
-  }
-  constexpr double for_the_rest = 0.95;  // repair, and what the clock does not see
-  const std::size_t threads = std::max<std::size_t>(1, control.threads());
-  const auto rounds = static_cast<double>((attempts - attempt + threads - 1) / threads);
-  return *left * (for_the_rest / rounds);
-}
 
 // Beyond that, a list has far more set-ups than pairs are worth.
 std::size_t most_tests(const Job& job, std::size_t tests) {
@@ -137,14 +116,15 @@ Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>
     if (control_->stop_wanted()) {
       return;
     }
-    const auto time = time_for(*control_, i, attempts);
+    constexpr double share = 0.95;  // the rest is for repair, and what the clock does not see
+    const auto time = time_of_attempt(*control_, i, attempts, share);
     // Too few moves for each place to make up for forgetting a good list, or a good one from the
     // rounds before.
     constexpr std::uint64_t few = 100;
     const std::uint64_t moves = time ? std::min(steps, steps_until(*time)) : steps;
     const bool stay_near = moves / few < best.tests() * job_->room() ||
                            (are_short(best) ? round % 4 != 0 : round > 0 && i % 2 == 1);
-    const Style& style = stay_near ? warm : styles[(i + round) % styles.size()];
+    const HeatStyle& style = stay_near ? warm_style : heat_styles[(i + round) % heat_styles.size()];
     const Candidate& from =
         stay_near || i % 2 == 0 || others.empty() ? best : others[(i / 2 + round) % others.size()];
     Random random(control_->seed(), std::uint64_t{round} * attempts + i);

@@ -1,9 +1,6 @@
 #include "plan/search/lists/lists_annealer.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include "run/portable_math.hpp"
 
 namespace changeover {
 namespace {
@@ -35,10 +32,8 @@ ListsAnnealer::ListsAnnealer(Lists& lists, const ListsSearch& options,
       random_(&random),
       most_tests_(lists.tests() + std::min<std::size_t>(lists.open() + 16, lists.tests() + 16)),
       everything_(static_cast<double>(options.everything) / a_pair_weighs),
-      wide_(schedule.penalty > 0) {
-  constexpr double parts = 1024;
-  octaves_ = std::round(natural_log(schedule.hot / schedule.cold) / natural_log(2) * parts) / parts;
-  penalty_ = schedule.penalty;
+      wide_(schedule.penalty > 0),
+      cooling_(schedule.hot, schedule.cold, schedule.penalty) {
   cool(0);
   record();
 }
@@ -56,10 +51,7 @@ std::uint64_t ListsAnnealer::run(std::uint64_t steps, RunControl& control) {
       if (gone >= 1) {
         break;
       }
-      // Steps alone decide as long as they may do: then the result is the same again.
-      const double share = static_cast<double>(step) / static_cast<double>(steps);
-      constexpr double early = 0.1;
-      cool(std::min(1.0, gone < early ? share : std::max(gone, share)));
+      cool(share_done(step, steps, gone));
       if (control.progress_due()) {
         control.tell({.phase = options_->phase, .steps = step, .missing = lists_->open()});
       }
@@ -70,32 +62,11 @@ std::uint64_t ListsAnnealer::run(std::uint64_t steps, RunControl& control) {
 }
 
 void ListsAnnealer::cool(double done) {
-  if (wide_) {
-    const double left = 1.0 - done;
-    temperature_ = schedule_.cold + (schedule_.hot - schedule_.cold) * left * left * left;
-    energy_ = energy();
-    return;
-  }
   const double open = static_cast<double>(lists_->missing()) / a_pair_weighs;
-  const double a_pair = static_cast<double>(lists_->total()) / std::max(1.0, everything_ - open);
-  constexpr double at_first = 2.0;  // for a moment, until the lists are of this temperature
-  constexpr double later = 2.8;
-  constexpr double moment = 0.05;
-  const double base = std::max(1.0, a_pair) * (done < moment ? at_first : later);
-  temperature_ = schedule_.hot * base * two_to_minus(octaves_ * done);
-  // In the second part, so much may be open.
-  constexpr double second = 0.5;
-  constexpr double speed = 5.0;
-  constexpr double none_from = 0.9;
-  const double left = std::max(0.0, none_from - done);
-  const double allowed = 0.1 * everything_ * left * left;
-  if (done > second) {
-    const double excess = (open - allowed) / (open + allowed + 1.0);
-    raise_ *= 1.0 + std::clamp(speed * (done - done_) * excess, -0.5, 0.5);
-  }
-  raise_ = std::max(1.0, raise_);
-  penalty_ = base * raise_ / a_pair_weighs;
-  done_ = done;
+  const double met = std::max(1.0, everything_ - open);
+  const double a_thing = std::max(1.0, static_cast<double>(lists_->total()) / met);
+  cooling_.cool(done, {everything_, open, a_thing});
+  penalty_ = wide_ ? schedule_.penalty : cooling_.penalty() / a_pair_weighs;
   energy_ = energy();
 }
 
@@ -140,7 +111,7 @@ void ListsAnnealer::record() {
 void ListsAnnealer::decide() {
   const double now = energy();
   const double rise = now - energy_;
-  if (rise > 0 && rise > temperature_ * log_table()[random_->next() >> 52]) {
+  if (!cooling_.accepts(rise, *random_)) {
     lists_->undo();
     return;
   }

@@ -1,11 +1,12 @@
 // One annealing over lists of set-ups on one bench or several: the moves, and when they are made.
 //
-// For the least cost and the least makespan, temperature and penalty are measured by what something
-// that has met costs in the lists as they are now, as plan/search/anneal/anneal.hpp does for one
-// list: the temperature falls geometrically, and in the second half the penalty rises whenever more
-// is open than the schedule has for this moment. For the most weight, and where it matters what is
-// replaced, the penalty is fixed at the start, the temperature falls with the third power of what
-// is left, and moves are wider.
+// For the least cost and the least makespan, temperature and penalty are measured
+// (plan/search/anneal/cooling.hpp). For the most weight, and where it matters what is replaced, the
+// penalty is fixed at the start, and moves are wider.
+//
+// The moves of plan/search/anneal/anneal.cpp have the same names, and are others: there the rise of
+// a move on one list of pairs is known before it is made; here a move is made, weighed by whatever
+// the aim counts, and undone. So they draw other random numbers, and neither can serve for both.
 #pragma once
 
 #include <chrono>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "changeover/run/control.hpp"
+#include "plan/search/anneal/cooling.hpp"
 #include "plan/search/lists/lists.hpp"
 #include "plan/search/lists/lists_search.hpp"
 #include "run/random.hpp"
@@ -89,11 +91,8 @@ class ListsAnnealer {
   std::size_t most_tests_;
   double everything_;  // what has to meet, as a number of pairs or triples of weight 1
   bool wide_;          // the penalty is fixed, moves are wide
-  double octaves_ = 0;
-  double done_ = 0;
-  double raise_ = 1;
+  Cooling cooling_;
   double penalty_ = 0;  // of a millionth of weight
-  double temperature_ = 0;
   double energy_ = 0;
   std::optional<Rank> best_rank_;
   BenchLists best_;

@@ -126,26 +126,16 @@ class ListsPlanner {
     }
     std::stable_sort(within.begin(), within.end(), tests_more);
     keep_what_there_is(plan, [&] {
-      const FoundLists found = search_lists(
-          ListsJob::alike(*job_, weights_, 1), {{within.front().setups}},
-          {.aim = Aim::most_weight,
-           .budget = static_cast<std::int64_t>(budget.millionths / weights_.unit),
-           .whole = static_cast<std::int64_t>(plan.bound.cost.millionths / weights_.unit),
-           .steps = options_->steps,
-           .attempts = options_->attempts,
-           .phase = fmt::format("looking for the most {} within the budget", what_meets())},
-          *control_);
-      plan.steps += found.steps;
+      const WithinBudget most{.job = ListsJob::alike(*job_, weights_, 1),
+                              .budget = budget,
+                              .whole = plan.bound.cost,
+                              .what_meets = "most " + what_meets()};
       within.push_back(counted(
-          *job_,
-          {search_name, "any number of changes a step, within the budget", found.lists.front()}));
+          *job_, {search_name, "any number of changes a step, within the budget",
+                  heaviest_within(plan, most, within.front().setups, *options_, *control_)}));
     });
     std::stable_sort(within.begin(), within.end(), tests_more);
-    for (const Candidate& candidate : within) {
-      if (candidate.cost > budget) {
-        throw InternalError(candidate.name + " exceeds the budget");
-      }
-    }
+    check_within(within, budget, std::nullopt);
     plan.candidates = std::move(within);
   }
 
@@ -161,6 +151,33 @@ class ListsPlanner {
 RunPlan plan_by_lists(const Job& job, const PlanOptions& options, RunControl& control,
                       const FirstLists& first) {
   return ListsPlanner(job, options, control, first).run();
+}
+
+std::vector<Block> heaviest_within(RunPlan& plan, const WithinBudget& within,
+                                   const std::vector<Block>& from, const PlanOptions& options,
+                                   RunControl& control) {
+  const auto in_weights = [&](Amount amount) {
+    return static_cast<std::int64_t>(amount.millionths / within.job.weights.front().unit);
+  };
+  ListsSearch search{
+      .aim = Aim::most_weight,
+      .budget = in_weights(within.budget),
+      .whole = in_weights(within.whole),
+      .steps = options.steps,
+      .attempts = options.attempts,
+      .phase = fmt::format("looking for the {} within the budget", within.what_meets)};
+  std::vector<Block> best = from;
+  do {
+    // Weights are rounded up: a list may weigh more than the budget that pays for it.
+    if (Lists(within.job, {best}).total() > search.budget) {
+      break;
+    }
+    const FoundLists found = search_lists(within.job, {{best}}, search, control);
+    best = found.lists.front();
+    plan.steps += found.steps;
+    ++search.round;
+  } while (options.until_stopped && !control.stop_wanted());
+  return best;
 }
 
 }  // namespace changeover

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "changeover/plan/run_plan.hpp"
+#include "plan/search/lists/lists.hpp"
 #include "plan/search/starts/starts.hpp"
 
 namespace changeover {
@@ -20,5 +22,19 @@ struct FirstLists {
 /// list under way, and a local search that starts from the best of them.
 [[nodiscard]] RunPlan plan_by_lists(const Job& job, const PlanOptions& options, RunControl& control,
                                     const FirstLists& first);
+
+/// A budget, in which as much as can be is to meet.
+struct WithinBudget {
+  ListsJob job;
+  Amount budget;
+  Amount whole;            ///< what it costs at least that everything meets
+  std::string what_meets;  ///< in a word or two, as in "most triples"
+};
+
+/// The list that tests the most weight, no less than `from`, which is within the budget. Adds its
+/// moves to those of the plan.
+[[nodiscard]] std::vector<Block> heaviest_within(RunPlan& plan, const WithinBudget& within,
+                                                 const std::vector<Block>& from,
+                                                 const PlanOptions& options, RunControl& control);
 
 }  // namespace changeover

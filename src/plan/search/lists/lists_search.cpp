@@ -6,21 +6,13 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
+#include "plan/search/anneal/cooling.hpp"
 #include "plan/search/lists/lists_annealer.hpp"
 #include "run/random.hpp"
 #include "run/threads.hpp"
 
 namespace changeover {
 namespace {
-
-// How attempts differ in their temperatures, as plan/search/anneal/attempts.cpp has them; a later
-// round stays near what was found.
-struct Style {
-  double hot;
-  double cold;
-};
-constexpr std::array<Style, 4> styles{{{0.8, 0.03}, {0.4, 0.05}, {0.6, 0.03}, {0.5, 0.04}}};
-constexpr Style warm{0.16, 0.03};
 
 // With a fixed penalty, as multiples of what something that meets costs on average. Where some
 // pairs weigh far more than others, going over a budget has to count far more, too.
@@ -70,21 +62,6 @@ ListsSchedule fixed_schedule(const ListsJob& job, const Lists& lists, const List
           .over = style.over};
 }
 
-// The share of the time left that an attempt has, if the attempts before it are over by now.
-std::optional<std::chrono::duration<double>> time_of_attempt(const RunControl& control,
-                                                             std::size_t attempt,
-                                                             std::size_t attempts) {
-  const auto left = control.time_left();
-  if (!left || left->count() <= 0) {
-    return std::nullopt;
-  }
-  constexpr double for_the_rest =
-      0.9;  // what comes after each attempt, and what the clock does not see
-  const std::size_t threads = std::max<std::size_t>(1, control.threads());
-  const auto rounds = static_cast<double>((attempts - attempt + threads - 1) / threads);
-  return *left * (for_the_rest / rounds);
-}
-
 struct Best {
   std::optional<Rank> rank;
   BenchLists lists;
@@ -114,13 +91,17 @@ FoundLists search_lists(const ListsJob& job, const std::vector<BenchLists>& star
       schedule = fixed_schedule(job, lists, options, i);
     } else {
       const bool stay_near = options.round > 0 && (i + options.round) % 4 != 0;
-      const Style& style = stay_near ? warm : styles[(i + options.round) % styles.size()];
+      // A later round stays near what was found.
+      const HeatStyle& style =
+          stay_near ? warm_style : heat_styles[(i + options.round) % heat_styles.size()];
       if (stay_near) {
         lists = Lists(job, starts.front());
       }
+      // The rest is for what comes after each attempt, and what the clock does not see.
+      constexpr double share = 0.9;
       schedule = {.hot = style.hot,
                   .cold = style.cold,
-                  .time = time_of_attempt(control, i, options.attempts)};
+                  .time = time_of_attempt(control, i, options.attempts, share)};
     }
     Random random(control.seed(), 4'000'000 + std::uint64_t{options.round} * options.attempts + i);
     ListsAnnealer annealer(lists, options, schedule, random);

@@ -1,0 +1,313 @@
+#include "plan/search/pairs_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/run/control.hpp"
+#include "plan/search/anneal/attempts.hpp"
+#include "plan/search/candidates.hpp"
+#include "plan/search/exact_plan.hpp"
+#include "plan/search/starts/starts.hpp"
+#include "plan/search/valid_job.hpp"
+
+namespace changeover {
+namespace {
+
+class PairsPlanner {
+ public:
+  PairsPlanner(const Job& job, const PlanOptions& options, RunControl& control,
+               const PairsWork& work)
+      : job_(&job), options_(&options), control_(&control), work_(&work) {}
+
+  RunPlan run() {
+    const RunScope scope(*control_);
+    RunPlan plan;
+    plan.bound = bound_of_valid_job(*job_);
+    if (options_->budget && work_->most_weight) {  // Before time is up.
+      most_weight_ = work_->most_weight(*options_->budget);
+    }
+    require_memory(bytes_of_plans(plan.bound.tests),
+                   fmt::format("a plan of {} tests", plan.bound.tests));
+    if (job_->needed.size() == 0) {
+      plan.candidates.push_back(counted(*job_, {"no test", "nothing is left to test", {}}));
+    } else {
+      find_complete(plan);
+    }
+    if (options_->budget) {
+      find_affordable(plan);
+    }
+    std::stable_sort(plan.candidates.begin(), plan.candidates.end(),
+                     within_budget_ ? tests_more : cheaper);
+    drop_repeated(plan.candidates);
+    if (work_->at_last && !within_budget_) {
+      keep_what_there_is(plan, [&] { put_in_better_order(plan.candidates.front()); });
+    }
+    settle(*job_, plan, *control_);
+    return plan;
+  }
+
+ private:
+  // Candidates and sheets of so many tests, about.
+  [[nodiscard]] std::uint64_t bytes_of_plans(std::uint64_t tests) const {
+    constexpr std::uint64_t a_test = 500;
+    constexpr std::uint64_t a_part = 40;
+    constexpr std::uint64_t a_pair = 16;
+    return tests * (a_test + a_part * (job_->mounted.size() + 2)) +
+           a_pair * job_->parts() * job_->parts();
+  }
+
+  // The slots, counts and copies of all local searches, about.
+  [[nodiscard]] std::uint64_t bytes_of_search(const Candidate& like) const {
+    constexpr std::uint64_t a_test = 300;
+    constexpr std::uint64_t a_part = 12;
+    constexpr std::uint64_t a_pair = 12;
+    const std::uint64_t searches = std::min<std::uint64_t>(control_->threads(), options_->attempts);
+    return searches * (like.tests() * (a_test + a_part * job_->room() + job_->parts() / 8) +
+                       a_pair * job_->parts() * job_->parts());
+  }
+
+  void find_complete(RunPlan& plan) {
+    add(plan, greedy_start(*job_, *control_));
+    add_rest(plan);
+    keep_what_there_is(plan, [&] { search(plan); });
+  }
+
+  // The set-ups of the plan under way that break no constraint, as they are if they do the job, and
+  // with what they lack and without what is too much.
+  void add_rest(RunPlan& plan) const {
+    const std::vector<Block> rest = sound_rest(*job_, *options_);
+    if (rest.empty()) {
+      return;
+    }
+    if (run_sheet(*job_, rest).does_the_job()) {
+      add(plan,
+          {"rest of the sheet", "the tests of the sheet that are not done, as they are", rest});
+    }
+    keep_what_there_is(plan, [&] {
+      Sequence sequence(*job_, Weights::of(*job_, rest.size() + job_->needed.size()), rest);
+      if (repair(sequence, *control_)) {
+        add(plan, {"rest of the sheet, mended", "with what it lacked, without what is not needed",
+                   sequence.setups()});
+      }
+    });
+  }
+
+  void add(RunPlan& plan, const Start& start) const {
+    std::vector<Candidate>& all = plan.candidates;
+    try {
+      all.push_back(counted_complete(*job_, start));
+    } catch (const ImpossibleParameters&) {
+      if (all.empty()) {
+        throw;
+      }
+      return;  // It costs more than can be counted, and others do not.
+    }
+    if (all.back().cost < plan.bound.cost) {
+      throw InternalError(fmt::format("{} costs less than the lower bound", start.name));
+    }
+  }
+
+  void search(RunPlan& plan) {
+    std::vector<Candidate>& all = plan.candidates;
+    add_designs(plan);
+    const auto best = [&]() -> const Candidate& {
+      return *std::min_element(all.begin(), all.end(), cheaper);
+    };
+    require_memory(bytes_of_search(best()),
+                   fmt::format("searching among lists of {} tests", best().tests()));
+    Attempts attempts(*job_, plan.bound, *control_);
+    std::uint64_t steps = options_->steps == 0 ? attempts.suitable_steps(best()) : options_->steps;
+    keep_what_there_is(plan, [&] {
+      if (!control_->stop_wanted() && best().tests() > 1) {
+        const auto fewest = std::min_element(
+            all.begin(), all.end(),
+            [](const Candidate& a, const Candidate& b) { return a.tests() < b.tests(); });
+        const auto covering =
+            attempts.covering(*fewest, options_->steps == 0 ? steps / 8 : steps / 4);
+        if (covering) {
+          add(plan, *covering);
+        }
+      }
+      // Longer and longer searches, each from the best so far, as long as that helps or is wished.
+      unsigned idle = 0;  // rounds without anything better, one after another
+      for (unsigned round = 0; best().cost > plan.bound.cost && !control_->stop_wanted(); ++round) {
+        const Amount before = best().cost;
+        const Round next = round_of(attempts, steps, attempts.are_short(best()));
+        add(plan, attempts.cheaper_than(best(), next_best(all), next.steps, next.attempts, round));
+        if (round == 0 && best().cost > plan.bound.cost && options_->states > 0 &&
+            is_small(*job_)) {
+          look_at_all(plan, best().cost);
+        }
+        const bool many = attempts.are_short(best());
+        idle = best().cost == before ? idle + 1 : 0;
+        if (!options_->until_stopped && enough(plan, best().cost, round, idle, many)) {
+          break;
+        }
+        constexpr std::uint64_t longest = std::uint64_t{1} << 60;
+        steps = std::min(longest, many ? steps + steps / 4 : 3 * steps);
+      }
+    });
+    plan.steps += attempts.steps();
+  }
+
+  // Designs have an eighth of the time: other lists need it more.
+  void add_designs(RunPlan& plan) const {
+    constexpr double share = 0.125;
+    const auto left = control_->time_left();
+    std::optional<RunControl> part;
+    if (left) {
+      part.emplace(*control_, *left * share);
+    }
+    for (const Start& start :
+         design_starts(*job_, options_->design_moves, part ? *part : *control_)) {
+      add(plan, start);
+    }
+  }
+
+  struct Round {
+    std::uint64_t steps = 0;
+    unsigned attempts = 0;
+  };
+
+  // The next round of so many steps; if there is a time to use and not much would be left after it,
+  // one that uses it up. Few long annealings find more than many short ones where lists are long.
+  [[nodiscard]] Round round_of(const Attempts& attempts, std::uint64_t steps, bool many) const {
+    if (options_->steps != 0) {
+      return {steps, options_->attempts};
+    }
+    const auto left = control_->time_left();
+    if (!options_->until_stopped || !left) {
+      constexpr unsigned usual = 2;
+      return {steps, std::min(usual, options_->attempts)};
+    }
+    const unsigned each_thread_one = std::min(control_->threads(), options_->attempts);
+    const std::uint64_t all = attempts.steps_until(*left);
+    const std::uint64_t much = many ? 2 : 8;
+    // The clock ends a schedule of more steps than there will be.
+    return {all / much < steps ? 4 * all : steps, each_thread_one};
+  }
+
+  // Whether a search without a given time has gone on for long enough.
+  [[nodiscard]] bool enough(const RunPlan& plan, Amount now, unsigned round, unsigned idle,
+                            bool many) const {
+    constexpr std::uint64_t small_gap = 100;  // one in so many
+    constexpr std::uint64_t large_gap = 20;
+    const unsigned most_rounds = many ? 8 : 3;
+    const unsigned least = many ? 4 : 1;  // rounds that are made in any case
+    const std::uint64_t gap = (now - plan.bound.cost).millionths;
+    // One fruitless round says little of a short list; all lists of a small job are looked at
+    // anyway.
+    const bool patient = many && gap > plan.bound.cost.millionths / large_gap && !is_small(*job_);
+    return options_->steps != 0 || round + 1 >= most_rounds ||
+           (round >= least && idle >= (patient ? 3U : 1U)) ||
+           gap < plan.bound.cost.millionths / small_gap;
+  }
+
+  // A small job is done: its cheapest list is found, or the best so far is proved to be one. Where
+  // that takes too long, the bound is better.
+  void look_at_all(RunPlan& plan, Amount best) const {
+    constexpr std::uint64_t bytes_a_state = 128;
+    require_memory(options_->states * bytes_a_state, "looking at all lists of a small job");
+    ExactPlan exact = exact_plan(*job_, best, options_->states, *control_);
+    if (auto found = take_exact(plan, std::move(exact))) {
+      add(plan, *std::move(found));
+    }
+  }
+
+  void put_in_better_order(Candidate& candidate) const {
+    const Start better = work_->at_last(candidate);
+    if (better.setups == candidate.setups) {
+      return;
+    }
+    Candidate other = counted_complete(*job_, better);
+    if (other.cost > candidate.cost) {
+      throw InternalError("a better order costs more");
+    }
+    candidate = std::move(other);
+  }
+
+  // The cheapest few that are no results of the search, but for the cheapest of all.
+  static std::vector<Candidate> next_best(std::vector<Candidate> all) {
+    constexpr std::size_t few = 3;
+    std::stable_sort(all.begin(), all.end(), cheaper);
+    const std::string best = all.front().name;
+    std::erase_if(all, [&](const Candidate& c) { return c.name == best || c.name == search_name; });
+    all.resize(std::min(all.size(), few));
+    return all;
+  }
+
+  // The search is listed once, and only if it found something better than the others.
+  static void drop_repeated(std::vector<Candidate>& all) {
+    bool seen = false;
+    std::size_t others_best = 0;
+    while (others_best < all.size() && all[others_best].name == search_name) {
+      ++others_best;
+    }
+    std::erase_if(all, [&, position = std::size_t{0}](const Candidate& c) mutable {
+      const std::size_t at = position++;
+      if (c.name != search_name) {
+        return false;
+      }
+      const bool worse = at > others_best;
+      return std::exchange(seen, true) || worse;
+    });
+  }
+
+  void find_affordable(RunPlan& plan) {
+    const Amount budget = *options_->budget;
+    std::stable_sort(plan.candidates.begin(), plan.candidates.end(), cheaper);
+    drop_repeated(plan.candidates);
+    plan.complete = plan.candidates.front();
+    if (plan.complete->cost <= budget) {
+      return;
+    }
+    std::vector<Candidate> within;
+    for (const Candidate& whole : plan.candidates) {
+      if (!within.empty() && control_->stop_wanted()) {
+        break;
+      }
+      within.push_back(affordable(*job_, whole, budget));
+    }
+    std::stable_sort(within.begin(), within.end(), tests_more);
+    plan.most_weight = most_weight_;
+    keep_what_there_is(plan, [&] {
+      if (!control_->stop_wanted()) {
+        within.push_back(counted(*job_, work_->within(plan, budget, within.front())));
+      }
+    });
+    check_within(within, budget, plan.most_weight);
+    plan.candidates = std::move(within);
+    within_budget_ = true;
+  }
+
+  const Job* job_;
+  const PlanOptions* options_;
+  RunControl* control_;
+  const PairsWork* work_;
+  std::optional<Amount> most_weight_;
+  bool within_budget_ = false;  // the candidates need not test all pairs
+};
+
+}  // namespace
+
+RunPlan plan_by_pairs(const Job& job, const PlanOptions& options, RunControl& control,
+                      const PairsWork& work) {
+  return PairsPlanner(job, options, control, work).run();
+}
+
+RunPlan plan_for_pairs(const Job& job, const PlanOptions& options, RunControl& control) {
+  return plan_by_pairs(
+      job, options, control, {.within = [&](RunPlan& plan, Amount budget, const Candidate& best) {
+        Attempts attempts(job, plan.bound, control);
+        const std::uint64_t steps =
+            options.steps == 0 ? attempts.suitable_steps(*plan.complete) : options.steps;
+        const Start found = attempts.within(budget, best, steps, options.attempts);
+        plan.steps += attempts.steps();
+        return found;
+      }});
+}
+
+}  // namespace changeover
