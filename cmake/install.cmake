@@ -40,10 +40,10 @@ write_basic_package_version_file(
 install(FILES
   "${PROJECT_BINARY_DIR}/generated/changeoverConfig.cmake"
   "${PROJECT_BINARY_DIR}/generated/changeoverConfigVersion.cmake"
-  "${PROJECT_SOURCE_DIR}/cmake/FindCaDiCaL.cmake"
-  "${PROJECT_SOURCE_DIR}/cmake/FindBliss.cmake"
-  "${PROJECT_SOURCE_DIR}/cmake/FindLibZip.cmake"
-  "${PROJECT_SOURCE_DIR}/cmake/FindXlsxWriter.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/find/FindCaDiCaL.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/find/FindBliss.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/find/FindLibZip.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/find/FindXlsxWriter.cmake"
   DESTINATION "${package_dir}" COMPONENT development)
 
 # For those who ask pkg-config: all rooms, highest first, as a linker wants static libraries.

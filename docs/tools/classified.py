@@ -16,7 +16,7 @@ GIVE_UP_AFTER = 3  # cells in a row, of one block size, that take longer
 HEAD = """// How many designs there are: written by docs/tools/classified.py, checked by tests/search/enumerate.
 #include <array>
 
-#include "changeover/catalog/classified.hpp"
+#include "changeover/catalog/catalog.hpp"
 
 namespace changeover {
 namespace {

@@ -25,7 +25,6 @@
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/catalog/catalog.hpp"
-#include "changeover/catalog/classified.hpp"
 #include "changeover/catalog/entry.hpp"
 #include "changeover/construct/best_known.hpp"
 #include "changeover/construct/closure.hpp"
@@ -71,7 +70,6 @@
 #include "changeover/search/enumeration.hpp"
 #include "changeover/search/exact.hpp"
 #include "changeover/search/local_search.hpp"
-#include "changeover/search/locked_search.hpp"
 #include "changeover/search/ordering.hpp"
 #include "changeover/search/repair.hpp"
 #include "changeover/verify/difference.hpp"

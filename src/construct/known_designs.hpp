@@ -34,7 +34,7 @@
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/parameters.hpp"
-#include "construct/tools/groups.hpp"
+#include "construct/tools/concatenation/groups.hpp"
 
 namespace changeover {
 

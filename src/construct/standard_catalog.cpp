@@ -18,7 +18,7 @@ std::optional<std::string>& chosen() {
   return path;
 }
 
-std::atomic<bool> asked = false;
+std::atomic<bool> catalog_was_asked = false;
 
 std::optional<std::string> variable(const char* name) {
   const char* const value = std::getenv(name);
@@ -28,7 +28,7 @@ std::optional<std::string> variable(const char* name) {
 }  // namespace
 
 void choose_catalog(std::string path) {
-  if (asked) {
+  if (catalog_was_asked) {
     throw InternalError("the catalog was asked before its file was chosen");
   }
   chosen() = std::move(path);
@@ -56,12 +56,16 @@ bool is_stored_cell(const Parameters& p) {
   return p.strength == 2 && p.change >= 1 && p.change <= 3 && p.k >= 3 && p.k <= 40 && p.v <= 160;
 }
 
-std::string standard_catalog_problem() { return asked ? standard_catalog().problem() : ""; }
+std::string standard_catalog_problem() {
+  return catalog_was_asked ? standard_catalog().problem() : "";
+}
 
-std::string standard_catalog_remark() { return asked ? standard_catalog().remark() : ""; }
+std::string standard_catalog_remark() {
+  return catalog_was_asked ? standard_catalog().remark() : "";
+}
 
 Catalog& standard_catalog() {
-  asked = true;
+  catalog_was_asked = true;
   static Catalog catalog({.shipped = shipped_catalog(), .user = standard_catalog_file()});
   return catalog;
 }

@@ -12,7 +12,7 @@
 #include <set>
 
 #include "changeover/construct/closure.hpp"
-#include "construct/tools/groups.hpp"
+#include "construct/tools/concatenation/groups.hpp"
 #include "construction_checks.hpp"
 
 namespace changeover::every_construction_test {

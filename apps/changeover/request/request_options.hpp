@@ -2,8 +2,11 @@
 // requests from files.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -12,6 +15,7 @@
 #include "cli/cli.hpp"
 #include "io/request/request_document.hpp"
 #include "request/inputs.hpp"
+#include "request/run_request.hpp"
 
 namespace changeover::cli {
 
@@ -91,31 +95,6 @@ void add_request_options(Verb& verb, Request& request, const RequestTable<Reques
   }
 }
 
-/// What the command line says, with the names that it gives in one text told apart, on top of what
-/// the file says.
-/// @throws UsageError, BadInput, MissingResource
-template <typename Request, typename Read>
-Request whole_request(Request request, const RequestTable<Request>& table, const std::string& file,
-                      Read&& read) {
-  for (const auto& option : table.options) {
-    if (auto* const field = std::get_if<std::vector<std::string> Request::*>(&option.field)) {
-      auto& names = request.**field;
-      try {
-        names = names.empty() ? names : names_in(names.front());
-      } catch (const BadInput& fault) {
-        throw UsageError{spelled(option.record, Door::command_line) + ": " + fault.what()};
-      }
-    }
-  }
-  if (!file.empty()) {
-    const auto input = open_input(file);
-    complete(
-        table, request,
-        read(read_to_end(*input, most_request_bytes, "name its lists by files"), input->name()));
-  }
-  return request;
-}
-
 /// The files of a request, as check_inputs() wants them.
 template <typename Request>
 std::vector<InputFile> files_of(const Request& request, const RequestTable<Request>& table) {
@@ -129,6 +108,45 @@ std::vector<InputFile> files_of(const Request& request, const RequestTable<Reque
     }
   }
   return files;
+}
+
+/// What the command line says, with the names that it gives in one text told apart, on top of what
+/// the file says; limits of the search stand in both. No file that is read is the output.
+/// @throws UsageError, BadInput, MissingResource
+template <typename Request, typename Read>
+Request whole_request(Request request, RunRequest& run, const RequestTable<Request>& table,
+                      const RequestFileRequest& file, const OutputRequest& output, Read&& read) {
+  request.threads = run.threads;
+  request.seed = run.seed;
+  if (!run.time.empty()) {
+    request.seconds = parse_duration(run.time, "--time").count();
+  }
+  for (const auto& option : table.options) {
+    if (auto* const field = std::get_if<std::vector<std::string> Request::*>(&option.field)) {
+      auto& names = request.**field;
+      try {
+        names = names.empty() ? names : names_in(names.front());
+      } catch (const BadInput& fault) {
+        throw UsageError{spelled(option.record, Door::command_line) + ": " + fault.what()};
+      }
+    }
+  }
+  std::vector<InputFile> files{{"--request", file.path}};
+  if (!file.path.empty()) {
+    check_inputs(output, files);
+    const auto input = open_input(file.path);
+    complete(
+        table, request,
+        read(read_to_end(*input, most_request_bytes, "name its lists by files"), input->name()));
+  }
+  std::ranges::move(files_of(request, table), std::back_inserter(files));
+  check_inputs(output, files);
+  run.threads = request.threads;
+  run.seed = request.seed;
+  if (run.time.empty() && request.seconds) {
+    run.time = fmt::format("{}s", *request.seconds);
+  }
+  return request;
 }
 
 }  // namespace changeover::cli

@@ -14,7 +14,7 @@
 #include "changeover/core/design.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/search/base_block_search.hpp"
-#include "changeover/search/locked_search.hpp"
+#include "changeover/search/local_search.hpp"
 #include "request/run_request.hpp"
 
 namespace changeover::cli {

@@ -2,90 +2,76 @@
 // together.
 #include <fmt/format.h>
 
+#include <functional>
+#include <optional>
+
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/load_request.hpp"
 #include "loadorder/show/loads_answer.hpp"
 #include "request/request_options.hpp"
-#include "request/run_request.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
 namespace {
 
-struct LoadOrderRequest : LoadRequest {
+struct LoadOrderRequest {
+  LoadRequest load;
   RequestFileRequest file;
   RunRequest run;
   OutputRequest output;
 };
 
-// What is asked, by the options and the file together; limits of the search stand in both.
-LoadOrderRequest whole(LoadOrderRequest request) {
-  request.threads = request.run.threads;
-  request.seed = request.run.seed;
-  if (!request.run.time.empty()) {
-    request.seconds = parse_duration(request.run.time, "--time").count();
-  }
-  static_cast<LoadRequest&>(request) =
-      whole_request<LoadRequest>(request, load_table(), request.file.path, load_request);
-  request.run.threads = request.threads;
-  request.run.seed = request.seed;
-  if (request.run.time.empty() && request.seconds) {
-    request.run.time = fmt::format("{}s", *request.seconds);
-  }
-  return request;
-}
-
 // When memory is full for the first time, all pairs in it are new.
-void require_memory_for_a_step(const LoadOrderRequest& request, const WantedPairs& wanted,
-                               std::uint64_t items, std::uint64_t room) {
-  const std::uint64_t there = std::min(room, items);
+void require_memory_for_a_step(const CheckedLoads& asked, bool ordered) {
+  const std::uint64_t room = asked.room();
+  const std::uint64_t there = std::min(room, asked.items());
   std::uint64_t pairs = there * (there - 1) / 2;
-  if (!wanted.are_all()) {
-    pairs = std::min(pairs, wanted.count());
+  if (!asked.wanted().are_all()) {
+    pairs = std::min(pairs, asked.wanted().count());
   }
-  const std::uint64_t copies = request.ordered ? 3 : 2;  // as they are found, and as they are said
+  const std::uint64_t copies = ordered ? 3 : 2;  // as they are found, and as they are said
   require_memory(pairs * copies * sizeof(ItemPair),
                  fmt::format("a step of --new-pairs with --room {}", room));
 }
 
 Answer run(const LoadOrderRequest& typed) {
-  std::vector<InputFile> files{{"--request", typed.file.path}};
-  check_inputs(typed.output, files);
-  const LoadOrderRequest request = whole(typed);
+  RunRequest run = typed.run;
+  const LoadRequest request =
+      whole_request(typed.load, run, load_table(), typed.file, typed.output, load_request);
   check_options(request, Door::command_line);
-  OutputRequest output = request.output;
+  OutputRequest output = typed.output;
   output.precious = false;  // Without a search the same command makes it again.
-  if (request.file.show) {
+  if (typed.file.show) {
     return text_answer(to_json(request), output);
   }
-  files.emplace_back("the list of pairs", list_file(request.pairs.file));
-  check_inputs(request.output, files);
   const CheckedLoads asked = checked_loads(request, Door::command_line);
   if (request.new_pairs) {
-    require_memory_for_a_step(request, asked.wanted(), asked.items(), asked.room());
+    require_memory_for_a_step(asked, request.ordered);
   }
   LoadOrderOptions options;
-  options.seed = request.run.seed.value_or(1);
+  options.seed = request.seed.value_or(1);
   output.check_writable();
-  if (request.run.settings().time->count() > 0) {
-    options.improve = [&](const Design& start, std::uint64_t blocks) {
+  if (run.settings().time->count() > 0) {
+    // The time is for the searches alone.
+    const auto searching = [&](const std::function<void(RunControl&)>& search) {
       output.precious = true;
-      Running running(request.run, request.output);  // The time is for the search alone.
-      return improve_by_search(running.control())(start, blocks);
+      Running running(run, typed.output);
+      search(running.control());
     };
-    options.search_pairs = [&](const std::function<void()>& search) {
-      output.precious = true;
-      const Running running(request.run, request.output);
-      search();
+    options.improve = [=](const Design& start, std::uint64_t blocks) {
+      std::optional<Design> found;
+      searching([&](RunControl& control) { found = improve_by_search(control)(start, blocks); });
+      return found;
+    };
+    options.search_pairs = [=](const std::function<void()>& search) {
+      searching([&](RunControl&) { search(); });
     };
   }
   // Made now, so that what cannot be is said before anything is written.
   const auto loads = std::make_shared<const LoadsAnswer>(asked, request, options);
   Answer answer;
-  answer.write = [format = request.output.format(), loads](OutputFile& out) {
-    loads->write(format, out);
-  };
+  answer.write = [format = output.format(), loads](OutputFile& out) { loads->write(format, out); };
   answer.output = output;
   return answer;
 }
@@ -95,7 +81,7 @@ Answer run(const LoadOrderRequest& typed) {
 void add_loadorder(Program& program) {
   auto [verb, request] = program.add<LoadOrderRequest>(
       "loadorder", "an order of loads that brings all pairs of items together", run);
-  add_request_options(verb, static_cast<LoadRequest&>(request), load_table());
+  add_request_options(verb, request.load, load_table());
   request.file.add_to(verb, load_table().format);
   request.run.add_to(verb, "0s", request.output);
   request.output.add_to(verb, {"text", "jsonl", "csv"});

@@ -1,11 +1,8 @@
 // changeover plan: the cheapest run sheet.
-#include <fmt/format.h>
-
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
 #include "cli/terminal.hpp"
 #include "request/request_options.hpp"
-#include "request/run_request.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
@@ -17,23 +14,6 @@ struct PlanRequest {
   RunRequest run;
   OutputRequest output;
 };
-
-// What is asked, by the options and the file together; limits of the search stand in both.
-JobRequest job_asked(const PlanRequest& request, RunRequest& run) {
-  JobRequest job = request.job;
-  job.threads = run.threads;
-  job.seed = run.seed;
-  if (!run.time.empty()) {
-    job.seconds = parse_duration(run.time, "--time").count();
-  }
-  job = whole_request(std::move(job), job_table(), request.file.path, job_request);
-  run.threads = job.threads;
-  run.seed = job.seed;
-  if (run.time.empty() && job.seconds) {
-    run.time = fmt::format("{}s", *job.seconds);
-  }
-  return job;
-}
 
 // In which formats such an answer is written.
 void check_format(const JobRequest& job, const OutputRequest& output) {
@@ -59,14 +39,8 @@ Answer show(const JobRequest& job, const OutputRequest& output) {
 
 Answer answer_to(const PlanRequest& request) {
   RunRequest run = request.run;
-  std::vector<InputFile> files{{"--request", request.file.path}};
-  check_inputs(request.output, files);
-  const JobRequest asked_for = job_asked(request, run);
-  for (InputFile& file : files_of(asked_for, job_table())) {
-    files.push_back(std::move(file));
-  }
-  check_inputs(request.output, files);
-  const OpenedRequest opened = open_workbook(asked_for);
+  const OpenedRequest opened = open_workbook(
+      whole_request(request.job, run, job_table(), request.file, request.output, job_request));
   const JobRequest& job = opened.request;
   check_options(job, Door::command_line);
   if (request.file.show) {

@@ -2,7 +2,7 @@
 // tests/search/enumerate.
 #include <array>
 
-#include "changeover/catalog/classified.hpp"
+#include "changeover/catalog/catalog.hpp"
 
 namespace changeover {
 namespace {

@@ -11,24 +11,24 @@
 namespace changeover {
 namespace {
 
-constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t never_again = std::numeric_limits<std::size_t>::max();
 
 struct Stay {
   std::size_t begin = 0;
   std::size_t end = 0;  // the last block
   Element element = 0;
-  std::size_t again = never;  // when the next stay of the element begins
+  std::size_t again = never_again;  // when the next stay of the element begins
 };
 
 std::vector<Stay> stays_of(const Design& design) {
   require_memory(design.block_count() * sizeof(Stay), "the stays of " + name(design.parameters()));
   std::vector<Stay> stays;
-  std::vector<std::size_t> current(static_cast<std::size_t>(design.v()), never);
+  std::vector<std::size_t> current(static_cast<std::size_t>(design.v()), never_again);
   for (std::size_t i = 0; i < design.block_count(); ++i) {
     for (const Element x : design.block(i)) {
       std::size_t& stay = current[x];
-      if (stay == never || stays[stay].end + 1 < i) {
-        if (stay != never) {
+      if (stay == never_again || stays[stay].end + 1 < i) {
+        if (stay != never_again) {
           stays[stay].again = i;
         }
         stay = stays.size();

@@ -7,6 +7,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 
@@ -29,7 +30,7 @@ ScheduleVerdict read_order(const LoadOrder::Maker& maker, ScheduleRules rules,
 std::string pairs_read(const ScheduleVerdict& verdict, std::uint64_t items,
                        const std::string& where) {
   const std::uint64_t count = binomial(items, 2);
-  const std::string pairs = fmt::format("{} pair{}", count, count == 1 ? "" : "s");
+  const std::string pairs = count_of(count, "pair");
   return verdict.computed == count ? fmt::format("{} computed{}, each once", pairs, where)
                                    : fmt::format("all {} met{}", pairs, where);
 }

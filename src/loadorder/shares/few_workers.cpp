@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -52,7 +53,7 @@ LoadBound least_at_one_worker(std::uint64_t items, std::uint64_t workers) {
     best.reason =
         parts[workers] == of[workers]
             ? fmt::format("with {} some worker loads all items (docs/theorems.md, Theorem 17)",
-                          workers == 1 ? "1 worker" : "2 workers")
+                          count_of(workers, "worker"))
             : fmt::format(
                   "any two items meet at one of {} workers, so one of them loads at least "
                   "{}/{} of {} items (docs/theorems.md, Theorem 17)",

@@ -6,6 +6,7 @@
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 #include "paper/checks/checking.hpp"
 #include "paper/checks/checks.hpp"
 #include "paper/checks/enumeration.hpp"
@@ -380,12 +381,11 @@ PaperItem check_fixed_elements(const PaperContext& context) {
       const std::size_t fixed = verdict.fixed.size();
       return PaperFinding{
           "no fixed element unless v = 2k-3",
-          fmt::format(
-              "a circular {} with ceil(g2) = {} blocks has {} fixed element{}, and 2k-3 = {}",
-              dccd(design.v(), design.k(), verdict.b), g2, fixed, fixed == 1 ? "" : "s",
-              2 * design.k() - 3),
-          fmt::format("add {} element{} to every block of the circular {}; it is minimum, for {}",
-                      fixed, fixed == 1 ? "" : "s",
+          fmt::format("a circular {} with ceil(g2) = {} blocks has {}, and 2k-3 = {}",
+                      dccd(design.v(), design.k(), verdict.b), g2, count_of(fixed, "fixed element"),
+                      2 * design.k() - 3),
+          fmt::format("add {} to every block of the circular {}; it is minimum, for {}",
+                      count_of(fixed, "element"),
                       dccd(design.v() - fixed, design.k() - fixed, verdict.b), bound.reason)};
     });
     told = told || !holds;

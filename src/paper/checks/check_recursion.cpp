@@ -6,6 +6,7 @@
 #include "changeover/construct/expansion.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
+#include "core/words.hpp"
 #include "paper/checks/checking.hpp"
 #include "paper/checks/checks.hpp"
 
@@ -280,9 +281,9 @@ PaperItem check_introductions(const Paper& paper, const std::vector<WithSet>& de
         0);
   }
   check.note(fmt::format(
-      "so in {} block{}; {} of the designs {} linear with a subset at U_0. As many pairs are covered in all, and "
+      "so in {}; {} of the designs {} linear with a subset at U_0. As many pairs are covered in all, and "
       "Theorem 2 stands as it is",
-      different, different == 1 ? "" : "s", at_the_front, at_the_front == 1 ? "is" : "are"));
+      count_of(different, "block"), at_the_front, at_the_front == 1 ? "is" : "are"));
   return std::move(check).finish();
 }
 

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/catalog/classified.hpp"
+#include "changeover/catalog/catalog.hpp"
 #include "changeover/search/enumeration.hpp"
 
 namespace changeover::test::classified_test {

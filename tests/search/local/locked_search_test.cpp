@@ -1,5 +1,5 @@
 // Local search with locked cells.
-#include "changeover/search/locked_search.hpp"
+#include "changeover/search/local_search.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include "changeover/run/control.hpp"
 #include "io/write/json_writer.hpp"
 #include "serve/api/cells.hpp"
-#include "serve/api/query.hpp"
+#include "serve/api/request/query.hpp"
 #include "serve/api/routes.hpp"
 
 namespace changeover::serve {

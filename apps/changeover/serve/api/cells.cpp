@@ -7,15 +7,15 @@
 #include "answer/design/recipe_tree.hpp"
 #include "answer/known/known_bounds.hpp"
 #include "answer/known/known_table.hpp"
-#include "changeover/catalog/classified.hpp"
+#include "changeover/catalog/catalog.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/io/formats.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/parameters.hpp"
 #include "serve/api/cells.hpp"
-#include "serve/api/query.hpp"
+#include "serve/api/request/query.hpp"
+#include "serve/api/request/selection.hpp"
 #include "serve/api/routes.hpp"
-#include "serve/api/selection.hpp"
 
 namespace changeover::serve {
 namespace {

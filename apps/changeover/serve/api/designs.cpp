@@ -8,9 +8,9 @@
 #include "answer/dossier/dossier.hpp"
 #include "changeover/catalog/entry.hpp"
 #include "core/printable.hpp"
-#include "serve/api/query.hpp"
+#include "serve/api/request/query.hpp"
+#include "serve/api/request/selection.hpp"
 #include "serve/api/routes.hpp"
-#include "serve/api/selection.hpp"
 
 namespace changeover::serve {
 namespace {

@@ -9,9 +9,9 @@
 #include "changeover/io/input.hpp"
 #include "request/picture_options.hpp"
 #include "serve/api/cells.hpp"
-#include "serve/api/query.hpp"
+#include "serve/api/request/query.hpp"
+#include "serve/api/request/selection.hpp"
 #include "serve/api/routes.hpp"
-#include "serve/api/selection.hpp"
 #include "serve/api/verify.hpp"
 
 namespace changeover::serve {

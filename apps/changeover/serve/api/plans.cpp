@@ -6,7 +6,7 @@
 #include "changeover/plan/run_plan.hpp"
 #include "changeover/run/control.hpp"
 #include "io/write/json_writer.hpp"
-#include "serve/api/request_body.hpp"
+#include "serve/api/request/request_body.hpp"
 #include "serve/api/routes.hpp"
 
 namespace changeover::serve {

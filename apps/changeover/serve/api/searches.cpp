@@ -7,8 +7,8 @@
 
 #include "changeover/io/input.hpp"
 #include "io/write/json_writer.hpp"
-#include "serve/api/json_body.hpp"
-#include "serve/api/query.hpp"
+#include "serve/api/request/json_body.hpp"
+#include "serve/api/request/query.hpp"
 #include "serve/api/routes.hpp"
 #include "serve/api/verify.hpp"
 #include "serve/jobs/search_jobs.hpp"

@@ -13,7 +13,7 @@
 #include "changeover/verify/verdict.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
-#include "serve/api/query.hpp"
+#include "serve/api/request/query.hpp"
 #include "serve/api/routes.hpp"
 
 namespace changeover::serve {

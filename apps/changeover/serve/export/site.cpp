@@ -25,7 +25,7 @@
 #include "serve/api/about.hpp"
 #include "serve/api/atlas.hpp"
 #include "serve/api/cells.hpp"
-#include "serve/api/selection.hpp"
+#include "serve/api/request/selection.hpp"
 #include "serve/export/addresses.hpp"
 #include "serve/export/packed_designs.hpp"
 #include "serve/export/workshop.hpp"

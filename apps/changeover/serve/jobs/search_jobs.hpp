@@ -22,7 +22,7 @@
 
 #include "changeover/catalog/catalog.hpp"
 #include "changeover/core/design.hpp"
-#include "changeover/search/locked_search.hpp"
+#include "changeover/search/local_search.hpp"
 #include "serve/http/events.hpp"
 
 namespace changeover::serve {

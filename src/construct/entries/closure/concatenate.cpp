@@ -3,7 +3,7 @@
 //
 // The recipe's inputs are V and W; its list of positions names unchanged subsets of W that
 // partition W without k−1 elements of its first or last block. `times` says how often W comes.
-// See construct/tools/pieces.hpp.
+// See construct/tools/concatenation/pieces.hpp.
 #include <fmt/format.h>
 
 #include <utility>
@@ -12,7 +12,7 @@
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
-#include "construct/tools/pieces.hpp"
+#include "construct/tools/concatenation/pieces.hpp"
 #include "construct/tools/read_within_memory.hpp"
 #include "core/checked.hpp"
 

@@ -4,7 +4,7 @@
 // linear design of the last piece if that is another. Its lists are the positions of the parts of W
 // and the hinge. Arguments: `groups`, how many; `at`, the position of the hinge; `reversed`, 1 if
 // all this is of W read backwards; `dropped`, how many pieces lack the blocks inside the hole. See
-// construct/tools/groups.hpp.
+// construct/tools/concatenation/groups.hpp.
 #include <fmt/format.h>
 
 #include <optional>
@@ -15,7 +15,7 @@
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
-#include "construct/tools/groups.hpp"
+#include "construct/tools/concatenation/groups.hpp"
 #include "construct/tools/read_within_memory.hpp"
 
 namespace changeover::concatenate_groups_entry {

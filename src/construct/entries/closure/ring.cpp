@@ -3,7 +3,7 @@
 //
 // The recipe's input is the design; its first list names positions of the path, and the path's
 // blocks follow. The elements in no unchanged subset there are anchors: k−1 in the path's first
-// block, k−1 in its last. See construct/tools/pieces.hpp.
+// block, k−1 in its last. See construct/tools/concatenation/pieces.hpp.
 #include <fmt/format.h>
 
 #include <utility>
@@ -12,7 +12,7 @@
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
-#include "construct/tools/pieces.hpp"
+#include "construct/tools/concatenation/pieces.hpp"
 #include "construct/tools/short_blocks.hpp"
 #include "core/checked.hpp"
 

@@ -6,7 +6,7 @@
 #include "bounds/counting_bound.hpp"
 #include "changeover/construct/best_known.hpp"
 #include "changeover/construct/closure.hpp"
-#include "construct/tools/pieces.hpp"
+#include "construct/tools/concatenation/pieces.hpp"
 #include "construct/tools/short_blocks.hpp"
 #include "construction_checks.hpp"
 

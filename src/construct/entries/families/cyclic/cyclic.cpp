@@ -5,7 +5,7 @@
 // they are asked for, so the design is a stream without any memory for its base blocks.
 #include <algorithm>
 
-#include "construct/tools/interval_family.hpp"
+#include "construct/entries/families/cyclic/interval_family.hpp"
 
 namespace changeover::cyclic_entry {
 namespace {

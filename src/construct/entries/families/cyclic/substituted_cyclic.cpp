@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "changeover/construct/registry.hpp"
-#include "construct/tools/without_neighbours.hpp"
+#include "construct/entries/families/cyclic/without_neighbours.hpp"
 
 namespace changeover::substituted_cyclic_entry {
 namespace {

@@ -13,7 +13,7 @@
 #include <span>
 
 #include "changeover/core/error.hpp"
-#include "construct/tools/interval_family.hpp"
+#include "construct/entries/families/cyclic/interval_family.hpp"
 
 namespace changeover::cyclic_triple_change_entry {
 namespace {

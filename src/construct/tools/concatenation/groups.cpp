@@ -1,4 +1,4 @@
-#include "construct/tools/groups.hpp"
+#include "construct/tools/concatenation/groups.hpp"
 
 #include <fmt/format.h>
 

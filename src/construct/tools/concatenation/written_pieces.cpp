@@ -2,7 +2,7 @@
 // were locked.
 #include <vector>
 
-#include "construct/tools/pieces.hpp"
+#include "construct/tools/concatenation/pieces.hpp"
 
 namespace changeover {
 

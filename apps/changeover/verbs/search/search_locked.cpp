@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "changeover/io/input.hpp"
-#include "changeover/search/locked_search.hpp"
+#include "changeover/search/local_search.hpp"
 #include "core/words.hpp"
 #include "request/search_request.hpp"
 

@@ -15,8 +15,8 @@
 
 #include "changeover/core/developed.hpp"
 #include "construct/entry.hpp"
+#include "construct/tools/concatenation/groups.hpp"
 #include "construct/tools/cyclic.hpp"
-#include "construct/tools/groups.hpp"
 #include "core/checked.hpp"
 
 namespace changeover::cyclic_with_groups_entry {

@@ -5,7 +5,7 @@
 // (p+1)(k−1), so the c of them cover 1, …, c(k−1) = (v−1)/2, each once. The base block that
 // contains k−1 comes last: it holds A+1 = {1, …, k−1}, which is what it shares with the next
 // translate of the first.
-#include "construct/tools/interval_family.hpp"
+#include "construct/entries/families/cyclic/interval_family.hpp"
 
 namespace changeover::cyclic_single_change_entry {
 namespace {

@@ -1,5 +1,5 @@
 // Concatenation with groups: classes, hinges, pieces with holes, and what comes of all three.
-#include "construct/tools/groups.hpp"
+#include "construct/tools/concatenation/groups.hpp"
 
 #include <gtest/gtest.h>
 

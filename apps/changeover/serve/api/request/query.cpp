@@ -1,4 +1,4 @@
-#include "serve/api/query.hpp"
+#include "serve/api/request/query.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

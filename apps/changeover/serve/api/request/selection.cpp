@@ -1,4 +1,4 @@
-#include "serve/api/selection.hpp"
+#include "serve/api/request/selection.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "changeover/verify/verdict.hpp"
 #include "core/printable.hpp"
 #include "io/write/json_writer.hpp"
-#include "serve/api/query.hpp"
+#include "serve/api/request/query.hpp"
 #include "serve/jobs/search_jobs.hpp"
 
 namespace changeover::serve {

@@ -1,4 +1,4 @@
-#include "serve/api/json_body.hpp"
+#include "serve/api/request/json_body.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "changeover/construct/registry.hpp"
-#include "construct/tools/without_neighbours.hpp"
+#include "construct/entries/families/cyclic/without_neighbours.hpp"
 
 namespace changeover::even_visits_entry {
 namespace {

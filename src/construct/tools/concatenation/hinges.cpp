@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "changeover/run/control.hpp"
-#include "construct/tools/groups.hpp"
+#include "construct/tools/concatenation/groups.hpp"
 #include "core/sorted.hpp"
 #include "run/random.hpp"
 

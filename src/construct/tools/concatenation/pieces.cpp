@@ -1,4 +1,4 @@
-#include "construct/tools/pieces.hpp"
+#include "construct/tools/concatenation/pieces.hpp"
 
 #include <fmt/format.h>
 
