@@ -14,10 +14,11 @@ namespace changeover {
 namespace {
 
 constexpr std::uint32_t tries_a_place = 6;
-constexpr std::size_t places_at_steps = 24;
 constexpr std::size_t most_places_at_an_end = 40;
 constexpr std::size_t walk_a_place = 30;  // steps for each element of the design
-constexpr std::size_t last_walk = 1500;
+constexpr std::size_t walk_from_another = 300;
+constexpr std::size_t last_walk = 20000;
+constexpr std::size_t last_walks = 3;
 constexpr std::size_t rest_of_a_set = 20;  // steps until a set that went may come back
 
 class Packing {
@@ -50,18 +51,31 @@ class Packing {
                              [this](auto a, auto b) { return sets_[a].times > sets_[b].times; });
   }
 
-  [[nodiscard]] std::size_t most() const { return v_ / part_size_ - 1; }
+  /// No more sets fit beside the hinge.
+  [[nodiscard]] std::size_t most(const Block& hinge) const {
+    return (v_ - hinge.size()) / part_size_;
+  }
+  [[nodiscard]] const Block& elements(std::uint32_t set) const { return sets_[set].elements; }
+  [[nodiscard]] std::size_t position(std::uint32_t set) const { return sets_[set].position; }
 
   /// Sets that do not meet each other and `hinge`.
   std::vector<std::uint32_t> best(const Block& hinge, Random& random) {
     std::vector<std::uint32_t> best;
-    for (std::uint32_t i = 0; i < tries_a_place && best.size() < most(); ++i) {
+    for (std::uint32_t i = 0; i < tries_a_place && best.size() < most(hinge); ++i) {
       std::vector<std::uint32_t> found = pack(hinge, i % 2 == 0, random);
       if (found.size() > best.size()) {
         best = std::move(found);
       }
     }
     return walked(hinge, std::move(best), walk_a_place * v_, random);
+  }
+
+  /// Those of `sets` that do not meet the hinge.
+  [[nodiscard]] std::vector<std::uint32_t> beside(const Block& hinge,
+                                                  std::vector<std::uint32_t> sets) const {
+    std::erase_if(sets,
+                  [&](std::uint32_t i) { return !intersection(sets_[i].elements, hinge).empty(); });
+    return sets;
   }
 
   /// As many or more such sets, after so many steps from `start`.
@@ -80,7 +94,7 @@ class Packing {
     }
     std::size_t size = start.size();
     std::vector<std::size_t> back(sets_.size(), 0);
-    for (std::size_t step = 0; step < steps && start.size() < most(); ++step) {
+    for (std::size_t step = 0; step < steps && start.size() < most(hinge); ++step) {
       const auto x = static_cast<std::size_t>(random.below(static_cast<std::uint32_t>(v_)));
       if (holder[x] != none || with_[x].empty()) {
         continue;
@@ -256,50 +270,55 @@ std::vector<Hinge> hinges(const Design& design) {
   Packing packing(design);
   Random random(1);
   std::vector<Hinge> found;
-  // A place and its parts, of those that were looked at the one with most.
-  struct Place {
-    Hinge hinge;
-    std::vector<std::uint32_t> parts;
-  };
-  const auto look = [&](Place& best, const Hinge& hinge) {
-    std::vector<std::uint32_t> parts = packing.best(hinge.elements, random);
-    if (best.hinge.elements.empty() || parts.size() > best.parts.size()) {
-      best = {hinge, std::move(parts)};
+  const auto longest = [&](const Block& hinge, const std::vector<std::uint32_t>& start) {
+    std::vector<std::uint32_t> best = start;
+    for (std::size_t i = 0; i < last_walks && best.size() < packing.most(hinge); ++i) {
+      std::vector<std::uint32_t> parts =
+          packing.walked(hinge, start, last_walk * static_cast<std::size_t>(design.v()), random);
+      if (parts.size() > best.size()) {
+        best = std::move(parts);
+      }
     }
-    return best.parts.size() < packing.most();
+    return best;
   };
-  const auto settle = [&](Place& best) {
-    best.parts = packing.walked(best.hinge.elements, std::move(best.parts),
-                                last_walk * static_cast<std::size_t>(design.v()), random);
-    best.hinge.positions = packing.positions_of(best.parts);
-    found.push_back(std::move(best.hinge));
-  };
+  // At a step: any one of sets that fit together, beside the others.
+  std::vector<std::uint32_t> together = longest({}, packing.best({}, random));
   if (design.parameters().kind == Kind::linear) {
-    Place end;
+    // A place and its parts, of those that were looked at the one with most.
+    Hinge end;
+    std::vector<std::uint32_t> parts;
+    const auto look = [&](bool reversed, const Block& subset) {
+      std::vector<std::uint32_t> here = packing.best(subset, random);
+      std::vector<std::uint32_t> from_there =
+          packing.walked(subset, packing.beside(subset, together),
+                         walk_from_another * static_cast<std::size_t>(design.v()), random);
+      std::vector<std::uint32_t>& more = from_there.size() > here.size() ? from_there : here;
+      if (end.elements.empty() || more.size() > parts.size()) {
+        end = {b, reversed, subset, {}};
+        parts = std::move(more);
+      }
+      return parts.size() < packing.most(subset);
+    };
     for (const bool reversed : {false, true}) {
       std::size_t places = 0;
       for_subsets(sorted(design.block(reversed ? 0 : b - 1)), n, [&](const Block& subset) {
-        return look(end, {b, reversed, subset, {}}) && ++places < most_places_at_an_end;
+        return look(reversed, subset) && ++places < most_places_at_an_end;
       });
     }
-    settle(end);
-    if (Hinge& hinge = found.back(); hinge.reversed) {
-      for (Element& position : hinge.positions) {
+    end.positions = packing.positions_of(longest(end.elements, parts));
+    if (end.reversed) {
+      for (Element& position : end.positions) {
         position = static_cast<Element>(b) - position;
       }
-      std::ranges::reverse(hinge.positions);
+      std::ranges::reverse(end.positions);
     }
+    found.push_back(std::move(end));
   }
-  const std::vector<UnchangedSubset> steps = unchanged_subsets(design);
-  Place step;
-  for (std::size_t i = 0; i < places_at_steps && step.parts.size() < packing.most(); ++i) {
-    const UnchangedSubset& at = steps[random.below(static_cast<std::uint32_t>(steps.size()))];
-    if (at.elements.size() == n) {
-      look(step, {at.position, false, at.elements, {}});
-    }
-  }
-  if (!step.hinge.elements.empty()) {
-    settle(step);
+  if (!together.empty()) {
+    const std::uint32_t hinge = together.back();
+    together.pop_back();
+    found.push_back(
+        {packing.position(hinge), false, packing.elements(hinge), packing.positions_of(together)});
   }
   return found;
 }
