@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+"""Every message of the sources is run or has its reason.
+
+usage: check_messages.py ROOT [--all]   --all: also the rooms that are not in ROOMS
+
+A message is accounted for if a row of the table (tests/data/errors, which errors.py runs) says its words, if a test of the
+project holds them, or if tests/data/errors/elsewhere.txt names it with a reason. What is thrown as an InternalError is a bug
+of ours, and no row can show it.
+"""
+
+import pathlib
+import re
+import sys
+
+import errors
+import messages
+
+# The rooms whose messages are held to the table. Others are not there yet.
+ROOMS = ("src/catalog/", "src/curator/", "src/io/")
+TESTS = ("tests", "python/tests", "web/tests", "bench")
+SUFFIXES = (".cpp", ".hpp", ".c", ".py", ".sh", ".mjs")
+SHORTEST = 16  # characters in a row of a message that a test must repeat
+LITERALS = re.compile(r'"((?:[^"\\\n]|\\.)*)"|\'((?:[^\'\\\n]|\\.)*)\'')
+
+
+def words_of_tests(root):
+    """The literals of the tests that can hold a message: those with blanks, and long enough to be of no other message."""
+    words = set()
+    for top in TESTS:
+        for path in sorted((root / top).rglob("*")) if (root / top).is_dir() else []:
+            if path.suffix in SUFFIXES and "data/errors" not in path.as_posix() and "__pycache__" not in path.parts:
+                text = re.sub(r'"\s*\n\s*f?"', "", path.read_text(encoding="utf-8", errors="replace"))
+                words.update(literal for quoted in LITERALS.findall(text) for literal in quoted
+                             if len(literal) >= SHORTEST and " " in literal.strip())
+    return {literal.replace('\\"', '"').replace("\\\\", "\\") for literal in words}
+
+
+def holds(literal, message):
+    """Are the words of a test those of a message, or a part of them?"""
+    return any(literal in part for part in message.parts) or (
+        len(longest(message)) >= SHORTEST and longest(message) in literal)
+
+
+def elsewhere(root):
+    """Rows of elsewhere.txt: (line number, words, reason)."""
+    path = root / errors.TABLE / "elsewhere.txt"
+    rows, lines = [], path.read_text(encoding="utf-8").split("\n") if path.is_file() else []
+    for number, line in enumerate(lines, 1):
+        if line.startswith("    ") and rows and not rows[-1][2]:
+            rows[-1] = (*rows[-1][:2], line.strip())
+        elif line and not line.startswith(("#", " ")):
+            rows.append((number, line, ""))
+        elif line.startswith(" "):
+            rows.append((number, "", ""))
+    return rows
+
+
+def longest(message):
+    return max(message.parts, key=len, default="").strip()
+
+
+def accounts(root, found):
+    """For each message how it is accounted for: "row", "test", "elsewhere", "bug" or ""; and the rows of elsewhere that were used."""
+    said = [row.message for section in errors.table(root) for row in section.rows()]
+    tests = words_of_tests(root)
+    reasons = elsewhere(root)
+    used = set()
+    how = []
+    for message in found:
+        if any(message.is_in(line) for line in said):
+            how.append("row")
+        elif message.kind == messages.BUG:
+            how.append("bug")
+        elif matching := [number for number, shown, _ in reasons if shown and shown in (message.shown, f"{message.path}: *")]:
+            used.update(matching)
+            how.append("elsewhere")
+        elif any(holds(literal, message) for literal in tests):
+            how.append("test")
+        else:
+            how.append("")
+    return how, used
+
+
+def faults(root, everything=False):
+    found, bare = messages.of_sources(root)
+    inside = [message for message in found if everything or message.path.startswith(ROOMS)]
+    how, used = accounts(root, inside)
+    missing = [f"{message.path}:{message.line}: '{message.shown}': no row of {errors.TABLE} says it, and no test"
+               for message, account in zip(inside, how) if not account]
+    for number, shown, reason in elsewhere(root):
+        place = f"{errors.TABLE}/elsewhere.txt:{number}"
+        if not shown or not reason:
+            missing.append(f"{place}: words of a message on a line, and below it a reason, indented by four blanks")
+        elif number not in used and not everything:
+            missing.append(f"{place}: '{shown}': no message of the sources, or one that a row says")
+        for test in re.findall(r"\btests/[\w./]+\w", reason):
+            if not (root / test).exists():
+                missing.append(f"{place}: there is no {test}")
+    missing += [f"{path}:{line}: {kind} is thrown with words that come from nowhere; word it here or in a function ..._defect()"
+                for path, line, kind in bare if everything or path.startswith(ROOMS)]
+    counts = {account: how.count(account) for account in ("row", "test", "elsewhere", "bug")}
+    return counts, missing
+
+
+def main(arguments):
+    if len(arguments) not in (1, 2):
+        print(__doc__.strip(), file=sys.stderr)
+        return 2
+    counts, missing = faults(pathlib.Path(arguments[0]), "--all" in arguments)
+    for line in missing:
+        print(line)
+    print(f"{sum(counts.values())} messages: {counts['row']} in the table, {counts['test']} in other tests, "
+          f"{counts['elsewhere']} with a reason, {counts['bug']} bugs of ours; {len(missing)} faults")
+    return 1 if missing or not counts["row"] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
