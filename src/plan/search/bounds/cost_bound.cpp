@@ -20,6 +20,7 @@
 #include "plan/search/bounds/least_number.hpp"
 #include "plan/search/bounds/rounded_up.hpp"
 #include "plan/search/bounds/stays_cost.hpp"
+#include "plan/search/bounds/step_bound.hpp"
 #include "plan/search/choices/choice_plan.hpp"
 #include "plan/search/first_plan.hpp"
 #include "plan/search/triple_plan.hpp"
@@ -379,7 +380,7 @@ CostBound cost_bound(const Job& job) {
 
 namespace {
 
-CostBound bound_of_pairs(const Job& job);
+CostBound bound_of_pairs(const Job& job, std::string& least);
 
 }  // namespace
 
@@ -396,10 +397,18 @@ CostBound bound_of_valid_job(const Job& job) {
                     job.model == nullptr ? "put in" : "set", bound.reason);
     return bound;
   }
-  CostBound bound = job.triples.empty() ? bound_of_pairs(job) : bound_for_triples(job);
+  std::string least;  // tests and changes, with reasons
+  CostBound bound = job.triples.empty() ? bound_of_pairs(job, least) : bound_for_triples(job);
   if (job.model != nullptr) {
     try {
-      improve_choice_bound(job, bound);
+      improve_choice_bound(job, bound, least);
+    } catch (const Stopped&) {
+      // What is known is true.
+    }
+  }
+  if (job.triples.empty() && job.needed.size() > 0) {
+    try {
+      raise_by_steps(job, least, bound);
     } catch (const Stopped&) {
       // What is known is true.
     }
@@ -409,7 +418,7 @@ CostBound bound_of_valid_job(const Job& job) {
 
 namespace {
 
-CostBound bound_of_pairs(const Job& job) {
+CostBound bound_of_pairs(const Job& job, std::string& least) {
   const JobNumbers n = numbers_of(job);
   CostBound bound;
   if (job.needed.size() == 0) {
@@ -424,9 +433,8 @@ CostBound bound_of_pairs(const Job& job) {
   Cheapest cheapest;
   bound.tests = tests.number;
   bound.introductions = introductions.number + n.mounted_introductions;
-  const std::string least =
-      fmt::format("at least {} ({}), at least {} ({})", count_of(tests.number, "test"), tests.why,
-                  count_of(bound.introductions, "change"), introductions.why);
+  least = fmt::format("at least {} ({}), at least {} ({})", count_of(tests.number, "test"),
+                      tests.why, count_of(bound.introductions, "change"), introductions.why);
   try {
     cheapest = cheapest_numbers(job, n, costs, stays.cost, tests.number, introductions.number);
   } catch (const Stopped&) {

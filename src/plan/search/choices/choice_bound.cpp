@@ -189,7 +189,7 @@ LeastChanges least_choice_changes(const Job& job, const ChoiceNumbers& n) {
 
 }  // namespace
 
-void improve_choice_bound(const Job& job, CostBound& bound) {
+void improve_choice_bound(const Job& job, CostBound& bound, std::string& known) {
   if (job.needed.size() == 0) {
     return;
   }
@@ -200,10 +200,11 @@ void improve_choice_bound(const Job& job, CostBound& bound) {
       rounded_up(job, job.test_cost * std::max(tests.number, bound.tests) + changes.cost);
   if (tests.number >= bound.tests || cost >= bound.cost) {
     const std::uint64_t least = std::max(changes.number, bound.introductions);
-    bound.reason = fmt::format(
+    known = fmt::format(
         "at least {} ({}), at least {} (two parameters change as often as they have pairs to go through)",
         count_of(std::max(tests.number, bound.tests), "test"),
         tests.number >= bound.tests ? tests.why : "by their pairs", count_of(least, "change"));
+    bound.reason = known;
   }
   bound.tests = std::max(bound.tests, tests.number);
   bound.introductions = std::max(bound.introductions, changes.number);

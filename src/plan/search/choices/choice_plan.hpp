@@ -12,7 +12,8 @@ namespace changeover {
                                        RunControl& control);
 
 /// What is true of the jobs of models besides cost_bound(), which holds for them, too; `bound` is
-/// that, and becomes better.
+/// that, and becomes better; `known`, how many tests and changes there are at least and why, is
+/// said anew if it does.
 ///
 /// Proof. Let R be the needed pairs whose values are both in range.
 ///  (1) *Tests.* A test has one pair of each two parameters, and tests pairs of R only if no value
@@ -33,6 +34,6 @@ namespace changeover {
 ///      values that must be set. What the changes beyond these cost at least, at the lowest price
 ///      of each parameter, is a linear program; its dual is a fractional matching of parameters,
 ///      found as a transport problem.
-void improve_choice_bound(const Job& job, CostBound& bound);
+void improve_choice_bound(const Job& job, CostBound& bound, std::string& known);
 
 }  // namespace changeover

@@ -1,0 +1,177 @@
+// The bound by steps and slots [docs/theorems.md, Theorem 18]: no list costs less, whatever the
+// prices are.
+#include "plan/search/bounds/step_bound.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "changeover/run/control.hpp"
+#include "cheapest.hpp"
+#include "plan/search/exact_plan.hpp"
+#include "random_jobs.hpp"
+
+namespace changeover::step_bound_test {
+namespace {
+
+constexpr std::uint64_t money = 1'000'000;
+
+// The bound by steps alone, with no more known than that there is a test.
+Amount by_steps(const Job& job) {
+  CostBound bound;
+  bound.tests = 1;
+  raise_by_steps(job, "at least 1 test", bound);
+  return bound.cost;
+}
+
+// A job with slots, at random, of so many parts; some with forbidden pairs, a start, mounted parts,
+// little room.
+Job slotted_job(std::uint64_t seed, std::uint64_t number, std::uint64_t kinds) {
+  const auto parts = static_cast<std::uint32_t>(number);
+  const auto slots = static_cast<std::uint32_t>(kinds);
+  for (std::uint64_t stream = 0;; ++stream) {
+    Random random(seed, 500 + stream);
+    Job job = make_job(parts, parts, Amount{random.below(8) * money}, Amount{});
+    for (std::uint32_t s = 0; s < slots; ++s) {
+      const std::uint64_t most = 1 + random.below(3);
+      job.slots.push_back(
+          {"s" + std::to_string(s), random.below(static_cast<std::uint32_t>(most) + 1), most});
+    }
+    std::uint64_t room = 0;
+    for (const Slot& slot : job.slots) {
+      room += slot.most;
+    }
+    const bool some_in_none = random.below(4) == 0;
+    for (Element x = 0; x < parts; ++x) {
+      const std::uint32_t slot = random.below(slots + (some_in_none ? 1 : 0));
+      job.slot_of.push_back(slot == slots ? no_slot : slot);
+      job.change_costs[x] = Amount{(1 + random.below(12)) * money / 2};
+    }
+    job.at_once = room - (random.below(3) == 0 && room > 3 ? 1 : 0) + (some_in_none ? 1 : 0);
+    if (random.one_in_two()) {
+      for (std::uint32_t i = random.below(parts); i > 0; --i) {
+        const std::uint32_t x = random.below(parts);
+        const std::uint32_t y = random.below(parts);
+        if (x != y) {
+          job.never.insert(x, y);
+        }
+      }
+      job.needed = all_pairs_but(job.never);
+    }
+    for (Element x = 0; x < parts; ++x) {
+      if (random.below(20) == 0) {
+        job.mounted.push_back(x);
+      } else if (random.below(8) == 0 && job.start.size() < job.at_once) {
+        job.start.push_back(x);
+      }
+    }
+    if (!defects(job).empty()) {
+      drop_needed(job, cannot_meet(job));
+    }
+    if (defects(job).empty() && job.needed.size() > 0) {
+      return job;
+    }
+  }
+}
+
+TEST(StepBound, IsNoMoreThanTheLeastOfSmallJobs) {
+  std::uint64_t attained = 0;
+  for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+    const Job job =
+        seed % 3 == 0 ? test::random_job(seed, 5) : test::random_job_with_slots(seed, 5);
+    const std::uint64_t least = test::least_cost(job).value();
+    EXPECT_LE(by_steps(job).millionths, least) << seed;
+    attained += by_steps(job).millionths == least ? 1U : 0U;
+  }
+  EXPECT_GT(attained, 600U);
+}
+
+TEST(StepBound, IsNoMoreThanWhatAllListsAreLookedThroughFor) {
+  std::uint64_t ended = 0;
+  std::uint64_t attained = 0;
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+    const Job job = slotted_job(seed, 6 + seed % 4, 2 + seed % 3);
+    if (!is_small(job)) {
+      continue;
+    }
+    RunControl control({.threads = 1});
+    RunPlan plan = make_run_plan(job, {.steps = 5'000, .design_moves = 0, .states = 0}, control);
+    const ExactPlan exact = exact_plan(job, plan.sheet.cost, 100'000, control);
+    if (!exact.setups && exact.bound < plan.sheet.cost) {
+      continue;  // That took too long.
+    }
+    const Amount least = exact.setups ? run_sheet(job, *exact.setups).cost : plan.sheet.cost;
+    EXPECT_LE(by_steps(job), least) << seed;
+    ++ended;
+    attained += by_steps(job) == least ? 1U : 0U;
+  }
+  EXPECT_GT(ended, 60U);
+  EXPECT_GT(attained, 15U);
+}
+
+// Any list that does the job costs at least the bound, at prices for which it is as cheap as can
+// be: parts that it puts in often cost little, others much.
+TEST(StepBound, HoldsForEveryListAtEveryPrice) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Job job = seed % 4 == 0 ? make_job(8 + seed % 9, 3 + seed % 4, Amount{}, Amount{money})
+                            : slotted_job(seed, 10 + seed % 15, 2 + seed % 5);
+    RunControl control({.threads = 1});
+    const RunPlan plan =
+        make_run_plan(job, {.steps = 20'000, .design_moves = 0, .states = 0}, control);
+    ASSERT_TRUE(plan.sheet.does_the_job());
+    std::vector<std::uint64_t> times(job.names.size(), 0);
+    std::vector<bool> before(job.names.size(), false);
+    for (const Element x : job.start) {
+      before[x] = true;
+    }
+    for (const Block& setup : plan.candidates.front().setups) {
+      std::vector<bool> now(job.names.size(), false);
+      for (const Element x : setup) {
+        now[x] = true;
+        times[x] += before[x] ? 0U : 1U;
+      }
+      before = now;
+    }
+    Random random(seed);
+    for (std::uint32_t power = 0; power < 5; ++power) {
+      for (Element x = 0; x < job.parts(); ++x) {
+        std::uint64_t price = 64 * money;
+        for (std::uint32_t i = 0; i < power; ++i) {
+          price /= 1 + times[x];
+        }
+        job.change_costs[x] = Amount{price * (4 + random.below(2)) / 4};
+      }
+      for (const std::uint64_t test : {0U, 1U, 30U}) {
+        job.test_cost = Amount{test * money};
+        const Amount cost = run_sheet(job, plan.candidates.front().setups).cost;
+        EXPECT_LE(by_steps(job), cost) << seed << ' ' << power << ' ' << test;
+        EXPECT_LE(cost_bound(job).cost, cost) << seed << ' ' << power << ' ' << test;
+      }
+    }
+  }
+}
+
+// Nine values of which three by three must meet, one of each a test: an orthogonal array tests all
+// in nine tests, and each of its steps changes two or three.
+TEST(StepBound, KnowsThatAFewTestsChangeMoreEach) {
+  Job job = make_job(9, 3, Amount{100 * money}, Amount{money});
+  set_slots(job, {"A", "A", "A", "B", "B", "B", "C", "C", "C"}, parse_slots("A=1, B=1, C=1"));
+  drop_needed(job, cannot_meet(job));
+  EXPECT_EQ(cost_bound(job).cost, Amount{(900 + 3 + 16) * money});
+  job.test_cost = Amount{};
+  EXPECT_EQ(cost_bound(job).cost, Amount{15 * money});  // One change a test is cheaper then.
+}
+
+TEST(StepBound, IsWeakerButTrueWhenItIsStopped) {
+  std::atomic<bool> interrupted = true;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Job job = slotted_job(seed, 20, 4);
+    const Amount whole = by_steps(job);
+    RunControl control({.interrupted = &interrupted});
+    const RunScope scope(control);
+    EXPECT_LE(by_steps(job), whole) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace changeover::step_bound_test
