@@ -32,8 +32,8 @@ namespace {
 using Set = std::vector<int>;
 
 constexpr long moves_a_try = 1'500'000;
-constexpr double hot = 0.29;  // in uncovered pairs
-constexpr double cold = 0.15;
+constexpr double hot = 0.32;  // in uncovered pairs
+constexpr double cold = 0.17;
 constexpr long piece = 1000;   // moves at one temperature
 constexpr long walk = 20'000;  // steps for each element
 constexpr int change = 2;

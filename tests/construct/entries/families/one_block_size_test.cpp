@@ -82,6 +82,21 @@ const std::vector<Served> families{
      },
      never,
      [](const Parameters& p) { return p.v != 5; }},
+    {"triples-triple-change",
+     3,
+     3,
+     10,
+     90,
+     200,
+     {600, 601},
+     {2000},
+     0,
+     [](const Parameters& p) { return p.v % 6 == 1 || p.v % 6 == 3; },
+     [](const Parameters& p) {
+       return (p.v * (p.v / 2) + 2) / 3 == (p.v * (p.v - 1) / 2 + 2) / 3;
+     },
+     never,
+     always},
     {"triples-single-change",
      3,
      1,
@@ -159,7 +174,8 @@ TEST_P(OneBlockSize, IsAsPromisedForEveryV) {
 TEST_P(OneBlockSize, AttainsTheKnownMinima) {
   std::size_t rows = 0;
   for (const OracleMinimum& row : oracle_minima()) {
-    if (row.parameters.k == served.k && row.parameters.change == served.change) {
+    if (row.parameters.k == served.k && row.parameters.change == served.change &&
+        row.parameters.v >= served.least_v) {
       ++rows;
       EXPECT_EQ(offer(row.parameters).b, row.b) << name(row.parameters);
     }
@@ -201,7 +217,7 @@ TEST_P(OneBlockSize, PromisesTheLargestWithoutBuilding) {
 
 TEST_P(OneBlockSize, RefusesSpoiltRecipes) {
   for (const std::uint64_t v :
-       {served.least_v, std::uint64_t{6}, std::uint64_t{11}, std::uint64_t{18}}) {
+       {served.least_v, served.least_v + 1, std::uint64_t{11}, std::uint64_t{18}}) {
     for (const Kind kind : {Kind::linear, Kind::circular}) {
       Recipe recipe = offer(served.at(v, kind)).recipe;
       expect_spoilt_recipes_refused(recipe, {.any_v = true, .any_kind = true});
