@@ -13,7 +13,7 @@ namespace {
 
 struct Planned {
   JobRequest request;
-  AskedJob asked;
+  ParsedJob asked;
   PlanAnswer answer;
   bool interrupted = false;
 

@@ -5,7 +5,6 @@
 #include "catalog/entry/day.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "core/printable.hpp"
-#include "request/parameters.hpp"
 #include "request/range.hpp"
 
 namespace changeover::cli {
@@ -31,6 +30,23 @@ Catalog& CatalogRequest::open_to_change(const OutputRequest& output) const {
 std::string has_no_design(const std::string& label) {
   return fmt::format("the catalog has no design {}; changeover catalog list shows what it has",
                      printable(label));
+}
+
+std::optional<CellsOrEntry> cells_or_entry(const Catalog& catalog, const ParameterRequest& asked,
+                                           const std::string& what, const std::string& k) {
+  if (!k.empty()) {
+    return CellsOrEntry{asked.of_each_kind(what, k), {}};
+  }
+  if (const auto cell = parse_cell_label(what)) {
+    return CellsOrEntry{{*cell}, {}};
+  }
+  if (const auto entry = catalog.find(what)) {
+    return CellsOrEntry{{}, *entry};
+  }
+  if (whole_number(what)) {
+    return CellsOrEntry{asked.of_each_kind(what, ""), {}};
+  }
+  return std::nullopt;
 }
 
 std::string left_out() {

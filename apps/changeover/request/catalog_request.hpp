@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "changeover/catalog/catalog.hpp"
 #include "cli/cli.hpp"
 #include "request/output.hpp"
+#include "request/parameters.hpp"
 
 namespace changeover::cli {
 
@@ -34,6 +36,19 @@ inline constexpr const char* catalog_was_changed = "the catalog was changed as a
 /// For a label, or its beginning, that leads nowhere: that the catalog has no such design, and
 /// where to look; in one line.
 [[nodiscard]] std::string has_no_design(const std::string& label);
+
+/// What V [K] or LABEL names: cells, or a design.
+struct CellsOrEntry {
+  std::vector<Parameters> cells;
+  std::optional<CatalogEntry> entry;  ///< then there are no cells
+};
+
+/// `what` is V, a label of a cell or of a design, or the beginning of one; with `k` it is V. Nothing
+/// if the catalog has no such design: has_no_design(). @throws UsageError
+[[nodiscard]] std::optional<CellsOrEntry> cells_or_entry(const Catalog& catalog,
+                                                         const ParameterRequest& asked,
+                                                         const std::string& what,
+                                                         const std::string& k);
 
 /// "; your own catalog was left out: …", where that is so: for a fault that comes instead of an
 /// answer.

@@ -86,12 +86,10 @@ struct SearchFind {
 /// Shows a find in the format that was asked for, judged.
 [[nodiscard]] Answer show_find(const SearchFind& find, const SearchRequest& request, int code);
 
-/// There is none with the blocks that were asked for, or none at all, and this is why.
-[[nodiscard]] Answer proved_none(const SearchRequest& request, const Parameters& p,
-                                 const std::string& reason);
-
-/// The lower bound; nullopt if the search was stopped before that.
-[[nodiscard]] std::optional<Bound> bound_in_time(const Parameters& p, RunControl& control);
+/// That there is none with the blocks that were asked for, or none at all, if that is known; else
+/// `bound` is set to the lower bound, or to nothing if the search was stopped before that.
+[[nodiscard]] std::optional<Answer> proved_none(const SearchRequest& request, const Parameters& p,
+                                                RunControl& control, std::optional<Bound>& bound);
 
 /// The command line in one form, for provenance: "changeover 0.2.0: search 20 5 --linear --seed 1".
 /// `way` are its own options.

@@ -34,18 +34,14 @@ Answer of_entry(const CatalogEntry& entry, const OutputRequest& output) {
 
 Answer run(const DossierRequest& request) {
   const Catalog& catalog = request.catalog.open();
-  std::vector<Parameters> cells;
-  if (!request.k.empty()) {
-    cells = request.asked.of_each_kind(request.what, request.k);
-  } else if (const auto cell = parse_cell_label(request.what)) {
-    cells = {*cell};
-  } else if (const auto entry = catalog.find(request.what)) {
-    return of_entry(*entry, request.output);
-  } else if (whole_number(request.what)) {
-    cells = request.asked.of_each_kind(request.what, "");
-  } else {
+  const auto named = cells_or_entry(catalog, request.asked, request.what, request.k);
+  if (!named) {
     return no_design(request.output, exit_code::missing_resource, has_no_design(request.what));
   }
+  if (named->entry) {
+    return of_entry(*named->entry, request.output);
+  }
+  const std::vector<Parameters>& cells = named->cells;
   const auto offer = best_offer(cells, "");
   if (!offer) {
     return decline(cells, "", request.output);

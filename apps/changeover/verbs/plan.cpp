@@ -47,7 +47,7 @@ Answer answer_to(const PlanRequest& request) {
     return show(job, request.output);
   }
   check_format(job, request.output);
-  const AskedJob asked = checked_job(opened, Door::command_line);
+  const ParsedJob asked = checked_job(opened, Door::command_line);
   const auto write = [job, asked, format = request.output.format()](const PlanAnswer& found) {
     return [job, asked, found, format](OutputFile& out) {
       out.write(written(job, asked, found, format, terminal_width(out)));

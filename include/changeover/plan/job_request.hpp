@@ -3,7 +3,7 @@
 //
 //     JobRequest request{.items = 9, .at_once = 3, .test_cost = "1", .change_cost = "5"};
 //     to_json(request);       // {"format":"changeover-job/1","items":9,"at_once":3,"test_cost":"1","change_cost":"5"}
-//     const AskedJob asked = checked_job(request, Door::document);
+//     const ParsedJob asked = checked_job(request, Door::document);
 //     RunControl control({.threads = 1});
 //     const PlanAnswer answer = answer_to(request, asked, control);
 //     answer.plan->sheet.steps.size();                        // 17
@@ -113,7 +113,7 @@ struct OpenedRequest {
 void check_options(const JobRequest& request, Door door);
 
 /// A request of which everything was read and checked.
-struct AskedJob {
+struct ParsedJob {
   CheckedJob job;
   std::vector<std::string> notes;    ///< what else is to be said of it, a line each
   std::string done_from;             ///< what the tests that were done were read from
@@ -132,9 +132,9 @@ struct AskedJob {
 /// every door. What waits is bounded by the scope of this thread (run/control.hpp). @throws
 /// BadOption, in the words of the door, for keys that are wrong; BadInput for lists that are;
 /// MissingResource for files that cannot be read. O(v³) and the size of the lists.
-[[nodiscard]] AskedJob checked_job(const JobRequest& request, Door door);
+[[nodiscard]] ParsedJob checked_job(const JobRequest& request, Door door);
 /// The same of one that was opened: its notes come first.
-[[nodiscard]] AskedJob checked_job(const OpenedRequest& opened, Door door);
+[[nodiscard]] ParsedJob checked_job(const OpenedRequest& opened, Door door);
 
 /// What comes of it: the plan, that for several benches, the ranges of ratios, or the diagnosis.
 struct PlanAnswer {
@@ -151,13 +151,13 @@ struct PlanAnswer {
 };
 
 /// The options of the search that a request asks for.
-[[nodiscard]] PlanOptions plan_options(const JobRequest& request, const AskedJob& asked);
+[[nodiscard]] PlanOptions plan_options(const JobRequest& request, const ParsedJob& asked);
 
 /// Plans, or diagnoses. The time and the threads are those of the control; a time that was asked
 /// for is used, otherwise the search ends by itself, so that answers repeat. @throws as
 /// make_run_plan(), make_bench_plan(), what_if() and diagnose(); BadInput if there is no result to
 /// be diagnosed.
-[[nodiscard]] PlanAnswer answer_to(const JobRequest& request, const AskedJob& asked,
+[[nodiscard]] PlanAnswer answer_to(const JobRequest& request, const ParsedJob& asked,
                                    RunControl& control);
 
 /// The answer in one of the formats table, csv, markdown, html, xlsx, json; `width` is that of a
@@ -165,7 +165,7 @@ struct PlanAnswer {
 /// "changeover-diagnosis/1": the same bytes at every door.
 /// @throws BadOption for a format that such an answer does not have; as written() of
 /// sheet_formats.hpp.
-[[nodiscard]] std::string written(const JobRequest& request, const AskedJob& asked,
+[[nodiscard]] std::string written(const JobRequest& request, const ParsedJob& asked,
                                   const PlanAnswer& answer, const std::string& format,
                                   std::size_t width = 80);
 

@@ -9,9 +9,9 @@
 namespace changeover {
 namespace {
 
-class Lacking {
+class FewestMissing {
  public:
-  Lacking(const PairGraph& graph, std::uint64_t room, BucketQueue::Ties ties)
+  FewestMissing(const PairGraph& graph, std::uint64_t room, BucketQueue::Ties ties)
       : graph_(graph),
         room_(room),
         begin_(static_cast<std::size_t>(graph.items()) + 1, 0),
@@ -159,7 +159,7 @@ class Lacking {
 std::vector<Element> fewest_missing_order(const PairGraph& graph, std::uint64_t room,
                                           const std::vector<Element>& roots, BucketQueue::Ties ties,
                                           const std::function<bool()>& give_up) {
-  return Lacking(graph, room, ties).order(roots, give_up);
+  return FewestMissing(graph, room, ties).order(roots, give_up);
 }
 
 }  // namespace changeover

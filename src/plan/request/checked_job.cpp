@@ -36,7 +36,7 @@ class JobMaker {
  public:
   JobMaker(const JobRequest& request, Door door) : question_(request, door) {}
 
-  AskedJob make() {
+  ParsedJob make() {
     whole_ = *question_;
     take_parts();
     take_constraints();
@@ -44,7 +44,7 @@ class JobMaker {
     take_first_and_weights();
     check_job(job_);
     finish_question();
-    AskedJob asked;
+    ParsedJob asked;
     if (question_->done.is_given()) {
       asked = done_of_job();
     }
@@ -519,7 +519,7 @@ class JobMaker {
     }
   }
 
-  AskedJob done_of_job() {
+  ParsedJob done_of_job() {
     const JobRequest& asked = *question_;
     std::vector<std::unique_ptr<Input>> inputs;
     if (has_benches()) {
@@ -554,7 +554,7 @@ class JobMaker {
   std::string first_tests_;
 };
 
-AskedJob checked_job(const JobRequest& request, Door door) {
+ParsedJob checked_job(const JobRequest& request, Door door) {
   check_options(request, door);
   if (Question(request, door).has_file()) {
     return JobMaker(request, door).make();
@@ -569,8 +569,8 @@ AskedJob checked_job(const JobRequest& request, Door door) {
   }
 }
 
-AskedJob checked_job(const OpenedRequest& opened, Door door) {
-  AskedJob asked = checked_job(opened.request, door);
+ParsedJob checked_job(const OpenedRequest& opened, Door door) {
+  ParsedJob asked = checked_job(opened.request, door);
   asked.notes.insert(asked.notes.begin(), opened.notes.begin(), opened.notes.end());
   return asked;
 }

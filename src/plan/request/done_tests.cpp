@@ -28,7 +28,7 @@ Block in_order(Block setup) {
   return setup;
 }
 
-void note_unread(const DoneOptions& options, const DoneWords& words, AskedJob& answer) {
+void note_unread(const DoneOptions& options, const DoneWords& words, ParsedJob& answer) {
   if (answer.unread == 0 || options.for_diagnosis) {
     return;
   }
@@ -193,7 +193,7 @@ class DoneTaker {
         benches_(&benches),
         on_bench_(benches.size()) {}
 
-  AskedJob take(const std::vector<std::unique_ptr<Input>>& inputs) {
+  ParsedJob take(const std::vector<std::unique_ptr<Input>>& inputs) {
     name_ = inputs.back()->name();
     answer_.done_from = name_;
     read(inputs);
@@ -379,7 +379,7 @@ class DoneTaker {
   std::uint64_t failed_with_gone_ = 0;
   std::uint64_t not_run_ = 0;
   bool has_results_ = false;
-  AskedJob answer_;
+  ParsedJob answer_;
 };
 
 }  // namespace
@@ -409,8 +409,8 @@ std::vector<std::string> bench_sheets(const std::string& path) {
   return found;
 }
 
-AskedJob take_done(const std::vector<std::unique_ptr<Input>>& inputs, const DoneOptions& options,
-                   const DoneWords& words, Job& job, std::vector<Bench>& benches) {
+ParsedJob take_done(const std::vector<std::unique_ptr<Input>>& inputs, const DoneOptions& options,
+                    const DoneWords& words, Job& job, std::vector<Bench>& benches) {
   return DoneTaker(options, words, job, benches).take(inputs);
 }
 

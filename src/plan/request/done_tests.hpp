@@ -41,8 +41,8 @@ struct DoneWords {
 /// none any more, or of none, count all the same. Fills all of the answer but its job and its
 /// benches. O(size of the lists), besides mark_tested(). @throws BadOption, BadInput,
 /// MissingResource
-[[nodiscard]] AskedJob take_done(const std::vector<std::unique_ptr<Input>>& inputs,
-                                 const DoneOptions& options, const DoneWords& words, Job& job,
-                                 std::vector<Bench>& benches);
+[[nodiscard]] ParsedJob take_done(const std::vector<std::unique_ptr<Input>>& inputs,
+                                  const DoneOptions& options, const DoneWords& words, Job& job,
+                                  std::vector<Bench>& benches);
 
 }  // namespace changeover

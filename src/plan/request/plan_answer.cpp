@@ -19,7 +19,7 @@ namespace changeover {
 namespace {
 
 // The next test is on the first bench that works and can have the most parts.
-std::size_t bench_to_diagnose_on(const AskedJob& asked) {
+std::size_t bench_to_diagnose_on(const ParsedJob& asked) {
   std::size_t best = 0;
   std::ptrdiff_t fewest = std::numeric_limits<std::ptrdiff_t>::max();
   for (std::size_t b = 0; b < asked.benches.size(); ++b) {
@@ -34,14 +34,14 @@ std::size_t bench_to_diagnose_on(const AskedJob& asked) {
 }
 
 // The job of the bench that the next test is for.
-Job diagnosed_job(const AskedJob& asked) {
+Job diagnosed_job(const ParsedJob& asked) {
   return asked.benches.empty()
              ? *asked.job
              : job_by_itself(*asked.job, asked.benches[bench_to_diagnose_on(asked)]);
 }
 
 // Which faults the results leave, and what to test next.
-Diagnosis diagnosis_of(const AskedJob& asked) {
+Diagnosis diagnosis_of(const ParsedJob& asked) {
   if (asked.results.empty()) {
     throw BadInput(
         asked.unread == 0
@@ -62,7 +62,7 @@ Diagnosis diagnosis_of(const AskedJob& asked) {
 }
 
 // The question for a workbook, below its head.
-std::vector<std::string> question_in_pieces(const AskedJob& asked) {
+std::vector<std::string> question_in_pieces(const ParsedJob& asked) {
   std::string document = to_json(asked.question);
   document.pop_back();  // its end of line
   std::vector<std::string> pieces = question_pieces(document);
@@ -77,7 +77,7 @@ const std::optional<std::string>& PlanAnswer::shortage() const {
   return what_if ? what_if->shortage : plan ? plan->shortage : benches ? benches->shortage : none;
 }
 
-PlanOptions plan_options(const JobRequest& request, const AskedJob& asked) {
+PlanOptions plan_options(const JobRequest& request, const ParsedJob& asked) {
   PlanOptions options;
   if (request.model.is_given() && request.objective == "tests") {
     options.objective = PlanObjective::tests;
@@ -91,7 +91,7 @@ PlanOptions plan_options(const JobRequest& request, const AskedJob& asked) {
   return options;
 }
 
-PlanAnswer answer_to(const JobRequest& request, const AskedJob& asked, RunControl& control) {
+PlanAnswer answer_to(const JobRequest& request, const ParsedJob& asked, RunControl& control) {
   PlanAnswer answer;
   answer.notes = asked.notes;
   if (request.diagnose) {
@@ -121,7 +121,7 @@ PlanAnswer answer_to(const JobRequest& request, const AskedJob& asked, RunContro
   return answer;
 }
 
-std::string written(const JobRequest& request, const AskedJob& asked, const PlanAnswer& answer,
+std::string written(const JobRequest& request, const ParsedJob& asked, const PlanAnswer& answer,
                     const std::string& format, std::size_t width) {
   const Job& job = *asked.job;
   if (answer.diagnosis) {

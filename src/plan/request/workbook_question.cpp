@@ -156,7 +156,7 @@ void drop_what_does_not_fit(JobRequest& question, const JobRequest& request) {
 }
 
 // What tests on the run sheet cost that have a result: so much of the budget is gone.
-void take_off_budget(JobRequest& question, const Book& book, const AskedJob& before,
+void take_off_budget(JobRequest& question, const Book& book, const ParsedJob& before,
                      std::vector<std::string>& notes) {
   SheetInput sheet(input_from_text(book.bytes, book.name), std::string(steps_sheet));
   const DoneList list = read_done(sheet, *before.job);
@@ -333,7 +333,7 @@ JobRequest with_question(JobRequest request, const Book& book, std::vector<std::
     if (has_done) {
       before.done = book.on_sheet(std::string(done_sheet));
     }
-    const AskedJob asked = checked_job(before, Door::document);
+    const ParsedJob asked = checked_job(before, Door::document);
     SheetInput steps(input_from_text(book.bytes, book.name), std::string(steps_sheet));
     const bool has_results = read_done(steps, *asked.job).has_results();
     if (has_results || has_done || request.diagnose) {
@@ -346,7 +346,7 @@ JobRequest with_question(JobRequest request, const Book& book, std::vector<std::
       question.start.clear();  // that was before the first of them
     }
   }
-  const AskedJob as_made = checked_job(question, Door::document);
+  const ParsedJob as_made = checked_job(question, Door::document);
   take_changed_sheets(request, question, book, *as_made.job, notes);
   drop_what_does_not_fit(question, request);
   complete(request, std::move(question));
@@ -383,9 +383,10 @@ JobRequest with_other_sheets(JobRequest request, const Book& book,
   const std::vector<std::string> benches =
       request.done.is_given() ? std::vector<std::string>() : bench_sheets(book.list.file);
   if (!benches.empty()) {
-    notes.push_back(fmt::format("{}: results on its run sheets '{}' are not read; give the "
-                                "workbook as done tests, too, if there are any",
-                                book.name, fmt::join(benches, "', '")));
+    notes.push_back(
+        fmt::format("{}: results on its run sheets '{}' are not read; give the "
+                    "workbook as done tests, too, if there are any",
+                    book.name, fmt::join(benches, "', '")));
   }
   return request;
 }

@@ -196,11 +196,11 @@ TEST(JobRequest, TheSameJobByFileTextAndRows) {
           R"({"name":"d1","cost":1,"slot":"disk"},{"name":"d2","cost":1,"slot":"disk"},{"name":"d3","cost":1,"slot":"disk"}],)"
           R"("never":[["d1","d2"]],"weights":[["Xeon","d1",5]],)"
           R"("slots":[{"name":"CPU","least":1,"most":1},{"name":"disk","least":1,"most":2}],"first":[["Xeon","d1","d3"]])")};
-  std::vector<AskedJob> asked;
+  std::vector<ParsedJob> asked;
   for (const std::string& json : three) {
     asked.push_back(checked_job(job_request(json), Door::document));
   }
-  for (const AskedJob& each : asked) {
+  for (const ParsedJob& each : asked) {
     const Job& job = *each.job;
     const Job& one = *asked.front().job;
     EXPECT_EQ(job.names, one.names);

@@ -78,7 +78,7 @@ TEST(WorkbookQuestion, SlotsAndForbiddenPairsAreFoundByTheNamesOfTheirSheets) {
   EXPECT_THAT(book.notes,
               ElementsAre("parts: parts from 'Components', forbidden pairs from 'Forbidden pairs', "
                           "slots from 'SLOTS', by the names of its sheets"));
-  const AskedJob asked = checked_job(book, Door::document);
+  const ParsedJob asked = checked_job(book, Door::document);
   EXPECT_EQ(asked.job->parts(), 6U);
   EXPECT_EQ(asked.job->at_once, 4U);
   EXPECT_EQ(asked.job->cost_unit, CostUnit::minutes);
@@ -97,7 +97,7 @@ TEST(WorkbookQuestion, WhatIsSaidWinsOverSheets) {
   request.never.rows.emplace();
   OpenedRequest book = opened(bytes, request);
   EXPECT_THAT(book.notes, ElementsAre("parts: parts from 'Parts', by the names of its sheets"));
-  AskedJob asked = checked_job(book, Door::document);
+  ParsedJob asked = checked_job(book, Door::document);
   EXPECT_EQ(asked.job->at_once, 3U);
   EXPECT_EQ(asked.job->never.size(), 0U);
   // A sheet that is named is all that is read.
@@ -128,7 +128,7 @@ TEST(WorkbookQuestion, RoomIsNotKnownWherePartsAreInNoSlot) {
   EXPECT_THAT(
       fault_of([&] { (void)checked_job(opened(bytes, {.test_cost = "1"}), Door::document); }),
       HasSubstr("give at_once, how many parts fit at once: Cable is in no slot"));
-  const AskedJob asked =
+  const ParsedJob asked =
       checked_job(opened(bytes, {.at_once = 3, .test_cost = "1"}), Door::document);
   EXPECT_EQ(asked.job->at_once, 3U);
 }
@@ -143,7 +143,7 @@ TEST(WorkbookQuestion, SeveralPiecesOfAPartFillASlot) {
   JobRequest request{.test_cost = "1"};
   request.change_cost = "1";
   const OpenedRequest book = opened(bytes, request);
-  const AskedJob asked = checked_job(book, Door::document);
+  const ParsedJob asked = checked_job(book, Door::document);
   EXPECT_THAT(asked.job->names, ElementsAre("A", "B", "C", "A #2", "A #3"));
   EXPECT_EQ(asked.job->at_once, 4U);
   EXPECT_EQ(asked.job->needed.size(), 3U) << "nothing has to meet further pieces";
@@ -156,7 +156,7 @@ TEST(WorkbookQuestion, SeveralPiecesOfAPartFillASlot) {
   EXPECT_EQ(answer.plan->candidates.front().cost, answer.plan->sheet.cost);
   // The workbook lists parts, not pieces.
   const std::string run = written(book.request, asked, answer, "xlsx");
-  const AskedJob again = checked_job(opened(run), Door::document);
+  const ParsedJob again = checked_job(opened(run), Door::document);
   EXPECT_EQ(again.job->names, asked.job->names);
   EXPECT_EQ(again.job->needed.size(), 3U);
 }
@@ -238,7 +238,7 @@ class RunSheetWorkbook : public testing::Test {
   std::string planned() { return planned({.request = request, .notes = {}}); }
 
   JobRequest request;
-  AskedJob asked;
+  ParsedJob asked;
   PlanAnswer answer;
 };
 
@@ -291,7 +291,7 @@ TEST_F(RunSheetWorkbook, OptionsWinOverItsQuestion) {
   EXPECT_EQ(again.request.at_once, 4U);
   EXPECT_FALSE(again.request.slots.is_given());
   EXPECT_THAT(again.notes.front(), HasSubstr("but for what is asked now"));
-  const AskedJob asked_now = checked_job(again, Door::document);
+  const ParsedJob asked_now = checked_job(again, Door::document);
   EXPECT_EQ(asked_now.job->slots[1].most, 2U);
   EXPECT_TRUE(asked_now.job->trust_failed);
   // Other tests that were done are those that count.
@@ -304,12 +304,12 @@ TEST_F(RunSheetWorkbook, OptionsWinOverItsQuestion) {
 TEST_F(RunSheetWorkbook, ListsThatWereChangedOnItsSheetsCount) {
   const std::string bytes = filled_in(planned(), {"pass"});
   const std::uint64_t parts = request.parts.rows->size();
-  const AskedJob same = checked_job(opened(bytes), Door::document);
+  const ParsedJob same = checked_job(opened(bytes), Door::document);
   const std::string with_part = with_row(bytes, "Parts", {"P5800", "2.5"});
   const OpenedRequest more = opened(with_part);
   EXPECT_THAT(more.notes.back(), HasSubstr("parts from 'Parts', slots from 'Slots', forbidden "
                                            "pairs from 'Never', changed since the plan was made"));
-  const AskedJob with_more = checked_job(more, Door::document);
+  const ParsedJob with_more = checked_job(more, Door::document);
   EXPECT_EQ(with_more.job->parts(), parts + 1);
   EXPECT_EQ(to_string(with_more.job->change_costs.back()), "2.50");
   EXPECT_EQ(with_more.job->needed.size(), same.job->needed.size() + parts);
@@ -339,7 +339,7 @@ TEST_F(RunSheetWorkbook, IsDiagnosed) {
   JobRequest more;
   more.diagnose = true;
   const OpenedRequest again = opened(bytes, more);
-  const AskedJob of_results = checked_job(again, Door::document);
+  const ParsedJob of_results = checked_job(again, Door::document);
   check_options(again.request, Door::document);
   RunControl control({.threads = 1});
   const PlanAnswer found = answer_to(again.request, of_results, control);
@@ -348,7 +348,7 @@ TEST_F(RunSheetWorkbook, IsDiagnosed) {
   // The next test is on a sheet to fill in, and its result counts.
   const std::string sheet = written(again.request, of_results, found, "xlsx");
   const OpenedRequest third = opened(filled_in(sheet, {"fail"}), more);
-  const AskedJob then = checked_job(third, Door::document);
+  const ParsedJob then = checked_job(third, Door::document);
   EXPECT_EQ(then.results.size(), 3U);
   EXPECT_EQ(answer_to(third.request, then, control).diagnosis->failed, 2U);
 }
@@ -388,7 +388,7 @@ TEST_F(RunSheetWorkbook, HoldsEveryListOfItsQuestion) {
   request.cost_unit = "hours";
   const std::string bytes = planned();
   const Job before = *asked.job;
-  const AskedJob again = checked_job(opened(bytes), Door::document);
+  const ParsedJob again = checked_job(opened(bytes), Door::document);
   const Job& after = *again.job;
   EXPECT_EQ(after.names, before.names);
   EXPECT_EQ(after.change_costs, before.change_costs);
@@ -446,7 +446,7 @@ TEST_F(RunSheetWorkbook, AnyWorkbookOfThisKindIsReadInItsWholeOrRefused) {
       member->second[random() % member->second.size()] = "<>\"'a0{}"[random() % 8];
     }
     try {
-      const AskedJob again = checked_job(opened(zipped(bad)), Door::document);
+      const ParsedJob again = checked_job(opened(zipped(bad)), Door::document);
       ++taken;
       EXPECT_TRUE(defects(*again.job).empty());
     } catch (const BadInput& fault) {
@@ -479,11 +479,11 @@ RC_GTEST_PROP(WorkbookQuestionProperty, NamesComeBack, ()) {
   for (const std::string& name : test::some_names(4 + some_number(4))) {
     request.parts.rows->push_back({{name}});
   }
-  AskedJob asked = checked_job(request, Door::document);
+  ParsedJob asked = checked_job(request, Door::document);
   RunControl control({.threads = 1});
   const PlanAnswer answer = answer_to(request, asked, control);
   const std::string bytes = written(request, asked, answer, "xlsx");
-  const AskedJob again = checked_job(opened(filled_in(bytes, {"pass", "fail"})), Door::document);
+  const ParsedJob again = checked_job(opened(filled_in(bytes, {"pass", "fail"})), Door::document);
   RC_ASSERT(again.job->names == asked.job->names);
   RC_ASSERT(again.job->tests_done == std::min<std::uint64_t>(2, answer.plan->sheet.steps.size()));
 }

@@ -240,7 +240,7 @@ TEST(Places, AReplanGoesOnWhereTheSheetEnds) {
                                       std::to_string(std::min<std::uint64_t>(slot.most, 99))}});
     }
     const auto csv_of = [&] {
-      const AskedJob asked = checked_job(request, Door::document);
+      const ParsedJob asked = checked_job(request, Door::document);
       RunControl control({.threads = 1});
       return written(request, asked, answer_to(request, asked, control), "csv");
     };
@@ -286,7 +286,7 @@ TEST(Places, AreKeptInDocuments) {
   JobRequest request{.at_once = 3, .test_cost = "1", .change_cost = "1"};
   request.parts.rows = {{{{"A"}}, {{"B"}}, {{"C"}}, {{"D"}}, {{"E"}}}};
   request.done.rows = {{{.fields = {"", "C", "A"}, .result = "pass"}}};
-  const AskedJob asked = checked_job(request, Door::document);
+  const ParsedJob asked = checked_job(request, Door::document);
   ASSERT_EQ(asked.job->places.size(), 3U);
   EXPECT_EQ(asked.job->places[1].part, 2U);
   RunControl control({.threads = 1});

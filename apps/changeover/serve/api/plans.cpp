@@ -70,7 +70,7 @@ void write_alternatives(JsonWriter& json, const Job& job, const RunPlan& plan) {
 }
 
 // The keys that the explorer's pages read, from before there was a document of a plan.
-void write_plan(JsonWriter& json, const AskedJob& asked, const PlanAnswer& answer) {
+void write_plan(JsonWriter& json, const ParsedJob& asked, const PlanAnswer& answer) {
   const Job& job = *asked.job;
   const RunPlan& found = *answer.plan;
   const RunSheet& sheet = found.sheet;
@@ -89,7 +89,7 @@ void write_plan(JsonWriter& json, const AskedJob& asked, const PlanAnswer& answe
 Response plan(const Explorer& explorer, const Request& sent) {
   const OpenedRequest opened = request_of(sent);
   const JobRequest& request = opened.request;
-  const AskedJob asked = from_body([&] { return checked_job(opened, Door::document); });
+  const ParsedJob asked = from_body([&] { return checked_job(opened, Door::document); });
   constexpr double usual_seconds = 10;
   const double most_seconds = explorer.limits.seconds.count();
   const double seconds = request.seconds.value_or(usual_seconds);

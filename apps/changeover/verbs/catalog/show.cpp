@@ -53,18 +53,14 @@ Answer show_blocks(const CatalogEntry& entry, const OutputRequest& output) {
 
 Answer run(const ShowRequest& request) {
   const Catalog& catalog = request.catalog.open();
-  std::vector<CatalogEntry> entries;
-  std::vector<Parameters> cells;
-  if (!request.k.empty()) {
-    cells = request.asked.of_each_kind(request.what, request.k);
-  } else if (const auto cell = parse_cell_label(request.what)) {
-    cells = {*cell};
-  } else if (const auto entry = catalog.find(request.what)) {
-    entries.push_back(*entry);
-  } else if (whole_number(request.what)) {
-    cells = request.asked.of_each_kind(request.what, "");
-  } else {
+  const auto named = cells_or_entry(catalog, request.asked, request.what, request.k);
+  if (!named) {
     return no_design(request.output, exit_code::missing_resource, has_no_design(request.what));
+  }
+  const std::vector<Parameters>& cells = named->cells;
+  std::vector<CatalogEntry> entries;
+  if (named->entry) {
+    entries.push_back(*named->entry);
   }
   for (const Parameters& p : cells) {
     for (CatalogEntry& entry : catalog.cell(p)) {

@@ -42,22 +42,28 @@ Judgement judge(const SearchFind& find) {
   return judgement;
 }
 
-Answer proved_none(const SearchRequest& request, const Parameters& p, const std::string& reason) {
-  return no_design(
-      request.output, exit_code::proved_none,
-      fmt::format("No {} {}: {}.", name(p),
-                  request.blocks ? fmt::format("with {}", count_of(*request.blocks, "block"))
-                                 : std::string("exists"),
-                  reason));
-}
-
-std::optional<Bound> bound_in_time(const Parameters& p, RunControl& control) {
-  const RunGrace grace(control, usual_grace);
-  try {
-    return lower_bound(p);
-  } catch (const Stopped&) {
-    return std::nullopt;
+std::optional<Answer> proved_none(const SearchRequest& request, const Parameters& p,
+                                  RunControl& control, std::optional<Bound>& bound) {
+  const auto none = [&](const std::string& reason) {
+    return no_design(
+        request.output, exit_code::proved_none,
+        fmt::format("No {} {}: {}.", name(p),
+                    request.blocks ? fmt::format("with {}", count_of(*request.blocks, "block"))
+                                   : std::string("exists"),
+                    reason));
+  };
+  if (const auto reason = impossibility(p)) {
+    return none(*reason);
   }
+  try {
+    const RunGrace grace(control, usual_grace);
+    bound = lower_bound(p);
+  } catch (const Stopped&) {
+    bound.reset();
+  }
+  return bound && request.blocks && *request.blocks < bound->blocks
+             ? std::optional(none(bound->reason))
+             : std::nullopt;
 }
 
 Answer show_find(const SearchFind& find, const SearchRequest& request, int code) {

@@ -64,12 +64,9 @@ void say_unsearched(const LocalSearch& request, SearchFind& find, const std::str
 Answer search(const LocalSearch& request) {
   const Parameters& p = request.parameters;
   const auto running = std::make_shared<Running>(request.run, request.output);
-  if (const auto reason = impossibility(p)) {
-    return final_answer(running, proved_none(request, p, *reason));
-  }
-  const std::optional<Bound> bound = bound_in_time(p, running->control());
-  if (bound && request.blocks && *request.blocks < bound->blocks) {
-    return final_answer(running, proved_none(request, p, bound->reason));
+  std::optional<Bound> bound;
+  if (auto none = proved_none(request, p, running->control(), bound)) {
+    return final_answer(running, *std::move(none));
   }
   ImproveOptions options;
   options.target = request.blocks;

@@ -59,12 +59,9 @@ Answer search(const LockedSearch& request) {
     wanted.contained = read_design(request.contains_file, reading).blocks();
   }
   const auto running = std::make_shared<Running>(request.run, request.output);
-  if (const auto reason = impossibility(p)) {
-    return final_answer(running, proved_none(request, p, *reason));
-  }
-  const std::optional<Bound> bound = bound_in_time(p, running->control());
-  if (bound && request.blocks && *request.blocks < bound->blocks) {
-    return final_answer(running, proved_none(request, p, bound->reason));
+  std::optional<Bound> bound;
+  if (auto none = proved_none(request, p, running->control(), bound)) {
+    return final_answer(running, *std::move(none));
   }
   LockedResult result =
       search_locked(p, wanted, {.blocks = request.blocks, .moves = {}}, running->control());
