@@ -196,6 +196,45 @@ TEST(LoadOrderVerb, AWorkerReadsItsOwnSteps) {
   }
 }
 
+// Of schedules that say more, too: they are read whole, and the first line is that of all workers.
+TEST(LoadOrderVerb, AWorkerReadsItsOwnStepsOfAnySchedule) {
+  const TemporaryFolder folder;
+  for (const char* how :
+       {"--items 24 --room 4 --workers 3 --disjoint",
+        "--items 24 --room 4 --workers 3 --disjoint --write-back --ordered --self",
+        "--items 40 --room 12 --workers 3 --prefetch",
+        "--items 30 --against 12 --room 8 --workers 2 --prefetch",
+        "--items 40 --room 12 --workers 3 --fast-room 4 --item-bytes 8",
+        "--items 40 --room 12 --workers 3 --fast-room 4 --new-pairs --shuffle --seed 5"}) {
+    const std::string command = std::string("$changeover loadorder --json ") + how;
+    const Outcome all = run(command, folder.path());
+    ASSERT_EQ(all.code, 0) << all.err;
+    std::vector<std::string> lines = lines_of(all.out);
+    const std::string head = lines[0];
+    lines.erase(lines.begin());
+    std::size_t steps = 0;
+    for (unsigned w = 0; w < number_in(head, "workers"); ++w) {
+      const Outcome own = run(command + " --worker " + std::to_string(w), folder.path());
+      ASSERT_EQ(own.code, 0) << own.err;
+      std::vector<std::string> expected;
+      std::ranges::copy_if(lines, std::back_inserter(expected), [&](const std::string& line) {
+        return number_in(line, "worker") == w;
+      });
+      std::vector<std::string> rest = lines_of(own.out);
+      const std::string key = ",\"worker\":" + std::to_string(w);
+      const std::size_t at = rest[0].find(key);
+      ASSERT_NE(at, std::string::npos) << rest[0];
+      rest[0].erase(at, key.size());
+      EXPECT_EQ(rest[0], head) << how;
+      rest.erase(rest.begin());
+      EXPECT_EQ(rest, expected) << how;
+      steps += rest.size();
+    }
+    EXPECT_EQ(steps, lines.size()) << how;
+    EXPECT_GT(steps, 0U);
+  }
+}
+
 TEST(LoadOrderVerb, BeginsAtAnyStep) {
   const TemporaryFolder folder;
   for (const char* size : {"--items 40 --room 9", "--items 100000 --room 20000"}) {
@@ -261,7 +300,6 @@ TEST(LoadOrderVerb, SpreadsWhatPairsCost) {
            {"--pair-cost costs.csv --disjoint", 2, "--disjoint"},
            {"--balance --first-holder", 2, "exclude each other"},
            {"--worker 3", 2, "give 0 to 2"},
-           {"--worker 0 --disjoint", 2, "--disjoint"},
            {"--from-step 3", 2, "--from-step N has no meaning with --workers; leave it out"},
            {"--verify-beside", 0, "every step is read while it is written"},
            {"--verify-beside --new-pairs", 0, "every step is read while it is written"},

@@ -8,6 +8,13 @@
 namespace changeover {
 namespace {
 
+// Steps that say more than what is loaded and which pairs are new, or that depend on those of other
+// workers, are all read before one worker's are written.
+bool is_worker_by_itself(const LoadRequest& request) {
+  return request.worker &&
+         !(request.disjoint || request.fast_room || request.prefetch || request.write_back);
+}
+
 LoadsShown shown_as_asked(const LoadRequest& request) {
   const std::uint64_t seed = request.seed.value_or(1);
   LoadsShown how{.format = {},
@@ -18,6 +25,7 @@ LoadsShown shown_as_asked(const LoadRequest& request) {
                  .seed = seed,
                  .item_bytes = request.item_bytes,
                  .worker = request.worker,
+                 .worker_by_itself = is_worker_by_itself(request),
                  .from_step = request.from_step,
                  .beside = request.verify_beside};
   if (request.shuffle) {
@@ -29,7 +37,7 @@ LoadsShown shown_as_asked(const LoadRequest& request) {
 AnyLoads planned(const CheckedLoads& asked, const LoadRequest& request, LoadOrderOptions options) {
   options.balance = !request.first_holder;
   options.pair_cost = asked.pair_cost();
-  options.read_first = !request.verify_beside && !request.worker;
+  options.read_first = !request.verify_beside && !is_worker_by_itself(request);
   const WantedPairs& wanted = asked.wanted();
   const bool all = wanted.are_all();
   const std::uint64_t items = asked.items();

@@ -99,7 +99,7 @@ class Said {
 
   // What is too much to be kept in mind is not read twice.
   [[nodiscard]] bool check_anew() const {
-    return !how_.beside && !how_.worker && !how_.from_step && is_more_than_loads();
+    return !how_.beside && !how_.worker_by_itself && !how_.from_step && is_more_than_loads();
   }
 
   [[nodiscard]] bool is_more_than_loads() const {
@@ -132,7 +132,7 @@ class Said {
 
   // One line.
   [[nodiscard]] std::string how_verified() const {
-    if (how_.worker) {
+    if (how_.worker_by_itself) {
       return fmt::format(
           "the steps of worker {} are read while they are written; those of others are not",
           *how_.worker);
@@ -464,10 +464,10 @@ class Said {
   // The steps; an order that was not read before is followed on the way.
   void write(StepWriter& writer) const {
     std::optional<ScheduleCheck> audit;
-    const bool whole = how_.beside && !how_.worker;
-    if (whole || how_.worker || follow()) {
+    const bool whole = how_.beside && !how_.worker_by_itself;
+    if (whole || how_.worker_by_itself || follow()) {
       ScheduleRules loads = rules_;
-      if (!whole && !how_.worker) {
+      if (!whole && !how_.worker_by_itself) {
         loads.compute = {};
       }
       loads.store = false;
@@ -478,19 +478,23 @@ class Said {
     }
     const auto all = steps();
     for (Step step; all->next(step);) {
-      if (how_.worker && step.worker != *how_.worker) {
+      const bool of_others = how_.worker && step.worker != *how_.worker;
+      if (of_others && how_.worker_by_itself) {
         continue;  // read since they say what is left to it
       }
       if (audit) {
         audit->read(step);
       }
-      writer.write(step);
+      if (!of_others) {
+        writer.write(step);
+      }
     }
     if (audit) {
       const ScheduleVerdict verdict = audit->finish();
-      const std::uint64_t loads = how_.worker ? loads_of_worker() : facts_.loads;
-      const bool right = how_.worker ? verdict.fault.empty() && verdict.repeated == 0
-                                     : verdict.valid() || (verdict.steps == 0 && facts_.steps == 0);
+      const std::uint64_t loads = how_.worker_by_itself ? loads_of_worker() : facts_.loads;
+      const bool right = how_.worker_by_itself
+                             ? verdict.fault.empty() && verdict.repeated == 0
+                             : verdict.valid() || (verdict.steps == 0 && facts_.steps == 0);
       if (!right || verdict.loads != loads) {  // before the output appears
         throw InternalError(
             fmt::format("the load order is wrong: {}{}", verdict.fault, verdict.example));
@@ -533,7 +537,7 @@ Said said_of(const WorkerSplit& split, std::uint64_t room, const LoadsShown& how
     whole.worker_loads.push_back(worker.loads);
   }
   // Without owners it takes those before to say what one worker computes.
-  const bool alone = how.worker && (split.owners() != nullptr || !how.new_pairs);
+  const bool alone = how.worker_by_itself && (split.owners() != nullptr || !how.new_pairs);
   Said said(
       std::move(whole),
       [&split, &how, alone] { return alone ? split.stream(*how.worker) : split.stream(); }, how);

@@ -21,7 +21,8 @@ struct LoadsShown {
   std::optional<std::uint64_t> item_bytes = {};  ///< of two levels
   bool head_only = false;                        ///< without the steps
   std::optional<std::uint64_t> worker = {};      ///< the steps of this one only
-  std::optional<std::uint64_t> from_step = {};   ///< of one worker: steps from this one on
+  bool worker_by_itself = false;  ///< and they alone are checked, while they are written
+  std::optional<std::uint64_t> from_step = {};  ///< of one worker: steps from this one on
   bool beside = false;  ///< all steps are checked while they are written, not before
 };
 
