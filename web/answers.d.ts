@@ -189,7 +189,7 @@ export type LoadRequest = {
   item_bytes?: number | null;
   /** split it for W workers with room C each */
   workers?: number | null;
-  /** only the steps of worker I of these, from 0; the others are not read */
+  /** only the steps of worker I of these, from 0 */
   worker?: number | null;
   /** spread pairs evenly over the workers that have them (the default) */
   balance?: boolean | null;
