@@ -159,6 +159,31 @@ TEST(LoadOrderVerb, TellsWorkersAndPrefetchApart) {
   EXPECT_NE(prefetch.out.find("\"compute\":[["), std::string::npos);
 }
 
+// An order as JSON: its first line, and those of its steps.
+struct Said {
+  std::string head;
+  std::vector<std::string> steps;
+};
+
+Said said_by(const std::string& command, const TemporaryFolder& folder) {
+  const Outcome all = run(command, folder.path());
+  EXPECT_EQ(all.code, 0) << all.err;
+  Said said{.head = {}, .steps = lines_of(all.out)};
+  if (!said.steps.empty()) {
+    said.head = said.steps.front();
+    said.steps.erase(said.steps.begin());
+  }
+  return said;
+}
+
+std::vector<std::string> steps_of(std::uint64_t worker, const std::vector<std::string>& all) {
+  std::vector<std::string> own;
+  std::ranges::copy_if(all, std::back_inserter(own), [&](const std::string& line) {
+    return number_in(line, "worker") == worker;
+  });
+  return own;
+}
+
 // What a task of a job array reads is what stands in the lines of all workers.
 TEST(LoadOrderVerb, AWorkerReadsItsOwnSteps) {
   const TemporaryFolder folder;
@@ -167,28 +192,19 @@ TEST(LoadOrderVerb, AWorkerReadsItsOwnSteps) {
         "--items 64 --room 16 --workers 3 --first-holder --new-pairs",
         "--items 20 --against 24 --room 9 --workers 4"}) {
     const std::string command = std::string("$changeover loadorder --json ") + how;
-    const Outcome all = run(command, folder.path());
-    ASSERT_EQ(all.code, 0) << all.err;
-    std::vector<std::string> lines = lines_of(all.out);
-    const std::string head = lines[0];
-    lines.erase(lines.begin());
+    const auto [head, lines] = said_by(command, folder);
     std::uint64_t pairs = 0;
     std::uint64_t most = 0;
     const std::vector<unsigned> said = list_in(head, "worker_pairs");
     for (std::size_t w = 0; w < said.size(); ++w) {
       pairs += said[w];
       most = std::max<std::uint64_t>(most, said[w]);
-      const Outcome own = run(command + " --worker " + std::to_string(w), folder.path());
-      ASSERT_EQ(own.code, 0) << own.err;
-      const std::vector<std::string> rest = lines_of(own.out);
-      EXPECT_EQ(number_in(rest[0], "worker"), w);
+      const auto [own_head, own] = said_by(command + " --worker " + std::to_string(w), folder);
+      EXPECT_EQ(number_in(own_head, "worker"), w);
       for (const char* key : {"loads", "makespan", "makespan_bound"}) {
-        EXPECT_EQ(number_in(rest[0], key), number_in(head, key)) << how << ' ' << key;
+        EXPECT_EQ(number_in(own_head, key), number_in(head, key)) << how << ' ' << key;
       }
-      std::vector<std::string> expected;
-      std::copy_if(lines.begin(), lines.end(), std::back_inserter(expected),
-                   [&](const std::string& line) { return number_in(line, "worker") == w; });
-      EXPECT_EQ(std::vector<std::string>(rest.begin() + 1, rest.end()), expected) << how;
+      EXPECT_EQ(own, steps_of(w, lines)) << how;
     }
     EXPECT_GT(pairs, 0U) << how;
     EXPECT_GE(most, number_in(head, "pairs_per_worker_bound"));
@@ -207,28 +223,16 @@ TEST(LoadOrderVerb, AWorkerReadsItsOwnStepsOfAnySchedule) {
         "--items 40 --room 12 --workers 3 --fast-room 4 --item-bytes 8",
         "--items 40 --room 12 --workers 3 --fast-room 4 --new-pairs --shuffle --seed 5"}) {
     const std::string command = std::string("$changeover loadorder --json ") + how;
-    const Outcome all = run(command, folder.path());
-    ASSERT_EQ(all.code, 0) << all.err;
-    std::vector<std::string> lines = lines_of(all.out);
-    const std::string head = lines[0];
-    lines.erase(lines.begin());
+    const auto [head, lines] = said_by(command, folder);
     std::size_t steps = 0;
     for (unsigned w = 0; w < number_in(head, "workers"); ++w) {
-      const Outcome own = run(command + " --worker " + std::to_string(w), folder.path());
-      ASSERT_EQ(own.code, 0) << own.err;
-      std::vector<std::string> expected;
-      std::ranges::copy_if(lines, std::back_inserter(expected), [&](const std::string& line) {
-        return number_in(line, "worker") == w;
-      });
-      std::vector<std::string> rest = lines_of(own.out);
+      auto [own_head, own] = said_by(command + " --worker " + std::to_string(w), folder);
       const std::string key = ",\"worker\":" + std::to_string(w);
-      const std::size_t at = rest[0].find(key);
-      ASSERT_NE(at, std::string::npos) << rest[0];
-      rest[0].erase(at, key.size());
-      EXPECT_EQ(rest[0], head) << how;
-      rest.erase(rest.begin());
-      EXPECT_EQ(rest, expected) << how;
-      steps += rest.size();
+      ASSERT_NE(own_head.find(key), std::string::npos) << own_head;
+      own_head.erase(own_head.find(key), key.size());
+      EXPECT_EQ(own_head, head) << how;
+      EXPECT_EQ(own, steps_of(w, lines)) << how;
+      steps += own.size();
     }
     EXPECT_EQ(steps, lines.size()) << how;
     EXPECT_GT(steps, 0U);
