@@ -168,12 +168,9 @@ struct Said {
 Said said_by(const std::string& command, const TemporaryFolder& folder) {
   const Outcome all = run(command, folder.path());
   EXPECT_EQ(all.code, 0) << all.err;
-  Said said{.head = {}, .steps = lines_of(all.out)};
-  if (!said.steps.empty()) {
-    said.head = said.steps.front();
-    said.steps.erase(said.steps.begin());
-  }
-  return said;
+  std::vector<std::string> lines = lines_of(all.out);
+  lines.resize(std::max<std::size_t>(1, lines.size()));
+  return {lines[0], {lines.begin() + 1, lines.end()}};
 }
 
 std::vector<std::string> steps_of(std::uint64_t worker, const std::vector<std::string>& all) {
