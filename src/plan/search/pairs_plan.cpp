@@ -193,14 +193,13 @@ class PairsPlanner {
   // Whether a search without a given time has gone on for long enough.
   [[nodiscard]] bool enough(const RunPlan& plan, Amount now, unsigned round, unsigned idle,
                             bool many) const {
-    constexpr std::uint64_t small_gap = 100;  // one in so many
-    constexpr std::uint64_t large_gap = 20;
+    constexpr std::uint64_t small_gap = 200;  // one in so many
     const unsigned most_rounds = many ? 8 : 3;
     const unsigned least = many ? 4 : 1;  // rounds that are made in any case
     const std::uint64_t gap = (now - plan.bound.cost).millionths;
     // One fruitless round says little of a short list; all lists of a small job are looked at
     // anyway.
-    const bool patient = many && gap > plan.bound.cost.millionths / large_gap && !is_small(*job_);
+    const bool patient = many && !is_small(*job_);
     return options_->steps != 0 || round + 1 >= most_rounds ||
            (round >= least && idle >= (patient ? 3U : 1U)) ||
            gap < plan.bound.cost.millionths / small_gap;
