@@ -11,6 +11,8 @@
 #include "changeover/io/formats.hpp"
 #include "serve/api/routes.hpp"
 #include "serve/jobs/search_jobs.hpp"
+#include "serve/plans/plan_jobs.hpp"
+#include "serve/plans/run_store.hpp"
 #include "support/promises.hpp"
 
 namespace changeover::fuzz::request_fuzz {
@@ -32,12 +34,17 @@ struct Place {
                        .json_bytes = 100'000,
                        .seconds = std::chrono::milliseconds(400),
                        .memory_bytes = std::uint64_t{64} << 20U,
-                       .searches = 1};
+                       .searches = 1,
+                       .plans = 1};
     explorer.files.push_back(
         {"mine.txt", read_text(input_from_text("# labels: a b c d\na b c\nb c d\nc d a\n"))});
     explorer.jobs = std::make_shared<SearchJobs>(
         catalog, explorer.events,
         SearchJobs::Settings{.at_once = 1, .memory_bytes = explorer.limits.memory_bytes});
+    explorer.plans = std::make_shared<PlanJobs>(
+        explorer.events,
+        PlanJobs::Settings{.at_once = 1, .memory_bytes = explorer.limits.memory_bytes});
+    explorer.runs = std::make_shared<RunStore>(scratch.file("runs"), explorer.events);
     router = routes(explorer, pages);
   }
 };
@@ -120,7 +127,8 @@ Response answer(Place& place, const Request& request) {
 }
 
 void judge(const Request& request, const Response& response) {
-  static const std::set<int> documented{200, 400, 401, 403, 404, 405, 411, 413, 415, 422, 429, 503};
+  static const std::set<int> documented{200, 400, 401, 403, 404, 405, 409,
+                                        411, 413, 415, 422, 429, 503};
   must(documented.contains(response.status),
        "a status is documented, not " + std::to_string(response.status));
   for (const auto& [name, value] : response.headers) {

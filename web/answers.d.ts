@@ -642,19 +642,32 @@ export interface Explorer {
     theorems: Theorem[];
     search: SearchJob[];
     'search?id': SearchJob;
+    'plan/job': PlanJob;
+    run: RunHead[];
+    'run?id': Run;
   };
   post: {
     verify: Verified;
     repair: Repaired;
     plan: Planned;
+    'plan/read': ReadJob;
+    'plan/start': Started;
+    'plan/stop': Nothing;
+    run: RunRevisions;
+    'run/result': RunRevisions;
+    'run/remove': Nothing;
     loadorder: Ordered;
-    search: {id: number};
-    'search/stop': {};
+    search: Started;
+    'search/stop': Nothing;
     'search/keep': Kept;
     'catalog/add': Kept;
   };
   body: {
     plan: Job;
+    'plan/read': Job;
+    'plan/start': Job;
+    run: RunToKeep;
+    'run/result': ResultToKeep;
     search: SearchOrder;
     /** changeover-load-request-1.json, and a key of these pages. */
     loadorder: {bytes_per_item?: number};
@@ -841,6 +854,64 @@ export interface SearchJob {
   message: string;
   points?: {seconds: number; best: number | null; rate: number}[];
 }
+/** A plan that is searched for: the best so far against its bound; the answer at last. */
+export interface PlanJob {
+  id: number;
+  state: 'running' | 'done' | 'stopped' | 'failed';
+  seconds: number;
+  limit: number;
+  phase: string;
+  tests: number | null;
+  best: number | null;
+  bound: number | null;
+  message: string;
+  answer?: Planned | null;
+}
+/** One of the four documents; a plan also in the keys from before it was a document. */
+export interface Planned {
+  plan?: Plan;
+  benches?: Benches;
+  what_if?: WhatIf;
+  diagnosis?: Diagnosis;
+  tests?: {number: number; parts: string[]; out: string[]; in: string[]; cost: number; changes: number; done: boolean}[];
+  cost?: number;
+  changes?: number;
+  bound?: number;
+  reason?: string;
+  cheapest?: boolean;
+  met_only_in_failed?: number;
+  alternatives?: {name: string; how: string; change: number | null; tests: number; changes: number; cost: number; bound: number}[];
+  verified?: boolean;
+  csv?: string;
+}
+/** A run that the server keeps. */
+export interface RunHead {
+  id: string;
+  title: string;
+  revision: number;
+  sheet_revision: number;
+  changed: string;
+  tests: number;
+  done: number;
+}
+export interface Run {
+  format: 'changeover-run/1';
+  id: string;
+  title: string;
+  revision: number;
+  sheet_revision: number;
+  changed: string;
+  tests: number;
+  sheet: {};
+  results: RunResult[];
+}
+export interface RunResult {
+  test: string;
+  result: string;
+  notes: string;
+  by: string;
+  at: string;
+}
 /** What verify --json says, more examples, and the design as it was understood. */
 export interface Verified {
   valid: boolean;
@@ -889,22 +960,29 @@ export interface Repaired {
   uncovered: number;
   design: Design | null;
 }
-/** One of the four documents; a plan also in the keys from before it was a document. */
-export interface Planned {
-  plan?: Plan;
-  benches?: Benches;
-  what_if?: WhatIf;
-  diagnosis?: Diagnosis;
-  tests?: {number: number; parts: string[]; out: string[]; in: string[]; cost: number; changes: number; done: boolean}[];
-  cost?: number;
-  changes?: number;
-  bound?: number;
-  reason?: string;
-  cheapest?: boolean;
-  met_only_in_failed?: number;
-  alternatives?: {name: string; how: string; change: number | null; tests: number; changes: number; cost: number; bound: number}[];
-  verified?: boolean;
-  csv?: string;
+/** What files say of a job: its lists as rows, and tests that have results. */
+export interface ReadJob {
+  request: Job;
+  done: {
+    places: {number: number; slot: string | null}[];
+    tests: {
+      places: string[];
+      result: string;
+      /** What the planner reads in it. */
+      verdict: '' | 'pass' | 'fail' | 'done' | 'not run' | 'other';
+      notes: string;
+    }[];
+  };
+  notes: string[];
+}
+export interface Started {
+  id: number;
+}
+export interface Nothing {}
+export interface RunRevisions {
+  id: string;
+  revision: number;
+  sheet_revision: number;
 }
 /** What a load order comes to, its first steps, and samples of what happens. */
 export interface Ordered {
@@ -935,6 +1013,22 @@ export interface Ordered {
 export interface Kept {
   label: string;
   already: boolean;
+}
+/** A new run, or with an id another sheet for it in place of that of sheet_revision. */
+export interface RunToKeep {
+  id?: string;
+  sheet_revision?: number;
+  title: string;
+  tests: number;
+  sheet: {};
+  results?: RunResult[];
+}
+export interface ResultToKeep {
+  test: string;
+  sheet_revision: number;
+  result?: string;
+  notes?: string;
+  by?: string;
 }
 /** What is asked of a search. */
 export interface SearchOrder {

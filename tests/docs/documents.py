@@ -481,6 +481,21 @@ def check_explorer(server):
     for more in ({}, {"done": [["A", "B"]]}, {"benches": 2}, {"what_if": True}):
         post("plan", {"parts": ["A", "B", "C", "D"], "at_once": 2, "steps": 100, **more})
     post("plan", {"parts": ["A", "B", "C"], "at_once": 2, "diagnose": True, "done": [{"parts": ["A", "B"], "result": "FAIL"}]})
+    post("plan/read", {"parts": {"text": "part,cost,slot\nA,1,x\nB,,y\n"}})
+    post("plan/read", {"parts": ["A", "B"], "at_once": 2, "done": {"text": "step,slot_1,slot_2,result\n1,A,B,ok\n"}})
+    plan = post("plan/start", {"parts": ["A", "B", "C", "D"], "at_once": 2, "seconds": 20})["id"]
+    for _ in range(600):
+        if get("plan/job", f"?id={plan}")["state"] != "running":
+            break
+        time.sleep(0.1)
+    post("plan/stop", "", f"?id={plan}")
+    sheet = {"title": "a run", "tests": 2, "sheet": {"of": "the page"}, "results": [{"test": "1", "result": "pass", "notes": "", "by": "", "at": ""}]}
+    kept = post("run", sheet)
+    post("run", {**sheet, **{key: kept[key] for key in ("id", "sheet_revision")}})
+    post("run/result", {"test": "2", "result": "FAIL", "notes": "hot", "by": "Ann", "sheet_revision": 2}, f"?id={kept['id']}")
+    get("run")
+    get("run?id", f"?id={kept['id']}")
+    post("run/remove", "", f"?id={kept['id']}")
     for more in ({}, {"workers": 2}, {"pairs": [[0, 1], [1, 8]]}, {"bytes_per_item": 8}, {"prefetch": True}, {"seconds": 0.1}):
         post("loadorder", {"items": 9, "room": 3, **more})
     for more in ({"way": "exact"}, {"way": "base-blocks", "kind": "circular", "blocks": 8}, {"way": "locked", "v": 10, "first": [0, 1], "expansion_set": True}, {"strength": 3}):

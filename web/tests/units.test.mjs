@@ -175,44 +175,103 @@ test('files that a page makes itself', () => {
   assert.equal(asCsv({ ...design, labels: ['a,b', 'c', 'd'] }), 'block,element_1,element_2,v,change,kind\n1,"a,b",c,3,1,linear\n2,c,d,3,1,linear\n');
 });
 
-test('lists of parts: every field counts, or is refused by its name', async () => {
-  const { partsOf, wantedPairs, emptyJob } = await load('pages/plan/job.ts');
-  const read = (text) => partsOf(text).map(({ name, cost }) => (cost === null ? name : `${name}=${cost}`)).join(' ');
-  for (const [text, parts] of [
+test('lists as people write them', async () => {
+  const { cells, lineOf, namesIn, wantedPairs, emptyJob, partOf } = await load('pages/plan/job.ts');
+  const read = (text) => cells(text).map((row) => row.join('=')).join(' ');
+  for (const [text, rows] of [
     ['a\nb', 'a b'],
     ['a,1\rb,2\r', 'a=1 b=2'],
-    ['\ufeffNAME,Cost\r\na,1\r\n"b ""c"" d",2', 'a=1 b "c" d=2'],
-    ['Bauteil;Kosten [EUR]\na;1,5', 'a=1.5'],
-    ['cost\tname\n1\ta', 'a=1'],
     ['"#1 pump",5\n# a comment\nb,2', '#1 pump=5 b=2'],
     ['"a\tb",5\nc,\t6', 'a\tb=5 c=6'],
-    ['Europe\nAsia', 'Europe Asia'],
-    ['name,Umbaukosten\na,1', 'a=1'],
-    ['"a;b"\n"c;d"', 'a;b c;d'],
-    ['slot\nfan', 'slot fan'],
+    ['"b ""c"" d";2', 'b "c" d=2'],
   ]) {
-    assert.equal(read(text), parts, JSON.stringify(text));
+    assert.equal(read(text), rows, JSON.stringify(text));
   }
-  for (const [text, said] of [
-    ['name,slot\na,1\nb,2', 'the column “slot” is not used'],
-    ['Name,SLOT\na,CPU\nb,CPU', 'the column “SLOT” is not used'],
-    ['name,weight\na,1\nb,2', 'the column “weight” is not used'],
-    ['name,Europe\na,1\nb,2', 'the column “Europe” is not used'],
-    ['name,precision\na,1\nb,2', 'the column “precision” is not used'],
-    ['Bauteil,Platz\na,1\nb,2', 'the column “Platz” is not used'],
-    ['pump,n/a\nvalve,2', 'the column “n/a” is not used'],
-    ['a,1,CPU\nb,2,CPU', 'column 3 is not used'],
-    ['name,cost,price\na,1,2', 'the column “price” is not used'],
-    ['"a,1\nb,2', 'a quotation mark opens a field that does not end'],
-    ['PK\u0003\u0004', 'not text'],
-    ['a\u0000b', 'not text'],
-  ]) {
-    assert.throws(() => read(text), (fault) => fault.message.includes(said), JSON.stringify(text));
+  assert.throws(() => read('"a,1\nb,2'), /a quotation mark opens a field that does not end/);
+  assert.deepEqual(namesIn('Frame, "Pump, large"\nMotor'), ['Frame', 'Pump, large', 'Motor']);
+  for (const names of [['a', 'b'], ['a, b', 'c'], ['"x"', '#1'], [' a ', 'b']]) {
+    assert.deepEqual(cells(lineOf(names))[0].map((name) => name.trim()), names.map((name) => name.trim()));
   }
-  const job = { ...emptyJob(), parts: partsOf('a\nb\nc'), pairMode: 'only' };
+  const job = { ...emptyJob(), parts: ['a', 'b', 'c'].map((name) => partOf(name)), pairMode: 'only' };
   assert.equal(wantedPairs({ ...job, pairs: 'a,b\nb,c' }).length, 2);
   assert.throws(() => wantedPairs({ ...job, pairs: 'a,b,c' }), /third field/);
   assert.throws(() => wantedPairs({ ...job, pairs: 'a,b,2.5' }), /third field/);
+});
+
+test('a job becomes a document and comes back; a link holds it whole, and a link of strangers is refused', async () => {
+  const { requestOf, jobOf, keyIn, inWords } = await load('pages/plan/document.ts');
+  const { emptyJob, emptyBench, partOf } = await load('pages/plan/job.ts');
+  const { packed, unpacked } = await load('pages/plan/store.ts');
+  const job = {
+    ...emptyJob(),
+    title: 'Week',
+    parts: [partOf('A', 3, 'CPU', 2), partOf('B, large', null, 'CPU'), { ...partOf('C', 1), gone: true }, partOf('D')],
+    atOnce: 3,
+    testCost: 12.5,
+    unit: 'minutes',
+    slots: [{ name: 'CPU', least: '1', most: '' }],
+    never: '"B, large", D, too hot',
+    mounted: 'D',
+    start: 'A, "B, large"',
+    budget: '600',
+    benches: [{ ...emptyBench(), name: 'North', hours: '8', down: true }, { ...emptyBench(), name: 'South', without: 'A' }],
+    objective: 'cost',
+    seconds: 5,
+  };
+  const request = requestOf(job);
+  assert.deepEqual(request.parts[0], { name: 'A', cost: 3, slot: 'CPU', quantity: 2 });
+  assert.deepEqual(request.parts[1], { name: 'B, large', cost: 1, slot: 'CPU', quantity: 1 });
+  assert.deepEqual([request.without, request.mounted, request.start], [['C'], ['D'], ['A', 'B, large']]);
+  assert.deepEqual(request.benches, [{ name: 'North', hours: '8', down: true }, { name: 'South', without: 'A' }]);
+  assert.deepEqual([request.budget, request.objective, request.seconds, request.cost_unit], ['600', 'cost', 5, 'minutes']);
+  assert.ok(!('pairs' in request) && !('strength' in request) && !('weights' in request));
+  const back = jobOf(request, emptyJob());
+  assert.deepEqual(requestOf({ ...back, seconds: 5 }), request);
+  assert.deepEqual(request.never, [['B, large', 'D', 'too hot']]);
+  assert.deepEqual(requestOf({ ...job, never: 'Part A\tPart B\tWhy\nA\tD\thot' }).never, [['A', 'D', 'hot']]);
+  const model = requestOf({ ...emptyJob(), source: 'model', model: 'A: x, y\nB: 1, 2\n', objective: 'tests', benches: job.benches });
+  assert.deepEqual([model.model, model.objective, model.benches, model.parts], ['A: x, y\nB: 1, 2\n', 'tests', undefined, undefined]);
+  assert.throws(() => requestOf(emptyJob()), /fewer than two parts/);
+  assert.equal(keyIn('never[1]: “X” is no part'), 'never');
+  assert.equal(inWords('never[1]: “X” is no part'), 'Forbidden pairs, row 2: “X” is no part');
+  assert.equal(keyIn('The server does not answer.'), null);
+
+  const state = { id: 'abc', job, outcome: null };
+  assert.deepEqual(unpacked(JSON.parse(JSON.stringify(packed(state)))), state);
+  for (const bad of [null, [], {}, { id: '../x', job: {} }, { id: 'a', job: { parts: [[1]] }, outcome: null }, { id: 'a', job: { title: 7 }, outcome: null }, { id: 'a', job: { source: 'other' }, outcome: null }, { id: 'a', job: { surprise: 1 }, outcome: null }, { id: 'a', job: {}, outcome: { tests: [] } }]) {
+    assert.equal(unpacked(bad), null, JSON.stringify(bad));
+  }
+});
+
+test('sheets: what is taken out, what results say, and the CSV that the planner reads back', async () => {
+  const { csv, isDone, namesOf, outcomeOf, step, verdictOf } = await load('pages/plan/outcome.ts');
+  const { emptyJob, partOf } = await load('pages/plan/job.ts');
+  const { packed, unpacked } = await load('pages/plan/store.ts');
+  for (const [result, verdict] of [['pass', 'pass'], ['PASSED', 'pass'], ['ok', 'pass'], ['FAILED - hang', 'fail'], ['fail', 'fail'], ['done', 'done'], ['not run', 'not run'], ['no power', 'fail'], ['maybe', 'other'], ['', '']]) {
+    assert.equal(verdictOf({ result }), verdict, result);
+  }
+  const stepOf = (parts, places, cost) => ({ set_up: parts, places, cost });
+  const plan = {
+    tests: 2, changes: 3, cost: 7, triples_needed: 0, pairs_needed: 3, pairs_tested: 3, lower_bound: { cost: 7, reason: 'r' }, budget: null, cost_unit: null, notes: [], candidates: [],
+    places: [{ number: 1, slot: 'CPU' }, { number: 2, slot: null }],
+    steps: [stepOf(['a', 'b'], ['a', 'b'], 4), stepOf(['a', '=c'], ['a', '=c'], 3)],
+  };
+  const job = { ...emptyJob(), parts: ['a', 'b', '=c'].map((name) => partOf(name)) };
+  const outcome = outcomeOf({ plan }, job, [], []);
+  assert.deepEqual(namesOf(outcome), ['1', '2']);
+  assert.deepEqual(step(outcome.tests, 0, ['b']), { out: [], in: ['a'] });
+  assert.deepEqual(step(outcome.tests, 1), { out: ['b'], in: ['=c'] });
+  outcome.tests[0].result = 'pass';
+  outcome.tests[0].notes = 'fine, so far';
+  assert.equal(csv(outcome), "step,take_out,put_in,slot_1 CPU,slot_2,cost,cost_so_far,result,notes\n1,,\"a, b\",a,b,4,4,pass,\"fine, so far\"\n2,b,'=c,a,'=c,3,7,,\n");
+  const state = { id: 'a', job, outcome };
+  assert.deepEqual(unpacked(JSON.parse(JSON.stringify(packed(state)))), state);
+  const small = JSON.parse(JSON.stringify(packed(state)));
+  small.outcome.tests[0][0] = [99];
+  assert.equal(unpacked(small), null);
+  const later = outcomeOf({ plan: { ...plan, places: [{ number: 2, slot: null }, { number: 1, slot: 'CPU' }] } }, job, outcome.tests.filter(isDone), outcome.places);
+  assert.deepEqual(later.tests[0].places, ['b', 'a']);
+  assert.deepEqual([later.doneBefore, later.tests.length], [1, 3]);
 });
 
 test('formulas in text: what is mathematics and what is not', async () => {

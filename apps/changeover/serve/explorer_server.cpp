@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <thread>
 #include <utility>
 
@@ -12,6 +13,8 @@
 #include "serve/api/atlas.hpp"
 #include "serve/api/routes.hpp"
 #include "serve/jobs/search_jobs.hpp"
+#include "serve/plans/plan_jobs.hpp"
+#include "serve/plans/run_store.hpp"
 
 namespace changeover::serve {
 namespace {
@@ -26,6 +29,12 @@ std::uint64_t an_eighth_of_the_memory() {
                                                 static_cast<std::uint64_t>(page) / part,
                                             least, most)
                                : least;
+}
+
+// Beside the user's designs.
+std::string folder_of_runs(const std::string& user_path) {
+  return user_path.empty() ? std::string()
+                           : (std::filesystem::absolute(user_path).parent_path() / "runs").string();
 }
 
 // The names that the server goes by.
@@ -89,6 +98,10 @@ ExplorerServer::ExplorerServer(ExplorerSettings settings, Catalog& catalog)
       catalog, explorer.events,
       SearchJobs::Settings{.at_once = explorer.limits.searches,
                            .memory_bytes = explorer.limits.memory_bytes});
+  explorer.plans = std::make_shared<PlanJobs>(
+      explorer.events, PlanJobs::Settings{.at_once = explorer.limits.plans,
+                                          .memory_bytes = explorer.limits.memory_bytes});
+  explorer.runs = std::make_shared<RunStore>(folder_of_runs(catalog.user_path()), explorer.events);
   state_->guard =
       std::make_shared<const Guard>(names_of(state_->host, state_->listening.port), make_token());
   constexpr unsigned fewest = 2;
@@ -132,9 +145,13 @@ bool ExplorerServer::stop(std::chrono::duration<double> patience) {
   Explorer& explorer = state_->explorer;
   explorer.stopping = true;
   explorer.events.close();
-  if (!explorer.jobs->stop_all(patience) ||
-      !state_->server->stop(std::max<std::chrono::duration<double>>(
-          end - std::chrono::steady_clock::now(), std::chrono::milliseconds(0)))) {
+  const auto left = [&] {
+    return std::max<std::chrono::duration<double>>(end - std::chrono::steady_clock::now(),
+                                                   std::chrono::milliseconds(0));
+  };
+  static_cast<void>(explorer.plans->stop_all(std::chrono::seconds(0)));  // All stop together.
+  if (!explorer.jobs->stop_all(left()) || !explorer.plans->stop_all(left()) ||
+      !state_->server->stop(left())) {
     return false;
   }
   state_->stopped = true;

@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -156,9 +157,10 @@ struct PlanAnswer {
 /// Plans, or diagnoses. The time and the threads are those of the control; a time that was asked
 /// for is used, otherwise the search ends by itself, so that answers repeat. @throws as
 /// make_run_plan(), make_bench_plan(), what_if() and diagnose(); BadInput if there is no result to
-/// be diagnosed.
+/// be diagnosed. `on_better` as in PlanOptions.
 [[nodiscard]] PlanAnswer answer_to(const JobRequest& request, const ParsedJob& asked,
-                                   RunControl& control);
+                                   RunControl& control,
+                                   std::function<void(const PlanNews&)> on_better = {});
 
 /// The answer in one of the formats table, csv, markdown, html, xlsx, json; `width` is that of a
 /// terminal. "json" is "changeover-plan/1", "changeover-benches/1", "changeover-what-if/1" or

@@ -32,6 +32,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -193,6 +194,14 @@ enum class PlanObjective {
   tests  ///< tests, and of plans with so many what it costs; for jobs of a model only
 };
 
+/// A plan that is better than those before it, while the search goes on.
+struct PlanNews {
+  std::string name;  ///< how it came about
+  std::uint64_t tests = 0;
+  Amount cost = {};   ///< of several benches that are to be done early: the end of the last test
+  Amount bound = {};  ///< no plan has less
+};
+
 struct PlanOptions {
   PlanObjective objective = PlanObjective::cost;
   std::uint64_t steps = 0;     ///< of each local search, in one round; 0: as many as suit the job
@@ -202,6 +211,8 @@ struct PlanOptions {
   std::vector<Block> rest = {};  ///< of a plan that is under way: going on with it is a candidate
   std::uint64_t design_moves = 2'000'000;  ///< of the search for better designs; 0: none
   std::uint64_t states = 400'000;  ///< most of the search through all lists of a small job; 0: none
+  /// Called on the thread of the caller for each better plan that tests all, before any budget.
+  std::function<void(const PlanNews&)> on_better = {};
 };
 
 struct RunPlan {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "changeover/core/error.hpp"
@@ -91,7 +92,8 @@ PlanOptions plan_options(const JobRequest& request, const ParsedJob& asked) {
   return options;
 }
 
-PlanAnswer answer_to(const JobRequest& request, const ParsedJob& asked, RunControl& control) {
+PlanAnswer answer_to(const JobRequest& request, const ParsedJob& asked, RunControl& control,
+                     std::function<void(const PlanNews&)> on_better) {
   PlanAnswer answer;
   answer.notes = asked.notes;
   if (request.diagnose) {
@@ -99,14 +101,16 @@ PlanAnswer answer_to(const JobRequest& request, const ParsedJob& asked, RunContr
     return answer;
   }
   answer.options = plan_options(request, asked);
+  PlanOptions search = answer.options;
+  search.on_better = std::move(on_better);
   answer.objective = request.objective == "cost" ? BenchObjective::cost : BenchObjective::makespan;
   if (!asked.benches.empty()) {
     answer.benches = make_bench_plan(
-        asked.job, {.objective = answer.objective, .plan = answer.options, .each = asked.benches},
-        control);
+        asked.job,
+        {.objective = answer.objective, .plan = std::move(search), .each = asked.benches}, control);
     return answer;
   }
-  answer.plan = with_first_pieces(*asked.job, make_run_plan(asked.job, answer.options, control));
+  answer.plan = with_first_pieces(*asked.job, make_run_plan(asked.job, search, control));
   if (request.shuffle) {
     std::uint64_t exchanged = 0;
     answer.plan = shuffled(*asked.job, std::move(*answer.plan), *request.shuffle, exchanged);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <new>
 #include <tuple>
 #include <utility>
@@ -75,6 +76,19 @@ Candidate counted_complete(const Job& job, const Start& start) {
     throw InternalError(start.name + " leaves something untested");
   }
   return candidate;
+}
+
+void tell_if_best(const RunPlan& plan, const PlanOptions& options,
+                  const std::function<bool(const Candidate&, const Candidate&)>& before) {
+  const std::vector<Candidate>& all = plan.candidates;
+  const bool best = std::all_of(all.begin(), all.end() - 1,
+                                [&](const Candidate& c) { return before(all.back(), c); });
+  if (options.on_better && best) {
+    options.on_better({.name = all.back().name,
+                       .tests = all.back().tests(),
+                       .cost = all.back().cost,
+                       .bound = plan.bound.cost});
+  }
 }
 
 std::vector<Block> sound_rest(const Job& job, const PlanOptions& options) {

@@ -28,6 +28,11 @@ namespace changeover {
 [[nodiscard]] bool cheaper(const Candidate& a, const Candidate& b);
 [[nodiscard]] bool tests_more(const Candidate& a, const Candidate& b);
 
+/// Tells PlanOptions::on_better of the last candidate, if it is the first one or comes before all
+/// others in this order.
+void tell_if_best(const RunPlan& plan, const PlanOptions& options,
+                  const std::function<bool(const Candidate&, const Candidate&)>& before);
+
 /// The longest beginning of a plan that is within the budget.
 [[nodiscard]] Candidate affordable(const Job& job, const Candidate& plan, Amount budget);
 

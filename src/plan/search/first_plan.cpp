@@ -91,6 +91,14 @@ RunPlan plan_with_first(const Job& job, const PlanOptions& options, RunControl& 
     }
     left.budget = *options.budget - spent;
   }
+  if (options.on_better) {
+    left.on_better = [&](PlanNews news) {
+      news.tests += job.first.size();
+      news.cost += spent;
+      news.bound += spent;
+      options.on_better(news);
+    };
+  }
   std::map<Block, std::uint64_t> first;  // Going on with a sheet, they are the first of its rest.
   for (const Block& setup : job.first) {
     ++first[in_order(setup)];

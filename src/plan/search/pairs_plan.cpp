@@ -108,6 +108,7 @@ class PairsPlanner {
     if (all.back().cost < plan.bound.cost) {
       throw InternalError(fmt::format("{} costs less than the lower bound", start.name));
     }
+    tell_if_best(plan, *options_, cheaper);
   }
 
   void search(RunPlan& plan) {

@@ -88,6 +88,7 @@ Job at_ratio(const Job& job, const Ratio& ratio) {
 // The cheapest list that the search for models finds at other costs.
 Start cheapest_of_model(const Job& job, const PlanOptions& options, RunControl& control) {
   PlanOptions once = options;
+  once.on_better = nullptr;
   once.until_stopped = false;
   once.budget.reset();
   once.rest.clear();

@@ -10,6 +10,14 @@ export type * from '../../answers';
 type Posted = Explorer['post'];
 type Bodies = { [P in keyof Posted]: P extends keyof Explorer['body'] ? Explorer['body'][P] : string | Blob | undefined } & { loadorder: LoadRequest };
 
+/** What the stream tells of a run that the server keeps. */
+export interface RunEvent {
+  id: string;
+  revision: number;
+  sheet_revision: number;
+  removed: boolean;
+}
+
 export type Cell = Pick<Design, 'v' | 'k' | 'change' | 'kind' | 'strength'>;
 
 /** Which design: a cell's best, one of the catalog, of the command line, or of a search. */
@@ -42,6 +50,15 @@ export function keepToken(): void {
 
 export function hasToken(): boolean {
   return sessionStorage.getItem(tokenKey) !== null;
+}
+
+/** A link to a place of these pages that lets others change things, too. */
+export function linkForOthers(fragment: string): string {
+  const address = new URL(window.location.href);
+  const token = sessionStorage.getItem(tokenKey);
+  address.search = token ? new URLSearchParams({ token }).toString() : '';
+  address.hash = fragment;
+  return address.href;
 }
 
 export function query(parameters: object): string {

@@ -2,12 +2,14 @@
 //
 // The stream is open while something listens and the window is seen (a browser has few connections for one server), and is
 // opened again with growing pauses when it breaks. After each opening listeners hear 'open', so that they ask for what they missed.
-import type { SearchJob } from './api';
+import type { PlanJob, RunEvent, SearchJob } from './api';
 
 export type StreamState = 'closed' | 'opening' | 'open' | 'waiting';
 
 interface Listener {
   search?(job: SearchJob): void;
+  plan?(job: PlanJob): void;
+  run?(run: RunEvent): void;
   state?(state: StreamState, retryInSeconds: number): void;
 }
 
@@ -45,12 +47,16 @@ function open(): void {
     timer = setTimeout(open, pause * 1000);
     pause = Math.min(pause * 2, longestPause);
   };
-  source.addEventListener('search', (event) => {
-    const job = JSON.parse((event as MessageEvent<string>).data) as SearchJob;
-    for (const listener of listeners) {
-      listener.search?.(job);
-    }
-  });
+  const tell = <T>(event: string, to: (listener: Listener) => ((data: T) => void) | undefined) =>
+    source!.addEventListener(event, (message) => {
+      const data = JSON.parse((message as MessageEvent<string>).data) as T;
+      for (const listener of listeners) {
+        to(listener)?.(data);
+      }
+    });
+  tell<SearchJob>('search', (listener) => listener.search);
+  tell<PlanJob>('plan', (listener) => listener.plan);
+  tell<RunEvent>('run', (listener) => listener.run);
 }
 
 function settle(): void {

@@ -1,343 +1,555 @@
-import { announce, field, fill, h, select } from '../lib/dom';
+import { address, ApiError, linkForOthers, post } from '../lib/api';
+import { announce, field, fill, h } from '../lib/dom';
 import { save } from '../lib/save';
 import { count } from '../lib/words';
+import { copyButton } from '../parts/copy';
 import { link, problem, type Page, type View } from '../shell/router';
-import { ask } from './plan/ask';
+import { follow, mayStart } from './plan/ask';
+import { diagnosisPanel } from './plan/diagnosis';
+import { forDiagnosis, forWhatIf, inWords, keyIn, requestOf, withDone } from './plan/document';
+import { examples } from './plan/examples';
+import { readFile, readParts } from './plan/files';
+import { jobForm } from './plan/form';
 import { headline } from './plan/headline';
-import {
-  csv,
-  decimal,
-  emptyJob,
-  exampleJob,
-  exact,
-  partsOf,
-  type Job,
-  type Outcome,
-  type PairMode,
-  type State,
-  type Test,
-} from './plan/job';
+import { emptyJob, exact, lineOf, namesIn, type Job, type Part } from './plan/job';
 import { keptList } from './plan/kept';
-import { partsGrid } from './plan/parts';
+import { livePanel } from './plan/live';
+import { nextTests } from './plan/next';
+import { csv, isDone, outcomeOf, verdictOf, withNext, type Outcome, type Place, type State, type Test } from './plan/outcome';
+import { keepOwnName, keepResult, keepRun, openRun, ownName, watchRun, withResults, type Kept } from './plan/run';
 import { runSheet } from './plan/sheet';
 import { keep as keepState, load, newId } from './plan/store';
-import { whatIf } from './plan/what_if';
+import { compared, whatIf } from './plan/what_if';
 
-const pairModes: readonly (readonly [PairMode, string])[] = [
-  ['all', 'every two parts must meet'],
-  ['only', 'only the pairs listed must meet'],
-  ['skip', 'the pairs listed need not meet'],
-];
-const times: readonly (readonly [string, string])[] = [
-  ['0', 'as long as it brings something'],
-  ['1', '1 second'],
-  ['5', '5 seconds'],
-  ['30', '30 seconds'],
-  ['60', '1 minute'],
-];
+const lost = 'This link does not hold a whole job (it may have been cut), and this browser does not have it either. Open it where it was made, or make it anew.';
 
-async function render(view: View): Promise<void> {
-  const given = await load(view.params);
-  const state: State = given?.state ?? { id: newId(), job: emptyJob(), outcome: null };
-  if (view.signal.aborted) {
-    return;
-  }
-  let planning: AbortController | null = null;
-  const result = h('div', { class: 'result' });
-  const fault = h('div', { class: 'no-print' });
-  const kept = h('p', { class: 'hint no-print', role: 'status' });
-  const stale = h(
-    'p',
-    { class: 'note no-print', hidden: true },
-    'The job has changed since this sheet was planned. Plan again, or plan the rest if some tests are done.',
+class PlanPage {
+  private state: State;
+  /** The run on the server, once there is one. */
+  private run: Kept | null = null;
+  private watching: AbortController | null = null;
+  private planning: AbortController | null = null;
+  /** What is drawn of the sheet, and what it listens to. */
+  private drawing = new AbortController();
+  private refreshSheet: () => void = () => undefined;
+  /** Tests whose results the server does not have yet. */
+  private readonly unsaved = new Set<number>();
+  private saving: Promise<void> = Promise.resolve();
+  private readonly result = h('div', { class: 'result' });
+  private readonly fault = h('div', { class: 'no-print' });
+  private readonly news = h('div', { class: 'no-print' });
+  private readonly keeping = h('div', { class: 'keeping no-print' });
+  private readonly stale = h('p', { class: 'note no-print', hidden: true }, 'The job has changed since this sheet was planned. Plan again, or replan the remaining tests if some are done.');
+  private readonly form = jobForm(
+    () => (this.stale.hidden = this.state.outcome === null),
+    () => this.planAgain(),
+    (text) => this.pasted(text),
+    () => this.pick.click(),
   );
-
-  const grid = partsGrid(changed);
-  const title = h('input', { type: 'text', value: state.job.title, oninput: changed });
-  const atOnce = h('input', { type: 'number', min: 2, value: state.job.atOnce, oninput: changed });
-  const testCost = h('input', { type: 'text', inputmode: 'decimal', class: 'cost', value: state.job.testCost, oninput: changed });
-  const changeCost = h('input', { type: 'text', inputmode: 'decimal', class: 'cost', value: state.job.changeCost, oninput: changed });
-  const pairMode = select(state.job.pairMode, pairModes, () => ((pairsField.hidden = pairMode.value === 'all'), changed()));
-  const pairs = h('textarea', {
-    class: 'pairs-text',
-    spellcheck: 'false',
-    placeholder: 'Motor A, Cooler\nMotor B, Cooler',
-    oninput: changed,
-  });
-  pairs.value = state.job.pairs;
-  const pairsField = field('Pairs, two parts a line with a comma between', pairs);
-  pairsField.hidden = state.job.pairMode === 'all';
-  const seconds = select(String(state.job.seconds), times, changed);
-  const go = h('button', { type: 'submit' }, 'Plan');
-  const many = h('input', {
-    type: 'number',
-    min: 2,
-    max: 1000,
-    placeholder: '12',
-    'aria-label': 'How many parts, to be called 1, 2, 3, …',
-  });
-  const pick = h('input', {
+  private readonly pick = h('input', {
     type: 'file',
-    accept: '.csv,.tsv,.txt,text/csv,text/plain',
     class: 'unseen',
     tabindex: -1,
+    accept: '.csv,.tsv,.txt,.xlsx,.pict,.model,.json,text/csv,text/plain',
     'aria-label': 'A file with a list of parts',
-    onchange: () => pick.files?.[0] && void takeFile(pick.files[0]),
+    onchange: () => this.pick.files?.[0] && void this.take(this.pick.files[0]),
   });
+  private readonly jobBox = h('details', { class: 'job-box no-print', open: true }, h('summary', {}, 'The job'), this.form.element);
 
-  function changed(): void {
-    stale.hidden = state.outcome === null;
-  }
-  async function takeFile(file: File): Promise<void> {
-    try {
-      grid.set(partsOf(await file.text()));
-      changed();
-      fill(fault);
-    } catch (why) {
-      fill(fault, problem(why));
-    }
-    pick.value = '';
+  constructor(
+    private readonly view: View,
+    state: State | null,
+    private readonly writes: boolean,
+  ) {
+    this.state = state ?? { id: newId(), job: emptyJob(), outcome: null };
   }
 
-  function readJob(): Job {
-    return {
-      title: title.value.trim() || 'Run sheet',
-      parts: grid.read(),
-      atOnce: Number(atOnce.value),
-      testCost: decimal(testCost.value, 'Cost of a test'),
-      changeCost: decimal(changeCost.value, 'Cost of a change'),
-      pairMode: pairMode.value as PairMode,
-      pairs: pairs.value,
-      seconds: Number(seconds.value),
-    };
-  }
-
-  async function keep(): Promise<void> {
-    try {
-      const { s, id, whole } = await keepState(state);
-      if (view.signal.aborted) {
-        return;
+  draw(): void {
+    const { view } = this;
+    const example = ([name, job]: (typeof examples)[number]): HTMLElement => h('a', { href: link('plan'), onclick: (event) => (event.preventDefault(), this.useExample(job)) }, name);
+    fill(
+      view.root,
+      h('h1', { class: 'no-print' }, 'Plan tests'),
+      h(
+        'p',
+        { class: 'no-print' },
+        'You have parts, and room for some of them at once. Every two of them have to be tested together. A test costs something, and so does every part that is put in: which set-ups, and in which order?',
+      ),
+      h(
+        'p',
+        { class: 'no-print drop-hint' },
+        'Drop a file anywhere: a parts list or a workbook, a run sheet with results, a PICT model, a list of benches. Or try an example: ',
+        examples.flatMap((each, i) => [i > 0 ? ', ' : null, example(each)]),
+        '.',
+      ),
+      this.pick,
+      keptList(this.writes, view.signal),
+      this.jobBox,
+      this.news,
+      this.fault,
+      this.result,
+    );
+    const over = (event: DragEvent, on: boolean) => {
+      if (event.dataTransfer?.types.includes('Files')) {
+        event.preventDefault();
+        view.root.classList.toggle('dropping', on);
       }
-      view.go({ s, id }, { quiet: true });
-      kept.textContent = whole
-        ? 'The link of this page holds the whole job with its sheet and what is done; this browser keeps it, too.'
-        : 'This job is too long for a link: it is kept in this browser, and the link opens it only here. Download it as CSV to pass it on.';
-    } catch {
-      kept.textContent = 'This browser has no room to keep the job: download it as CSV before you leave.';
+    };
+    view.root.addEventListener('dragover', (event) => over(event, true));
+    view.root.addEventListener('dragleave', (event) => event.relatedTarget === null && over(event, false));
+    view.root.addEventListener('drop', (event) => {
+      over(event, false);
+      const file = event.dataTransfer?.files[0];
+      if (file) {
+        void this.take(file);
+      }
+    });
+    this.form.set(this.state.job);
+    if (this.state.outcome) {
+      this.show();
     }
   }
 
-  async function run(done: readonly Test[]): Promise<void> {
-    planning?.abort();
-    const mine = (planning = new AbortController());
-    const stop = () => mine.abort();
-    view.signal.addEventListener('abort', stop, { once: true });
-    fill(fault);
-    go.disabled = true;
+  /** Shows a run of the server, and what others write into it. */
+  follow(run: Kept): void {
+    this.run = run;
+    this.watching?.abort();
+    this.watching = new AbortController();
+    const stop = () => this.watching?.abort();
+    this.view.signal.addEventListener('abort', stop, { once: true });
+    watchRun(
+      run.id,
+      () => this.run!,
+      (found) => {
+        if (found.sheet_revision !== this.run!.sheet) {
+          void this.reopen('This run was planned anew in another window.');
+          return;
+        }
+        this.run = { ...this.run!, revision: found.revision };
+        const mine = [...this.unsaved].map((i) => [i, { ...this.state.outcome!.tests[i]! }] as const);
+        withResults(this.state.outcome!, found);
+        mine.forEach(([i, { result, notes }]) => Object.assign(this.state.outcome!.tests[i]!, { result, notes }));
+        this.refreshSheet();
+      },
+      () => ((this.run = null), stop(), this.sayKept('This run was removed from the server; this window still has it.')),
+      this.watching.signal,
+    );
+  }
+
+  private async reopen(why: string): Promise<void> {
     try {
-      const job = readJob();
-      fill(
-        fault,
-        h(
-          'p',
-          { class: 'note', role: 'status' },
-          `Planning, for ${count(job.seconds || 10, 'second')} at most … `,
-          h('button', { type: 'button', class: 'plain', onclick: stop }, 'Stop'),
-        ),
-      );
-      const outcome = await ask(job, done, mine.signal);
-      state.job = job;
-      state.outcome = outcome;
-      fill(fault);
-      stale.hidden = true;
-      show(outcome);
-      result.scrollIntoView({ block: 'start' });
-      announce(`${count(outcome.tests.length, 'test')}, cost ${outcome.cost}`);
-      await keep();
+      const { state, run } = await openRun(this.run!.id, this.view.signal);
+      this.unsaved.clear();
+      this.state = state;
+      this.run = run;
+      this.form.set(state.job);
+      this.show();
+      fill(this.news, h('p', { class: 'note', role: 'status' }, why));
+    } catch (fault) {
+      this.say(fault);
+    }
+  }
+
+  say(fault: unknown): void {
+    if (this.view.signal.aborted) {
+      return;
+    }
+    const key = fault instanceof Error ? keyIn(fault.message) : null;
+    fill(this.fault, problem(fault instanceof ApiError ? new ApiError(inWords(fault.message), fault.status) : fault));
+    if (key) {
+      this.form.show(key);
+    }
+    this.fault.scrollIntoView({ block: 'nearest' });
+  }
+
+  note(...words: (Node | string)[]): void {
+    fill(this.fault, h('p', { class: 'note', role: 'status' }, words));
+  }
+
+  private useExample(job: Job): void {
+    this.startAnew();
+    this.form.set(job);
+    void this.plan([], []);
+  }
+
+  /** What was done is not lost: the job that it belongs to stays where it is kept. */
+  private startAnew(): void {
+    this.state.id = newId();
+    this.run = null;
+    this.watching?.abort();
+    this.unsaved.clear();
+    fill(this.news);
+  }
+
+  private planAgain(): void {
+    if (this.run || this.state.outcome?.tests.some((test) => verdictOf(test) !== '')) {
+      this.startAnew();
+    }
+    void this.plan([], []);
+  }
+
+  private async pasted(text: string): Promise<Part[] | null> {
+    try {
+      const { job, notes } = await readParts(text, emptyJob(), this.view.signal);
+      fill(this.fault);
+      this.tell(notes.filter((note) => /header|not used/.test(note)));
+      return job.parts;
+    } catch (fault) {
+      this.say(fault);
+      return null;
+    }
+  }
+
+  private tell(notes: readonly string[]): void {
+    fill(this.news, notes.length > 0 ? h('div', { class: 'note', role: 'status' }, h('ul', {}, notes.map((note) => h('li', {}, note)))) : null);
+  }
+
+  private async take(file: File): Promise<void> {
+    this.pick.value = '';
+    try {
+      const mine = (): Job => {
+        try {
+          return this.form.read();
+        } catch {
+          return emptyJob(); // What cannot be read is replaced by the file.
+        }
+      };
+      const { job, done, notes } = await readFile(file, mine(), () => requestOf(this.form.read()), this.view.signal);
+      fill(this.fault);
+      this.startAnew();
+      this.form.set(job);
+      this.tell(notes.map((note) => note.replace(/^(parts|done)(?=[:\s])/, file.name)));
+      this.stale.hidden = this.state.outcome === null;
+      if (done.tests.length > 0) {
+        await this.plan(done.tests, done.places);
+      } else {
+        announce(`${file.name} was read`);
+      }
+    } catch (fault) {
+      this.say(fault);
+    }
+  }
+
+  /** The document with the tests that were done, as a run sheet with all its rows. */
+  private asked(job: Job, tests: readonly Test[], places: readonly Place[]): ReturnType<typeof requestOf> {
+    const request = requestOf(job);
+    if (!tests.some((test) => verdictOf(test) !== '')) {
+      return request;
+    }
+    const sheet = { ...(this.state.outcome ?? blank(job)), benches: tests.some(({ bench }) => bench !== null) ? [] : null, tests: [...tests], places: [...places] };
+    return withDone(request, job, csv(sheet as Outcome));
+  }
+
+  private async plan(tests: readonly Test[], places: readonly Place[]): Promise<void> {
+    this.planning?.abort();
+    const mine = (this.planning = new AbortController());
+    const best = new AbortController();
+    const stop = () => mine.abort();
+    this.view.signal.addEventListener('abort', stop, { once: true });
+    fill(this.fault);
+    this.form.go.disabled = true;
+    try {
+      const job = this.form.read();
+      const request = this.asked(job, tests, places);
+      const live = livePanel(() => best.abort(), stop, mine.signal);
+      if (this.writes) {
+        fill(this.fault, live.element);
+      } else {
+        this.note(`Planning, for ${count(job.seconds || 10, 'second')} at most … `, h('button', { type: 'button', class: 'plain', onclick: stop }, 'Cancel'));
+      }
+      this.fault.scrollIntoView({ block: 'nearest' });
+      const found = await follow(request, mine.signal, best.signal, (each) => live.hear(each));
+      const done = tests.filter(isDone);
+      this.state = { id: this.state.id, job, outcome: outcomeOf(found.planned, job, done, places) };
+      this.unsaved.clear();
+      fill(this.fault, found.message ? h('p', { class: 'note' }, found.message) : null);
+      this.stale.hidden = true;
+      this.show(found.job);
+      this.result.scrollIntoView({ block: 'start' });
+      announce(`${count(this.state.outcome!.tests.length, 'test')}, cost ${this.state.outcome!.cost}`);
+      await this.keepSheet();
     } catch (why) {
-      if (!view.signal.aborted) {
-        fill(fault, mine.signal.aborted ? h('p', { class: 'note' }, 'Stopped.') : problem(why));
-        fault.scrollIntoView({ block: 'nearest' });
+      if (!this.view.signal.aborted) {
+        mine.signal.aborted ? this.note('Cancelled.') : this.say(why);
       }
     } finally {
-      view.signal.removeEventListener('abort', stop);
-      if (planning === mine) {
-        go.disabled = false;
+      this.view.signal.removeEventListener('abort', stop);
+      if (this.planning === mine) {
+        this.form.go.disabled = false;
+        mine.abort();
       }
     }
   }
 
-  function show(outcome: Outcome): void {
-    const { job } = state;
-    const replan = h(
-      'button',
-      { type: 'button', class: 'plain', onclick: () => run(outcome.tests.filter((test) => test.done)) },
-      'Replan the remaining tests',
-    );
-    const ticked = () => {
-      replan.disabled = !outcome.tests.some((test) => test.done);
-      void keep();
+  /** Draws the sheet. `job` is the plan on the server of which files can be had. */
+  private show(job: number | null = null): void {
+    const { state } = this;
+    const outcome = state.outcome!;
+    this.drawing.abort();
+    const drawing = (this.drawing = new AbortController());
+    this.view.signal.addEventListener('abort', () => drawing.abort(), { once: true });
+    this.jobBox.open = window.matchMedia('(min-width: 50rem)').matches;
+    const mounted = outcome.benches ? [] : namesIn(state.job.start);
+    const written = (i: number) => void this.written(i);
+    const sheet = runSheet(outcome, mounted, written, drawing.signal);
+    const next = nextTests(outcome, mounted, written);
+    const replan = h('button', { type: 'button', class: 'plain', onclick: () => void this.plan(outcome.tests, outcome.places) }, 'Replan the remaining tests');
+    const diagnose = h('button', { type: 'button', class: 'plain', onclick: () => void this.diagnose() }, 'What is at fault?');
+    const diagnosis = h('div', { class: 'diagnosis-place' });
+    this.diagnosisPlace = diagnosis;
+    this.refreshSheet = () => {
+      sheet.refresh();
+      next.refresh();
+      replan.disabled = !outcome.tests.some((test) => verdictOf(test) !== '');
+      diagnose.hidden = state.job.changeCosts !== '' || !outcome.tests.some((test) => verdictOf(test) === 'fail');
     };
-    const sheet = runSheet(outcome, ticked, view.signal);
-    replan.disabled = !outcome.tests.some((test) => test.done);
+    this.refreshSheet();
+    const file = (format: string, text: string) => h('a', { class: 'button plain', href: address('plan/file', { id: job, format }), download: `run_sheet.${format}` }, text);
     fill(
-      result,
-      headline(job, outcome),
-      stale,
+      this.result,
+      headline(state.job, outcome),
+      this.stale,
+      next.element,
       h(
         'div',
         { class: 'row no-print' },
+        replan,
+        diagnose,
         h('button', { type: 'button', class: 'plain', onclick: () => window.print() }, 'Print the sheet'),
         h('button', { type: 'button', class: 'plain', onclick: () => save('run_sheet.csv', csv(outcome), 'text/csv') }, 'Download CSV'),
-        replan,
-        h('span', { class: 'hint' }, 'Tick what is done. A part broke? Tick “gone” in the list, then plan the rest.'),
+        job === null ? null : file('xlsx', 'Workbook'),
       ),
-      kept,
-      h(
-        'div',
-        { class: 'plan-parts' },
-        sheet.element,
-        whatIf(
-          outcome,
-          job.parts.some((part) => part.cost !== null),
-          (test, change) => (
-            (testCost.value = String(test)),
-            (changeCost.value = String(change)),
-            scalePrices(outcome, change),
-            run(outcome.tests.filter((each) => each.done))
+      diagnosis,
+      sheet.element,
+      this.keeping,
+      compared(outcome),
+      outcome.benches || outcome.met.what === 'triples' || state.job.budget !== '' || state.job.weights !== '' || state.job.changeCosts !== ''
+        ? null
+        : whatIf(
+            outcome,
+            state.job.parts.some((part) => part.cost !== null),
+            async () => {
+              const { what_if: found } = await post('plan', {}, forWhatIf(this.asked(state.job, outcome.tests.filter(isDone), outcome.places)), drawing.signal);
+              return found!;
+            },
+            (test, change) => this.atCosts(test, change),
+            drawing.signal,
           ),
-          view.signal,
-        ),
-      ),
     );
   }
+  private diagnosisPlace = h('div', {});
 
   /** The parts' own costs keep their proportion to the cost for all. */
-  function scalePrices(outcome: Outcome, change: number): void {
-    if (outcome.changeCost > 0 && change !== outcome.changeCost) {
-      grid.set(
-        grid.read().map((part) => ({ ...part, cost: part.cost === null ? null : exact((part.cost * change) / outcome.changeCost) })),
+  private atCosts(testCost: number, changeCost: number): void {
+    const job = this.form.read();
+    const { outcome } = this.state;
+    const factor = outcome!.changeCost > 0 ? changeCost / outcome!.changeCost : 1;
+    const parts = job.parts.map((part) => ({ ...part, cost: part.cost === null ? null : exact(part.cost * factor) }));
+    this.form.set({ ...job, testCost, changeCost, parts });
+    void this.plan(outcome!.tests.filter(isDone), outcome!.places);
+  }
+
+  private async diagnose(): Promise<void> {
+    const { outcome } = this.state;
+    try {
+      const job = this.form.read();
+      fill(this.diagnosisPlace, h('p', { class: 'hint', role: 'status' }, 'Weighing the results …'));
+      const { diagnosis } = await post('plan', {}, forDiagnosis(this.asked(job, outcome!.tests, outcome!.places)), this.view.signal);
+      fill(
+        this.diagnosisPlace,
+        diagnosisPanel(
+          diagnosis!,
+          () => {
+            this.state.outcome = withNext(outcome!, diagnosis!.next!);
+            this.show();
+            void this.keepSheet();
+            this.result.querySelector('.next-tests')?.scrollIntoView({ block: 'nearest' });
+          },
+          (faults) => {
+            const now = this.form.read();
+            this.form.set({ ...now, never: [now.never.trim(), ...faults.map((fault) => lineOf([...fault, 'failed together']))].filter(Boolean).join('\n') });
+            void this.plan(outcome!.tests, outcome!.places);
+          },
+        ),
       );
+      this.diagnosisPlace.scrollIntoView({ block: 'nearest' });
+    } catch (fault) {
+      fill(this.diagnosisPlace);
+      this.say(fault);
     }
   }
 
-  const form = h(
-    'form',
-    {
-      class: 'plan-form no-print',
-      onsubmit: (event) => {
-        event.preventDefault();
-        if (state.outcome?.tests.some((test) => test.done)) {
-          // What was done is not lost: the job that it belongs to stays in this browser.
-          state.id = newId();
-        }
-        void run([]);
-      },
-    },
-    h(
-      'div',
-      { class: 'plan-input' },
-      h(
-        'section',
-        { 'aria-label': 'Parts' },
-        h('h2', {}, 'Parts'),
-        h('p', { class: 'hint' }, 'Type, or paste two columns from a spreadsheet into the first field: name, cost of putting it in.'),
-        grid.element,
-        h(
-          'div',
-          { class: 'row' },
-          h('button', { type: 'button', class: 'plain', onclick: () => pick.click() }, 'CSV file …'),
-          pick,
-          h(
-            'span',
-            { class: 'together' },
-            many,
-            h(
-              'button',
-              {
-                type: 'button',
-                class: 'plain',
-                onclick: () => (
-                  grid.set(
-                    Array.from({ length: Math.min(1000, Number(many.value || 12)) }, (_, i) => ({ name: String(i + 1), cost: null })),
-                  ),
-                  changed()
-                ),
-              },
-              'numbered parts',
-            ),
-          ),
-          h('button', { type: 'button', class: 'plain', onclick: () => (grid.set([]), changed()) }, 'Clear'),
-        ),
-      ),
-      h(
-        'section',
-        { 'aria-label': 'Costs and rules' },
-        h('h2', {}, 'Costs and rules'),
-        field('How many fit at once', atOnce),
-        field('Cost of a test', testCost),
-        field('Cost of a change', changeCost, 'of putting a part in, where the list does not say; taking out is free'),
-        field('Pairs', pairMode),
-        pairsField,
-        field('Title of the sheet', title),
-        field('Search for', seconds),
-        h('div', { class: 'row' }, go),
-      ),
-    ),
-  );
-  fill(
-    view.root,
-    h('h1', { class: 'no-print' }, 'Plan tests'),
-    h(
-      'p',
-      { class: 'no-print' },
-      'You have parts, and room for some of them at once. Every two of them have to be tested together. A test costs something, and so does every part that is put in: which set-ups, and in which order? ',
-      h('a', { href: link('plan'), onclick: (event) => (event.preventDefault(), useExample()) }, 'Try an example'),
-      '.',
-    ),
-    keptList(),
-    form,
-    fault,
-    result,
-  );
-  function useExample(): void {
-    state.id = newId();
-    grid.set(exampleJob.parts);
-    title.value = exampleJob.title;
-    atOnce.value = String(exampleJob.atOnce);
-    testCost.value = String(exampleJob.testCost);
-    changeCost.value = String(exampleJob.changeCost);
-    void run([]);
-  }
-  grid.set(state.job.parts);
-  if (state.outcome) {
-    show(state.outcome);
-    if (!given?.other) {
-      await keep();
+  /** A result was written down. */
+  private async written(i: number): Promise<void> {
+    const test = this.state.outcome!.tests[i]!;
+    Object.assign(test, { by: ownName(), at: new Date().toISOString() });
+    this.refreshSheet();
+    if (!this.writes) {
+      await this.keepHere();
+      return;
     }
-  } else if ((view.params.has('s') || view.params.has('id')) && !given) {
+    this.unsaved.add(i);
+    this.saving = this.saving.then(() => this.saveResults());
+    await this.saving;
+  }
+
+  /** Writes what the server does not have yet; tries again while it does not answer. */
+  private async saveResults(): Promise<void> {
+    const { signal } = this.view;
+    try {
+      if (!this.run) {
+        this.unsaved.clear();
+        await this.keepSheet(true);
+        return;
+      }
+      for (const i of [...this.unsaved]) {
+        this.unsaved.delete(i);
+        try {
+          this.run = await keepResult(this.state, i, this.run, signal);
+        } catch (fault) {
+          this.unsaved.add(i);
+          throw fault;
+        }
+      }
+      await this.keepHere();
+    } catch (fault) {
+      if (signal.aborted) {
+        return;
+      }
+      if (fault instanceof ApiError && fault.status === 409) {
+        await this.reopen(fault.message);
+        return;
+      }
+      await this.keepHere();
+      this.sayKept(`Not on the server yet: ${(fault as Error).message} This browser has it, and tries again.`);
+      setTimeout(() => !signal.aborted && this.unsaved.size > 0 && (this.saving = this.saving.then(() => this.saveResults())), 5000);
+    }
+  }
+
+  /** Keeps the sheet: on the server once results are written, else in this browser and in the link. */
+  private async keepSheet(begin = false): Promise<void> {
+    try {
+      if (this.writes && (this.run || begin)) {
+        const run = await keepRun(this.state, this.run, this.view.signal);
+        if (!this.run) {
+          this.follow(run);
+        }
+        this.run = run;
+      }
+      await this.keepHere();
+    } catch (fault) {
+      if (fault instanceof ApiError && fault.status === 409) {
+        await this.reopen(fault.message);
+      } else if (!this.view.signal.aborted) {
+        await this.keepHere();
+        this.sayKept(`Not on the server: ${(fault as Error).message}`);
+      }
+    }
+  }
+
+  /** The link has another state than this browser: what is changed from here on gets a name of its own. */
+  keepBeside(): void {
+    this.state.id = newId();
+  }
+
+  async keepAgain(): Promise<void> {
+    await this.keepHere();
+  }
+
+  private async keepHere(): Promise<void> {
+    try {
+      const { s, id, whole } = await keepState(this.state);
+      if (this.view.signal.aborted) {
+        return;
+      }
+      this.view.go(this.run ? { run: this.run.id, s: null, id: null } : { s, id, run: null }, { quiet: true });
+      this.sayKept(
+        this.run
+          ? ''
+          : whole
+            ? 'A part broke? Tick “gone” in the list, then replan the remaining tests. The link of this page holds the whole job with its sheet and what is done; this browser keeps it, too.'
+            : 'This job is too long for a link: it is kept in this browser, and the link opens it only here. Download it as CSV to pass it on.',
+      );
+    } catch {
+      this.sayKept(this.run ? '' : 'This browser has no room to keep the job: download it as CSV before you leave.');
+    }
+  }
+
+  sayKept(words: string): void {
+    if (!this.run) {
+      fill(
+        this.keeping,
+        h('p', { class: 'hint', role: 'status' }, words),
+        this.writes && this.state.outcome ? h('button', { type: 'button', class: 'plain small', onclick: () => void this.keepSheet(true) }, 'Keep this run on the server') : null,
+      );
+      return;
+    }
+    const name = h('input', { type: 'text', class: 'own-name', value: ownName(), autocomplete: 'name', placeholder: 'your name', onchange: () => keepOwnName(name.value) });
     fill(
-      fault,
-      problem(
-        new Error(
-          'This link does not hold a whole job (it may have been cut), and this browser does not have it either. Open it where it was made, or make it anew.',
-        ),
-      ),
+      this.keeping,
+      h('p', { class: 'hint', role: 'status' }, words || 'This run is kept on the server: what you write down is seen in every window that has it open, and is there when you come back.'),
+      h('div', { class: 'row' }, field('Results are signed', name), this.writes ? copyButton('Copy a link for others', () => linkForOthers(link('plan', { run: this.run!.id }))) : null),
     );
   }
-  if (given?.other) {
-    const { id, title: name, done, tests, when } = given.other;
-    fill(
-      fault,
-      h(
-        'p',
-        { class: 'note' },
-        `This is the job as the link has it. This browser has it, too, as of ${new Date(when).toLocaleString()}, ${done} of ${count(tests, 'test')} done: `,
-        h('a', { href: link('plan', { id }) }, `open that ${name}`),
-        '. What you change here is kept beside it.',
-      ),
+}
+
+function blank(job: Job): Outcome {
+  return {
+    benches: null,
+    places: [],
+    tests: [],
+    cost: 0,
+    bound: 0,
+    together: 0,
+    reason: '',
+    changes: 0,
+    met: { what: 'pairs', needed: 0, tested: 0 },
+    budget: null,
+    unit: null,
+    finish: null,
+    alternatives: [],
+    notes: [],
+    testCost: job.testCost,
+    changeCost: job.changeCost,
+    doneBefore: 0,
+  };
+}
+
+async function render(view: View): Promise<void> {
+  const writes = await mayStart();
+  const asked = view.params.get('run');
+  let opened: Awaited<ReturnType<typeof openRun>> | null = null;
+  let fault: unknown = null;
+  if (asked) {
+    try {
+      opened = await openRun(asked, view.signal);
+    } catch (why) {
+      fault = why;
+    }
+  }
+  const given = opened ? null : await load(view.params);
+  if (view.signal.aborted) {
+    return;
+  }
+  const page = new PlanPage(view, opened?.state ?? given?.state ?? null, writes);
+  page.draw();
+  if (opened) {
+    page.follow(opened.run);
+    page.sayKept('');
+  } else if (fault) {
+    page.say(fault);
+  } else if (given?.other) {
+    const { id, title, done, tests, when } = given.other;
+    page.note(
+      `This is the job as the link has it. This browser has it, too, as of ${new Date(when).toLocaleString()}, ${done} of ${count(tests, 'test')} done: `,
+      h('a', { href: link('plan', { id }) }, `open that ${title}`),
+      '. What you change here is kept beside it.',
     );
-    state.id = newId();
+    page.keepBeside();
+  } else if (given?.state.outcome) {
+    await page.keepAgain();
+  } else if ((view.params.has('s') || view.params.has('id')) && !given) {
+    page.say(new Error(lost));
   }
 }
 

@@ -87,7 +87,7 @@ export async function start(options = {}) {
         }
       };
       page.on('pageerror', (error) => note(`error on the page: ${error.message}`));
-      page.on('console', (message) => message.type() === 'error' && note(`console: ${message.text()}`));
+      page.on('console', (message) => message.type() === 'error' && note(`console: ${message.text()} (${message.location().url})`));
       await page.goto(server.address + fragment);
       await settled(page);
       return page;

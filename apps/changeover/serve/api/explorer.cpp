@@ -11,6 +11,8 @@
 #include "changeover/run/control.hpp"
 #include "cli/cli.hpp"
 #include "serve/jobs/search_jobs.hpp"
+#include "serve/plans/plan_jobs.hpp"
+#include "serve/plans/run_store.hpp"
 
 namespace changeover::serve {
 namespace {

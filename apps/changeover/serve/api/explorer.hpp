@@ -23,6 +23,8 @@
 namespace changeover::serve {
 
 class SearchJobs;
+class PlanJobs;
+class RunStore;
 
 /// A design from a file of the user, read when the server started.
 struct GivenFile {
@@ -36,6 +38,7 @@ struct Limits {
   std::chrono::duration<double> seconds{60};       ///< of one answer
   std::uint64_t memory_bytes = 0;                  ///< of one table in the making of an answer
   unsigned searches = 2;                           ///< at once
+  unsigned plans = 4;                              ///< that are followed, at once
 };
 
 /// Answers that were given, so that the same is not computed twice. Thread-safe; the least recently
@@ -68,6 +71,8 @@ struct Explorer {
   EventHub events = {};
   std::atomic<bool> stopping = false;
   std::shared_ptr<SearchJobs> jobs = {};
+  std::shared_ptr<PlanJobs> plans = {};
+  std::shared_ptr<RunStore> runs = {};
   AnswerCache cache{std::size_t{64} << 20};
   KnownTables tables = {};
 

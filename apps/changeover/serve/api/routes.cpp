@@ -8,6 +8,13 @@ std::function<Lane(const Request&)> always(Lane lane) {
   return [lane](const Request&) { return lane; };
 }
 
+void require_writing(const Explorer& explorer) {
+  if (!explorer.may_write) {
+    throw Refusal{403,
+                  "the server was started with --no-write: it searches nothing and keeps nothing"};
+  }
+}
+
 Route question(Explorer& explorer, std::string path, std::vector<std::string> parameters,
                Again again, std::function<Response(const Request&)> answer) {
   Route route;

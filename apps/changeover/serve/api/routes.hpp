@@ -20,7 +20,7 @@ void add_designs(Router& router, Explorer& explorer);   ///< design, download, c
 void add_searches(Router& router, Explorer& explorer);  ///< search, events, what is kept
 void add_verify(Router& router, Explorer& explorer);    ///< verify, repair
 void add_pictures(Router& router, Explorer& explorer);  ///< draw, heatmap
-void add_plans(Router& router, Explorer& explorer);     ///< plan
+void add_plans(Router& router, Explorer& explorer);     ///< plans and runs
 void add_loads(Router& router, Explorer& explorer);     ///< load orders
 void add_pages(Router& router, const Pages& pages);
 
@@ -33,6 +33,9 @@ void add_pages(Router& router, const Pages& pages);
 [[nodiscard]] Route posted(Explorer& explorer, std::string path,
                            std::vector<std::string> parameters, Body body,
                            std::function<Response(const Request&)> answer);
+
+/// @throws Refusal 403 if the server was started with --no-write.
+void require_writing(const Explorer& explorer);
 
 /// A constant lane.
 [[nodiscard]] std::function<Lane(const Request&)> always(Lane lane);

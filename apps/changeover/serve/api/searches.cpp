@@ -16,13 +16,6 @@
 namespace changeover::serve {
 namespace {
 
-void require_writing(const Explorer& explorer) {
-  if (!explorer.may_write) {
-    throw Refusal{403,
-                  "the server was started with --no-write: it searches nothing and keeps nothing"};
-  }
-}
-
 SearchWay way_named(const std::string& name) {
   for (const SearchWay way :
        {SearchWay::local, SearchWay::exact, SearchWay::base_blocks, SearchWay::locked}) {

@@ -136,12 +136,23 @@ class BenchPlanner {
     if (candidate.cost < plan_.bound.cost || candidate.makespan < plan_.makespan_bound) {
       throw InternalError(name + " costs less than the lower bound");
     }
+    tell_if_best(candidate);
     const auto same = std::find_if(plan_.candidates.begin(), plan_.candidates.end(),
                                    [&](const BenchCandidate& c) { return c.name == name; });
     if (same == plan_.candidates.end()) {
       plan_.candidates.push_back(std::move(candidate));
     } else if (better(candidate, *same)) {
       *same = std::move(candidate);
+    }
+  }
+
+  void tell_if_best(const BenchCandidate& candidate) const {
+    const auto& news = options_->plan.on_better;
+    if (news && (plan_.candidates.empty() || better(candidate, best()))) {
+      news({.name = candidate.name,
+            .tests = candidate.tests,
+            .cost = by_cost() ? candidate.cost : candidate.makespan,
+            .bound = by_cost() ? plan_.bound.cost : plan_.makespan_bound});
     }
   }
 
@@ -203,6 +214,7 @@ class BenchPlanner {
     PlanOptions once = options_->plan;
     once.until_stopped = options_->plan.until_stopped && field_.size() == 1 && !field_.has_clock();
     once.budget.reset();
+    once.on_better = nullptr;
     once.rest.clear();
     const Job& rest = field_.rest(alone);
     constexpr double share = 0.15;  // of the time: the search for all benches needs more

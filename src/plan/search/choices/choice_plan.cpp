@@ -83,6 +83,8 @@ class ChoicePlanner {
       throw InternalError(start.name + " is below the lower bound");
     }
     plan.candidates.push_back(std::move(candidate));
+    tell_if_best(plan, options_,
+                 [this](const Candidate& a, const Candidate& b) { return is_better(a, b); });
   }
 
   // The same again only if it is better.

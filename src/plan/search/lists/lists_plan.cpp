@@ -68,6 +68,7 @@ class ListsPlanner {
       throw InternalError(start.name + " costs less than the lower bound");
     }
     plan.candidates.push_back(std::move(candidate));
+    tell_if_best(plan, *options_, cheaper);
   }
 
   // The list under way without what breaks a rule, and with what it lacks.

@@ -13,6 +13,7 @@ namespace {
 // The candidates of the same job at mean prices, which have less than half of the time.
 std::vector<Start> at_mean_prices(const Job& job, const PlanOptions& options, RunControl& control) {
   PlanOptions once = options;
+  once.on_better = nullptr;  // The costs are others.
   once.until_stopped = false;
   once.budget.reset();
   once.rest.clear();

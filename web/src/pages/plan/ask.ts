@@ -1,43 +1,59 @@
-// Planning: what is asked of the server, and its answer as the page keeps it.
-import { post, type Plan } from '../../lib/api';
-import { checkJob, wantedPairs, type Job, type Outcome, type Test } from './job';
+// Planning: what is asked of the server, followed while it searches.
+import type { Job as Request } from '../../../answers';
+import { get, hasToken, post, type PlanJob, type Planned } from '../../lib/api';
+import { listen } from '../../lib/events';
+import { about } from '../../shell/about';
 
-/** Plans what is not done yet. Tests that were done stay as they were. */
-export async function ask(job: Job, done: readonly Test[], signal: AbortSignal): Promise<Outcome> {
-  checkJob(job);
-  const pairs = wantedPairs(job);
-  const left = job.parts.filter((part) => !part.gone);
-  const names = new Set(left.map(({ name }) => name));
-  const doneNow = done.map(({ parts }) => parts.filter((name) => names.has(name))).filter((parts) => parts.length > 0);
-  const answer = await post(
-    'plan',
-    {},
-    {
-      parts: left.map(({ name, cost }) => ({ name, cost: cost ?? job.changeCost })),
-      at_once: job.atOnce,
-      test_cost: job.testCost,
-      change_cost: job.changeCost,
-      ...(pairs ? { pairs } : {}),
-      ...(doneNow.length > 0 ? { done: doneNow } : {}),
-      ...(job.seconds > 0 ? { seconds: job.seconds } : {}),
-    },
-    signal,
-  );
-  const { steps, tests, changes, cost, lower_bound: bound, candidates } = answer.plan as Plan;
-  return {
-    tests: [
-      ...done.map((test) => ({ ...test, done: true })),
-      ...steps.map((step): Test => ({ parts: step.set_up, cost: step.cost, done: false })),
-    ],
-    cost,
-    bound: bound.cost,
-    reason: bound.reason,
-    alternatives: [
-      { name: 'this plan', tests, changes, cost },
-      ...candidates.filter((each) => each.tests !== tests || each.changes !== changes || each.cost !== cost),
-    ],
-    testCost: job.testCost,
-    changeCost: job.changeCost,
-    doneBefore: done.length,
-  };
+/** Whether this window may start searches, and have runs kept. */
+export async function mayStart(): Promise<boolean> {
+  return hasToken() && (await about()).write;
+}
+
+export interface Following {
+  /** The number of the plan on the server; null if it was only waited for. */
+  readonly job: number | null;
+  readonly planned: Planned;
+  /** What is to be said of how it ended. */
+  readonly message: string;
+}
+
+/**
+ * Plans. `news` hears of every better plan; `best` is aborted to have the best so far. Where nothing may be started, the answer is waited for.
+ * @throws Error with a line that can be shown; ApiError
+ */
+export async function follow(request: Request, signal: AbortSignal, best: AbortSignal, news: (job: PlanJob) => void): Promise<Following> {
+  if (!(await mayStart())) {
+    return { job: null, planned: await post('plan', {}, request, signal), message: '' };
+  }
+  const { id } = await post('plan/start', {}, request, signal);
+  const own = new AbortController();
+  const stop = () => void post('plan/stop', { id }, undefined, own.signal).catch(() => undefined);
+  best.addEventListener('abort', stop, { once: true });
+  signal.addEventListener('abort', stop, { once: true });
+  try {
+    const ended = await new Promise<PlanJob>((resolve, reject) => {
+      const ask = () => get('plan/job', { id }, own.signal).then(hear, (fault: unknown) => own.signal.aborted || reject(fault));
+      const hear = (job: PlanJob) => {
+        if (job.state === 'running') {
+          news(job);
+        } else if (job.answer === undefined) {
+          void ask(); // The stream tells that it has ended, not what came of it.
+        } else {
+          resolve(job);
+        }
+      };
+      signal.addEventListener('abort', () => reject(signal.reason as Error), { once: true });
+      listen({ plan: (job) => job.id === id && hear(job), state: (state) => state === 'open' && void ask() }, own.signal);
+    });
+    if (!ended.answer) {
+      throw new Error(ended.message);
+    }
+    return { job: id, planned: ended.answer, message: ended.message };
+  } finally {
+    best.removeEventListener('abort', stop);
+    signal.removeEventListener('abort', stop);
+    if (!signal.aborted) {
+      own.abort();
+    }
+  }
 }

@@ -1,24 +1,42 @@
 // What a plan comes to, in words.
 import { h } from '../../lib/dom';
-import { count } from '../../lib/words';
-import { exact, moneyOf, type Job, type Outcome } from './job';
+import { count, number } from '../../lib/words';
+import { exact, moneyOf, type Job } from './job';
+import { clockOf } from './sheet';
+import type { Outcome } from './outcome';
 
-function gapInWords(outcome: Outcome): string {
-  const { cost, bound } = outcome;
+export function gapInWords(cost: number, bound: number, money: (cost: number) => string): string {
   if (exact(cost) <= exact(bound)) {
     return 'No plan is cheaper: this is the lower bound.';
   }
   if (bound <= 0) {
     return 'How little it could cost is not known.';
   }
-  const money = moneyOf([cost, bound]);
   return `No plan costs less than ${money(bound)}, so this one is at most ${((100 * (cost - bound)) / bound).toFixed(1)} % above the least possible.`;
+}
+
+function gap(outcome: Outcome, money: (cost: number) => string): string {
+  const { budget, benches, cost, bound, met, finish } = outcome;
+  if (budget !== null && met.tested < met.needed) {
+    return `The budget of ${money(budget)} pays for ${number(met.tested)} of ${number(met.needed)} ${met.what}.`;
+  }
+  if (!benches) {
+    return gapInWords(cost, bound, money);
+  }
+  const early = outcome.together !== cost || benches.length > 1;
+  const words = gapInWords(cost, bound, money);
+  return `${early ? `The last test ends at ${money(cost)}${finish ? ` (${finish})` : ''}; all benches together cost ${money(outcome.together)}. ` : ''}${early ? words.replace('No plan is cheaper', 'No plan is done earlier').replace('No plan costs less than', 'No plan is done before') : words}`;
 }
 
 export function headline(job: Job, outcome: Outcome): HTMLElement {
   const rest = outcome.tests.length - outcome.doneBefore;
-  const changes = outcome.alternatives[0]!.changes;
-  const money = moneyOf([outcome.testCost, outcome.changeCost, ...outcome.tests.map(({ cost }) => cost)]);
+  const money = moneyOf([outcome.testCost, outcome.changeCost, outcome.cost, outcome.bound, outcome.together, ...outcome.tests.map(({ cost }) => cost)]);
+  const clock = clockOf(outcome.unit);
+  const what =
+    job.source === 'model'
+      ? 'The model'
+      : `${count(job.parts.filter((part) => !part.gone).length, 'part')}${job.atOnce === null ? '' : `, ${job.atOnce} at a time`}${outcome.benches ? `, ${count(outcome.benches.length, 'bench', 'benches')}` : ''}`;
+  const whole = outcome.benches ? outcome.together : outcome.cost;
   return h(
     'div',
     { class: 'verdict valid' },
@@ -26,17 +44,20 @@ export function headline(job: Job, outcome: Outcome): HTMLElement {
     h(
       'p',
       {},
-      outcome.doneBefore > 0
-        ? `${count(outcome.doneBefore, 'test')} done; for the rest: `
-        : `${count(job.parts.filter((part) => !part.gone).length, 'part')}, ${job.atOnce} at a time: `,
-      h('strong', {}, `${count(rest, 'test')}, ${count(changes, 'change')}, cost ${money(outcome.cost)}`),
-      `. ${gapInWords(outcome)}`,
+      outcome.doneBefore > 0 ? `${count(outcome.doneBefore, 'test')} done; for the rest: ` : `${what}: `,
+      h('strong', {}, `${count(rest, 'test')}, ${count(outcome.changes, 'change')}, cost ${money(whole)}${outcome.unit ? ` ${outcome.unit}` : ''}`),
+      clock && !outcome.benches ? `, ${clock(whole)} on the clock` : null,
+      `. ${gap(outcome, money)}`,
     ),
-    outcome.reason && h('details', { class: 'no-print' }, h('summary', {}, 'Why not less'), h('p', {}, outcome.reason)),
+    outcome.reason ? h('details', { class: 'no-print' }, h('summary', {}, 'Why not less'), h('p', {}, outcome.reason)) : null,
+    outcome.notes.length > 0
+      ? h('details', { class: 'no-print', open: outcome.notes.length <= 2 }, h('summary', {}, `${count(outcome.notes.length, 'note')} on the job`), h('ul', {}, outcome.notes.map((note) => h('li', {}, note))))
+      : null,
     h(
       'p',
       { class: 'hint' },
-      `A test costs ${money(outcome.testCost)}; putting a part in costs ${job.parts.some((part) => part.cost !== null) ? `what the list says, else ${money(outcome.changeCost)}` : money(outcome.changeCost)}; taking out is free. Every pair that must meet does: checked by an independent checker.`,
+      `A test costs ${money(outcome.testCost)}; putting a part in costs ${job.parts.some((part) => part.cost !== null) ? `what the list says, else ${money(outcome.changeCost)}` : money(outcome.changeCost)}; taking out is free. `,
+      `${number(outcome.met.tested)} of ${number(outcome.met.needed)} needed ${outcome.met.what} are tested, counted by an independent checker.`,
     ),
   );
 }

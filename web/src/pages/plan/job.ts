@@ -1,85 +1,113 @@
-// What is to be planned, and what was planned: the plain data of the page, and the arithmetic on it.
+// What is to be planned, as the form has it, and the arithmetic on costs and lists.
 
 export interface Part {
   name: string;
   /** What putting it in costs; null: what it costs for all. */
   cost: number | null;
+  /** '' is none. */
+  slot: string;
+  /** How many there are; null: as many as are needed. */
+  quantity: number | null;
   /** It broke or went away: no later test can have it. */
-  gone?: boolean;
+  gone: boolean;
+}
+
+/** How many parts of it a set-up has; '' is no limit. */
+export interface Slot {
+  name: string;
+  least: string;
+  most: string;
+}
+
+/** What a bench has instead of what the job says; '' is as the job says. Lists of parts have commas between them. */
+export interface Bench {
+  name: string;
+  hours: string;
+  atOnce: string;
+  testCost: string;
+  changeFactor: string;
+  without: string;
+  own: string;
+  start: string;
+  mounted: string;
+  slots: string;
+  down: boolean;
 }
 
 export type PairMode = 'all' | 'only' | 'skip';
+export type Unit = '' | 'money' | 'seconds' | 'minutes' | 'hours';
 
 export interface Job {
   title: string;
+  source: 'parts' | 'model';
   parts: Part[];
-  atOnce: number;
+  /** Parameters, values and rules in the language of PICT or ACTS. */
+  model: string;
+  /** null: as many as the slots hold. */
+  atOnce: number | null;
   testCost: number;
   changeCost: number;
+  unit: Unit;
+  strength: number;
   pairMode: PairMode;
   /** Two names a line, with a comma between. */
   pairs: string;
+  slots: Slot[];
+  never: string;
+  mounted: string;
+  start: string;
+  first: string;
+  weights: string;
+  budget: string;
+  changeCosts: string;
+  benches: Bench[];
+  objective: '' | 'cost' | 'tests';
+  hours: string;
+  firstDay: string;
+  weekends: boolean;
+  trustFailed: boolean;
   /** How long is searched; 0: as long as it brings something. */
   seconds: number;
 }
 
-export interface Test {
-  parts: string[];
-  cost: number;
-  done: boolean;
-}
-
-/** A way to run the tests, known by its numbers alone. */
-export interface Alternative {
-  name: string;
-  tests: number;
-  changes: number;
-  /** At the costs that were planned with. */
-  cost: number;
-}
-
-export interface Outcome {
-  tests: Test[];
-  /** Of the tests that the last planning was about: those done before are not in it. */
-  cost: number;
-  bound: number;
-  reason: string;
-  /** The plan itself is the first. */
-  alternatives: Alternative[];
-  testCost: number;
-  changeCost: number;
-  /** How many tests were done when this was planned. */
-  doneBefore: number;
-}
-
-export interface State {
-  id: string;
-  job: Job;
-  outcome: Outcome | null;
-}
-
 export function emptyJob(): Job {
-  return { title: 'Run sheet', parts: [], atOnce: 3, testCost: 1, changeCost: 1, pairMode: 'all', pairs: '', seconds: 0 };
+  return {
+    title: 'Run sheet',
+    source: 'parts',
+    parts: [],
+    model: '',
+    atOnce: 3,
+    testCost: 1,
+    changeCost: 1,
+    unit: '',
+    strength: 2,
+    pairMode: 'all',
+    pairs: '',
+    slots: [],
+    never: '',
+    mounted: '',
+    start: '',
+    first: '',
+    weights: '',
+    budget: '',
+    changeCosts: '',
+    benches: [],
+    objective: '',
+    hours: '',
+    firstDay: '',
+    weekends: false,
+    trustFailed: false,
+    seconds: 0,
+  };
 }
 
-export const exampleJob: Job = {
-  ...emptyJob(),
-  title: 'Pump bench',
-  parts: [
-    ['Gear pump', 6.5],
-    ['Vane pump', 7],
-    ['Relief valve', 2.5],
-    ['Check valve', 1.5],
-    ['Filter', 1],
-    ['Cooler', 4],
-    ['Motor A', 9],
-    ['Motor B', 9],
-    ['Flow meter', 3],
-  ].map(([name, cost]) => ({ name: String(name), cost: Number(cost) })),
-  atOnce: 4,
-  testCost: 12.5,
-  changeCost: 3,
-};
+export function emptyBench(): Bench {
+  return { name: '', hours: '', atOnce: '', testCost: '', changeFactor: '', without: '', own: '', start: '', mounted: '', slots: '', down: false };
+}
+
+export function partOf(name: string, cost: number | null = null, slot = '', quantity: number | null = null): Part {
+  return { name, cost, slot, quantity, gone: false };
+}
 
 /** A decimal with a point or a comma. @throws Error with a line that can be shown. */
 export function decimal(text: string, what: string): number {
@@ -164,52 +192,6 @@ export function cells(text: string): string[][] {
   return rows;
 }
 
-/** What headings this page understands, as the command line does; every other column is refused by its name. */
-const headings = {
-  name: /^(name|part|component|item|device|module)s?$/i,
-  cost: /^((change|swap|set-?up|mounting)[ _-]?)?(cost|price)s?$/i,
-  slot: /^slots?$/i,
-};
-/** In a row that is one of headings: more words for costs, whole ones as in the command line: “Europe” is no price in euros. */
-const saysCost =
-  /(?<!\p{L})(costs?|prices?|pricing|preise?|preises|kosten|aufwand|prix|co[ûu]ts?|precios?|costes?|cost[oi]s?|prezz[oi]|pre[çc]os?|custos?|prijs|prijzen|euros?|eur|usd|gbp|chf|€|£|dollars?|\p{L}{3,}(costs?|prices?|preise?|kosten|aufwand))(?!\p{L})/iu;
-
-/**
- * Parts of a pasted table or a file: a name and, if there is one, a cost; with or without a first row of headings.
- * @throws Error for bytes that are not UTF-8, and for columns that this page does not use: nothing is dropped.
- */
-export function partsOf(text: string): Part[] {
-  if (text.startsWith('PK\u0003\u0004') || /[\u0000-\u0008\u000e-\u001f\ufffd]/.test(text)) {
-    throw new Error('this file is not text: in the spreadsheet, save the list as CSV, or give the file to “changeover plan”');
-  }
-  const rows = cells(text);
-  const numeric = (cell: string | undefined) => /^[\d.,]+$/.test(cell ?? '');
-  const first = rows[0] ?? [];
-  const heads =
-    headings.name.test(first[0] ?? '') ||
-    first.some((cell, column) => headings.cost.test(cell) || (column > 0 && headings.slot.test(cell))) ||
-    (rows.length > 1 && first.length > 1 && !numeric(first[1]) && first[1] !== '' && numeric(rows[1]![1]));
-  const list = heads ? rows.slice(1) : rows;
-  const find = (heading: RegExp, otherwise: number) => {
-    const found = heads ? first.findIndex((cell) => heading.test(cell)) : -1;
-    return found < 0 ? otherwise : found;
-  };
-  const name = find(headings.name, 0);
-  // A column is not read as a cost because of its place where it says something else.
-  const cost = find(saysCost, !heads || (name === 0 && first.length === 2 && first[1] === '') ? 1 : -1);
-  for (let column = 0; column < Math.max(first.length, ...list.map((row) => row.length)); ++column) {
-    if (column !== name && column !== cost && list.some((row) => (row[column] ?? '') !== '')) {
-      const which = heads && first[column] ? `the column “${first[column]}”` : `column ${column + 1}`;
-      throw new Error(`${which} is not used on this page: take it out of the list, or give the file to “changeover plan”`);
-    }
-  }
-  return list.map((row) => {
-    const each = row[name] ?? '';
-    const price = row[cost] ?? '';
-    return { name: each, cost: price === '' ? null : decimal(price, each) };
-  });
-}
-
 function listed(job: Job): [string, string][] {
   const names = new Set(job.parts.map(({ name }) => name));
   return cells(job.pairs).map((row, i) => {
@@ -246,11 +228,29 @@ export function wantedPairs(job: Job): [string, string][] | undefined {
   return pairs;
 }
 
-/** @throws Error with a line that can be shown, if this job cannot be planned. */
+/** Names of parts in one line or more, with commas between them. */
+export function namesIn(text: string): string[] {
+  return cells(text)
+    .flat()
+    .filter((name) => name !== '');
+}
+
+/** A row as a line that `cells` reads back. */
+export function lineOf(fields: readonly string[]): string {
+  return fields.map((text) => (/[",;\t\n]|^\s|\s$|^#/.test(text) ? `"${text.replaceAll('"', '""')}"` : text)).join(', ');
+}
+
+/** @throws Error with a line that can be shown, if this job cannot be planned. What needs the lists read is said by the server. */
 export function checkJob(job: Job): void {
+  if (job.source === 'model') {
+    if (job.model.trim() === '') {
+      throw new Error('There is no model: write its parameters, one a line, as in “Browser: Firefox, Chrome”, or take an example.');
+    }
+    return;
+  }
   const left = job.parts.filter((part) => !part.gone);
   if (left.length < 2) {
-    throw new Error('There are fewer than two parts: type them, paste them from a spreadsheet, or take the example.');
+    throw new Error('There are fewer than two parts: type them, paste them from a spreadsheet, or take an example.');
   }
   const seen = new Set<string>();
   for (const [i, { name }] of job.parts.entries()) {
@@ -262,41 +262,7 @@ export function checkJob(job: Job): void {
     }
     seen.add(name);
   }
-  if (!Number.isInteger(job.atOnce) || job.atOnce < 2) {
+  if (job.atOnce !== null && (!Number.isInteger(job.atOnce) || job.atOnce < 2)) {
     throw new Error('At once: at least two parts must fit, or no pair ever meets.');
   }
-}
-
-/** What is taken out for a test and what is put in. */
-export function step(tests: readonly Test[], i: number): { out: string[]; in: string[] } {
-  const before = i === 0 ? [] : tests[i - 1]!.parts;
-  const now = tests[i]!.parts;
-  return { out: before.filter((name) => !now.includes(name)), in: now.filter((name) => !before.includes(name)) };
-}
-
-/** The run sheet as CSV with the columns of the command line, which reads it back as `--done`. */
-export function csv(outcome: Outcome): string {
-  const most = Math.max(...outcome.tests.map(({ parts }) => parts.length));
-  // A spreadsheet would compute what begins like a formula.
-  const safe = (name: string) => (/^[=+\-@\t]/.test(name) ? `'${name}` : name);
-  const quote = (text: string) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
-  const slots = Array.from({ length: most }, (_, i) => `slot_${i + 1}`);
-  let sum = 0;
-  const rows = outcome.tests.map((test, i) => {
-    const { out, in: put } = step(outcome.tests, i);
-    sum = exact(sum + test.cost);
-    return [
-      String(i + 1),
-      safe(out.join(', ')),
-      safe(put.join(', ')),
-      ...slots.map((_, j) => safe(test.parts[j] ?? '')),
-      String(test.cost),
-      String(sum),
-      test.done ? 'done' : '',
-    ];
-  });
-  return (
-    [['step', 'take_out', 'put_in', ...slots, 'cost', 'cost_so_far', 'result'], ...rows].map((row) => row.map(quote).join(',')).join('\n') +
-    '\n'
-  );
 }

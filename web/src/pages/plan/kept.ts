@@ -1,29 +1,62 @@
-// The jobs of this browser, to open again or to forget.
+// The runs of this server and the jobs of this browser, to open again or to forget.
 import { h, fill } from '../../lib/dom';
 import { count } from '../../lib/words';
-import { link } from '../../shell/router';
+import { link, problem } from '../../shell/router';
+import { forgetRun, keptRuns } from './run';
 import { forget, keptJobs } from './store';
 
-export function keptList(): HTMLElement | null {
-  const jobs = keptJobs();
-  if (jobs.length === 0) {
-    return null;
-  }
-  const box = h('details', { class: 'kept no-print' });
-  const item = (job: (typeof jobs)[number]): HTMLElement => {
+interface Entry {
+  href: string;
+  title: string;
+  said: string;
+  forget(): Promise<void> | void;
+}
+
+function list(heading: string, entries: readonly Entry[]): HTMLElement {
+  const item = (entry: Entry): HTMLElement => {
     const row: HTMLElement = h(
       'li',
       {},
-      h('a', { href: link('plan', { id: job.id }) }, job.title),
-      ` ${job.tests > 0 ? `${job.done} of ${count(job.tests, 'test')} done, ` : ''}${new Date(job.when).toLocaleString()} `,
+      h('a', { href: entry.href }, entry.title),
+      ` ${entry.said} `,
       h(
         'button',
-        { type: 'button', class: 'plain small', 'aria-label': `Forget ${job.title}`, onclick: () => (forget(job.id), row.remove()) },
+        {
+          type: 'button',
+          class: 'plain small',
+          'aria-label': `Forget ${entry.title}`,
+          onclick: () => void Promise.resolve(entry.forget()).then(() => row.remove(), (fault: unknown) => row.append(problem(fault))),
+        },
         '×',
       ),
     );
     return row;
   };
-  fill(box, h('summary', {}, `Jobs in this browser (${jobs.length})`), h('ul', {}, jobs.map(item)));
+  return h('details', {}, h('summary', {}, `${heading} (${entries.length})`), h('ul', {}, entries.map(item)));
+}
+
+const doneOf = (done: number, tests: number) => (tests > 0 ? `${done} of ${count(tests, 'test')} done, ` : '');
+
+export function keptList(mayForget: boolean, signal: AbortSignal): HTMLElement {
+  const box = h('div', { class: 'kept no-print' });
+  const jobs = keptJobs();
+  const here = jobs.length === 0 ? null : list('Jobs in this browser', jobs.map((job) => ({
+    href: link('plan', { id: job.id }),
+    title: job.title,
+    said: `${doneOf(job.done, job.tests)}${new Date(job.when).toLocaleString()}`,
+    forget: () => forget(job.id),
+  })));
+  fill(box, here);
+  void keptRuns(signal).then((runs) => {
+    if (runs.length > 0 && !signal.aborted) {
+      const there = list('Runs on this server', runs.map((run) => ({
+        href: link('plan', { run: run.id }),
+        title: run.title,
+        said: `${doneOf(run.done, run.tests)}${new Date(run.changed).toLocaleString()}`,
+        forget: () => (mayForget ? forgetRun(run.id, signal) : Promise.reject(new Error('This window may only look: open the address that “changeover serve” printed.'))),
+      })));
+      fill(box, there, here);
+    }
+  }, () => undefined);
   return box;
 }

@@ -1,61 +1,59 @@
 // The list of parts: a grid to type in, that takes what a spreadsheet copies.
 import { announce, fill, h } from '../../lib/dom';
 import { count } from '../../lib/words';
-import { decimal, partsOf, type Part } from './job';
+import { decimal, partOf, type Part } from './job';
 
 export interface Grid {
   readonly element: HTMLElement;
   /** @throws Error with a line that can be shown. */
   read(): Part[];
   set(parts: readonly Part[]): void;
+  names(): string[];
 }
 
 /** Rows beyond these are drawn a few at a time, so that a long list does not hold up the page. */
 const piece = 150;
 
-export function partsGrid(changed: () => void): Grid {
+/** `pasted` reads what a spreadsheet copies; null: it could not be read, which was said. `changedSlots` hears which slots the parts are of. */
+export function partsGrid(changed: () => void, pasted: (text: string) => Promise<Part[] | null>, changedSlots: (slots: string[]) => void): Grid {
   const body = h('tbody');
   const size = h('p', { class: 'hint', role: 'status' });
   let drawing = 0;
 
-  function inputs(row: Element): [name: HTMLInputElement, cost: HTMLInputElement, gone: HTMLInputElement] {
-    return [...row.querySelectorAll('input')] as [HTMLInputElement, HTMLInputElement, HTMLInputElement];
-  }
+  type Inputs = [name: HTMLInputElement, cost: HTMLInputElement, slot: HTMLInputElement, quantity: HTMLInputElement, gone: HTMLInputElement];
+  const inputs = (row: Element) => [...row.querySelectorAll('input')] as Inputs;
 
   function renumber(): void {
     [...body.rows].forEach((row, i) => {
       row.cells[0]!.textContent = String(i + 1);
-      const [name, cost, gone] = inputs(row);
+      const [name, cost, slot, quantity, gone] = inputs(row);
       name.setAttribute('aria-label', `Name of part ${i + 1}`);
       cost.setAttribute('aria-label', `Cost of putting in part ${i + 1}`);
+      slot.setAttribute('aria-label', `Slot of part ${i + 1}`);
+      quantity.setAttribute('aria-label', `How many there are of part ${i + 1}`);
       gone.setAttribute('aria-label', `Part ${i + 1} is gone`);
     });
-    size.textContent = `${count([...body.rows].filter((row) => inputs(row)[0].value.trim() !== '').length, 'part')}`;
+    const named = [...body.rows].filter((row) => inputs(row)[0].value.trim() !== '');
+    size.textContent = count(named.length, 'part');
+    changedSlots([...new Set(named.map((row) => inputs(row)[2].value.trim()))].filter((slot) => slot !== ''));
   }
 
   function makeRow(part: Part): HTMLTableRowElement {
     const gone = h('input', {
       type: 'checkbox',
-      checked: part.gone ?? false,
+      checked: part.gone,
       onchange: () => (row.classList.toggle('gone', gone.checked), changed()),
     });
+    const text = (kind: string, value: string | number | null, more: Record<string, string> = {}) =>
+      h('td', { class: `of-${kind}` }, h('input', { type: 'text', class: kind, value: value ?? '', autocomplete: 'off', spellcheck: 'false', ...more }));
     const row: HTMLTableRowElement = h(
       'tr',
       { class: part.gone ? 'gone' : null },
       h('td', { class: 'number' }),
-      h('td', {}, h('input', { type: 'text', class: 'name', value: part.name, spellcheck: 'false', autocomplete: 'off' })),
-      h(
-        'td',
-        {},
-        h('input', {
-          type: 'text',
-          class: 'cost',
-          inputmode: 'decimal',
-          value: part.cost ?? '',
-          placeholder: 'as below',
-          autocomplete: 'off',
-        }),
-      ),
+      text('name', part.name),
+      text('cost', part.cost, { inputmode: 'decimal', placeholder: 'as below' }),
+      text('slot', part.slot, { list: 'slot-names' }),
+      text('quantity', part.quantity, { inputmode: 'numeric', placeholder: 'enough' }),
       h('td', { class: 'centre' }, gone),
       h(
         'td',
@@ -78,8 +76,8 @@ export function partsGrid(changed: () => void): Grid {
 
   function keepOneEmpty(): void {
     const last = body.rows[body.rows.length - 1];
-    if (!last || inputs(last)[0].value !== '' || inputs(last)[1].value !== '') {
-      body.append(makeRow({ name: '', cost: null }));
+    if (!last || inputs(last).some(({ type, value }) => type === 'text' && value !== '')) {
+      body.append(makeRow(partOf('')));
       renumber();
     }
   }
@@ -140,22 +138,22 @@ export function partsGrid(changed: () => void): Grid {
           return;
         }
         event.preventDefault();
-        try {
-          const pasted = partsOf(text);
+        void pasted(text).then((parts) => {
+          if (!parts) {
+            return;
+          }
           // From this row on: what is pasted goes in the place of what is there.
           let at: Element | null = row;
-          for (let i = 0; i < pasted.length && at; ++i) {
+          for (let i = 0; i < parts.length && at; ++i) {
             const next: Element | null = at.nextElementSibling;
             at.remove();
             at = next;
           }
-          put(pasted, at);
-          announce(`${count(pasted.length, 'part')} pasted`);
-          size.textContent += `, ${pasted.length} pasted`;
+          put(parts, at);
+          announce(`${count(parts.length, 'part')} pasted`);
+          size.textContent += `, ${parts.length} pasted`;
           changed();
-        } catch (fault) {
-          size.textContent = (fault as Error).message;
-        }
+        });
       },
     },
     h(
@@ -166,29 +164,39 @@ export function partsGrid(changed: () => void): Grid {
         {},
         h('th', { class: 'number' }, '#'),
         h('th', {}, 'part'),
-        h('th', {}, 'cost of putting it in'),
+        h('th', { class: 'of-cost' }, 'cost of putting it in'),
+        h('th', { class: 'of-slot' }, 'slot'),
+        h('th', { class: 'of-quantity', title: 'Empty: as many as are needed' }, 'how many'),
         h('th', {}, 'gone'),
         h('th', {}, h('span', { class: 'unseen' }, 'take off')),
       ),
     ),
     body,
   );
+  table.addEventListener('change', renumber);
   const element = h('div', {}, h('div', { class: 'scroll parts-frame', tabindex: -1 }, table), size);
 
   return {
     element,
     read() {
       return [...body.rows].flatMap((row) => {
-        const [name, cost, gone] = inputs(row);
+        const [name, cost, slot, quantity, gone] = inputs(row);
         const text = name.value.trim();
-        if (text === '' && cost.value.trim() === '') {
+        if ([name, cost, slot, quantity].every((input) => input.value.trim() === '')) {
           return [];
+        }
+        const what = text || `part ${row.cells[0]!.textContent}`;
+        const many = quantity.value.trim();
+        if (many !== '' && !/^[1-9]\d{0,5}$/.test(many)) {
+          throw new Error(`${what}: “${many}” is not how many there are: write a whole number from 1`);
         }
         return [
           {
             name: text,
-            cost: cost.value.trim() === '' ? null : decimal(cost.value, text || `part ${row.cells[0]!.textContent}`),
-            ...(gone.checked ? { gone: true } : {}),
+            cost: cost.value.trim() === '' ? null : decimal(cost.value, what),
+            slot: slot.value.trim(),
+            quantity: many === '' ? null : Number(many),
+            gone: gone.checked,
           },
         ];
       });
@@ -197,5 +205,6 @@ export function partsGrid(changed: () => void): Grid {
       fill(body);
       put(parts, null);
     },
+    names: () => [...body.rows].map((row) => inputs(row)[0].value.trim()).filter((name) => name !== ''),
   };
 }

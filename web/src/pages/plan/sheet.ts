@@ -1,116 +1,194 @@
-// The run sheet: what to take out and put in, test by test, and what has been done.
-import { h, scroll } from '../../lib/dom';
+// The run sheet: what to take out and put in, test by test, what is then mounted, and what came of it.
+import { h, scroll, type Child } from '../../lib/dom';
 import { count, number } from '../../lib/words';
-import { exact, moneyOf, step, type Outcome } from './job';
+import { exact, moneyOf } from './job';
+import { before, isDone, namesOf, step, verdictOf, type Outcome, type Place, type Test } from './outcome';
+import { resultButtons } from './results';
 
 const piece = 200;
 
 export interface Sheet {
   readonly element: HTMLElement;
-  /** After a test was ticked. */
+  /** After results have changed. */
   refresh(): void;
 }
 
-/** `ticked` is called after a test was ticked or unticked in `outcome`. */
-export function runSheet(outcome: Outcome, ticked: () => void, signal: AbortSignal): Sheet {
-  const { tests } = outcome;
-  const body = h('tbody');
+/** 75 minutes as 1:15; of a sheet without a unit the cost itself. */
+export function clockOf(unit: Outcome['unit']): ((cost: number) => string) | null {
+  if (unit === null) {
+    return null;
+  }
+  const minutes = { seconds: 1 / 60, minutes: 1, hours: 60 }[unit];
+  return (cost) => {
+    const all = Math.round(cost * minutes);
+    return `${Math.floor(all / 60)}:${String(all % 60).padStart(2, '0')}`;
+  };
+}
+
+/** What is mounted, slot by slot, in the order of the places; what was put in stands out. */
+export function setUp(test: Test, places: readonly Place[], fresh: ReadonlySet<string>): Child[] {
+  const shown = (name: string) => (fresh.has(name) ? h('strong', {}, name) : name);
+  const listed = (names: readonly string[]): Child[] => names.flatMap((name, i) => [i > 0 ? ', ' : null, shown(name)]);
+  if (test.values) {
+    return Object.entries(test.values).map(([parameter, value], i) =>
+      h('span', { class: 'of-slot-group' }, h('span', { class: 'slot-name' }, parameter), ' ', fresh.has(test.parts[i] ?? '') ? h('strong', {}, value) : value),
+    );
+  }
+  if (!test.places) {
+    return listed(test.parts);
+  }
+  const slots = [...new Set(places.map(({ slot }) => slot))];
+  const inSlot = (slot: string | null) => places.flatMap((place, i) => (place.slot === slot && test.places![i] ? [test.places![i]!] : []));
+  if (slots.every((slot) => slot === null)) {
+    return listed(inSlot(null));
+  }
+  return slots.flatMap((slot) => {
+    const names = inSlot(slot);
+    return names.length > 0 ? [h('span', { class: 'of-slot-group' }, h('span', { class: 'slot-name' }, slot ?? 'free'), ' ', ...listed(names))] : [];
+  });
+}
+
+/** `written` is called with the number of a test whose result or notes have changed. */
+export function runSheet(outcome: Outcome, mounted: readonly string[], written: (test: number) => void, signal: AbortSignal): Sheet {
+  const { tests, places, benches } = outcome;
+  const names = namesOf(outcome);
+  const money = moneyOf(tests.map(({ cost }) => cost));
+  const clock = clockOf(outcome.unit);
   const progress = h('progress', { max: tests.length, value: 0, 'aria-label': 'Tests done' });
   const said = h('p', { class: 'sheet-progress', role: 'status' });
-  let sum = 0;
-  const sums = tests.map(({ cost }) => (sum = exact(sum + cost)));
-  const whole = sum;
-  const money = moneyOf(tests.map(({ cost }) => cost));
+  const refreshers: (() => void)[] = [];
+  const sums = new Map<string | null, number>();
+  const sumAt = tests.map(({ bench, cost }) => {
+    const sum = exact((sums.get(bench) ?? 0) + cost);
+    sums.set(bench, sum);
+    return sum;
+  });
+  const whole = exact(tests.reduce((sum, { cost }) => sum + cost, 0));
+  const hasTimes = tests.some(({ when }) => when !== undefined);
+  const parameters = Object.keys(tests.find(({ values }) => values !== undefined)?.values ?? {});
+  const ofModel = parameters.length > 0;
+  const rows: HTMLTableRowElement[] = [];
 
   function refresh(): void {
-    const done = tests.filter((test) => test.done);
+    const done = tests.filter(isDone);
+    const failed = tests.filter((test) => verdictOf(test) === 'fail').length;
     const spent = exact(done.reduce((total, { cost }) => total + cost, 0));
     progress.value = done.length;
-    said.textContent = `${number(done.length)} of ${count(tests.length, 'test')} done; ${money(spent)} of ${money(whole)} spent.`;
-    const next = tests.findIndex((test) => !test.done);
-    [...body.rows].forEach((row, i) => {
-      row.classList.toggle('done', tests[i]!.done);
-      row.classList.toggle('next', i === next);
+    said.textContent = `${number(done.length)} of ${count(tests.length, 'test')} done${failed > 0 ? `, ${number(failed)} failed` : ''}; ${money(spent)} of ${money(whole)} spent.`;
+    const next = new Set<number>();
+    for (const bench of new Set(tests.map((test) => test.bench))) {
+      const i = tests.findIndex((test) => test.bench === bench && verdictOf(test) === '');
+      if (i >= 0) {
+        next.add(i);
+      }
+    }
+    rows.forEach((row, i) => {
+      const verdict = verdictOf(tests[i]!);
+      row.classList.toggle('done', verdict !== '');
+      row.classList.toggle('failed', verdict === 'fail');
+      row.classList.toggle('next', next.has(i));
     });
+    refreshers.forEach((each) => each());
   }
 
   function makeRow(i: number): HTMLTableRowElement {
     const test = tests[i]!;
-    const { out, in: put } = step(tests, i);
-    const box = h('input', {
-      type: 'checkbox',
-      checked: test.done,
-      'aria-label': `Test ${i + 1} is done`,
-      onchange: () => {
-        test.done = box.checked;
-        refresh();
-        ticked();
-      },
+    const { out, in: put } = step(tests, i, mounted);
+    const buttons = resultButtons(test, names[i]!, () => written(i));
+    const notes = h('input', { type: 'text', class: 'notes', value: test.notes, 'aria-label': `Notes on test ${names[i]}`, onchange: () => ((test.notes = notes.value), written(i)) });
+    refreshers.push(() => {
+      buttons.refresh();
+      if (document.activeElement !== notes) {
+        notes.value = test.notes;
+      }
     });
-    const fresh = new Set(put);
-    return h(
+    const list = (parts: string[]) => (parts.length > 0 ? parts.join(', ') : '–');
+    rows[i] = h(
       'tr',
       {},
-      h('td', { class: 'centre' }, box),
-      h('td', { class: 'number' }, number(i + 1)),
-      h('td', { class: 'leave' }, out.length > 0 ? out.join(', ') : '–'),
-      h('td', { class: 'enter' }, put.length > 0 ? put.join(', ') : '–'),
+      h('td', { class: 'of-result' }, buttons.element),
+      h('td', { class: 'number of-number' }, benches ? names[i]!.slice((test.bench ?? '').length + 1) : number(i + 1)),
+      hasTimes ? h('td', { class: 'of-when' }, test.when ?? '') : null,
+      ...(test.values ? [] : [h('td', { class: 'leave', 'data-label': 'take out' }, list(out)), h('td', { class: 'enter', 'data-label': 'put in' }, list(put))]),
+      ...(test.values
+        ? Object.entries(test.values).map(([parameter, value]) =>
+            h('td', { class: 'of-value', 'data-label': parameter }, value === before(tests, i)?.values?.[parameter] ? value : h('strong', {}, value)),
+          )
+        : [h('td', { class: 'set-up', 'data-label': 'then in' }, setUp(test, places, new Set(put)))]),
+      h('td', { class: 'number of-cost', 'data-label': 'cost' }, money(test.cost)),
+      h('td', { class: 'number of-sum', 'data-label': 'so far' }, clock ? clock(sumAt[i]!) : money(sumAt[i]!)),
+      h('td', { class: 'of-notes' }, notes),
+    );
+    return rows[i]!;
+  }
+
+  function tableOf(indices: readonly number[], label: string): HTMLElement {
+    const body = h('tbody');
+    let drawn = 0;
+    function draw(): void {
+      if (signal.aborted) {
+        return;
+      }
+      const part = document.createDocumentFragment();
+      for (const last = Math.min(indices.length, drawn + piece); drawn < last; ++drawn) {
+        const row = makeRow(indices[drawn]!);
+        part.append(row);
+      }
+      body.append(part);
+      drawn < indices.length ? requestAnimationFrame(draw) : refresh();
+    }
+    draw();
+    return scroll(
+      label,
       h(
-        'td',
-        {},
-        test.parts.flatMap((name, j) => [j > 0 ? ', ' : null, fresh.has(name) ? h('strong', {}, name) : name]),
+        'table',
+        {
+          class: ofModel ? 'run-sheet of-model' : 'run-sheet',
+          onkeydown: (event) => {
+            const { key, target } = event as KeyboardEvent;
+            const row = (target as Element).closest('tbody tr');
+            const other = key === 'ArrowDown' ? row?.nextElementSibling : key === 'ArrowUp' ? row?.previousElementSibling : null;
+            if (row && other) {
+              event.preventDefault();
+              const place = [...row.querySelectorAll<HTMLElement>('button, input')].indexOf(target as HTMLElement);
+              [...other.querySelectorAll<HTMLElement>('button, input')][Math.max(0, place)]?.focus();
+            }
+          },
+        },
+        h('caption', { class: 'unseen' }, label),
+        h(
+          'thead',
+          {},
+          h(
+            'tr',
+            {},
+            h('th', {}, 'result'),
+            h('th', { class: 'number' }, 'test'),
+            hasTimes ? h('th', {}, 'begins') : null,
+            ...(ofModel ? [] : [h('th', {}, 'take out'), h('th', {}, 'put in')]),
+            ...(ofModel ? parameters.map((name) => h('th', {}, name)) : [h('th', {}, 'what is in')]),
+            h('th', { class: 'number' }, 'cost'),
+            h('th', { class: 'number' }, clock ? 'clock' : 'so far'),
+            h('th', { class: 'of-notes' }, 'notes'),
+          ),
+        ),
+        body,
       ),
-      h('td', { class: 'number' }, money(test.cost)),
-      h('td', { class: 'number' }, money(sums[i]!)),
     );
   }
 
-  let drawn = 0;
-  function draw(): void {
-    if (signal.aborted) {
-      return;
-    }
-    const part = document.createDocumentFragment();
-    for (const last = Math.min(tests.length, drawn + piece); drawn < last; ++drawn) {
-      part.append(makeRow(drawn));
-    }
-    body.append(part);
-    drawn < tests.length ? requestAnimationFrame(draw) : refresh();
-  }
-  draw();
+  const lists = benches
+    ? benches.map(({ name, down, end }) => {
+        const indices = tests.flatMap(({ bench }, i) => (bench === name ? [i] : []));
+        const sum = sums.get(name) ?? 0;
+        return h(
+          'section',
+          { class: 'bench-sheet' },
+          h('h3', {}, name, h('span', { class: 'hint' }, down ? ' out of order' : ` ${count(indices.length, 'test')}, ${money(sum)}${end > sum ? `, done at ${money(end)}` : ''}`)),
+          indices.length > 0 ? tableOf(indices, `Run sheet of ${name}`) : h('p', { class: 'hint' }, 'No test is planned for it.'),
+        );
+      })
+    : [tableOf(tests.map((_, i) => i), 'Run sheet')];
   refresh();
-
-  const table = h(
-    'table',
-    {
-      class: 'run-sheet',
-      onkeydown: (event) => {
-        const { key, target } = event as KeyboardEvent;
-        const row = (target as Element).closest('tbody tr');
-        const other = key === 'ArrowDown' ? row?.nextElementSibling : key === 'ArrowUp' ? row?.previousElementSibling : null;
-        if (other) {
-          event.preventDefault();
-          other.querySelector('input')?.focus();
-        }
-      },
-    },
-    h('caption', { class: 'unseen' }, 'Run sheet'),
-    h(
-      'thead',
-      {},
-      h(
-        'tr',
-        {},
-        h('th', {}, 'done'),
-        h('th', { class: 'number' }, 'test'),
-        h('th', {}, 'take out'),
-        h('th', {}, 'put in'),
-        h('th', {}, 'what is in'),
-        h('th', { class: 'number' }, 'cost'),
-        h('th', { class: 'number' }, 'so far'),
-      ),
-    ),
-    body,
-  );
-  return { element: h('div', {}, h('div', { class: 'row no-print' }, progress, said), scroll('Run sheet', table)), refresh };
+  return { element: h('div', { class: 'sheets' }, h('div', { class: 'row no-print' }, progress, said), lists), refresh };
 }

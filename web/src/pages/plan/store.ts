@@ -1,133 +1,169 @@
 // Where a job is kept: all of it in the link as long as it is short, and in this browser in any case.
 import { longestWord, pack, unpack } from '../../lib/share';
-import type { Alternative, Job, Outcome, PairMode, State, Test } from './job';
+import { emptyBench, emptyJob, type Bench, type Job, type Part, type Slot } from './job';
+import { isDone, type Outcome, type State, type Test } from './outcome';
 
-const prefix = 'changeover-plan-';
+const prefix = 'changeover-job-';
 const mostKept = 30;
 
-type Packed = [
-  id: string,
-  job: [
-    title: string,
-    parts: [name: string, cost: number | null, gone: 0 | 1][],
-    atOnce: number,
-    testCost: number,
-    changeCost: number,
-    pairMode: PairMode,
-    pairs: string,
-    seconds: number,
-  ],
-  outcome:
-    | null
-    | [
-        tests: [parts: string[], cost: number, done: 0 | 1][],
-        cost: number,
-        bound: number,
-        reason: string,
-        alternatives: [string, number, number, number][],
-        testCost: number,
-        changeCost: number,
-        doneBefore: number,
-      ],
-];
+/** What differs from an empty job, and tests with numbers for names: short enough for a link. */
+interface Small {
+  id: string;
+  job: Record<string, unknown>;
+  outcome: null | (Omit<Outcome, 'tests'> & { names: string[]; tests: unknown[][] });
+}
 
-function packed({ id, job, outcome }: State): Packed {
-  return [
-    id,
-    [
-      job.title,
-      job.parts.map(({ name, cost, gone }) => [name, cost, gone ? 1 : 0]),
-      job.atOnce,
-      job.testCost,
-      job.changeCost,
-      job.pairMode,
-      job.pairs,
-      job.seconds,
-    ],
-    outcome && [
-      outcome.tests.map(({ parts, cost, done }) => [parts, cost, done ? 1 : 0]),
-      outcome.cost,
-      outcome.bound,
-      outcome.reason,
-      outcome.alternatives.map(({ name, tests, changes, cost }) => [name, tests, changes, cost]),
-      outcome.testCost,
-      outcome.changeCost,
-      outcome.doneBefore,
-    ],
-  ];
+function differing<T extends object>(all: T, usual: T): Partial<T> {
+  return Object.fromEntries(Object.entries(all).filter(([key, value]) => JSON.stringify(value) !== JSON.stringify(usual[key as keyof T]))) as Partial<T>;
+}
+
+export function packed({ id, job, outcome }: State): Small {
+  const { parts, benches, ...rest } = job;
+  const small: Record<string, unknown> = differing(rest, emptyJob());
+  if (parts.length > 0) {
+    small['parts'] = parts.map(({ name, cost, slot, quantity, gone }) => {
+      const row: unknown[] = [name, cost, slot, quantity, gone ? 1 : 0];
+      while (row.length > 1 && [null, '', 0].includes(row.at(-1) as null)) {
+        row.pop();
+      }
+      return row;
+    });
+  }
+  if (benches.length > 0) {
+    small['benches'] = benches.map((bench) => differing(bench, emptyBench()));
+  }
+  if (!outcome) {
+    return { id, job: small, outcome: null };
+  }
+  const names: string[] = [];
+  const number = (name: string) => {
+    const i = names.indexOf(name);
+    return i < 0 ? names.push(name) - 1 : i;
+  };
+  const tests = outcome.tests.map((test) => [
+    test.places ? test.places.map((name) => (name === null ? -1 : number(name))) : test.parts.map(number),
+    test.places ? 1 : 0,
+    test.cost,
+    test.bench,
+    test.result,
+    test.notes,
+    test.by,
+    test.at,
+    test.when ?? null,
+    test.values ?? null,
+    test.places ? test.parts.map(number) : null,
+  ]);
+  return { id, job: small, outcome: { ...outcome, names, tests } };
 }
 
 const isText = (x: unknown): x is string => typeof x === 'string';
 const isNumber = (x: unknown): x is number => typeof x === 'number' && Number.isFinite(x);
-const isNumberOrNull = (x: unknown): x is number | null => x === null || isNumber(x);
 const isList = (x: unknown): x is unknown[] => Array.isArray(x);
+const isObject = (x: unknown): x is Record<string, unknown> => typeof x === 'object' && x !== null && !Array.isArray(x);
+const isRow = (x: unknown): x is [string, ...unknown[]] => isList(x) && isText(x[0]);
+
+/** Takes the fields of `usual` that have the same type there; anything else is refused. */
+function like<T extends object>(usual: T, given: Record<string, unknown>): T | null {
+  for (const [key, value] of Object.entries(given)) {
+    if (!(key in usual) || (value !== null && typeof value !== typeof usual[key as keyof T])) {
+      return null;
+    }
+  }
+  return { ...usual, ...given } as T;
+}
+
+function jobIn(given: Record<string, unknown>): Job | null {
+  const { parts = [], benches = [], slots = [], atOnce = emptyJob().atOnce, ...rest } = given;
+  if (!isList(parts) || !parts.every(isRow) || !isList(benches) || !benches.every(isObject) || !isList(slots) || !slots.every(isObject)) {
+    return null;
+  }
+  const job = like(emptyJob(), rest);
+  const readBenches = benches.map((bench) => like(emptyBench(), bench));
+  const readSlots = slots.map((slot) => like<Slot>({ name: '', least: '', most: '' }, slot));
+  if (!job || readBenches.includes(null) || readSlots.includes(null) || !(atOnce === null || isNumber(atOnce)) || Object.values(job).includes(null)) {
+    return null;
+  }
+  const known = ['parts', 'model'].includes(job.source) && ['all', 'only', 'skip'].includes(job.pairMode);
+  return known
+    ? {
+        ...job,
+        atOnce,
+        benches: readBenches as Bench[],
+        slots: readSlots as Slot[],
+        parts: parts.map(([name, cost, slot, quantity, gone]): Part => ({
+          name,
+          cost: isNumber(cost) ? cost : null,
+          slot: isText(slot) ? slot : '',
+          quantity: isNumber(quantity) ? quantity : null,
+          gone: Boolean(gone),
+        })),
+      }
+    : null;
+}
+
+function testIn(row: unknown, names: readonly string[]): Test | null {
+  if (!isList(row)) {
+    return null;
+  }
+  const [set, placed, cost, bench, result, notes, by, at, when, values, order] = row;
+  const numbers = (list: unknown): list is number[] => isList(list) && list.every((i) => isNumber(i) && i >= -1 && i < names.length);
+  const good =
+    numbers(set) && isNumber(cost) && (bench === null || isText(bench)) && [result, notes, by, at].every(isText) && (order === null || numbers(order));
+  if (!good || (values !== null && !(isObject(values) && Object.values(values).every(isText)))) {
+    return null;
+  }
+  const parts = ((order as number[] | null) ?? set).filter((i) => i >= 0).map((i) => names[i]!);
+  return {
+    bench,
+    parts,
+    places: placed ? set.map((i) => (i < 0 ? null : names[i]!)) : null,
+    cost,
+    ...(isText(when) ? { when } : {}),
+    ...(values === null ? {} : { values: values as Record<string, string> }),
+    result: result as string,
+    notes: notes as string,
+    by: by as string,
+    at: at as string,
+  };
+}
+
+function outcomeIn(given: Record<string, unknown>): Outcome | null {
+  const { names, tests, benches, places, alternatives, met, notes, unit, finish, budget, ...rest } = given;
+  if (!isList(names) || !names.every(isText) || !isList(tests) || !isList(places) || !isList(alternatives) || !isList(notes) || !isObject(met)) {
+    return null;
+  }
+  const read = tests.map((row) => testIn(row, names));
+  const numbers = ['cost', 'bound', 'together', 'changes', 'testCost', 'changeCost', 'doneBefore'];
+  const good =
+    !read.includes(null) &&
+    numbers.every((key) => isNumber(rest[key])) &&
+    isText(rest['reason']) &&
+    notes.every(isText) &&
+    (budget === null || isNumber(budget)) &&
+    (finish === null || isText(finish)) &&
+    [null, 'seconds', 'minutes', 'hours'].includes(unit as null) &&
+    ['pairs', 'triples'].includes(met['what'] as string) &&
+    isNumber(met['needed']) &&
+    isNumber(met['tested']) &&
+    alternatives.length > 0 &&
+    alternatives.every((each) => isObject(each) && isText(each['name']) && ['tests', 'changes', 'cost'].every((key) => isNumber(each[key]))) &&
+    places.every((each) => isObject(each) && isNumber(each['number']) && (each['slot'] === null || isText(each['slot']))) &&
+    (benches === null || (isList(benches) && benches.every((each) => isObject(each) && isText(each['name']) && isNumber(each['end']))));
+  return good ? ({ ...rest, benches, places, alternatives, met, notes, unit, finish, budget, tests: read } as Outcome) : null;
+}
 
 /** Links come from anywhere: what is not a state is null. */
 export function unpacked(value: unknown): State | null {
-  if (!isList(value)) {
+  if (!isObject(value)) {
     return null;
   }
-  const [id, job, outcome] = value;
-  if (!isText(id) || !/^[\w-]{1,40}$/.test(id) || !isList(job)) {
+  const { id, job, outcome } = value;
+  if (!isText(id) || !/^[\w-]{1,40}$/.test(id) || !isObject(job)) {
     return null;
   }
-  const [title, parts, atOnce, testCost, changeCost, pairMode, pairs, seconds] = job;
-  if (
-    !isText(title) ||
-    !isList(parts) ||
-    ![atOnce, testCost, changeCost, seconds].every(isNumber) ||
-    !['all', 'only', 'skip'].includes(pairMode as string) ||
-    !isText(pairs)
-  ) {
-    return null;
-  }
-  if (!parts.every((part) => isList(part) && isText(part[0]) && isNumberOrNull(part[1]))) {
-    return null;
-  }
-  const read: Job = {
-    title,
-    parts: (parts as [string, number | null, number][]).map(([name, cost, gone]) => ({ name, cost, ...(gone ? { gone: true } : {}) })),
-    atOnce: atOnce as number,
-    testCost: testCost as number,
-    changeCost: changeCost as number,
-    pairMode: pairMode as PairMode,
-    pairs,
-    seconds: seconds as number,
-  };
-  if (outcome === null) {
-    return { id, job: read, outcome: null };
-  }
-  if (!isList(outcome)) {
-    return null;
-  }
-  const [tests, cost, bound, reason, alternatives, plannedTest, plannedChange, doneBefore] = outcome;
-  const good =
-    isList(tests) &&
-    tests.every((test) => isList(test) && isList(test[0]) && test[0].every(isText) && isNumber(test[1])) &&
-    [cost, bound, plannedTest, plannedChange, doneBefore].every(isNumber) &&
-    isText(reason) &&
-    isList(alternatives) &&
-    alternatives.length > 0 &&
-    alternatives.every((each) => isList(each) && isText(each[0]) && each.slice(1, 4).length === 3 && each.slice(1, 4).every(isNumber));
-  if (!good) {
-    return null;
-  }
-  const result: Outcome = {
-    tests: (tests as [string[], number, number][]).map(([names, each, done]): Test => ({ parts: names, cost: each, done: Boolean(done) })),
-    cost: cost as number,
-    bound: bound as number,
-    reason,
-    alternatives: (alternatives as [string, number, number, number][]).map(([name, count, changes, each]): Alternative => ({
-      name,
-      tests: count,
-      changes,
-      cost: each,
-    })),
-    testCost: plannedTest as number,
-    changeCost: plannedChange as number,
-    doneBefore: doneBefore as number,
-  };
-  return { id, job: read, outcome: result };
+  const read = jobIn(job);
+  const planned = isObject(outcome) ? outcomeIn(outcome) : null;
+  return read && (outcome === null || planned) ? { id, job: read, outcome: planned } : null;
 }
 
 export interface Kept {
@@ -150,7 +186,7 @@ function entry(id: string): { when: number; state: State } | null {
 
 function keptOf({ when, state: { id, job, outcome } }: { when: number; state: State }): Kept {
   const tests = outcome?.tests ?? [];
-  return { id, title: job.title, when, tests: tests.length, done: tests.filter(({ done }) => done).length };
+  return { id, title: job.title, when, tests: tests.length, done: tests.filter(isDone).length };
 }
 
 /** The jobs of this browser, the last one first. */

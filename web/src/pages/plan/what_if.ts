@@ -1,53 +1,17 @@
-// What if tests or changes cost more or less: the alternatives in order, and the prices at which they change places.
-import { field, fill, h, scroll, select } from '../../lib/dom';
+// What if changes or tests cost more or less: the library searches at every price where another plan takes the lead.
+import type { WhatIf } from '../../lib/api';
+import { fill, h, scroll } from '../../lib/dom';
 import { number } from '../../lib/words';
-import { plot, type Line, type Plot } from '../../parts/plot';
-import { about, type Alternative, type Outcome } from './job';
+import { plot, type Line } from '../../parts/plot';
+import { about } from './job';
+import type { Outcome } from './outcome';
 
-/** What an alternative costs at other prices: its changes keep their proportions. */
-export function costAt(each: Alternative, planned: { testCost: number; changeCost: number }, testCost: number, changeCost: number): number {
-  const changes = each.cost - each.tests * planned.testCost;
-  const scale = planned.changeCost > 0 ? changes * (changeCost / planned.changeCost) : each.changes * changeCost;
-  return each.tests * testCost + scale;
+/** Of a plan when all changes cost `factor` times what they do. */
+export function costAt(plan: { tests: number; cost: number }, testCost: number, factor: number): number {
+  return plan.tests * testCost + factor * (plan.cost - plan.tests * testCost);
 }
 
-export type Price = 'test' | 'change';
-
-export interface Range {
-  from: number;
-  to: number | null;
-  best: Alternative;
-}
-
-/** Which alternative is cheapest from which price on, the other one being `fixed`: the lower envelope of lines. */
-export function ranges(outcome: Outcome, price: Price, fixed: number): Range[] {
-  const at = (each: Alternative, x: number) => (price === 'change' ? costAt(each, outcome, fixed, x) : costAt(each, outcome, x, fixed));
-  const lines = outcome.alternatives.map((each) => ({ each, at: at(each, 0), slope: at(each, 1) - at(each, 0) }));
-  const result: Range[] = [];
-  let from = 0;
-  let best = lines.reduce((one, other) => (other.at < one.at || (other.at === one.at && other.slope < one.slope) ? other : one));
-  for (;;) {
-    let next: typeof best | null = null;
-    let cross = Infinity;
-    for (const line of lines) {
-      if (line.slope < best.slope) {
-        const meet = (line.at - best.at) / (best.slope - line.slope);
-        if (meet < cross || (meet === cross && next && line.slope < next.slope)) {
-          cross = meet;
-          next = line;
-        }
-      }
-    }
-    result.push({ from, to: next ? cross : null, best: best.each });
-    if (!next) {
-      return result;
-    }
-    from = cross;
-    best = next;
-  }
-}
-
-/** A slider from a sixteenth to sixteen times `base`, with a field for the number itself. */
+/** A slider from a sixteenth to sixteen times, with a field for the number itself. */
 function price(label: string, base: number, changed: () => void): { element: HTMLElement; value(): number; reset(): void } {
   const middle = base > 0 ? base : 1;
   const id = `price-${label.replaceAll(' ', '-')}`;
@@ -83,173 +47,163 @@ function price(label: string, base: number, changed: () => void): { element: HTM
   };
 }
 
-export function whatIf(
-  outcome: Outcome,
-  byPart: boolean,
-  planAnew: (testCost: number, changeCost: number) => void,
-  signal: AbortSignal,
-): HTMLElement {
-  // This plan, those that are the cheapest at some price, and others as far as there are colours.
-  const most = 6;
-  const best = ranges(outcome, 'change', outcome.testCost || 1).map((range) => range.best);
-  const plotted = [...new Set([outcome.alternatives[0]!, ...best, ...outcome.alternatives])].slice(0, most);
-  const test = price('A test costs', outcome.testCost, draw);
-  const change = price(byPart ? 'A change costs, where the list does not say' : 'A change costs', outcome.changeCost, draw);
-  const body = h('tbody');
-  const where = h('tbody');
+/** `ask` has the library look; `planAnew` plans at other prices. */
+export function whatIf(outcome: Outcome, byPart: boolean, ask: () => Promise<WhatIf>, planAnew: (testCost: number, changeCost: number) => void, signal: AbortSignal): HTMLElement {
+  const { testCost, changeCost } = outcome;
+  const place = h('div', {});
   const said = h('p', { role: 'status' });
-  const anew = h(
-    'button',
-    { type: 'button', class: 'plain', onclick: () => planAnew(test.value(), change.value()) },
-    'Replan at these costs',
-  );
-  let along: Price = 'change';
-  const axis = select(
-    along,
-    [
-      ['change', 'by what a change costs'],
-      ['test', 'by what a test costs'],
-    ],
-    (value) => {
-      along = value as Price;
-      fill(chartPlace, (chart = chartAlong()).element);
-      draw();
-    },
-  );
-  const chartPlace = h('div', {});
-  const chartAlong = (): Plot =>
-    plot({
-      label: `What each alternative costs, by the cost of a ${along}; the numbers are in the tables`,
-      x: `cost of a ${along}`,
+  const test = price('A test costs', testCost, settle);
+  const change = price(byPart ? 'A change costs, where the list does not say' : 'A change costs', changeCost, settle);
+  const anew = h('button', { type: 'button', class: 'plain', onclick: () => planAnew(test.value(), change.value()) }, 'Replan at these costs');
+  const look = h('button', { type: 'button', class: 'plain', onclick: () => void search() }, 'Find which plan is cheapest when');
+  let found: WhatIf | null = null;
+  let redraw = (): void => undefined;
+
+  /** How much more a change costs beside a test than it did. */
+  const factor = () => (testCost > 0 && changeCost > 0 && test.value() > 0 ? change.value() / changeCost / (test.value() / testCost) : null);
+  /** The same as the library counts: the ratio of costs, or that factor. */
+  const unitOf = () => (found && /factor/.test(found.by) ? 1 : changeCost / testCost);
+  const rangeAt = (at: number) => found?.ranges.find(({ from, to }) => (from === null || at >= from) && (to === null || at < to)) ?? null;
+
+  function settle(): void {
+    const same = test.value() === testCost && change.value() === changeCost;
+    anew.disabled = same;
+    const here = factor();
+    if (!found || here === null) {
+      said.textContent = same ? 'These are your costs.' : 'Replan to see what is cheapest at these costs.';
+      return;
+    }
+    const best = rangeAt(here * unitOf());
+    const mine = rangeAt(unitOf());
+    said.textContent = !best
+      ? ''
+      : best === mine
+        ? `${same ? 'These are your costs. ' : ''}The ${best.plan.name} is cheapest here: ${best.plan.tests} tests, ${best.plan.changes} changes.`
+        : `The ${best.plan.name} would be cheaper: ${best.plan.tests} tests, ${best.plan.changes} changes. Replan to get it, or a better one.`;
+    redraw();
+  }
+
+  async function search(): Promise<void> {
+    look.disabled = true;
+    fill(place, h('p', { class: 'hint', role: 'status' }, 'Searching at each price where another plan takes the lead …'));
+    try {
+      found = await ask();
+      if (!signal.aborted) {
+        show(found);
+        settle();
+      }
+    } catch (fault) {
+      if (!signal.aborted) {
+        look.disabled = false;
+        fill(place, h('p', { class: 'problem', role: 'alert' }, (fault as Error).message));
+      }
+    }
+  }
+
+  function show(answer: WhatIf): void {
+    const unit = unitOf();
+    const plans = answer.ranges.map(({ plan }) => plan);
+    const last = Math.max(2 * unit, ...answer.ranges.map(({ from }) => 1.4 * (from ?? 0)));
+    const xs = Array.from({ length: 61 }, (_, i) => (last * i) / 60);
+    const chart = plot({
+      label: 'What each plan costs, by what a change costs; the numbers are in the table',
+      x: /factor/.test(answer.by) ? 'all change costs, times' : 'cost of a change',
       y: 'cost of all tests',
       signal,
-      xText: about,
+      xText: (x) => about(/factor/.test(answer.by) ? x : x * testCost),
       yText: about,
-      mark: () => (along === 'change' ? change : test).value(),
+      mark: () => (factor() ?? 1) * unit,
       fromZero: true,
     });
-  let chart = chartAlong();
-  fill(chartPlace, chart.element);
-
-  function draw(): void {
-    const [t, c] = [test.value(), change.value()];
-    const ranked = outcome.alternatives
-      .map((each, i) => ({ each, i, cost: costAt(each, outcome, t, c) }))
-      .sort((one, other) => one.cost - other.cost || one.i - other.i);
-    const least = ranked[0]!.cost;
+    const lines = plans.slice(0, 6).map((plan, i): Line => ({
+      label: plan.name,
+      colour: i + 1,
+      width: 2,
+      ...(i === 0 ? {} : { dash: [8, 2 + 2 * i] }),
+      values: xs.map((x) => costAt(plan, testCost, x / unit)),
+    }));
+    const body = h('tbody');
+    const price = (ratio: number | null, none: string) => (ratio === null ? none : about(/factor/.test(answer.by) ? ratio : ratio * testCost));
+    redraw = () => {
+      const now = rangeAt((factor() ?? 1) * unit);
+      fill(
+        body,
+        answer.ranges.map((range, i) =>
+          h(
+            'tr',
+            { class: range === now ? 'own' : null },
+            h('td', { class: 'number' }, price(range.from, '0')),
+            h('td', { class: 'number' }, price(range.to, 'any')),
+            h('td', {}, h('span', { class: `swatch line-${i + 1}`, 'aria-hidden': 'true' }), range.plan.name),
+            h('td', { class: 'number' }, number(range.plan.tests)),
+            h('td', { class: 'number' }, number(range.plan.changes)),
+          ),
+        ),
+      );
+      chart.redraw();
+    };
     fill(
-      body,
-      ranked.map(({ each, cost }) =>
+      place,
+      chart.element,
+      scroll(
+        'Which plan is cheapest when',
         h(
-          'tr',
-          { class: each === outcome.alternatives[0] ? 'own' : null },
-          h('td', {}, h('span', { class: `swatch line-${plotted.indexOf(each) + 1}`, 'aria-hidden': 'true' }), each.name),
-          h('td', { class: 'number' }, number(each.tests)),
-          h('td', { class: 'number' }, number(each.changes)),
-          h('td', { class: 'number' }, about(cost)),
-          h('td', { class: 'number' }, cost === least ? 'least' : `+${((100 * (cost - least)) / (least || 1)).toFixed(1)} %`),
+          'table',
+          {},
+          h('thead', {}, h('tr', {}, h('th', { class: 'number' }, /factor/.test(answer.by) ? 'factor from' : 'change costs from'), h('th', { class: 'number' }, 'to'), h('th', {}, 'cheapest'), h('th', { class: 'number' }, 'tests'), h('th', { class: 'number' }, 'changes'))),
+          body,
         ),
       ),
+      answer.notes.length > 0 ? h('p', { class: 'hint' }, answer.notes.join(' ')) : null,
     );
-    const best = ranked[0]!.each;
-    const same = t === outcome.testCost && c === outcome.changeCost;
-    said.textContent = same
-      ? 'These are your costs. Move a slider to see which plan would be cheapest.'
-      : best === outcome.alternatives[0]
-        ? 'This plan stays the cheapest of them; a new plan may suit these costs better.'
-        : `The ${best.name} would be cheaper than this plan. Replan to get it, or a better one.`;
-    anew.disabled = same;
-    const here = along === 'change' ? c : t;
-    const found = ranges(outcome, along, along === 'change' ? t : c);
-    fill(
-      where,
-      found.map(({ from, to, best: cheapest }) =>
-        h(
-          'tr',
-          { class: here >= from && (to === null || here < to) ? 'own' : null },
-          h('td', { class: 'number' }, about(from)),
-          h('td', { class: 'number' }, to === null ? 'any' : about(to)),
-          h('td', {}, cheapest.name),
-          h('td', { class: 'number' }, number(cheapest.tests)),
-          h('td', { class: 'number' }, number(cheapest.changes)),
-        ),
-      ),
-    );
-    const far = Math.max(2 * here, 2 * (along === 'change' ? outcome.changeCost : outcome.testCost), 1.3 * (found.at(-1)?.from ?? 0)) || 1;
-    const xs = Array.from({ length: 61 }, (_, i) => (far * i) / 60);
-    chart.set(
-      xs,
-      plotted.map((each, i): Line => ({
-        label: each.name,
-        colour: i + 1,
-        width: i === 0 ? 3 : 1.5,
-        ...(i === 0 ? {} : { dash: [8, 2 + 2 * i] }),
-        values: xs.map((x) => (along === 'change' ? costAt(each, outcome, t, x) : costAt(each, outcome, x, c))),
-      })),
-    );
+    chart.set(xs, lines);
   }
-  draw();
+
+  settle();
   return h(
     'section',
-    { class: 'what-if no-print' },
+    { class: 'what-if no-print', 'aria-label': 'What if' },
     h('h2', {}, 'What if'),
-    h(
-      'p',
-      {},
-      'Fewer tests need more changes, and the other way round. Which plan is cheapest depends on what a test costs beside a change.',
-    ),
-    h(
-      'div',
-      { class: 'row' },
-      test.element,
-      change.element,
-      h('button', { type: 'button', class: 'plain', onclick: () => (test.reset(), change.reset(), draw()) }, 'My costs'),
-      anew,
-    ),
+    h('p', {}, 'Fewer tests need more changes, and the other way round. Which plan is cheapest depends on what a test costs beside a change.'),
+    h('div', { class: 'row' }, test.element, change.element),
+    h('div', { class: 'row' }, look, h('button', { type: 'button', class: 'plain', onclick: () => (test.reset(), change.reset(), settle()) }, 'My costs'), anew),
     said,
+    place,
+  );
+}
+
+/** What was compared with the plan. */
+export function compared(outcome: Outcome): HTMLElement | null {
+  const { alternatives } = outcome;
+  if (alternatives.length < 2) {
+    return null;
+  }
+  const least = alternatives[0]!.cost;
+  return h(
+    'details',
+    { class: 'compared no-print' },
+    h('summary', {}, `Compared with ${number(alternatives.length - 1)} other plans`),
     scroll(
-      'Alternatives',
+      'What was compared',
       h(
         'table',
         {},
+        h('thead', {}, h('tr', {}, h('th', {}, 'plan'), h('th', { class: 'number' }, 'tests'), h('th', { class: 'number' }, 'changes'), h('th', { class: 'number' }, 'cost'), h('th', { class: 'number' }, 'more'))),
         h(
-          'thead',
+          'tbody',
           {},
-          h(
-            'tr',
-            {},
-            h('th', {}, 'plan'),
-            h('th', { class: 'number' }, 'tests'),
-            h('th', { class: 'number' }, 'changes'),
-            h('th', { class: 'number' }, 'cost'),
-            h('th', { class: 'number' }, 'more'),
+          alternatives.map((each, i) =>
+            h(
+              'tr',
+              { class: i === 0 ? 'own' : null },
+              h('td', {}, each.name),
+              h('td', { class: 'number' }, number(each.tests)),
+              h('td', { class: 'number' }, number(each.changes)),
+              h('td', { class: 'number' }, about(each.cost)),
+              h('td', { class: 'number' }, i === 0 ? '' : `${each.cost >= least ? '+' : ''}${((100 * (each.cost - least)) / (least || 1)).toFixed(1)} %`),
+            ),
           ),
         ),
-        body,
-      ),
-    ),
-    h('h3', {}, 'Where they break even'),
-    h('div', { class: 'row' }, field('Plot', axis)),
-    chartPlace,
-    scroll(
-      'Where they break even',
-      h(
-        'table',
-        {},
-        h(
-          'thead',
-          {},
-          h(
-            'tr',
-            {},
-            h('th', { class: 'number' }, 'from'),
-            h('th', { class: 'number' }, 'to'),
-            h('th', {}, 'cheapest'),
-            h('th', { class: 'number' }, 'tests'),
-            h('th', { class: 'number' }, 'changes'),
-          ),
-        ),
-        where,
       ),
     ),
   );

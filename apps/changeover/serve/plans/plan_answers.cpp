@@ -1,0 +1,245 @@
+#include "serve/plans/plan_answers.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "changeover/core/error.hpp"
+#include "changeover/plan/run_plan.hpp"
+#include "io/request/request_document.hpp"
+#include "io/write/json_writer.hpp"
+#include "serve/api/request/request_body.hpp"
+
+namespace changeover::serve {
+namespace {
+
+JobRequest job_in(const std::string& body) {
+  JobRequest request = job_request(body);
+  require_of_server(request, job_table());
+  return request;
+}
+
+// What the question of a workbook says for the machine on which it was made.
+void forget_the_machine(JobRequest& request) {
+  request.threads.reset();
+  request.seed.reset();
+  request.compact = false;
+}
+
+void take_usual_costs(JobRequest& request) {
+  const std::string usual = "1";
+  request.test_cost = request.test_cost.empty() ? usual : request.test_cost;
+  request.change_cost = request.change_cost.empty() ? usual : request.change_cost;
+}
+
+std::vector<std::string> names_of(const Job& job, const Block& parts) {
+  std::vector<std::string> names;
+  for (const Element part : parts) {
+    names.push_back(job.names[part]);
+  }
+  return names;
+}
+
+void write_tests(JsonWriter& json, const Job& job, const std::vector<DoneTest>& done,
+                 const RunSheet& sheet) {
+  std::uint64_t number = 0;
+  json.key("tests").begin_array();
+  for (const DoneTest& test : done) {
+    json.begin_object().key("number").value(++number);
+    json.key("parts").value(names_of(job, test.setup));
+    json.key("out").begin_array().end_array().key("in").begin_array().end_array();
+    json.key("cost").value(0U).key("changes").value(0U).key("done").value(true).end_object();
+  }
+  for (const RunStep& step : sheet.steps) {
+    json.begin_object().key("number").value(++number);
+    json.key("parts").value(names_of(job, step.setup));
+    json.key("out").value(names_of(job, step.take_out));
+    json.key("in").value(names_of(job, step.put_in));
+    json.key("cost").raw(to_string(step.cost)).key("changes").value(step.put_in.size());
+    json.key("done").value(false).end_object();
+  }
+  json.end_array();
+}
+
+void write_alternatives(JsonWriter& json, const Job& job, const RunPlan& plan) {
+  json.key("alternatives").begin_array();
+  for (const Candidate& candidate : plan.candidates) {
+    json.begin_object().key("name").value(candidate.name).key("how").value(candidate.how);
+    json.key("change").value(run_sheet(job, candidate.setups).constant_change());
+    json.key("tests").value(candidate.tests()).key("changes").value(candidate.changes);
+    json.key("cost").raw(to_string(candidate.cost));
+    json.key("bound").raw(to_string(plan.bound.cost)).end_object();
+  }
+  json.end_array();
+}
+
+// The keys that the explorer's pages read, from before there was a document of a plan.
+void write_plan(JsonWriter& json, const ParsedJob& asked, const PlanAnswer& answer) {
+  const Job& job = *asked.job;
+  const RunPlan& found = *answer.plan;
+  const RunSheet& sheet = found.sheet;
+  write_tests(json, job, asked.done, sheet);
+  json.key("cost").raw(to_string(sheet.cost)).key("changes").value(sheet.changes);
+  json.key("bound").raw(to_string(found.bound.cost)).key("reason").value(found.bound.reason);
+  json.key("cheapest").value(found.proved_cheapest());
+  json.key("met_only_in_failed").value(job.met_only_in_failed);
+  write_alternatives(json, job, found);
+  // The sheet was counted by code that shares nothing with what made it.
+  json.key("verified").value(sheet.does_the_job());
+  SheetDocument document{.job = &job, .plan = &found};
+  json.key("csv").value(written(document, "csv"));
+}
+
+// The parts as they are listed: a part without a cost has none.
+RequestList listed(const PartList& parts) {
+  std::vector<ListRow> rows;
+  for (std::size_t i = 0; i < parts.names.size(); ++i) {
+    ListRow& row = rows.emplace_back();
+    row.fields = {parts.names[i], parts.change_costs[i] ? to_string(*parts.change_costs[i]) : "",
+                  parts.slots.empty() ? "" : parts.slots[i],
+                  parts.quantities.empty() ? "" : std::to_string(parts.quantities[i])};
+  }
+  RequestList list;
+  list.rows = std::move(rows);
+  return list;
+}
+
+// The slots that a parts list names, without limits.
+RequestList slots_named(const PartList& parts) {
+  std::set<std::string> seen;
+  std::vector<ListRow> rows;
+  for (const std::string& slot : parts.slots) {
+    if (!slot.empty() && seen.insert(slot).second) {
+      rows.push_back({{slot, "", ""}});
+    }
+  }
+  RequestList list;
+  list.rows = std::move(rows);
+  return list;
+}
+
+// The same with some number of parts at once, which is not said in the answer.
+ParsedJob checked_without_room(OpenedRequest& opened) {
+  constexpr std::uint64_t some = 2;
+  const bool of_triples = opened.request.strength.value_or(some) > some;
+  opened.request.at_once = of_triples ? some + 1 : some;
+  ParsedJob asked = checked_job(opened, Door::document);
+  asked.question.at_once.reset();
+  return asked;
+}
+
+// Of a job that does not say how much fits, all but that is read.
+ParsedJob checked_for_reading(OpenedRequest& opened, bool has_limits) {
+  const JobRequest& request = opened.request;
+  const bool needs_room = !request.at_once && !request.model.is_given();
+  if (needs_room && !has_limits) {
+    return checked_without_room(opened);
+  }
+  try {
+    return checked_job(opened, Door::document);
+  } catch (const BadOption&) {
+    if (!needs_room) {
+      throw;
+    }
+    return checked_without_room(opened);
+  }
+}
+
+// In the words of the pages.
+std::string_view word_of(TestResult result) {
+  switch (result) {
+    case TestResult::none:
+      return "";
+    case TestResult::done:
+      return "done";
+    case TestResult::pass:
+      return "pass";
+    case TestResult::fail:
+      return "fail";
+    case TestResult::not_run:
+      return "not run";
+    case TestResult::unread:
+      return "other";
+  }
+  return "";
+}
+
+void write_done(JsonWriter& json, const DoneRecord& record) {
+  json.key("done").begin_object().key("places").begin_array();
+  for (const DonePlace& place : record.places) {
+    json.begin_object().key("number").value(place.number).key("slot");
+    place.slot.empty() ? json.null() : json.value(place.slot);
+    json.end_object();
+  }
+  json.end_array().key("tests").begin_array();
+  for (const DoneRecord::Test& test : record.tests) {
+    json.begin_object().key("places").value(test.parts).key("result").value(test.result);
+    json.key("verdict").value(word_of(result_of(test.result)));
+    json.key("notes").value(test.notes).end_object();
+  }
+  json.end_array().end_object();
+}
+
+}  // namespace
+
+OpenedRequest sent_job(const std::string& body) {
+  OpenedRequest opened = from_body([&] { return open_workbook(job_in(body)); });
+  forget_the_machine(opened.request);
+  take_usual_costs(opened.request);
+  return opened;
+}
+
+std::string plan_json(const JobRequest& request, const ParsedJob& asked, const PlanAnswer& answer) {
+  JsonWriter json;
+  json.begin_object();
+  if (answer.plan && !answer.what_if) {
+    write_plan(json, asked, answer);
+  }
+  json.key(answer.diagnosis ? "diagnosis"
+           : answer.what_if ? "what_if"
+           : answer.benches ? "benches"
+                            : "plan");
+  std::string document = written(request, asked, answer, "json");
+  document.pop_back();  // its end of line
+  return json.raw(document).end_object().take() + "\n";
+}
+
+std::string read_job_json(const std::string& body) {
+  OpenedRequest opened = from_body([&] { return open_workbook(job_in(body)); });
+  JobRequest& request = opened.request;
+  forget_the_machine(request);
+  const std::string test_cost = request.test_cost;
+  const std::string change_cost = request.change_cost;
+  take_usual_costs(request);
+  return from_body([&] {
+    std::optional<PartList> parts;
+    const bool has_limits = request.slots.is_given() || !request.slot.empty();
+    if (request.parts.is_given()) {
+      PartListOptions options{.header = request.header      ? Header::given
+                                        : request.no_header ? Header::none
+                                                            : Header::guessed,
+                              .cost_column = request.cost_column};
+      const auto list =
+          open(request.parts, option_of(job_table(), "parts").record, std::string("parts"));
+      parts = read_parts(*list, options);
+      if (!parts->slots.empty() && !has_limits) {
+        request.slots = slots_named(*parts);
+      }
+    }
+    const ParsedJob asked = checked_for_reading(opened, has_limits);
+    JobRequest found = asked.question;
+    found.test_cost = test_cost;
+    found.change_cost = change_cost;
+    if (parts) {
+      found.parts = listed(*parts);
+    }
+    JsonWriter json;
+    std::string document = to_json(found);
+    document.pop_back();  // its end of line
+    json.begin_object().key("request").raw(document);
+    write_done(json, asked.record);
+    json.key("notes").value(asked.notes);
+    return json.end_object().take() + "\n";
+  });
+}
+
+}  // namespace changeover::serve

@@ -1,0 +1,27 @@
+// Jobs as the server takes them, and what it answers.
+//
+//     const OpenedRequest opened = sent_job(request.body);
+//     const ParsedJob asked = from_body([&] { return checked_job(opened, Door::document); });
+//     …
+//     json_response(plan_json(opened.request, asked, answer));
+#pragma once
+
+#include <string>
+
+#include "changeover/plan/job_request.hpp"
+
+namespace changeover::serve {
+
+/// A job document without files, its workbook opened; costs are 1 where nothing is said. @throws
+/// Refusal 422, BadInput
+[[nodiscard]] OpenedRequest sent_job(const std::string& body);
+
+/// The answer as a document, and for a plan the keys that there were before it.
+[[nodiscard]] std::string plan_json(const JobRequest& request, const ParsedJob& asked,
+                                    const PlanAnswer& answer);
+
+/// What files say of a job, as one document whose lists are rows: {"request", "done", "notes"}. The
+/// job need not be complete: what is missing stays so. @throws Refusal 422, BadInput
+[[nodiscard]] std::string read_job_json(const std::string& body);
+
+}  // namespace changeover::serve

@@ -1,0 +1,220 @@
+#include "serve/plans/plan_jobs.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "changeover/core/error.hpp"
+#include "changeover/run/control.hpp"
+#include "io/write/json_writer.hpp"
+#include "serve/http/message.hpp"
+#include "serve/plans/plan_answers.hpp"
+
+namespace changeover::serve {
+namespace {
+
+constexpr std::size_t most_remembered = 10;
+
+}  // namespace
+
+struct PlanJobs::Job {
+  std::uint64_t id = 0;
+  OpenedRequest opened;
+  ParsedJob asked;
+  double limit = 0;
+  std::unique_ptr<RunControl> control;
+  std::thread thread;
+
+  mutable std::mutex mutex;  // of all below
+  std::string state = "running";
+  std::string message = {};  // why there is no answer, or that it may not be the best
+  std::string phase = "reading the job";
+  double seconds = 0;
+  std::optional<PlanNews> best = {};
+  std::optional<PlanAnswer> answer = {};
+  std::string answer_json = {};
+
+  [[nodiscard]] bool running() const {
+    const std::scoped_lock lock(mutex);
+    return state == "running";
+  }
+  void write(JsonWriter& json, bool with_answer) const;
+};
+
+void PlanJobs::Job::write(JsonWriter& json, bool with_answer) const {
+  const std::scoped_lock lock(mutex);
+  json.begin_object().key("id").value(id).key("state").value(state);
+  json.key("seconds").value(seconds).key("limit").value(limit).key("phase").value(phase);
+  const auto amount = [&](Amount PlanNews::*field) {
+    best ? json.raw(to_string((*best).*field)) : json.null();
+  };
+  json.key("tests").value(best ? std::optional(best->tests) : std::nullopt);
+  json.key("best");
+  amount(&PlanNews::cost);
+  json.key("bound");
+  amount(&PlanNews::bound);
+  json.key("message").value(message);
+  if (with_answer) {
+    json.key("answer");
+    answer_json.empty() ? json.null() : json.raw(answer_json);
+  }
+  json.end_object();
+}
+
+PlanJobs::PlanJobs(EventHub& events, const Settings& settings)
+    : events_(events), settings_(settings) {}
+
+PlanJobs::~PlanJobs() {
+  for (const auto& [id, job] : jobs_) {
+    job->control->stop(WhyStopped::interrupted);
+  }
+  for (const auto& [id, job] : jobs_) {
+    job->thread.join();
+  }
+}
+
+std::uint64_t PlanJobs::start(OpenedRequest opened, ParsedJob asked, double seconds) {
+  const std::scoped_lock lock(mutex_);
+  const auto running =
+      std::ranges::count_if(jobs_, [](const auto& each) { return each.second->running(); });
+  if (running >= static_cast<std::ptrdiff_t>(settings_.at_once)) {
+    throw Refusal{429, fmt::format("plans that are searched for: {}, as many as may be; wait for "
+                                   "one to end, or stop it",
+                                   running)};
+  }
+  forget_old();
+  const auto job = std::make_shared<Job>();
+  job->id = next_++;
+  job->opened = std::move(opened);
+  job->asked = std::move(asked);
+  job->limit = seconds;
+  RunControl::Settings settings;
+  settings.time = std::chrono::duration<double>(seconds);
+  settings.memory_bytes = settings_.memory_bytes;
+  settings.progress_interval = std::chrono::duration<double>(0.25);
+  settings.on_progress = [this, one = job.get()](const Progress& progress) {
+    {
+      const std::scoped_lock own(one->mutex);
+      one->seconds = progress.elapsed.count();
+      one->phase = progress.phase;
+    }
+    publish(*one);
+  };
+  job->control = std::make_unique<RunControl>(std::move(settings));
+  job->thread = std::thread([this, one = job.get()] { run(*one); });
+  jobs_[job->id] = job;
+  return job->id;
+}
+
+// With mutex_ held.
+void PlanJobs::forget_old() {
+  for (auto at = jobs_.begin(); jobs_.size() >= most_remembered && at != jobs_.end();) {
+    if (at->second->running()) {
+      ++at;
+      continue;
+    }
+    at->second->thread.join();
+    at = jobs_.erase(at);
+  }
+}
+
+void PlanJobs::run(Job& job) {
+  constexpr int gives_way = 10;
+  static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), gives_way));
+  publish(job);
+  std::optional<PlanAnswer> answer;
+  std::string json;
+  std::string fault;
+  try {
+    const RunScope scope(*job.control);
+    answer = answer_to(job.opened.request, job.asked, *job.control, [&](const PlanNews& news) {
+      {
+        const std::scoped_lock lock(job.mutex);
+        job.best = news;
+        job.seconds = job.control->elapsed().count();
+      }
+      publish(job);
+    });
+    json = plan_json(job.opened.request, job.asked, *answer);
+    json.pop_back();  // its end of line
+  } catch (const Stopped&) {
+    fault = "stopped before there was a plan";
+  } catch (const std::exception& failure) {
+    fault = failure.what();
+  }
+  {
+    const std::scoped_lock lock(job.mutex);
+    job.seconds = job.control->elapsed().count();
+    job.state = !fault.empty()                                          ? "failed"
+                : job.control->why_stopped() == WhyStopped::interrupted ? "stopped"
+                                                                        : "done";
+    job.message = !fault.empty() ? fault
+                  : answer->shortage()
+                      ? "the plan may not be the best that could be found: " + *answer->shortage()
+                      : "";
+    job.answer = std::move(answer);
+    job.answer_json = std::move(json);
+  }
+  publish(job);
+}
+
+void PlanJobs::publish(const Job& job) {
+  JsonWriter json;
+  job.write(json, false);
+  events_.publish("plan", std::to_string(job.id), json.take());
+}
+
+std::shared_ptr<PlanJobs::Job> PlanJobs::find(std::uint64_t id) const {
+  const std::scoped_lock lock(mutex_);
+  const auto found = jobs_.find(id);
+  if (found == jobs_.end()) {
+    throw Refusal{404, fmt::format("plan {} is not remembered any more; plan again", id)};
+  }
+  return found->second;
+}
+
+void PlanJobs::stop(std::uint64_t id) { find(id)->control->stop(WhyStopped::interrupted); }
+
+bool PlanJobs::stop_all(std::chrono::duration<double> patience) {
+  std::vector<std::shared_ptr<Job>> all;
+  {
+    const std::scoped_lock lock(mutex_);
+    for (const auto& [id, job] : jobs_) {
+      job->control->stop(WhyStopped::interrupted);
+      all.push_back(job);
+    }
+  }
+  constexpr std::chrono::milliseconds between_looks{10};
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (std::ranges::any_of(all, [](const auto& job) { return job->running(); })) {
+    if (std::chrono::steady_clock::now() >= end) {
+      return false;
+    }
+    std::this_thread::sleep_for(between_looks);
+  }
+  return true;
+}
+
+std::string PlanJobs::json(std::uint64_t id) const {
+  JsonWriter json;
+  find(id)->write(json, true);
+  return json.take() + "\n";
+}
+
+std::string PlanJobs::file(std::uint64_t id, const std::string& format) const {
+  const auto job = find(id);
+  const std::scoped_lock lock(job->mutex);
+  if (!job->answer) {
+    throw Refusal{404, fmt::format("plan {} has no answer {}", id,
+                                   job->state == "running" ? "yet" : "to write")};
+  }
+  return written(job->opened.request, job->asked, *job->answer, format);
+}
+
+}  // namespace changeover::serve

@@ -1,0 +1,176 @@
+// Run sheets for experimenters, searched for at once or followed, and runs that are kept.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "changeover/core/error.hpp"
+#include "changeover/run/control.hpp"
+#include "io/write/json_writer.hpp"
+#include "serve/api/request/json_body.hpp"
+#include "serve/api/request/query.hpp"
+#include "serve/api/request/request_body.hpp"
+#include "serve/api/routes.hpp"
+#include "serve/plans/plan_answers.hpp"
+#include "serve/plans/plan_jobs.hpp"
+#include "serve/plans/run_store.hpp"
+
+namespace changeover::serve {
+namespace {
+
+constexpr double usual_seconds = 10;       // of a plan that is waited for
+constexpr double most_followed = 3'600;    // of one that is followed
+constexpr double followed_seconds = 60;    // the same if nothing is said
+constexpr std::size_t most_letters = 200;  // of a name, a result or a title
+constexpr std::size_t most_in_notes = 2'000;
+
+double seconds_of(const JobRequest& request, double usual, double most) {
+  const double seconds = request.seconds.value_or(usual);
+  if (seconds <= 0 || seconds > most) {
+    throw Refusal{422, fmt::format("seconds: write more than 0 and at most {}", most)};
+  }
+  return seconds;
+}
+
+Response plan(const Explorer& explorer, const Request& sent) {
+  const OpenedRequest opened = sent_job(sent.body);
+  const ParsedJob asked = from_body([&] { return checked_job(opened, Door::document); });
+  const double seconds = seconds_of(opened.request, usual_seconds, explorer.limits.seconds.count());
+  RunControl control(*RunScope::current(), std::chrono::duration<double>(seconds));
+  const PlanAnswer answer = answer_to(opened.request, asked, control);
+  stop_if_asked();  // the client may have gone
+  return json_response(plan_json(opened.request, asked, answer));
+}
+
+Response start(Explorer& explorer, const Request& sent) {
+  OpenedRequest opened = sent_job(sent.body);
+  ParsedJob asked = from_body([&] { return checked_job(opened, Door::document); });
+  const double seconds = seconds_of(opened.request, followed_seconds, most_followed);
+  return json_response(fmt::format(
+      "{{\"id\":{}}}\n", explorer.plans->start(std::move(opened), std::move(asked), seconds)));
+}
+
+Response file(Explorer& explorer, const Request& request) {
+  const std::string format =
+      word_of(request, "format", {"csv", "xlsx", "html", "markdown", "json", "table"});
+  std::string text = explorer.plans->file(needed_number(request, "id"), format);
+  const std::string type = format == "csv" ? "text/csv; charset=utf-8"
+                           : format == "xlsx"
+                               ? "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet"
+                           : format == "html"     ? "text/html; charset=utf-8"
+                           : format == "markdown" ? "text/markdown; charset=utf-8"
+                           : format == "json"     ? "application/json; charset=utf-8"
+                                                  : "text/plain; charset=utf-8";
+  Response response = text_response(std::move(text), type);
+  const std::string end = format == "markdown" ? "md" : format == "table" ? "txt" : format;
+  response.headers.emplace_back("Content-Disposition",
+                                fmt::format("attachment; filename=\"run_sheet.{}\"", end));
+  return response;
+}
+
+std::string short_text(JsonBody& body, const std::string& name, std::size_t most = most_letters) {
+  std::string text = body.text(name).value_or("");
+  if (text.size() > most) {
+    throw Refusal{422, fmt::format("{}: at most {} bytes", name, most)};
+  }
+  return text;
+}
+
+RunResult result_in(JsonBody& body) {
+  RunResult result{.test = short_text(body, "test"),
+                   .result = short_text(body, "result"),
+                   .notes = short_text(body, "notes", most_in_notes),
+                   .by = short_text(body, "by")};
+  if (result.test.empty()) {
+    throw Refusal{422, "test: write which test of the sheet it is"};
+  }
+  return result;
+}
+
+std::string revisions_of(const KeptRun& run) {
+  JsonWriter json;
+  json.begin_object().key("id").value(run.id).key("revision").value(run.revision);
+  json.key("sheet_revision").value(run.sheet_revision);
+  return json.end_object().take() + "\n";
+}
+
+Response keep_run(Explorer& explorer, const Request& sent) {
+  JsonBody body(sent.body);
+  KeptRun run{.id = short_text(body, "id"), .title = short_text(body, "title")};
+  run.sheet_revision = body.number("sheet_revision").value_or(0);
+  run.tests = body.needed_number("tests");
+  const nlohmann::json* const sheet = body.find("sheet");
+  if (sheet == nullptr || !sheet->is_object()) {
+    throw Refusal{422, "sheet: write an object"};
+  }
+  run.sheet = sheet->dump();
+  if (const nlohmann::json* const results = body.find("results")) {
+    if (!results->is_array() || results->size() > run.tests) {
+      throw Refusal{422, "results: write a list, with a result a test at most"};
+    }
+    for (const nlohmann::json& each : *results) {
+      JsonBody one(each.dump());
+      run.results.push_back(result_in(one));
+      run.results.back().at = short_text(one, "at");
+      one.finish();
+    }
+  }
+  body.finish();
+  return json_response(revisions_of(explorer.runs->keep(std::move(run))));
+}
+
+Response add_result(Explorer& explorer, const Request& sent) {
+  JsonBody body(sent.body);
+  RunResult result = result_in(body);
+  const std::uint64_t sheet = body.needed_number("sheet_revision");
+  body.finish();
+  return json_response(revisions_of(
+      explorer.runs->add_result(sent.parameter("id").value_or(""), std::move(result), sheet)));
+}
+
+}  // namespace
+
+void add_plans(Router& router, Explorer& explorer) {
+  router.add(posted(explorer, "api/plan", {}, Body::json,
+                    [&explorer](const Request& request) { return plan(explorer, request); }));
+  router.add(posted(explorer, "api/plan/read", {}, Body::json, [](const Request& request) {
+    return json_response(read_job_json(request.body));
+  }));
+  const auto changes = [&](const std::string& path, std::vector<std::string> parameters, Body body,
+                           std::function<Response(const Request&)> answer) {
+    Route route = posted(explorer, path, std::move(parameters), body,
+                         [&explorer, answer = std::move(answer)](const Request& request) {
+                           require_writing(explorer);
+                           return answer(request);
+                         });
+    route.action = Action::changes;
+    router.add(std::move(route));
+  };
+  changes("api/plan/start", {}, Body::json,
+          [&explorer](const Request& request) { return start(explorer, request); });
+  changes("api/plan/stop", {"id"}, Body::none, [&explorer](const Request& request) {
+    explorer.plans->stop(needed_number(request, "id"));
+    return json_response("{}\n");
+  });
+  router.add(question(explorer, "api/plan/job", {"id"}, Again::made_anew,
+                      [&explorer](const Request& request) {
+                        return json_response(explorer.plans->json(needed_number(request, "id")));
+                      }));
+  router.add(question(explorer, "api/plan/file", {"id", "format"}, Again::made_anew,
+                      [&explorer](const Request& request) { return file(explorer, request); }));
+
+  router.add(
+      question(explorer, "api/run", {"id"}, Again::made_anew, [&explorer](const Request& request) {
+        const auto id = request.parameter("id");
+        return json_response(id ? explorer.runs->json(*id) : explorer.runs->list_json());
+      }));
+  changes("api/run", {}, Body::json,
+          [&explorer](const Request& request) { return keep_run(explorer, request); });
+  changes("api/run/result", {"id"}, Body::json,
+          [&explorer](const Request& request) { return add_result(explorer, request); });
+  changes("api/run/remove", {"id"}, Body::none, [&explorer](const Request& request) {
+    explorer.runs->remove(request.parameter("id").value_or(""));
+    return json_response("{}\n");
+  });
+}
+
+}  // namespace changeover::serve

@@ -1,0 +1,58 @@
+// A plan while it is searched for: the best so far against what no plan can undercut.
+import { h } from '../../lib/dom';
+import type { PlanJob } from '../../lib/api';
+import { plot } from '../../parts/plot';
+import { count } from '../../lib/words';
+import { about } from './job';
+
+export interface Live {
+  readonly element: HTMLElement;
+  hear(job: PlanJob): void;
+}
+
+/** `best` asks for the best so far, `give_up` for nothing. */
+export function livePanel(best: () => void, giveUp: () => void, signal: AbortSignal): Live {
+  const cost = h('strong', { class: 'live-best' }, '…');
+  const said = h('span', {}, 'Looking for a first plan');
+  const bar = h('progress', { max: 1, 'aria-label': 'How much of the time has gone' });
+  const phase = h('p', { class: 'hint', role: 'status' });
+  const stop = h('button', { type: 'button', disabled: true, onclick: () => ((stop.disabled = true), best()) }, 'Stop and keep the best');
+  const chart = plot({ label: 'The best plan so far and the lower bound, by time', x: 'seconds', y: 'cost', height: 150, signal, yText: about });
+  const place = h('div', { class: 'live-chart', hidden: true }, chart.element);
+  const points: { at: number; best: number; bound: number }[] = [];
+  const element = h(
+    'section',
+    { class: 'live note no-print', 'aria-label': 'Search' },
+    h('p', { class: 'live-line' }, cost, ' ', said),
+    bar,
+    phase,
+    place,
+    h('div', { class: 'row' }, stop, h('button', { type: 'button', class: 'plain', onclick: giveUp }, 'Cancel')),
+  );
+  return {
+    element,
+    hear(job) {
+      bar.max = job.limit;
+      bar.value = Math.min(job.limit, job.seconds);
+      phase.textContent = `${job.phase}; ${count(Math.floor(job.seconds), 'second')} of ${job.limit} at most`;
+      if (job.best === null || job.bound === null) {
+        return;
+      }
+      stop.disabled = false;
+      cost.textContent = about(job.best);
+      const above = job.bound > 0 ? (100 * (job.best - job.bound)) / job.bound : null;
+      said.textContent = `is the best so far, with ${count(job.tests ?? 0, 'test')}; no plan costs less than ${about(job.bound)}${above === null ? '' : above <= 0 ? ': this is the least' : ` (${above.toFixed(1)} % above)`}.`;
+      points.push({ at: job.seconds, best: job.best, bound: job.bound });
+      if (points.length > 1) {
+        place.hidden = false;
+        chart.set(
+          points.map(({ at }) => at),
+          [
+            { label: 'best so far', colour: 1, width: 3, steps: true, values: points.map((point) => point.best) },
+            { label: 'lower bound', colour: 2, dash: [6, 4], values: points.map((point) => point.bound) },
+          ],
+        );
+      }
+    },
+  };
+}

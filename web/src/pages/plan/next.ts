@@ -1,0 +1,38 @@
+// What to do now: the next test of each bench, with what to take out and put in, large enough for a phone beside the bench.
+import { fill, h } from '../../lib/dom';
+import { moneyOf } from './job';
+import { namesOf, step, verdictOf, type Outcome } from './outcome';
+import { resultButtons } from './results';
+import { setUp } from './sheet';
+
+export interface Next {
+  readonly element: HTMLElement;
+  refresh(): void;
+}
+
+export function nextTests(outcome: Outcome, mounted: readonly string[], written: (test: number) => void): Next {
+  const element = h('div', { class: 'next-tests no-print' });
+  const names = namesOf(outcome);
+  const money = moneyOf(outcome.tests.map(({ cost }) => cost));
+  function card(i: number): HTMLElement {
+    const test = outcome.tests[i]!;
+    const { out, in: put } = step(outcome.tests, i, mounted);
+    const of = outcome.tests.filter(({ bench }) => bench === test.bench).length;
+    const line = (label: string, kind: string, parts: string[]) => h('p', { class: kind }, h('span', { class: 'label' }, label), parts.length > 0 ? parts.join(', ') : 'nothing');
+    return h(
+      'section',
+      { class: 'next-test', 'aria-label': `Next test, ${names[i]}` },
+      h('h3', {}, `Next: test ${names[i]} of ${of}`, h('span', { class: 'hint' }, ` costs ${money(test.cost)}${test.when ? `, ${test.when}` : ''}`)),
+      ...(test.values ? [] : [out.length > 0 ? line('Take out', 'leave', out) : null, line('Put in', 'enter', put)]),
+      h('p', { class: 'set-up' }, h('span', { class: 'label' }, test.values ? 'Set' : 'Then in'), ...setUp(test, outcome.places, new Set(put))),
+      resultButtons(test, names[i]!, () => written(i), { pass: '✓ pass', fail: '✗ fail' }).element,
+    );
+  }
+  function refresh(): void {
+    const benches = [...new Set(outcome.tests.map(({ bench }) => bench))];
+    const next = benches.map((bench) => outcome.tests.findIndex((test) => test.bench === bench && verdictOf(test) === '')).filter((i) => i >= 0);
+    fill(element, next.map(card));
+  }
+  refresh();
+  return { element, refresh };
+}

@@ -1,0 +1,274 @@
+// What was planned: tests with their places, costs and results, as the page keeps them.
+import type { Benches, Diagnosis, Plan, Planned } from '../../lib/api';
+import { exact, type Job, type Unit } from './job';
+
+/** A place of the bench: its number, and of which slot it is. */
+export interface Place {
+  number: number;
+  slot: string | null;
+}
+
+export interface Test {
+  /** On which bench, if there are several. */
+  bench: string | null;
+  parts: string[];
+  /** By place; null is an empty place. Without places there is no such list. */
+  places: (string | null)[] | null;
+  cost: number;
+  /** Of a model: a value for each parameter. */
+  values?: Record<string, string>;
+  /** When it begins on its bench, as the plan has it. */
+  when?: string;
+  /** "pass", "fail", …, as it was written; '' is none. */
+  result: string;
+  notes: string;
+  by: string;
+  at: string;
+}
+
+/** A way to run the tests, known by its numbers alone. */
+export interface Alternative {
+  name: string;
+  tests: number;
+  changes: number;
+  cost: number;
+}
+
+export interface Outcome {
+  benches: { name: string; down: boolean; end: number }[] | null;
+  places: Place[];
+  tests: Test[];
+  /** Of the tests that the last planning was about: those done before are not in it. Of benches that are to be done early, the end of the last test. */
+  cost: number;
+  bound: number;
+  /** Of all benches together. */
+  together: number;
+  reason: string;
+  changes: number;
+  met: { what: 'pairs' | 'triples'; needed: number; tested: number };
+  budget: number | null;
+  unit: Exclude<Unit, '' | 'money'> | null;
+  /** The day and hour when all is done, of benches with hours. */
+  finish: string | null;
+  /** The plan itself is the first. */
+  alternatives: Alternative[];
+  notes: string[];
+  testCost: number;
+  changeCost: number;
+  /** How many tests were done when this was planned. */
+  doneBefore: number;
+}
+
+export interface State {
+  id: string;
+  job: Job;
+  outcome: Outcome | null;
+}
+
+export type Verdict = 'pass' | 'fail' | 'done' | 'not run' | 'other' | '';
+
+/** What a result says, in the words that the planner reads. */
+export function verdictOf({ result }: Pick<Test, 'result'>): Verdict {
+  const word = result.trim().toLowerCase();
+  return word === ''
+    ? ''
+    : /^(pass(ed)?|ok|okay|good|green|yes|y|p|✓)\b/.test(word)
+      ? 'pass'
+      : /^(fail(ed|ure|s)?|bad|red|no|n|f|error|✗|x)\b/.test(word)
+        ? 'fail'
+        : /^(done|run)\b/.test(word)
+          ? 'done'
+          : /^(not run|skipped|blocked)\b/.test(word)
+            ? 'not run'
+            : 'other';
+}
+
+/** Whether it was run, with whatever result. */
+export function isDone(test: Test): boolean {
+  const verdict = verdictOf(test);
+  return verdict !== '' && verdict !== 'not run';
+}
+
+/** What a test is called: its number in its list. */
+export function namesOf(outcome: Outcome): string[] {
+  const counts = new Map<string | null, number>();
+  return outcome.tests.map(({ bench }) => {
+    const n = (counts.get(bench) ?? 0) + 1;
+    counts.set(bench, n);
+    return bench === null ? String(n) : `${bench} ${n}`;
+  });
+}
+
+/** The test before this one on the same bench. */
+export function before(tests: readonly Test[], i: number): Test | null {
+  for (let j = i - 1; j >= 0; --j) {
+    if (tests[j]!.bench === tests[i]!.bench) {
+      return tests[j]!;
+    }
+  }
+  return null;
+}
+
+/** What is taken out for a test and what is put in. */
+export function step(tests: readonly Test[], i: number, mounted: readonly string[] = []): { out: string[]; in: string[] } {
+  const earlier = before(tests, i)?.parts ?? mounted;
+  const now = tests[i]!.parts;
+  return { out: earlier.filter((name) => !now.includes(name)), in: now.filter((name) => !earlier.includes(name)) };
+}
+
+const untested = { result: '', notes: '', by: '', at: '' };
+
+function clock(day: number | undefined, hour: number | undefined, date: string | undefined): string | undefined {
+  if (day === undefined || hour === undefined) {
+    return undefined;
+  }
+  const minutes = Math.round(hour * 60);
+  const time = `${Math.floor(minutes / 60)}:${String(minutes % 60).padStart(2, '0')}`;
+  return `${date ?? `day ${day}`}, ${time}`;
+}
+
+/** The same places first, as they were numbered; then new ones. */
+function placed(test: Test, from: readonly Place[], to: readonly Place[]): Test {
+  if (!test.places) {
+    return test;
+  }
+  const places = to.map(({ number, slot }) => {
+    const i = from.findIndex((each) => each.number === number && each.slot === slot);
+    return i < 0 ? null : (test.places![i] ?? null);
+  });
+  return { ...test, places: places.filter(Boolean).length === test.parts.length ? places : null };
+}
+
+function ofPlan(plan: Plan, job: Job, done: readonly Test[], places: readonly Place[]): Outcome {
+  const triples = plan.triples_needed > 0;
+  const tests = plan.steps.map((each): Test => ({
+    bench: null,
+    parts: each.set_up,
+    places: each.places,
+    cost: each.cost,
+    ...(each.values ? { values: each.values } : {}),
+    ...untested,
+  }));
+  const { changes, cost } = plan;
+  return {
+    benches: null,
+    places: plan.places,
+    tests: [...done.map((test) => placed(test, places, plan.places)), ...tests],
+    cost,
+    bound: plan.lower_bound.cost,
+    together: cost,
+    reason: plan.lower_bound.reason,
+    changes,
+    met: { what: triples ? 'triples' : 'pairs', needed: triples ? plan.triples_needed : plan.pairs_needed, tested: triples ? plan.triples_tested : plan.pairs_tested },
+    budget: plan.budget,
+    unit: plan.cost_unit,
+    finish: null,
+    alternatives: [
+      { name: 'this plan', tests: plan.tests, changes, cost },
+      ...plan.candidates.filter((each) => each.tests !== plan.tests || each.changes !== changes || each.cost !== cost).map(({ name, tests: n, changes: c, cost: sum }) => ({ name, tests: n, changes: c, cost: sum })),
+    ],
+    notes: plan.notes,
+    testCost: job.testCost,
+    changeCost: job.changeCost,
+    doneBefore: done.length,
+  };
+}
+
+function ofBenches(plan: Benches, job: Job, done: readonly Test[], places: readonly Place[]): Outcome {
+  const triples = plan.triples_needed > 0;
+  const early = plan.objective === 'makespan';
+  const tests = plan.sheets.flatMap((sheet) => [
+    ...done.filter(({ bench }) => bench === sheet.name).map((test) => placed(test, places, plan.places)),
+    ...sheet.steps.map((each): Test => {
+      const when = clock(each.day, each.hour, each.date);
+      return { bench: sheet.name, parts: each.set_up, places: each.places, cost: each.cost, ...(when ? { when } : {}), ...untested };
+    }),
+  ]);
+  const cost = early ? plan.makespan : plan.cost;
+  return {
+    benches: plan.sheets.map(({ name, down, end }) => ({ name, down, end })),
+    places: plan.places,
+    tests,
+    cost,
+    bound: early ? plan.lower_bound.makespan : plan.lower_bound.cost,
+    together: plan.cost,
+    reason: early ? plan.lower_bound.makespan_reason : plan.lower_bound.cost_reason,
+    changes: plan.changes,
+    met: { what: triples ? 'triples' : 'pairs', needed: triples ? plan.triples_needed : plan.pairs_needed, tested: triples ? plan.triples_tested : plan.pairs_tested },
+    budget: plan.budget,
+    unit: plan.cost_unit,
+    finish: plan.finish ? (clock(plan.finish.day, plan.finish.hour, plan.finish.date) ?? null) : null,
+    alternatives: [
+      { name: 'this plan', tests: plan.tests, changes: plan.changes, cost },
+      ...plan.candidates.slice(1).map((each) => ({ name: each.name, tests: each.tests, changes: each.changes, cost: early ? each.makespan : each.cost })),
+    ],
+    notes: plan.notes,
+    testCost: job.testCost,
+    changeCost: job.changeCost,
+    doneBefore: done.length,
+  };
+}
+
+/** What was planned after these tests, whose places are `places`. */
+export function outcomeOf(planned: Planned, job: Job, done: readonly Test[], places: readonly Place[]): Outcome {
+  if (planned.plan) {
+    return ofPlan(planned.plan, job, done, places);
+  }
+  if (planned.benches) {
+    return ofBenches(planned.benches, job, done, places);
+  }
+  throw new Error('the server answered no plan');
+}
+
+/** The test that tells most, as the next one of the sheet. */
+export function withNext(outcome: Outcome, next: NonNullable<Diagnosis['next']>): Outcome {
+  const placesNow = [...outcome.places];
+  const places: (string | null)[] = placesNow.map(() => null);
+  for (const { number, part } of next.places) {
+    const i = placesNow.findIndex((place) => place.number === number);
+    if (i >= 0) {
+      places[i] = part;
+    }
+  }
+  const bench = outcome.benches?.find(({ down }) => !down)?.name ?? null;
+  const whole = places.filter(Boolean).length === next.set_up.length;
+  const test: Test = { bench, parts: next.set_up, places: whole ? places : null, cost: next.cost, ...untested };
+  const open = outcome.tests.findIndex((each) => each.bench === bench && !isDone(each));
+  const tests = [...outcome.tests];
+  tests.splice(open < 0 ? tests.length : open, 0, test);
+  return { ...outcome, tests };
+}
+
+/** A spreadsheet would compute what begins like a formula. */
+const safe = (name: string) => (/^[=+\-@\t]/.test(name) ? `'${name}` : name);
+const quote = (field: string) => (/[",\n]/.test(field) ? `"${field.replaceAll('"', '""')}"` : field);
+
+/** The run sheet as CSV with the columns of the command line, which reads it back as `--done`. */
+export function csv(outcome: Outcome): string {
+  const { tests, places, benches } = outcome;
+  const names = namesOf(outcome);
+  const parameters = Object.keys(tests.find((test) => test.values)?.values ?? {});
+  const width = Math.max(places.length, ...tests.map((test) => (test.places ? 0 : test.parts.length)));
+  const heads = Array.from({ length: width }, (_, i) => {
+    const place = places[i];
+    return place ? `slot_${place.number}${place.slot === null ? '' : ` ${place.slot}`}` : `slot_${i + 1}`;
+  });
+  const sums = new Map<string | null, number>();
+  const rows = tests.map((test, i) => {
+    const sum = exact((sums.get(test.bench) ?? 0) + test.cost);
+    sums.set(test.bench, sum);
+    const { out, in: put } = step(tests, i);
+    const row = test.places ?? test.parts;
+    return [
+      ...(benches ? [safe(test.bench ?? '')] : []),
+      benches ? names[i]!.slice((test.bench ?? '').length + 1) : names[i]!,
+      ...(parameters.length > 0 ? parameters.map((name) => safe(test.values?.[name] ?? '')) : [safe(out.join(', ')), safe(put.join(', ')), ...heads.map((_, j) => safe(row[j] ?? ''))]),
+      String(test.cost),
+      String(sum),
+      test.result,
+      safe(test.notes),
+    ];
+  });
+  const head = [...(benches ? ['bench'] : []), 'step', ...(parameters.length > 0 ? parameters : ['take_out', 'put_in', ...heads]), 'cost', 'cost_so_far', 'result', 'notes'];
+  return [head, ...rows].map((row) => row.map(quote).join(',')).join('\n') + '\n';
+}

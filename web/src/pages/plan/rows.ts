@@ -1,0 +1,70 @@
+// A small table to type in: a row a thing, a column a field; the last row is always empty.
+import { h, fill } from '../../lib/dom';
+
+export interface Column<T> {
+  key: keyof T & string;
+  title: string;
+  /** For screen readers, before the number of the row. */
+  label: string;
+  hint?: string;
+  kind?: 'number' | 'wide' | 'check';
+}
+
+export interface Rows<T> {
+  readonly element: HTMLElement;
+  read(): T[];
+  set(rows: readonly T[]): void;
+}
+
+export function rowsTable<T extends object>(label: string, columns: readonly Column<T>[], empty: () => T, changed: () => void): Rows<T> {
+  const body = h('tbody');
+  const inputs = (row: Element) => [...row.querySelectorAll('input')];
+  const isEmpty = (row: Element) => inputs(row).every((input) => (input.type === 'checkbox' ? !input.checked : input.value.trim() === ''));
+
+  function makeRow(data: T): HTMLTableRowElement {
+    const row: HTMLTableRowElement = h(
+      'tr',
+      {},
+      columns.map(({ key, kind }) => {
+        const value = data[key];
+        const input =
+          kind === 'check'
+            ? h('input', { type: 'checkbox', checked: Boolean(value) })
+            : h('input', { type: 'text', class: kind ?? null, value: String(value), autocomplete: 'off', spellcheck: 'false' });
+        return h('td', { class: kind === 'check' ? 'centre' : null }, input);
+      }),
+      h('td', {}, h('button', { type: 'button', class: 'plain small', 'aria-label': 'Take this row off', onclick: () => (row.remove(), settle(), changed()) }, '×')),
+    );
+    return row;
+  }
+
+  function settle(): void {
+    const last = body.rows[body.rows.length - 1];
+    if (!last || !isEmpty(last)) {
+      body.append(makeRow(empty()));
+    }
+    [...body.rows].forEach((row, i) => inputs(row).forEach((input, j) => input.setAttribute('aria-label', `${columns[j]!.label} ${i + 1}`)));
+  }
+
+  const element = h(
+    'div',
+    { class: 'scroll rows-frame', role: 'region', 'aria-label': label, tabindex: -1 },
+    h(
+      'table',
+      { class: 'rows', oninput: () => (settle(), changed()) },
+      h('thead', {}, h('tr', {}, columns.map(({ title, hint }) => h('th', { title: hint ?? null }, title)), h('th', {}, h('span', { class: 'unseen' }, 'take off')))),
+      body,
+    ),
+  );
+  return {
+    element,
+    read: () =>
+      [...body.rows]
+        .filter((row) => !isEmpty(row))
+        .map((row) => Object.fromEntries(inputs(row).map((input, i) => [columns[i]!.key, input.type === 'checkbox' ? input.checked : input.value.trim()])) as T),
+    set(rows) {
+      fill(body, rows.map(makeRow));
+      settle();
+    },
+  };
+}
