@@ -25,8 +25,13 @@ const pictures = [
   }],
   ['plan', 'light', '#/plan', async (page) => {
     await page.setViewportSize({ width: 1280, height: 1500 });
-    await page.getByText('Try an example').click();
-    await page.getByText('What if').waitFor({ timeout: 60_000 });
+    await page.getByRole('link', { name: 'a server with slots' }).click();
+    await page.locator('.verdict h2').waitFor({ timeout: 60_000 });
+    for (const [test, result] of [[1, 'pass'], [2, 'pass'], [3, 'fail']]) {
+      await page.locator('.sheets').getByRole('button', { name: `Test ${test}: ${result}`, exact: true }).click();
+    }
+    await page.getByText('This run is kept on the server').waitFor();
+    await page.evaluate(() => window.scrollTo(0, document.querySelector('.job-box').offsetTop - 20));
   }],
   ['loadorder', 'dark', '#/loadorder?items=64&room=16&workers=4', async (page) => {
     await page.setViewportSize({ width: 1280, height: 1400 });

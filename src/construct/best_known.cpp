@@ -26,6 +26,9 @@ BestKnownTable::BestKnownTable(const Registry& registry, const CellRange& range,
     : range_(range) {
   KnownDesigns known(registry, stored);
   for (const Kind kind : {Kind::circular, Kind::linear}) {
+    if (range.kind && *range.kind != kind) {
+      continue;
+    }
     for (std::uint64_t k = range.k_from; k <= range.k_to; ++k) {
       for (std::uint64_t v = range.v_from; v <= range.v_to; ++v) {
         stop_if_asked();
@@ -59,12 +62,12 @@ BestKnownTable::BestKnownTable(const Registry& registry, const CellRange& range,
 
 std::optional<std::size_t> BestKnownTable::index(const Parameters& p) const {
   if (p.v < range_.v_from || p.v > range_.v_to || p.k < range_.k_from || p.k > range_.k_to ||
-      p.change != range_.change || p.strength != 2) {
+      p.change != range_.change || p.strength != 2 || (range_.kind && *range_.kind != p.kind)) {
     return std::nullopt;
   }
   const std::uint64_t vs = range_.v_to - range_.v_from + 1;
   const std::uint64_t ks = range_.k_to - range_.k_from + 1;
-  const std::uint64_t kind = p.kind == Kind::circular ? 0 : 1;
+  const std::uint64_t kind = range_.kind || p.kind == Kind::circular ? 0 : 1;
   return static_cast<std::size_t>((kind * ks + (p.k - range_.k_from)) * vs + (p.v - range_.v_from));
 }
 

@@ -447,7 +447,7 @@ def check_explorer(server):
 
     def post(address, body="", query="", kind="application/json"):
         if not isinstance(body, str):
-            problem = fits("explorer-1", body, f"properties/body/properties/{address}")
+            problem = fits("explorer-1", body, f"properties/body/properties/{address.replace('/', '~1')}")
             if problem:
                 fault(f"what is sent to api/{address} is against its schema ({problem.message})")
             tried.add(("body", address))

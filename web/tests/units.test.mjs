@@ -184,6 +184,7 @@ test('lists as people write them', async () => {
     ['"#1 pump",5\n# a comment\nb,2', '#1 pump=5 b=2'],
     ['"a\tb",5\nc,\t6', 'a\tb=5 c=6'],
     ['"b ""c"" d";2', 'b "c" d=2'],
+    ['# hot; cold\na,1\n', 'a=1'],
   ]) {
     assert.equal(read(text), rows, JSON.stringify(text));
   }

@@ -49,10 +49,9 @@ std::vector<std::string> names_of(const std::string& host, std::uint16_t port) {
 }
 
 // What the map of the catalog shows is made while nothing is asked, so that the first who asks does
-// not wait for it. It gives way to all that answers.
+// not wait for it. Those of the change number that the pages begin with come first and are as urgent
+// as an answer; the others give way to all that answers.
 void prepare_tables(Explorer& explorer) {
-  constexpr int gives_way = 10;
-  static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), gives_way));
   RunControl::Settings settings;
   settings.memory_bytes = explorer.limits.memory_bytes;
   settings.interrupted = &explorer.stopping;
@@ -60,7 +59,13 @@ void prepare_tables(Explorer& explorer) {
   const RunScope scope(control);
   try {
     for (const std::uint64_t change : {2U, 1U, 3U}) {
-      static_cast<void>(explorer.tables.of(atlas_range(change, 2), explorer.generation()));
+      for (const Kind kind : {Kind::circular, Kind::linear}) {
+        cli::TableRange range = atlas_range(change, 2);
+        range.kind = kind;
+        static_cast<void>(explorer.tables.of(range, explorer.generation()));
+      }
+      constexpr int gives_way = 10;
+      static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), gives_way));
     }
   } catch (const std::exception&) {
     // A request for it says what is wrong.

@@ -237,9 +237,8 @@ Answer draw_table(const DrawRequest& request) {
     throw UsageError{
         "a heat map is of a range: --picture heatmap --k A..B --v C..D, without FILE or V K"};
   }
-  const TableRange range =
-      table_range(request.k.empty() ? "3..8" : request.k, request.v.empty() ? "..40" : request.v,
-                  request.asked.change);
+  TableRange range = table_range(request.k.empty() ? "3..8" : request.k,
+                                 request.v.empty() ? "..40" : request.v, request.asked.change);
   const std::uint64_t rows = range.k.to - range.k.from + 1;
   const std::uint64_t columns = range.v.to - range.v.from + 1;
   if (rows * columns > most_cells_of_a_heatmap) {
@@ -247,9 +246,11 @@ Answer draw_table(const DrawRequest& request) {
         "a heat map of {} cells has too many, {} is the most; give fewer with --k and --v",
         rows * columns, most_cells_of_a_heatmap)};
   }
+  const Kind kind = request.asked.kind.value_or(Kind::linear);
+  range.kind = kind;
   const KnownTable table = known_table(range);
   std::vector<KnownCell> cells;
-  for (const KnownCell* cell : table.cells(request.asked.kind.value_or(Kind::linear))) {
+  for (const KnownCell* cell : table.cells(kind)) {
     cells.push_back(*cell);
   }
   return answer_of(draw_heatmap(cells, heat_measure_from_string(request.measure).value()), request);

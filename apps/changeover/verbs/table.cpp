@@ -219,7 +219,8 @@ std::string summary(const Cells& cells) {
 
 Answer run(const TableRequest& request) {
   constexpr std::size_t most_wide = std::numeric_limits<std::size_t>::max();  // a grid is one
-  const TableRange range = table_range(request.k, request.v, request.change);
+  TableRange range = table_range(request.k, request.v, request.change);
+  range.kind = request.kind;
   const KnownTable table = known_table(range, request.anew ? Stored::anew : Stored::as_shipped);
   const std::string format = request.output.format();
   Cells all;

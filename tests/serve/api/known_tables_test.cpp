@@ -36,10 +36,10 @@ TEST(KnownTables, OneForAllWhoAsk) {
 TEST(KnownTables, TheOldestGoes) {
   serve::KnownTables tables;
   const auto first = tables.of(range, "0");
-  for (int i = 1; i <= 8; ++i) {
+  for (int i = 1; i <= 12; ++i) {
     static_cast<void>(tables.of(range, std::to_string(i)));
   }
-  EXPECT_EQ(tables.of(range, "8"), tables.of(range, "8"));
+  EXPECT_EQ(tables.of(range, "12"), tables.of(range, "12"));
   EXPECT_NE(tables.of(range, "0"), first);
 }
 

@@ -1,12 +1,13 @@
 // The start page: three doors, one for each kind of question.
 import { fill, h, svg, type Child } from '../lib/dom';
 import { atlasOf, isHeld } from '../lib/source';
-import { number } from '../lib/words';
+import { count, number } from '../lib/words';
 import { about, isCopy } from '../shell/about';
 import { link, type Page, type View } from '../shell/router';
 import { lookUp } from './catalog/look_up';
 import { paintOf } from './catalog/paint';
 import { Steps } from './design/steps';
+import { keptJobs } from './plan/store';
 
 const list = (text: string): number[][] => text.split(';').map((block) => block.trim().split(' ').map(Number));
 /** Nine parts, four at a time: a circular DCCD(9,4). */
@@ -83,6 +84,15 @@ function door(title: string, question: string, picture: Node, what: Child[], to:
   return h('li', { class: 'door' }, h('h2', {}, title), h('p', { class: 'question' }, question), h('div', { class: 'door-picture' }, picture), h('p', {}, what), h('p', { class: 'door-action' }, h('a', { class: 'button', href: to }, action)));
 }
 
+/** What was begun in this browser; before anything was, how the command line is asked. */
+function goOn(): HTMLElement {
+  const begun = keptJobs().slice(0, 3);
+  const lines = ['changeover plan parts.csv -k 4 --test-cost 10', 'changeover loadorder --items 64 --room 16', 'changeover design 20 5'];
+  return begun.length > 0
+    ? h('div', {}, h('h2', {}, 'Go on with'), h('ul', { class: 'plain-list' }, begun.map(({ id, title, done, tests }) => h('li', {}, h('a', { href: link('plan', { id }) }, title), tests > 0 ? ` ${done} of ${count(tests, 'test')} done` : ''))))
+    : h('div', {}, h('h2', {}, 'On the command line'), h('ul', { class: 'plain-list commands' }, lines.map((line) => h('li', {}, h('code', {}, line)))));
+}
+
 export const home: Page = {
   path: 'home',
   title: 'Start',
@@ -101,7 +111,7 @@ export const home: Page = {
         door('Load data', 'What to read when memory is small?', memoryPicture(), ['Items lie on a disk, a few fit into memory, and every two must meet there. Get an order with the fewest loads.'], link('loadorder'), 'Order loads'),
         door('Study designs', 'How few blocks are possible?', mapPicture(view), [counts, ' Each is verified, and each bound has its reason.'], link('catalog'), 'Browse the catalog'),
       ),
-      h('section', { class: 'home-more', 'aria-label': 'More' }, lookUp(() => ({ change: 2, kind: 'circular' })), h('ul', { class: 'plain-list' }, !frozen && h('li', {}, h('a', { href: link('verify') }, 'Verify'), ' a list of blocks of your own'), !frozen && h('li', {}, h('a', { href: link('search') }, 'Search'), ' for a design with fewer blocks'), h('li', {}, h('a', { href: link('theorems') }, 'Theorems'), ' and constructions, with proofs'))),
+      h('section', { class: 'home-more', 'aria-label': 'More' }, lookUp(() => ({ change: 2, kind: 'circular' })), h('ul', { class: 'plain-list' }, !frozen && h('li', {}, h('a', { href: link('verify') }, 'Verify'), ' a list of blocks of your own'), !frozen && h('li', {}, h('a', { href: link('search') }, 'Search'), ' for a design with fewer blocks'), h('li', {}, h('a', { href: link('theorems') }, 'Theorems'), ' and constructions, with proofs')), !frozen && goOn()),
     );
     about().then(({ catalog }) => fill(counts, `${number(catalog.designs)} designs in ${number(catalog.cells)} cells.`), () => undefined);
   },

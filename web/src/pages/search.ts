@@ -136,7 +136,15 @@ async function render(view: View): Promise<void> {
             : best.b === bound
               ? `Gap 0: ${count(best.b, 'block')} are known, and no design has fewer. There is nothing to find.`
               : `Gap ${best.b - (bound ?? 0)}: ${count(best.b, 'block')} are known; no design has fewer than ${bound ?? '?'}.`;
-        fill(known, h('strong', {}, words), ' ', h('a', { href: link('cell', cell) }, 'More about these parameters'));
+        const nothing = impossible || (best !== null && best.b === bound);
+        fill(
+          known,
+          h('strong', {}, words),
+          ' ',
+          h('a', { href: link('cell', cell) }, 'More about these parameters'),
+          nothing ? [', or ', h('a', { href: link('catalog', { change: cell.change, kind: cell.kind, strength: cell.strength, gap: 1 }) }, 'cells with a gap'), ', where something may be found'] : null,
+          '.',
+        );
       },
       (why: unknown) => !mine.aborted && fill(known, (why as Error).message),
     );

@@ -33,7 +33,8 @@ CellRange cell_range_of(const TableRange& asked, const std::string& k, const std
           .v_to = asked.v.to,
           .k_from = asked.k.from,
           .k_to = asked.k.to,
-          .change = asked.change};
+          .change = asked.change,
+          .kind = asked.kind};
 }
 
 }  // namespace

@@ -65,7 +65,9 @@ AtlasQuestion atlas_question_of(const Request& request) {
   constexpr std::uint64_t usual_change = 2;
   const std::uint64_t change = number_of(request, "change").value_or(usual_change);
   const auto t = static_cast<std::uint32_t>(strength);
-  return {.range = table_range_of(request, atlas_range(change, t)), .kind = *kind, .strength = t};
+  cli::TableRange range = table_range_of(request, atlas_range(change, t));
+  range.kind = kind;
+  return {.range = range, .kind = *kind, .strength = t};
 }
 
 template <typename Json>

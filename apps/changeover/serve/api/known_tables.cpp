@@ -16,10 +16,11 @@ KnownTables::Place KnownTables::find(const std::string& key) {
 
 std::shared_ptr<const cli::KnownTable> KnownTables::of(const cli::TableRange& range,
                                                        const std::string& generation) {
-  constexpr std::size_t most_tables = 8;
+  constexpr std::size_t most_tables = 12;
   constexpr auto between_looks = std::chrono::milliseconds(50);
-  const std::string key = fmt::format("{} {} {} {} {} {}", range.k.from, range.k.to, range.v.from,
-                                      range.v.to, range.change, generation);
+  const std::string key = fmt::format(
+      "{} {} {} {} {} {} {}", range.k.from, range.k.to, range.v.from, range.v.to, range.change,
+      range.kind ? to_string(*range.kind) : std::string_view(), generation);
   {
     std::unique_lock lock(mutex_);
     for (;;) {

@@ -98,7 +98,9 @@ Response heatmap(Explorer& explorer, const Request& request) {
   }
   const HeatMeasure measure =
       heat_measure_from_string(word_of(request, "measure", {"ratio", "status", "gap"})).value();
-  const auto table = explorer.tables.of(table_range_of(request), explorer.generation());
+  cli::TableRange range = table_range_of(request);
+  range.kind = kind;
+  const auto table = explorer.tables.of(range, explorer.generation());
   std::vector<KnownCell> cells;
   for (const KnownCell* const cell : table->cells(*kind)) {
     cells.push_back(*cell);

@@ -37,7 +37,7 @@ export async function follow(request: Request, signal: AbortSignal, best: AbortS
         if (job.state === 'running') {
           news(job);
         } else if (job.answer === undefined) {
-          void ask(); // The stream tells that it has ended, not what came of it.
+          void ask(); // The stream tells that it has ended, not its answer.
         } else {
           resolve(job);
         }

@@ -199,7 +199,7 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
       const named = benches.read();
       return named.length === 0 ? '' : join(count(named.length, 'bench', 'benches'), hours.value.trim() === '' ? '' : `${hours.value.trim()} h a day`);
     },
-    h('p', { class: 'hint' }, 'A bench a row, with what is different there. In the parts list, “how many” says how many there are of a part; a part is on one bench at a time.'),
+    h('p', { class: 'hint' }, 'One bench per row, with what is different there. In the parts list, “how many” says how many there are of a part; a part is on one bench at a time.'),
     h(
       'div',
       { class: 'row' },

@@ -145,7 +145,8 @@ export function about(cost: number): string {
 /** Cells of a table as spreadsheets copy it (tabs) or write it (CSV with commas or semicolons, fields quoted or not). */
 export function cells(text: string): string[][] {
   const lines = text.replace(/\r\n?/g, '\n').replace(/^\ufeff/, '');
-  const bare = lines.replace(/"[^"]*"/g, '').trimStart(); // What is in quotes separates nothing.
+  // What is in quotes or in a comment separates nothing.
+  const bare = lines.replace(/^[ \t]*#.*$/gm, '').replace(/"[^"]*"/g, '').trimStart();
   const separator = /^[^\n]*\t/.test(bare) || !/[,;]/.test(bare) ? '\t' : /^[^\n,]*;/m.test(bare) ? ';' : ',';
   const rows: string[][] = [];
   let row: string[] = [];

@@ -1,4 +1,4 @@
-// The run sheet: what to take out and put in, test by test, what is then mounted, and what came of it.
+// The run sheet: what to take out and put in, test by test, what is then mounted, and its result.
 import { h, scroll, type Child } from '../../lib/dom';
 import { count, number } from '../../lib/words';
 import { exact, moneyOf } from './job';

@@ -136,14 +136,14 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
       ['gap', gap === null ? '–' : number(gap)],
       ['best', job.best === null ? '–' : number(job.best)],
       ['lower bound', job.lower_bound === null ? '–' : number(job.lower_bound)],
-      ['last improvement', last === null ? 'none yet' : job.state === 'running' ? `${seconds(since)} ago` : `after ${seconds(last)}`],
+      ['last improvement', last === null ? (job.state === 'running' ? 'none yet' : 'none') : job.state === 'running' ? `${seconds(since)} ago` : `after ${seconds(last)}`],
     ];
     fill(figures, facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))));
     const running = job.state === 'running';
     fill(
       advice,
       gap === 0
-        ? 'Nothing is left to find: the best has as many blocks as the lower bound.'
+        ? 'Nothing is left to find: the best has as many blocks as the lower bound, so it is a minimum.'
         : running && job.way === 'exact'
           ? 'Each number of blocks below the best is being excluded or found.'
           : running && job.seconds > 20 && since > job.seconds / 2
@@ -160,8 +160,10 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     const running = job.state === 'running';
     const name = nameOf(job);
     title.textContent = `${name[0]!.toUpperCase()}${name.slice(1)}${job.strength > 2 ? `, strength ${job.strength}` : ''}: ${wayWords[job.way]}`;
-    words.textContent = `${running ? 'Running' : job.state === 'done' ? 'Done' : job.state === 'stopped' ? 'Stopped' : 'Failed'} after ${seconds(job.seconds)}${running ? ` of ${seconds(job.limit)}` : ''}: ${found(job)}; ${job.lower_bound === null ? 'no lower bound is known' : `the lower bound is ${number(job.lower_bound)}`}.`;
-    message.textContent = job.message;
+    const known = job.best !== null && job.best === job.lower_bound;
+    words.textContent = `${running ? 'Running' : job.state === 'done' ? 'Done' : job.state === 'stopped' ? 'Stopped' : 'Failed'} after ${seconds(job.seconds)}${running ? ` of ${seconds(job.limit)}` : ''}: ${found(job)}${known ? '' : `; ${job.lower_bound === null ? 'no lower bound is known' : `the lower bound is ${number(job.lower_bound)}`}`}.`;
+    // What the figures say already is not said again.
+    message.textContent = job.message.startsWith('minimum: as many blocks as the lower bound') ? job.message.replace(/^minimum: as many blocks as the lower bound(; )?/, '') : job.message;
     message.classList.toggle('problem', job.state === 'failed');
     progress.hidden = !running;
     progress.value = Math.min(1, job.seconds / job.limit);
