@@ -134,6 +134,34 @@ test('two windows write into one run, which outlives both; a window without the 
   await look(later, 'plan-runs');
 });
 
+test('a run that is planned anew in one window is so in the others; parts that stay keep their places', async () => {
+  const one = await explorer.open('#/plan');
+  await one.getByRole('link', { name: 'a server with slots' }).click();
+  await planned(one);
+  const earlier = await setUps(one);
+  await press(one, 1);
+  await press(one, 2);
+  await one.waitForFunction(() => location.hash.includes('run='));
+  const fragment = new URL(one.url()).hash;
+  const two = await explorer.open(fragment);
+  const looking = await withoutToken(fragment);
+  await one.getByRole('checkbox', { name: 'Part 11 is gone' }).check();
+  await one.getByRole('button', { name: 'Replan the remaining tests' }).click();
+  await one.getByText('2 tests done; for the rest').waitFor();
+  const later = await setUps(one);
+  assert.deepEqual(later.slice(0, 2), earlier.slice(0, 2));
+  assert.ok(later.slice(2).every((set) => !set.includes('P5520')));
+  for (const other of [two, looking]) {
+    await other.getByText('planned anew in another window').waitFor();
+    assert.deepEqual(await setUps(other), later);
+  }
+  await press(one, 3, 'fail');
+  await two.locator('.sheet-progress', { hasText: '3 of 6 tests done, 1 failed' }).waitFor();
+  await press(looking, 4);
+  await looking.getByText('This window may only look').waitFor();
+  await looking.locator('.sheet-progress', { hasText: '3 of 6 tests done, 1 failed' }).waitFor();
+});
+
 test('the failures say which pair is at fault, and which test tells most', async () => {
   const page = await explorer.open('#/plan');
   await planNine(page);

@@ -381,6 +381,10 @@ class PlanPage {
 
   /** A result was written down. */
   private async written(i: number): Promise<void> {
+    if (this.run && !this.writes) {
+      await this.reopen('This window may only look: to write results down, open the address that “changeover serve” printed, or the link that “Copy a link for others” gives.');
+      return;
+    }
     const test = this.state.outcome!.tests[i]!;
     Object.assign(test, { by: ownName(), at: new Date().toISOString() });
     this.refreshSheet();
