@@ -41,7 +41,7 @@ TEST(Dossier, RefusesWhatIsNoDesign) {
           {"$changeover draw 8.5.2.circular --linear", 2, "--linear is for V K"},
           {"$changeover dossier 8 x", 2, "'x' after 8 is not a number K"},
           {"$changeover dossier 4 2", 4, "No circular DCCD(4,2) exists"},
-          {"$changeover dossier 200 3 --change 3 --circular", 4, "No construction serves"},
+          {"$changeover dossier 200 5 --change 5 --circular", 4, "No construction serves"},
           {"$changeover dossier 8 5 -o d.pdf", 2, "d.pdf"},
           {"$changeover dossier 8 5 -o /dev/null/d.tex", 4, "/dev/null/d.tex"}},
          folder);

@@ -181,7 +181,7 @@ const std::vector<Case>& cases() {
       {"$changeover expand missing-pair.txt", 3, "not a valid"},
       {"$checkdesign ragged.txt", 3, "ragged.txt:2"},
       // 4: nothing serves, or something is missing
-      {"$changeover design 200 3 --change 3", 4, "No construction"},
+      {"$changeover design 200 5 --change 5", 4, "No construction"},
       {"$changeover design 4 2", 4, "No circular DCCD(4,2) exists"},
       {"$changeover explain 4 2", 4, "No circular DCCD(4,2) exists"},
       {"$changeover explain 4 2 --json", 4, "\"served\":false"},

@@ -129,7 +129,7 @@ TEST(SearchLimits, ThatThereIsNoDesignIsAnAnswerInEveryForm) {
            {"search 8 5 --blocks 3 --exact --quiet", 20, "\"upper_bound\":null"},
            {"search 60 5 --exact --time 0 --quiet", 30, "\"upper_bound\":null"},
            {"design 4 2", 4, "{\"served\":false,"},
-           {"design 200 3 --change 3", 4, "{\"served\":false,"},
+           {"design 200 5 --change 5", 4, "{\"served\":false,"},
            {"explain 9 4 --construction doubling", 4, "{\"served\":false,"}}) {
     expect({{"$changeover " + command + " -o a.txt; code=$?; [[ -e a.txt ]] && exit 99; exit $code",
              code, " "},
