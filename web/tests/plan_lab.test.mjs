@@ -144,7 +144,7 @@ test('a run that is planned anew in one window is so in the others; parts that s
   await one.waitForFunction(() => location.hash.includes('run='));
   const fragment = new URL(one.url()).hash;
   const two = await explorer.open(fragment);
-  const looking = await withoutToken(fragment);
+  const looking = await withoutToken(explorer, fragment);
   await one.getByRole('checkbox', { name: 'Part 11 is gone' }).check();
   await one.getByRole('button', { name: 'Replan the remaining tests' }).click();
   await one.getByText('2 tests done; for the rest').waitFor();

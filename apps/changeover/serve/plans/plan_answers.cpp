@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
@@ -182,7 +183,8 @@ void write_done(JsonWriter& json, const DoneRecord& record) {
 }  // namespace
 
 OpenedRequest sent_job(const std::string& body) {
-  OpenedRequest opened = from_body([&] { return open_workbook(job_in(body)); });
+  JobRequest sent = job_in(body);  // What is malformed has its place.
+  OpenedRequest opened = from_body([&] { return open_workbook(std::move(sent)); });
   forget_the_machine(opened.request);
   take_usual_costs(opened.request);
   return opened;
@@ -204,7 +206,8 @@ std::string plan_json(const JobRequest& request, const ParsedJob& asked, const P
 }
 
 std::string read_job_json(const std::string& body) {
-  OpenedRequest opened = from_body([&] { return open_workbook(job_in(body)); });
+  JobRequest sent = job_in(body);  // What is malformed has its place.
+  OpenedRequest opened = from_body([&] { return open_workbook(std::move(sent)); });
   JobRequest& request = opened.request;
   forget_the_machine(request);
   const std::string test_cost = request.test_cost;
