@@ -206,6 +206,8 @@ export type LoadRequest = {
     | null;
   /** begin at step N, which loads what is in memory then */
   from_step?: number | null;
+  /** every pair meets in each of N epochs, back and forth: what is in memory at the end of one stays for the next */
+  epochs?: number | null;
   /** begin at once: steps are read while they are written, and the end says whether they are right */
   verify_beside?: boolean | null;
   /** workers step together and never hold one item twice, so that items may change */
@@ -222,6 +224,8 @@ export type LoadRequest = {
   self?: boolean | null;
   /** pairs of a step in random order, by --seed */
   shuffle?: boolean | null;
+  /** each pair at random in one of the steps that hold both items, evenly, by --seed */
+  spread?: boolean | null;
   /** search so long for a better order */
   seconds?: number | null;
   /** threads to use */
@@ -467,6 +471,10 @@ export interface Head {
   format: 'changeover-loads/1';
   items: number;
   room: number;
+  /** All pairs meet in each of them. */
+  epochs?: number;
+  /** The loads of each epoch. */
+  epoch_loads?: number[];
   wanted?: string;
   wanted_pairs?: number;
   fast_room?: number;
@@ -502,6 +510,8 @@ export interface Head {
   order_room?: number;
   pairs?: number;
   overlapped?: number;
+  /** How many pairs the fullest step computes, of one worker, and the mean. */
+  pairs_per_step?: {max: number; mean: number};
   stores?: number;
   store_bound?: number;
   disjoint?: true;
@@ -516,6 +526,8 @@ export interface Head {
 /** Each other line: a step, of one worker if there are several. What is evicted goes before what is loaded comes. */
 export interface Step {
   worker?: number;
+  /** From 1, if there are several. */
+  epoch?: number;
   step: number;
   /** Items: Its number, or its name where pairs are listed by names. */
   load: (number | string)[];

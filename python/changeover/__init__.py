@@ -19,7 +19,8 @@ from .designs import (
     Blocks, Design, Stream, Verdict, constructions, design, explain, loads, read, stream, verify)
 from .errors import BadInput, Error, ImpossibleParameters, InternalError, MissingResource
 from .known import Bound, Bounds, Cell, Table, bounds, table, to_pandas, to_sage
-from .orders import LoadOrder, Report, WorkerLoads, WorkStep, all_pairs, load_order
+from .orders import (
+    LoadOrder, Report, UpdateReport, WorkerLoads, WorkStep, all_pairs, load_order, update_pairs)
 from .pictures import Picture
 from .plans import BenchSheets, RunSheet, plan
 from .searches import Classification, SearchResult, classify, search
@@ -29,8 +30,8 @@ __version__: str = _core.__version__
 __all__ = [
     "BadInput", "BenchSheets", "Blocks", "Bound", "Bounds", "Cell", "Classification", "Design",
     "Entry", "Error", "ImpossibleParameters", "InternalError", "LoadOrder", "MissingResource",
-    "Picture", "Report", "RunSheet", "SearchResult", "Stream", "Table", "Verdict", "WorkStep",
-    "WorkerLoads", "__version__", "all_pairs", "bounds", "catalog", "classify", "constructions",
-    "design", "explain", "load_order", "loads", "plan", "read", "search", "stream", "table", "to_pandas", "to_sage",
-    "verify",
+    "Picture", "Report", "RunSheet", "SearchResult", "Stream", "Table", "UpdateReport", "Verdict",
+    "WorkStep", "WorkerLoads", "__version__", "all_pairs", "bounds", "catalog", "classify",
+    "constructions", "design", "explain", "load_order", "loads", "plan", "read", "search", "stream",
+    "table", "to_pandas", "to_sage", "update_pairs", "verify",
 ]

@@ -41,6 +41,7 @@ class WorkStep(NamedTuple):
     pairs: List[Tuple[int, int]]
     overlap: List[Tuple[int, int]]
     late: int
+    epoch: int
 
 
 class _Recorded:
@@ -49,7 +50,9 @@ class _Recorded:
     def __init__(self, text: str) -> None:
         self._text = text
 
-    def to_json(self) -> str:
+    def in_format(self, format: str) -> str:
+        if format != "jsonl":
+            raise BadInput("an order from a pickle has no buckets for Marius; plan it anew")
         return self._text
 
     def fault(self) -> str:
@@ -81,7 +84,8 @@ class _Recorded:
             pairs = step.get("new_pairs", step.get("before", []))
             yield (step["step"], step.get("worker", 0), first + late, step["load"],
                    step.get("store", []), [tuple(pair) for pair in pairs],
-                   [tuple(pair) for pair in step.get("compute", [])], len(late))
+                   [tuple(pair) for pair in step.get("compute", [])], len(late),
+                   step.get("epoch", 1))
 
 
 def _made_again(kind: Any, state: bytes, checksum: int) -> Any:
@@ -104,7 +108,7 @@ class _Loads(Made):
 
     def to_json(self) -> str:
         """changeover-loads/1: an object for the whole, then one for each step, a line each."""
-        text: str = self._core.to_json()
+        text: str = self._core.in_format("jsonl")
         return text
 
     def verified(self) -> bool:
@@ -135,6 +139,14 @@ class LoadOrder(_Loads):
     reason: str = fact("Of the bound.")
     method: str = fact()
     certificate: str = fact("How it was verified, one line.")
+    epoch_loads: Optional[List[int]] = fact("Of each epoch, if there are several.")
+
+    def for_marius(self) -> List[Dict[str, Any]]:
+        """The order as Marius keeps one, a dict for each epoch: `buffer_states` are the partitions
+        in the buffer, state by state, `edge_buckets_per_buffer` the buckets (i, j) that are trained
+        on in each, both ways and with i = j; with them `epoch`, `num_partitions` and
+        `buffer_capacity`. Raises BadInput for orders with prefetch."""
+        return [json.loads(line) for line in self._core.in_format("marius").splitlines()]
 
     def to_frame(self) -> Any:
         """A pandas.DataFrame with one row for each step. Raises ImportError without pandas."""
@@ -193,6 +205,7 @@ class WorkerLoads(_Loads):
     worker_costs: Optional[List[float]] = fact("What they cost, if pairs have costs.")
     span: Optional[int] = fact(
         "Of workers in lockstep: the most loads of one of them in a step, added up.")
+    epoch_loads: Optional[List[int]] = fact("Of all workers in each epoch, if there are several.")
 
     def steps(self, worker: int) -> Iterator[Step]:
         """The steps of one worker, from 0."""
@@ -212,6 +225,24 @@ class WorkerLoads(_Loads):
 
     def __repr__(self) -> str:
         return f"<WorkerLoads: {len(self)} workers, the busiest has {self.makespan} loads>"
+
+
+class UpdateReport(Made):
+    """What a job did whose items change."""
+
+    finished: bool = fact()
+    steps: int = fact("Of all epochs.")
+    steps_resumed: int = fact("Done by an earlier run, as the journal says.")
+    loads: int = fact()
+    stores: int = fact("Of items that were evicted.")
+    checkpoint_stores: int = fact("Of items that were held at checkpoints.")
+    updates: int = fact("Calls of update().")
+    note: str = fact("About lines of the journal that do not count, or empty.")
+
+    def __repr__(self) -> str:
+        resumed = f", {self.steps_resumed} of them earlier" if self.steps_resumed else ""
+        return (f"<UpdateReport: {self.steps} steps{resumed}, {self.loads} loads, {self.stores} "
+                f"stores and {self.checkpoint_stores} at checkpoints, {self.updates} updates>")
 
 
 class Report(Made):
@@ -275,7 +306,8 @@ def load_order(
     disjoint: bool = False, write_back: bool = False, new_pairs: bool = False,
     prefetch: bool = False, ordered: bool = False, with_self: bool = False, shuffle: bool = False,
     first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
-    time: Optional[float] = None, threads: int = 1, seed: int = 1, progress: Progress = None,
+    epochs: int = 1, spread: bool = False, time: Optional[float] = None, threads: int = 1,
+    seed: int = 1, progress: Progress = None,
 ) -> LoadOrder: ...
 @overload
 def load_order(
@@ -284,7 +316,8 @@ def load_order(
     disjoint: bool = False, write_back: bool = False, new_pairs: bool = False,
     prefetch: bool = False, ordered: bool = False, with_self: bool = False, shuffle: bool = False,
     first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
-    time: Optional[float] = None, threads: int = 1, seed: int = 1, progress: Progress = None,
+    epochs: int = 1, spread: bool = False, time: Optional[float] = None, threads: int = 1,
+    seed: int = 1, progress: Progress = None,
 ) -> WorkerLoads: ...
 
 
@@ -294,7 +327,8 @@ def load_order(
     write_back: bool = False, new_pairs: bool = False, prefetch: bool = False,
     ordered: bool = False, with_self: bool = False, shuffle: bool = False,
     first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
-    time: Optional[float] = None, threads: int = 1, seed: int = 1, progress: Progress = None,
+    epochs: int = 1, spread: bool = False, time: Optional[float] = None, threads: int = 1,
+    seed: int = 1, progress: Progress = None,
 ) -> Union[LoadOrder, WorkerLoads]:
     """An order of loads after which every pair of `items` items was in memory together, with room
     for `room`; `time` seconds of search for a better one. Verified. Iterating gives steps (evict,
@@ -308,9 +342,11 @@ def load_order(
     number, otherwise 1: these are spread instead of numbers. disjoint: workers step together and
     never hold one item twice. new_pairs: work() says which pairs a step computes; ordered: both
     ways; with_self: each item with itself, too; shuffle: in random order. write_back: it says what
-    has changed and is stored. prefetch: it says what is computed while loads run. verify_beside: it
-    returns before the steps are read; verified() waits for that. Raises BadInput,
-    ImpossibleParameters.
+    has changed and is stored. prefetch: it says what is computed while loads run. epochs: every pair
+    meets in each of so many, back and forth, with what is in memory staying from one to the next.
+    spread: with new_pairs or write_back, a pair goes to a random step of those that have it, evened
+    over steps, by seed. verify_beside: it returns before the steps are read; verified() waits for
+    that. Raises BadInput, ImpossibleParameters.
     """
     if sum(each is not None for each in (pairs, against, done_items)) > 1:
         raise BadInput("give one of pairs, against and done_items")
@@ -319,11 +355,13 @@ def load_order(
     if time is not None and not 0 <= time <= 1e9:
         raise ValueError("time is a number of seconds, 0 or more")
     asked: Dict[str, Any] = {"items": items, "room": room, "against": against,
-                             "done_items": done_items, "workers": workers}
+                             "done_items": done_items, "workers": workers,
+                             "epochs": None if epochs == 1 else epochs}
     asked.update({key: True for key, given in (
         ("disjoint", disjoint), ("write_back", write_back), ("new_pairs", new_pairs),
         ("prefetch", prefetch), ("ordered", ordered), ("self", with_self), ("shuffle", shuffle),
-        ("first_holder", first_holder), ("verify_beside", verify_beside)) if given})
+        ("first_holder", first_holder), ("verify_beside", verify_beside),
+        ("spread", spread)) if given})
     if pair_cost is not None:
         asked["pair_cost"] = _cost_rows(pair_cost)
     ends = None if pairs is None else _ends(pairs).tobytes()
@@ -355,6 +393,29 @@ def all_pairs(
     return made(Report, _core.all_pairs(
         path, item_bytes, room, compute, header_bytes, threads, journal, operator.index(index),
         operator.index(of), list(listed("earlier", "paths of journals", earlier)), verify_beside))
+
+
+def update_pairs(
+    path: str, item_bytes: int, room: int,
+    update: Callable[[int, int, memoryview, memoryview], object], *, journal: str,
+    workers: int = 1, epochs: int = 1, ordered: bool = False, with_self: bool = False,
+    shuffle: bool = False, spread: bool = False, seed: int = 1, checkpoint_every: int = 100,
+) -> UpdateReport:
+    """Runs a job whose items change, as in training, over a file of items of item_bytes each, never
+    more than `room` of them in the memory of each worker.
+
+    update(i, j, first, second) is called for each pair i < j in each epoch, with memoryviews that it
+    may write; of workers > 1, which are threads, no two ever have the same item. They end with the
+    call: copy what is to stay. ordered: also (j, i); with_self: also (i, i); shuffle, spread: as
+    load_order(). Items that have changed are stored when they are evicted, and after each
+    checkpoint_every steps all of them; a job that was ended goes on from there, by its journal, as
+    if it had not been. Until it has ended, `path` belongs together with the journal and the file
+    `path`.versions. What update raises ends the job. Raises BadInput, MissingResource.
+    """
+    return made(UpdateReport, _core.update_pairs(
+        path, item_bytes, room, update, journal, operator.index(workers), operator.index(epochs),
+        ordered, with_self, shuffle, spread, operator.index(seed),
+        operator.index(checkpoint_every)))
 
 
 check_calls(globals())

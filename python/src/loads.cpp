@@ -1,4 +1,5 @@
 // Load orders and the executor: the systems door.
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstring>
@@ -12,6 +13,7 @@
 #include "changeover/loadorder/all_pairs.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/load_request.hpp"
+#include "changeover/loadorder/update_pairs.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/control.hpp"
 #include "gil.hpp"
@@ -76,12 +78,12 @@ struct FullSteps {
   bool busy = false;
 };
 
-// (number, worker, evict, load, store, pairs, overlap, late)
+// (number, worker, evict, load, store, pairs, overlap, late, epoch)
 py::tuple next_full(FullSteps& self) {
   const Step step = next_of(self);
   return py::make_tuple(step.number, step.worker, py::cast(step.evict), py::cast(step.load),
                         py::cast(step.store), py::cast(step.compute), py::cast(step.overlap),
-                        step.late);
+                        step.late, step.epoch);
 }
 
 // Reads all steps on a thread of its own; destroying it stops that.
@@ -143,10 +145,10 @@ struct Loads {
   }
   /// Of the order for one worker, or of workers in lockstep, with the room for what is on its way.
   [[nodiscard]] std::uint64_t room() const { return answer->room(); }
-  [[nodiscard]] std::string to_json() const {
+  [[nodiscard]] std::string in_format(const std::string& format) const {
     const GilReleased released;
     StringSink sink;
-    answer->write("jsonl", sink);
+    answer->write(format, sink);
     return sink.text();
   }
 };
@@ -279,6 +281,11 @@ py::bytes shapes_of(const Loads& loads) {
   return {reinterpret_cast<const char*>(shapes.data()), shapes.size() * sizeof(shapes[0])};
 }
 
+std::optional<std::vector<std::uint64_t>> loads_of_epochs(std::uint64_t epochs,
+                                                          std::vector<std::uint64_t> loads) {
+  return epochs > 1 ? std::optional(std::move(loads)) : std::nullopt;
+}
+
 py::dict facts_of(const Loads& loads) {
   if (const LoadOrder* const one = loads.one(); one != nullptr && one->facts().lockstep == 0) {
     const auto& facts = one->facts();
@@ -286,7 +293,8 @@ py::dict facts_of(const Loads& loads) {
                     py::arg("loads") = facts.loads, py::arg("steps") = facts.steps,
                     py::arg("lower_bound") = facts.bound.loads,
                     py::arg("reason") = facts.bound.reason, py::arg("method") = facts.method,
-                    py::arg("certificate") = facts.certificate);
+                    py::arg("certificate") = facts.certificate,
+                    py::arg("epoch_loads") = loads_of_epochs(facts.epochs, facts.epoch_loads));
   }
   std::vector<std::uint64_t> of_workers;
   std::optional<std::vector<std::uint64_t>> pairs;
@@ -304,7 +312,8 @@ py::dict facts_of(const Loads& loads) {
                     py::arg("reason") = facts.makespan_bound.reason,
                     py::arg("method") = facts.method, py::arg("certificate") = facts.certificate,
                     py::arg("worker_pairs") = pairs, py::arg("worker_costs") = costs,
-                    py::arg("span") = std::optional(facts.span));
+                    py::arg("span") = std::optional(facts.span),
+                    py::arg("epoch_loads") = loads_of_epochs(facts.epochs, facts.epoch_loads));
   }
   const auto& facts = loads.split().facts();
   if (facts.pairs_are_known) {
@@ -322,14 +331,15 @@ py::dict facts_of(const Loads& loads) {
       costs->push_back(worker.cost);
     }
   }
-  return py::dict(
-      py::arg("items") = facts.items, py::arg("room") = loads.room(),
-      py::arg("loads") = facts.loads, py::arg("worker_loads") = of_workers,
-      py::arg("makespan") = facts.makespan, py::arg("makespan_bound") = facts.makespan_bound.loads,
-      py::arg("reason") = facts.makespan_bound.reason,
-      py::arg("method") = loads.split().order().facts().method,
-      py::arg("certificate") = facts.certificate, py::arg("worker_pairs") = pairs,
-      py::arg("worker_costs") = costs, py::arg("span") = std::optional<std::uint64_t>());
+  return py::dict(py::arg("items") = facts.items, py::arg("room") = loads.room(),
+                  py::arg("loads") = facts.loads, py::arg("worker_loads") = of_workers,
+                  py::arg("makespan") = facts.makespan,
+                  py::arg("makespan_bound") = facts.makespan_bound.loads,
+                  py::arg("reason") = facts.makespan_bound.reason,
+                  py::arg("method") = loads.split().order().facts().method,
+                  py::arg("certificate") = facts.certificate, py::arg("worker_pairs") = pairs,
+                  py::arg("worker_costs") = costs, py::arg("span") = std::optional<std::uint64_t>(),
+                  py::arg("epoch_loads") = loads_of_epochs(facts.epochs, facts.epoch_loads));
 }
 
 py::tuple order(const std::string& document, const std::optional<py::bytes>& pairs,
@@ -448,6 +458,66 @@ py::dict run(const std::string& path, std::uint64_t item_bytes, std::uint64_t ro
                   py::arg("most_in_memory") = report.most_in_memory);
 }
 
+// Calls update() with both items, which it may write. @throws BadInput if it has kept one
+void call_update(const py::function& update, const PairUpdate& pair) {
+  const GilHeld held;
+  const std::array<const HeldItem*, 2> items{&pair.first, &pair.second};
+  const std::array<long, 2> owners{pair.first.memory->use_count(), pair.second.memory->use_count()};
+  {
+    const py::object first = writable_view_of(pair.first);
+    const py::object second = writable_view_of(pair.second);
+    {
+      const py::tuple arguments = py::make_tuple(pair.first.item, pair.second.item, first, second);
+      made_by_python([&] { return PyObject_CallObject(update.ptr(), arguments.ptr()); });
+    }
+    end_view(first);
+    end_view(second);
+  }
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (items[i]->memory->use_count() > owners[i]) {
+      throw BadInput("update() has kept memory of item " + std::to_string(items[i]->item) +
+                     ", which another item takes later; copy what is to stay");
+    }
+  }
+}
+
+py::dict run_updates(const std::string& path, std::uint64_t item_bytes, std::uint64_t room,
+                     const py::function& update, const std::string& journal, std::uint64_t workers,
+                     std::uint64_t epochs, bool ordered, bool with_self, bool shuffle, bool spread,
+                     std::uint64_t seed, std::uint64_t checkpoint_every) {
+  UpdateReport report;
+  LongWork work({.threads = 1});
+  work.run([&](RunControl& control) {
+    const FileItems file(path, item_bytes);
+    const std::uint64_t items = file.item_count();
+    const LoadOrder order = repeat_order(
+        workers == 1 ? plan_load_order(items, room) : plan_disjoint_order(items, room, workers),
+        epochs);
+    std::atomic<bool> cancelled = false;
+    UpdateOptions options{.data = path, .item_bytes = item_bytes, .journal = journal};
+    options.checkpoint_every = checkpoint_every;
+    options.work = {.ordered = ordered, .self = with_self};
+    if (shuffle) {
+      options.work.shuffle = seed;
+    }
+    if (spread) {
+      options.work.spread = seed;
+    }
+    options.cancelled = &cancelled;
+    options.on_step = [&](std::uint64_t) { cancelled = control.stop_wanted(); };
+    report = update_pairs(
+        order, [&](const PairUpdate& pair) { call_update(update, pair); }, options);
+    if (!report.finished) {
+      throw Stopped(control.why_stopped());
+    }
+  });
+  return py::dict(py::arg("finished") = report.finished, py::arg("steps") = report.steps,
+                  py::arg("steps_resumed") = report.steps_resumed, py::arg("loads") = report.loads,
+                  py::arg("stores") = report.stores,
+                  py::arg("checkpoint_stores") = report.checkpoint_stores,
+                  py::arg("updates") = report.updates, py::arg("note") = report.note);
+}
+
 }  // namespace
 
 void bind_loads(py::module_& module) {
@@ -463,7 +533,7 @@ void bind_loads(py::module_& module) {
   py::class_<Loads>(module, "Loads")
       .def("work", &work_of)
       .def("shapes", &shapes_of)
-      .def("to_json", &Loads::to_json)
+      .def("in_format", &Loads::in_format)
       .def("fault",
            [](const Loads& self) {
              const GilReleased released;
@@ -483,6 +553,7 @@ void bind_loads(py::module_& module) {
   module.attr("most_items") = most_items;
   module.def("load_order", &order);
   module.def("all_pairs", &run);
+  module.def("update_pairs", &run_updates);
 }
 
 }  // namespace changeover::python

@@ -17,6 +17,7 @@ struct Exporter {
   const void* bytes;
   Py_ssize_t shape[2];    // rows and numbers in a row; of an item its bytes
   Py_ssize_t strides[2];  // of rows of numbers
+  bool writable;
 };
 
 Exporter& exporter_of(const py::handle& object) {
@@ -27,8 +28,8 @@ int get_buffer(PyObject* self, Py_buffer* view, int flags) {
   Exporter& exporter = *reinterpret_cast<Exporter*>(self);
   const bool rows = exporter.strides[0] != 0;
   const Py_ssize_t size = rows ? exporter.shape[0] * exporter.strides[0] : exporter.shape[0];
-  constexpr int readonly = 1;
-  void* const bytes = const_cast<void*>(exporter.bytes);  // NOLINT: read-only
+  const int readonly = exporter.writable ? 0 : 1;
+  void* const bytes = const_cast<void*>(exporter.bytes);  // NOLINT: read-only, or writable
   const int failed = PyBuffer_FillInfo(view, self, bytes, size, readonly, flags);
   if (failed == 0 && rows && (flags & PyBUF_ND) != 0) {
     static char numbers[] = "I";
@@ -78,6 +79,7 @@ py::object exporter_of(PyObject* type, std::shared_ptr<const void> owner, const 
   new (&exporter.owner) std::shared_ptr<const void>(std::move(owner));
   constexpr auto size = static_cast<Py_ssize_t>(sizeof(Element));
   exporter.bytes = bytes;
+  exporter.writable = false;
   exporter.shape[0] = count;
   exporter.shape[1] = k;
   exporter.strides[0] = k * size;
@@ -129,6 +131,13 @@ py::object blocks_of(const py::object& type, std::shared_ptr<const void> owner,
 py::object view_of(const ItemView& item) {
   const py::object made = exporter_of(type_of_exporters(), item.keep(), item.bytes.data(),
                                       static_cast<Py_ssize_t>(item.bytes.size()), 0);
+  return made_by_python([&] { return PyMemoryView_FromObject(made.ptr()); });
+}
+
+py::object writable_view_of(const HeldItem& item) {
+  const py::object made = exporter_of(type_of_exporters(), *item.memory, item.bytes.data(),
+                                      static_cast<Py_ssize_t>(item.bytes.size()), 0);
+  exporter_of(made).writable = true;
   return made_by_python([&] { return PyMemoryView_FromObject(made.ptr()); });
 }
 

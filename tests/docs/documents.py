@@ -246,17 +246,22 @@ def check_loads(server, count):
     line = schema("changeover-loads-1")
     answered = 0
     keys = set()
-    for _ in range(count):
+    # What chance may pass over.
+    together = [{"fast_room": 2, "item_bytes": 8}, {"workers": 3, "disjoint": True}, {"workers": 3, "worker": 2},
+                {"workers": 3, "pair_cost": [[0, 1, 2.5]]}, {"workers": 2, "first_holder": True},
+                {"epochs": 2, "new_pairs": True, "spread": True}]
+    for number in range(count):
         ask = {"items": rng.choice([1, 9, 20, 64]), "room": rng.choice([2, 3, 8, 70])}
         pairs = [[[0, 1], [1, 2], [0, 8]], [["a", "b"], ["b", "a thing"]], {"text": "a,b\nb,\"c d\"\n"}]
         may_be = {"pairs": rng.choice(pairs), "against": 5, "done_items": 4, "fast_room": 2, "item_bytes": 8, "workers": 3, "disjoint": True,
                   "write_back": True, "prefetch": True, "new_pairs": True, "ordered": True, "self": True, "shuffle": True, "seed": 4,
-                  "worker": 1, "from_step": 1, "balance": True, "first_holder": True, "pair_cost": [[0, 1, 2.5]], "verify_beside": True}
+                  "worker": 1, "from_step": 1, "epochs": 3, "spread": True, "balance": True, "first_holder": True, "pair_cost": [[0, 1, 2.5]], "verify_beside": True}
         for key in rng.sample(list(may_be), rng.choice([0, 1, 1, 2, 3])):
             ask[key] = may_be[key]
-        if rng.random() < 0.2:
-            ask |= rng.choice([{"fast_room": 2, "item_bytes": 8}, {"workers": 3, "disjoint": True}, {"workers": 3, "worker": 2},
-                               {"workers": 3, "pair_cost": [[0, 1, 2.5]]}, {"workers": 2, "first_holder": True}])
+        if number < len(together):
+            ask = {"items": 20, "room": 8, **together[number]}
+        elif rng.random() < 0.2:
+            ask |= rng.choice(together)
         body = json.dumps(ask)
         problem = fits("changeover-load-request-1", ask)
         by_line = run("loadorder", "--request", "-", "--format", "jsonl", stdin=body)
@@ -266,10 +271,10 @@ def check_loads(server, count):
         if by_line.returncode == 0 and json.loads(shown.stdout) != {"format": "changeover-load-request/1", **ask} and not {"pairs", "pair_cost"} & set(ask):
             fault(f"--show-request says something else: {body} {shown.stdout}")
         by_server = server.post("api/loadorder", body)
-        for_all = not set(ask) - {"items", "room", "pairs", "against", "done_items", "workers", "balance", "first_holder"}
+        for_all = not set(ask) - {"items", "room", "pairs", "against", "done_items", "workers", "balance", "first_holder", "epochs"}
         if for_all and (by_line.returncode == 0) != ("error" not in by_server):
             fault(f"the server and the command line disagree: {body} {by_line.stderr} {by_server.get('error')}")
-        if set(ask) - {"items", "room", "pairs", "against", "done_items", "workers", "prefetch", "balance", "first_holder"} and "error" not in by_server:
+        if set(ask) - {"items", "room", "pairs", "against", "done_items", "workers", "prefetch", "balance", "first_holder", "epochs"} and "error" not in by_server:
             fault(f"the server answers what it does not know: {body}")
         for said in map(json.loads, by_line.stdout.splitlines() if by_line.returncode == 0 else []):
             keys |= said.keys()

@@ -88,6 +88,12 @@ TEST_F(LoadOrderExamples, LoadOrder) {
   EXPECT_THAT(output.take(), HasSubstr(std::to_string(order.facts().steps) + ": 1\n"));
 }
 
+TEST_F(LoadOrderExamples, Epochs) {
+  LoadOrder order = repeat_order(plan_load_order(64, 16), 10);
+  order.facts().epoch_loads;  // 149, and then 133 in each epoch
+  EXPECT_EQ(order.facts().epoch_loads.at(9), 133U);
+}
+
 TEST_F(LoadOrderExamples, Improve) {
   RunControl control({.time = std::chrono::seconds(1)});
   LoadOrderOptions options;

@@ -37,26 +37,27 @@ struct Ending {
 };
 
 const std::vector<Ending>& known_endings() {
-  static const std::vector<Ending> all{{".txt", {"summary", "text", "table"}},
-                                       {".json", {"json"}, {"json", "jsonl", "catalog"}},
-                                       {".jsonl", {"jsonl", "catalog"}},
-                                       {".ndjson", {"jsonl", "catalog"}},
-                                       {".csv", {"csv"}},
-                                       {".md", {"markdown"}},
-                                       {".markdown", {"markdown"}},
-                                       {".html", {"html"}},
-                                       {".htm", {"html"}},
-                                       {".xlsx", {"xlsx"}},
-                                       {".svg", {"svg"}},
-                                       {".tex", {"latex", "tikz"}},
-                                       {".tikz", {"tikz"}},
-                                       {".pdf", {"pdf"}},
-                                       {".png", {"png"}},
-                                       {".g", {"gap"}},
-                                       {".gap", {"gap"}},
-                                       {".sage", {"sage"}},
-                                       {".xml", {"designtheory"}},
-                                       {".bib", {"bibtex"}}};
+  static const std::vector<Ending> all{
+      {".txt", {"summary", "text", "table"}},
+      {".json", {"json"}, {"json", "jsonl", "catalog", "marius"}},
+      {".jsonl", {"jsonl", "catalog"}, {"jsonl", "catalog", "marius"}},
+      {".ndjson", {"jsonl", "catalog"}, {"jsonl", "catalog", "marius"}},
+      {".csv", {"csv"}},
+      {".md", {"markdown"}},
+      {".markdown", {"markdown"}},
+      {".html", {"html"}},
+      {".htm", {"html"}},
+      {".xlsx", {"xlsx"}},
+      {".svg", {"svg"}},
+      {".tex", {"latex", "tikz"}},
+      {".tikz", {"tikz"}},
+      {".pdf", {"pdf"}},
+      {".png", {"png"}},
+      {".g", {"gap"}},
+      {".gap", {"gap"}},
+      {".sage", {"sage"}},
+      {".xml", {"designtheory"}},
+      {".bib", {"bibtex"}}};
   return all;
 }
 

@@ -37,8 +37,17 @@ void require_memory_for_a_step(const CheckedLoads& asked, bool ordered) {
 
 Answer run(const LoadOrderRequest& typed) {
   RunRequest run = typed.run;
-  const LoadRequest request =
+  LoadRequest request =
       whole_request(typed.load, run, load_table(), typed.file, typed.output, load_request);
+  if (typed.output.format() == "marius") {
+    if (request.workers || request.fast_room || request.prefetch || request.write_back ||
+        request.from_step || request.verify_beside) {
+      throw UsageError{
+          "--format marius is for one buffer: without --workers, --fast-room, --prefetch, "
+          "--write-back, --from-step and --verify-beside"};
+    }
+    request.new_pairs = request.ordered = request.self = true;
+  }
   check_options(request, Door::command_line);
   OutputRequest output = typed.output;
   output.precious = false;  // Without a search the same command makes it again.
@@ -84,22 +93,25 @@ void add_loadorder(Program& program) {
   add_request_options(verb, request.load, load_table());
   request.file.add_to(verb, load_table().format);
   request.run.add_to(verb, "0s", request.output);
-  request.output.add_to(verb, {"text", "jsonl", "csv"});
+  request.output.add_to(verb, {"text", "jsonl", "csv", "marius"});
   verb.require([&request = request] {
     if (!request.run.memory.empty() && request.run.time.empty() && request.file.path.empty()) {
       throw UsageError{"--memory SIZE is for --time; give both"};
     }
   });
-  verb.examples({"changeover loadorder --items 64 --room 16",
-                 "changeover loadorder --items 20 --room 5 --time 20s      search for fewer loads",
-                 "changeover loadorder --items 1000 --room 100 --json -o order.jsonl",
-                 "changeover loadorder --items 1000 --room 100 --workers 8",
-                 "changeover loadorder --items 64 --room 8 --workers 2 --disjoint   for training",
-                 "changeover loadorder --items 200 --room 40 --fast-room 8      two levels",
-                 "changeover loadorder --items 64 --room 16 --prefetch",
-                 "changeover loadorder --pairs edges.txt --room 10       only some pairs",
-                 "changeover loadorder --items 12 --against 20 --room 4  two sets",
-                 "changeover loadorder --items 1024 --done-items 1000 --room 64"});
+  verb.examples(
+      {"changeover loadorder --items 64 --room 16",
+       "changeover loadorder --items 20 --room 5 --time 20s      search for fewer loads",
+       "changeover loadorder --items 1000 --room 100 --json -o order.jsonl",
+       "changeover loadorder --items 1000 --room 100 --workers 8",
+       "changeover loadorder --items 64 --room 8 --workers 2 --disjoint   for training",
+       "changeover loadorder --items 64 --room 16 --epochs 10 --write-back    for training",
+       "changeover loadorder --items 64 --room 16 --epochs 10 --spread --format marius",
+       "changeover loadorder --items 200 --room 40 --fast-room 8      two levels",
+       "changeover loadorder --items 64 --room 16 --prefetch",
+       "changeover loadorder --pairs edges.txt --room 10       only some pairs",
+       "changeover loadorder --items 12 --against 20 --room 4  two sets",
+       "changeover loadorder --items 1024 --done-items 1000 --room 64"});
 }
 
 }  // namespace changeover::cli

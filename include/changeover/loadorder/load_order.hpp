@@ -77,6 +77,7 @@ struct LoadOrderFacts : ScheduleFacts {
   std::optional<std::uint64_t> fast_room = {};  ///< of an accelerator (loadorder/load_order.hpp)
   LoadBound transfer_bound = {};                ///< no order transfers less to it
   std::uint64_t group_items = 0;                ///< of its groups; 0 if items are not grouped
+  std::uint64_t epochs = 1;                     ///< in each of which all pairs meet
 
   /// loads / bound − 1.
   [[nodiscard]] double gap() const;
@@ -127,7 +128,8 @@ class LoadOrder {
             .fast_room = facts_.fast_room,
             .lockstep = facts_.lockstep,
             .wanted = facts_.wanted,
-            .compute = compute};
+            .compute = compute,
+            .epochs = facts_.epochs};
   }
 
   /// The next step; false at the end. O(1) amortised a load for streamed orders, O(C) otherwise.
@@ -175,6 +177,35 @@ class LoadOrder {
 
 /// The loads that no order for these pairs can go below. @throws as above
 [[nodiscard]] LoadBound load_lower_bound(const WantedPairs& wanted, std::uint64_t room);
+
+// Epochs: training goes over all pairs again and again.
+//
+//     LoadOrder order = repeat_order(plan_load_order(64, 16), 10);
+//     order.facts().epoch_loads;               // 149, and then 133 in each epoch
+//
+// *How.* Epochs go forward and backward in turn. In a step that is undone the same items are held,
+// so all pairs meet backward, too; and an epoch begins with a memory full of what it needs first. It
+// loads what the epoch before evicted: C items fewer, if memory is full at the end.
+//
+// *The bound.* What W memories hold when an epoch begins and what is loaded in it make an order of
+// one epoch, so an epoch has at least load_lower_bound() − W·C loads; and of all pairs at most
+// W·C(C,2) are there, a load bringing C − 1 at most. The first epoch has load_lower_bound().
+
+/// No order has more epochs.
+inline constexpr std::uint64_t most_epochs = 100'000;
+
+/// The order of one epoch again and again, of workers in lockstep and of two levels, too; read once
+/// more unless that would take longer than a minute. Each reader keeps what moves in an epoch in
+/// memory, 4 bytes a load and an eviction. @throws BadInput unless 1 ≤ epochs ≤ most_epochs and the
+/// order has one epoch; ImpossibleParameters, also from readers, above 4·10⁸ loads and evictions;
+/// InternalError if it does not keep its promise
+[[nodiscard]] LoadOrder repeat_order(LoadOrder order, std::uint64_t epochs);
+
+/// The loads that no order of so many epochs, of `pairs` pairs, can go below, given the bound for
+/// one of them.
+[[nodiscard]] LoadBound epochs_lower_bound(const LoadBound& once, std::uint64_t pairs,
+                                           std::uint64_t room, std::uint64_t workers,
+                                           std::uint64_t epochs);
 
 /// A linear design as an order; steps load what a block introduces. @throws BadInput if it is
 /// circular (set its kind to linear first) or has no block.
@@ -241,7 +272,8 @@ improve_by_search(RunControl& control);
 //     }
 //
 // *Pairs.* A pair belongs to the first step after whose loads a worker has both items in memory,
-// and an item with itself to the step that first loads it. For more than 65,535 items whose pairs
+// and an item with itself to the step that first loads it; or, if they are spread, to a random step
+// in which a worker has it, evened over steps. Of several epochs that is so in each. For more than 65,535 items whose pairs
 // are not listed, pairs are not kept in mind: then every loaded item is computed against all in
 // memory, and a pair may come again. Steps of two levels say themselves which pairs meet on the
 // accelerator for the first time.
@@ -273,8 +305,7 @@ class StepWork final : public StepSource {
   bool next(Step& step) override;
 
  private:
-  class State;
-  std::unique_ptr<State> state_;
+  std::unique_ptr<StepSource> steps_;
 };
 
 /// Stores that no order of these loads can go below, given the bound on loads; `alone` says that

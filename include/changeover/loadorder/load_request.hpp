@@ -37,6 +37,7 @@ struct LoadRequest {
   bool balance = false;
   bool first_holder = false;
   RequestList pair_cost = {};
+  std::optional<std::uint64_t> epochs = {};
   bool verify_beside = false;
   bool disjoint = false;
   bool write_back = false;
@@ -45,6 +46,7 @@ struct LoadRequest {
   bool ordered = false;
   bool self = false;
   bool shuffle = false;
+  bool spread = false;
   std::optional<double> seconds = {};
   std::optional<std::uint64_t> threads = {};
   std::optional<std::uint64_t> seed = {};

@@ -20,7 +20,8 @@
 // levels: the same of the accelerator, and what is there stays in memory. Of workers in lockstep:
 // nothing is held twice. What is computed is wanted, and both its items are there. What is stored
 // was changed, and no change is lost. *At the end:* every wanted pair was together in a memory,
-// of two levels on the accelerator, or was computed exactly once.
+// of two levels on the accelerator, or was computed exactly once. Of several *epochs*: each worker's
+// steps go through them in turn, memory stays as it is between them, and all of this is so in each.
 //
 // *Memory.* Pairs cost C(P,2) bits, up to P = 65,535 (268 MB), listed ones two bits each. Above
 // that, or if asked to, only *watched* items are followed: for each of them, chosen by a seed,
@@ -58,6 +59,7 @@ struct Step {
   std::vector<Element> fast_evict = {};  ///< leave the accelerator
   std::vector<Element> fast_load = {};   ///< come from memory to the accelerator
   std::uint64_t worker = 0;              ///< from 0
+  std::uint64_t epoch = 1;               ///< of its worker, from 1
 
   bool operator==(const Step&) const = default;
 };
@@ -93,6 +95,9 @@ struct ComputeRules {
   bool ordered = false;  ///< (i,j) and (j,i), as for the edges from partition i to partition j
   bool self = false;     ///< (i,i), too
   std::optional<std::uint64_t> shuffle = {};  ///< a seed: the pairs of a step in random order
+  /// A seed: each pair goes to a random step of those that have it, evened over steps; otherwise to
+  /// the first of them.
+  std::optional<std::uint64_t> spread = {};
 };
 
 /// Which schedule is meant: makers and the check take the same rules.
@@ -103,8 +108,10 @@ struct ScheduleRules {
   std::uint64_t lockstep = 0;  ///< workers that step together; 0: one, or one after another
   WantedPairs wanted = {};
   std::optional<ComputeRules> compute = {};  ///< each pair once; otherwise every pair meets
-  bool overlap = false;  ///< loads run while pairs of the step before are computed
-  bool store = false;    ///< what is computed changes its items
+  bool overlap = false;      ///< loads run while pairs of the step before are computed
+  bool store = false;        ///< what is computed changes its items
+  std::uint64_t epochs = 1;  ///< in each of which every pair meets, or is computed
+  bool shares = false;       ///< of several epochs: whether workers come one after another
 };
 
 /// Counts of a schedule.
@@ -117,6 +124,8 @@ struct ScheduleFacts {
   std::uint64_t overlapped = 0;  ///< of these, while loads run
   std::uint64_t span = 0;        ///< in lockstep: the most loads of one worker in a step, added up
   std::uint64_t most_in_memory = 0;
+  std::uint64_t most_in_a_step = 0;        ///< computed, of one worker
+  std::vector<std::uint64_t> epoch_loads;  ///< of all workers
   std::vector<std::uint64_t> worker_loads;
   /// Computed, items alone included. Of workers one after another whose pairs only have to meet:
   /// that met first at each, if it was asked for.

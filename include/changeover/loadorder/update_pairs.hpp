@@ -42,8 +42,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "changeover/loadorder/workers.hpp"
 
@@ -53,6 +55,8 @@ namespace changeover {
 struct HeldItem {
   Element item = 0;
   std::span<std::byte> bytes;
+  /// Owns the bytes, which another item takes when this one goes.
+  const std::shared_ptr<std::vector<std::byte>>* memory = nullptr;
 };
 
 /// What `update` is given: first = second for an item alone.

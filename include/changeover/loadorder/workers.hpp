@@ -109,6 +109,9 @@ struct SplitFacts {
   double most_cost = 0;    ///< of one worker
   double all_costs = 0;    ///< no split has less than a W-th of it at some worker
   std::vector<WorkerFacts> workers;
+  std::uint64_t epochs =
+      1;  ///< in each of which all pairs meet; loads and pairs are of all of them
+  std::vector<std::uint64_t> epoch_loads;  ///< of all workers; empty of one epoch
 };
 
 class OrderRelay;
@@ -186,6 +189,13 @@ class WorkerSplit {
 [[nodiscard]] WorkerSplit split_two_levels(std::uint64_t items, std::uint64_t room,
                                            std::uint64_t fast_room, std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
+
+/// Shares of one epoch again and again, each worker going through its own back and forth
+/// (loadorder/load_order.hpp), with what it holds staying from one epoch to the next, and with the
+/// same pairs in each. Verified, as far as the pairs of all epochs can be followed at once. Of more
+/// than 5,000 items, unless their pairs are listed, it is not said who computes what: owners() is
+/// null. @throws as repeat_order()
+[[nodiscard]] WorkerSplit repeat_shares(WorkerSplit split, std::uint64_t epochs);
 
 /// The same for some pairs, whose items are not grouped. Two sets may be cut instead: then each
 /// worker has a part of one with a part of the other.

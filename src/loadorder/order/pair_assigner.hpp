@@ -4,7 +4,8 @@
 // come one after another, or step together. If workers have owners of pairs, it is the first step
 // of its owner. Within a step pairs are listed by the arrival of the later item, and those with
 // an item that goes next come before the others of the last arrival. What goes next goes first only
-// as far as the next loads need its place.
+// as far as the next loads need its place. In each epoch pairs are new, those of what is there when
+// it begins first of all.
 #pragma once
 
 #include <algorithm>
@@ -22,6 +23,8 @@ namespace changeover {
 
 struct AssignedStep {
   Step step;
+  std::vector<Element> stayed;         ///< at the beginning of an epoch: computed alone now
+  std::size_t stayed_end = 0;          ///< so many pairs, the first ones, are of what stayed
   std::vector<Element> evicted_first;  ///< by the next step, before its loads start
   std::vector<Element> evicted_late;   ///< by the next step, when this one is over
   std::vector<bool>
@@ -48,9 +51,7 @@ class PairAssigner {
         memories_(std::max<std::size_t>(1, lockstep)),
         there_(static_cast<std::size_t>(items), false),
         loaded_(static_cast<std::size_t>(items), false) {
-    if (items <= max_elements_in_memory || wanted.graph() != nullptr) {
-      done_.emplace(wanted, items);
-    }
+    begin_epoch(1);
   }
 
   /// The steps to come; memory is empty, what was computed stays computed.
@@ -77,7 +78,11 @@ class PairAssigner {
       take_rule();
     }
     evict(out.step, memories_[0]);
-    const std::size_t last_arrival = arrive(out, memories_[0]);
+    const bool begins = out.step.epoch != epoch_;
+    if (begins) {
+      begin_epoch(out.step.epoch);
+    }
+    const std::size_t last_arrival = arrive(out, memories_[0], begins);
     choose_first(out);
     for (const Element x : out.evicted_first) {
       there_[x] = false;  // for a moment: marks what goes
@@ -100,8 +105,12 @@ class PairAssigner {
       }
       evict(out[w].step, memories_[w]);
     }
+    const bool begins = out.front().step.epoch != epoch_;
+    if (begins) {
+      begin_epoch(out.front().step.epoch);
+    }
     for (std::size_t w = 0; w < out.size(); ++w) {
-      arrive(out[w], memories_[w]);
+      arrive(out[w], memories_[w], begins);
     }
     return true;
   }
@@ -115,6 +124,15 @@ class PairAssigner {
   [[nodiscard]] const std::vector<Element>& memory() const { return memories_[0]; }
 
  private:
+  // What was computed before is to be computed again.
+  void begin_epoch(std::uint64_t epoch) {
+    epoch_ = epoch;
+    loaded_.assign(loaded_.size(), false);
+    if (loaded_.size() <= max_elements_in_memory || wanted_.graph() != nullptr) {
+      done_.emplace(wanted_, loaded_.size());
+    }
+  }
+
   void forget() {
     std::fill(there_.begin(), there_.end(), false);
     memories_.assign(memories_.size(), {});
@@ -144,34 +162,52 @@ class PairAssigner {
     std::erase_if(memory, [&](Element x) { return !there_[x]; });
   }
 
-  // Where the pairs of the last one begin.
-  std::size_t arrive(AssignedStep& out, std::vector<Element>& memory) {
+  // Where the pairs of the last one begin. When an epoch begins, what is there comes, too.
+  std::size_t arrive(AssignedStep& out, std::vector<Element>& memory, bool begins) {
     out.pairs.clear();
     out.arrival_end.clear();
     out.is_new.clear();
+    out.stayed.clear();
+    if (begins) {
+      for (const Element x : memory) {
+        there_[x] = false;
+      }
+      for (const Element x : std::exchange(memory, {})) {
+        if (come(out, x, memory)) {
+          out.stayed.push_back(x);
+        }
+      }
+    }
+    out.stayed_end = out.pairs.size();
     std::size_t last_arrival = 0;
     for (const Element x : out.step.*come_) {
       last_arrival = out.pairs.size();
-      const auto add = [&](Element y) { out.pairs.emplace_back(std::min(x, y), std::max(x, y)); };
-      const std::uint64_t number = out.step.number;
-      if (done_) {
-        done_->insert_all(
-            x, memory, [&](Element y) { return there_[y]; },
-            [&](Element y) { return is_due(number, x, y); }, add);
-      } else {
-        for (const Element y : memory) {
-          if (wanted_.contains(x, y) && is_due(number, x, y)) {
-            add(y);
-          }
-        }
-      }
-      memory.push_back(x);
-      there_[x] = true;
-      out.is_new.push_back(!loaded_[x] && is_due(number, x, x));
-      loaded_[x] = loaded_[x] || out.is_new.back();
+      out.is_new.push_back(come(out, x, memory));
       out.arrival_end.push_back(out.pairs.size());
     }
     return last_arrival;
+  }
+
+  // Whether it is computed alone now.
+  bool come(AssignedStep& out, Element x, std::vector<Element>& memory) {
+    const auto add = [&](Element y) { out.pairs.emplace_back(std::min(x, y), std::max(x, y)); };
+    const std::uint64_t number = out.step.number;
+    if (done_) {
+      done_->insert_all(
+          x, memory, [&](Element y) { return there_[y]; },
+          [&](Element y) { return is_due(number, x, y); }, add);
+    } else {
+      for (const Element y : memory) {
+        if (wanted_.contains(x, y) && is_due(number, x, y)) {
+          add(y);
+        }
+      }
+    }
+    memory.push_back(x);
+    there_[x] = true;
+    const bool is_new = !loaded_[x] && is_due(number, x, x);
+    loaded_[x] = loaded_[x] || is_new;
+    return is_new;
   }
 
   // Of what goes next, what came in this step goes last: all its pairs are still to be computed.
@@ -206,6 +242,7 @@ class PairAssigner {
   std::vector<Element> nothing_;
   bool has_ahead_ = false;
   std::uint64_t worker_ = 0;
+  std::uint64_t epoch_ = 1;
   std::vector<std::vector<Element>> memories_;  // by worker, in lockstep
   std::vector<bool> there_;
   std::vector<bool> loaded_;

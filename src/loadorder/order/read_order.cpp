@@ -12,17 +12,17 @@
 namespace changeover {
 
 ScheduleVerdict read_order(const LoadOrder::Maker& maker, ScheduleRules rules,
-                           const std::string& what) {
+                           const std::string& what, bool compute) {
   constexpr std::uint64_t most_pairs = 30'000'000;
   std::unique_ptr<StepSource> steps = maker();
-  if (binomial(rules.items, 2) <= most_pairs) {
+  if (compute && checked_multiply(binomial(rules.items, 2), rules.epochs) <= most_pairs) {
     rules.compute = ComputeRules{};
     steps = std::make_unique<StepWork>(std::move(steps), rules);
   }
   ScheduleVerdict verdict = check_schedule(*steps, rules);
   if (!verdict.valid()) {
-    throw InternalError(fmt::format("the order of {} is wrong: {} {} pairs missing", what,
-                                    verdict.fault, verdict.missing));
+    throw InternalError(fmt::format("the order of {} is wrong: {}{} {} pairs missing", what,
+                                    verdict.fault, verdict.example, verdict.missing));
   }
   return verdict;
 }

@@ -12,9 +12,10 @@ inline constexpr std::uint64_t most_loads_read = 200'000'000;
 
 /// Where all pairs meet; of few items also what StepWork says is computed there, each pair once,
 /// which costs more than all else. Orders that are read anew with their pairs when these are shown
-/// need no more. @throws InternalError if the steps are wrong; `what` says whose.
+/// need no more, and neither do those that ask not to `compute`. @throws InternalError if the steps
+/// are wrong; `what` says whose.
 [[nodiscard]] ScheduleVerdict read_order(const LoadOrder::Maker& maker, ScheduleRules rules,
-                                         const std::string& what);
+                                         const std::string& what, bool compute = true);
 
 /// What such a verdict says of the pairs: "6 pairs computed on the accelerator, each once".
 [[nodiscard]] std::string pairs_read(const ScheduleVerdict& verdict, std::uint64_t items,

@@ -14,6 +14,7 @@ namespace changeover {
 namespace {
 
 constexpr std::uint64_t most_followed = 65'536;  // workers
+constexpr std::uint64_t most_epochs_followed = 1'000'000;
 constexpr std::uint64_t absent = ~std::uint64_t{0};
 
 /// Items that are somewhere: in memory, or on the accelerator.
@@ -61,6 +62,12 @@ struct Computed {
   std::vector<bool> loaded;
 };
 
+/// Pairs of an epoch.
+struct Epoch {
+  std::optional<MetPairs> met;
+  std::optional<Computed> computed;
+};
+
 /// Items that change: how often, and how much of that is where.
 struct Changes {
   explicit Changes(std::size_t items)
@@ -77,12 +84,17 @@ class ScheduleCheck::State {
  public:
   State(const ScheduleRules& rules, const CheckOptions& options)
       : rules_(rules),
+        options_(options),
         by_worker_(options.by_worker && rules.lockstep == 0),
         workers_(static_cast<std::size_t>(std::max<std::uint64_t>(1, rules.lockstep))) {
     if (rules.items == 0 || rules.room == 0 || rules.fast_room == std::uint64_t{0}) {
       throw BadInput(fmt::format(
           "a load order of {} items with room for {}{}: give at least 1 of each", rules.items,
           rules.room, rules.fast_room ? " and for 0 on the accelerator" : ""));
+    }
+    if (rules.epochs == 0 || rules.epochs > most_epochs_followed) {
+      throw BadInput(fmt::format("{} epochs of a load order: give 1 to {}", rules.epochs,
+                                 most_epochs_followed));
     }
     if (!rules.wanted.are_all() && rules.wanted.items() != rules.items) {
       throw BadInput(
@@ -97,12 +109,9 @@ class ScheduleCheck::State {
     if (rules.fast_room) {
       fast_.place.assign(items, 0);
     }
-    if (rules.compute) {
-      computed_.emplace(rules, options.all_pairs);
-      verdict_.watched_items = computed_->upward ? rules.items : 0;
-    } else {
-      met_.emplace(rules, options);
-    }
+    epochs_.resize(static_cast<std::size_t>(rules.epochs));
+    open(1);
+    verdict_.watched_items = computed() != nullptr && computed()->upward ? rules.items : 0;
     if (rules.store) {
       changes_.emplace(items);
     }
@@ -116,6 +125,9 @@ class ScheduleCheck::State {
       if (step.worker != worker_) {
         if (step.worker >= most_followed) {
           return fail(step, fmt::format("is not of one of {} workers", most_followed));
+        }
+        if (rules_.epochs > 1 && !rules_.shares) {
+          return fail(step, fmt::format("is not of worker {}, whose epochs these are", worker_));
         }
         begin(step.worker);
       }
@@ -140,20 +152,85 @@ class ScheduleCheck::State {
     end();
     count_met();
     ScheduleVerdict verdict = verdict_;
-    if (met_) {
-      met_->report(verdict);
-      return verdict;
-    }
-    for (const std::optional<SeenPairs>* const pairs : {&computed_->upward, &computed_->downward}) {
-      verdict.missing += *pairs ? (*pairs)->missing() : 0;
-    }
-    for (std::size_t x = 0; x < rules_.items && rules_.compute->self; ++x) {
-      verdict.missing += computed_->loaded[x] && !computed_->alone[x] ? 1U : 0U;
+    const std::uint64_t last = verdict.fault.empty() ? rules_.epochs : epoch_;
+    for (std::uint64_t epoch = rules_.shares ? 1 : epoch_; epoch <= last; ++epoch) {
+      open(epoch);
+      account(verdict);
+      epochs_[static_cast<std::size_t>(epoch - 1)].reset();
     }
     return verdict;
   }
 
  private:
+  // The epoch whose pairs are meant from now on.
+  void open(std::uint64_t epoch) {
+    epoch_ = epoch;
+    std::unique_ptr<Epoch>& its = epochs_[static_cast<std::size_t>(epoch - 1)];
+    if (its == nullptr) {
+      its = std::make_unique<Epoch>();
+      if (rules_.compute) {
+        its->computed.emplace(rules_, options_.all_pairs);
+      } else {
+        its->met.emplace(rules_, options_);
+      }
+    }
+  }
+  [[nodiscard]] MetPairs* met() const {
+    std::optional<MetPairs>& met = epochs_[static_cast<std::size_t>(epoch_ - 1)]->met;
+    return met ? &*met : nullptr;
+  }
+  [[nodiscard]] Computed* computed() const {
+    std::optional<Computed>& computed = epochs_[static_cast<std::size_t>(epoch_ - 1)]->computed;
+    return computed ? &*computed : nullptr;
+  }
+
+  // What is missing of an epoch.
+  void account(ScheduleVerdict& verdict) const {
+    if (met() != nullptr) {
+      ScheduleVerdict its;
+      met()->report(its);
+      verdict.missing += its.missing;
+      verdict.watched_items = its.watched_items;
+      verdict.example = verdict.example.empty() ? its.example : verdict.example;
+      return;
+    }
+    for (const std::optional<SeenPairs>* const pairs :
+         {&computed()->upward, &computed()->downward}) {
+      verdict.missing += *pairs ? (*pairs)->missing() : 0;
+    }
+    for (std::size_t x = 0; x < rules_.items && rules_.compute->self; ++x) {
+      verdict.missing += computed()->loaded[x] && !computed()->alone[x] ? 1U : 0U;
+    }
+  }
+
+  // What is there when an epoch begins is together in it.
+  void enter(std::uint64_t epoch) {
+    count_met();
+    for (std::size_t w = 0; met() != nullptr && w < workers_.size(); ++w) {
+      met()->clear(w);
+    }
+    if (!rules_.shares) {
+      account(verdict_);
+      epochs_[static_cast<std::size_t>(epoch_ - 1)].reset();
+    }
+    open(epoch);
+    const Held& held = rules_.fast_room ? fast_ : memory_;
+    for (std::size_t w = 0; w < workers_.size(); ++w) {
+      std::vector<Element> there;
+      for (const Element x : rules_.fast_room ? workers_[w].accelerator : workers_[w].memory) {
+        if (met() != nullptr) {
+          met()->arrive(w, x, there, held.place);
+        }
+        there.push_back(x);
+      }
+      for (const Element x : workers_[w].memory) {
+        if (computed() != nullptr) {
+          computed()->loaded[x] = true;
+        }
+      }
+    }
+  }
+
   struct Worker {
     std::uint64_t number = 0;  // of its last step
     std::vector<Element> memory;
@@ -181,13 +258,13 @@ class ScheduleCheck::State {
 
   // The list of those that meet x when it comes, for pairs that have to meet.
   void meet(const Step& step, Element x, const Held& held, const std::vector<Element>& list) {
-    if (met_) {
-      met_->arrive(place_of(step), x, list, held.place);
+    if (met() != nullptr) {
+      met()->arrive(place_of(step), x, list, held.place);
     }
   }
   void part(const Step& step, Element x, std::uint32_t place) {
-    if (met_) {
-      met_->leave(place_of(step), x, place);
+    if (met() != nullptr) {
+      met()->leave(place_of(step), x, place);
     }
   }
 
@@ -196,10 +273,18 @@ class ScheduleCheck::State {
     ++verdict_.steps;
     std::uint64_t slowest = 0;
     for (const Step& step : steps) {
+      if (step.epoch != steps.front().epoch || step.epoch < epoch_ || step.epoch > epoch_ + 1 ||
+          step.epoch > rules_.epochs) {
+        return fail(step, fmt::format("is of epoch {} of {} where epoch {} is", step.epoch,
+                                      rules_.epochs, epoch_));
+      }
       start(step);
       slowest = std::max<std::uint64_t>(slowest, step.load.size());
     }
     verdict_.span += slowest;
+    if (verdict_.fault.empty() && steps.front().epoch != epoch_) {
+      enter(steps.front().epoch);
+    }
     for (const Step& step : steps) {
       load(step);
     }
@@ -207,6 +292,8 @@ class ScheduleCheck::State {
       for (const Step& step : steps) {
         compute(step, step.compute, false);
         of(step).overlap = step.overlap;
+        verdict_.most_in_a_step = std::max<std::uint64_t>(
+            verdict_.most_in_a_step, step.compute.size() + step.overlap.size());
       }
     }
   }
@@ -296,8 +383,8 @@ class ScheduleCheck::State {
       if (!rules_.fast_room) {
         meet(step, x, memory_, worker.memory);
       }
-      if (computed_) {
-        computed_->loaded[x] = true;
+      if (computed() != nullptr) {
+        computed()->loaded[x] = true;
       }
       memory_.put(x, worker.memory);
       if (!owner_.empty()) {
@@ -324,6 +411,10 @@ class ScheduleCheck::State {
     }
     verdict_.worker_loads[static_cast<std::size_t>(step.worker)] += step.load.size();
     verdict_.loads += step.load.size();
+    verdict_.epoch_loads.resize(
+        std::max<std::size_t>(verdict_.epoch_loads.size(), static_cast<std::size_t>(step.epoch)),
+        0);
+    verdict_.epoch_loads[static_cast<std::size_t>(step.epoch - 1)] += step.load.size();
     verdict_.transfers += step.fast_load.size();
   }
 
@@ -343,11 +434,11 @@ class ScheduleCheck::State {
                  : (x > y && !rules_.compute->ordered) || !rules_.wanted.contains(x, y)) {
         return fail(step, fmt::format("computes ({},{}), which is not wanted", x, y));
       }
-      bool is_new = !computed_->alone[x];
+      bool is_new = !computed()->alone[x];
       if (x == y) {
-        computed_->alone[x] = true;
+        computed()->alone[x] = true;
       } else {
-        is_new = computed_->insert(x, y);
+        is_new = computed()->insert(x, y);
       }
       ++verdict_.computed;
       ++at_worker(step.worker);
@@ -386,17 +477,18 @@ class ScheduleCheck::State {
       fast_.place[x] = 0;
     }
     workers_[0] = {};
-    if (met_) {
-      met_->clear(0);
+    if (met() != nullptr) {
+      met()->clear(0);
       count_met();
     }
+    open(1);
     worker_ = worker;
   }
 
   // What met at the worker whose memory is left.
   void count_met() {
-    if (met_ && by_worker_) {
-      at_worker(worker_) = met_->take_count();
+    if (met() != nullptr && by_worker_) {
+      at_worker(worker_) += met()->take_count();
     }
   }
 
@@ -408,6 +500,7 @@ class ScheduleCheck::State {
   }
 
   ScheduleRules rules_;
+  CheckOptions options_;
   bool by_worker_;  // pairs are counted where they meet
   ScheduleVerdict verdict_;
   std::vector<Worker> workers_;  // one if they come one after another
@@ -415,8 +508,8 @@ class ScheduleCheck::State {
   Held memory_;
   Held fast_;                         // on the accelerator, if there is one
   std::vector<std::uint32_t> owner_;  // by item: its worker; empty if there is one at a time
-  std::optional<MetPairs> met_;
-  std::optional<Computed> computed_;
+  std::vector<std::unique_ptr<Epoch>> epochs_;  // those whose pairs are followed now
+  std::uint64_t epoch_ = 1;
   std::optional<Changes> changes_;
   std::size_t stored_ = 0;   // so many of a step's stores were made
   std::vector<Step> round_;  // the step of all workers that comes in

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "loadorder/order/pair_assigner.hpp"
+#include "loadorder/training/spread_steps.hpp"
 #include "run/random.hpp"
 
 namespace changeover {
@@ -15,67 +16,38 @@ void shuffle_pairs(std::vector<ItemPair>& pairs, Random& random) {
   }
 }
 
-}  // namespace
+std::size_t workers_in_lockstep(const ScheduleRules& rules) {
+  return static_cast<std::size_t>(std::max<std::uint64_t>(1, rules.lockstep));
+}
 
-class StepWork::State {
+/// What each step computes, in the first step that can.
+class ComputedSteps final : public StepSource {
  public:
-  State(std::unique_ptr<StepSource> steps, const ScheduleRules& rules,
-        std::shared_ptr<const PairOwners> owners)
+  ComputedSteps(std::unique_ptr<StepSource> steps, const ScheduleRules& rules,
+                std::shared_ptr<const PairOwners> owners)
       : rules_(rules),
         compute_(rules.compute.value_or(ComputeRules{})),
-        random_(compute_.shuffle.value_or(0)),
-        round_(static_cast<std::size_t>(std::max<std::uint64_t>(1, rules.lockstep))),
-        made_(round_.size()),
+        round_(workers_in_lockstep(rules)),
+        given_(round_.size()),
         assigner_(rules.items, rules.fast_room.value_or(rules.room), rules.wanted,
                   static_cast<std::size_t>(rules.lockstep), rules.fast_room.has_value(),
                   std::move(owners)) {
-    if (rules.store) {
-      changed_.assign(static_cast<std::size_t>(rules.items), false);
-      held_by_.assign(changed_.size(), 0);
-      fast_.assign(rules.fast_room ? changed_.size() : 0, false);
-    }
     assigner_.start(std::move(steps));
   }
 
-  bool next(Step& step) {
-    if (given_ == made_.size() || !begun_) {
-      begun_ = true;
-      given_ = 0;
-      if (over_ || !make()) {
-        given_ = made_.size();
+  bool next(Step& step) override {
+    if (given_ == round_.size()) {
+      if (over_ || !read()) {
+        over_ = true;
         return false;
       }
+      given_ = 0;
     }
-    std::swap(step, made_[given_++]);
+    put(round_[given_++], step);
     return true;
   }
 
  private:
-  // The next step of all workers.
-  bool make() {
-    if (!read()) {
-      over_ = true;
-      if (!rules_.store) {
-        return false;
-      }
-      leave_all();
-      store();
-      return true;
-    }
-    for (std::size_t w = 0; w < round_.size(); ++w) {
-      put(round_[w], made_[w]);
-      if (compute_.shuffle) {
-        shuffle_pairs(made_[w].compute, random_);
-        shuffle_pairs(made_[w].overlap, random_);
-      }
-    }
-    last_ = {made_[0].number, made_[0].worker};
-    if (rules_.store) {
-      store();
-    }
-    return true;
-  }
-
   bool read() {
     if (rules_.lockstep > 0) {
       return assigner_.next_round(round_);
@@ -88,6 +60,7 @@ class StepWork::State {
   void put(const AssignedStep& from, Step& to) {
     to.number = from.step.number;
     to.worker = from.step.worker;
+    to.epoch = from.step.epoch;
     to.load = from.step.load;
     to.fast_evict = from.step.fast_evict;
     to.fast_load = from.step.fast_load;
@@ -99,21 +72,26 @@ class StepWork::State {
     } else {
       to.evict = from.step.evict;
     }
+    to.store.clear();
     to.compute.clear();
     to.overlap.clear();
     if (!rules_.compute) {
       return;
     }
+    for (std::size_t i = 0; i < from.stayed.size() && compute_.self; ++i) {
+      add_alone(from, from.stayed[i], to);
+    }
     // In lockstep an item alone comes with its arrival, otherwise before all pairs: journals rely
     // on it.
     std::size_t done = 0;
+    if (rules_.lockstep > 0) {
+      add(from.pairs, 0, from.stayed_end, to.compute);
+      done = from.stayed_end;
+    }
     const std::vector<Element>& came = rules_.fast_room ? to.fast_load : to.load;
     for (std::size_t i = 0; i < came.size() && compute_.self; ++i) {
       if (from.is_new[i]) {
-        const std::vector<Element>& early = from.evicted_first;
-        const bool waits =
-            rules_.overlap && std::find(early.begin(), early.end(), came[i]) == early.end();
-        (waits ? to.overlap : to.compute).emplace_back(came[i], came[i]);
+        add_alone(from, came[i], to);
       }
       if (rules_.lockstep > 0) {
         add(from.pairs, done, from.arrival_end[i], to.compute);
@@ -123,6 +101,12 @@ class StepWork::State {
     const std::size_t middle = rules_.overlap ? from.before : from.pairs.size();
     add(from.pairs, done, middle, to.compute);
     add(from.pairs, middle, from.pairs.size(), to.overlap);
+  }
+
+  void add_alone(const AssignedStep& from, Element x, Step& to) const {
+    const std::vector<Element>& early = from.evicted_first;
+    const bool waits = rules_.overlap && std::find(early.begin(), early.end(), x) == early.end();
+    (waits ? to.overlap : to.compute).emplace_back(x, x);
   }
 
   void add(const std::vector<ItemPair>& pairs, std::size_t begin, std::size_t end,
@@ -135,7 +119,77 @@ class StepWork::State {
     }
   }
 
-  // What was changed and goes, before any worker loads.
+  ScheduleRules rules_;
+  ComputeRules compute_;
+  std::vector<AssignedStep> round_;  // by worker, in lockstep
+  std::size_t given_;
+  bool over_ = false;
+  PairAssigner assigner_;
+  struct {
+    std::vector<Element> first, late;
+  } before_;  // what the step before has chosen to go
+};
+
+/// The pairs of each step in random order.
+class ShuffledSteps final : public StepSource {
+ public:
+  ShuffledSteps(std::unique_ptr<StepSource> steps, std::uint64_t seed)
+      : steps_(std::move(steps)), random_(seed) {}
+
+  bool next(Step& step) override {
+    if (!steps_->next(step)) {
+      return false;
+    }
+    shuffle_pairs(step.compute, random_);
+    shuffle_pairs(step.overlap, random_);
+    return true;
+  }
+
+ private:
+  std::unique_ptr<StepSource> steps_;
+  Random random_;
+};
+
+/// What was changed is stored when it goes, before any worker loads; a last step in which all goes.
+class StoredSteps final : public StepSource {
+ public:
+  StoredSteps(std::unique_ptr<StepSource> steps, const ScheduleRules& rules)
+      : rules_(rules),
+        steps_(std::move(steps)),
+        made_(workers_in_lockstep(rules)),
+        given_(made_.size()),
+        changed_(static_cast<std::size_t>(rules.items), false),
+        held_by_(changed_.size(), 0),
+        fast_(rules.fast_room ? changed_.size() : 0, false) {}
+
+  bool next(Step& step) override {
+    if (given_ == made_.size()) {
+      if (over_) {
+        return false;
+      }
+      make();
+      given_ = 0;
+    }
+    std::swap(step, made_[given_++]);
+    return true;
+  }
+
+ private:
+  // The next step of all workers.
+  void make() {
+    for (Step& step : made_) {
+      if (!steps_->next(step)) {
+        over_ = true;
+        leave_all();
+        break;
+      }
+    }
+    if (!over_) {
+      last_ = {made_[0].number, made_[0].worker, made_[0].epoch};
+    }
+    store();
+  }
+
   void store() {
     for (Step& step : made_) {
       step.store.clear();
@@ -171,6 +225,7 @@ class StepWork::State {
       made_[w] = {};
       made_[w].number = last_.number + 1;
       made_[w].worker = last_.worker + w;
+      made_[w].epoch = last_.epoch;
     }
     for (Element x = 0; x < held_by_.size(); ++x) {
       if (held_by_[x] != 0) {
@@ -187,31 +242,37 @@ class StepWork::State {
   }
 
   ScheduleRules rules_;
-  ComputeRules compute_;
-  Random random_;
-  std::vector<AssignedStep> round_;  // by worker, in lockstep
+  std::unique_ptr<StepSource> steps_;
   std::vector<Step> made_;
-  PairAssigner assigner_;
-  std::size_t given_ = 0;
-  bool begun_ = false;
+  std::size_t given_;
   bool over_ = false;
-  struct {
-    std::vector<Element> first, late;
-  } before_;                            // what the step before has chosen to go
   std::vector<bool> changed_;           // by item: since it was loaded
   std::vector<std::uint64_t> held_by_;  // by item: its worker plus one
   std::vector<bool> fast_;              // by item: on the accelerator now
   struct {
-    std::uint64_t number = 0, worker = 0;
+    std::uint64_t number = 0, worker = 0, epoch = 1;
   } last_;  // of the last step, in lockstep of the first worker's
 };
 
+}  // namespace
+
 StepWork::StepWork(std::unique_ptr<StepSource> steps, const ScheduleRules& rules,
                    std::shared_ptr<const PairOwners> owners)
-    : state_(std::make_unique<State>(std::move(steps), rules, std::move(owners))) {}
+    : steps_(std::make_unique<ComputedSteps>(std::move(steps), rules, std::move(owners))) {
+  const ComputeRules compute = rules.compute.value_or(ComputeRules{});
+  if (compute.spread) {
+    steps_ = spread_over_steps(std::move(steps_), rules, *compute.spread);
+  }
+  if (compute.shuffle) {
+    steps_ = std::make_unique<ShuffledSteps>(std::move(steps_), *compute.shuffle);
+  }
+  if (rules.store) {
+    steps_ = std::make_unique<StoredSteps>(std::move(steps_), rules);
+  }
+}
 StepWork::~StepWork() = default;
 
-bool StepWork::next(Step& step) { return state_->next(step); }
+bool StepWork::next(Step& step) { return steps_->next(step); }
 
 LoadBound store_lower_bound(const LoadBound& loads, const WantedPairs& wanted, std::uint64_t items,
                             bool alone) {

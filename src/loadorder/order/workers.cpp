@@ -15,6 +15,7 @@
 #include "loadorder/shares/known_shares.hpp"
 #include "loadorder/shares/split_maker.hpp"
 #include "loadorder/shares/stretches.hpp"
+#include "loadorder/training/epochs.hpp"
 
 namespace changeover {
 
@@ -135,7 +136,9 @@ ScheduleRules WorkerSplit::rules(const std::optional<ComputeRules>& compute) con
           .room = facts_.room,
           .fast_room = whole.fast_room,
           .wanted = whole.wanted,
-          .compute = compute};
+          .compute = compute,
+          .epochs = facts_.epochs,
+          .shares = true};
 }
 
 WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room,
@@ -161,6 +164,18 @@ WorkerSplit split_load_order(std::uint64_t items, std::uint64_t room, std::uint6
   }
   SplitMaker::give_pairs(split, options);
   SplitMaker::verify(split, options);
+  return split;
+}
+
+WorkerSplit repeat_shares(WorkerSplit split, std::uint64_t epochs) {
+  check_epochs(epochs);
+  if (epochs == 1) {
+    return split;
+  }
+  if (split.facts().epochs != 1) {
+    throw BadInput("shares of several epochs are not repeated");
+  }
+  SplitMaker::repeat(split, epochs);
   return split;
 }
 

@@ -11,6 +11,7 @@
 #include "io/request/request_schema.hpp"
 #include "io/request/search_options.hpp"
 #include "loadorder/pairs/pair_costs.hpp"
+#include "loadorder/shares/owners/pair_table.hpp"
 
 namespace changeover {
 namespace {
@@ -115,6 +116,13 @@ std::vector<RequestOption<R>> options() {
             .not_in_server = of_pages,
             .not_in_python = "there steps_from(N) begins at it"},
            &R::from_step},
+          {{.key = "epochs",
+            .flags = "--epochs",
+            .kind = K::number,
+            .value = "N",
+            .help = "every pair meets in each of N epochs, back and forth: what is in memory at "
+                    "the end of one stays for the next"},
+           &R::epochs},
           {{.key = "verify_beside",
             .flags = "--verify-beside",
             .help =
@@ -157,6 +165,12 @@ std::vector<RequestOption<R>> options() {
             .help = "pairs of a step in random order, by --seed",
             .not_in_server = of_pages},
            &R::shuffle},
+          {{.key = "spread",
+            .flags = "--spread",
+            .help = "each pair at random in one of the steps that hold both items, evenly, by "
+                    "--seed",
+            .not_in_server = of_pages},
+           &R::spread},
       },
       "search so long for a better order");
 }
@@ -181,6 +195,11 @@ std::vector<OptionRule> rules() {
       {Says::only_with, {"item_bytes"}, {"fast_room"}},
       {Says::never_with, {"disjoint"}, {"prefetch", "pairs", "against", "done_items"}},
       {Says::only_with, {"ordered", "self", "shuffle"}, {"new_pairs", "write_back", "prefetch"}},
+      {Says::only_with, {"spread"}, {"new_pairs", "write_back"}},
+      // Prefetch decides which step has a pair.
+      {Says::never_with, {"spread"}, {"prefetch"}},
+      // In another direction another worker has a pair first.
+      {Says::never_with, {"epochs"}, {"first_holder"}},
       {Says::exclude, {"pairs", "against", "done_items"}},
       {Says::never_with, {"seconds"}, {"against", "done_items"}},
       {Says::only_with, {"threads"}, {"seconds"}},
@@ -220,6 +239,10 @@ void check_ranges(const LoadRequest& request, Door door) {
     refuse(fmt::format("{} {}: of {} {} give 0 to {}", key("worker", door), *request.worker,
                        key("workers", door), *request.workers, *request.workers - 1));
   }
+  at_least_one("epochs", request.epochs, " epoch");
+  if (request.epochs.value_or(1) > most_epochs) {
+    refuse(fmt::format("{} {}: give 1 to {}", key("epochs", door), *request.epochs, most_epochs));
+  }
   at_least_one("against", request.against, " item");
   at_least_one("item_bytes", request.item_bytes, "");
   if (request.fast_room && (*request.fast_room < 2 || *request.fast_room > *request.room)) {
@@ -229,7 +252,7 @@ void check_ranges(const LoadRequest& request, Door door) {
 }
 
 // Numbers that do not go together.
-void check_together(const LoadRequest& request, Door door) {
+void check_together(const LoadRequest& request, Door door, bool all) {
   const std::uint64_t items = request.items.value_or(0);
   if (request.done_items && *request.done_items >= items) {
     refuse(fmt::format("{} {}: of {} {} none would be new", key("done_items", door),
@@ -256,6 +279,14 @@ void check_together(const LoadRequest& request, Door door) {
                        items, key("against", door), *request.against, items + *request.against,
                        most_items));
   }
+  if (request.epochs.value_or(1) > 1 && request.workers && !request.disjoint && all &&
+      items > most_items_of_a_table && (request.new_pairs || request.prefetch)) {
+    refuse(
+        fmt::format("{} {}: which worker computes a pair in each epoch is known of at most {} "
+                    "items; leave out {}, or group items into larger ones",
+                    key("epochs", door), *request.epochs, most_items_of_a_table,
+                    key(request.new_pairs ? "new_pairs" : "prefetch", door)));
+  }
   if (request.write_back && request.workers && !request.disjoint) {
     refuse(fmt::format("{} {}: two workers would change one item at once; add {}",
                        key("write_back", door), key("workers", door), key("disjoint", door)));
@@ -272,7 +303,7 @@ void check(const LoadRequest& request, Door door, bool has_pairs) {
                      : fmt::format("{} and {} are required", in_full("items"), in_full("room")));
   }
   check_ranges(request, door);
-  check_together(request, door);
+  check_together(request, door, !has_pairs);
 }
 
 }  // namespace

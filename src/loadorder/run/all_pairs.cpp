@@ -77,6 +77,10 @@ class Job {
 
   AllPairsReport run() {
     const auto begin = std::chrono::steady_clock::now();
+    if (order_.facts().epochs > 1 || (split_ != nullptr && split_->facts().epochs > 1)) {
+      throw BadInput(
+          "all_pairs() computes each pair once: give an order of one epoch, or take update_pairs()");
+    }
     report_.buffer_bytes = checked_multiply(room_, source_.buffer_bytes());
     if (options_.memory_bytes && report_.buffer_bytes > *options_.memory_bytes) {
       throw BadInput(

@@ -56,14 +56,15 @@ class Memory {
  public:
   Memory(std::uint64_t room, std::uint64_t item_bytes) {
     for (std::uint64_t i = 0; i < room; ++i) {
-      free_.emplace_back(static_cast<std::size_t>(item_bytes));
+      free_.push_back(
+          std::make_shared<std::vector<std::byte>>(static_cast<std::size_t>(item_bytes)));
     }
   }
 
   std::span<std::byte> take(Element x) {
     held_.emplace_back(x, std::move(free_.back()));
     free_.pop_back();
-    return held_.back().second;
+    return *held_.back().second;
   }
 
   void drop(Element x) {
@@ -72,14 +73,15 @@ class Memory {
     held_.erase(place);
   }
 
-  [[nodiscard]] HeldItem item(Element x) { return {x, find(x)->second}; }
-
-  [[nodiscard]] const std::vector<std::pair<Element, std::vector<std::byte>>>& held() const {
-    return held_;
+  [[nodiscard]] HeldItem item(Element x) {
+    const auto& memory = find(x)->second;
+    return {x, *memory, &memory};
   }
 
  private:
-  std::vector<std::pair<Element, std::vector<std::byte>>>::iterator find(Element x) {
+  using Bytes = std::shared_ptr<std::vector<std::byte>>;
+
+  std::vector<std::pair<Element, Bytes>>::iterator find(Element x) {
     const auto place =
         std::find_if(held_.begin(), held_.end(), [x](const auto& each) { return each.first == x; });
     if (place == held_.end()) {
@@ -88,8 +90,8 @@ class Memory {
     return place;
   }
 
-  std::vector<std::pair<Element, std::vector<std::byte>>> held_;
-  std::vector<std::vector<std::byte>> free_;
+  std::vector<std::pair<Element, Bytes>> held_;
+  std::vector<Bytes> free_;
 };
 
 class UpdateJob {

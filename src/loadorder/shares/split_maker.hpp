@@ -40,6 +40,8 @@ class SplitMaker {
   /// given one by one
   static void spread(WorkerSplit& split, const std::function<bool(Element, Element)>& computed = {},
                      const std::function<double(Element, Element)>& cost = {});
+  /// Epochs of the shares, of one so far.
+  static void repeat(WorkerSplit& split, std::uint64_t epochs);
   /// Reads all steps; of few items also what is computed. @throws InternalError
   static void verify(WorkerSplit& split, const LoadOrderOptions& options);
 

@@ -89,6 +89,7 @@ class Stretch final : public StepSource {
     }
     step.number = ++done_;
     step.worker = worker_;
+    step.epoch = inner_.epoch;
     step.evict.clear();
     step.load.clear();
     for (const Element group : inner_.evict) {

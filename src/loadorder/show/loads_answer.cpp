@@ -31,6 +31,9 @@ LoadsShown shown_as_asked(const LoadRequest& request) {
   if (request.shuffle) {
     how.compute.shuffle = seed;
   }
+  if (request.spread) {
+    how.compute.spread = seed;
+  }
   return how;
 }
 
@@ -65,13 +68,30 @@ AnyLoads planned(const CheckedLoads& asked, const LoadRequest& request, LoadOrde
   return all ? plan_load_order(items, room, options) : plan_load_order(wanted, room, options);
 }
 
+AnyLoads repeated(AnyLoads loads, std::uint64_t epochs) {
+  struct Again {
+    std::uint64_t epochs;
+    AnyLoads operator()(LoadOrder& order) const { return repeat_order(std::move(order), epochs); }
+    AnyLoads operator()(WorkerSplit& split) const {
+      return repeat_shares(std::move(split), epochs);
+    }
+    AnyLoads operator()(PrefetchPlan& plan) const {
+      return PrefetchPlan{repeat_order(std::move(plan.order), epochs), plan.spare};
+    }
+    AnyLoads operator()(PrefetchSplit& plan) const {
+      return PrefetchSplit{repeat_shares(std::move(plan.order), epochs), plan.spare};
+    }
+  };
+  return epochs == 1 ? std::move(loads) : std::visit(Again{epochs}, loads);
+}
+
 }  // namespace
 
 LoadsAnswer::LoadsAnswer(const CheckedLoads& asked, const LoadRequest& request,
                          const LoadOrderOptions& options)
     : room_(asked.room()),
       how_(shown_as_asked(request)),
-      loads_(planned(asked, request, options)) {}
+      loads_(repeated(planned(asked, request, options), request.epochs.value_or(1))) {}
 
 namespace {
 
@@ -103,6 +123,9 @@ std::unique_ptr<StepSource> with_work(const Prefetched<Order>& plan, const Sched
   return with_work(plan.order, rules, worker);
 }
 
+std::uint64_t workers_in(const LoadOrder& order) { return order.facts().lockstep; }
+std::uint64_t workers_in(const WorkerSplit& split) { return split.facts().workers.size(); }
+
 template <typename Order>
 const Order& order_in(const Order& order) {
   return order;
@@ -128,6 +151,15 @@ ScheduleRules LoadsAnswer::rules() const {
   return rules;
 }
 
+LoadBound LoadsAnswer::bound() const {
+  return std::visit(
+      [&](const auto& loads) {
+        const ScheduleRules all = order_in(loads).rules();
+        return bound_of_loads(all, room_, workers_in(order_in(loads)));
+      },
+      loads_);
+}
+
 std::unique_ptr<StepSource> LoadsAnswer::steps(std::optional<std::uint64_t> worker) const {
   return std::visit([&](const auto& loads) { return with_work(loads, rules(), worker); }, loads_);
 }
@@ -144,6 +176,10 @@ std::string LoadsAnswer::fault() const {
 void LoadsAnswer::write(const std::string& format, Sink& sink) const {
   LoadsShown how = how_;
   how.format = format;
+  if (format == "marius") {  // edge buckets
+    how.new_pairs = how.compute.ordered = how.compute.self = true;
+    how.write_back = false;
+  }
   std::visit([&](const auto& loads) { show_loads(loads, room_, how, sink); }, loads_);
 }
 

@@ -32,6 +32,9 @@ class LoadsAnswer {
   [[nodiscard]] const AnyLoads& loads() const { return loads_; }
   [[nodiscard]] std::uint64_t room() const { return room_; }
 
+  /// No schedule of this kind has fewer loads.
+  [[nodiscard]] LoadBound bound() const;
+
   /// Reads all steps, with what they compute if that is said: what is wrong with them, empty if
   /// nothing is. For any thread.
   [[nodiscard]] std::string fault() const;
@@ -47,7 +50,8 @@ class LoadsAnswer {
   /// @throws BadInput if there is no such worker
   [[nodiscard]] std::unique_ptr<StepSource> steps(std::optional<std::uint64_t> worker) const;
 
-  /// In the format "jsonl", "csv" or "text". @throws InternalError if a step is wrong
+  /// In the format "jsonl", "csv", "text" or "marius" (show/marius_writer.hpp; one worker and one
+  /// level, otherwise @throws BadInput). @throws InternalError if a step is wrong
   void write(const std::string& format, Sink& sink) const;
 
   /// The first line of "jsonl", without its end.

@@ -14,7 +14,9 @@
 #include "core/checked.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
+#include "loadorder/show/marius_writer.hpp"
 #include "loadorder/show/step_writer.hpp"
+#include "loadorder/show/worker_words.hpp"
 
 namespace changeover {
 namespace {
@@ -43,7 +45,8 @@ class Said {
                .fast_room = facts_.fast_room,
                .lockstep = facts_.lockstep,
                .wanted = facts_.wanted,
-               .store = how.write_back} {
+               .store = how.write_back,
+               .epochs = facts_.epochs} {
     if (how.new_pairs || how.write_back) {
       rules_.compute = how.compute;
     }
@@ -58,6 +61,7 @@ class Said {
   /// The steps are those of workers one after another.
   void split(const WorkerSplit& split) {
     split_ = &split.facts();
+    rules_.shares = true;
     owners_ = split.owners();
   }
 
@@ -76,9 +80,13 @@ class Said {
         json.value(loads);
       }
       json.end_array();
-      say_pairs_of_each(json);
+      WorkerWords(facts_, split_).say_each(json);
     }
     text += "verified: " + verified + "\n" + at_the_end();
+    if (how_.format == "marius") {
+      write_for_marius(out);
+      return;
+    }
     const PairGraph* const graph = facts_.wanted.graph();
     StepWriter writer(out, how_.format, graph != nullptr ? &graph->names() : nullptr, columns());
     writer.begin(json.end_object().take(), text);
@@ -173,11 +181,14 @@ class Said {
   // The lines before the one that says how it was verified; what it is about has its keys in
   // `json`.
   std::string about(JsonWriter& json) const {
-    const LoadBound bound = facts_.wanted.are_all() ? load_lower_bound(facts_.items, facts_.room)
-                                                    : load_lower_bound(facts_.wanted, facts_.room);
     const std::uint64_t workers = split_ != nullptr ? split_->workers.size() : facts_.lockstep;
+    const LoadBound bound = bound_of_loads(rules_, facts_.room, workers);
     const std::uint64_t steps = facts_.steps + (rules_.store ? 1 : 0);
     json.key("items").value(facts_.items).key("room").value(facts_.room);
+    if (facts_.epochs > 1) {
+      json.key("epochs").value(facts_.epochs);
+      json.key("epoch_loads").value(facts_.epoch_loads);
+    }
     if (!facts_.wanted.are_all()) {
       json.key("wanted").value(facts_.wanted.describe());
       json.key("wanted_pairs").value(facts_.wanted.count());
@@ -213,7 +224,7 @@ class Said {
       }
       json.key("makespan_bound").value(facts_.makespan_bound.loads);
       json.key("makespan_bound_reason").value(facts_.makespan_bound.reason);
-      say_pairs(json, workers);
+      WorkerWords(facts_, split_).say(json);
       if (how_.worker) {
         json.key("worker").value(*how_.worker);
       }
@@ -229,6 +240,16 @@ class Said {
       if (facts_.every_step_read) {
         json.key("pairs").value(checked_.computed).key("overlapped").value(checked_.overlapped);
       }
+    }
+    std::string spread;
+    if (how_.compute.spread && checked_.steps > 0) {
+      const std::uint64_t steps_of_all = facts_.steps * std::max<std::uint64_t>(1, facts_.lockstep);
+      json.key("pairs_per_step").begin_object().key("max").value(checked_.most_in_a_step);
+      json.key("mean").value(static_cast<double>(checked_.computed) /
+                             static_cast<double>(steps_of_all));
+      json.end_object();
+      spread = fmt::format("pairs are spread over steps: at most {} in one, at least {}\n",
+                           checked_.most_in_a_step, ceil_div(checked_.computed, steps_of_all));
     }
     std::string stores;
     if (rules_.store) {
@@ -247,94 +268,21 @@ class Said {
     }
     const std::string method = facts_.fast_room ? facts_.explanation + "\n"
                                                 : facts_.method + ": " + facts_.explanation + "\n";
-    return in_short(bound, steps) + stores + (plain ? hint() : "") + method + bounds(bound);
+    return in_short(bound, steps) + epochs_in_words() + spread + stores + (plain ? hint() : "") +
+           method + bounds(bound);
   }
 
-  // How even the workers' pairs are, and how even they can be.
-  void say_pairs(JsonWriter& json, std::uint64_t workers) const {
-    const Evenness pairs = evenness();
-    if (pairs.all > 0 || pairs.most > 0) {
-      json.key("pairs_per_worker")
-          .begin_object()
-          .key("max")
-          .value(pairs.most)
-          .key("mean")
-          .value(static_cast<double>(pairs.all) / static_cast<double>(workers))
-          .end_object();
-      json.key("pairs_per_worker_bound").value(ceil_div(pairs.all, workers));
+  // Forward epochs after the first have the same loads, and so have backward ones.
+  [[nodiscard]] std::string epochs_in_words() const {
+    const std::vector<std::uint64_t>& loads = facts_.epoch_loads;
+    if (facts_.epochs == 1) {
+      return "";
     }
-    if (split_ != nullptr && split_->has_costs) {
-      json.key("cost_per_worker")
-          .begin_object()
-          .key("max")
-          .value(split_->most_cost)
-          .key("mean")
-          .value(split_->all_costs / static_cast<double>(workers))
-          .end_object();
-    }
-  }
-
-  void say_pairs_of_each(JsonWriter& json) const {
-    if (evenness().most == 0) {
-      return;
-    }
-    json.key("worker_pairs").begin_array();
-    for (std::size_t w = 0; split_ != nullptr && w < split_->workers.size(); ++w) {
-      json.value(split_->workers[w].pairs);
-    }
-    for (std::size_t w = 0; split_ == nullptr && w < facts_.worker_pairs.size(); ++w) {
-      json.value(facts_.worker_pairs[w]);
-    }
-    json.end_array();
-    if (split_ != nullptr && split_->has_costs) {
-      json.key("worker_costs").begin_array();
-      for (const WorkerFacts& worker : split_->workers) {
-        json.value(worker.cost);
-      }
-      json.end_array();
-    }
-  }
-
-  struct Evenness {
-    std::uint64_t all = 0;
-    std::uint64_t most = 0;
-  };
-  // Zeros if it is not known.
-  [[nodiscard]] Evenness evenness() const {
-    if (split_ != nullptr) {
-      return split_->pairs_are_known ? Evenness{split_->all_pairs, split_->most_pairs} : Evenness{};
-    }
-    Evenness of;
-    for (const std::uint64_t pairs : facts_.worker_pairs) {
-      of.all += pairs;
-      of.most = std::max(of.most, pairs);
-    }
-    return of;
-  }
-
-  [[nodiscard]] std::string pairs_in_words(std::uint64_t workers) const {
-    const Evenness pairs = evenness();
-    std::string text;
-    if (pairs.most > 0) {
-      const std::uint64_t least = ceil_div(pairs.all, workers);
-      text = fmt::format(
-          "the worker with most pairs computes {} of {}, {}\n", pairs.most, pairs.all,
-          pairs.most == least
-              ? std::string("the fewest possible")
-              : fmt::format("{:.2f} % over the mean {}",
-                            100 * (static_cast<double>(pairs.most) * static_cast<double>(workers) /
-                                       static_cast<double>(pairs.all) -
-                                   1),
-                            least));
-    }
-    if (split_ != nullptr && split_->has_costs) {
-      const double mean = split_->all_costs / static_cast<double>(workers);
-      text += fmt::format(
-          "the one whose pairs cost most has {:.6g} of {:.6g}, {:.2f} % over the mean {:.6g}\n",
-          split_->most_cost, split_->all_costs,
-          mean > 0 ? 100 * (split_->most_cost / mean - 1) : 0.0, mean);
-    }
-    return text;
+    return loads.size() > 2 && loads[1] != loads[2]
+               ? fmt::format("{} loads in the first epoch, then {} back and {} forth\n", loads[0],
+                             loads[1], loads[2])
+               : fmt::format("{} in the first epoch, then {} in each\n", count_of(loads[0], "load"),
+                             loads[1]);
   }
 
   // The first lines.
@@ -346,11 +294,12 @@ class Said {
                                                 *spare_ == 0 ? "no place" : "one of the places");
     if (facts_.lockstep > 0) {
       return fmt::format(
-          "{}, {} with room for {}, no item at two of them: {} in {}, {}\n"
+          "{}, {} with room for {}{}, no item at two of them: {} in {}, {}\n"
           "the busiest worker has {}; the slowest of each step add up to {}, {}\n",
-          count_of(facts_.items, "item"), count_of(facts_.lockstep, "worker"), facts_.room, loads,
-          count_of(steps, "step"), over(facts_.loads, bound), count_of(facts_.makespan(), "load"),
-          facts_.span, over(facts_.span, facts_.makespan_bound));
+          count_of(facts_.items, "item"), count_of(facts_.lockstep, "worker"), facts_.room,
+          in_epochs(), loads, count_of(steps, "step"), over(facts_.loads, bound),
+          count_of(facts_.makespan(), "load"), facts_.span,
+          over(facts_.span, facts_.makespan_bound));
     }
     const std::string busiest =
         split_ == nullptr
@@ -358,19 +307,19 @@ class Said {
             : fmt::format("{} for {}, the busiest has {}, {}\n{}", loads,
                           count_of(split_->workers.size(), "worker"), facts_.makespan(),
                           over(facts_.makespan(), facts_.makespan_bound),
-                          pairs_in_words(split_->workers.size()));
+                          WorkerWords(facts_, split_).text());
     if (facts_.fast_room) {
       return fmt::format(
-          "{}, room for {} in memory and {} of them on the accelerator: {}\n{}"
+          "{}, room for {} in memory and {} of them on the accelerator{}: {}\n{}"
           "from the disk: {}\nto the accelerator: {}\n",
-          count_of(facts_.items, "item"), facts_.room, *facts_.fast_room, count_of(steps, "step"),
-          busiest, level(facts_.loads, "load", bound),
+          count_of(facts_.items, "item"), facts_.room, *facts_.fast_room, in_epochs(),
+          count_of(steps, "step"), busiest, level(facts_.loads, "load", bound),
           level(facts_.transfers, "transfer", facts_.transfer_bound));
     }
     const std::string what = fmt::format(
-        "{}, room for {}: ",
+        "{}, room for {}{}: ",
         facts_.wanted.are_all() ? count_of(facts_.items, "item") : facts_.wanted.describe(),
-        facts_.room);
+        facts_.room, in_epochs());
     if (split_ != nullptr) {
       const std::string groups = split_->groups == facts_.items ? ""
                                  : split_->group_room == 0
@@ -382,6 +331,10 @@ class Said {
     return fmt::format(
         "{}{} in {}, {}\n{}", what, loads, count_of(steps, "step"),
         spare_ ? fmt::format("lower bound {}", bound.loads) : over(facts_.loads, bound), spare);
+  }
+
+  [[nodiscard]] std::string in_epochs() const {
+    return facts_.epochs == 1 ? "" : fmt::format(", {} epochs", facts_.epochs);
   }
 
   // How often items move to a level, the bytes, the fewest there can be.
@@ -449,6 +402,7 @@ class Said {
     };
     const bool fast = facts_.fast_room.has_value();
     add(split_ != nullptr || facts_.lockstep > 0, {Column::worker});
+    add(facts_.epochs > 1, {Column::epoch});
     all.push_back(Column::step);
     add(fast, {Column::fast_evict});
     add(!fast, {Column::load});
@@ -459,6 +413,23 @@ class Said {
     add(rules_.overlap, {Column::evict_first, Column::evict_late, Column::before, Column::compute});
     add(how_.new_pairs, {Column::new_pairs});
     return all;
+  }
+
+  // One buffer, whose pairs were checked.
+  void write_for_marius(Sink& out) const {
+    if (split_ != nullptr || facts_.lockstep > 0 || facts_.fast_room || spare_ || how_.from_step ||
+        how_.beside || !checked_.valid() ||
+        (facts_.wanted.graph() != nullptr && !facts_.wanted.graph()->names().empty())) {
+      throw BadInput(
+          "Marius has one buffer of numbered partitions, whose buckets are known: give one worker, "
+          "one level, and at most 65535 items");
+    }
+    MariusWriter writer(out, facts_.items, facts_.room);
+    const auto all = steps();
+    for (Step step; all->next(step);) {
+      writer.write(step);
+    }
+    writer.end();
   }
 
   // The steps; an order that was not read before is followed on the way.
@@ -526,9 +497,15 @@ Said said_of(const WorkerSplit& split, std::uint64_t room, const LoadsShown& how
   whole.room = room;
   whole.loads = facts.loads;
   whole.transfers = facts.transfers;
+  whole.epochs = facts.epochs;
+  whole.epoch_loads = facts.epoch_loads;
+  whole.steps = 0;
+  for (const WorkerFacts& worker : facts.workers) {
+    whole.steps += worker.steps;
+  }
   whole.explanation = facts.explanation;
   whole.certificate = facts.certificate;
-  whole.makespan_bound = room == facts.room ? facts.makespan_bound
+  whole.makespan_bound = room == facts.room || facts.epochs > 1 ? facts.makespan_bound
                          : whole.wanted.are_all()
                              ? makespan_lower_bound(whole.items, room, facts.workers.size())
                              : makespan_lower_bound(whole.wanted, room, facts.workers.size());
@@ -546,6 +523,14 @@ Said said_of(const WorkerSplit& split, std::uint64_t room, const LoadsShown& how
 }
 
 }  // namespace
+
+LoadBound bound_of_loads(const ScheduleRules& rules, std::uint64_t room, std::uint64_t workers) {
+  const bool all = rules.wanted.are_all();
+  const LoadBound once =
+      all ? load_lower_bound(rules.items, room) : load_lower_bound(rules.wanted, room);
+  return epochs_lower_bound(once, all ? binomial(rules.items, 2) : rules.wanted.count(), room,
+                            std::max<std::uint64_t>(1, workers), rules.epochs);
+}
 
 void show_loads(const LoadOrder& order, std::uint64_t /*room: the order's own*/,
                 const LoadsShown& how, Sink& out) {

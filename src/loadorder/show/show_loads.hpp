@@ -26,6 +26,10 @@ struct LoadsShown {
   bool beside = false;  ///< all steps are checked while they are written, not before
 };
 
+/// No schedule with such rules has fewer loads, in epochs and of several workers, with this room.
+[[nodiscard]] LoadBound bound_of_loads(const ScheduleRules& rules, std::uint64_t room,
+                                       std::uint64_t workers);
+
 // What the steps compute and store is checked first, as it will be written. @throws InternalError
 
 /// In lockstep the steps of all workers with the same number come after one another. @throws

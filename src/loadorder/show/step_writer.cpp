@@ -15,9 +15,9 @@ namespace changeover {
 namespace {
 
 const char* name_of(Column column) {
-  static constexpr const char* names[] = {"worker",      "step",       "load",       "evict",
-                                          "store",       "new_pairs",  "before",     "compute",
-                                          "evict_first", "evict_late", "fast_evict", "fast_load"};
+  static constexpr const char* names[] = {
+      "worker", "epoch",   "step",        "load",       "evict",      "store",    "new_pairs",
+      "before", "compute", "evict_first", "evict_late", "fast_evict", "fast_load"};
   return names[static_cast<std::size_t>(column)];
 }
 
@@ -38,6 +38,9 @@ void StepWriter::write(const Step& step) {
     switch (column) {
       case Column::worker:
         number(column, step.worker);
+        break;
+      case Column::epoch:
+        number(column, step.epoch);
         break;
       case Column::step:
         number(column, step.number);

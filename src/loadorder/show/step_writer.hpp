@@ -18,6 +18,7 @@ namespace changeover {
 /// What is said of a step, under this name.
 enum class Column : std::uint8_t {
   worker,
+  epoch,
   step,
   load,
   evict,

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "changeover/core/error.hpp"
@@ -80,11 +81,8 @@ LoadQuestion question_of(const Explorer& explorer, const Request& sent) {
 // Follows all steps: samples for curves, and the referee.
 class Account {
  public:
-  Account(const CheckedLoads& asked, std::uint64_t steps)
-      : asked_(asked),
-        every_(steps / most_samples + 1),
-        met_(asked.items()),
-        check_({.items = asked.items(), .room = asked.room(), .wanted = asked.wanted()}) {}
+  Account(const CheckedLoads& asked, std::uint64_t steps, const ScheduleRules& rules)
+      : asked_(asked), every_(steps / most_samples + 1), met_(asked.items()), check_(rules) {}
 
   void read(const Step& step) {
     check_.read(step);
@@ -95,15 +93,14 @@ class Account {
       std::erase(memory_, item);
     }
     pairs_of_.resize(std::max<std::size_t>(pairs_of_.size(), step.worker + 1));
-    for (const Element item : step.load) {
-      for (const Element other : memory_) {
-        if (item != other && !met_.contains(item, other) && asked_.wanted().contains(item, other)) {
-          met_.insert(item, other);
-          ++pairs_;
-          ++pairs_of_[step.worker];
-        }
+    if (step.epoch != std::exchange(epoch_, step.epoch)) {
+      met_ = PairSet(asked_.items());
+      for (const Element item : std::exchange(memory_, {})) {
+        come(item, step.worker);
       }
-      memory_.push_back(item);
+    }
+    for (const Element item : step.load) {
+      come(item, step.worker);
     }
     if (count_++ % every_ == 0) {
       held_.push_back(memory_.size());
@@ -133,7 +130,19 @@ class Account {
   [[nodiscard]] const std::vector<std::uint64_t>& done() const { return done_; }
 
  private:
+  void come(Element item, std::uint64_t worker) {
+    for (const Element other : memory_) {
+      if (item != other && !met_.contains(item, other) && asked_.wanted().contains(item, other)) {
+        met_.insert(item, other);
+        ++pairs_;
+        ++pairs_of_[static_cast<std::size_t>(worker)];
+      }
+    }
+    memory_.push_back(item);
+  }
+
   const CheckedLoads& asked_;
+  std::uint64_t epoch_ = 1;
   std::uint64_t every_;
   std::vector<Element> memory_;
   PairSet met_;
@@ -247,11 +256,12 @@ Response load_order(const Explorer& explorer, const Request& request) {
   const LoadOrderFacts& facts = planned.facts();
   const std::uint64_t loads = planned.loads();
   const std::uint64_t steps = planned.steps();
-  const LoadBound bound = asked.wanted().are_all() ? load_lower_bound(asked.items(), asked.room())
-                                                   : load_lower_bound(asked.wanted(), asked.room());
+  const LoadBound bound = answer.bound();
   FirstLines lines(most_steps + 1);
   answer.write("jsonl", lines);
-  Account account(asked, steps);
+  ScheduleRules rules = planned.split != nullptr ? planned.split->rules() : planned.order->rules();
+  rules.room = asked.room();
+  Account account(asked, steps, rules);
   const auto stream = planned.stream();
   for (Step step; stream->next(step);) {
     account.read(step);

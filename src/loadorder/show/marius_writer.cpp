@@ -1,0 +1,55 @@
+#include "loadorder/show/marius_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "changeover/core/error.hpp"
+
+namespace changeover {
+
+void MariusWriter::write(const Step& step) {
+  if (step.epoch != epoch_) {
+    end();
+    epoch_ = step.epoch;
+  }
+  // What comes takes the places of what goes, as in a buffer.
+  if (!memory_.empty() && step.load.size() != step.evict.size()) {
+    throw BadInput(fmt::format(
+        "step {} evicts {} and loads {}: Marius exchanges as many partitions as it evicts; "
+        "give another room",
+        step.number, step.evict.size(), step.load.size()));
+  }
+  for (std::size_t i = 0; i < step.evict.size(); ++i) {
+    *std::find(memory_.begin(), memory_.end(), step.evict[i]) = step.load[i];
+  }
+  if (memory_.empty()) {
+    memory_ = step.load;
+  }
+  states_ += states_.empty() ? "[" : ",[";
+  for (std::size_t i = 0; i < memory_.size(); ++i) {
+    fmt::format_to(std::back_inserter(states_), "{}{}", i == 0 ? "" : ",", memory_[i]);
+  }
+  states_ += ']';
+  buckets_ += buckets_.empty() ? "[" : ",[";
+  for (std::size_t i = 0; i < step.compute.size(); ++i) {
+    fmt::format_to(std::back_inserter(buckets_), "{}[{},{}]", i == 0 ? "" : ",",
+                   step.compute[i].first, step.compute[i].second);
+  }
+  buckets_ += ']';
+}
+
+void MariusWriter::end() {
+  if (epoch_ > 0) {
+    out_.write(
+        fmt::format(R"({{"epoch":{},"num_partitions":{},"buffer_capacity":{},"buffer_states":[{}],)"
+                    R"("edge_buckets_per_buffer":[{}]}})"
+                    "\n",
+                    epoch_, items_, std::min(room_, items_), states_, buckets_));
+  }
+  states_.clear();
+  buckets_.clear();
+}
+
+}  // namespace changeover

@@ -1,0 +1,41 @@
+// Internal: an order in the form in which Marius keeps one: what its buffer holds, state by state,
+// and the edge buckets that are trained on in each.
+//
+//     MariusWriter writer(out, 64, 16);
+//     writer.write(step);                   // with its pairs both ways, and each item with itself
+//     writer.end();
+//
+// A line for each epoch, with the lists that Marius' PartitionBufferStorage.setBufferOrdering()
+// (buffer_states) and DataLoader.edge_buckets_per_buffer take as tensors.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "changeover/io/output.hpp"
+#include "changeover/loadorder/schedule.hpp"
+
+namespace changeover {
+
+class MariusWriter {
+ public:
+  MariusWriter(Sink& out, std::uint64_t items, std::uint64_t room)
+      : out_(out), items_(items), room_(room) {}
+
+  /// @throws BadInput if it loads more or less than it evicts, memory being full
+  void write(const Step& step);
+
+  void end();
+
+ private:
+  Sink& out_;
+  std::uint64_t items_;
+  std::uint64_t room_;
+  std::uint64_t epoch_ = 0;
+  std::vector<Element> memory_;
+  std::string states_;
+  std::string buckets_;
+};
+
+}  // namespace changeover

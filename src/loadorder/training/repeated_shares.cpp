@@ -1,0 +1,103 @@
+// Shares again and again, back and forth.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/core/parameters.hpp"
+#include "core/checked.hpp"
+#include "loadorder/order/read_order.hpp"
+#include "loadorder/shares/owners/pair_table.hpp"
+#include "loadorder/shares/split_maker.hpp"
+#include "loadorder/training/epochs.hpp"
+
+namespace changeover {
+namespace {
+
+class RepeatedSteps final : public WorkerSteps {
+ public:
+  RepeatedSteps(WorkerSplit once, std::uint64_t epochs)
+      : once_(std::make_shared<const WorkerSplit>(std::move(once))), epochs_(epochs) {}
+
+  [[nodiscard]] std::unique_ptr<StepSource> of(std::uint64_t worker) const override {
+    return back_and_forth([once = once_, worker] { return once->stream(worker); }, epochs_, 0);
+  }
+
+ private:
+  std::shared_ptr<const WorkerSplit> once_;
+  std::uint64_t epochs_;
+};
+
+}  // namespace
+
+void SplitMaker::repeat(WorkerSplit& split, std::uint64_t epochs) {
+  constexpr std::uint64_t most_bits = std::uint64_t{1} << 34;  // 2 GB, of pairs in all epochs
+  constexpr std::uint64_t most_pairs = 30'000'000;
+  const std::uint64_t workers = split.facts_.workers.size();
+  // Who computes a pair may be said by the step in which it meets; a table says it by the pair.
+  const bool by_table = are_few(split);
+  if (workers > 1 && by_table && split.owners_ != nullptr && !split.facts_.has_costs) {
+    spread(split);
+  }
+  WorkerSplit once_only(split.facts_, LoadOrder(split.order_.facts(), split.order_.maker()));
+  once_only.steps_ = std::move(split.steps_);
+  split.steps_ = std::make_shared<const RepeatedSteps>(std::move(once_only), epochs);
+  if (!by_table) {
+    split.owners_ = nullptr;
+  }
+  SplitFacts& facts = split.facts_;
+  const LoadOrderFacts& whole = split.order_.facts();
+  const std::uint64_t pairs = facts.all_pairs;
+  const LoadBound once = whole.wanted.are_all() ? load_lower_bound(facts.items, facts.room)
+                                                : load_lower_bound(whole.wanted, facts.room);
+  facts.epochs = epochs;
+  facts.makespan_bound = epochs_makespan_bound(
+      facts.makespan_bound, epochs_lower_bound(once, pairs, facts.room, workers, epochs), workers);
+  facts.all_pairs = checked_multiply(pairs, epochs);
+  for (WorkerFacts& worker : facts.workers) {
+    worker.steps = checked_multiply(worker.steps, epochs);
+    worker.pairs = checked_multiply(worker.pairs, epochs);
+    worker.cost *= static_cast<double>(epochs);
+  }
+  facts.most_pairs = checked_multiply(facts.most_pairs, epochs);
+  facts.most_cost *= static_cast<double>(epochs);
+  facts.all_costs *= static_cast<double>(epochs);
+
+  ScheduleVerdict verdict;
+  const bool read = whole.every_step_read && checked_multiply(pairs, epochs) <= most_bits &&
+                    checked_multiply(facts.loads, epochs) <= most_loads_read;
+  if (read) {
+    ScheduleRules rules = split.rules();
+    std::unique_ptr<StepSource> steps = split.stream();
+    if (checked_multiply(pairs, epochs) <= most_pairs &&
+        (split.owners_ != nullptr || workers == 1)) {
+      rules.compute = ComputeRules{};
+      steps = std::make_unique<StepWork>(std::move(steps), rules, split.owners_);
+    }
+    verdict = check_schedule(*steps, rules);
+    if (!verdict.valid()) {
+      throw InternalError(fmt::format("the shares of {} epochs are wrong: {}{}", epochs,
+                                      verdict.fault, verdict.example));
+    }
+  } else {
+    const auto steps = split.stream();
+    static_cast<ScheduleFacts&>(verdict) = count_moves(*steps, 1);
+  }
+  verdict.worker_loads.resize(facts.workers.size(), 0);
+  facts.loads = verdict.loads;
+  facts.transfers = verdict.transfers;
+  facts.makespan = verdict.makespan();
+  facts.epoch_loads = verdict.epoch_loads;
+  for (std::size_t w = 0; w < facts.workers.size(); ++w) {
+    facts.workers[w].loads = verdict.worker_loads[w];
+  }
+  LoadOrderFacts its = whole;
+  its.every_step_read = read;
+  its.certificate = facts.certificate = read ? in_each_epoch(whole.certificate, epochs)
+                                             : whole.certificate + ", and read back and forth";
+  split.order_ = LoadOrder(std::move(its), split.order_.maker());
+}
+
+}  // namespace changeover
