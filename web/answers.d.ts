@@ -187,6 +187,11 @@ export type LoadRequest = {
   fast_room?: number | null;
   /** bytes an item, to say what both levels move */
   item_bytes?: number | null;
+  /** items differ in size: an item and its bytes per line, or the bytes of items 0, 1, … in turn; --memory says how many fit */
+  sizes?:
+    ([string | number | null, string | number | null][] | {file: string} | {text: string} | {workbook: string; sheet?: string}) | null;
+  /** bytes in memory at once, of items with --sizes */
+  memory?: number | null;
   /** split it for W workers with room C each */
   workers?: number | null;
   /** only the steps of worker I of these, from 0 */
@@ -478,6 +483,13 @@ export interface Head {
   wanted?: string;
   wanted_pairs?: number;
   fast_room?: number;
+  /** Bytes in memory at once, if items have sizes; room is the most items that fit then. */
+  memory?: number;
+  /** The most that are in memory at once. */
+  most_bytes?: number;
+  /** No order loads fewer bytes. */
+  bytes_bound?: number;
+  bytes_bound_reason?: string;
   loads: number;
   transfers?: number;
   steps: number;

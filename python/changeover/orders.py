@@ -12,7 +12,7 @@ import pickle
 import zlib
 from array import array
 from typing import (
-    Any, Callable, Dict, Iterable, Iterator, List, NamedTuple, Optional, Set, SupportsIndex, Tuple,
+    Any, Callable, Dict, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Set, SupportsIndex, Tuple,
     Union, overload)
 
 from . import _core
@@ -132,7 +132,7 @@ class LoadOrder(_Loads):
     """Steps (evict, load), lists of item numbers, after which every pair was in memory together."""
 
     items: int = fact()
-    room: int = fact()
+    room: int = fact("Of items with sizes the most that fit.")
     loads: int = fact("All loads, the first ones included.")
     steps: int = fact()
     lower_bound: int = fact("No order has fewer loads.")
@@ -140,6 +140,8 @@ class LoadOrder(_Loads):
     method: str = fact()
     certificate: str = fact("How it was verified, one line.")
     epoch_loads: Optional[List[int]] = fact("Of each epoch, if there are several.")
+    bytes: Optional[int] = fact("That are loaded, if items have sizes.")
+    bytes_bound: Optional[int] = fact("No order loads fewer.")
 
     def for_marius(self) -> List[Dict[str, Any]]:
         """The order as Marius keeps one, a dict for each epoch: `buffer_states` are the partitions
@@ -299,36 +301,51 @@ def _cost_rows(pair_cost: Any) -> List[List[str]]:
     return made_rows
 
 
+def _size_rows(sizes: Any) -> List[List[str]]:
+    """Rows of an item and its bytes."""
+    items = sizes.items() if isinstance(sizes, Mapping) else enumerate(
+        listed("sizes", "numbers of bytes", sizes))
+    rows: List[List[str]] = []
+    for item, size in items:
+        try:
+            rows.append([str(_item(item)), str(operator.index(size))])
+        except TypeError:
+            raise BadInput(f"sizes: {size!r} is not a whole number of bytes") from None
+    return rows
+
+
 @overload
 def load_order(
-    items: Optional[int], room: int, *, pairs: Optional[Iterable[Iterable[SupportsIndex]]] = None,
+    items: Optional[int], room: Optional[int] = None, *,
+    pairs: Optional[Iterable[Iterable[SupportsIndex]]] = None,
     against: Optional[int] = None, done_items: Optional[int] = None, workers: None = None,
     disjoint: bool = False, write_back: bool = False, new_pairs: bool = False,
     prefetch: bool = False, ordered: bool = False, with_self: bool = False, shuffle: bool = False,
     first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
-    epochs: int = 1, spread: bool = False, time: Optional[float] = None, threads: int = 1,
-    seed: int = 1, progress: Progress = None,
+    epochs: int = 1, spread: bool = False, sizes: Any = None, memory: Optional[int] = None,
+    time: Optional[float] = None, threads: int = 1, seed: int = 1, progress: Progress = None,
 ) -> LoadOrder: ...
 @overload
 def load_order(
-    items: Optional[int], room: int, *, pairs: Optional[Iterable[Iterable[SupportsIndex]]] = None,
+    items: Optional[int], room: Optional[int] = None, *,
+    pairs: Optional[Iterable[Iterable[SupportsIndex]]] = None,
     against: Optional[int] = None, done_items: Optional[int] = None, workers: int,
     disjoint: bool = False, write_back: bool = False, new_pairs: bool = False,
     prefetch: bool = False, ordered: bool = False, with_self: bool = False, shuffle: bool = False,
     first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
-    epochs: int = 1, spread: bool = False, time: Optional[float] = None, threads: int = 1,
-    seed: int = 1, progress: Progress = None,
+    epochs: int = 1, spread: bool = False, sizes: Any = None, memory: Optional[int] = None,
+    time: Optional[float] = None, threads: int = 1, seed: int = 1, progress: Progress = None,
 ) -> WorkerLoads: ...
 
 
 def load_order(
-    items: Optional[int], room: int, *, pairs: Any = None, against: Optional[int] = None,
+    items: Optional[int], room: Optional[int] = None, *, pairs: Any = None, against: Optional[int] = None,
     done_items: Optional[int] = None, workers: Optional[int] = None, disjoint: bool = False,
     write_back: bool = False, new_pairs: bool = False, prefetch: bool = False,
     ordered: bool = False, with_self: bool = False, shuffle: bool = False,
     first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
-    epochs: int = 1, spread: bool = False, time: Optional[float] = None, threads: int = 1,
-    seed: int = 1, progress: Progress = None,
+    epochs: int = 1, spread: bool = False, sizes: Any = None, memory: Optional[int] = None,
+    time: Optional[float] = None, threads: int = 1, seed: int = 1, progress: Progress = None,
 ) -> Union[LoadOrder, WorkerLoads]:
     """An order of loads after which every pair of `items` items was in memory together, with room
     for `room`; `time` seconds of search for a better one. Verified. Iterating gives steps (evict,
@@ -345,18 +362,21 @@ def load_order(
     has changed and is stored. prefetch: it says what is computed while loads run. epochs: every pair
     meets in each of so many, back and forth, with what is in memory staying from one to the next.
     spread: with new_pairs or write_back, a pair goes to a random step of those that have it, evened
-    over steps, by seed. verify_beside: it returns before the steps are read; verified() waits for
+    over steps, by seed. sizes, in place of room: the bytes of the items, in turn or as a mapping from
+    item to bytes, of which `memory` are held at once. verify_beside: it returns before the steps are read; verified() waits for
     that. Raises BadInput, ImpossibleParameters.
     """
     if sum(each is not None for each in (pairs, against, done_items)) > 1:
         raise BadInput("give one of pairs, against and done_items")
-    if items is None and pairs is None:
+    if items is None and pairs is None and sizes is None:
         raise BadInput("give items, how many there are")
+    if room is None and sizes is None:
+        raise BadInput("give room, how many items are in memory at once, or sizes and memory")
     if time is not None and not 0 <= time <= 1e9:
         raise ValueError("time is a number of seconds, 0 or more")
     asked: Dict[str, Any] = {"items": items, "room": room, "against": against,
                              "done_items": done_items, "workers": workers,
-                             "epochs": None if epochs == 1 else epochs}
+                             "epochs": None if epochs == 1 else epochs, "memory": memory}
     asked.update({key: True for key, given in (
         ("disjoint", disjoint), ("write_back", write_back), ("new_pairs", new_pairs),
         ("prefetch", prefetch), ("ordered", ordered), ("self", with_self), ("shuffle", shuffle),
@@ -364,6 +384,8 @@ def load_order(
         ("spread", spread)) if given})
     if pair_cost is not None:
         asked["pair_cost"] = _cost_rows(pair_cost)
+    if sizes is not None:
+        asked["sizes"] = _size_rows(sizes)
     ends = None if pairs is None else _ends(pairs).tobytes()
     core, facts = _core.load_order(json.dumps(asked), ends, time, threads, seed, progress)
     # What a search finds is not found again: a pickle holds its steps.

@@ -294,7 +294,10 @@ py::dict facts_of(const Loads& loads) {
                     py::arg("lower_bound") = facts.bound.loads,
                     py::arg("reason") = facts.bound.reason, py::arg("method") = facts.method,
                     py::arg("certificate") = facts.certificate,
-                    py::arg("epoch_loads") = loads_of_epochs(facts.epochs, facts.epoch_loads));
+                    py::arg("epoch_loads") = loads_of_epochs(facts.epochs, facts.epoch_loads),
+                    py::arg("bytes") = facts.sizes ? std::optional(facts.bytes) : std::nullopt,
+                    py::arg("bytes_bound") =
+                        facts.sizes ? std::optional(facts.byte_bound.loads) : std::nullopt);
   }
   std::vector<std::uint64_t> of_workers;
   std::optional<std::vector<std::uint64_t>> pairs;

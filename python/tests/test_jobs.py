@@ -573,6 +573,30 @@ class Larger(unittest.TestCase):
             changeover.Design([[0, 1, 2], [1, 2, 3]]).expand()
 
 
+class Sizes(unittest.TestCase):
+    def test_what_is_held_fits_into_the_memory(self):
+        sizes = [(1 + i * i % 13) * 1000 for i in range(20)]
+        order = changeover.load_order(None, sizes=sizes, memory=50_000, new_pairs=True)
+        held, loaded, pairs = set(), 0, []
+        for step in order.work():
+            held -= set(step.evict)
+            held |= set(step.load)
+            loaded += sum(sizes[item] for item in step.load)
+            self.assertLessEqual(sum(sizes[item] for item in held), 50_000)
+            pairs += step.pairs
+        self.assertEqual((loaded, len(set(pairs)), len(pairs)), (order.bytes, 190, 190))
+        self.assertLessEqual(order.bytes_bound, order.bytes)
+        self.assertIsNone(changeover.load_order(6, 3).bytes)
+        listed = changeover.load_order(None, pairs=[(0, 2), (2, 3)], sizes={0: 5, 2: 4, 3: 3}, memory=9)
+        self.assertEqual(listed.bytes, 12)
+
+    def test_what_does_not_fit_is_refused(self):
+        for more, why in (({"sizes": [3, 6], "memory": 8}, "9 bytes together"), ({"sizes": [3, 6]}, "memory"),
+                          ({"sizes": [3, 0.5], "memory": 9}, "whole number of bytes"), ({}, "give items")):
+            with self.assertRaisesRegex(changeover.BadInput, why):
+                changeover.load_order(None, **more)
+
+
 class Epochs(unittest.TestCase):
     def test_every_pair_is_computed_once_in_each_epoch(self):
         for more in ({}, {"workers": 3}, {"workers": 2, "disjoint": True}, {"write_back": True}):

@@ -88,6 +88,13 @@ TEST_F(LoadOrderExamples, LoadOrder) {
   EXPECT_THAT(output.take(), HasSubstr(std::to_string(order.facts().steps) + ": 1\n"));
 }
 
+TEST_F(LoadOrderExamples, Sizes) {
+  auto sizes = std::make_shared<const ItemSizes>(ItemSizes{{400, 300, 300, 200, 100}, 900});
+  LoadOrder order = plan_sized_order(sizes, {});
+  order.facts().bytes;  // facts().byte_bound.loads are needed
+  EXPECT_GE(order.facts().bytes, order.facts().byte_bound.loads);
+}
+
 TEST_F(LoadOrderExamples, Epochs) {
   LoadOrder order = repeat_order(plan_load_order(64, 16), 10);
   order.facts().epoch_loads;  // 149, and then 133 in each epoch

@@ -22,6 +22,14 @@ struct LoadOrderRequest {
   OutputRequest output;
 };
 
+// With sizes, those of the options or of the file, --memory is of items and not of a search.
+void take_memory_of_items(LoadRequest& request, RunRequest& run) {
+  if (request.sizes.is_given() && !run.memory.empty()) {
+    request.memory = parse_size(run.memory, "--memory");
+    run.memory.clear();
+  }
+}
+
 // When memory is full for the first time, all pairs in it are new.
 void require_memory_for_a_step(const CheckedLoads& asked, bool ordered) {
   const std::uint64_t room = asked.room();
@@ -39,6 +47,7 @@ Answer run(const LoadOrderRequest& typed) {
   RunRequest run = typed.run;
   LoadRequest request =
       whole_request(typed.load, run, load_table(), typed.file, typed.output, load_request);
+  take_memory_of_items(request, run);
   if (typed.output.format() == "marius") {
     if (request.workers || request.fast_room || request.prefetch || request.write_back ||
         request.from_step || request.verify_beside) {
@@ -95,8 +104,9 @@ void add_loadorder(Program& program) {
   request.run.add_to(verb, "0s", request.output);
   request.output.add_to(verb, {"text", "jsonl", "csv", "marius"});
   verb.require([&request = request] {
-    if (!request.run.memory.empty() && request.run.time.empty() && request.file.path.empty()) {
-      throw UsageError{"--memory SIZE is for --time; give both"};
+    if (!request.run.memory.empty() && request.run.time.empty() && request.file.path.empty() &&
+        !request.load.sizes.is_given()) {
+      throw UsageError{"--memory SIZE is for --time or --sizes; give both"};
     }
   });
   verb.examples(
@@ -110,6 +120,7 @@ void add_loadorder(Program& program) {
        "changeover loadorder --items 200 --room 40 --fast-room 8      two levels",
        "changeover loadorder --items 64 --room 16 --prefetch",
        "changeover loadorder --pairs edges.txt --room 10       only some pairs",
+       "changeover loadorder --sizes parts.csv --memory 8G     items of different size",
        "changeover loadorder --items 12 --against 20 --room 4  two sets",
        "changeover loadorder --items 1024 --done-items 1000 --room 64"});
 }

@@ -42,6 +42,10 @@
 // are read are a fault at the end, since the results are then of neither. A killed or failed job
 // has changed the results of its own steps only.
 //
+// Of an order for items of different size (plan_sized_order()) each load has a buffer of its item's
+// size, given back when it is evicted: at most as many bytes as the order was planned for, and
+// 4,096 for each item. What the next step evicts goes before its loads start.
+//
 // At most 65,535 items, so that pairs can be kept in mind: C(P,2) bits; any number if pairs are
 // listed. An item is best a chunk of many vectors.
 #pragma once

@@ -77,9 +77,11 @@ struct LoadOrderFacts : ScheduleFacts {
   std::optional<std::uint64_t> fast_room = {};  ///< of an accelerator (loadorder/load_order.hpp)
   LoadBound transfer_bound = {};                ///< no order transfers less to it
   std::uint64_t group_items = 0;                ///< of its groups; 0 if items are not grouped
+  std::shared_ptr<const ItemSizes> sizes = {};  ///< of items; then room is the most that fit
+  LoadBound byte_bound = {};                    ///< no order loads fewer bytes, if items have sizes
   std::uint64_t epochs = 1;                     ///< in each of which all pairs meet
 
-  /// loads / bound − 1.
+  /// loads / bound − 1; of items with sizes the same of bytes.
   [[nodiscard]] double gap() const;
 };
 
@@ -129,6 +131,7 @@ class LoadOrder {
             .lockstep = facts_.lockstep,
             .wanted = facts_.wanted,
             .compute = compute,
+            .sizes = facts_.sizes,
             .epochs = facts_.epochs};
   }
 
@@ -177,6 +180,35 @@ class LoadOrder {
 
 /// The loads that no order for these pairs can go below. @throws as above
 [[nodiscard]] LoadBound load_lower_bound(const WantedPairs& wanted, std::uint64_t room);
+
+// Items of different size: what is in memory is counted in bytes.
+//
+//     auto sizes = std::make_shared<const ItemSizes>(ItemSizes{{400, 300, 300, 200, 100}, 900});
+//     LoadOrder order = plan_sized_order(sizes, {});
+//     order.facts().bytes;                                   // facts().byte_bound.loads are needed
+//
+// *Where orders come from.* The best of: orders of closing items (docs/loadorder.md), where as much
+// is evicted as the next item needs, in the sequence of the numbers or of the sizes, or made better
+// by search; and orders of groups that are packed so that K of them fit, for each K, in which what
+// goes stays as long as its place is not needed.
+//
+// *The bounds*, with sizes s_x and memory M. Let a pair weigh the product of its sizes. What a load
+// of x brings weighs s_x (M − s_x) at most, and what is loaded before memory can be full brings
+// M (M − s)/2 less in all, s being the largest size (the same of the items from some size on, whose
+// loads are an order for them): the i-th of these loads finds at most what was
+// loaded before it, T, and a sum of s_i (M − T − s_i) is at least the integral of M − t less
+// triangles s_i²/2. And if sizes are multiples of a unit, items are so many units that move
+// together, of which all pairs meet: load_lower_bound() of the units, with room for M of them.
+
+/// An order for all pairs, or those that are wanted, verified. @throws BadInput if items are none,
+/// have no byte or do not fit, alone or with those that they must meet; ImpossibleParameters above
+/// 65,535 items.
+[[nodiscard]] LoadOrder plan_sized_order(std::shared_ptr<const ItemSizes> sizes,
+                                         const WantedPairs& wanted,
+                                         const LoadOrderOptions& options = {});
+
+/// Bytes that no such order goes below. @throws as above
+[[nodiscard]] LoadBound sized_lower_bound(const ItemSizes& sizes, const WantedPairs& wanted);
 
 // Epochs: training goes over all pairs again and again.
 //

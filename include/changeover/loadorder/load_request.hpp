@@ -18,6 +18,7 @@
 #include <string>
 
 #include "changeover/io/request.hpp"
+#include "changeover/loadorder/schedule.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
 
 namespace changeover {
@@ -31,6 +32,8 @@ struct LoadRequest {
   std::optional<std::uint64_t> done_items = {};
   std::optional<std::uint64_t> fast_room = {};
   std::optional<std::uint64_t> item_bytes = {};
+  RequestList sizes = {};
+  std::optional<std::uint64_t> memory = {};
   std::optional<std::uint64_t> workers = {};
   std::optional<std::uint64_t> worker = {};
   std::optional<std::uint64_t> from_step = {};
@@ -77,7 +80,10 @@ class CheckedLoads {
  public:
   [[nodiscard]] const WantedPairs& wanted() const { return wanted_; }
   [[nodiscard]] std::uint64_t items() const { return items_; }
+  /// Of items with sizes the most that fit.
   [[nodiscard]] std::uint64_t room() const { return room_; }
+  /// Null if all items have the same size.
+  [[nodiscard]] const std::shared_ptr<const ItemSizes>& sizes() const { return sizes_; }
   /// What a pair costs; empty if all cost the same.
   [[nodiscard]] const std::function<double(Element, Element)>& pair_cost() const { return cost_; }
 
@@ -88,6 +94,7 @@ class CheckedLoads {
   WantedPairs wanted_;
   std::uint64_t items_ = 0;
   std::uint64_t room_ = 0;
+  std::shared_ptr<const ItemSizes> sizes_;
   std::function<double(Element, Element)> cost_;
 };
 

@@ -18,7 +18,7 @@
 // *Checked of every step.* Steps of a worker are numbered 1, 2, …; what is evicted is there; what
 // is loaded is an item and is not; at most `room` items are in memory or on their way. Of two
 // levels: the same of the accelerator, and what is there stays in memory. Of workers in lockstep:
-// nothing is held twice. What is computed is wanted, and both its items are there. What is stored
+// nothing is held twice. If items have sizes, what is in memory has at most so many bytes. What is computed is wanted, and both its items are there. What is stored
 // was changed, and no change is lost. *At the end:* every wanted pair was together in a memory,
 // of two levels on the accelerator, or was computed exactly once. Of several *epochs*: each worker's
 // steps go through them in turn, memory stays as it is between them, and all of this is so in each.
@@ -100,6 +100,14 @@ struct ComputeRules {
   std::optional<std::uint64_t> spread = {};
 };
 
+/// Items of different size, and how much fits into memory.
+struct ItemSizes {
+  std::vector<std::uint64_t> bytes;  ///< by item
+  std::uint64_t memory = 0;          ///< bytes, of each worker
+
+  bool operator==(const ItemSizes&) const = default;
+};
+
 /// Which schedule is meant: makers and the check take the same rules.
 struct ScheduleRules {
   std::uint64_t items = 0;
@@ -108,8 +116,9 @@ struct ScheduleRules {
   std::uint64_t lockstep = 0;  ///< workers that step together; 0: one, or one after another
   WantedPairs wanted = {};
   std::optional<ComputeRules> compute = {};  ///< each pair once; otherwise every pair meets
-  bool overlap = false;      ///< loads run while pairs of the step before are computed
-  bool store = false;        ///< what is computed changes its items
+  bool overlap = false;  ///< loads run while pairs of the step before are computed
+  bool store = false;    ///< what is computed changes its items
+  std::shared_ptr<const ItemSizes> sizes = {};  ///< what is held fits into that memory, too
   std::uint64_t epochs = 1;  ///< in each of which every pair meets, or is computed
   bool shares = false;       ///< of several epochs: whether workers come one after another
 };
@@ -124,6 +133,8 @@ struct ScheduleFacts {
   std::uint64_t overlapped = 0;  ///< of these, while loads run
   std::uint64_t span = 0;        ///< in lockstep: the most loads of one worker in a step, added up
   std::uint64_t most_in_memory = 0;
+  std::uint64_t bytes = 0;                 ///< loaded, if items have sizes
+  std::uint64_t most_bytes = 0;            ///< in memory, of one worker
   std::uint64_t most_in_a_step = 0;        ///< computed, of one worker
   std::vector<std::uint64_t> epoch_loads;  ///< of all workers
   std::vector<std::uint64_t> worker_loads;

@@ -153,6 +153,9 @@ LoadBound load_lower_bound(std::uint64_t items, std::uint64_t room) {
 }
 
 double LoadOrderFacts::gap() const {
+  if (sizes) {
+    return static_cast<double>(bytes) / static_cast<double>(byte_bound.loads) - 1;
+  }
   return static_cast<double>(loads) / static_cast<double>(bound.loads) - 1;
 }
 

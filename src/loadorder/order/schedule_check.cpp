@@ -100,6 +100,9 @@ class ScheduleCheck::State {
       throw BadInput(
           fmt::format("pairs of {} items are wanted of {}", rules.wanted.items(), rules.items));
     }
+    if (rules.sizes && rules.sizes->bytes.size() != rules.items) {
+      throw BadInput(fmt::format("{} sizes of {} items", rules.sizes->bytes.size(), rules.items));
+    }
     const auto items = static_cast<std::size_t>(rules.items);
     memory_.place.assign(items, 0);
     if (rules.lockstep > 0) {
@@ -234,6 +237,7 @@ class ScheduleCheck::State {
   struct Worker {
     std::uint64_t number = 0;  // of its last step
     std::vector<Element> memory;
+    std::uint64_t bytes = 0;  // in it, if items have sizes
     std::vector<Element> accelerator;
     std::vector<ItemPair> overlap;  // what is still to be computed of its last step
   };
@@ -342,6 +346,7 @@ class ScheduleCheck::State {
                                       holds(step, x) ? "on the accelerator" : "not in memory"));
       }
       const std::uint32_t place = memory_.take(x, memory);
+      of(step).bytes -= rules_.sizes ? rules_.sizes->bytes[x] : 0;
       if (!rules_.fast_room) {
         part(step, x, place);
       }
@@ -387,6 +392,9 @@ class ScheduleCheck::State {
         computed()->loaded[x] = true;
       }
       memory_.put(x, worker.memory);
+      if (rules_.sizes && !take_bytes(step, x)) {
+        return;
+      }
       if (!owner_.empty()) {
         owner_[x] = static_cast<std::uint32_t>(step.worker);
       }
@@ -416,6 +424,21 @@ class ScheduleCheck::State {
         0);
     verdict_.epoch_loads[static_cast<std::size_t>(step.epoch - 1)] += step.load.size();
     verdict_.transfers += step.fast_load.size();
+  }
+
+  // No sum exceeds 64 bits: each is compared before the next.
+  bool take_bytes(const Step& step, Element x) {
+    Worker& worker = of(step);
+    const std::uint64_t size = rules_.sizes->bytes[x];
+    if (size > rules_.sizes->memory - worker.bytes) {
+      fail(step, fmt::format("loads {} of {} bytes where {} are free", x, size,
+                             rules_.sizes->memory - worker.bytes));
+      return false;
+    }
+    worker.bytes += size;
+    verdict_.bytes += size;
+    verdict_.most_bytes = std::max(verdict_.most_bytes, worker.bytes);
+    return true;
   }
 
   void compute(const Step& step, const std::vector<ItemPair>& pairs, bool overlapped) {

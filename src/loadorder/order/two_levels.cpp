@@ -12,6 +12,7 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "loadorder/order/kept_steps.hpp"
 #include "loadorder/order/pair_assigner.hpp"
 #include "loadorder/order/read_order.hpp"
 
@@ -253,24 +254,6 @@ LoadOrder::Maker with_groups(const Shape& shape) {
     return std::make_unique<Steps>(shape, groups->stream(), group_room, inner);
   };
 }
-
-/// Steps that were made before.
-class KeptSteps final : public StepSource {
- public:
-  explicit KeptSteps(std::shared_ptr<const std::vector<Step>> steps) : steps_(std::move(steps)) {}
-
-  bool next(Step& step) override {
-    if (next_ == steps_->size()) {
-      return false;
-    }
-    step = (*steps_)[next_++];
-    return true;
-  }
-
- private:
-  std::shared_ptr<const std::vector<Step>> steps_;
-  std::size_t next_ = 0;
-};
 
 /// The order for the accelerator alone; what leaves it stays in memory, and what is needed last
 /// leaves memory.

@@ -6,12 +6,14 @@
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/workers.hpp"
+#include "core/checked.hpp"
 #include "core/words.hpp"
 #include "io/request/request_document.hpp"
 #include "io/request/request_schema.hpp"
 #include "io/request/search_options.hpp"
 #include "loadorder/pairs/pair_costs.hpp"
 #include "loadorder/shares/owners/pair_table.hpp"
+#include "loadorder/sizes/sized_pairs.hpp"
 
 namespace changeover {
 namespace {
@@ -75,6 +77,23 @@ std::vector<RequestOption<R>> options() {
             .not_in_server = "it has bytes_per_item, for one level",
             .not_in_python = "what is moved is the loads times the bytes"},
            &R::item_bytes},
+          {{.key = "sizes",
+            .flags = "--sizes",
+            .kind = K::list,
+            .value = "FILE",
+            .help = "items differ in size: an item and its bytes per line, or the bytes of items "
+                    "0, 1, … in turn; --memory says how many fit",
+            .shape = RowShape::pairs,
+            .not_in_server = of_pages},
+           &R::sizes},
+          {{.key = "memory",
+            .flags = "--memory",
+            .kind = K::number,
+            .value = "SIZE",
+            .help = "bytes in memory at once, of items with --sizes",
+            .not_in_server = of_pages,
+            .of_every_search = true},
+           &R::memory},
           {{.key = "workers",
             .flags = "--workers",
             .kind = K::number,
@@ -179,6 +198,12 @@ std::vector<OptionRule> rules() {
   using Says = OptionRule::Says;
   return {
       {Says::exclude, {"new_pairs", "prefetch"}},
+      {Says::needs, {"sizes"}, {"memory"}},
+      {Says::only_with, {"memory"}, {"sizes"}},
+      // Memory says what fits; orders by sizes are for one memory and one level so far.
+      {Says::never_with,
+       {"sizes"},
+       {"room", "workers", "fast_room", "disjoint", "prefetch", "item_bytes"}},
       {Says::only_with,
        {"disjoint", "worker", "balance", "first_holder", "pair_cost"},
        {"workers"}},
@@ -212,6 +237,12 @@ std::string key(std::string_view name, Door door) {
 
 void refuse(const std::string& line) { throw BadOption(line); }
 
+void check_epochs_of(const LoadRequest& request, Door door) {
+  if (request.epochs && (*request.epochs == 0 || *request.epochs > most_epochs)) {
+    refuse(fmt::format("{} {}: give 1 to {}", key("epochs", door), *request.epochs, most_epochs));
+  }
+}
+
 // Numbers that are out of range by themselves.
 void check_ranges(const LoadRequest& request, Door door) {
   const auto at_least_one = [&](std::string_view name, const std::optional<std::uint64_t>& value,
@@ -239,16 +270,34 @@ void check_ranges(const LoadRequest& request, Door door) {
     refuse(fmt::format("{} {}: of {} {} give 0 to {}", key("worker", door), *request.worker,
                        key("workers", door), *request.workers, *request.workers - 1));
   }
-  at_least_one("epochs", request.epochs, " epoch");
-  if (request.epochs.value_or(1) > most_epochs) {
-    refuse(fmt::format("{} {}: give 1 to {}", key("epochs", door), *request.epochs, most_epochs));
-  }
+  check_epochs_of(request, door);
   at_least_one("against", request.against, " item");
   at_least_one("item_bytes", request.item_bytes, "");
   if (request.fast_room && (*request.fast_room < 2 || *request.fast_room > *request.room)) {
     refuse(fmt::format("{} {}: of {} {} give 2 to {}", key("fast_room", door), *request.fast_room,
                        key("room", door), *request.room, *request.room));
   }
+}
+
+// Of items with sizes.
+void at_least_two_fit(const LoadRequest& request, Door door) {
+  if (*request.memory < 2) {
+    refuse(fmt::format("{} {}: no two items could meet; give at least 2 bytes", key("memory", door),
+                       *request.memory));
+  }
+  if (request.items && (*request.items == 0 || *request.items > max_elements_in_memory)) {
+    refuse(fmt::format("{} {}: with {} give 1 to {}", key("items", door), *request.items,
+                       key("sizes", door), max_elements_in_memory));
+  }
+  if (request.against || request.done_items) {
+    const std::uint64_t items = request.items.value_or(0);
+    if (items == 0 || request.against.value_or(1) == 0 || request.done_items.value_or(0) >= items) {
+      refuse(fmt::format("{}: of how many items? give {}, 1 or more, and fewer that are done",
+                         key(request.against ? "against" : "done_items", door),
+                         key("items", door)));
+    }
+  }
+  check_epochs_of(request, door);
 }
 
 // Numbers that do not go together.
@@ -298,6 +347,10 @@ void check(const LoadRequest& request, Door door, bool has_pairs) {
   const auto in_full = [&](std::string_view name) {
     return spelled_with_value(option_of(load_table(), name).record, door);
   };
+  if (request.sizes.is_given()) {
+    at_least_two_fit(request, door);
+    return;
+  }
   if (!request.room || (!has_pairs && !request.items)) {
     refuse(has_pairs ? fmt::format("{} is required", in_full("room"))
                      : fmt::format("{} and {} are required", in_full("items"), in_full("room")));
@@ -326,6 +379,43 @@ std::string load_request_schema() {
                         records_of(load_table()), load_table().rules);
 }
 
+namespace {
+
+// Sizes of items that have names and no list of pairs say which items there are.
+void take_sizes(const LoadRequest& request, Door door, std::shared_ptr<const PairGraph>& pairs,
+                std::shared_ptr<const ItemSizes>& sizes) {
+  const auto input =
+      open(request.sizes, option_of(load_table(), "sizes").record, key("sizes", door));
+  std::vector<std::string> names;
+  std::optional<std::uint64_t> items = request.items;
+  if (items && request.against) {
+    items = checked_add(*items, *request.against);
+  }
+  std::vector<std::uint64_t> bytes = read_sizes(*input, items, pairs.get(), names);
+  if (!names.empty()) {
+    constexpr std::uint64_t most_named = 2'000;
+    if (names.size() > most_named || request.against || request.done_items) {
+      refuse(
+          fmt::format("{}: at most {} items with names, all pairs of them; number them, or list "
+                      "the pairs",
+                      key("sizes", door), most_named));
+    }
+    pairs = std::make_shared<const PairGraph>(
+        names.size(),
+        [count = static_cast<Element>(names.size())](const PairGraph::Visit& visit) {
+          for (Element y = 1; y < count; ++y) {
+            for (Element x = 0; x < y; ++x) {
+              visit(x, y);
+            }
+          }
+        },
+        std::move(names));
+  }
+  sizes = std::make_shared<const ItemSizes>(ItemSizes{std::move(bytes), *request.memory});
+}
+
+}  // namespace
+
 void check_options(const LoadRequest& request, Door door) {
   check(request, door, request.pairs.is_given());
 }
@@ -334,11 +424,14 @@ CheckedLoads checked_loads(const LoadRequest& request, Door door,
                            std::shared_ptr<const PairGraph> pairs) {
   check(request, door, request.pairs.is_given() || pairs != nullptr);
   CheckedLoads checked;
-  checked.room_ = *request.room;
+  checked.room_ = request.room.value_or(0);
   if (request.pairs.is_given()) {
     const auto input =
         open(request.pairs, option_of(load_table(), "pairs").record, key("pairs", door));
     pairs = read_pairs(*input, {.items = request.items});
+  }
+  if (request.sizes.is_given()) {
+    take_sizes(request, door, pairs, checked.sizes_);
   }
   if (pairs) {
     checked.wanted_ = WantedPairs::listed(std::move(pairs));
@@ -347,7 +440,13 @@ CheckedLoads checked_loads(const LoadRequest& request, Door door,
   } else if (request.done_items) {
     checked.wanted_ = WantedPairs::beyond(*request.done_items, *request.items);
   }
-  checked.items_ = checked.wanted_.are_all() ? *request.items : checked.wanted_.items();
+  checked.items_ = !checked.wanted_.are_all() ? checked.wanted_.items()
+                   : checked.sizes_           ? checked.sizes_->bytes.size()
+                                              : *request.items;
+  if (checked.sizes_) {
+    check_sizes(*checked.sizes_, checked.wanted_);
+    checked.room_ = most_held(*checked.sizes_, checked.wanted_);
+  }
   if (request.pair_cost.is_given()) {
     const auto input = open(request.pair_cost, option_of(load_table(), "pair_cost").record,
                             key("pair_cost", door));

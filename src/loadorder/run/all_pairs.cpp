@@ -81,7 +81,14 @@ class Job {
       throw BadInput(
           "all_pairs() computes each pair once: give an order of one epoch, or take update_pairs()");
     }
-    report_.buffer_bytes = checked_multiply(room_, source_.buffer_bytes());
+    const auto& sizes = order_.facts().sizes;
+    if (sizes != nullptr && (options_.read_ahead > 0 || options_.share.of > 1)) {
+      throw BadInput(
+          "items have sizes, and memory is for all that is loaded: give no read_ahead and no share");
+    }
+    report_.buffer_bytes =
+        sizes != nullptr ? checked_add(sizes->memory, checked_multiply(room_, buffer_alignment))
+                         : checked_multiply(room_, source_.buffer_bytes());
     if (options_.memory_bytes && report_.buffer_bytes > *options_.memory_bytes) {
       throw BadInput(
           fmt::format("room for {} items takes {} bytes, but {} are allowed; plan for room {}",
@@ -100,7 +107,7 @@ class Job {
       split_ = &*own_;
     }
     report_.steps = split_->facts().workers[static_cast<std::size_t>(options_.share.index)].steps;
-    assigner_.emplace(items_, room_, order_.facts().wanted, 0, false, split_->owners());
+    assigner_.emplace(items_, places(), order_.facts().wanted, 0, false, split_->owners());
     std::optional<Journal> journal;
     if (!options_.journal.empty() || options_.results != nullptr) {
       claim_results(journal, fields);
@@ -123,6 +130,9 @@ class Job {
   }
 
  private:
+  // Where items have sizes all that goes does so before the next loads start.
+  [[nodiscard]] std::uint64_t places() const { return order_.facts().sizes != nullptr ? 0 : room_; }
+
   [[nodiscard]] bool cancelled() const {
     return options_.cancelled != nullptr && options_.cancelled->load(std::memory_order_relaxed);
   }
@@ -159,7 +169,7 @@ class Job {
       last[static_cast<std::size_t>(record.step - 1)] = &record;
     }
     is_done_.assign(last.size(), false);
-    PairAssigner assigner(items_, room_, order_.facts().wanted, 0, false, split_->owners());
+    PairAssigner assigner(items_, places(), order_.facts().wanted, 0, false, split_->owners());
     skip_what_others_compute(assigner);
     for (std::size_t i = 0; i < last.size() && assigner.next(step_); ++i) {
       if (last[i] == nullptr) {
@@ -237,7 +247,7 @@ class Job {
     }
     std::sort(needed.begin(), needed.end());
     needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
-    Reader reader(source_, items_, room_, options_.readers);
+    Reader reader(source_, items_, room_, options_.readers, order_.facts().sizes);
     request(reader, needed);
     for (const Element x : needed) {
       static_cast<void>(reader.wait(x));
@@ -275,7 +285,7 @@ class Job {
   // when the first of them begins has to be loaded again.
   void compute_stretch(ComputePool& pool, std::optional<Journal>& journal,
                        std::vector<Element> memory) {
-    Reader reader(source_, items_, room_, options_.readers);
+    Reader reader(source_, items_, room_, options_.readers, order_.facts().sizes);
     std::erase_if(memory, [&](Element x) {
       return std::find(step_.step.evict.begin(), step_.step.evict.end(), x) !=
              step_.step.evict.end();

@@ -11,23 +11,35 @@
 
 namespace changeover {
 
-Reader::Reader(ItemSource& source, std::uint64_t items, std::uint64_t room, unsigned threads)
+namespace {
+
+std::size_t aligned(std::uint64_t bytes) {
+  return static_cast<std::size_t>(ceil_div(std::max<std::uint64_t>(1, bytes), buffer_alignment) *
+                                  buffer_alignment);
+}
+
+}  // namespace
+
+Reader::Reader(ItemSource& source, std::uint64_t items, std::uint64_t room, unsigned threads,
+               std::shared_ptr<const ItemSizes> sizes)
     : source_(&source),
-      capacity_(static_cast<std::size_t>(
-          ceil_div(std::max<std::uint64_t>(1, source.buffer_bytes()), buffer_alignment) *
-          buffer_alignment)),
+      capacity_(aligned(source.buffer_bytes())),
+      sizes_(std::move(sizes)),
       slots_(static_cast<std::size_t>(room)),
       where_(static_cast<std::size_t>(items), 0) {
   for (std::uint32_t i = 0; i < slots_.size(); ++i) {
-    allocate(slots_[i]);
+    if (sizes_ == nullptr) {
+      allocate(slots_[i], capacity_);
+    }
     free_.push_back(i);
   }
   start_threads(
       threads_, std::max(1U, threads), [this](unsigned) { serve(); }, [this] { close(); });
 }
 
-void Reader::allocate(Slot& slot) const {
-  slot.place = static_cast<std::byte*>(std::aligned_alloc(buffer_alignment, capacity_));
+void Reader::allocate(Slot& slot, std::size_t bytes) {
+  slot.capacity = aligned(bytes);
+  slot.place = static_cast<std::byte*>(std::aligned_alloc(buffer_alignment, slot.capacity));
   if (slot.place == nullptr) {
     throw std::bad_alloc();
   }
@@ -64,7 +76,7 @@ void Reader::serve() {
     // No other thread touches a slot that is on its way.
     Slot& slot = slots_[index];
     try {
-      slot.bytes = source_->read(slot.item, {slot.place, capacity_});
+      slot.bytes = source_->read(slot.item, {slot.place, slot.capacity});
     } catch (...) {
       slot.fault = std::current_exception();
     }
@@ -82,8 +94,11 @@ void Reader::request(Element item) {
   }
   const std::uint32_t index = free_.back();
   Slot& slot = slots_[index];
-  if (slot.buffer.use_count() > 1) {
-    allocate(slot);  // The bytes of the item before are kept elsewhere, and stay as they are.
+  if (sizes_ != nullptr) {
+    allocate(slot, static_cast<std::size_t>(sizes_->bytes[item]));
+  } else if (slot.buffer.use_count() > 1) {
+    allocate(slot,
+             capacity_);  // The bytes of the item before are kept elsewhere, and stay as they are.
   } else {
     std::atomic_thread_fence(std::memory_order_acquire);  // They were read before they were let go.
   }
@@ -117,6 +132,11 @@ ItemView Reader::wait(Element item) {
   return view(item);
 }
 
-void Reader::release(Element item) { free_.push_back(where_[item]); }
+void Reader::release(Element item) {
+  free_.push_back(where_[item]);
+  if (sizes_ != nullptr) {
+    slots_[where_[item]].buffer.reset();
+  }
+}
 
 }  // namespace changeover

@@ -1,4 +1,5 @@
-// Internal: a fixed pool of buffers and the threads that fill them.
+// Internal: a fixed pool of buffers, or one as large as its item for each load, and the threads that
+// fill them.
 #pragma once
 
 #include <chrono>
@@ -21,8 +22,10 @@ namespace changeover {
 /// one thread, the owner.
 class Reader {
  public:
+  /// With `sizes` a buffer has the size of its item, and is given back when the item is released.
   /// @throws std::bad_alloc; MissingResource if a thread cannot be started
-  Reader(ItemSource& source, std::uint64_t items, std::uint64_t room, unsigned threads);
+  Reader(ItemSource& source, std::uint64_t items, std::uint64_t room, unsigned threads,
+         std::shared_ptr<const ItemSizes> sizes = nullptr);
   ~Reader();
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
@@ -51,18 +54,20 @@ class Reader {
   struct Slot {
     std::shared_ptr<const std::byte> buffer;
     std::byte* place = nullptr;  // the same memory, to be written to
+    std::size_t capacity = 0;
     Element item = 0;
     bool ready = false;
     std::span<const std::byte> bytes;
     std::exception_ptr fault;
   };
 
-  void allocate(Slot& slot) const;
+  static void allocate(Slot& slot, std::size_t bytes);
   void close();
   void serve();
 
   ItemSource* source_;
   std::size_t capacity_;
+  std::shared_ptr<const ItemSizes> sizes_;
   std::vector<Slot> slots_;
   std::vector<std::uint32_t> where_;  // by item: its slot
   std::vector<std::uint32_t> free_;

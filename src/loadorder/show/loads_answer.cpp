@@ -45,6 +45,9 @@ AnyLoads planned(const CheckedLoads& asked, const LoadRequest& request, LoadOrde
   const bool all = wanted.are_all();
   const std::uint64_t items = asked.items();
   const std::uint64_t room = asked.room();
+  if (asked.sizes()) {
+    return plan_sized_order(asked.sizes(), wanted, options);
+  }
   if (request.disjoint) {
     return plan_disjoint_order(items, room, *request.workers, options);
   }

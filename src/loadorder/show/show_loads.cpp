@@ -46,6 +46,7 @@ class Said {
                .lockstep = facts_.lockstep,
                .wanted = facts_.wanted,
                .store = how.write_back,
+               .sizes = facts_.sizes,
                .epochs = facts_.epochs} {
     if (how.new_pairs || how.write_back) {
       rules_.compute = how.compute;
@@ -196,6 +197,13 @@ class Said {
     if (facts_.fast_room) {
       json.key("fast_room").value(*facts_.fast_room);
     }
+    if (facts_.sizes) {
+      json.key("memory").value(facts_.sizes->memory);
+      json.key("bytes_loaded").value(facts_.bytes);
+      json.key("most_bytes").value(facts_.most_bytes);
+      json.key("bytes_bound").value(facts_.byte_bound.loads);
+      json.key("bytes_bound_reason").value(facts_.byte_bound.reason);
+    }
     json.key("loads").value(facts_.loads);
     if (facts_.fast_room) {
       json.key("transfers").value(facts_.transfers);
@@ -316,6 +324,13 @@ class Said {
           count_of(steps, "step"), busiest, level(facts_.loads, "load", bound),
           level(facts_.transfers, "transfer", facts_.transfer_bound));
     }
+    if (facts_.sizes) {
+      return fmt::format(
+          "{}, {} bytes of memory{}: {} bytes in {} and {}, {}\n",
+          facts_.wanted.are_all() ? count_of(facts_.items, "item") : facts_.wanted.describe(),
+          facts_.sizes->memory, in_epochs(), facts_.bytes, loads, count_of(steps, "step"),
+          over(facts_.bytes, facts_.byte_bound));
+    }
     const std::string what = fmt::format(
         "{}, room for {}{}: ",
         facts_.wanted.are_all() ? count_of(facts_.items, "item") : facts_.wanted.describe(),
@@ -348,6 +363,11 @@ class Said {
 
   // How to get fewer loads, where that may help.
   [[nodiscard]] std::string hint() const {
+    if (facts_.sizes) {
+      return facts_.bytes > facts_.byte_bound.loads && !how_.searched
+                 ? "--time 30s may find an order with fewer bytes\n"
+                 : "";
+    }
     const bool may_help =
         facts_.wanted.graph() != nullptr ||
         (facts_.wanted.are_all() && facts_.items <= LoadOrderOptions().improve_up_to);
@@ -362,6 +382,9 @@ class Said {
           "bound of the loads: {}\nbound of the transfers: {}\n{}", bound.reason,
           facts_.transfer_bound.reason,
           split_ == nullptr ? "" : "bound of the busiest: " + facts_.makespan_bound.reason + "\n");
+    }
+    if (facts_.sizes) {
+      return "bound: " + facts_.byte_bound.reason + "\n";
     }
     if (facts_.lockstep > 0) {
       return fmt::format("bound: {}\nbound of the busiest: {}\n", bound.reason,

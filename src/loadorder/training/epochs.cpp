@@ -221,6 +221,15 @@ LoadOrder repeat_order(LoadOrder order, std::uint64_t epochs) {
   const std::uint64_t pairs =
       facts.wanted.are_all() ? binomial(facts.items, 2) : facts.wanted.count();
   facts.bound = epochs_lower_bound(facts.bound, pairs, facts.room, workers, epochs);
+  if (facts.sizes) {
+    const std::uint64_t left =
+        facts.byte_bound.loads - std::min(facts.byte_bound.loads, facts.sizes->memory);
+    facts.byte_bound = {
+        checked_add(facts.byte_bound.loads, checked_multiply(epochs - 1, left)),
+        fmt::format("{} bytes in the first epoch, and {} in each other one, whose loads are an "
+                    "order of one epoch together with what is in memory when it begins; {}",
+                    facts.byte_bound.loads, left, facts.byte_bound.reason)};
+  }
   if (facts.fast_room) {
     facts.transfer_bound =
         epochs_lower_bound(facts.transfer_bound, pairs, *facts.fast_room, workers, epochs);

@@ -1,0 +1,165 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <unordered_map>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "io/scan/row_reader.hpp"
+#include "loadorder/sizes/sized_pairs.hpp"
+
+namespace changeover {
+namespace {
+
+std::optional<std::uint64_t> whole_number(std::string_view text, std::string_view& rest) {
+  std::uint64_t number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  rest = text.substr(static_cast<std::size_t>(stop - text.data()));
+  return error == std::errc() ? std::optional(number) : std::nullopt;
+}
+
+class SizeList {
+ public:
+  SizeList(Input& input, std::optional<std::uint64_t> items, const PairGraph* graph,
+           std::vector<std::string>& names)
+      : rows_(input, options()), items_(items), graph_(graph), names_(names) {
+    if (graph != nullptr) {
+      items_ = graph->items();
+      for (const std::string& name : graph->names()) {
+        numbers_.emplace(name, static_cast<Element>(numbers_.size()));
+      }
+    }
+  }
+
+  std::vector<std::uint64_t> read() {
+    Row row;
+    for (bool first = true; rows_.next_line();) {
+      if (!rows_.split(row)) {
+        continue;
+      }
+      std::erase_if(row, [](const Field& field) { return field.text.empty(); });
+      if (row.size() == 1 && !row.front().in_quotes) {
+        row = at_blanks(row.front(), rows_);
+      }
+      if (!row.empty() && !(std::exchange(first, false) && is_heading(row))) {
+        take(row);
+      }
+    }
+    return finish();
+  }
+
+ private:
+  static RowOptions options() {
+    RowOptions options = RowOptions::of_any_length();
+    options.any_separator = options.blanks = options.percent_too = true;
+    return options;
+  }
+
+  static std::optional<std::uint64_t> size_in(const Field& field) {
+    std::string_view unit;
+    const auto number = whole_number(field.text, unit);
+    constexpr std::string_view units = "KMGT";
+    std::uint64_t bytes = 1;
+    if (unit.size() == 1 && units.find(unit[0]) != std::string_view::npos) {
+      for (std::size_t i = 0; i <= units.find(unit[0]); ++i) {
+        bytes *= 1000;
+      }
+    } else if (!unit.empty() && unit != "B") {
+      return std::nullopt;
+    }
+    constexpr std::uint64_t most = 1'000'000'000'000'000;  // sums of them are numbers, too
+    return number && *number > 0 && *number <= most / bytes ? std::optional(*number * bytes)
+                                                            : std::nullopt;
+  }
+
+  static bool is_heading(const Row& row) {
+    return row.size() <= 2 && !size_in(row.back()) &&
+           row.back().text.find_first_of("0123456789") == std::string::npos;
+  }
+
+  void take(const Row& row) {
+    if (row.size() > 2 || (columns_ != 0 && row.size() != columns_)) {
+      rows_.fail(row.back(), "give an item and its bytes in each row, or in each the bytes alone");
+    }
+    columns_ = row.size();
+    const auto size = size_in(row.back());
+    if (!size) {
+      rows_.fail(row.back(),
+                 fmt::format("'{}' is not a size; give a whole number of bytes, or with K, M, G or "
+                             "T, as in 4M, at most 1000T",
+                             row.back().text));
+    }
+    const Element x = columns_ == 1 ? static_cast<Element>(sizes_.size()) : item(row.front());
+    if (items_ && x >= *items_) {
+      rows_.fail(row.front(),
+                 fmt::format("there are {} items, with the numbers 0 to {}", *items_, *items_ - 1));
+    }
+    if (x >= sizes_.size()) {
+      sizes_.resize(x + 1, 0);
+    }
+    if (sizes_[x] != 0) {
+      rows_.fail(row.front(),
+                 fmt::format("'{}' has a size already; keep one of both", row.front().text));
+    }
+    sizes_[x] = *size;
+  }
+
+  // A list of names alone says which items there are.
+  Element item(const Field& field) {
+    std::string_view rest;
+    const auto number = whole_number(field.text, rest);
+    const bool is_number = number && rest.empty() && *number < most_items;
+    const bool by_name = graph_ != nullptr ? !numbers_.empty() : named_.value_or(!is_number);
+    if (!by_name) {
+      if (!is_number) {
+        rows_.fail(field, fmt::format("'{}' is not the number of an item", field.text));
+      }
+      named_ = false;
+      return static_cast<Element>(*number);
+    }
+    const auto found = numbers_.find(field.text);
+    if (found != numbers_.end()) {
+      return found->second;
+    }
+    if (graph_ != nullptr) {
+      rows_.fail(field,
+                 fmt::format("'{}' is not in the listed pairs; write it as there", field.text));
+    }
+    named_ = true;
+    names_.push_back(field.text);
+    numbers_.emplace(field.text, static_cast<Element>(names_.size() - 1));
+    return static_cast<Element>(names_.size() - 1);
+  }
+
+  std::vector<std::uint64_t> finish() {
+    sizes_.resize(
+        std::max<std::size_t>(sizes_.size(), static_cast<std::size_t>(items_.value_or(0))), 0);
+    for (Element x = 0; x < sizes_.size(); ++x) {
+      if (sizes_[x] == 0 && (graph_ == nullptr || graph_->is_needed(x))) {
+        const bool by_name = graph_ != nullptr && !graph_->names().empty();
+        throw BadInput(fmt::format("item {} has no size; give one for each item",
+                                   by_name ? graph_->names()[x] : std::to_string(x)));
+      }
+    }
+    return std::move(sizes_);
+  }
+
+  RowReader rows_;
+  std::optional<std::uint64_t> items_;
+  const PairGraph* graph_;
+  std::vector<std::string>& names_;
+  std::optional<bool> named_;
+  std::unordered_map<std::string, Element> numbers_;
+  std::size_t columns_ = 0;
+  std::vector<std::uint64_t> sizes_;
+};
+
+}  // namespace
+
+std::vector<std::uint64_t> read_sizes(Input& input, std::optional<std::uint64_t> items,
+                                      const PairGraph* graph, std::vector<std::string>& names) {
+  return SizeList(input, items, graph, names).read();
+}
+
+}  // namespace changeover

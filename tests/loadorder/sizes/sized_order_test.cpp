@@ -1,0 +1,290 @@
+// Items of different size: every pair within so many bytes; the bound against searches through all
+// that can be done; what must be refused; the executor, whose buffers keep to the bytes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <map>
+#include <mutex>
+#include <random>
+
+#include "changeover/core/error.hpp"
+#include "changeover/loadorder/all_pairs.hpp"
+#include "changeover/loadorder/load_request.hpp"
+#include "core/checked.hpp"
+#include "pairs/pairs_support.hpp"
+
+namespace changeover::test::sized_order_test {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::shared_ptr<const ItemSizes> sizes_of(std::vector<std::uint64_t> bytes, std::uint64_t memory) {
+  return std::make_shared<const ItemSizes>(ItemSizes{std::move(bytes), memory});
+}
+
+/// The definition in plain code: bytes that are loaded, and a fault.
+std::pair<std::uint64_t, std::string> play(StepSource& steps, const ItemSizes& sizes,
+                                           const WantedPairs& wanted) {
+  std::set<Element> memory;
+  std::set<ItemPair> met;
+  std::uint64_t held = 0;
+  std::uint64_t loaded = 0;
+  for (Step step; steps.next(step);) {
+    for (const Element x : step.evict) {
+      if (memory.erase(x) != 1) {
+        return {0, "evicts what is not there"};
+      }
+      held -= sizes.bytes[x];
+    }
+    for (const Element x : step.load) {
+      if (!memory.insert(x).second) {
+        return {0, "loads what is there"};
+      }
+      held += sizes.bytes[x];
+      loaded += sizes.bytes[x];
+      for (const Element y : memory) {
+        met.emplace(std::min(x, y), std::max(x, y));
+      }
+    }
+    if (held > sizes.memory) {
+      return {0, "too much memory"};
+    }
+  }
+  for (Element y = 0; y < sizes.bytes.size(); ++y) {
+    for (Element x = 0; x < y; ++x) {
+      if (wanted.contains(x, y) && met.count({x, y}) == 0) {
+        return {0, "a pair is missing"};
+      }
+    }
+  }
+  return {loaded, ""};
+}
+
+/// The fewest bytes there can be, through all memories and sets of pairs that have met.
+std::uint64_t fewest_bytes(const ItemSizes& sizes, const WantedPairs& wanted) {
+  const auto items = static_cast<unsigned>(sizes.bytes.size());
+  std::uint32_t all = 0;
+  const auto pairs_in = [&](unsigned memory) {
+    std::uint32_t pairs = 0;
+    unsigned bit = 0;
+    for (unsigned y = 1; y < items; ++y) {
+      for (unsigned x = 0; x < y; ++x, ++bit) {
+        const bool both = (memory >> x & memory >> y & 1U) != 0;
+        pairs |= both && wanted.contains(x, y) ? 1U << bit : 0U;
+      }
+    }
+    return pairs;
+  };
+  all = pairs_in((1U << items) - 1);
+  const auto bytes_in = [&](unsigned memory) {
+    std::uint64_t bytes = 0;
+    for (unsigned x = 0; x < items; ++x) {
+      bytes += (memory >> x & 1U) != 0 ? sizes.bytes[x] : 0;
+    }
+    return bytes;
+  };
+  using Place = std::pair<unsigned, std::uint32_t>;
+  std::map<Place, std::uint64_t> best{{{0, 0}, 0}};
+  std::set<std::pair<std::uint64_t, Place>> next{{0, {0, 0}}};
+  while (!next.empty()) {
+    const auto [cost, place] = *next.begin();
+    next.erase(next.begin());
+    if (cost > best.at(place)) {
+      continue;
+    }
+    if (place.second == all) {
+      return cost;
+    }
+    for (unsigned x = 0; x < items; ++x) {
+      const unsigned memory = place.first ^ (1U << x);
+      const bool loads = (memory >> x & 1U) != 0;
+      if (bytes_in(memory) > sizes.memory) {
+        continue;
+      }
+      const Place to{memory, place.second | pairs_in(memory)};
+      const std::uint64_t its = cost + (loads ? sizes.bytes[x] : 0);
+      const auto [found, is_new] = best.emplace(to, its);
+      if (is_new || its < found->second) {
+        found->second = its;
+        next.emplace(its, to);
+      }
+    }
+  }
+  return 0;
+}
+
+TEST(SizedOrder, EveryPairMeetsWithinTheMemory) {
+  std::mt19937 random(1);
+  for (int round = 0; round < 8; ++round) {
+    const auto items = static_cast<std::size_t>(6 + random() % 37);
+    std::vector<std::uint64_t> bytes;
+    std::uint64_t largest = 0;
+    for (std::size_t i = 0; i < items; ++i) {
+      bytes.push_back(1 + random() % (round % 3 == 0 ? 3 : 50));
+      largest = std::max(largest, bytes.back());
+    }
+    const auto sizes = sizes_of(bytes, 2 * largest + random() % (4 * largest));
+    std::vector<WantedPairs> wanted{WantedPairs()};
+    wanted.push_back(WantedPairs::between(1, items - 1));
+    wanted.push_back(WantedPairs::beyond(1, items));
+    wanted.push_back(listed(items, random_pairs(static_cast<Element>(items), 2 * items,
+                                                static_cast<std::uint64_t>(round))));
+    for (const WantedPairs& pairs : wanted) {
+      const LoadOrder order = plan_sized_order(sizes, pairs);
+      const auto [loaded, fault] = play(*order.stream(), *sizes, pairs);
+      EXPECT_EQ(fault, "");
+      EXPECT_EQ(loaded, order.facts().bytes);
+      EXPECT_GE(loaded, order.facts().byte_bound.loads);
+      EXPECT_LE(order.facts().most_bytes, sizes->memory);
+      EXPECT_LE(order.facts().most_in_memory, order.facts().room);
+      EXPECT_GE(order.facts().loads, order.facts().bound.loads);
+      const LoadOrder again = repeat_order(LoadOrder(order.facts(), order.maker()), 3);
+      EXPECT_GE(again.facts().bytes, again.facts().byte_bound.loads);
+      EXPECT_LE(again.facts().most_bytes, sizes->memory);
+    }
+  }
+}
+
+TEST(SizedOrder, NoOrderOfFewItemsIsBelowTheBound) {
+  std::mt19937 random(2);
+  int reached = 0;
+  for (int round = 0; round < 60; ++round) {
+    const std::size_t items = 3 + random() % 3;
+    std::vector<std::uint64_t> bytes;
+    for (std::size_t i = 0; i < items; ++i) {
+      bytes.push_back(1 + random() % (round % 2 == 0 ? 4 : 9));
+    }
+    std::vector<std::uint64_t> sorted = bytes;
+    std::sort(sorted.rbegin(), sorted.rend());
+    const auto sizes = sizes_of(bytes, sorted[0] + sorted[1] + random() % 6);
+    std::vector<ItemPair> pairs;
+    for (Element y = 1; y < items; ++y) {
+      for (Element x = 0; x < y; ++x) {
+        if (pairs.empty() || random() % 2 == 0) {
+          pairs.emplace_back(x, y);
+        }
+      }
+    }
+    const WantedPairs wanted = round % 3 == 0 ? listed(items, pairs) : WantedPairs();
+    const std::uint64_t fewest = fewest_bytes(*sizes, wanted);
+    const LoadOrder order = plan_sized_order(sizes, wanted);
+    EXPECT_LE(order.facts().byte_bound.loads, fewest) << round << order.facts().byte_bound.reason;
+    EXPECT_GE(order.facts().bytes, fewest) << round;
+    EXPECT_LE(order.facts().bytes, fewest + fewest / 4) << round;
+    reached += order.facts().bytes == fewest ? 1 : 0;
+  }
+  EXPECT_GE(reached, 50);
+}
+
+TEST(SizedOrder, ItemsOfOneSizeHaveTheOrdersThatTheyHadWithoutSizes) {
+  for (const auto& [items, room] :
+       std::vector<std::pair<std::uint64_t, std::uint64_t>>{{8, 4}, {16, 8}, {64, 16}, {30, 6}}) {
+    const auto sizes = sizes_of(std::vector<std::uint64_t>(items, 1000), 1000 * room + 999);
+    const LoadOrder order = plan_sized_order(sizes, {});
+    LoadOrderOptions quick;
+    quick.closure_rules = false;
+    EXPECT_LE(order.facts().loads, plan_load_order(items, room, quick).facts().loads);
+    EXPECT_EQ(order.facts().byte_bound.loads, 1000 * load_lower_bound(items, room).loads);
+  }
+}
+
+TEST(SizedOrder, WhatIsWrongIsFound) {
+  const auto sizes = sizes_of({5, 4, 3, 2, 1, 3, 4}, 11);
+  const LoadOrder order = plan_sized_order(sizes, {});
+  const ScheduleRules rules = order.rules();
+  const auto right = all_steps(*order.stream());
+  ASSERT_TRUE(verdict_of(right, rules).valid());
+  // A byte less does not hold what it holds.
+  ScheduleRules less = rules;
+  less.sizes = sizes_of(sizes->bytes, order.facts().most_bytes - 1);
+  EXPECT_THAT(verdict_of(right, less).fault, HasSubstr("bytes where"));
+  // What is not evicted takes its bytes.
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    if (!right[i].evict.empty()) {
+      std::vector<Step> steps = right;
+      steps[i].evict.pop_back();
+      EXPECT_FALSE(verdict_of(steps, rules).valid()) << i;
+    }
+  }
+  EXPECT_THROW(ScheduleCheck({.items = 6, .room = 3, .sizes = sizes}), BadInput);
+}
+
+TEST(SizedOrder, RefusesWhatDoesNotFit) {
+  const auto refusal = [](std::vector<std::uint64_t> bytes, std::uint64_t memory,
+                          const WantedPairs& wanted = {}) -> std::string {
+    try {
+      static_cast<void>(plan_sized_order(sizes_of(std::move(bytes), memory), wanted));
+    } catch (const BadInput& fault) {
+      return fault.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal({3, 5, 4}, 8), "items 1 and 2 have 9 bytes together, and memory 8");
+  EXPECT_EQ(refusal({3, 5, 4}, 8, listed(3, {{0, 1}, {0, 2}})), "");
+  EXPECT_EQ(refusal({3, 6, 4}, 8, listed(3, {{0, 1}, {0, 2}})),
+            "items 0 and 1 have 9 bytes together, and memory 8");
+  EXPECT_EQ(refusal({9}, 8), "item 0 has 9 bytes, and memory 8");
+  EXPECT_NE(refusal({}, 8), "");
+  EXPECT_NE(refusal({1, 0, 2}, 8), "");
+}
+
+TEST(SizedOrder, IsReadFromRequests) {
+  const auto facts = [](const std::string& json) -> std::string {
+    try {
+      const CheckedLoads asked = checked_loads(load_request(json), Door::document);
+      return fmt::format("{}", fmt::join(asked.sizes()->bytes, " "));
+    } catch (const Error& fault) {
+      return fault.what();
+    }
+  };
+  EXPECT_EQ(facts(R"({"sizes":[[1,5],[0,"2K"]],"memory":3000})"), "2000 5");
+  EXPECT_EQ(facts(R"({"sizes":{"text":"item,bytes\n0,7\n1,8\n"},"memory":30})"), "7 8");
+  EXPECT_EQ(facts(R"({"sizes":{"text":"7\n8\n9\n"},"memory":30})"), "7 8 9");
+  EXPECT_EQ(facts(R"({"sizes":{"text":"b 7\na 8\n"},"memory":30})"), "7 8");
+  EXPECT_EQ(facts(R"({"pairs":[["a","b"]],"sizes":{"text":"b 7\na 8\n"},"memory":30})"), "8 7");
+  EXPECT_THAT(facts(R"({"pairs":[["a","b"]],"sizes":{"text":"b 7\n"},"memory":30})"),
+              HasSubstr("item a has no size"));
+  EXPECT_THAT(facts(R"({"pairs":[["a","b"]],"sizes":{"text":"b 7\nc 8\n"},"memory":30})"),
+              HasSubstr("'c' is not in the listed pairs"));
+  EXPECT_THAT(facts(R"({"sizes":[[0,5],[2,2]],"memory":30})"), HasSubstr("item 1 has no size"));
+  EXPECT_THAT(facts(R"({"items":2,"sizes":[[0,5],[2,2]],"memory":30})"), HasSubstr("2 items"));
+  EXPECT_THAT(facts(R"({"sizes":{"text":"0 5\n0 6\n"},"memory":30})"), HasSubstr("already"));
+  EXPECT_THAT(facts(R"({"sizes":{"text":"0 5\n1 -6\n"},"memory":30})"), HasSubstr(":2:3: '-6'"));
+  EXPECT_THAT(facts(R"({"sizes":{"text":"0 5\n1 6 7\n"},"memory":30})"), HasSubstr("in each row"));
+  EXPECT_THAT(facts(R"({"sizes":[[0,5],[1,2]]})"), HasSubstr("memory"));
+  EXPECT_THAT(facts(R"({"items":3,"room":2,"memory":30})"), HasSubstr("sizes"));
+  EXPECT_THAT(facts(R"({"room":2,"sizes":[[0,5],[1,2]],"memory":30})"), HasSubstr("room"));
+  EXPECT_THAT(facts(R"({"sizes":[[0,5],[1,26]],"memory":30})"), HasSubstr("31 bytes together"));
+}
+
+TEST(SizedOrder, TheExecutorHoldsNoMoreThanTheMemory) {
+  const std::vector<std::uint64_t> bytes{50'000, 9'000,  20'000, 33'000, 4'000,  8'000,
+                                         41'000, 27'000, 3'000,  60'000, 10'000, 15'000};
+  const auto sizes = sizes_of(bytes, 130'000);
+  const LoadOrder order = plan_sized_order(sizes, {});
+  CallbackItems items(bytes.size(), 60'000, [&](Element x, std::span<std::byte> buffer) {
+    EXPECT_GE(buffer.size(), bytes[x]);
+    EXPECT_LT(buffer.size(), bytes[x] + buffer_alignment);
+    std::fill_n(buffer.begin(), bytes[x], static_cast<std::byte>(x));
+    return static_cast<std::size_t>(bytes[x]);
+  });
+  std::mutex mutex;
+  std::set<ItemPair> pairs;
+  const AllPairsReport report = all_pairs(items, order, [&](const PairWork& pair) {
+    EXPECT_EQ(pair.first.bytes.size(), bytes[pair.first.item]);
+    EXPECT_EQ(pair.second.bytes.back(), static_cast<std::byte>(pair.second.item));
+    const std::scoped_lock lock(mutex);
+    EXPECT_TRUE(pairs.emplace(pair.first.item, pair.second.item).second);
+  });
+  EXPECT_TRUE(report.finished);
+  EXPECT_EQ(pairs.size(), 66U + 12U);
+  EXPECT_EQ(report.bytes_read, order.facts().bytes);
+  EXPECT_LE(report.most_in_memory, order.facts().most_in_memory);
+  const PairCompute nothing = [](const PairWork&) {};
+  EXPECT_THROW(static_cast<void>(all_pairs(items, order, nothing, {.read_ahead = 1})), BadInput);
+  EXPECT_THROW(static_cast<void>(all_pairs(items, order, nothing, {.share = {0, 2}})), BadInput);
+}
+
+}  // namespace
+}  // namespace changeover::test::sized_order_test
