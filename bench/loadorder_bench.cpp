@@ -24,6 +24,7 @@
 #include "all_pairs/load_orders.hpp"
 #include "changeover/loadorder/all_pairs.hpp"
 #include "changeover/loadorder/load_order.hpp"
+#include "changeover/loadorder/workers.hpp"
 #include "changeover/run/control.hpp"
 #include "loadorder/pairs/closing.hpp"
 #include "loadorder/pairs/starts.hpp"
@@ -252,6 +253,34 @@ void listed(benchmark::State& state) {
   });
 }
 
+/// Training with room for 4 partitions on one machine, or at each of some workers: all loads of an epoch, those of
+/// each other epoch, and what COVER and BETA load in every epoch.
+void training(benchmark::State& state) {
+  const auto items = static_cast<std::uint64_t>(state.range(0));
+  const auto workers = static_cast<std::uint64_t>(state.range(1));
+  constexpr std::uint64_t room = 4;
+  std::optional<LoadOrder> ours;
+  for (auto _ : state) {
+    ours.emplace(repeat_order(
+        workers == 1 ? plan_load_order(items, room) : plan_disjoint_order(items, room, workers),
+        2));
+  }
+  state.counters["first"] = static_cast<double>(ours->facts().epoch_loads[0]);
+  state.counters["other"] = static_cast<double>(ours->facts().epoch_loads[1]);
+  const LoadOrder cover = cover_order(items);
+  if (!check_schedule(*cover.stream(), cover.rules()).valid()) {
+    std::abort();
+  }
+  state.counters["cover"] = static_cast<double>(cover.facts().loads);
+  state.counters["beta"] = static_cast<double>(beta_order(items, room).facts().loads);
+  state.SetLabel(ours->facts().method);
+}
+
+void partitions(benchmark::internal::Benchmark* bench) {
+  bench->ArgNames({"items", "workers"})->Iterations(1)->Unit(benchmark::kMillisecond);
+  bench->Args({16, 1})->Args({16, 4})->Args({64, 1})->Args({64, 4})->Args({64, 8});
+}
+
 void grid(benchmark::internal::Benchmark* bench) {
   bench->ArgNames({"items", "room"})->Iterations(1)->Unit(benchmark::kMillisecond);
   for (const auto& [items, room] :
@@ -295,6 +324,7 @@ void lists(benchmark::internal::Benchmark* bench) {
 
 BENCHMARK(loads)->Apply(grid);
 BENCHMARK(listed)->Apply(lists);
+BENCHMARK(training)->Apply(partitions);
 BENCHMARK(executor)->Apply(cells);
 BENCHMARK(reading)->Apply(sizes);
 

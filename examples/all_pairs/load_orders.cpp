@@ -200,6 +200,50 @@ LoadOrder exhaustive_order(std::uint64_t items, std::uint64_t room) {
                 items == 1 ? single_item() : cache.take());
 }
 
+LoadOrder cover_order(std::uint64_t items) {
+  constexpr std::uint64_t room = 4;
+  check(items, room);
+  unsigned dimension = 0;
+  for (std::uint64_t count = 1; count < items; count *= 4) {
+    ++dimension;
+  }
+  if (dimension == 0 || items != std::uint64_t{1} << (2 * dimension)) {
+    throw BadInput("COVER has 4, 16, 64, ... partitions");
+  }
+  // In the field of 4 elements sums are those of bits, and 2 is a root of x^2 + x + 1.
+  const auto times = [&](unsigned scalar, std::uint64_t point) {
+    std::uint64_t product = 0;
+    for (unsigned i = 0; i < dimension; ++i) {
+      const auto digit = static_cast<unsigned>(point >> (2 * i) & 3U);
+      const unsigned by_two = digit == 0 ? 0 : digit == 3 ? 1 : digit + 1;
+      const unsigned its = scalar == 0   ? 0
+                           : scalar == 1 ? digit
+                           : scalar == 2 ? by_two
+                                         : digit ^ by_two;
+      product |= std::uint64_t{its} << (2 * i);
+    }
+    return product;
+  };
+  Steps steps;
+  for (std::uint64_t direction = 1; direction < items; ++direction) {
+    if (times(2, direction) < direction || times(3, direction) < direction) {
+      continue;  // the same lines as of another one
+    }
+    for (std::uint64_t point = 0; point < items; ++point) {
+      Step step;
+      for (unsigned scalar = 0; scalar < 4; ++scalar) {
+        step.load.push_back(static_cast<Element>(point ^ times(scalar, direction)));
+      }
+      if (*std::min_element(step.load.begin(), step.load.end()) == point) {
+        step.evict = steps.empty() ? std::vector<Element>() : steps.back().load;
+        steps.push_back(std::move(step));
+      }
+    }
+  }
+  return listed(items, room, "cover", "The lines of an affine space over the field of 4 elements.",
+                std::move(steps));
+}
+
 std::vector<LoadOrder> baseline_orders(std::uint64_t items, std::uint64_t room) {
   std::vector<LoadOrder> orders;
   orders.push_back(beta_order(items, room));

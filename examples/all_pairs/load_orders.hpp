@@ -12,6 +12,10 @@
 //             time, with a least-recently-used cache of C: exhaustive matching in COLMAP
 //             [SchonbergerFrahm2016], whose blocks have 50 images
 //
+//   cover     COVER [ZhengEtAl2024], which trains on several GPUs with 4 partitions each: P = 4^d
+//             partitions are the points of the affine space over the field of 4 elements, its lines
+//             are what a GPU holds, one parallel class of lines after another
+//
 // Written from the descriptions, for comparison: nothing in the library plans with them. All are load
 // orders in the sense of loadorder/load_order.hpp, held in memory step by step.
 #pragma once
@@ -29,7 +33,11 @@ namespace changeover {
 [[nodiscard]] LoadOrder tiles_order(std::uint64_t items, std::uint64_t room);
 [[nodiscard]] LoadOrder exhaustive_order(std::uint64_t items, std::uint64_t room);
 
-/// All of them, in this order; facts().method is the name above.
+/// Room for 4, one worker; all four items of a line are loaded. @throws BadInput unless items is 4,
+/// 16, 64, …; ImpossibleParameters as above
+[[nodiscard]] LoadOrder cover_order(std::uint64_t items);
+
+/// All of them but COVER, in this order; facts().method is the name above.
 [[nodiscard]] std::vector<LoadOrder> baseline_orders(std::uint64_t items, std::uint64_t room);
 
 }  // namespace changeover
