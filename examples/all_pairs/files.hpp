@@ -56,7 +56,7 @@ class Mapping {
 inline std::uint64_t product(std::uint64_t a, std::uint64_t b) {
   if (b != 0 && a > std::numeric_limits<std::uint64_t>::max() / b) {
     throw changeover::ImpossibleParameters(
-        "these parameters are too large: a count exceeds 64 bits");
+        "these parameters are too large, a count exceeds 64 bits; give smaller ones");
   }
   return a * b;
 }

@@ -93,7 +93,7 @@ BestKnownTable best_known_table(const Registry& registry, const CellRange& range
   }
   if (range.k_to - range.k_from >= most_cells_of_a_range / 2 / (range.v_to - range.v_from + 1)) {
     throw ImpossibleParameters(
-        fmt::format("the range has more than {} cells", most_cells_of_a_range));
+        fmt::format("the range has more than {} cells; give a smaller one", most_cells_of_a_range));
   }
   return {registry, range, stored};
 }

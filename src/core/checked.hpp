@@ -15,7 +15,8 @@ namespace changeover {
 [[nodiscard]] inline std::uint64_t checked_add(std::uint64_t a, std::uint64_t b) {
   std::uint64_t sum = 0;
   if (__builtin_add_overflow(a, b, &sum)) {
-    throw ImpossibleParameters("these parameters are too large: a count exceeds 64 bits");
+    throw ImpossibleParameters(
+        "these parameters are too large, a count exceeds 64 bits; give smaller ones");
   }
   return sum;
 }
@@ -24,7 +25,8 @@ namespace changeover {
 [[nodiscard]] inline std::uint64_t checked_multiply(std::uint64_t a, std::uint64_t b) {
   std::uint64_t product = 0;
   if (__builtin_mul_overflow(a, b, &product)) {
-    throw ImpossibleParameters("these parameters are too large: a count exceeds 64 bits");
+    throw ImpossibleParameters(
+        "these parameters are too large, a count exceeds 64 bits; give smaller ones");
   }
   return product;
 }

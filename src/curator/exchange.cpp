@@ -22,7 +22,7 @@ class EntryLines {
   EntryLines(Input& input, std::size_t longest) : lines_(input, longest) {
     if (lines_.next() != InputLines::Next::line) {
       throw BadInput(
-          fmt::format("{}: not a catalog: its first line does not say so", input.name()));
+          fmt::format("{}: the file is empty; name one that catalog export wrote", input.name()));
     }
     shared_ = shared_from_header(lines_.line(), input.name());
   }
@@ -62,13 +62,14 @@ class EntryLines {
 std::string refusal(CatalogEntry& entry, const ForeignLimits& limits) {
   const Parameters& p = entry.parameters;
   if (p.v > limits.v || entry.b > limits.b) {
-    return fmt::format("more than {} elements or {} blocks, too many for an import", limits.v,
-                       limits.b);
+    return fmt::format(
+        "more than {} elements or {} blocks, too many for an import; add the design itself",
+        limits.v, limits.b);
   }
   const Bound bound = lower_bound(p);
   if (entry.lower_bound > bound.blocks) {
-    return fmt::format("it claims the lower bound {}, but only {} is known", entry.lower_bound,
-                       bound.blocks);
+    return fmt::format("it claims the lower bound {}, but only {} is known; correct lower_bound",
+                       entry.lower_bound, bound.blocks);
   }
   RunControl* const above = RunScope::current();
   RunControl::Settings settings;

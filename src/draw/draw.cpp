@@ -57,10 +57,12 @@ std::optional<StayColour> stay_colour_from_string(std::string_view name) {
 
 std::optional<std::string> range_defect(const DrawOptions& options) {
   if (options.from < 1) {
-    return "--from 0: blocks are counted from 1";
+    return "--from 0: blocks are counted from 1; give 1 or more";
   }
   if (options.to && *options.to < options.from) {
-    return fmt::format("--from {} --to {}: there is no block between", options.from, *options.to);
+    return fmt::format(
+        "--from {} --to {}: there is no block between; write the smaller number first",
+        options.from, *options.to);
   }
   return std::nullopt;
 }
@@ -138,11 +140,12 @@ void Drawing::require_range(std::uint64_t last) const {
     throw BadInput("there is no block to draw");
   }
   if (last < options.from) {
-    throw BadOption(fmt::format("--from {}: there are fewer blocks", options.from));
+    throw BadOption(
+        fmt::format("--from {}: there are fewer blocks; give a smaller number", options.from));
   }
   if (options.to && last < *options.to) {
-    throw BadOption(
-        fmt::format("--to {}: there are only {}", *options.to, count_of(last, "block")));
+    throw BadOption(fmt::format("--to {}: there are only {}; give a smaller number", *options.to,
+                                count_of(last, "block")));
   }
 }
 

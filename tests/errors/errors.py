@@ -10,6 +10,7 @@ A file of the table is one session in a folder of its own, from top to bottom; b
     # Heading of the page            the first lines of a file; what stands below it until a blank line is put there
     file NAME                        makes a file of the lines below, which are indented by four blanks
     setup COMMAND                    a line for bash that makes one which cannot stand here
+    python STATEMENT                 a line of Python that rows of Python need
     needs PROGRAM                    the row that comes next is run where there is such a program
     $ COMMAND                        a row: a line for bash, below it
     3 parts.csv:1:1: MESSAGE         the exit code and the message, without "changeover: " before it, and below that, if the
@@ -101,8 +102,8 @@ def parsed(path):
                 at += 1
         elif word == "file":
             section.steps.append(("file", rest, "\n".join(indented("    ")) + "\n"))
-        elif word == "setup":
-            section.steps.append(("setup", rest, place))
+        elif word in ("setup", "python"):
+            section.steps.append((word, rest, place))
         elif word == "needs":
             needs = rest
         elif word in ("$", ">>>", "GET", "POST"):
@@ -187,7 +188,7 @@ class Session:
         request.add_header("Content-Type", kind)
         try:
             with urllib.request.urlopen(request, timeout=60) as answer:
-                return str(answer.status), answer.read().decode()[:200], ""
+                return str(answer.status), "", answer.read().decode("utf-8", "replace")
         except urllib.error.HTTPError as refused:
             text = refused.read().decode()
             try:
@@ -205,6 +206,9 @@ class Session:
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_text(rest, encoding="utf-8")
                 return None, None
+            if what == "python":
+                fault = self.python(name)
+                return (f"{rest}: {': '.join(fault)}" if fault[0] else None), None
             code, _, err = self.bash(name)
             return (f"{rest}: the setup ended with {code}: {err}" if code else None), None
         if step.needs and not shutil.which(step.needs):

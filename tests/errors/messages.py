@@ -37,7 +37,7 @@ class Message:
         self.path, self.line, self.kind = path, line, kind
         self.text = HOLE.sub(lambda hole: {"{{": "{", "}}": "}"}.get(hole.group(), "\0"), text)
         self.parts = [part for part in self.text.split("\0") if part.strip()]
-        self.shown = self.text.replace("\0", "{}")
+        self.shown = self.text.replace("\0", "{}").strip()
 
     def is_in(self, said):
         """Do the words stand in `said`, in their order?"""

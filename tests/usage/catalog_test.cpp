@@ -193,14 +193,15 @@ TEST_F(CatalogUsage, Verify) {
                "; (head -1 own.jsonl; cat mark; sed -n 2p own.jsonl; cat mark) | " +
                with("marked.db", "import -"),
            0, "added: 1 design"},
-          {mine("verify --users --resume three.txt"), 3, "no list of what catalog verify has done"},
+          {mine("verify --users --resume three.txt"), 3,
+           "not a list that catalog verify --resume wrote"},
           {"echo 9.9.9.linear.1.00000000 >>done.txt; " +
                mine("verify --users --resume done.txt --json"),
            0, "\"checked\":0,\"checked_before\":3,\"complete\":true"},
           {"(trap '' XFSZ; ulimit -f 0; " + mine("verify --users --resume done.txt") +
                "); wc -l <done.txt",
            0, "4"},
-          {"mkfifo pipe; " + mine("verify --users --resume pipe"), 3, "pipe: is no regular file"},
+          {"mkfifo pipe; " + mine("verify --users --resume pipe"), 3, "pipe: not a regular file"},
           {mine("verify --k 4 --v 10..20 --change 1 --threads 2"), 0, "all as they say"}},
          folder);
 }

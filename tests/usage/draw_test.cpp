@@ -67,7 +67,7 @@ TEST_F(Draw, WhatItCannotDoIsSaidInOneLine) {
   expect(
       {{"$changeover draw", 2, "name a file, a label of the catalog, or V and K"},
        {"$changeover draw 20", 2, "V needs K"},
-       {"$changeover draw x 5", 2, "'x' is neither a label, as 20.5.2.linear, nor a number V"},
+       {"$changeover draw x 5", 2, "'x' is neither a label nor a number V"},
        {"$changeover draw 5 61", 2, "k = 61 exceeds v = 5"},
        {"$changeover draw good.txt --picture photo", 2, "'photo' is not one of"},
        {"$changeover draw good.txt --measure gap", 2,
@@ -82,7 +82,8 @@ TEST_F(Draw, WhatItCannotDoIsSaidInOneLine) {
        {"$changeover draw 7 --picture factorization", 2, "K_7 has no 1-factorization"},
        {"$changeover draw 42 --picture factorization", 2, "only 1-factorizations of K_2 to K_40"},
        {"$changeover draw 8 4 --picture factorization", 2, "one number, N"},
-       {"$changeover draw good.txt --from 0", 2, "--from 0: blocks are counted from 1"},
+       {"$changeover draw good.txt --from 0", 2,
+        "--from 0: blocks are counted from 1; give 1 or more"},
        {"$changeover draw good.txt --from 3 --to 2", 2, "there is no block between"},
        {"$changeover draw good.txt --from 4", 2, "--from 4: there are fewer blocks"},
        {"$changeover draw good.txt --to 4", 2, "--to 4: there are only 3 blocks"},

@@ -104,7 +104,7 @@ const std::vector<Case>& cases() {
       {"$changeover design 61 4 --construction nonsense", 2, "no construction is called"},
       {"$changeover design 4 61", 2, "k = 61 exceeds v = 4"},
       {"$changeover design 5000000000 4", 2, "v = 5000000000 exceeds the limit"},
-      {"$changeover design 99999999999999999999999 4", 2, "is too large a number"},
+      {"$changeover design 99999999999999999999999 4", 2, "is too large; give at most"},
       {"$changeover design -5 4", 2, "V: '-5' is not a whole number"},
       {"$changeover design 61 4 --change 5", 2, "change = 5"},
       {"$changeover verify good.txt --strength 9", 2, "--strength 9 is out of range"},

@@ -319,7 +319,7 @@ TEST(LoadOrderVerb, SpreadsWhatPairsCost) {
        {"$changeover loadorder --items 9 --room 4 --from-step 0", 2, "--from-step 0"},
        {"$changeover loadorder --items 9 --room 4 --from-step 3 --verify-beside", 2,
         "--from-step N has no meaning with --verify-beside"},
-       {"$changeover loadorder --items 9 --room 4 --from-step 99", 3, "step 99 of"},
+       {"$changeover loadorder --items 9 --room 4 --from-step 99", 3, "there is no step 99"},
        {"$changeover loadorder --items 6000 --room 90 --workers 2 --pair-cost costs.csv", 3,
         "give at most 5000 items"}},
       folder);

@@ -240,7 +240,7 @@ TEST(ModelUsage, AsADocument) {
   expect(
       {{"$changeover plan --request bad.json", 3, "model: write a string, or {\"file\":"},
        {"printf %s '{\"model\":\"A: a\\nB b\",\"objective\":\"tests\"}' | $changeover plan --request -",
-        2, "model:2:1: 'B b' is no parameter"}},
+        2, "model:2:1: 'B b' is not a parameter"}},
       folder);
 }
 

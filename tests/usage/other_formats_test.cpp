@@ -75,7 +75,7 @@ TEST(OtherFormats, ACoveringIsOrderedAndExtended) {
           {"$changeover search --order fano.g -m 2 --quiet --format ljcr", 10, "1 "},
           {"$changeover search --order fano.g -m 1 --quiet", 20, "No linear order"},
           {"$changeover verify bad.g", 3, "bad.g:1:30: 8 is not a point"},
-          {"$changeover verify page.html", 3, "page.html:1:1: an XML file of 'html'"}},
+          {"$changeover verify page.html", 3, "page.html:1:1: the file begins with 'html'"}},
          folder);
 }
 

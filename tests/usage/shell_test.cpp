@@ -209,7 +209,7 @@ TEST(Manual, SaysWhichPageThereIsNot) {
           {"$changeover same --help", 0, "Exit codes: 0 the same; 1 not the same"},
           {"$changeover manual desing", 2, "did you mean changeover-design?"},
           {"$changeover manual design --into man", 2, "exclude each other"},
-          {"$changeover manual --into file/man", 4, "the folder cannot be made"}},
+          {"$changeover manual --into file/man", 4, "cannot make the folder"}},
          folder);
 }
 

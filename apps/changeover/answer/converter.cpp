@@ -132,7 +132,8 @@ std::string converted(const std::string& svg, const std::string& format, unsigne
   constexpr int not_there = 127;
   if (failure != 0 || (WIFEXITED(status) && WEXITSTATUS(status) == not_there)) {
     throw MissingResource(fmt::format(
-        "--format {} needs {}, which is not to be found: install the Debian package librsvg2-bin, or write svg",
+        "--format {} needs {}, which is not installed; install the Debian package librsvg2-bin, "
+        "or write svg",
         format, program));
   }
   std::string picture = contents(output);

@@ -105,6 +105,11 @@ std::string usage_message(const CLI::ParseError& fault, const CLI::App& verb) {
   while (!message.empty() && (message.back() == '\n' || message.back() == '.')) {
     message.pop_back();
   }
+  if (dynamic_cast<const CLI::ExtrasError*>(&fault) != nullptr) {
+    message = message.substr(message.find(": ") + 2) + ": too many arguments; leave this out";
+  } else if (dynamic_cast<const CLI::ArgumentMismatch*>(&fault) != nullptr) {
+    message = message.substr(0, message.find(':')) + ": a value is missing; give one";
+  }
   const std::string name = verb.get_parent() == nullptr ? "" : " " + verb.get_name();
   return message + "; see changeover" + as_typed(name) + " --help";
 }
@@ -115,7 +120,7 @@ std::string whole_number_defect(const std::string& given) {
   const char* const end = given.data() + given.size();
   const auto [rest, failure] = std::from_chars(given.data(), end, value);
   if (failure == std::errc::result_out_of_range) {
-    return given + " is too large a number";
+    return given + " is too large; give at most 18446744073709551615";
   }
   return failure == std::errc() && rest == end ? std::string()
                                                : "'" + given + "' is not a whole number";

@@ -89,7 +89,7 @@ CatalogFilter FilterRequest::filter() const {
     filter.v_to = range.to;
   }
   if (!since.empty() && !is_day(since)) {
-    throw UsageError{"--since: '" + since + "' is no day; write one as 2026-11-22"};
+    throw UsageError{"--since: '" + since + "' is not a day; write it as 2026-11-22"};
   }
   filter.change = change;
   if (strength) {

@@ -69,8 +69,8 @@ void check_inputs(const OutputRequest& output, const std::vector<InputFile>& inp
                         std::filesystem::is_regular_file(output.path, ignored);
   for (const auto& [what, path] : inputs) {
     if (path == "-" && !from_stdin.empty()) {
-      throw UsageError{
-          fmt::format("{} and {} cannot both come from standard input", from_stdin, what)};
+      throw UsageError{fmt::format(
+          "{} and {} cannot both come from standard input; name a file for one", from_stdin, what)};
     }
     from_stdin = path == "-" ? what : from_stdin;
     if (replaces && is_read_from(output.path, path)) {

@@ -123,7 +123,8 @@ void OutputRequest::add_to(Verb& verb, const std::vector<std::string>& formats) 
     const bool to_terminal = (path.empty() || path == "-") && isatty(STDOUT_FILENO) == 1;
     const std::string word = format();
     if (to_terminal && !is_text(word)) {
-      throw UsageError{fmt::format("{} is no text for a terminal; give -o FILE", word)};
+      throw UsageError{
+          fmt::format("{} is not text, and standard output is a terminal; give -o FILE", word)};
     }
   });
   verb.option("-o,--output", path, "FILE", "write to FILE instead of standard output");
@@ -199,7 +200,7 @@ void OutputRequest::check_writable() const {
   if (as_a_whole) {
     const OutputFile trial(path);  // Goes away without a trace.
   } else if (is_socket(status) || ::access(path.c_str(), W_OK) != 0) {
-    throw MissingResource(path + ": cannot be written; write to a place where you may");
+    throw MissingResource(path + ": cannot be written; allow writing there, or write elsewhere");
   }
 }
 

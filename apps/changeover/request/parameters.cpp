@@ -67,7 +67,7 @@ void ParameterRequest::refuse_beside_label(const std::string& label) const {
                                                      : nullptr;
   if (named != nullptr && !whole_number(label)) {
     throw UsageError{
-        fmt::format("{} is for V K; a label, as {}, says it itself: leave it out", named, label)};
+        fmt::format("{} is for V K; leave it out, for the label {} says it", named, label)};
   }
 }
 
@@ -102,12 +102,13 @@ std::vector<Parameters> ParameterRequest::of_each_kind(const std::string& v_type
   asked.v = whole_number(v_typed);
   asked.k = whole_number(k_typed);
   if (!asked.v && v_typed.find('.') != std::string::npos) {
-    throw UsageError{
-        fmt::format("'{}' is no number V; a label, as 20.5.2.linear, has no K after it", v_typed)};
+    throw UsageError{fmt::format(
+        "'{}' is not a number V; a label, as 20.5.2.linear, has no K after it", v_typed)};
   }
   if (!asked.v) {
     throw UsageError{fmt::format(
-        "'{}' is neither a label, as 20.5.2.linear, nor a number V that K follows", v_typed)};
+        "'{}' is neither a label nor a number V; give a label as 20.5.2.linear, or V and K",
+        v_typed)};
   }
   if (k_typed.empty()) {
     throw UsageError{fmt::format("{} is a number V, and K is missing; give V and K", v_typed)};

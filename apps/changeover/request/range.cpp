@@ -28,7 +28,8 @@ Range range_of(const std::string& option, const std::string& text, std::uint64_t
     range.to = number(std::string_view(text).substr(dots + 2));
   }
   if (range.from > range.to) {
-    throw UsageError{fmt::format("{} {}: the range is empty", option, text)};
+    throw UsageError{
+        fmt::format("{} {}: the range is empty; write the smaller number first", option, text)};
   }
   return range;
 }

@@ -57,7 +57,8 @@ Answer answer_of(const Picture& picture, const DrawRequest& request) {
   if (format == "tikz") {
     if (const std::size_t marks = mark_count(picture); marks > most_marks_of_tikz) {
       throw UsageError{fmt::format(
-          "--format tikz: {} marks are too many for TeX, which takes {}; draw a part with --from and --to, or "
+          "--format tikz: {} marks are too many for TeX, which takes {}; draw a part with --from "
+          "and --to, or "
           "write svg",
           marks, most_marks_of_tikz)};
     }
@@ -113,7 +114,9 @@ Answer drawn(const Subject& subject, DrawOptions options, const DrawRequest& req
   if (options.picture == PictureKind::recipe) {
     if (!subject.recipe) {
       throw BadInput(fmt::format(
-          "{}: it does not say how it was made, so there is no recipe to draw", request.what));
+          "{}: it does not say how it was made, so there is no recipe to draw; draw another "
+          "picture",
+          request.what));
     }
     return answer_of(draw_recipe(*subject.recipe, Registry::standard(), options.note), request);
   }
@@ -160,11 +163,7 @@ Answer draw_cell(const std::vector<Parameters>& asked, const DrawRequest& reques
 }
 
 Answer draw_entry(const CatalogEntry& entry, const DrawRequest& request) {
-  const DesignDigest digest = design_digest(*Registry::standard().build(entry.recipe));
-  if (digest.checksum != entry.checksum) {
-    throw BadInput(fmt::format("{}: its recipe makes other blocks than those that were published",
-                               entry.label()));
-  }
+  check_published_blocks(entry);
   DrawOptions options = options_of(request);
   options.name = entry.label();
   Offer promise;
@@ -217,10 +216,11 @@ Answer draw_factorization(const DrawRequest& request) {
   }
   if (!request.second.empty()) {
     throw UsageError{
-        "a 1-factorization has one number, N: changeover draw 8 --picture factorization"};
+        "a 1-factorization has one number, N; write changeover draw 8 --picture factorization"};
   }
   if (*order > most_drawn) {
-    throw UsageError{fmt::format("only 1-factorizations of K_2 to K_{} are drawn", most_drawn)};
+    throw UsageError{fmt::format(
+        "only 1-factorizations of K_2 to K_{} are drawn; give a smaller number", most_drawn)};
   }
   const OneFactorization factorization = one_factorization(static_cast<std::uint32_t>(*order));
   if (const auto defect = factorization_defect(factorization)) {
@@ -235,7 +235,7 @@ Answer draw_factorization(const DrawRequest& request) {
 Answer draw_table(const DrawRequest& request) {
   if (!request.what.empty()) {
     throw UsageError{
-        "a heat map is of a range: --picture heatmap --k A..B --v C..D, without FILE or V K"};
+        "a heat map is of a range; write --picture heatmap --k A..B --v C..D, without FILE or V K"};
   }
   TableRange range = table_range(request.k.empty() ? "3..8" : request.k,
                                  request.v.empty() ? "..40" : request.v, request.asked.change);
@@ -285,7 +285,8 @@ Answer run(const DrawRequest& request) {
                                  request.what, request.what)};
   }
   throw MissingResource(fmt::format(
-      "{}: there is no such file, and the catalog has no such label{}", request.what, left_out()));
+      "{}: there is no such file, and the catalog has no such label; check how it is spelt{}",
+      request.what, left_out()));
 }
 
 // Options that some pictures alone have.
@@ -313,7 +314,8 @@ void add_draw(Program& program) {
       program.add<DrawRequest>("draw", "a picture of a design, a recipe or a table", run);
   verb.positional(
       "FILE", request.what,
-      "a design in any format that verify reads, - is standard input; or a label of the catalog; or V",
+      "a design in any format that verify reads, - is standard input; or a label of the catalog; "
+      "or V",
       false);
   verb.positional("K", request.second, "elements in a block, after V", false);
   verb.choice("-p,--picture", request.picture,

@@ -126,7 +126,7 @@ Enlarged larger_than(const Design& design, const ExpandRequest& request) {
   options.factorization = factorization_kind_from_string(request.factorization).value();
   options.limits.nodes = request.nodes;
   if (request.which == 0) {
-    throw UsageError{"--set counts from 1"};
+    throw UsageError{"--set 0: expansion sets are counted from 1; give 1 or more"};
   }
   try {
     return enlarge(design, options);

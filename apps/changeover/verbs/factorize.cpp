@@ -102,7 +102,8 @@ Answer run(const FactorizeRequest& request) {
   if (format == "svg" || format == "tikz") {
     constexpr std::uint64_t most_drawn = 40;
     if (request.near || order > most_drawn) {
-      throw UsageError{fmt::format("only 1-factorizations of K_2 to K_{} are drawn", most_drawn)};
+      throw UsageError{fmt::format(
+          "only 1-factorizations of K_2 to K_{} are drawn; write text or json", most_drawn)};
     }
     FactorFigure figure{.order = order, .factors = found.edges};
     if (request.kind == "circle" && order > 2) {

@@ -10,6 +10,7 @@
 #include "changeover/core/error.hpp"
 #include "cli/spelling.hpp"
 #include "core/words.hpp"
+#include "io/file/remedies.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
@@ -23,12 +24,7 @@ struct ManualRequest {
 };
 
 Answer written_into(const std::string& folder, const std::vector<ManualPage>& pages) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure) {
-    throw MissingResource(
-        fmt::format("{}: the folder cannot be made: {}", folder, failure.message()));
-  }
+  make_folder(folder);
   for (const ManualPage& page : pages) {
     write_file((std::filesystem::path(folder) / (page.name + ".1")).string(),
                [&page](OutputFile& out) { out.write(page.text); });

@@ -35,8 +35,9 @@ struct MinimaRequest {
                       .v_to = v_to.value_or(2 * usual_k),
                       .strength = strength_of(strength)};
     if (range.k_from > range.k_to) {
-      throw UsageError{fmt::format("no K is from {} to {}; check --k-from and --k-to", range.k_from,
-                                   range.k_to)};
+      throw UsageError{
+          fmt::format("--k-from {} --k-to {}: the range is empty; write the smaller number first",
+                      range.k_from, range.k_to)};
     }
     return range;
   }

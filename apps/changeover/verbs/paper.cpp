@@ -5,6 +5,7 @@
 
 #include "answer/answer.hpp"
 #include "changeover/core/error.hpp"
+#include "io/file/remedies.hpp"
 #include "paper/figures.hpp"
 #include "paper/report.hpp"
 #include "verbs.hpp"
@@ -18,11 +19,7 @@ struct PaperRequest {
 };
 
 void write_figures(const std::string& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure) {
-    throw MissingResource(fmt::format("cannot make the folder {}: {}", folder, failure.message()));
-  }
+  make_folder(folder);
   for (const auto& [name, content] : paper_figures()) {
     write_file(std::filesystem::path(folder) / name,
                [&text = content](OutputFile& out) { out.write(text); });

@@ -58,7 +58,7 @@ class LineHandler final : public JsonHandler {
     switch (where_) {
       case Where::start:
         if (event.type != Type::begin_object) {
-          wrong(event, "an entry, an object,");
+          json_.fail_expecting(event, "an entry, {…}");
         }
         where_ = Where::keys;
         break;
@@ -120,11 +120,6 @@ class LineHandler final : public JsonHandler {
  private:
   enum class Where : std::uint8_t { start, keys, value, recipe, cites, credit, credit_value, end };
 
-  [[noreturn]] void wrong(const JsonEvent& event, std::string_view wanted) const {
-    json_.fail(event.offset,
-               fmt::format("{} where {} belongs; correct the line", to_string(event.type), wanted));
-  }
-
   void once(const JsonEvent& event) {
     // Distinguishes the keys of the credit from those of the entry.
     std::string name = (where_ == Where::credit ? "credit." : "") + std::string(event.text);
@@ -143,7 +138,7 @@ class LineHandler final : public JsonHandler {
 
   [[nodiscard]] std::string text(const JsonEvent& event) const {
     if (event.type != Type::string) {
-      wrong(event, fmt::format("{}, a string,", key_));
+      json_.fail_expecting(event, fmt::format("a string for {}", key_));
     }
     if (event.text.size() > longest_text || !is_printable(event.text)) {
       json_.fail(event.offset,
@@ -159,7 +154,7 @@ class LineHandler final : public JsonHandler {
 
   [[nodiscard]] std::uint64_t number(const JsonEvent& event) const {
     if (event.type != Type::natural) {
-      wrong(event, fmt::format("{}, a whole number,", key_));
+      json_.fail_expecting(event, fmt::format("a whole number for {}", key_));
     }
     return event.natural;
   }
@@ -187,12 +182,12 @@ class LineHandler final : public JsonHandler {
       entry.checksum = *checksum;
     } else if (key_ == "cites") {
       if (event.type != Type::begin_array) {
-        wrong(event, "an array of keys");
+        json_.fail_expecting(event, "an array for cites");
       }
       where_ = Where::cites;
     } else if (key_ == "credit") {
       if (event.type != Type::begin_object) {
-        wrong(event, "the credit, an object,");
+        json_.fail_expecting(event, "an object for credit");
       }
       entry.credit = {};
       where_ = Where::credit;
@@ -308,7 +303,7 @@ Credit shared_from_header(std::string_view line, const std::string& name) {
   parse_json(json, handler);
   if (!handler.format_name.starts_with("changeover-catalog/")) {
     json.fail(0,
-              fmt::format("not a catalog: the first line must be {{\"format\":\"{}\"}}", format));
+              fmt::format("not a catalog; the first line must be {{\"format\":\"{}\"}}", format));
   }
   if (handler.format_name != format) {
     json.fail(0, fmt::format("a catalog of the unknown format {}; "
@@ -330,7 +325,8 @@ CatalogText read_catalog(std::string_view text, const std::string& name) {
   Lines lines(text);
   if (!lines.next()) {
     throw BadInput(fmt::format(
-        "{}: empty, not a catalog: the first line must be {{\"format\":\"{}\"}}", name, format));
+        "{}: the file is empty; the first line of a catalog must be {{\"format\":\"{}\"}}", name,
+        format));
   }
   catalog.shared = shared_from_header(lines.line(), name);
   while (lines.next()) {

@@ -9,6 +9,7 @@
 #include "catalog/store/filler.hpp"
 #include "catalog/store/schema.hpp"
 #include "catalog/store/store.hpp"
+#include "io/file/remedies.hpp"
 
 namespace changeover {
 namespace {
@@ -37,7 +38,8 @@ class WhileWriting {
 
 void require(bool is_there, std::string_view label) {
   if (!is_there) {
-    throw BadInput(fmt::format("there is no design {} in the catalog", label));
+    throw BadInput(
+        fmt::format("there is no design {} in the catalog; give a label that it has", label));
   }
 }
 
@@ -49,18 +51,13 @@ using FewestOfCells = std::map<Parameters, std::uint64_t>;
 Shelf& Catalog::Store::to_write() {
   if (user_path.empty()) {
     throw MissingResource(
-        "there is no file for your own catalog: name one with --catalog or CHANGEOVER_CATALOG");
+        "there is no file for your own catalog; name one with --catalog or CHANGEOVER_CATALOG");
   }
   problem.clear();
   user.reset();
   const std::filesystem::path path(user_path);
   if (path.has_parent_path()) {
-    std::error_code error;
-    std::filesystem::create_directories(path.parent_path(), error);
-    if (error) {
-      throw MissingResource(fmt::format("{}: cannot be made: {}; name another file with --catalog",
-                                        path.parent_path().string(), error.message()));
-    }
+    make_folder(path.parent_path().string(), "name another file with --catalog");
   }
   const Database database = Database::open(user_path, Access::create);
   if (is_blank(database)) {
@@ -209,7 +206,8 @@ std::string Catalog::remove_alias(std::string_view alias) {
   const auto behind = store_->from_users(std::optional<std::string>(),
                                          [&](Shelf& shelf) { return shelf.alias(alias); });
   if (!behind) {
-    throw BadInput(fmt::format("there is no alias {} in your catalog", alias));
+    throw BadInput(
+        fmt::format("there is no alias {} in your catalog; check how it is spelt", alias));
   }
   Shelf& own = store_->to_write();
   Transaction transaction(own.database());

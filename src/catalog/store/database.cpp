@@ -63,7 +63,7 @@ bool is_regular(const std::string& path) {
       throw MissingResource(fmt::format(
           "{}: {}; allow writing there, or name another file with --catalog", name, what));
     case SQLITE_NOMEM:
-      throw MissingResource(fmt::format("{}: not enough memory", name));
+      throw MissingResource(fmt::format("{}: not enough memory; close other programs", name));
     case SQLITE_PROTOCOL:
     case SQLITE_NOLFS:
       throw MissingResource(
@@ -101,7 +101,7 @@ Statement::Statement(sqlite3* database, std::string_view sql, const std::string&
 
 void Statement::bind(int index, std::uint64_t value) {
   if (value > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) {
-    throw BadInput(fmt::format("{}: {} is too large for a catalog", name_, value));
+    throw BadInput(fmt::format("{}: {} is too large for a catalog; leave it out", name_, value));
   }
   sqlite3_bind_int64(statement_.get(), index, static_cast<sqlite3_int64>(value));
 }
@@ -237,7 +237,7 @@ std::vector<std::byte> Database::image() const {
   const std::unique_ptr<unsigned char, decltype(&sqlite3_free)> bytes(
       sqlite3_serialize(database_.get(), "main", &size, 0), &sqlite3_free);
   if (bytes == nullptr) {
-    throw MissingResource("not enough memory for the image of a catalog");
+    throw MissingResource("not enough memory for the image of a catalog; close other programs");
   }
   std::vector<std::byte> result(static_cast<std::size_t>(size));
   std::memcpy(result.data(), bytes.get(), result.size());

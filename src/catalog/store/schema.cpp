@@ -131,10 +131,8 @@ void check_catalog(const Database& database, int version, std::span<const Migrat
   }
   if (found < version &&
       std::ranges::none_of(migrations, [&](const Migration& step) { return step.from == found; })) {
-    throw BadInput(
-        fmt::format("{}: version {} of a catalog is not known; name another file by "
-                    "--catalog",
-                    name, found));
+    throw BadInput(fmt::format(
+        "{}: version {} of a catalog is not known; name another file with --catalog", name, found));
   }
 }
 

@@ -71,7 +71,7 @@ class Shelf {
       const Credit credit = shared_from_header(row.view(2), name);
       CatalogEntry entry = entry_from_line(row.view(1), name, 1, credit);
       if (entry.label() != row.view(0)) {
-        throw BadInput("its line is that of " + entry.label());
+        throw BadInput("its line is the one of " + entry.label());
       }
       const Parameters& p = entry.parameters;
       if (std::array{p.v, p.k, p.change, code_of(p.kind), std::uint64_t{p.strength}, entry.b} !=
@@ -86,8 +86,8 @@ class Shelf {
       }
       return entry;
     } catch (const BadInput& fault) {
-      throw BadInput(
-          fmt::format("{}: the entry {} is damaged: {}", name, row.view(0), fault.what()));
+      throw BadInput(fmt::format("{}: the entry {} is damaged ({}); restore a copy", name,
+                                 row.view(0), fault.what()));
     }
   }
 

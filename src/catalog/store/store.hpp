@@ -111,8 +111,8 @@ class Catalog::Store {
         }
         const auto label = parse_design_label(rows.view(0));
         if (!label || label->parameters != p || label->b != rows.integer(1)) {
-          throw BadInput(
-              fmt::format("{}: the entry {} is damaged", shelf.database().name(), rows.view(0)));
+          throw BadInput(fmt::format("{}: the entry {} is damaged; restore a copy",
+                                     shelf.database().name(), rows.view(0)));
         }
         best = Known{rows.text(0), label->b};
         if (carries == carries_blocks) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "changeover/core/error.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -46,8 +47,8 @@ Enlarged by_cover(const Design& design, const EnlargeOptions& options) {
       w == 0 ? best_new_elements(design, 1, most, cover) : best_new_elements(design, w, w, cover);
   if (!best) {
     throw MissingResource(fmt::format(
-        "{} new elements cannot be inserted: too few unchanged subsets, or they leave an element out",
-        w == 0 ? "no number of" : fmt::format("{}", w)));
+        "{} cannot be inserted: too few unchanged subsets, or they leave an element out",
+        w == 0 ? "new elements" : count_of(w, "new element")));
   }
   return {.design = expand_by(design, best->cover, best->w, options.factorization),
           .at = best->cover.subsets,
@@ -58,7 +59,7 @@ Enlarged by_cover(const Design& design, const EnlargeOptions& options) {
 
 Enlarged enlarge(const Design& design, const EnlargeOptions& options) {
   if (options.set == 0) {
-    throw BadInput("expansion sets count from 1");
+    throw BadInput("expansion sets are counted from 1; give 1 or more");
   }
   if (options.set && options.new_elements) {
     throw BadInput("name an expansion set or a number of new elements, not both");

@@ -46,8 +46,9 @@ void FileLock::acquire(const std::string& path) {
       }
     }
     if (descriptor_ < 0) {
-      throw MissingResource(fmt::format("{}: cannot write {}: {}; write to a place where you may",
-                                        path, lock_path_, std::strerror(errno)));
+      throw MissingResource(
+          fmt::format("{}: cannot write {}: {}; allow writing there, or write elsewhere", path,
+                      lock_path_, std::strerror(errno)));
     }
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
       const int error = errno;

@@ -10,29 +10,10 @@
 #include <cstring>
 
 #include "changeover/core/error.hpp"
+#include "io/file/remedies.hpp"
 
 namespace changeover {
 namespace {
-
-std::string_view how_to_read(int error) {
-  switch (error) {
-    case ENOENT:
-    case ENOTDIR:
-      return "check how the path is spelt";
-    case EACCES:
-    case EPERM:
-      return "ask for permission to read it";
-    case EISDIR:
-      return "name a file in it";
-    case ELOOP:
-      return "a symbolic link leads back to itself; correct it";
-    case EMFILE:
-    case ENFILE:
-      return "too many files are open; raise the limit (ulimit -n), or close some";
-    default:
-      return "try again or copy it elsewhere";
-  }
-}
 
 [[noreturn]] void cannot_read(const std::string& name, int error) {
   throw MissingResource(

@@ -19,6 +19,7 @@
 #include "changeover/core/error.hpp"
 #include "io/file/left_behind.hpp"
 #include "io/file/links.hpp"
+#include "io/file/remedies.hpp"
 
 namespace changeover {
 namespace {
@@ -69,44 +70,9 @@ static_assert(std::atomic<int>::is_always_lock_free, "a signal handler reads it"
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a signal handler needs it
 Unfinished unfinished;
 
-std::string_view how_to_mend(int error) {
-  switch (error) {
-    case ENOSPC:
-    case EDQUOT:
-      return "free some space or write elsewhere";
-    case ENOENT:
-    case ENOTDIR:
-      return "make the directory first, or check how the path is spelt";
-    case EACCES:
-    case EPERM:
-    case EROFS:
-      return "write to a place where you may";
-    case EISDIR:
-      return "name a file in it";
-    case EPIPE:
-    case ECONNRESET:
-      return "the reader closed the pipe; keep it running";
-    case EFBIG:
-      return "raise the limit on the size of files (ulimit -f), or write elsewhere";
-    case EBADF:
-      return "the stream is closed; keep it open, or name a file";
-    case EIO:
-      return "the device failed; write elsewhere";
-    case ELOOP:
-      return "a symbolic link leads back to itself; correct it";
-    case EMFILE:
-    case ENFILE:
-      return "too many files are open; raise the limit (ulimit -n), or close some";
-    case ENAMETOOLONG:
-      return "use a shorter name";
-    default:
-      return "write elsewhere";
-  }
-}
-
 [[noreturn]] void cannot_write(const std::string& path, int error) {
   const std::string line =
-      fmt::format("{}: cannot write: {}; {}", path, std::strerror(error), how_to_mend(error));
+      fmt::format("{}: cannot write: {}; {}", path, std::strerror(error), how_to_write(error));
   if (error == EPIPE || error == ECONNRESET) {
     throw ReaderGone(line);
   }

@@ -136,7 +136,8 @@ class Columns {
       place = place.value_or(place_of_field(field));
       if (constants[i] == "elements") {
         if (field.text != "labels" && field.text != "numbers") {
-          rows.fail(field, "the column elements must say labels or numbers");
+          rows.fail(field,
+                    "the column elements says neither labels nor numbers; write one of them");
         }
         labels = field.text == "labels";
       } else if (const auto defect = declare(found, constants[i], field.text)) {

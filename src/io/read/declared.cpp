@@ -167,7 +167,7 @@ std::optional<std::string> table_defect(std::string_view beginning) {
   const std::vector<std::string_view> words = words_of(lines[0]);
   const bool command = words[0][0] == '\\' && words[0].find('{') != std::string_view::npos;
   if (command || std::find(words.begin(), words.end(), "&") != words.end()) {
-    return "this looks like LaTeX, a table for people: write it with --format text or --json";
+    return "this looks like LaTeX, a table for people; write it with --format text or --json";
   }
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
     const std::vector<std::string_view> names = words_of(lines[i]);
@@ -175,7 +175,7 @@ std::optional<std::string> table_defect(std::string_view beginning) {
         std::all_of(names.begin(), names.end(), is_block_name)) {
       const std::vector<std::string_view> below = words_of(lines[i + 1]);
       if (std::none_of(below.begin(), below.end(), is_block_name)) {
-        return "this looks like a table for people: write it with --format text or --json";
+        return "this looks like a table for people; write it with --format text or --json";
       }
     }
   }

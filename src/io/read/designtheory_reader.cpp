@@ -43,7 +43,8 @@ class DesignTheory final : public XmlHandler {
   void begin(std::string_view name, const XmlAttributes& attributes) override {
     ++depth_;
     if (depth_ == 1 && name != "list_of_designs") {
-      fail(fmt::format("an XML file of {}; designs are in a list_of_designs", shown(name)));
+      fail(fmt::format("the file begins with {}; put the design into a list_of_designs",
+                       shown(name)));
     }
     if (name == "block_design") {
       if (designs_++ > 0) {
@@ -62,7 +63,7 @@ class DesignTheory final : public XmlHandler {
       point_offset_ = reader_.offset();
       word_.clear();
     } else if (in_blocks_) {
-      fail(fmt::format("{} among the blocks; points are written <z>0</z>", shown(name)));
+      fail(fmt::format("{} among the blocks; write points as <z>0</z>", shown(name)));
     }
   }
 
@@ -85,7 +86,7 @@ class DesignTheory final : public XmlHandler {
       if (in_point_ && !blank) {
         word_ += c;
       } else if (in_blocks_ && !blank) {
-        fail("text among the blocks; points are written <z>0</z>");
+        fail("text among the blocks; write points as <z>0</z>");
       }
     }
     constexpr std::size_t longest = 30;

@@ -127,11 +127,6 @@ class DesignHandler final : public JsonHandler {
     }
   }
 
-  [[noreturn]] void wrong(const JsonEvent& event, std::string_view wanted) const {
-    json_->fail(event.offset,
-                fmt::format("{} where {} belongs; correct it", to_string(event.type), wanted));
-  }
-
   void start(const JsonEvent& event) {
     start_ = event.offset;
     if (event.type == Type::begin_array) {
@@ -140,7 +135,7 @@ class DesignHandler final : public JsonHandler {
     } else if (event.type == Type::begin_object) {
       where_ = Where::document;
     } else {
-      wrong(event, "a design, an object with the key \"blocks\",");
+      json_->fail_expecting(event, "an object with the key \"blocks\"");
     }
   }
 
@@ -170,12 +165,12 @@ class DesignHandler final : public JsonHandler {
       declare(event);
     } else if (key_ == "v" || key_ == "k" || key_ == "change" || key_ == "strength") {
       if (event.type != Type::natural && event.type != Type::other_number) {
-        wrong(event, "the number " + key_);
+        json_->fail_expecting(event, "a number for " + key_);
       }
       declare(event);
     } else if (key_ == "kind") {
       if (event.type != Type::string) {
-        wrong(event, "\"linear\" or \"circular\"");
+        json_->fail_expecting(event, "\"linear\" or \"circular\" for kind");
       }
       declare(event);
     } else if (key_ == "labels") {
@@ -189,7 +184,7 @@ class DesignHandler final : public JsonHandler {
       where_ = Where::blocks;
     } else if (key_ == "recipe") {
       if (event.type != Type::begin_object) {
-        wrong(event, "the recipe, an object,");
+        json_->fail_expecting(event, "an object for recipe");
       }
       if (recipe_) {
         given_twice();
@@ -209,7 +204,7 @@ class DesignHandler final : public JsonHandler {
 
   void begin_list(const JsonEvent& event, bool again) {
     if (event.type != Type::begin_array) {
-      wrong(event, "the array " + key_);
+      json_->fail_expecting(event, "an array for " + key_);
     }
     if (again) {
       given_twice();
@@ -226,7 +221,7 @@ class DesignHandler final : public JsonHandler {
       return;
     }
     if (event.type != Type::string && event.type != Type::natural) {
-      wrong(event, "a label, a string,");
+      json_->fail_expecting(event, "a label in quotes");
     }
     if (const auto defect = word_defect(event.text)) {
       json_->fail(event.offset, *defect);
@@ -249,7 +244,7 @@ class DesignHandler final : public JsonHandler {
       where_ = Where::document;
       end_ = event.offset;
     } else {
-      wrong(event, "a block, an array of elements,");
+      json_->fail_expecting(event, "an array of elements, a block");
     }
   }
 
@@ -271,7 +266,7 @@ class DesignHandler final : public JsonHandler {
       defect =
           fmt::format("element {} is not a whole number from 0 on; correct it", shown(event.text));
     } else {
-      wrong(event, "an element, a number or a label,");
+      json_->fail_expecting(event, "an element, a number or a label in quotes");
     }
     if (defect) {
       json_->fail(event.offset, *defect);

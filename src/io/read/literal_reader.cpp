@@ -74,9 +74,10 @@ class LiteralReader {
     }
     const bool of_gap = points_.v() && points_.greatest() == *points_.v();
     if (of_gap == (points_.least() == 0)) {
-      points_.fail(start,
-                   "of GAP, with points from 1 on, or of Sage, from 0? Write D := BlockDesign(…); "
-                   "for GAP, or D = BlockDesign(…) for Sage");
+      points_.fail(
+          start,
+          "points may be counted from 1 (GAP) or from 0 (Sage); write D := BlockDesign(…); for "
+          "GAP, or D = BlockDesign(…) for Sage");
     }
     return of_gap ? 1 : 0;
   }
@@ -105,9 +106,9 @@ class LiteralReader {
   void need(std::string_view sign) {
     if (!take(sign)) {
       points_.fail(at_, at_ == text_.size()
-                            ? fmt::format("the text ends where {} belongs; it is cut off", sign)
-                            : fmt::format("{} where {} belongs; correct it",
-                                          shown(text_.substr(at_, 1)), sign));
+                            ? fmt::format("expected {}, but the text ends; complete it", sign)
+                            : fmt::format("expected {}, found {}; correct it", sign,
+                                          shown(text_.substr(at_, 1))));
     }
   }
 
@@ -118,7 +119,7 @@ class LiteralReader {
       ++end;
     }
     if (end == at_) {
-      points_.fail(at_, fmt::format("{} belongs here", wanted));
+      points_.fail(at_, fmt::format("expected {}; write it here", wanted));
     }
     const std::string_view word = text_.substr(at_, end - at_);
     at_ = end;
@@ -132,7 +133,7 @@ class LiteralReader {
 
   std::string_view number() {
     if (!at_digit()) {
-      points_.fail(at_, "a number belongs here; points are numbers");
+      points_.fail(at_, "expected a number; points are numbers");
     }
     const std::size_t end = std::min(text_.find_first_not_of("0123456789", at_), text_.size());
     const std::string_view digits = text_.substr(at_, end - at_);
@@ -203,7 +204,7 @@ class LiteralReader {
         language_ = Language::sage;
       } else if (has_name) {
         points_.fail(start, points_.has_blocks() ? third_argument
-                                                 : "points and blocks belong here, as numbers");
+                                                 : "points and blocks are numbers; write them so");
       }
       if (key == "points" || (!has_name && at_digit())) {
         read_v();

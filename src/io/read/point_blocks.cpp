@@ -64,8 +64,8 @@ void PointBlocks::declare_v(std::string_view number, std::size_t offset) {
   }
   const auto value = plain_number(number);
   if (!value || *value == 0 || *value > max_elements_in_memory) {
-    fail(offset, fmt::format("{} points; give a whole number from 1 to {}", shown(number),
-                             max_elements_in_memory));
+    fail(offset, fmt::format("{} is not a number of points; give a whole number from 1 to {}",
+                             shown(number), max_elements_in_memory));
   }
   v_ = *value;
   v_offset_ = offset;

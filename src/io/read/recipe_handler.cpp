@@ -12,11 +12,6 @@ namespace changeover {
 
 using Type = JsonEvent::Type;
 
-void RecipeHandler::wrong(const JsonEvent& event, std::string_view wanted) const {
-  json_->fail(event.offset, fmt::format("{} where {} belongs; correct the recipe",
-                                        to_string(event.type), wanted));
-}
-
 void RecipeHandler::on(const JsonEvent& event) {
   if (skipped_ > 0) {
     if (event.type == Type::begin_array || event.type == Type::begin_object) {
@@ -28,7 +23,7 @@ void RecipeHandler::on(const JsonEvent& event) {
   }
   if (frames_.empty()) {
     if (event.type != Type::begin_object) {
-      wrong(event, "a recipe, an object,");
+      json_->fail_expecting(event, "a recipe, {…}");
     }
     started_ = true;
     frames_.emplace_back().offset = event.offset;
@@ -65,7 +60,7 @@ void RecipeHandler::on(const JsonEvent& event) {
       } else if (event.type == Type::begin_object) {
         frames_.emplace_back().offset = event.offset;
       } else {
-        wrong(event, "a recipe, an object,");
+        json_->fail_expecting(event, "a recipe, {…}");
       }
       break;
     case Where::blocks:
@@ -75,7 +70,7 @@ void RecipeHandler::on(const JsonEvent& event) {
         frame.recipe.blocks.emplace_back();
         frame.where = Where::block;
       } else {
-        wrong(event, "a block, an array of numbers,");
+        json_->fail_expecting(event, "an array of numbers, a block");
       }
       break;
     case Where::block:
@@ -85,7 +80,7 @@ void RecipeHandler::on(const JsonEvent& event) {
                  event.natural <= std::numeric_limits<Element>::max()) {
         frame.recipe.blocks.back().push_back(static_cast<Element>(event.natural));
       } else {
-        wrong(event, "an element, a number below 2^32,");
+        json_->fail_expecting(event, "an element, a number below 2^32");
       }
       break;
   }
@@ -105,25 +100,26 @@ void RecipeHandler::on_value(Frame& frame, const JsonEvent& event) {
   Parameters& p = frame.recipe.parameters;
   const auto number = [&](std::uint64_t most) {
     if (event.type != Type::natural || event.natural > most) {
-      wrong(event, fmt::format("the number {}, at most {},", key, most));
+      json_->fail_expecting(event, fmt::format("a number up to {} for {}", most, key));
     }
     return event.natural;
   };
   const auto begin = [&](Type type, Where where) {
     if (event.type != type) {
-      wrong(event, type == Type::begin_array ? "the array " + key : "the object " + key);
+      json_->fail_expecting(
+          event, type == Type::begin_array ? "an array for " + key : "an object for " + key);
     }
     frame.where = where;
   };
   constexpr std::uint64_t most = std::numeric_limits<Element>::max();
   if (key == "construction") {
     if (event.type != Type::string || event.text.empty()) {
-      wrong(event, "the name of a construction, a string,");
+      json_->fail_expecting(event, "the name of a construction in quotes");
     }
     frame.recipe.construction = event.text;
   } else if (key == "provenance") {
     if (event.type != Type::string) {
-      wrong(event, "where the blocks come from, a string,");
+      json_->fail_expecting(event, "a string for provenance");
     }
     frame.recipe.provenance = event.text;
   } else if (key == "v") {
@@ -138,7 +134,7 @@ void RecipeHandler::on_value(Frame& frame, const JsonEvent& event) {
     const auto kind =
         event.type == Type::string ? kind_from_string(event.text) : std::optional<Kind>();
     if (!kind) {
-      wrong(event, "\"linear\" or \"circular\"");
+      json_->fail_expecting(event, "\"linear\" or \"circular\" for kind");
     }
     p.kind = *kind;
   } else if (key == "arguments") {
@@ -157,7 +153,7 @@ void RecipeHandler::on_argument(Frame& frame, const JsonEvent& event) {
   const char* const end = event.text.data() + event.text.size();
   const bool number = event.type == Type::natural || event.type == Type::other_number;
   if (!number) {
-    wrong(event, "a whole number");
+    json_->fail_expecting(event, "a whole number");
   }
   const auto result = std::from_chars(event.text.data(), end, value);
   if (result.ec != std::errc() || result.ptr != end) {

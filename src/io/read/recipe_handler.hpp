@@ -35,7 +35,6 @@ class RecipeHandler final : public JsonHandler {
   void on_value(Frame& frame, const JsonEvent& event);
   void on_argument(Frame& frame, const JsonEvent& event);
   void finish_frame(const JsonEvent& event);
-  [[noreturn]] void wrong(const JsonEvent& event, std::string_view wanted) const;
 
   const JsonText* json_;
   std::vector<Frame> frames_;  // the recipe and, below it, the input that is being read, …

@@ -34,7 +34,7 @@ RequestDocument::RequestDocument(std::string_view format, std::string text, std:
   const std::string shown_name = name_.empty() ? "<text>" : name_;
   object_ = json_tree({.text = text_, .name = shown_name});
   if (!object_.is_object()) {
-    throw BadInput((name_.empty() ? "" : name_ + ": ") + "send an object of JSON, {…}");
+    throw BadInput((name_.empty() ? "" : name_ + ": ") + "give an object of JSON, {…}");
   }
   if (const JsonNode* const said = find("format"); said != nullptr && said->text != format) {
     fail(*said, "format", fmt::format("write {}", format));
@@ -77,8 +77,7 @@ void RequestDocument::require_known(const std::vector<std::string_view>& keys) c
   for (const auto& [key, node] : object_.members) {
     if (key != "format" && std::find(keys.begin(), keys.end(), key) == keys.end()) {
       fail(node, "",
-           fmt::format("there is no member '{}'; there are {}", printable(key),
-                       fmt::join(keys, ", ")));
+           fmt::format("unknown key '{}'; the keys are {}", printable(key), fmt::join(keys, ", ")));
     }
   }
 }

@@ -111,6 +111,11 @@ class Adapter {
 
 }  // namespace
 
+void JsonText::fail_expecting(const JsonEvent& event, std::string_view wanted) const {
+  fail(event.offset,
+       fmt::format("expected {}, found {}; correct it", wanted, to_string(event.type)));
+}
+
 Place JsonText::place(std::size_t offset) const {
   Place place = place_of(text, offset);
   if (place.line == 1) {

@@ -56,6 +56,8 @@ struct JsonText {
   [[noreturn]] void fail(std::size_t offset, std::string_view what) const {
     changeover::fail(name, place(offset), what);
   }
+  /// @throws BadInput: something else than `wanted` is at the event.
+  [[noreturn]] void fail_expecting(const JsonEvent& event, std::string_view wanted) const;
 };
 
 /// Parses one JSON value and nothing after it. Needs no stack for nesting.

@@ -47,7 +47,7 @@ void TextScanner::check_byte() {
   if ((byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r') || byte == 0x7f) {
     if (byte == 0x1b) {
       fail(here(),
-           "this looks like a coloured table for people: write it with --format text or --json");
+           "this looks like a coloured table for people; write it with --format text or --json");
     }
     fail(here(), control_byte_defect(*p_));
   }

@@ -165,7 +165,8 @@ LoadOrder::LoadOrder(LoadOrderFacts facts, Maker maker)
 std::unique_ptr<StepSource> LoadOrder::stream(std::uint64_t worker) const {
   const std::uint64_t workers = std::max<std::uint64_t>(1, facts_.lockstep);
   if (worker >= workers) {
-    throw BadInput(fmt::format("worker {} of {}: they are numbered from 0", worker, workers));
+    throw BadInput(
+        fmt::format("there is no worker {}: the order is for {}; count from 0", worker, workers));
   }
   return std::make_unique<OfWorker>(stream(), worker);
 }

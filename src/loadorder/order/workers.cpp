@@ -116,8 +116,8 @@ WorkerSplit::WorkerSplit(SplitFacts facts, LoadOrder order)
 
 std::unique_ptr<StepSource> WorkerSplit::stream(std::uint64_t worker) const {
   if (worker >= facts_.workers.size()) {
-    throw BadInput(
-        fmt::format("worker {} of {}: they are numbered from 0", worker, facts_.workers.size()));
+    throw BadInput(fmt::format("there is no worker {}: the order is for {}; count from 0", worker,
+                               facts_.workers.size()));
   }
   if (steps_) {
     return steps_->of(worker);

@@ -183,7 +183,7 @@ class PairReader {
     }
     settle_first_line(false);
     if (pairs_.empty()) {
-      throw BadInput(name_ + ": no pair is listed; give two items a line");
+      throw BadInput(name_ + ": no pair is listed; give two items per line");
     }
     const std::uint64_t items = options_.items && names_.empty() ? *options_.items
                                 : names_.empty()                 ? std::uint64_t{largest_} + 1
@@ -206,10 +206,11 @@ class PairReader {
       row_ = at_blanks(row_.front(), rows_);
     }
     if (row_.size() > 2) {
-      rows_.fail(row_[2], "more than two items; give two a line, and names with blanks in quotes");
+      rows_.fail(row_[2],
+                 "more than two items; give two per line, and names with blanks in quotes");
     }
     if (row_.size() == 1) {
-      rows_.fail(row_[0], "one item stands alone; give two a line");
+      rows_.fail(row_[0], "one item stands alone; give two per line");
     }
     for (const Field& field : row_) {
       if (!field.in_quotes && are_numbers(field.text)) {

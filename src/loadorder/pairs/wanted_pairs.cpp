@@ -95,8 +95,10 @@ WantedPairs WantedPairs::between(std::uint64_t a, std::uint64_t b) {
 
 WantedPairs WantedPairs::beyond(std::uint64_t done, std::uint64_t items) {
   if (done >= items) {
-    throw BadInput(
-        fmt::format("the pairs of {} of {} items are done: nothing is left to load", done, items));
+    throw BadInput(fmt::format(
+        "the pairs of {} of {} items are done, and nothing is left to load; give fewer that are "
+        "done",
+        done, items));
   }
   WantedPairs wanted;
   wanted.kind_ = Kind::beyond;
@@ -115,7 +117,7 @@ WantedPairs WantedPairs::listed(std::shared_ptr<const PairGraph> graph) {
       return wanted;
     }
   }
-  throw BadInput("no pair is listed; give two items a line");
+  throw BadInput("no pair is listed; give two items per line");
 }
 
 std::uint64_t WantedPairs::count() const {

@@ -304,7 +304,7 @@ void at_least_two_fit(const LoadRequest& request, Door door) {
 void check_together(const LoadRequest& request, Door door, bool all) {
   const std::uint64_t items = request.items.value_or(0);
   if (request.done_items && *request.done_items >= items) {
-    refuse(fmt::format("{} {}: of {} {} none would be new", key("done_items", door),
+    refuse(fmt::format("{} {}: of {} {} none would be new; give fewer", key("done_items", door),
                        *request.done_items, key("items", door), items));
   }
   if (request.disjoint && *request.workers > 1 && items / *request.workers < *request.room) {

@@ -416,8 +416,9 @@ AllPairsReport run(ItemSource& source, const LoadOrder& order, const WorkerSplit
                    const PairCompute& compute, const AllPairsOptions& options) {
   const LoadOrderFacts& facts = order.facts();
   if (source.item_count() != facts.items) {
-    throw BadInput(fmt::format("{} has {} items, but the order is for {}", source.describe(),
-                               source.item_count(), facts.items));
+    throw BadInput(
+        fmt::format("{} has {} items, but the order is for {}; make an order for that number",
+                    source.describe(), source.item_count(), facts.items));
   }
   if (facts.items > max_elements_in_memory && facts.wanted.graph() == nullptr) {
     throw ImpossibleParameters(
@@ -442,7 +443,7 @@ AllPairsReport run(ItemSource& source, const LoadOrder& order, const WorkerSplit
     const ScheduleVerdict verdict =
         check_schedule(*steps, {.items = facts.items, .room = facts.room, .wanted = facts.wanted});
     if (!verdict.valid() || verdict.steps != facts.steps) {
-      throw BadInput(fmt::format("this is no load order of {} items with room for {}: {}{}",
+      throw BadInput(fmt::format("this is not a load order of {} items with room for {}: {}{}",
                                  facts.items, facts.room, verdict.fault, verdict.example));
     }
   };

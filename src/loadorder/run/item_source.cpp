@@ -81,11 +81,13 @@ FileItems::FileItems(const std::string& path, std::uint64_t item_bytes,
     throw MissingResource(fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
   }
   if (!S_ISREG(status.st_mode)) {
-    throw BadInput(fmt::format("{}: is not a regular file, so items cannot be found in it", path));
+    throw BadInput(fmt::format(
+        "{}: is not a regular file, so items cannot be found in it; name another", path));
   }
   s.file_bytes = static_cast<std::uint64_t>(status.st_size);
   if (s.file_bytes <= s.header_bytes) {
-    throw BadInput(fmt::format("{}: has {} bytes and holds no item", path, s.file_bytes));
+    throw BadInput(
+        fmt::format("{}: has {} bytes and holds no item; name another file", path, s.file_bytes));
   }
   if (s.bypass) {
     s.direct = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_DIRECT);
@@ -155,7 +157,8 @@ std::string FileItems::access() const {
 std::span<const std::byte> FileItems::read(Element item, std::span<std::byte> buffer) {
   State& s = *state_;
   if (item >= item_count()) {
-    throw BadInput(fmt::format("{}: there is no item {}, only {}", s.path, item, item_count()));
+    throw BadInput(fmt::format("{}: there is no item {}, only {}; plan for these", s.path, item,
+                               item_count()));
   }
   const std::uint64_t start = s.header_bytes + item * s.item_bytes;
   const auto bytes =
@@ -187,8 +190,9 @@ std::span<const std::byte> FileItems::read(Element item, std::span<std::byte> bu
         fmt::format("{}: item {} cannot be read: {}", s.path, item, std::strerror(errno)));
   }
   if (*got < bytes) {
-    throw BadInput(fmt::format("{}: item {} ends after {} of {} bytes: the file has become shorter",
-                               s.path, item, *got, bytes));
+    throw BadInput(fmt::format(
+        "{}: item {} ends after {} of {} bytes: the file has become shorter; start again", s.path,
+        item, *got, bytes));
   }
   return buffer.subspan(skip, bytes);
 }
@@ -204,8 +208,9 @@ CallbackItems::CallbackItems(std::uint64_t items, std::size_t bytes_per_item, Re
 std::span<const std::byte> CallbackItems::read(Element item, std::span<std::byte> buffer) {
   const std::size_t bytes = read_(item, buffer);
   if (bytes > buffer.size()) {
-    throw BadInput(fmt::format("{}: item {} has {} bytes, but {} were promised to be enough",
-                               description_, item, bytes, buffer.size()));
+    throw BadInput(
+        fmt::format("{}: item {} has {} bytes, but {} were promised to be enough; promise more",
+                    description_, item, bytes, buffer.size()));
   }
   return buffer.first(bytes);
 }

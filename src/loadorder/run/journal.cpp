@@ -15,6 +15,7 @@
 
 #include "changeover/core/error.hpp"
 #include "core/words.hpp"
+#include "io/file/remedies.hpp"
 
 namespace changeover {
 namespace {
@@ -22,7 +23,8 @@ namespace {
 constexpr std::string_view title = "changeover journal 2: ";
 
 [[noreturn]] void refuse(const std::string& path, const std::string& what) {
-  throw MissingResource(fmt::format("{}: {}: {}", path, what, std::strerror(errno)));
+  throw MissingResource(
+      fmt::format("{}: {}: {}; {}", path, what, std::strerror(errno), how_to_write(errno)));
 }
 
 // The name of a new file is in its folder, which must reach the disk too.
@@ -85,7 +87,7 @@ std::pair<std::string, std::string> Journal::shares_in(const std::string& path,
   std::ifstream file(path, std::ios::binary);
   std::string line;
   if (!file || !std::getline(file, line)) {
-    throw MissingResource(path + ": the journal cannot be read, or is empty");
+    throw MissingResource(path + ": the journal cannot be read, or is empty; name another file");
   }
   std::string head(title);
   for (const JournalField& field : job) {
@@ -176,7 +178,7 @@ void Journal::check_head(const std::string& found, const std::vector<JournalFiel
     return;
   }
   if (found.compare(0, title.size(), title) != 0) {
-    throw BadInput(path_ + ": is no journal of this version; name another file, or remove it");
+    throw BadInput(path_ + ": is not a journal of this version; name another file, or remove it");
   }
   std::string differs = "job";
   std::size_t at = title.size();
@@ -224,7 +226,8 @@ void Journal::read(const std::vector<JournalField>& job, std::uint64_t steps) {
       const auto left =
           std::count(text.begin() + static_cast<std::ptrdiff_t>(good_), text.end(), '\n');
       note_ = fmt::format(
-          "{}: line {} does not continue the lines before it, so {} from there on count{} for nothing",
+          "{}: line {} does not continue the lines before it, so {} from there on count{} for "
+          "nothing",
           path_, number, count_of(static_cast<std::uint64_t>(left), "line"), left == 1 ? "s" : "");
       return;
     }

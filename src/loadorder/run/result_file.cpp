@@ -11,6 +11,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/all_pairs.hpp"
+#include "io/file/remedies.hpp"
 
 // *Locks.* Who has the file open holds two locks on single bytes far behind its end, where no
 // result is: one that shares of the same job share, on a byte that the checksum of the job chooses,
@@ -48,7 +49,8 @@ void ResultFile::close() noexcept {
 }
 
 void ResultFile::refuse(const std::string& what) const {
-  throw MissingResource(fmt::format("{}: {}: {}", path_, what, std::strerror(errno)));
+  throw MissingResource(
+      fmt::format("{}: {}: {}; {}", path_, what, std::strerror(errno), how_to_write(errno)));
 }
 
 bool ResultFile::is_named() const {
@@ -73,7 +75,8 @@ void ResultFile::open_unlocked() {
     refuse("cannot be opened for writing");
   }
   if (!S_ISREG(status.st_mode)) {
-    throw BadInput(path_ + ": is not a regular file, so results cannot be written into it");
+    throw BadInput(path_ +
+                   ": is not a regular file, so results cannot be written into it; name another");
   }
 }
 
@@ -147,7 +150,8 @@ void ResultFile::reserve(std::uint64_t bytes) const {
 
 void ResultFile::open(std::uint64_t bytes, const ResultsClaim& claim) {
   if (bytes > static_cast<std::uint64_t>(jobs_from)) {
-    throw MissingResource(fmt::format("{}: no file can hold {} bytes of results", path_, bytes));
+    throw MissingResource(
+        fmt::format("{}: no file can hold {} bytes of results; compute fewer", path_, bytes));
   }
   try {
     // A process that could not begin removes the file that it has made, perhaps just now.
@@ -160,7 +164,8 @@ void ResultFile::open(std::uint64_t bytes, const ResultsClaim& claim) {
       close();
     }
     if (file_ < 0) {
-      throw MissingResource(path_ + ": is being replaced again and again; see by whom");
+      throw MissingResource(
+          path_ + ": other processes keep replacing this file; stop them, or name another file");
     }
     reserve(bytes);
     bytes_ = bytes;

@@ -44,7 +44,7 @@ Checksum checksum_of(const LoadOrder& order, const ComputeRules& compute) {
   const ScheduleVerdict verdict = check.finish();
   if (!verdict.valid() || verdict.steps != facts.steps) {
     throw BadInput(fmt::format(
-        "this is no order of {} items for {} workers with room for {}: {}{} pairs are missing",
+        "this is not an order of {} items for {} workers with room for {}: {}{} pairs are missing",
         facts.items, workers_of(facts), facts.room,
         verdict.fault.empty() ? std::string() : verdict.fault + "; ", verdict.missing));
   }
@@ -191,18 +191,21 @@ class UpdateJob {
 
   void check_data() const {
     if (options_.item_bytes == 0 || options_.journal.empty()) {
-      throw BadInput(options_.journal.empty() ? "a job whose items change needs a journal"
-                                              : "items of 0 bytes; give at least 1");
+      throw BadInput(options_.journal.empty()
+                         ? "a job whose items change needs a journal; name a file for it"
+                         : "items of 0 bytes; give at least 1");
     }
     std::error_code error;
     if (!std::filesystem::is_regular_file(options_.data, error)) {
-      throw BadInput(options_.data + ": is not there, or no regular file");
+      throw BadInput(options_.data +
+                     ": is not there, or not a regular file; name the file of the items");
     }
     const std::uint64_t bytes = std::filesystem::file_size(options_.data);
     if (bytes != checked_multiply(facts_.items, options_.item_bytes)) {
-      throw BadInput(fmt::format("{}: has {} bytes, but {} items of {} make {}", options_.data,
-                                 bytes, facts_.items, options_.item_bytes,
-                                 facts_.items * options_.item_bytes));
+      throw BadInput(fmt::format(
+          "{}: has {} bytes, but {} items of {} make {}; give the right number and size",
+          options_.data, bytes, facts_.items, options_.item_bytes,
+          facts_.items * options_.item_bytes));
     }
   }
 

@@ -115,7 +115,8 @@ std::optional<FiniteField> FiniteField::of_order(std::uint64_t order) {
 Plane::Plane(std::uint64_t q, bool affine) : q_(q), affine_(affine) {
   auto field = FiniteField::of_order(q);
   if (!field) {
-    throw BadInput(fmt::format("there is no field with {} elements, or it is too large", q));
+    throw BadInput(fmt::format(
+        "there is no field with {} elements, or it is too large; give a prime power", q));
   }
   field_ = std::move(*field);
   place_of_.resize(static_cast<std::size_t>(points()));

@@ -15,7 +15,8 @@ namespace {
 std::int64_t checked(bool overflow, std::int64_t result) {
   if (overflow ||
       result == std::numeric_limits<std::int64_t>::min()) {  // its negative is too large
-    throw ImpossibleParameters("these parameters are too large: a count exceeds 64 bits");
+    throw ImpossibleParameters(
+        "these parameters are too large, a count exceeds 64 bits; give smaller ones");
   }
   return result;
 }

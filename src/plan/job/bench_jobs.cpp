@@ -145,14 +145,14 @@ std::optional<std::string> defect_of(const Job& job, const Bench& bench) {
   }
   for (const Element x : bench.own) {
     if (has(bench.without, x)) {
-      return fmt::format("it has {} of its own, and cannot have it; leave one out", job.names[x]);
+      return fmt::format("{} is in its columns own and without; remove it from one", job.names[x]);
     }
   }
   if (bench.hours && bench.hours->millionths == 0) {
     return "it works no hours a day; give more than 0, or say that it is down";
   }
   if (bench.hours && *bench.hours > Amount{24'000'000}) {
-    return fmt::format("{} hours a day; a day has 24", to_string(*bench.hours));
+    return fmt::format("{} hours a day; give at most 24", to_string(*bench.hours));
   }
   Job own;
   try {
@@ -168,15 +168,21 @@ std::optional<std::string> defect_of(const Job& job, const Bench& bench) {
                         [&](Element x) { return x < barred.size() && barred[x]; });
   };
   if (const auto x = barred_of(own.mounted); x != own.mounted.end()) {
-    return fmt::format("{} stays mounted, but the bench cannot have it", job.names[*x]);
+    return fmt::format(
+        "{} stays mounted, but the bench cannot have it; allow it there, or unmount it",
+        job.names[*x]);
   }
   if (const auto x = barred_of(own.start); x != own.start.end()) {
-    return fmt::format("{} is mounted at the start, but the bench cannot have it", job.names[*x]);
+    return fmt::format(
+        "{} is mounted at the start, but the bench cannot have it; allow it there, or start "
+        "without it",
+        job.names[*x]);
   }
   for (const Block& setup : own.first) {
     if (const auto x = barred_of(setup); x != setup.end()) {
-      return fmt::format("a set-up that comes first has {}, which the bench cannot have",
-                         job.names[*x]);
+      return fmt::format(
+          "a set-up that comes first has {}, which the bench cannot have; give it to another bench",
+          job.names[*x]);
     }
   }
   own.needed = PairSet(own.parts());

@@ -75,7 +75,7 @@ class BenchReader {
         }
       }
       if (benches.size() == max_benches) {
-        rows_.fail(row->front(), fmt::format("more than {} benches", max_benches));
+        rows_.fail(row->front(), fmt::format("more than {} benches; plan for fewer", max_benches));
       }
       benches.push_back(bench_of(*row, columns));
     }
@@ -173,7 +173,8 @@ class BenchReader {
     const char* const end = field.text.data() + field.text.size();
     const auto [rest, failure] = std::from_chars(field.text.data(), end, value);
     if (failure != std::errc() || rest != end) {
-      rows_.fail(field, fmt::format("{} is no number of parts", shown(field.text)));
+      rows_.fail(field, fmt::format("{} is not a number of parts; write a whole number",
+                                    shown(field.text)));
     }
     return value;
   }
@@ -224,7 +225,7 @@ std::vector<Bench> read_benches(Input& input, const std::vector<std::string>& na
                                 std::vector<std::string>* gone) {
   std::vector<Bench> benches = BenchReader(input, names, gone).read();
   if (benches.empty()) {
-    fail(input.name(), {}, "no bench is listed; write the name of one a line below a header");
+    fail(input.name(), {}, "no bench is listed; write one per line below a header");
   }
   return benches;
 }

@@ -256,7 +256,8 @@ std::optional<std::string> no_setup_of_model(const Job& job) {
     return std::nullopt;
   }
   if (impossible == 0 || !has_setup(0)) {
-    return "no test has all values that stay mounted; leave one out";
+    return job.mounted.empty() ? "no test is left beside what must never meet; leave a pair out"
+                               : "no test has all values that stay mounted; leave one out";
   }
   for (std::size_t possible = 0; possible + 1 < impossible;) {
     const std::size_t middle = possible + (impossible - possible) / 2;

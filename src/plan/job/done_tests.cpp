@@ -96,8 +96,9 @@ void mark_tested(Job& job, const std::vector<DoneTest>& tests, FailedTests faile
       continue;
     }
     if (test.setup.size() > job.at_once) {
-      throw BadInput(fmt::format("a test that was done has {} parts, but only {} fit at once",
-                                 test.setup.size(), job.at_once));
+      throw BadInput(
+          fmt::format("a test that was done has {} parts, but only {} fit at once; remove some",
+                      test.setup.size(), job.at_once));
     }
     (is_in_doubt(test.result) ? in_doubt : sure).add(job, test.setup);
     last = &test;

@@ -24,7 +24,8 @@ std::optional<std::string> setup_defect(const Job& job, const Block& setup) {
     return "no part is mounted; remove the set-up or complete it";
   }
   if (setup.size() > job.at_once) {
-    return fmt::format("{} parts stand here, but only {} fit at once", setup.size(), job.at_once);
+    return fmt::format("{} parts stand here, but only {} fit at once; remove some", setup.size(),
+                       job.at_once);
   }
   for (const Element m : job.mounted) {
     if (std::find(setup.begin(), setup.end(), m) == setup.end()) {
@@ -42,8 +43,13 @@ std::optional<std::string> setup_defect(const Job& job, const Block& setup) {
   }
   for (std::uint32_t s = 0; s < job.slots.size(); ++s) {
     const Slot& slot = job.slots[s];
-    const auto there = static_cast<std::uint64_t>(
-        std::count_if(setup.begin(), setup.end(), [&](Element x) { return job.slot_of[x] == s; }));
+    const auto is_in_it = [&](Element x) { return job.slot_of[x] == s; };
+    if (slot.most == 0 && std::ranges::any_of(setup, is_in_it)) {  // a bench that cannot have it
+      return fmt::format("{} cannot be mounted here; remove it",
+                         job.names[*std::ranges::find_if(setup, is_in_it)]);
+    }
+    const auto there =
+        static_cast<std::uint64_t>(std::count_if(setup.begin(), setup.end(), is_in_it));
     if (there < slot.least || there > slot.most) {
       const bool few = there < slot.least;
       return fmt::format("slot {} has {} here, but {} {} in every set-up; {}", shown(slot.name),

@@ -129,17 +129,17 @@ void find_impossible_slots(const Job& job, std::vector<std::string>& found) {
     const auto mounted = static_cast<std::uint64_t>(std::count_if(
         job.mounted.begin(), job.mounted.end(), [&](Element x) { return job.slot_of[x] == s; }));
     if (slot.least > slot.most) {
-      found.push_back(fmt::format("slot {} has at least {} and at most {}", shown(slot.name),
-                                  count_of(slot.least, "part"), slot.most));
+      found.push_back(fmt::format("slot {} has at least {} and at most {}; write the least first",
+                                  shown(slot.name), count_of(slot.least, "part"), slot.most));
     } else if (members == 0) {
       found.push_back(
           fmt::format("no part is in slot {}; name it as the parts list does", shown(slot.name)));
     } else if (slot.least > members) {
-      found.push_back(fmt::format("slot {} needs {} in every set-up, but only {} listed",
-                                  shown(slot.name), count_of(slot.least, "part"),
-                                  count_of(members, "is", "are")));
+      found.push_back(fmt::format(
+          "slot {} needs {} in every set-up, but only {} listed; need fewer, or list more",
+          shown(slot.name), count_of(slot.least, "part"), count_of(members, "is", "are")));
     } else if (mounted > slot.most) {
-      found.push_back(fmt::format("{} of slot {} {} mounted, but at most {} fit it",
+      found.push_back(fmt::format("{} of slot {} {} mounted, but at most {} fit it; mount fewer",
                                   count_of(mounted, "part"), shown(slot.name),
                                   mounted == 1 ? "stays" : "stay", slot.most));
     } else {
@@ -147,20 +147,20 @@ void find_impossible_slots(const Job& job, std::vector<std::string>& found) {
     }
   }
   if (found.empty() && needed > job.at_once) {
-    found.push_back(fmt::format("the slots{} need {} parts in every set-up, but only {} fit",
-                                job.mounted.empty() ? "" : " and what stays mounted", needed,
-                                job.at_once));
+    found.push_back(fmt::format(
+        "the slots{} need {} parts in every set-up, but only {} fit; need fewer, or let more fit",
+        job.mounted.empty() ? "" : " and what stays mounted", needed, job.at_once));
   }
 }
 
 void find_impossible(const Job& job, std::vector<std::string>& found) {
   if (job.start.size() > job.at_once) {
-    found.push_back(fmt::format("{} parts are mounted at the start, but only {} fit",
+    found.push_back(fmt::format("{} parts are mounted at the start, but only {} fit; name fewer",
                                 job.start.size(), job.at_once));
   }
   if (job.mounted.size() > job.at_once) {
-    found.push_back(
-        fmt::format("{} parts stay mounted, but only {} fit", job.mounted.size(), job.at_once));
+    found.push_back(fmt::format("{} parts stay mounted, but only {} fit; name fewer",
+                                job.mounted.size(), job.at_once));
   }
   for (std::size_t i = 0; i < job.mounted.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {

@@ -44,13 +44,14 @@ Job at_prices(const Job& job, Price price) {
 
 void refuse_replacing(const Job& job, const std::string& what) {
   if (job.replaces()) {
-    throw BadInput(what + " is not done where change costs depend on what is replaced");
+    throw BadInput(what +
+                   " is not done where change costs depend on what is replaced; leave one out");
   }
 }
 
 void refuse_triples(const Job& job, const std::string& what) {
   if (!job.triples.empty()) {
-    throw BadInput(what + " is not done where triples must meet");
+    throw BadInput(what + " is not done where triples must meet; leave one out");
   }
 }
 

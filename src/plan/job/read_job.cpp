@@ -322,7 +322,7 @@ DoneList read_list(Input& input, const PartNames& names, std::uint64_t at_once, 
       reader.fail(place, "a row without a set-up; remove it or complete it");
     }
     if (setups.back().size() > at_once) {
-      reader.fail(place, fmt::format("{} parts stand here, but only {} fit at once",
+      reader.fail(place, fmt::format("{} parts stand here, but only {} fit at once; remove some",
                                      setups.back().size(), at_once));
     }
   }

@@ -102,14 +102,15 @@ std::vector<Slot> read_slots(Input& input) {
     };
     const Field* const name = field(table.name);
     if (name == nullptr || (!table.header && (row.size() < 2 || row.size() > 3))) {
-      reader.fail(row[0],
-                  "no slot with its least and most parts; write one slot per line, as in CPU,1,1");
+      reader.fail(
+          row[0],
+          "expected a slot with its least and most parts; write one slot per line, as in CPU,1,1");
     }
     const auto limit = [&](const Field& said) {
       const auto value = number(said.text);
       if (!value) {
         reader.fail(said,
-                    fmt::format("{} is no number of parts; {}", shown(said.text), write_a_number));
+                    fmt::format("{} is not a number of parts; {}", shown(said.text), write_a_number));
       }
       return *value;
     };
@@ -134,7 +135,7 @@ std::vector<Slot> read_slots(Input& input) {
       reader.fail(*name, fmt::format("{} stands here twice; remove one", shown(slot.name)));
     }
     if (slots.size() == max_parts) {
-      reader.fail(*name, fmt::format("more than {} slots", max_parts));
+      reader.fail(*name, fmt::format("more than {} slots; use fewer", max_parts));
     }
     slots.push_back(std::move(slot));
   }
@@ -153,7 +154,8 @@ std::vector<Slot> parse_slots(std::string_view text) {
                            : range_of(std::string_view(field.text).substr(is + 1));
     if (!range || is == 0) {
       throw BadInput(
-          fmt::format("{} is no slot with its parts; write CPU=1 or disk=2..4", shown(field.text)));
+          fmt::format("{} is not a slot with its number of parts; write CPU=1 or disk=2..4",
+                      shown(field.text)));
     }
     const std::string name = field.text.substr(0, is);
     if (range->first > range->second) {
@@ -172,8 +174,8 @@ void set_slots(Job& job, const std::vector<std::string>& of_parts, std::vector<S
   std::vector<std::uint32_t> slot_of(job.names.size(), no_slot);
   if (of_parts.size() != job.names.size()) {
     throw BadInput(
-        "slots are limited, but no part has one; give the parts list a header with a column slot, "
-        "or with one in which their names stand");
+        "slots are limited, but no part has one; give the parts list a column slot, or a column "
+        "with the names of the slots");
   }
   std::string known;
   for (std::size_t x = 0; x < of_parts.size(); ++x) {

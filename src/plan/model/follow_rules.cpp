@@ -206,7 +206,7 @@ std::optional<std::string> broken_rule(const Model& model, const Block& test) {
   const Referee referee(model, values);
   for (const ModelConstraint& constraint : model.constraints) {
     if (!referee.holds(constraint.rule)) {
-      return fmt::format("line {} says otherwise: {}", constraint.line, constraint.text);
+      return fmt::format("the rule on line {} is broken: {}", constraint.line, constraint.text);
     }
   }
   return std::nullopt;

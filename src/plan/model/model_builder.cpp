@@ -67,7 +67,8 @@ std::optional<std::size_t> ModelBuilder::find(std::string_view name) const {
 std::size_t ModelBuilder::parameter(std::string_view name, std::size_t at) const {
   const auto found = find(name);
   if (!found) {
-    text_.refuse(at, fmt::format("no parameter is called {}", shown(name)));
+    text_.refuse(at,
+                 fmt::format("no parameter is called {}; write it as the model does", shown(name)));
   }
   return *found;
 }
@@ -104,9 +105,9 @@ void ModelBuilder::add_value(std::vector<std::string> names, bool negative, std:
       text_.refuse(at, fmt::format("the value {}: {}", shown(name), *defect));
     }
     if (name.empty() && names.size() > 1) {
-      text_.refuse(
-          at, fmt::format("a value of {} has a name without letters; write one on each side of |",
-                          shown(parameter.name)));
+      text_.refuse(at,
+                   fmt::format("a value of {} has an empty name beside |; write one on each side",
+                               shown(parameter.name)));
     }
   }
   parameter.values.push_back({.names = std::move(names), .negative = negative});
@@ -122,8 +123,8 @@ void ModelBuilder::add_values_of(std::size_t parameter, std::size_t at) {
 void ModelBuilder::finish_parameters() {
   if (size() < 2) {
     text_.refuse(0, size() == 0
-                        ? "no parameter is listed; write one a line, as in OS: Debian, Windows"
-                        : "there is one parameter; two values need two parameters to meet");
+                        ? "no parameter is listed; write one per line, as in OS: Debian, Windows"
+                        : "there is only one parameter; add another, so that values can meet");
   }
   for (std::size_t p = 0; p < size(); ++p) {
     ModelParameter& parameter = model_.parameters[p];
@@ -147,7 +148,7 @@ void ModelBuilder::finish_parameters() {
       }
     }
     if (!any_in_range) {
-      text_.refuse(0, fmt::format("all values of {} are out of range; a test needs one that is not",
+      text_.refuse(0, fmt::format("all values of {} are out of range; give one that is not",
                                   shown(parameter.name)));
     }
   }

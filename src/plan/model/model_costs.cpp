@@ -6,6 +6,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/model.hpp"
+#include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/parts/cost_reader.hpp"
@@ -38,7 +39,8 @@ class ValueCosts {
       const auto parameter = names_.parameter(row.front().text);
       if (!parameter) {
         reader_.fail(row.front(),
-                     fmt::format("no parameter is called {}", shown(row.front().text)));
+                     fmt::format("no parameter is called {}; write it as the model does",
+                                 shown(row.front().text)));
       }
       is_table(*parameter) ? read_table(*parameter) : read_row(*parameter);
     }
@@ -102,8 +104,8 @@ class ValueCosts {
   Element value_in(std::size_t parameter, const Field& field) const {
     const auto x = names_.value(parameter, field.text);
     if (!x) {
-      reader_.fail(field, fmt::format("{} has no value {}", job_.model->parameters[parameter].name,
-                                      shown(field.text)));
+      reader_.fail(field, fmt::format("{} has no value {}; write it as the model does",
+                                      job_.model->parameters[parameter].name, shown(field.text)));
     }
     return *x;
   }
@@ -142,7 +144,8 @@ class ValueCosts {
       default:
         reader_.fail(
             row.front(),
-            "no cost; write OS,12.50, or OS,Debian,12.50, or OS,Debian,Fedora,4 for Fedora in place of "
+            "expected a cost; write OS,12.50, or OS,Debian,12.50, or OS,Debian,Fedora,4 for "
+            "Fedora in place of "
             "Debian");
     }
   }
@@ -157,9 +160,8 @@ class ValueCosts {
     std::vector<bool> seen(job_.names.size(), false);
     for (std::size_t i = 0; i < of.values.size(); ++i) {
       if (++at_ == rows_.size()) {
-        reader_.fail(head,
-                     fmt::format("the table of {} has {} rows; give one for each of its {} values",
-                                 of.name, i, of.values.size()));
+        reader_.fail(head, fmt::format("the table of {} has {}; give one for each of its {} values",
+                                       of.name, count_of(i, "row"), of.values.size()));
       }
       const Row& row = rows_[at_];
       const Element out = value_in(parameter, row.front());

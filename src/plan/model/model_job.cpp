@@ -75,13 +75,12 @@ void check_relations(const Model& model, std::uint64_t strength) {
       continue;
     }
     throw BadInput(
-        one ? fmt::format(
-                  "{}: {} asks for the strength {}; all parameters have that of the whole, which is {}",
-                  relation.place, model.parameters[relation.parameters.front()].name, asked,
-                  strength)
+        one ? fmt::format("{}: {} asks for the strength {}; write that of the whole, which is {}",
+                          relation.place, model.parameters[relation.parameters.front()].name, asked,
+                          strength)
             : fmt::format(
-                  "{}: sub-models are not supported, but for one of all parameters and the strength of the "
-                  "whole, which is {}; leave it out",
+                  "{}: sub-models are not supported; leave it out, or list all parameters with "
+                  "the strength of the whole, which is {}",
                   relation.place, strength));
   }
 }

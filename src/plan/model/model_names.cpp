@@ -75,8 +75,8 @@ std::string ModelNames::complaint(std::string_view word) const {
   const std::size_t at = word.find_first_of(":=");
   if (at != std::string_view::npos) {
     if (const auto p = parameter(word.substr(0, at))) {
-      return fmt::format("{} has no value {}", model_->parameters[*p].name,
-                         shown(trimmed(word.substr(at + 1))));
+      return fmt::format("{} has no value {}; write it as the model does",
+                         model_->parameters[*p].name, shown(trimmed(word.substr(at + 1))));
     }
   }
   return fmt::format(

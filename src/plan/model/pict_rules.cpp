@@ -34,7 +34,7 @@ class PictRules {
       counted_ = 0;
       ModelRule rule = read_rule();
       const std::size_t end = token_.at;
-      take_sign(";", "a rule ends with a semicolon");
+      take_sign(";", "end the rule with a semicolon");
       model_.add_constraint(std::move(rule), begin, end);
     }
   }
@@ -75,7 +75,8 @@ class PictRules {
         ++at_;
         if (at_ == whole_.size() ||
             std::string_view("\\\"]").find(whole_[at_]) == std::string_view::npos) {
-          text_.refuse(at_ - 1, "after a backslash stands \\, \" or ]; write \\\\ for a backslash");
+          text_.refuse(at_ - 1,
+                       "a backslash stands before \\, \" or ] only; write \\\\ for a backslash");
         }
       }
       text += whole_[at_];
@@ -95,10 +96,11 @@ class PictRules {
     }
     const char c = whole_[at_];
     if (c == '[') {
-      token_.text = trimmed(up_to(']', "the name of a parameter stands in [ ], on one line"));
+      token_.text = trimmed(
+          up_to(']', "the name of a parameter is not closed; end it with ] on the same line"));
       token_.what = What::parameter;
     } else if (c == '"') {
-      token_.text = up_to('"', "a text stands in quotes, on one line");
+      token_.text = up_to('"', "a text is not closed; end it with a quote on the same line");
       token_.what = What::text;
     } else if (std::string_view("(){},;<>=").find(c) != std::string_view::npos) {
       const std::string_view two = whole_.substr(at_, 2);
@@ -120,9 +122,9 @@ class PictRules {
   [[nodiscard]] bool is_word(std::string_view word) const {
     return token_.what == What::word && same_word(token_.text, word);
   }
-  void take_sign(std::string_view sign, std::string_view why) {
+  void take_sign(std::string_view sign, std::string_view remedy) {
     if (!is_sign(sign)) {
-      refuse(fmt::format("{}; here is {}", why, found()));
+      refuse(fmt::format("found {}; {}", found(), remedy));
     }
     next();
   }
@@ -141,7 +143,7 @@ class PictRules {
     ModelRule condition = read_any();
     const std::size_t in_condition = counted_;
     if (!take_word("then")) {
-      refuse(fmt::format("after the condition of IF comes THEN; here is {}", found()));
+      refuse(fmt::format("found {}; write THEN after the condition of IF", found()));
     }
     ModelRule then = joined_rule(ModelRule::Kind::any, negated_rule(condition), read_any());
     if (!take_word("else")) {
@@ -179,7 +181,7 @@ class PictRules {
     } else if (is_sign("(")) {
       next();
       rule = read_any();
-      take_sign(")", "a bracket is not closed");
+      take_sign(")", "close the bracket before it");
     } else if (is_word("isnegative") || is_word("ispositive")) {
       rule = read_range();
     } else {
@@ -194,11 +196,12 @@ class PictRules {
     const bool positive = is_word("ispositive");
     next();
     if (!is_sign("(")) {
-      refuse(fmt::format("a function has brackets, as in IsNegative(A); here is {}", found()));
+      refuse(
+          fmt::format("found {}; write brackets after a function, as in IsNegative(A)", found()));
     }
     const std::size_t close = whole_.find(')', at_);
     if (close == std::string_view::npos) {
-      refuse("a bracket is not closed");
+      refuse("a bracket is not closed; close it");
     }
     std::string_view name = trimmed(whole_.substr(at_, close - at_));
     if (name.starts_with('[') && name.ends_with(']')) {
@@ -220,7 +223,7 @@ class PictRules {
 
   ModelRule read_condition() {
     if (token_.what != What::parameter) {
-      refuse(fmt::format("a condition begins with a parameter in [ ], NOT or a bracket; here is {}",
+      refuse(fmt::format("found {}; begin a condition with a parameter in [ ], NOT or a bracket",
                          found()));
     }
     const std::size_t parameter = model_.parameter(token_.text, token_.at);
@@ -233,16 +236,18 @@ class PictRules {
     if (take_word("like")) {
       rule.kind = ModelRule::Kind::like;
       if (of.numeric) {
-        refuse(fmt::format("LIKE is for texts, and all values of {} are numbers", shown(of.name)));
+        refuse(
+            fmt::format("LIKE is for texts, and all values of {} are numbers; compare with = or <",
+                        shown(of.name)));
       }
       if (token_.what != What::text) {
-        refuse(fmt::format("LIKE takes a pattern in quotes; here is {}", found()));
+        refuse(fmt::format("found {}; write a pattern in quotes after LIKE", found()));
       }
       rule.terms.push_back({.kind = ModelTerm::Kind::text, .text = token_.text});
       next();
     } else if (take_word("in")) {
       rule.kind = ModelRule::Kind::in;
-      take_sign("{", "IN takes values in { }");
+      take_sign("{", "write values in { } after IN");
       while (true) {
         rule.terms.push_back(read_constant(of, true));
         count();
@@ -251,10 +256,9 @@ class PictRules {
         }
         next();
       }
-      take_sign("}", "a list of values ends with }, with commas between them");
+      take_sign("}", "end the list of values with }, with commas between them");
     } else if (negated) {
-      refuse(
-          fmt::format("after a parameter NOT stands before LIKE or IN only; here is {}", found()));
+      refuse(fmt::format("found {}; write LIKE or IN after NOT", found()));
     } else {
       read_comparison(parameter, rule);
     }
@@ -275,7 +279,8 @@ class PictRules {
     }
     if (model_[other].numeric != of.numeric) {
       refuse(fmt::format(
-          "{} and {} cannot be compared: all values of one are numbers, those of the other are not",
+          "{} and {} cannot be compared, for only one of them has numbers as values; compare "
+          "each with a value",
           shown(of.name), shown(model_[other].name)));
     }
     rule.terms.push_back(parameter_term(other));
@@ -293,20 +298,20 @@ class PictRules {
         return relation;
       }
     }
-    refuse(fmt::format("after a parameter comes =, <>, <, <=, >, >=, LIKE or IN; here is {}",
-                       found()));
+    refuse(
+        fmt::format("found {}; write =, <>, <, <=, >, >=, LIKE or IN after a parameter", found()));
   }
 
   ModelTerm read_constant(const ModelParameter& of, bool is_a_value) {
     ModelTerm constant{.kind = ModelTerm::Kind::text, .text = token_.text};
     if (token_.what == What::number) {
       if (!of.numeric) {
-        refuse(fmt::format("not all values of {} are numbers, so they are texts; write \"{}\"",
+        refuse(fmt::format("the values of {} are texts, for not all are numbers; write \"{}\"",
                            shown(of.name), token_.text));
       }
       constant = {.kind = ModelTerm::Kind::number, .number = number_in(token_.text).value_or(0)};
     } else if (token_.what != What::text) {
-      refuse(fmt::format("a value is a number, or a text in quotes; here is {}", found()));
+      refuse(fmt::format("found {}; write a number, or a text in quotes", found()));
     } else if (of.numeric) {
       refuse(fmt::format("all values of {} are numbers; write a number without quotes",
                          shown(of.name)));

@@ -40,7 +40,8 @@ class ActsRule {
   ModelRule read() {
     ModelRule rule = as_rule(read_implication());
     if (token_.what != What::end) {
-      refuse(fmt::format("after a rule, which stands on one line, here is {}", shown(token_.text)));
+      refuse(fmt::format("found {} after the end of a rule; write one rule per line",
+                         shown(token_.text)));
     }
     return rule;
   }
@@ -64,7 +65,7 @@ class ActsRule {
     if (line_[at_] == '"') {
       const std::size_t close = line_.find('"', at_ + 1);
       if (close == std::string_view::npos) {
-        refuse("a text stands in quotes");
+        refuse("a text is not closed; end it with a quote");
       }
       token_.what = What::text;
       token_.text = line_.substr(at_ + 1, close - at_ - 1);
@@ -134,7 +135,7 @@ class ActsRule {
           return is_true(each.names.front()) || is_false(each.names.front());
         });
     if (!of_truth) {
-      text_.refuse(value.at, "this is no condition; compare it, as in OS = \"Debian\"");
+      text_.refuse(value.at, "this is not a condition; compare it, as in OS = \"Debian\"");
     }
     model_.count_condition(value.at);
     ModelRule rule{.kind = Kind::compare};
@@ -190,7 +191,7 @@ class ActsRule {
   ModelRule compared(Relation relation, ActsValue left, ActsValue right) {
     if (left.rule || right.rule) {  // a condition that is true or false
       if (relation != Relation::equal && relation != Relation::unequal) {
-        text_.refuse(left.at, "conditions are equal or not, and have no order");
+        text_.refuse(left.at, "conditions have no order; compare them with = or !=");
       }
       ModelRule a = as_rule(std::move(left));
       ModelRule b = as_rule(std::move(right));
@@ -207,15 +208,16 @@ class ActsRule {
     const bool could_be = is_constant(left.term) || is_constant(right.term);
     if (!numbers && is_of_numbers(left.term) != is_of_numbers(right.term)) {
       if (!could_be) {
-        text_.refuse(left.at, "a number and a text cannot be compared");
+        text_.refuse(left.at, "a number and a text cannot be compared; compare each with a value");
       }
       // A constant is what it is compared with.
       ModelTerm& constant = is_constant(right.term) ? right.term : left.term;
       if (constant.kind == ModelTerm::Kind::text) {
         const auto number = number_in(constant.text);
         if (!number) {
-          text_.refuse(right.at, fmt::format("{} is no number, and the other side is one",
-                                             shown(constant.text)));
+          text_.refuse(right.at,
+                       fmt::format("{} is not a number, and the other side is one; write a number",
+                                   shown(constant.text)));
         }
         constant = {.kind = ModelTerm::Kind::number, .number = *number};
       } else {
@@ -293,7 +295,8 @@ class ActsRule {
 
   ActsValue combined(ModelTerm::Kind kind, ActsValue left, ActsValue right) {
     if (left.rule || right.rule || !is_of_numbers(left.term) || !is_of_numbers(right.term)) {
-      text_.refuse(left.at, "only numbers can be added and multiplied");
+      text_.refuse(left.at,
+                   "only numbers can be added and multiplied; use parameters with numbers");
     }
     if (++terms_ > deepest_expression) {
       text_.refuse(left.at,
@@ -324,7 +327,7 @@ class ActsRule {
     } else if (take_sign("(")) {
       value = read_implication();
       if (!take_sign(")")) {
-        refuse(fmt::format("a bracket is not closed; here is {}", found()));
+        refuse(fmt::format("found {}; close the bracket before it", found()));
       }
     } else {
       value = read_word();
@@ -346,9 +349,8 @@ class ActsRule {
         value.term = {.kind = ModelTerm::Kind::text, .text = std::string(token_.text)};
       }
     } else {
-      refuse(fmt::format(
-          "a condition compares parameters and values, as in OS = \"Debian\"; here is {}",
-          found()));
+      refuse(
+          fmt::format("found {}; compare parameters and values, as in OS = \"Debian\"", found()));
     }
     next();
     return value;
@@ -394,7 +396,7 @@ class ActsReader {
   }
 
  private:
-  enum class Section { none, system, parameter, relation, constraint };
+  enum class Section { system, parameter, relation, constraint };
 
   void begin_section(std::string_view line) {
     static constexpr std::pair<std::string_view, Section> sections[] = {
@@ -410,7 +412,7 @@ class ActsReader {
     }
     section_ = known->second;
     if (section_ == Section::parameter && finished_) {
-      text_.refuse(text_.at(line), "parameters stand before relations and rules");
+      text_.refuse(text_.at(line), "parameters stand after relations or rules; move them up");
     }
     if (section_ == Section::relation || section_ == Section::constraint) {
       finish_parameters();
@@ -431,8 +433,6 @@ class ActsReader {
         model_.add_constraint(std::move(rule), at, at + line.size());
         return;
       }
-      case Section::none:
-        text_.refuse(at, "before the first section stand comments only");
     }
   }
 
@@ -448,7 +448,7 @@ class ActsReader {
     const std::size_t colon = line.find(':');
     if (colon == std::string_view::npos) {
       text_.refuse(
-          at, fmt::format("{} is no parameter; write OS (enum) : Debian, Windows", shown(line)));
+          at, fmt::format("{} is not a parameter; write OS (enum) : Debian, Windows", shown(line)));
     }
     std::string_view name = trimmed(line.substr(0, colon));
     std::string_view type;
@@ -479,8 +479,9 @@ class ActsReader {
             place, fmt::format("{} is more than a value; write one between commas", shown(value)));
       }
       if (!type.empty() && is_one_of(of_numbers) && !number_in(value)) {
-        text_.refuse(place, fmt::format("{} is no number, and {} is of the type {}", shown(value),
-                                        shown(name), type));
+        text_.refuse(place,
+                     fmt::format("{} is not a number, and {} is of the type {}; write a number",
+                                 shown(value), shown(name), type));
       }
       model_.add_value({std::string(value)}, false, place);
     }
@@ -492,7 +493,7 @@ class ActsReader {
     const std::size_t open = line.find('(');
     const std::size_t close = line.rfind(')');
     if (open == std::string_view::npos || close == std::string_view::npos || close < open) {
-      text_.refuse(at, "a relation is written as R1 : (OS, Browser, 2)");
+      text_.refuse(at, "this is not a relation; write it as R1 : (OS, Browser, 2)");
     }
     ModelRelation relation{.place = text_.place(at), .parameters = {}};
     std::vector<std::string_view> words = split_list(line.substr(open + 1, close - open - 1));
@@ -517,7 +518,7 @@ class ActsReader {
 
   ModelText& text_;
   ModelBuilder model_;
-  Section section_ = Section::none;
+  Section section_ = Section::system;
   bool finished_ = false;
 };
 

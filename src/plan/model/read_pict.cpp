@@ -90,7 +90,7 @@ class PictReader {
     end = end == std::string_view::npos ? line.find(',') : end;
     const std::size_t at = text_.at(line);
     if (end == std::string_view::npos) {
-      text_.refuse(at, fmt::format("{} is no parameter; write its name, a colon and its values",
+      text_.refuse(at, fmt::format("{} is not a parameter; write its name, a colon and its values",
                                    shown(line)));
     }
     std::string_view name = trimmed(line.substr(0, end));
@@ -157,8 +157,8 @@ class PictReader {
     std::uint64_t strength = 0;
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), strength);
     if (fault != std::errc() || end != text.data() + text.size() || strength == 0) {
-      text_.refuse(
-          at, fmt::format("after @ comes a strength, a whole number; here is {}", shown(text)));
+      text_.refuse(at,
+                   fmt::format("found {}; write a strength after @, a whole number", shown(text)));
     }
     return strength;
   }
@@ -168,7 +168,7 @@ class PictReader {
     const std::size_t at = text_.at(line);
     const std::size_t close = line.find('}');
     if (close == std::string_view::npos) {
-      text_.refuse(at, "a sub-model has no }; write { A, B } @ 2");
+      text_.refuse(at, "a sub-model is not closed; write { A, B } @ 2");
     }
     ModelRelation relation{.place = text_.place(at), .parameters = {}};
     for (const std::string_view name : split_values(line.substr(1, close - 1), ',')) {
@@ -180,7 +180,7 @@ class PictReader {
     const std::string_view after = trimmed(line.substr(close + 1));
     if (!after.empty()) {
       if (after.front() != '@') {
-        text_.refuse(text_.at(after), "a sub-model ends with @ and a strength, as in { A, B } @ 2");
+        text_.refuse(text_.at(after), "a sub-model lacks its strength; write it as { A, B } @ 2");
       }
       relation.strength = strength_in(after.substr(1), text_.at(after));
     }

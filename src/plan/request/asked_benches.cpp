@@ -48,11 +48,11 @@ void check_benches(const Job& job, const std::vector<Bench>& benches, const std:
   std::vector<std::string> found = bench_defects(job, benches);
   if (found.empty() &&
       std::all_of(benches.begin(), benches.end(), [](const Bench& bench) { return bench.down; })) {
-    found.emplace_back("all benches are down; nothing can be tested");
+    found.emplace_back("all benches are down, and nothing can be tested; put one up");
   }
   if (!found.empty()) {
     throw BadInput(
-        (file.empty() ? "" : file + ": ") + found.front() +
+        (file.empty() ? "" : (file == "-" ? "<stdin>" : file) + ": ") + found.front() +
         (found.size() == 1 ? "" : fmt::format(" (and {} more like this)", found.size() - 1)));
   }
 }

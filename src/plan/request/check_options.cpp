@@ -18,8 +18,8 @@ constexpr std::uint64_t strength_of_triples = 3;
 void check_objective(const JobRequest& request, const Question& question) {
   const bool of_model = request.model.is_given();
   if (of_model ? request.objective == "makespan" : request.objective == "tests") {
-    throw BadOption(fmt::format("{} {} is for {}", question.key("objective"), request.objective,
-                                of_model ? "several benches" : "a model"));
+    throw BadOption(fmt::format("{} {} is for {}; choose another", question.key("objective"),
+                                request.objective, of_model ? "several benches" : "a model"));
   }
   if (!of_model || request.objective == "tests") {
     return;

@@ -119,7 +119,7 @@ class JobMaker {
         Job job =
             make_job(*asked.items, asked.at_once.value_or(0), test, change.value_or(Amount{}));
         if (job.parts() < 2) {
-          throw BadInput("a pair needs two parts");
+          throw BadInput("a pair needs two parts; give 2 or more");
         }
         return job;
       });
@@ -440,10 +440,11 @@ class JobMaker {
       std::uint64_t apart = need_triples(job_);
       apart += drop_impossible_triples(job_, benches_);
       if (job_.triples.empty()) {
-        throw BadInput(job_.parts() < triples
-                           ? "a triple needs three parts"
-                           : "no three parts can be in one set-up, for the slots, forbidden pairs "
-                             "or what stays mounted");
+        throw BadInput(
+            job_.parts() < triples
+                ? "a triple needs three parts; list three or more"
+                : "no three parts can be in one set-up; loosen the slots, forbidden pairs or "
+                  "what stays mounted");
       }
       if (apart > 0) {
         notes_.push_back(fmt::format(
@@ -460,7 +461,7 @@ class JobMaker {
       return;
     }
     if (apart.size() == job_.needed.size() && has_benches()) {
-      throw BadInput("no two parts that must meet can be on one bench in one set-up");
+      throw BadInput("no two parts that must meet can be on one bench; let a bench have both");
     }
     if (apart.size() == job_.needed.size()) {
       throw BadInput(

@@ -47,9 +47,9 @@ Diagnosis diagnosis_of(const ParsedJob& asked) {
     throw BadInput(
         asked.unread == 0
             ? asked.done_from + ": no result says pass or fail; fill in the column result"
-            : fmt::format(
-                  "{}: no result says pass or fail; {} is not understood; write pass or fail",
-                  asked.first_unread.front().place, shown(asked.first_unread.front().text)));
+            : fmt::format("{}: {} is not a result, and no other row has one; write pass or fail",
+                          asked.first_unread.front().place,
+                          shown(asked.first_unread.front().text)));
   }
   Diagnosis found = diagnose(diagnosed_job(asked), asked.results);
   found.unread = asked.unread;

@@ -87,7 +87,7 @@ std::string document_in(const Book& book) {
          said.starts_with(marker) ? fmt::format("{} is a question of another kind or version, and "
                                                 "this program reads {}",
                                                 shown(said), job_table().format)
-                                  : "this is no question that a plan was made for");
+                                  : "this is not the question of a plan");
   }
   std::string document;
   std::uint64_t row = head->number;

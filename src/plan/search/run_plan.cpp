@@ -45,7 +45,8 @@ RunPlan plan_of_valid_job(const Job& job, const PlanOptions& options, RunControl
   const auto strategy =
       std::ranges::find_if(strategies, [&](const Strategy& each) { return each.serves(job); });
   if (options.objective == PlanObjective::tests && strategy->fewest == Fewest::cost) {
-    throw BadInput("the fewest tests are looked for where a model is given");
+    throw BadInput(
+        "the fewest tests are looked for in plans of a model only; choose another objective");
   }
   return strategy->plan(job, options, control);
 }

@@ -19,6 +19,7 @@
 #include "changeover/io/output.hpp"
 #include "changeover/proof/proof.hpp"
 #include "changeover/run/control.hpp"
+#include "io/file/remedies.hpp"
 #include "run/threads.hpp"
 #include "search/exact/exact_encoding.hpp"
 #include "search/sat/sat_solver.hpp"
@@ -49,7 +50,8 @@ class Stopwatch {
 void require_regular(const std::string& path) {
   std::error_code error;
   if (!fs::is_regular_file(path, error)) {
-    throw MissingResource(path + ": a proof must be read back, so it needs a regular file");
+    throw MissingResource(
+        path + ": not a regular file, and a proof must be read back; name another folder");
   }
 }
 
@@ -59,12 +61,7 @@ std::string proof_folder(const ExactOptions& options) {
     fs::path folder = fs::temp_directory_path(error);
     return error ? "." : folder.string();
   }
-  fs::create_directories(options.proof_directory, error);
-  if (error) {
-    throw MissingResource(
-        fmt::format("{}: cannot make the directory for proofs: {}; name another one",
-                    options.proof_directory, error.message()));
-  }
+  make_folder(options.proof_directory);
   return options.proof_directory;
 }
 

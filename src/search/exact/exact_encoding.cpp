@@ -68,7 +68,8 @@ Number repetitions(const Parameters& p, std::uint64_t b) {
   const std::uint64_t wanted = binomial(p.v, p.strength);
   constexpr std::uint64_t most = std::numeric_limits<Number>::max();
   if (covered > most || wanted > most) {
-    throw ImpossibleParameters("these parameters are too large: a count exceeds 63 bits");
+    throw ImpossibleParameters(
+        "these parameters are too large, a count exceeds 63 bits; give smaller ones");
   }
   return static_cast<Number>(covered) - static_cast<Number>(wanted);
 }

@@ -308,7 +308,8 @@ std::vector<MinimaRow> read_minima(Input& input) {
     return {};
   }
   if (lines.line() != head) {
-    throw BadInput(fmt::format("{}:1: expected the line '{}'", input.name(), head));
+    throw BadInput(fmt::format("{}:1: the first line is not '{}'; name a file that minima wrote",
+                               input.name(), head));
   }
   const auto place = [](const MinimaRow& row) {
     const Parameters& p = row.parameters;

@@ -215,7 +215,8 @@ TEST(Header, FilesAreReadLineByLine) {
   const std::string header = header_line({});
   EXPECT_EQ(read_catalog(header + "\n" + line + "\n\n" + line, "f").entries.size(), 2U);
   EXPECT_EQ(read_catalog(header, "f").entries.size(), 0U);
-  EXPECT_THAT(fault_of([&] { static_cast<void>(read_catalog("", "f")); }), HasSubstr("f: empty"));
+  EXPECT_THAT(fault_of([&] { static_cast<void>(read_catalog("", "f")); }),
+              HasSubstr("f: the file is empty"));
   EXPECT_THAT(
       fault_of([&] { static_cast<void>(read_catalog(header + "\n" + line + "\nx\n", "f")); }),
       StartsWith("f:3:1: "));

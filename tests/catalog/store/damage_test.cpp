@@ -104,7 +104,7 @@ TEST(CatalogFile, InAFolderThatIsNotThere) {
   spit(folder.file("c"), "");
   Catalog beneath({.user = folder.file("c/mine.db")});
   EXPECT_FALSE(beneath.best(cell));
-  EXPECT_THAT(fault_of([&] { beneath.add(some_entry()); }), HasSubstr("cannot be made"));
+  EXPECT_THAT(fault_of([&] { beneath.add(some_entry()); }), HasSubstr("cannot make the folder"));
 }
 
 TEST(CatalogFile, ReadOnly) {
@@ -211,7 +211,7 @@ TEST(CatalogFile, WithARowInTheCellOfAnother) {
     }
     Catalog catalog({.user = path});
     EXPECT_FALSE(catalog.find(some_entry().label()));
-    EXPECT_THAT(catalog.problem(), HasSubstr("is damaged: it is in the place of a design"));
+    EXPECT_THAT(catalog.problem(), HasSubstr("is damaged (it is in the place of a design"));
   }
 }
 

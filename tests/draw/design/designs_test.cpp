@@ -115,14 +115,14 @@ TEST(ArrayTest, APartShowsItsBlocksWithTheMarksOfTheWhole) {
   EXPECT_NE(page.title.find("blocks 11 to 30"), std::string::npos) << page.title;
   EXPECT_EQ(read_svg(svg(draw(design, {.from = 60}))).count("block"), 1U);
   EXPECT_EQ(message_of([&] { (void)draw(design, {.from = 61}); }),
-            "--from 61: there are fewer blocks");
+            "--from 61: there are fewer blocks; give a smaller number");
   for (const PictureKind kind :
        {PictureKind::array, PictureKind::stays, PictureKind::coverage, PictureKind::circle}) {
     EXPECT_EQ(message_of([&] { (void)draw(design, {.picture = kind, .from = 60, .to = 60}); }), "");
     EXPECT_EQ(message_of([&] { (void)draw(design, {.picture = kind, .from = 59, .to = 61}); }),
-              "--to 61: there are only 60 blocks");
+              "--to 61: there are only 60 blocks; give a smaller number");
     EXPECT_EQ(message_of([&] { (void)draw(design, {.picture = kind, .from = 70, .to = 71}); }),
-              "--from 70: there are fewer blocks");
+              "--from 70: there are fewer blocks; give a smaller number");
   }
 }
 

@@ -117,19 +117,21 @@ TEST(OtherFormats, LaJolla) {
 
 TEST(OtherFormats, OneLineForEachFault) {
   EXPECT_EQ(fault("BlockDesign(7, [[1,2],\n[2,x]])"),
-            "f:2:4: a number belongs here; points are numbers");
+            "f:2:4: expected a number; points are numbers");
   EXPECT_EQ(fault("D := BlockDesign(3, [[0,1],[1,2]]);"),
             "f:1:23: 0 is not a point; they are numbered from 1 to 3");
   EXPECT_EQ(fault("D = BlockDesign(3, [[0,1],[1,3]])"),
             "f:1:30: 3 is not a point; they are numbered from 0 to 2");
-  EXPECT_THAT(fault("BlockDesign(9, [[1,2],[2,3]])"), HasSubstr("of GAP, with points from 1 on"));
-  EXPECT_THAT(fault("BlockDesign(3, [[0,1],[2,3]])"), HasSubstr("of GAP, with points from 1 on"));
+  EXPECT_THAT(fault("BlockDesign(9, [[1,2],[2,3]])"),
+              HasSubstr("points may be counted from 1 (GAP)"));
+  EXPECT_THAT(fault("BlockDesign(3, [[0,1],[2,3]])"),
+              HasSubstr("points may be counted from 1 (GAP)"));
   EXPECT_THAT(fault("BlockDesign(7, [[1,2,4]], Group((1,2,3,4,5,6,7)));"),
               HasSubstr("f:1:27: a third argument"));
   EXPECT_THAT(fault("rec( isBlockDesign := true, blocks := [[1,2]] )"), HasSubstr("is missing"));
   EXPECT_THAT(fault("rec( v := 3 )"), HasSubstr("no blocks"));
   EXPECT_THAT(fault("rec( v := 3, v := 3 )"), HasSubstr("given twice"));
-  EXPECT_THAT(fault("BlockDesign(3, [[1,2],[2,3]"), HasSubstr("it is cut off"));
+  EXPECT_THAT(fault("BlockDesign(3, [[1,2],[2,3]"), HasSubstr("but the text ends"));
   EXPECT_THAT(fault("BlockDesign(3, [[1,2],[2,3]]); BlockDesign(3, [[1,2]]);"),
               HasSubstr("one design per file"));
   EXPECT_THAT(fault("BlockDesign(3, [[1,2],[2,3,1]]);"), HasSubstr("block 2"));
@@ -145,7 +147,8 @@ TEST(OtherFormats, OneLineForEachFault) {
   EXPECT_THAT(fault("# labels: a a b\nBlockDesign(3, [[1,2],[2,3]]);"), HasSubstr("twice"));
   EXPECT_THAT(fault("# changeover design change=0\nBlockDesign(3, [[1,2],[2,3]]);"),
               HasSubstr("change="));
-  EXPECT_THAT(fault("BlockDesign(n, [[1,2]]);"), HasSubstr("f:1:13: points and blocks belong"));
+  EXPECT_THAT(fault("BlockDesign(n, [[1,2]]);"),
+              HasSubstr("f:1:13: points and blocks are numbers"));
   EXPECT_THAT(fault("D := IncidenceStructure(3, [[1,2],[2,3]]);"), HasSubstr("is not a design"));
   EXPECT_THAT(fault("rec( v := 3, name := \"open )"), HasSubstr("a quote is opened"));
 }
@@ -159,14 +162,14 @@ TEST(OtherFormats, OneLineForEachFaultInXml) {
   EXPECT_EQ(xml(blocks), "");
   EXPECT_THAT(xml(""), HasSubstr("no block_design with blocks"));
   EXPECT_THAT(xml(blocks, ""), HasSubstr("no attribute v"));
-  EXPECT_THAT(xml(blocks, "v='much'"), HasSubstr("'much' points"));
+  EXPECT_THAT(xml(blocks, "v='much'"), HasSubstr("'much' is not a number of points"));
   EXPECT_THAT(xml("<blocks><block><z>0</z><z>3</z></block></blocks>"),
               HasSubstr("3 is not a point"));
   EXPECT_THAT(xml("<blocks><block><z>-1</z></block></blocks>"), HasSubstr("'-1' is not a point"));
   EXPECT_THAT(xml("<blocks><block>0 1</block></blocks>"), HasSubstr("text among the blocks"));
   EXPECT_THAT(xml("<blocks><block><q>1/2</q></block></blocks>"), HasSubstr("'q' among the blocks"));
   EXPECT_THAT(xml("<blocks><block><z>0"), HasSubstr("not XML"));
-  EXPECT_THAT(fault("<html/>"), HasSubstr("an XML file of 'html'"));
+  EXPECT_THAT(fault("<html/>"), HasSubstr("the file begins with 'html'"));
   EXPECT_THAT(fault("<list_of_designs><block_design v='3'>" + blocks +
                     "</block_design><block_design v='3'/></list_of_designs>"),
               HasSubstr("a second design"));

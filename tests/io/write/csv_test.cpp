@@ -108,7 +108,8 @@ TEST(CsvTest, EachFaultHasItsLineColumnAndRemedy) {
       {"element_1,element_2,k\n0,1,3\n",
        "f:2:1: block 1 has 2 elements, not k = 3; correct it, or k"},
       {"element_1,v,v\n", "f:1:13: two columns v; remove one"},
-      {"element_1,elements\n0,x\n", "f:2:3: the column elements must say labels or numbers"},
+      {"element_1,elements\n0,x\n",
+       "f:2:3: the column elements says neither labels nor numbers; write one of them"},
       {"0,\"1\n", "f:1:3: a quote is opened and not closed on this line; close it"},
       {"0,\"1", "f:1:3: a quote is opened and not closed on this line; close it"},
       {"0,\"1\"2\n", "f:1:6: text after a closing quote; double each quote within quotes"},
@@ -119,7 +120,7 @@ TEST(CsvTest, EachFaultHasItsLineColumnAndRemedy) {
        "f:1:3: a name with a comma, which not every format can carry; use another character"},
       {"a," + std::string(300, 'x'), "f:1:3: a field of more than 255 bytes; use shorter names"},
       {"B0,0 B1,0\n0 1*\n",
-       "f:1:1: this looks like a table for people: write it with --format text or --json"},
+       "f:1:1: this looks like a table for people; write it with --format text or --json"},
   };
   for (const Case& c : cases) {
     EXPECT_EQ(complaint(c.text), c.message) << c.text;

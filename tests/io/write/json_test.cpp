@@ -107,8 +107,7 @@ TEST(JsonTest, EachFaultHasItsLineColumnAndRemedy) {
   const std::vector<Case> cases = {
       {"{}", "f:1:2: no key \"blocks\"; add it, or name another file"},
       {"{\"blocks\":[]}", "f:1:1: no blocks; give at least one"},
-      {"3",
-       "f:1:1: a number where a design, an object with the key \"blocks\", belongs; correct it"},
+      {"3", "f:1:1: expected an object with the key \"blocks\", found a number; correct it"},
       {"{\"blocks\":[\n[0,1],\n[]\n]}", "f:3:2: block 2 is empty; remove it"},
       {"{\"blocks\":[\n[0,1,2],\n[0,1]\n]}",
        "f:3:5: block 2 has 2 elements, the blocks before have 3; correct one of them"},
@@ -126,19 +125,20 @@ TEST(JsonTest, EachFaultHasItsLineColumnAndRemedy) {
       {"{\"blocks\":[[0,1e3]]}",
        "f:1:15: element '1e3' is not a whole number from 0 on; correct it"},
       {"{\"blocks\":[[0,true]]}",
-       "f:1:15: true or false where an element, a number or a label, belongs; correct it"},
+       "f:1:15: expected an element, a number or a label in quotes, found true or false; correct it"},
       {"{\"blocks\":[[0,[1]]]}",
-       "f:1:15: an array where an element, a number or a label, belongs; correct it"},
+       "f:1:15: expected an element, a number or a label in quotes, found an array; correct it"},
       {"{\"blocks\":[0]}",
-       "f:1:12: a number where a block, an array of elements, belongs; correct it"},
-      {"{\"blocks\":{}}", "f:1:11: an object where the array blocks belongs; correct it"},
-      {"{\"v\":\"6\"}", "f:1:6: a string where the number v belongs; correct it"},
+       "f:1:12: expected an array of elements, a block, found a number; correct it"},
+      {"{\"blocks\":{}}", "f:1:11: expected an array for blocks, found an object; correct it"},
+      {"{\"v\":\"6\"}", "f:1:6: expected a number for v, found a string; correct it"},
       {"{\"v\":-6}", "f:1:6: v='-6': bad value; give a whole number from 1 to 65535"},
       {"{\"v\":6.5}", "f:1:6: v='6.5': bad value; give a whole number from 1 to 65535"},
       {"{\"v\":65536}", "f:1:6: v='65536': bad value; give a whole number from 1 to 65535"},
       {"{\"v\":6,\n \"v\":7}", "f:2:6: v is given twice; give it once"},
       {"{\"kind\":\"round\"}", "f:1:9: kind='round': bad value; give linear or circular"},
-      {"{\"kind\":1}", "f:1:9: a number where \"linear\" or \"circular\" belongs; correct it"},
+      {"{\"kind\":1}",
+       "f:1:9: expected \"linear\" or \"circular\" for kind, found a number; correct it"},
       {"{\"format\":\"changeover-design/2\"}",
        "f:1:11: format is not \"changeover-design/1\"; this is another kind of file, or of a "
        "later version"},
@@ -147,7 +147,7 @@ TEST(JsonTest, EachFaultHasItsLineColumnAndRemedy) {
       {"{\"labels\":[\"a b\"]}",
        "f:1:12: a name with a blank or control character; use '_' or '-' instead"},
       {"{\"labels\":[\"\"]}", "f:1:12: an element has an empty name; name it"},
-      {"{\"labels\":[[]]}", "f:1:12: an array where a label, a string, belongs; correct it"},
+      {"{\"labels\":[[]]}", "f:1:12: expected a label in quotes, found an array; correct it"},
       {"{\"v\":3,\"labels\":[\"a\"],\"blocks\":[[0,1]]}",
        "f:1:17: 1 labels for v = 3 elements; give one each"},
       {"{\"labels\":[\"a\",\"b\"],\"blocks\":[[\"a\",\"c\"]]}",
@@ -156,7 +156,7 @@ TEST(JsonTest, EachFaultHasItsLineColumnAndRemedy) {
        "f:2:6: element 'c' is one too many for v = 2; correct it, or v"},
       {"{\"change\":3,\"blocks\":[[0,1]]}",
        "f:1:1: change = 3: consecutive blocks must differ in 1 to k = 2 elements"},
-      {"{\"recipe\":3}", "f:1:11: a number where the recipe, an object, belongs; correct it"},
+      {"{\"recipe\":3}", "f:1:11: expected an object for recipe, found a number; correct it"},
       {"{\"recipe\":{\n}}", "f:2:1: the recipe lacks construction; add it"},
       {"[[0,1]] x",
        "f:1:9: not JSON: syntax error while parsing value - invalid literal; correct "
@@ -180,8 +180,9 @@ TEST(JsonTest, WhatIsNoJsonIsSaidOnOneLineWithItsPlace) {
 }
 
 TEST(JsonTest, DeepNestingIsRefusedWithoutStack) {
-  EXPECT_EQ(complaint(std::string(10'000'000, '[')),
-            "f:1:3: an array where an element, a number or a label, belongs; correct it");
+  EXPECT_EQ(
+      complaint(std::string(10'000'000, '[')),
+      "f:1:3: expected an element, a number or a label in quotes, found an array; correct it");
   EXPECT_EQ(complaint("{\"x\":" + std::string(10'000'000, '[')),
             "f:1:261: JSON nested more than 256 deep; use fewer levels");
   std::string recipe = "{\"recipe\":";
@@ -201,8 +202,7 @@ TEST(JsonTest, PlacesAreRightBehindStringsWithQuotesAndBrackets) {
 
 TEST(JsonTest, RecipesAreReadBackAndTheirFaultsPlaced) {
   EXPECT_EQ(message_of([] { (void)recipe_from_json("{\"construction\":\"x\",\n\"v\":-1}"); }),
-            "<recipe>:2:5: a number where the number v, at most 4294967295, belongs; correct the "
-            "recipe");
+            "<recipe>:2:5: expected a number up to 4294967295 for v, found a number; correct it");
   EXPECT_EQ(message_of([] { (void)recipe_from_json("{\"arguments\":{\"c\":1.5}}", "g"); }),
             "g:1:19: argument 'c' = '1.5' is not a whole number of 64 bits; correct the recipe");
   EXPECT_NE(message_of([] { (void)recipe_from_json("[]"); }), "");

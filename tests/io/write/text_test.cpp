@@ -202,22 +202,17 @@ TEST(TextTest, EachFaultHasItsLineColumnAndRemedy) {
       {"0 1\n# labels: a b\n1 2\n",
        "f:2:3: labels after the first block; move it to the top, one design per file"},
       {"B1  B2\n0   4*\n1   5*\n",
-       "f:1:1: this looks like a table for people: write it with "
-       "--format text or --json"},
+       "f:1:1: this looks like a table for people; write it with --format text or --json"},
       {"B0,0 B1,0\n0 1\n",
-       "f:1:1: this looks like a table for people: write it with --format "
-       "text or --json"},
+       "f:1:1: this looks like a table for people; write it with --format text or --json"},
       {"\x1b[1mB1\x1b[0m B2\n",
-       "f:1:1: this looks like a coloured table for people: write it with "
-       "--format text or --json"},
+       "f:1:1: this looks like a coloured table for people; write it with --format text or --json"},
       {"\\begin{tabular}{ll}\n",
-       "f:1:1: this looks like LaTeX, a table for people: write it with "
-       "--format text or --json"},
+       "f:1:1: this looks like LaTeX, a table for people; write it with --format text or --json"},
       {"0 & 1\n",
-       "f:1:1: this looks like LaTeX, a table for people: write it with --format text "
-       "or --json"},
+       "f:1:1: this looks like LaTeX, a table for people; write it with --format text or --json"},
       {"# recipe: {\"construction\":1}\n0 1\n",
-       "f:1:27: a number where the name of a construction, a string, belongs; correct the recipe"},
+       "f:1:27: expected the name of a construction in quotes, found a number; correct it"},
   };
   for (const Case& c : cases) {
     EXPECT_EQ(complaint(c.text), c.message) << c.text;

@@ -94,7 +94,7 @@ TEST(LoadRequest, SaysWhatIsWrongInTheWordsOfTheDoor) {
       {R"({"items":9,"room":3,"pairs":[[0]]})", "pairs[0]: write [a,b]"},
       {R"({"items":9,"room":3,"pairs":[]})", "pair"},
       {R"({"items":9,"room":"3"})", "room: write a whole number"},
-      {R"({"items":9,"rooms":3})", "no member 'rooms'"},
+      {R"({"items":9,"rooms":3})", "unknown key 'rooms'"},
   };
   for (const auto& [json, says] : cases) {
     EXPECT_THAT(refusal(json), HasSubstr(says)) << json;

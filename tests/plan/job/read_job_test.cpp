@@ -289,7 +289,7 @@ TEST(ReadParts, NamesThatLookTheSameAreRefused) {
   EXPECT_EQ(complaint("Pump,1\nPu\u200bmp,2\n").find("p.csv:2:1: a second part looks like 'Pump'"),
             0U);
   EXPECT_EQ(complaint("Pump A,1\nFan,1\nPump\u00a0A,2\n").find("p.csv:3:1: a second part"), 0U);
-  EXPECT_EQ(complaint("\u200b,1\nFan,1\n").find("p.csv:1:1: nothing of this name"), 0U);
+  EXPECT_EQ(complaint("\u200b,1\nFan,1\n").find("p.csv:1:1: the name has no visible"), 0U);
   Job job = make_job(3, 2, parse_amount("1"), parse_amount("1"));
   job.names[1] = "1\u2060";
   EXPECT_THROW(check(job), BadInput);

@@ -136,7 +136,7 @@ TEST(FollowRules, OnlyTheFirstNameCounts) {
 TEST(FollowRules, SaysWhichRuleIsBroken) {
   const Model model =
       test::model_of("A: a, b\nB: a, b\n\n[A] = [B];\nIF [A] = \"a\"\n   THEN [B]\t<> \"x\";\n");
-  EXPECT_EQ(broken_rule(model, {0, 3}), "line 4 says otherwise: [A] = [B]");
+  EXPECT_EQ(broken_rule(model, {0, 3}), "the rule on line 4 is broken: [A] = [B]");
   EXPECT_EQ(model.constraints.at(1).text, "IF [A] = \"a\" THEN [B] <> \"x\"");
   EXPECT_EQ(broken_rule(model, {0}), "B has no value");
   EXPECT_EQ(broken_rule(model, {0, 1}), "A has two values, a and b");

@@ -81,17 +81,20 @@ TEST(ModelCosts, OfWhatIsReplaced) {
 
 TEST(ModelCosts, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(complaint(""), StartsWith("c.csv:1:1: no cost is listed"));
-  EXPECT_EQ(complaint("OS,5\nBrowser,2\n"), "c.csv:2:1: no parameter is called 'Browser'");
-  EXPECT_EQ(complaint("OS,Arch,2\n"), "c.csv:1:4: OS has no value 'Arch'");
-  EXPECT_EQ(complaint("OS,Debian,Arch,2\n"), "c.csv:1:11: OS has no value 'Arch'");
+  EXPECT_EQ(complaint("OS,5\nBrowser,2\n"),
+            "c.csv:2:1: no parameter is called 'Browser'; write it as the model does");
+  EXPECT_EQ(complaint("OS,Arch,2\n"),
+            "c.csv:1:4: OS has no value 'Arch'; write it as the model does");
+  EXPECT_EQ(complaint("OS,Debian,Arch,2\n"),
+            "c.csv:1:11: OS has no value 'Arch'; write it as the model does");
   EXPECT_THAT(complaint("OS,Debian,debian,2\n"),
               StartsWith("c.csv:1:11: 'debian' does not replace itself"));
   EXPECT_THAT(complaint("OS,much\n"), StartsWith("c.csv:1:4: "));
   EXPECT_THAT(complaint("OS,-5\n"), StartsWith("c.csv:1:4: "));
-  EXPECT_THAT(complaint("OS\n"), StartsWith("c.csv:1:1: no cost; write OS,12.50"));
-  EXPECT_THAT(complaint("OS,a,b,c,5\n"), StartsWith("c.csv:1:1: no cost; write OS,12.50"));
+  EXPECT_THAT(complaint("OS\n"), StartsWith("c.csv:1:1: expected a cost; write OS,12.50"));
+  EXPECT_THAT(complaint("OS,a,b,c,5\n"), StartsWith("c.csv:1:1: expected a cost; write OS,12.50"));
   EXPECT_THAT(complaint("OS,Debian,Fedora\nDebian,,1\n"),
-              StartsWith("c.csv:1:1: the table of OS has 1 rows"));
+              StartsWith("c.csv:1:1: the table of OS has 1 row;"));
   EXPECT_THAT(complaint("OS,Debian,Fedora\nDebian,,1\nDebian,,1\n"),
               StartsWith("c.csv:3:1: 'Debian' heads two rows"));
   EXPECT_THAT(complaint("OS,Debian,Fedora\nDebian,,1\nFedora,,1\n"),

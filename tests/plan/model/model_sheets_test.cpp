@@ -108,7 +108,8 @@ TEST(ModelSheets, SeedsHaveColumnsInAnyOrderAndOthersBesides) {
     }
     return "";
   };
-  EXPECT_EQ(complaint("OS,Log\nArch,On\n"), "s.tsv:2:1: OS has no value 'Arch'");
+  EXPECT_EQ(complaint("OS,Log\nArch,On\n"),
+            "s.tsv:2:1: OS has no value 'Arch'; write it as the model does");
   EXPECT_EQ(complaint("OS,os\nDebian,Debian\n"),
             "s.tsv:1:4: two columns are called 'os'; rename or remove one");
   EXPECT_EQ(

@@ -32,7 +32,8 @@ std::vector<std::string> labels(const ModelParameter& parameter) {
 
 TEST(ReadModel, ParametersWithTheirValues) {
   const Model model = test::model_of(
-      "\xEF\xBB\xBF# a sample\r\n\r\nFile system :  FAT , FAT32,NTFS (10)\r\nSize: 10, 0x10, 1e3\r\n"
+      "\xEF\xBB\xBF# a sample\r\n\r\nFile system :  FAT , FAT32,NTFS (10)\r\nSize: 10, 0x10, "
+      "1e3\r\n"
       "  # not here\nURL, http, a b\nRange: ~-1, 0, ~ 5 (2), 7 | seven | VII\nCopy: <Size>, 4\n"
       "Odd: (x), <y>, a(b), (3)\n");
   ASSERT_EQ(model.parameters.size(), 6U);
@@ -82,19 +83,20 @@ TEST(ReadModel, RulesAmongParametersThatAreCalledLikeThem) {
 
 TEST(ReadModel, SignsThatStandForThemselves) {
   const Model model = test::model_of(
-      "a]b: x\"y, back\\slash, [z\nB: 1, 2\nIF [a\\]b] = \"x\\\"y\" OR [a\\]b] = \"back\\\\slash\" THEN [B] = 1;\n");
+      "a]b: x\"y, back\\slash, [z\nB: 1, 2\nIF [a\\]b] = \"x\\\"y\" OR [a\\]b] = "
+      "\"back\\\\slash\" THEN [B] = 1;\n");
   EXPECT_EQ(test::all_tests(model).size(), 4U);
   EXPECT_THAT(complaint("A: a, b\nB: c, d\n[A] = \"a\\b\";\n"),
-              StartsWith("m.txt:3:9: after a backslash"));
+              StartsWith("m.txt:3:9: a backslash stands before"));
 }
 
 TEST(ReadModel, SaysWhatIsWrongAndWhere) {
   const std::string two = "A: a, b\nN: 1, 2\n";
   EXPECT_EQ(complaint(""),
-            "m.txt:1:1: no parameter is listed; write one a line, as in OS: Debian, Windows");
-  EXPECT_THAT(complaint("A: a, b\n"), HasSubstr("there is one parameter"));
+            "m.txt:1:1: no parameter is listed; write one per line, as in OS: Debian, Windows");
+  EXPECT_THAT(complaint("A: a, b\n"), HasSubstr("there is only one parameter"));
   EXPECT_EQ(complaint("A: a\nword\n"),
-            "m.txt:2:1: 'word' is no parameter; write its name, a colon and its values");
+            "m.txt:2:1: 'word' is not a parameter; write its name, a colon and its values");
   EXPECT_EQ(complaint("A: a\n: b\n"),
             "m.txt:2:1: a parameter has no name; write one before its values");
   EXPECT_EQ(complaint("A: a\nB: b\na: c\n"),
@@ -102,52 +104,54 @@ TEST(ReadModel, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(complaint("A: a, b\n$R: x\n"),
               StartsWith("m.txt:2:1: '$R' is a parameter of expected results"));
   EXPECT_THAT(complaint("A: a | , b\nB: c\n"),
-              StartsWith("m.txt:1:4: a value of 'A' has a name without letters"));
+              StartsWith("m.txt:1:4: a value of 'A' has an empty name beside |"));
   EXPECT_THAT(complaint("A: ~a, ~b\nB: c\n"), HasSubstr("all values of 'A' are out of range"));
   EXPECT_THAT(complaint("A: a, b\x01\nB: c\n"), StartsWith("m.txt:1:8: "));
   EXPECT_THAT(complaint("A: a, \xFF\nB: c\n"), StartsWith("m.txt:1:7: "));
   EXPECT_THAT(complaint("A: a\nB: c\n{ A, C } @ 2\n"),
               StartsWith("m.txt:3:6: no parameter is called 'C'"));
-  EXPECT_THAT(complaint("A: a\nB: c\n{ A, B @ 2\n"), StartsWith("m.txt:3:1: a sub-model has no }"));
+  EXPECT_THAT(complaint("A: a\nB: c\n{ A, B @ 2\n"),
+              StartsWith("m.txt:3:1: a sub-model is not closed"));
   EXPECT_THAT(complaint("A: a\nB: c\n{ A, B } 2\n"),
-              StartsWith("m.txt:3:10: a sub-model ends with @"));
+              StartsWith("m.txt:3:10: a sub-model lacks its strength"));
   EXPECT_THAT(complaint("A: a\nB: c\n{ A, B } @ 0\n"),
-              StartsWith("m.txt:3:10: after @ comes a strength"));
+              StartsWith("m.txt:3:10: found '0'; write a strength after @"));
   EXPECT_THAT(complaint(two + "[A] = \"a\"\n"),
-              StartsWith("m.txt:4:1: a rule ends with a semicolon; here is the end"));
+              StartsWith("m.txt:4:1: found the end; end the rule with a semicolon"));
   EXPECT_THAT(complaint(two + "[A] = \"a\";;\n"),
-              StartsWith("m.txt:3:11: a condition begins with a parameter in [ ]"));
+              StartsWith("m.txt:3:11: found ';'; begin a condition with a parameter in [ ]"));
   EXPECT_THAT(complaint(two + "[A] = \"a\";\n[C] = 1;\n"),
               StartsWith("m.txt:4:1: no parameter is called 'C'"));
   EXPECT_THAT(complaint(two + "IF [A] = \"a\" [N] = 1;\n"),
-              StartsWith("m.txt:3:14: after the condition of IF comes THEN; here is 'N'"));
+              StartsWith("m.txt:3:14: found 'N'; write THEN after the condition of IF"));
   EXPECT_THAT(complaint(two + "IF [A] = \"a\" THEN;\n"),
-              StartsWith("m.txt:3:18: a condition begins"));
-  EXPECT_THAT(complaint(two + "[A] != \"a\";\n"), StartsWith("m.txt:3:5: after a parameter comes"));
+              StartsWith("m.txt:3:18: found ';'; begin a condition"));
+  EXPECT_THAT(complaint(two + "[A] != \"a\";\n"), StartsWith("m.txt:3:5: found '!'; write =, <>"));
   EXPECT_THAT(complaint(two + "[A] = a;\n"),
-              StartsWith("m.txt:3:7: a value is a number, or a text in quotes"));
-  EXPECT_THAT(complaint(two + "[A] = 1;\n"),
-              StartsWith("m.txt:3:7: not all values of 'A' are numbers"));
+              StartsWith("m.txt:3:7: found 'a'; write a number, or a text in quotes"));
+  EXPECT_THAT(complaint(two + "[A] = 1;\n"), StartsWith("m.txt:3:7: the values of 'A' are texts"));
   EXPECT_THAT(complaint(two + "[N] = \"1\";\n"),
               StartsWith("m.txt:3:7: all values of 'N' are numbers"));
   EXPECT_THAT(complaint(two + "[N] LIKE \"1\";\n"), StartsWith("m.txt:3:10: LIKE is for texts"));
   EXPECT_THAT(complaint(two + "[A] LIKE 1;\n"),
-              StartsWith("m.txt:3:10: LIKE takes a pattern in quotes"));
+              StartsWith("m.txt:3:10: found '1'; write a pattern in quotes after LIKE"));
   EXPECT_THAT(complaint(two + "[A] = [N];\n"),
               StartsWith("m.txt:3:7: 'A' and 'N' cannot be compared"));
   EXPECT_THAT(complaint(two + "[A] = [a];\n"),
               StartsWith("m.txt:3:7: a parameter is compared with itself"));
   EXPECT_THAT(complaint(two + "[A] NOT = \"a\";\n"),
-              StartsWith("m.txt:3:9: after a parameter NOT stands before LIKE or IN only"));
-  EXPECT_THAT(complaint(two + "[A] IN \"a\";\n"), StartsWith("m.txt:3:8: IN takes values in { }"));
-  EXPECT_THAT(complaint(two + "[A] IN {};\n"), StartsWith("m.txt:3:9: a value is a number"));
+              StartsWith("m.txt:3:9: found '='; write LIKE or IN after NOT"));
+  EXPECT_THAT(complaint(two + "[A] IN \"a\";\n"),
+              StartsWith("m.txt:3:8: found 'a'; write values in { } after IN"));
+  EXPECT_THAT(complaint(two + "[A] IN {};\n"), StartsWith("m.txt:3:9: found '}'; write a number"));
   EXPECT_THAT(complaint(two + "[A] IN {\"a\" \"b\"};\n"),
-              StartsWith("m.txt:3:13: a list of values ends with }"));
+              StartsWith("m.txt:3:13: found 'b'; end the list of values with }"));
   EXPECT_THAT(complaint(two + "([A] = \"a\";\n"),
-              StartsWith("m.txt:3:11: a bracket is not closed"));
+              StartsWith("m.txt:3:11: found ';'; close the bracket before it"));
   EXPECT_THAT(complaint(two + "[A = \"a\";\n"),
-              StartsWith("m.txt:3:1: the name of a parameter stands in [ ]"));
-  EXPECT_THAT(complaint(two + "[A] = \"a;\n"), StartsWith("m.txt:3:7: a text stands in quotes"));
+              StartsWith("m.txt:3:1: the name of a parameter is not closed"));
+  EXPECT_THAT(complaint(two + "[A] = \"a;\n"),
+              StartsWith("m.txt:3:7: a text is not closed; end it with a quote"));
   EXPECT_THAT(complaint(two + "IsNegative A;\n"), HasSubstr("m.txt:3:1: "));
 }
 
@@ -184,7 +188,8 @@ TEST(ReadModel, RelationsAreOfAllParametersAndTheStrengthOfTheWhole) {
 
 TEST(ReadModel, TheSectionsOfActs) {
   const std::string begin =
-      "-- a tool of NIST\n[System]\nName: phone\n[Parameter]\nA (int) : 1, 2\nB (enum): 1, 2\nC(boolean):TRUE,FALSE\n";
+      "-- a tool of NIST\n[System]\nName: phone\n[Parameter]\nA (int) : 1, 2\nB (enum): 1, "
+      "2\nC(boolean):TRUE,FALSE\n";
   const Model model =
       test::model_of(begin + "[Relation]\nR1 : (A, B, C, 2)\n[constraint]\nA = 1 => C\n");
   ASSERT_EQ(model.parameters.size(), 3U);
@@ -199,29 +204,30 @@ TEST(ReadModel, TheSectionsOfActs) {
   EXPECT_THAT(complaint("[System]\n[Parameter]\nA (date) : 1\n"),
               StartsWith("m.txt:3:1: the type 'date' is not supported"));
   EXPECT_THAT(complaint("[System]\n[Parameter]\nA (int) : 1, x\n"),
-              StartsWith("m.txt:3:14: 'x' is no number"));
+              StartsWith("m.txt:3:14: 'x' is not a number"));
   EXPECT_THAT(complaint("[System]\n[Parameter]\nA (int) : 1, 2; 3\n"),
               StartsWith("m.txt:3:14: '2; 3' is more than a value"));
   EXPECT_THAT(complaint("[System]\n[Parameter]\nA : 1,,2\n"),
               StartsWith("m.txt:3:7: a value of 'A' has no name"));
   EXPECT_THAT(complaint(begin + "[Relation]\nR1 A, B\n"),
-              StartsWith("m.txt:9:1: a relation is written as"));
-  EXPECT_THAT(complaint(begin + "[Constraint]\nA = 1 B\n"), StartsWith("m.txt:9:7: after a rule"));
+              StartsWith("m.txt:9:1: this is not a relation"));
+  EXPECT_THAT(complaint(begin + "[Constraint]\nA = 1 B\n"),
+              StartsWith("m.txt:9:7: found 'B' after the end of a rule"));
   EXPECT_THAT(complaint(begin + "[Constraint]\nA\n"),
-              StartsWith("m.txt:9:1: this is no condition"));
+              StartsWith("m.txt:9:1: this is not a condition"));
   EXPECT_THAT(complaint(begin + "[Constraint]\nA = (1\n"),
-              StartsWith("m.txt:9:7: a bracket is not closed"));
+              StartsWith("m.txt:9:7: found the end of the line; close the bracket before it"));
   EXPECT_THAT(complaint(begin + "[Constraint]\nA = \"x\"\n"),
-              StartsWith("m.txt:9:5: 'x' is no number"));
+              StartsWith("m.txt:9:5: 'x' is not a number"));
   EXPECT_THAT(complaint(begin + "[Constraint]\nA = B\n"),
               StartsWith("m.txt:9:1: a number and a text"));
   EXPECT_THAT(complaint(begin + "[Constraint]\nB + 1 = 2\n"),
               StartsWith("m.txt:9:1: only numbers"));
-  EXPECT_THAT(complaint(begin + "[Constraint]\nA =\n"), HasSubstr("here is the end of the line"));
+  EXPECT_THAT(complaint(begin + "[Constraint]\nA =\n"), HasSubstr("found the end of the line"));
   EXPECT_THAT(complaint(begin + "[Constraint]\n(A = 1) < (A = 2)\n"),
-              StartsWith("m.txt:9:2: conditions are equal or not"));
+              StartsWith("m.txt:9:2: conditions have no order"));
   EXPECT_THAT(complaint(begin + "[Constraint]\n[Parameter]\nD : 1\n"),
-              StartsWith("m.txt:9:1: parameters stand before"));
+              StartsWith("m.txt:9:1: parameters stand after"));
 }
 
 TEST(ReadModel, WhatIsTooMuchIsRefusedSoon) {

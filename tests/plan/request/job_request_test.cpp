@@ -216,10 +216,10 @@ TEST(JobRequest, TheSameJobByFileTextAndRows) {
 TEST(JobRequest, SaysWhatIsWrongAndWhere) {
   const std::string base = R"({"at_once":3,"test_cost":1,"change_cost":1,)";
   const std::vector<std::pair<std::string, std::string>> cases{
-      {R"([1])", "send an object of JSON"},
+      {R"([1])", "give an object of JSON"},
       {R"({"a":1,"a":2})", "is given twice"},
       {R"({"format":"changeover-job/9"})", "format: write changeover-job/1"},
-      {base + R"("parts":9,"colour":1})", "no member 'colour'"},
+      {base + R"("parts":9,"colour":1})", "unknown key 'colour'"},
       {base + R"("parts":9,"parts":8})", "twice"},
       {base + R"("parts":9,"items":8})", "parts means the same"},
       {base + R"("parts":-1})", "items: write a whole number"},

@@ -410,9 +410,9 @@ TEST_F(RunSheetWorkbook, ADamagedOrForeignQuestionIsOneLine) {
   };
   const std::string head = row({"changeover-job/1"});
   for (const auto& [cells, what] : std::vector<std::pair<std::string, std::string>>{
-           {"", "changeover-question!A1: this is no question that a plan was made for"},
-           {row({"hello"}), "changeover-question!A1: this is no question"},
-           {row({"", "changeover-job/1"}), "this is no question"},
+           {"", "changeover-question!A1: this is not the question of a plan"},
+           {row({"hello"}), "changeover-question!A1: this is not the question"},
+           {row({"", "changeover-job/1"}), "this is not the question"},
            {row({"changeover-job/2"}) + row({"{}"}),
             "'changeover-job/2' is a question of another kind or version"},
            {row({"changeover-load-request/1"}), "of another kind or version"},
@@ -421,7 +421,7 @@ TEST_F(RunSheetWorkbook, ADamagedOrForeignQuestionIsOneLine) {
            {head + row({"{\"parts\":3,"}) + "<row r='9'><c t='str'><v>}</v></c></row>",
             "A3: a piece of the question is missing"},
            {head + row({"{}"}), "the question has no parts"},
-           {head + row({"{\"parts\":3,\"spare\":1}"}), "there is no member 'spare'"},
+           {head + row({"{\"parts\":3,\"spare\":1}"}), "unknown key 'spare'"},
            {head + row({"{\"parts\":{\"file\":\"/etc/passwd\"}}"}), "parts names a file"},
            {head + row({"{\"parts\":3,\"never\":{\"file\":\"/etc/passwd\"}}"}),
             "never names a file"}}) {

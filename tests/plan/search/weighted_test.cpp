@@ -193,13 +193,13 @@ TEST(Priorities, AreReadOrRefusedWithTheirPlace) {
   EXPECT_EQ(weights(0, 2), units(1));
   EXPECT_FALSE(weights.weighs(0, 2));
   EXPECT_EQ(read("a;b;2,5\n")(0, 1), parse_amount("2.5"));
-  EXPECT_THAT(complaint("a,b\n"), HasSubstr("p.csv:1:1: no pair with its weight"));
-  EXPECT_THAT(complaint("a,b,-1\n"), HasSubstr("p.csv:1:5: '-1' is no weight"));
-  EXPECT_THAT(complaint("a,b,2\na,b,heavy\n"), HasSubstr("p.csv:2:5: 'heavy' is no weight"));
+  EXPECT_THAT(complaint("a,b\n"), HasSubstr("p.csv:1:1: expected a pair with its weight"));
+  EXPECT_THAT(complaint("a,b,-1\n"), HasSubstr("p.csv:1:5: '-1' is not a weight"));
+  EXPECT_THAT(complaint("a,b,2\na,b,heavy\n"), HasSubstr("p.csv:2:5: 'heavy' is not a weight"));
   EXPECT_THAT(complaint("a,x,2\n"), HasSubstr("p.csv:1:3: there is no part 'x'"));
   EXPECT_THAT(complaint("a,a,2\n"), HasSubstr("twice"));
   EXPECT_THAT(complaint("a,,2\n"), HasSubstr("one part stands here"));
-  EXPECT_THAT(complaint("a,b,2\nb,a,3\n"), HasSubstr("p.csv:2:5: b and a weigh 2 on a line"));
+  EXPECT_THAT(complaint("a,b,2\nb,a,3\n"), HasSubstr("p.csv:2:5: b and a have the weight 2"));
   EXPECT_THAT(complaint(""), HasSubstr("no pair is listed"));
 }
 

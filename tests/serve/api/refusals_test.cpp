@@ -211,7 +211,7 @@ TEST_F(Refusals, JsonThatIsNotWhatWasAsked) {
       {"{}", 422, "missing"},
       {std::string(100'000, '['), 422, "JSON nested more than 256 deep; use fewer levels"},
       {"{\"parts\":" + std::string(300, '[') + std::string(300, ']') + "}", 422, "256"},
-      {R"({"parts":9,"at_once":3,"colour":1})", 422, "no member 'colour'"},
+      {R"({"parts":9,"at_once":3,"colour":1})", 422, "unknown key 'colour'"},
       {R"({"parts":["b",{"name":"a","cost":1,"slot":"CPU"}],"at_once":2})", 422,
        "parts has a column slot"},
       {R"({"parts":[{"name":"a","Cost":1},"b"],"at_once":2})", 422, "parts[0]: write \"name\" or"},

@@ -42,17 +42,21 @@ ChosenDesign built(const Offer& offer, Unread unread) {
   return chosen;
 }
 
+void check_published_blocks(const CatalogEntry& entry) {
+  if (design_digest(*Registry::standard().build(entry.recipe)).checksum != entry.checksum) {
+    throw BadInput(
+        fmt::format("{}: its recipe makes other blocks than those that were published; restore a "
+                    "copy of the catalog",
+                    entry.label()));
+  }
+}
+
 ChosenDesign built(const CatalogEntry& entry) {
   const Registry& registry = Registry::standard();
   ChosenDesign chosen;
   chosen.offer.recipe = entry.recipe;
   chosen.offer.b = entry.b;
-  chosen.source = registry.build(entry.recipe);
-  const DesignDigest digest = design_digest(*chosen.source);
-  if (digest.checksum != entry.checksum) {
-    throw BadInput(fmt::format("{}: its recipe makes other blocks than those that were published",
-                               entry.label()));
-  }
+  check_published_blocks(entry);
   chosen.source = registry.build(entry.recipe);
   chosen.exhibit.judgement = judge(*chosen.source, chosen.offer);
   chosen.exhibit.title = fmt::format("{}: {}", entry.label(), quality(chosen.exhibit.judgement));

@@ -29,4 +29,7 @@ enum class Unread : std::uint8_t { never, may_be_left };
 /// if its recipe makes other blocks than those that were published.
 [[nodiscard]] ChosenDesign built(const CatalogEntry& entry);
 
+/// Builds the entry's recipe once. @throws BadInput as built(entry).
+void check_published_blocks(const CatalogEntry& entry);
+
 }  // namespace changeover::cli

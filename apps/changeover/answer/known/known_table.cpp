@@ -16,18 +16,19 @@ std::string text_of(const Range& range) { return fmt::format("{}..{}", range.fro
 // The range that was asked for in these words. @throws UsageError if it is too large.
 CellRange cell_range_of(const TableRange& asked, const std::string& k, const std::string& v) {
   if (asked.k.from < 2) {
-    throw UsageError{fmt::format("--k {}: blocks have at least 2 elements", k)};
+    throw UsageError{fmt::format("--k {}: blocks have at least 2 elements; give 2 or more", k)};
   }
   if (asked.v.from < 2 || asked.v.to > largest_v_of_a_range) {
-    throw UsageError{
-        fmt::format("--v {}: a table goes from v = 2 to v = {}", v, largest_v_of_a_range)};
+    throw UsageError{fmt::format("--v {}: a table goes from v = 2 to v = {}; give a range within",
+                                 v, largest_v_of_a_range)};
   }
   if (asked.change < 1) {
-    throw UsageError{"--change 0: consecutive blocks differ in at least 1 element"};
+    throw UsageError{"--change 0: consecutive blocks differ in at least 1 element; give 1 or more"};
   }
   if (asked.k.to - asked.k.from >= most_cells_of_a_range / 2 / (asked.v.to - asked.v.from + 1)) {
-    throw UsageError{fmt::format("--k {} --v {}: the range has more than {} cells", k, v,
-                                 most_cells_of_a_range)};
+    throw UsageError{
+        fmt::format("--k {} --v {}: the range has more than {} cells; give a smaller one", k, v,
+                    most_cells_of_a_range)};
   }
   return {.v_from = asked.v.from,
           .v_to = asked.v.to,

@@ -58,7 +58,7 @@ void check_way(const SearchOrder& order) {
       throw Refusal{422, "way: a locked search has strength 2"};
     }
     if (const std::string defect = wanted_defect(p, wanted); !defect.empty()) {
-      throw Refusal{422, fmt::format("no {} can be so: {}", name(p), defect)};
+      throw Refusal{422, fmt::format("no {} has what is wanted: {}", name(p), defect)};
     }
   }
   if (order.way == SearchWay::exact && order.blocks) {

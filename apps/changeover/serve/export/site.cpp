@@ -38,7 +38,7 @@ std::string static_index(std::string page, const std::string& address) {
   constexpr std::string_view head = "<head>";
   const std::size_t at = page.find(head);
   if (at == std::string::npos) {
-    throw MissingResource("index.html of the pages has no <head>");
+    throw MissingResource("index.html of the pages has no <head>; name other pages with --assets");
   }
   const std::string feed = address.empty()
                                ? std::string()

@@ -29,8 +29,8 @@ constexpr std::size_t random_letters = 6;  // of mkdtemp
 constexpr mode_t as_files_are = 0644;
 
 [[noreturn]] void cannot(const std::string& what, const fs::path& path, int why) {
-  throw MissingResource(
-      fmt::format("cannot {} {}: {}", what, printable(path.string()), std::strerror(why)));
+  throw MissingResource(fmt::format("cannot {} {}: {}; name another folder with --export", what,
+                                    printable(path.string()), std::strerror(why)));
 }
 
 fs::perms as_new_folders_are() {

@@ -61,8 +61,8 @@ Pages::Pages(std::string folder) : folder_(std::move(folder)) {
   if (!folder_.empty()) {
     std::error_code ignored;
     if (!std::filesystem::is_directory(folder_, ignored)) {
-      throw MissingResource(
-          fmt::format("--assets {}: there is no such folder", printable(folder_)));
+      throw MissingResource(fmt::format(
+          "--assets {}: there is no such folder; name that of the pages", printable(folder_)));
     }
     return;
   }

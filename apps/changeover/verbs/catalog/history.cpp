@@ -23,9 +23,9 @@ Answer run(const HistoryRequest& request) {
     // Of the cell of a design, too.
     const auto entry = catalog.find(request.cell);
     if (!entry) {
-      throw UsageError{
-          fmt::format("'{}' is no label of a cell, as 20.5.2.linear or 6.4.1.linear.t3{}",
-                      request.cell, left_out())};
+      throw UsageError{fmt::format(
+          "'{}' is not the label of a cell; write it as 20.5.2.linear or 6.4.1.linear.t3{}",
+          request.cell, left_out())};
     }
     p = entry->parameters;
   }

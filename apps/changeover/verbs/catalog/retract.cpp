@@ -28,7 +28,8 @@ constexpr std::size_t longest_words = 2000;
 
 void require_words(const std::string& what, const std::string& words) {
   if (words.empty() || words.size() > longest_words || !is_printable(words)) {
-    throw UsageError{fmt::format("{}: write a line of 1 to {} bytes", what, longest_words)};
+    throw UsageError{fmt::format("{}: it is empty or longer than a line; write 1 to {} bytes", what,
+                                 longest_words)};
   }
 }
 
@@ -94,7 +95,7 @@ void add_catalog_alias(Program& program) {
   verb.require([&request = request] {
     if (request.remove != request.label.empty()) {
       throw UsageError{request.remove ? "--remove takes WORD alone; leave LABEL out"
-                                      : "LABEL is missing: name the design that WORD leads to"};
+                                      : "LABEL is missing; name the design that WORD leads to"};
     }
   });
   request.catalog.add_to(verb);

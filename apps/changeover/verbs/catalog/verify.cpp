@@ -40,7 +40,7 @@ class Ledger {
     std::error_code ignored;
     const auto status = std::filesystem::status(path, ignored);
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-      throw BadInput(printable(path) + ": is no regular file; name another one by --resume");
+      throw BadInput(printable(path) + ": not a regular file; name another with --resume");
     }
     const std::string first = "changeover-catalog-verify/1 " + scope.checksum;
     std::ifstream old(path);
@@ -48,7 +48,7 @@ class Ledger {
     const bool is_there = static_cast<bool>(std::getline(old, line));
     if (is_there && !line.starts_with("changeover-catalog-verify/1 ")) {
       throw BadInput(printable(path) +
-                     ": no list of what catalog verify has done; name another file by --resume");
+                     ": not a list that catalog verify --resume wrote; name another file");
     }
     const bool goes_on = is_there && line == first;
     const std::set<std::string> labels(scope.labels.begin(), scope.labels.end());
@@ -84,7 +84,7 @@ class Ledger {
     unsaved_ = 0;
     if (!path_.empty() && !file_.flush()) {
       throw MissingResource(printable(path_) +
-                            ": cannot be written; name another file by --resume");
+                            ": cannot be written; name another file with --resume");
     }
   }
 

@@ -163,8 +163,8 @@ Block elements_of(std::string_view option, std::string_view list) {
     Element x = 0;
     const auto [rest, failure] = std::from_chars(at, end, x);
     if (failure != std::errc() || (rest != end && (*rest != ',' || rest + 1 == end))) {
-      throw UsageError{
-          fmt::format("{}: '{}' is no list of elements such as 0,1,2", option, printable(list))};
+      throw UsageError{fmt::format("{}: '{}' is not a list of elements; write it as 0,1,2", option,
+                                   printable(list))};
     }
     elements.push_back(x);
     at = rest == end ? end : rest + 1;
@@ -213,7 +213,7 @@ AnySearch chosen(const SearchOptions& given) {
     const Wanted wanted{elements_of("--first", given.first), elements_of("--last", given.last),
                         given.expansion_set};
     if (const std::string defect = wanted_defect(p, wanted); !defect.empty()) {
-      throw UsageError{fmt::format("no {} can be so: {}", name(p), defect)};
+      throw UsageError{fmt::format("no {} has what is wanted: {}", name(p), defect)};
     }
     return LockedSearch{shared, p, wanted, given.contains_file, given.asked.reading()};
   }

@@ -190,7 +190,8 @@ PairWeights read_priorities(Input& input, const std::vector<std::string>& names,
   while (const auto row = rows.next(heads_weights)) {
     constexpr std::size_t fields = 3;
     if (!rows.has_header() && row->size() != fields) {
-      rows.reader().fail(row->front(), "no pair with its weight; write A,B,5, one pair per line");
+      rows.reader().fail(row->front(),
+                         "expected a pair with its weight; write A,B,5, one pair per line");
     }
     const Field& said =
         rows.has_header() && rows.third(*row) != nullptr ? *rows.third(*row) : row->back();
@@ -200,19 +201,21 @@ PairWeights read_priorities(Input& input, const std::vector<std::string>& names,
     const auto [one, other] = rows.pair(*row, "A,B,5");
     const auto weight = weight_in(said, rows.reader());
     if (!weight) {
-      rows.reader().fail(said, fmt::format("{} is no weight; write a number that is not negative, "
-                                           "with at most six decimals, as in A,B,2.5",
-                                           shown(said.text)));
+      rows.reader().fail(said,
+                         fmt::format("{} is not a weight; write a number that is not negative, "
+                                     "with at most six decimals, as in A,B,2.5",
+                                     shown(said.text)));
     }
     if (!seen.insert(PairSet::rank(one, other)).second && weights(one, other) != *weight) {
-      rows.reader().fail(said,
-                         fmt::format("{} and {} weigh {} on a line before; remove one", names[one],
-                                     names[other], to_string(weights(one, other))));
+      rows.reader().fail(
+          said,
+          fmt::format("{} and {} have the weight {} on an earlier line; remove one of the two",
+                      names[one], names[other], to_string(weights(one, other))));
     }
     weights.set(one, other, *weight);
   }
   if (weights.empty() && (gone == nullptr || gone->empty())) {
-    fail(input.name(), {}, "no pair is listed; write A,B,5, a pair and its weight a line");
+    fail(input.name(), {}, "no pair is listed; write A,B,5, one pair and its weight per line");
   }
   return weights;
 }

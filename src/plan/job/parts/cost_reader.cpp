@@ -92,7 +92,7 @@ std::optional<Amount> CostReader::on_clock(const Field& field, std::string_view 
     return std::nullopt;
   }
   if (parts[2] * millionths % sixty != 0) {
-    reader_->fail(field, fmt::format("{} is no decimal of minutes; write seconds as a number, "
+    reader_->fail(field, fmt::format("{} is not a decimal of minutes; write seconds as a number, "
                                      "below a head such as 'Swap time (s)'",
                                      shown(text)));
   }
@@ -132,7 +132,7 @@ Amount CostReader::read(const Field& field) {
   const auto clock = on_clock(field, field.text);
   (clock ? clocks_ : numbers_) = true;
   if (clocks_ && numbers_) {
-    reader_->fail(field, "some costs are times as 0:15 and some are numbers; use one of them");
+    reader_->fail(field, "some costs are times as 0:15 and some are numbers; use one form");
   }
   if (clock) {
     unit_ = CostUnit::minutes;

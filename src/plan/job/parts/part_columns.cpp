@@ -93,7 +93,7 @@ bool is_header(std::span<const Row> rows, const RowReader& reader, std::string& 
   const bool has_word = has_word_of_headers(first);
   const bool two = !text_of(first, 1).empty();
   if (two && !has_word) {
-    doubtful(fmt::format("{} is no cost, and {}", shown(first[1].text),
+    doubtful(fmt::format("{} is not a cost, and {}", shown(first[1].text),
                          others > 0 ? "other rows have one" : "no other row has one"));
   }
   if (has_word) {

@@ -74,7 +74,7 @@ class PartReader {
   PartList finish() {
     leave_out_total();
     if (list_.names.empty()) {
-      fail(input_->name(), {}, "no part is listed; write one a line");
+      fail(input_->name(), {}, "no part is listed; write one per line");
     }
     list_.unit = costs_.unit() == CostUnit::none ? columns_.unit : costs_.unit();
     list_.note = note();
@@ -103,7 +103,7 @@ class PartReader {
     }
     const std::string look = visible(name.text);
     if (look.empty()) {
-      reader_->fail(name, "nothing of this name can be seen; name the part");
+      reader_->fail(name, "the name has no visible character; name the part");
     }
     if (!looks_.insert(look).second) {
       reader_->fail(name, fmt::format("a second part looks like {}: the names differ in characters "
@@ -123,7 +123,7 @@ class PartReader {
       const char* const end = field.text.data() + field.text.size();
       const auto [rest, failure] = std::from_chars(field.text.data(), end, quantity);
       if (failure != std::errc() || rest != end) {
-        reader_->fail(field, fmt::format("{} is no number of pieces; write a whole number, as 4",
+        reader_->fail(field, fmt::format("{} is not a number of pieces; write a whole number, as 4",
                                          shown(field.text)));
       }
     }
@@ -204,7 +204,7 @@ PartList read_parts(Input& input, const PartListOptions& options) {
     rows.push_back(std::move(*next));
   }
   if (rows.empty()) {
-    fail(input.name(), {}, "no part is listed; write one a line");
+    fail(input.name(), {}, "no part is listed; write one per line");
   }
   const PartColumns columns = part_columns(rows, options, reader);
   constexpr std::size_t most_without_header = 2;

@@ -458,8 +458,8 @@ class BenchPlanner {
         counted("the first tests", "no test after them", BenchLists(field_.size()));
     if (none.cost > budget) {
       throw BadInput(fmt::format(
-          "the tests that come first cost {} by themselves, more than the budget of {}; give more "
-          "or fewer of them",
+          "the tests that come first cost {} by themselves, more than the budget of {}; raise "
+          "the budget, or leave some of them out",
           to_string(none.cost), to_string(budget)));
     }
     constexpr std::size_t few = 3;
@@ -559,10 +559,10 @@ std::vector<Bench> benches_of(const BenchOptions& options) {
 
 void check_options(const Job& job, const BenchOptions& options) {
   if (!options.plan.rest.empty()) {
-    throw BadInput("the rest of a plan for several benches is said by bench");
+    throw BadInput("tests that were done on several benches need the bench of each; give it");
   }
   if (!job.weights.empty() && !options.plan.budget) {
-    throw BadInput("pairs are weighed in plans for several benches only within a budget");
+    throw BadInput("weights of pairs need a budget in plans for several benches; give one");
   }
 }
 

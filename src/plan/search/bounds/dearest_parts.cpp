@@ -256,7 +256,7 @@ class DearestBound {
       const WideSum found = of_tests + cost(closed(std::move(all)));
       constexpr WideSum most = std::numeric_limits<std::int64_t>::max();
       if (found > most) {
-        throw ImpossibleParameters("the costs are too large to be added up");
+        throw ImpossibleParameters("the costs are too large to be added up; use a larger unit");
       }
       if (!is_beaten(found)) {
         best_ = DearestCost{Amount{static_cast<std::uint64_t>(found)}, tests, total};

@@ -335,7 +335,7 @@ class ChoicePlanner {
 
 RunPlan plan_for_choices(const Job& job, const PlanOptions& options, RunControl& control) {
   if (!job.weights.empty()) {
-    throw BadInput("putting heavy pairs first is not done where a model is given");
+    throw BadInput("heavy pairs do not come first in plans of a model; leave the weights out");
   }
   return ChoicePlanner(job, options, control).run();
 }

@@ -45,7 +45,7 @@ std::chrono::sys_days parse_day(std::string_view text) {
       return date;
     }
   }
-  throw BadInput(fmt::format("{} is no day; write it as 2025-03-31", shown(std::string(text))));
+  throw BadInput(fmt::format("{} is not a day; write it as 2025-03-31", shown(std::string(text))));
 }
 
 BenchCalendar::BenchCalendar(const Job& job, const std::vector<Bench>& benches,

@@ -137,9 +137,9 @@ TEST(Spreadsheets, Quantities) {
   EXPECT_THAT(list.note, HasSubstr("quantities in 'Qty'; left out, since there is none: 'C'"));
   EXPECT_THAT(parts("part,cost\nA,4\n").quantities, IsEmpty());
   EXPECT_THAT(complaint("part,Qty,cost\nA,some,1\n"),
-              StartsWith("p.csv:2:3: 'some' is no number of pieces"));
-  EXPECT_THAT(complaint("part,Qty,cost\nA,1.5,1\n"), HasSubstr("is no number of pieces"));
-  EXPECT_THAT(complaint("part,Qty,cost\nA,-1,1\n"), HasSubstr("is no number of pieces"));
+              StartsWith("p.csv:2:3: 'some' is not a number of pieces"));
+  EXPECT_THAT(complaint("part,Qty,cost\nA,1.5,1\n"), HasSubstr("is not a number of pieces"));
+  EXPECT_THAT(complaint("part,Qty,cost\nA,-1,1\n"), HasSubstr("is not a number of pieces"));
   EXPECT_THAT(complaint("part,Qty,Count\nA,1,1\n"), HasSubstr("may both head the quantities"));
 }
 
@@ -154,7 +154,8 @@ TEST(Spreadsheets, NumbersWithSignsAndTimesOnAClock) {
   EXPECT_EQ(clock.unit, CostUnit::minutes);
   EXPECT_THAT(complaint("part,Duration\nA,0:15\nB,5\n"),
               StartsWith("p.csv:3:3: some costs are times as 0:15 and some are numbers"));
-  EXPECT_THAT(complaint("part,Duration\nA,0:15\nB,0:00:07\n"), HasSubstr("no decimal of minutes"));
+  EXPECT_THAT(complaint("part,Duration\nA,0:15\nB,0:00:07\n"),
+              HasSubstr("not a decimal of minutes"));
   EXPECT_THAT(complaint("part,cost\nA,5 min\nB,2 h\n"),
               HasSubstr("some costs are in 'min' and some in 'h'"));
   EXPECT_THAT(complaint("part,cost\nA,5 €\nB,2 $\n"),
@@ -246,8 +247,9 @@ TEST(Spreadsheets, PrioritiesHaveHeaders) {
   EXPECT_EQ(weight("part,with,points\nA,B,5\n"), "5");
   EXPECT_EQ(weight("weight,first,second\n2.5,A,B\n"), "2.50");
   EXPECT_THAT(weight("part 1,part 2,priority\nA,B,high\n"),
-              StartsWith("w.csv:2:5: 'high' is no weight"));
-  EXPECT_THAT(weight("part 1,part 2,priority\nA,B\n"), StartsWith("w.csv:2:3: 'B' is no weight"));
+              StartsWith("w.csv:2:5: 'high' is not a weight"));
+  EXPECT_THAT(weight("part 1,part 2,priority\nA,B\n"),
+              StartsWith("w.csv:2:3: 'B' is not a weight"));
 }
 
 TEST(Spreadsheets, SlotsHaveHeaders) {
@@ -269,9 +271,10 @@ TEST(Spreadsheets, SlotsHaveHeaders) {
   EXPECT_EQ(slots("Slot,from,to,remark\nCPU,1,2,both sockets\n"), "CPU 1..2;");
   EXPECT_EQ(slots("CPU,1,1\n"), "CPU 1..1;");
   EXPECT_EQ(slots("Min,1,1\n"), "Min 1..1;") << "it has numbers, so it is no header";
-  EXPECT_THAT(slots("Slot,Min,Max\nCPU,x,1\n"), StartsWith("s.csv:2:5: 'x' is no number of parts"));
+  EXPECT_THAT(slots("Slot,Min,Max\nCPU,x,1\n"),
+              StartsWith("s.csv:2:5: 'x' is not a number of parts"));
   EXPECT_THAT(slots("Slot,Min,Max\nCPU,2,1\n"), HasSubstr("at least 2 and at most 1"));
-  EXPECT_THAT(slots("Slot,Min,Max\n,2,1\n"), HasSubstr("no slot with its least"));
+  EXPECT_THAT(slots("Slot,Min,Max\n,2,1\n"), HasSubstr("expected a slot with its least"));
   EXPECT_THAT(slots("Slot,Least,Most\n"), HasSubstr("no slot is listed"));
 }
 

@@ -348,7 +348,7 @@ TEST(BenchStock, DefectsAreSaid) {
   benches[0].hours = Amount{};
   EXPECT_THAT(bench_defects(job, benches), Contains(HasSubstr("it works no hours a day")));
   benches[0].hours = units(25);
-  EXPECT_THAT(bench_defects(job, benches), Contains(HasSubstr("a day has 24")));
+  EXPECT_THAT(bench_defects(job, benches), Contains(HasSubstr("give at most 24")));
   EXPECT_THROW((void)planned(job, benches), BadInput);
   EXPECT_THROW((void)count_benches(job, benches, BenchSchedule(3)), BadInput);
 }

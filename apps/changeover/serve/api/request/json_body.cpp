@@ -32,7 +32,7 @@ JsonBody::JsonBody(const std::string& text) {
   parse_json({.text = text, .name = name}, glance);
   object_ = std::make_unique<nlohmann::json>(nlohmann::json::parse(text, nullptr, false));
   if (!object_->is_object()) {
-    throw Refusal{422, "send an object of JSON, {…}"};
+    throw Refusal{422, "give an object of JSON, {…}"};
   }
 }
 
@@ -113,7 +113,7 @@ std::optional<std::string> JsonBody::text(const std::string& name) {
 void JsonBody::finish() const {
   for (const auto& [name, value] : object_->items()) {
     if (!asked_.contains(name)) {
-      throw Refusal{422, fmt::format("there is no member '{}'; there are {}", printable(name),
+      throw Refusal{422, fmt::format("unknown key '{}'; the keys are {}", printable(name),
                                      fmt::join(asked_, ", "))};
     }
   }
