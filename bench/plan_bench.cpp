@@ -16,14 +16,13 @@
 #include "plan_jobs.hpp"
 #include "plan_peer.hpp"
 
-namespace {
-std::atomic<bool> clock_of_processor = false;
-}  // namespace
+std::atomic<bool> changeover::bench::clock_of_processor = false;
 
 // While the library plans, its clock is the processor time of this program, so that other work on the machine takes
 // nothing from it. It stands for the one of the C library, from which std::chrono::steady_clock has its time.
 extern "C" int clock_gettime(clockid_t clock, timespec* now) noexcept {
-  const bool other = clock == CLOCK_MONOTONIC && clock_of_processor.load(std::memory_order_relaxed);
+  const bool other = clock == CLOCK_MONOTONIC &&
+                     changeover::bench::clock_of_processor.load(std::memory_order_relaxed);
   return static_cast<int>(
       syscall(SYS_clock_gettime, other ? CLOCK_PROCESS_CPUTIME_ID : clock, now));
 }
@@ -73,6 +72,29 @@ void plan_against_plain_annealing(benchmark::State& state) {
   }
 }
 
+// Jobs with slots against what no plan can undercut.
+void plan_within_slots(benchmark::State& state) {
+  const Job job = slotted_job(static_cast<std::uint64_t>(state.range(0)));
+  const char* const given = std::getenv("CHANGEOVER_BENCH_SECONDS");
+  const double seconds = given == nullptr ? 10.0 : std::atof(given);
+  for (auto _ : state) {
+    clock_of_processor = true;
+    RunControl control({.time = std::chrono::duration<double>(seconds), .threads = 1});
+    const RunPlan plan = make_run_plan(job, {}, control);
+    clock_of_processor = false;
+    if (!plan.sheet.does_the_job()) {
+      state.SkipWithError("the list does not do the job");
+      return;
+    }
+    state.counters["parts"] = static_cast<double>(job.parts());
+    state.counters["slots"] = static_cast<double>(job.slots.size());
+    state.counters["bound"] = in_units(plan.bound.cost);
+    state.counters["cost"] = in_units(plan.sheet.cost);
+    state.counters["over_%"] =
+        100.0 * (in_units(plan.sheet.cost) / in_units(plan.bound.cost) - 1.0);
+  }
+}
+
 // Parts, room, test cost, seed of both searches.
 void jobs(benchmark::internal::Benchmark* bench) {
   for (const auto& [parts, room, test] : {std::array<std::int64_t, 3>{20, 4, 5},
@@ -89,6 +111,13 @@ void jobs(benchmark::internal::Benchmark* bench) {
     }
   }
 }
+
+BENCHMARK(plan_within_slots)
+    ->ArgName("seed")
+    ->DenseRange(1, 24)
+    ->Iterations(1)
+    ->UseRealTime()
+    ->Unit(benchmark::kSecond);
 
 BENCHMARK(plan_against_plain_annealing)
     ->ArgNames({"parts", "room", "test", "seed"})
