@@ -176,7 +176,7 @@ TEST(ReadJob, InputsWithoutAnEndAreRefused) {
 TEST(ReadSetUps, SaysWhereOneIsLargerThanWhatFits) {
   EXPECT_THAT(
       complaint([&] { (void)read_setups(*input_from_text("1,3\n1,3,5\n", "d.csv"), names, 2); }),
-      StartsWith("d.csv:2:1: 3 parts stand here, but only 2 fit at once"));
+      StartsWith("d.csv:2:1: 3 parts stand here, but only 2 fit at once; remove some"));
 }
 
 TEST(ReadSetUps, TakesSheetsWithAColumnASlot) {
