@@ -8,6 +8,7 @@
 
 #include "answer/answer.hpp"
 #include "answer/converter.hpp"
+#include "answer/design/chosen_design.hpp"
 #include "answer/design/judgement.hpp"
 #include "answer/known/known_table.hpp"
 #include "answer/known/offers.hpp"
