@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -162,65 +160,37 @@ Kept keep_in_catalog(Catalog& catalog, const Design& design) {
 }
 
 SearchJobs::SearchJobs(Catalog& catalog, EventHub& events, const Settings& settings)
-    : catalog_(catalog), events_(events), settings_(settings) {}
+    : catalog_(catalog),
+      events_(events),
+      settings_(settings),
+      jobs_(std::make_unique<JobList<Job>>(settings.at_once, most_remembered)) {}
 
-SearchJobs::~SearchJobs() {
-  for (const auto& [id, job] : jobs_) {
-    job->control->stop(WhyStopped::interrupted);
-  }
-  for (const auto& [id, job] : jobs_) {
-    job->thread.join();
-  }
-}
+SearchJobs::~SearchJobs() = default;
 
 std::uint64_t SearchJobs::start(const SearchOrder& order) {
   if (const auto reason = impossibility(order.parameters)) {
     throw Refusal{400, fmt::format("no {} exists: {}", name(order.parameters), *reason)};
   }
-  const std::scoped_lock lock(mutex_);
-  const auto running =
-      std::ranges::count_if(jobs_, [](const auto& each) { return each.second->running(); });
-  if (running >= static_cast<std::ptrdiff_t>(settings_.at_once)) {
-    throw Refusal{429, fmt::format("searches that run: {}, as many as may; wait for one to end, or "
-                                   "stop it",
-                                   running)};
-  }
-  forget_old();
-  const auto job = std::make_shared<Job>();
-  job->id = next_++;
-  job->order = order;
-  RunControl::Settings settings;
-  settings.time = std::chrono::duration<double>(order.seconds);
-  settings.memory_bytes = settings_.memory_bytes;
-  settings.threads = order.threads;
-  settings.seed = order.seed;
-  settings.progress_interval = std::chrono::duration<double>(0.25);
-  settings.on_progress = [this, one = job.get()](const Progress& progress) {
-    one->tell(progress);
-    publish(*one);
-  };
-  job->control = std::make_unique<RunControl>(std::move(settings));
-  job->thread = std::thread([this, one = job.get()] { run(*one); });
-  jobs_[job->id] = job;
-  return job->id;
-}
-
-// With mutex_ held.
-void SearchJobs::forget_old() {
-  for (auto at = jobs_.begin(); jobs_.size() >= most_remembered && at != jobs_.end();) {
-    if (at->second->running()) {
-      ++at;
-      continue;
-    }
-    at->second->thread.join();
-    at = jobs_.erase(at);
-  }
+  return jobs_->start(
+      "searches that run",
+      [&](Job& job) {
+        job.order = order;
+        RunControl::Settings settings;
+        settings.time = std::chrono::duration<double>(order.seconds);
+        settings.memory_bytes = settings_.memory_bytes;
+        settings.threads = order.threads;
+        settings.seed = order.seed;
+        settings.progress_interval = std::chrono::duration<double>(0.25);
+        settings.on_progress = [this, one = &job](const Progress& progress) {
+          one->tell(progress);
+          publish(*one);
+        };
+        job.control = std::make_unique<RunControl>(std::move(settings));
+      },
+      [this](Job& job) { run(job); });
 }
 
 void SearchJobs::run(Job& job) {
-  // Who answers comes first.
-  constexpr int gives_way = 10;
-  static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), gives_way));
   publish(job);
   std::string fault;
   try {
@@ -381,37 +351,17 @@ void SearchJobs::publish(const Job& job) {
 }
 
 std::shared_ptr<SearchJobs::Job> SearchJobs::find(std::uint64_t id) const {
-  const std::scoped_lock lock(mutex_);
-  const auto found = jobs_.find(id);
-  if (found == jobs_.end()) {
+  auto found = jobs_->find(id);
+  if (found == nullptr) {
     throw Refusal{404, fmt::format("there is no search {}", id)};
   }
-  return found->second;
+  return found;
 }
 
 void SearchJobs::stop(std::uint64_t id) { find(id)->control->stop(WhyStopped::interrupted); }
 
 bool SearchJobs::stop_all(std::chrono::duration<double> patience) {
-  std::vector<std::shared_ptr<Job>> all;
-  {
-    const std::scoped_lock lock(mutex_);
-    for (const auto& [id, job] : jobs_) {
-      job->control->stop(WhyStopped::interrupted);
-      all.push_back(job);
-    }
-  }
-  constexpr std::chrono::milliseconds between_looks{10};
-  const auto end = std::chrono::steady_clock::now() + patience;
-  const auto any_runs = [&] {
-    return std::ranges::any_of(all, [](const auto& job) { return job->running(); });
-  };
-  while (any_runs()) {
-    if (std::chrono::steady_clock::now() >= end) {
-      return false;
-    }
-    std::this_thread::sleep_for(between_looks);
-  }
-  return true;
+  return jobs_->stop_all(patience);
 }
 
 std::shared_ptr<const Design> SearchJobs::design_of(std::uint64_t id) const {
@@ -428,11 +378,10 @@ std::shared_ptr<const Design> SearchJobs::design_of(std::uint64_t id) const {
 Kept SearchJobs::keep(std::uint64_t id) { return keep_in_catalog(catalog_, *design_of(id)); }
 
 std::string SearchJobs::list_json() const {
-  const std::scoped_lock lock(mutex_);
   JsonWriter json;
   json.begin_array();
-  for (auto at = jobs_.rbegin(); at != jobs_.rend(); ++at) {
-    at->second->write(json, false);
+  for (const auto& job : jobs_->all()) {
+    job->write(json, false);
   }
   return json.end_array().take() + "\n";
 }

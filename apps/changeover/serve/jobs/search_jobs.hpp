@@ -13,9 +13,7 @@
 
 #include <chrono>
 #include <cstdint>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +22,7 @@
 #include "changeover/core/design.hpp"
 #include "changeover/search/local_search.hpp"
 #include "serve/http/events.hpp"
+#include "serve/jobs/job_list.hpp"
 
 namespace changeover::serve {
 
@@ -98,14 +97,11 @@ class SearchJobs {
   void search(Job& job);
   static void finish(Job& job, Found found);
   void publish(const Job& job);
-  void forget_old();
 
   Catalog& catalog_;
   EventHub& events_;
   Settings settings_;
-  mutable std::mutex mutex_;
-  std::map<std::uint64_t, std::shared_ptr<Job>> jobs_;
-  std::uint64_t next_ = 1;
+  std::unique_ptr<JobList<Job>> jobs_;
 };
 
 }  // namespace changeover::serve

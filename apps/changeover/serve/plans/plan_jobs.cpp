@@ -1,14 +1,11 @@
 #include "serve/plans/plan_jobs.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
-#include <algorithm>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
@@ -68,65 +65,37 @@ void PlanJobs::Job::write(JsonWriter& json, bool with_answer) const {
 }
 
 PlanJobs::PlanJobs(EventHub& events, const Settings& settings)
-    : events_(events), settings_(settings) {}
+    : events_(events),
+      settings_(settings),
+      jobs_(std::make_unique<JobList<Job>>(settings.at_once, most_remembered)) {}
 
-PlanJobs::~PlanJobs() {
-  for (const auto& [id, job] : jobs_) {
-    job->control->stop(WhyStopped::interrupted);
-  }
-  for (const auto& [id, job] : jobs_) {
-    job->thread.join();
-  }
-}
+PlanJobs::~PlanJobs() = default;
 
 std::uint64_t PlanJobs::start(OpenedRequest opened, ParsedJob asked, double seconds) {
-  const std::scoped_lock lock(mutex_);
-  const auto running =
-      std::ranges::count_if(jobs_, [](const auto& each) { return each.second->running(); });
-  if (running >= static_cast<std::ptrdiff_t>(settings_.at_once)) {
-    throw Refusal{429, fmt::format("plans that are searched for: {}, as many as may be; wait for "
-                                   "one to end, or stop it",
-                                   running)};
-  }
-  forget_old();
-  const auto job = std::make_shared<Job>();
-  job->id = next_++;
-  job->opened = std::move(opened);
-  job->asked = std::move(asked);
-  job->limit = seconds;
-  RunControl::Settings settings;
-  settings.time = std::chrono::duration<double>(seconds);
-  settings.memory_bytes = settings_.memory_bytes;
-  settings.progress_interval = std::chrono::duration<double>(0.25);
-  settings.on_progress = [this, one = job.get()](const Progress& progress) {
-    {
-      const std::scoped_lock own(one->mutex);
-      one->seconds = progress.elapsed.count();
-      one->phase = progress.phase;
-    }
-    publish(*one);
-  };
-  job->control = std::make_unique<RunControl>(std::move(settings));
-  job->thread = std::thread([this, one = job.get()] { run(*one); });
-  jobs_[job->id] = job;
-  return job->id;
-}
-
-// With mutex_ held.
-void PlanJobs::forget_old() {
-  for (auto at = jobs_.begin(); jobs_.size() >= most_remembered && at != jobs_.end();) {
-    if (at->second->running()) {
-      ++at;
-      continue;
-    }
-    at->second->thread.join();
-    at = jobs_.erase(at);
-  }
+  return jobs_->start(
+      "plans that are searched for",
+      [&](Job& job) {
+        job.opened = std::move(opened);
+        job.asked = std::move(asked);
+        job.limit = seconds;
+        RunControl::Settings settings;
+        settings.time = std::chrono::duration<double>(seconds);
+        settings.memory_bytes = settings_.memory_bytes;
+        settings.progress_interval = std::chrono::duration<double>(0.25);
+        settings.on_progress = [this, one = &job](const Progress& progress) {
+          {
+            const std::scoped_lock own(one->mutex);
+            one->seconds = progress.elapsed.count();
+            one->phase = progress.phase;
+          }
+          publish(*one);
+        };
+        job.control = std::make_unique<RunControl>(std::move(settings));
+      },
+      [this](Job& job) { run(job); });
 }
 
 void PlanJobs::run(Job& job) {
-  constexpr int gives_way = 10;
-  static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), gives_way));
   publish(job);
   std::optional<PlanAnswer> answer;
   std::string json;
@@ -171,34 +140,17 @@ void PlanJobs::publish(const Job& job) {
 }
 
 std::shared_ptr<PlanJobs::Job> PlanJobs::find(std::uint64_t id) const {
-  const std::scoped_lock lock(mutex_);
-  const auto found = jobs_.find(id);
-  if (found == jobs_.end()) {
+  auto found = jobs_->find(id);
+  if (found == nullptr) {
     throw Refusal{404, fmt::format("plan {} is not remembered any more; plan again", id)};
   }
-  return found->second;
+  return found;
 }
 
 void PlanJobs::stop(std::uint64_t id) { find(id)->control->stop(WhyStopped::interrupted); }
 
 bool PlanJobs::stop_all(std::chrono::duration<double> patience) {
-  std::vector<std::shared_ptr<Job>> all;
-  {
-    const std::scoped_lock lock(mutex_);
-    for (const auto& [id, job] : jobs_) {
-      job->control->stop(WhyStopped::interrupted);
-      all.push_back(job);
-    }
-  }
-  constexpr std::chrono::milliseconds between_looks{10};
-  const auto end = std::chrono::steady_clock::now() + patience;
-  while (std::ranges::any_of(all, [](const auto& job) { return job->running(); })) {
-    if (std::chrono::steady_clock::now() >= end) {
-      return false;
-    }
-    std::this_thread::sleep_for(between_looks);
-  }
-  return true;
+  return jobs_->stop_all(patience);
 }
 
 std::string PlanJobs::json(std::uint64_t id) const {

@@ -12,13 +12,12 @@
 
 #include <chrono>
 #include <cstdint>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 
 #include "changeover/plan/job_request.hpp"
 #include "serve/http/events.hpp"
+#include "serve/jobs/job_list.hpp"
 
 namespace changeover::serve {
 
@@ -57,13 +56,10 @@ class PlanJobs {
   [[nodiscard]] std::shared_ptr<Job> find(std::uint64_t id) const;
   void run(Job& job);
   void publish(const Job& job);
-  void forget_old();
 
   EventHub& events_;
   Settings settings_;
-  mutable std::mutex mutex_;
-  std::map<std::uint64_t, std::shared_ptr<Job>> jobs_;
-  std::uint64_t next_ = 1;
+  std::unique_ptr<JobList<Job>> jobs_;
 };
 
 }  // namespace changeover::serve

@@ -1,0 +1,128 @@
+// Jobs that run beside the server's answers, each on a thread of its own: begun up to a limit,
+// found by number, stopped, and the last that ended remembered.
+//
+//     JobList<Job> jobs(2, 50);                // at once; remembered
+//     const std::uint64_t id = jobs.start("searches that run", make, run);
+//     jobs.find(id);                           // nullptr if it is not remembered
+//     jobs.stop_all(900ms);
+//
+// A Job has `id`, `control` (std::unique_ptr<RunControl>), `thread` and `running()`.
+#pragma once
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string_view>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "changeover/run/control.hpp"
+#include "serve/http/message.hpp"
+
+namespace changeover::serve {
+
+template <typename Job>
+class JobList {
+ public:
+  JobList(unsigned at_once, std::size_t remembered) : at_once_(at_once), remembered_(remembered) {}
+  /// Stops all and waits for them.
+  ~JobList() {
+    ask_all();
+    for (const auto& [id, job] : jobs_) {
+      job->thread.join();
+    }
+  }
+  JobList(const JobList&) = delete;
+  JobList& operator=(const JobList&) = delete;
+
+  /// Begins the job that `make` fills in, its control included, and returns its number; `run` is
+  /// called on its thread, which gives way to those that answer. @throws Refusal 429 if as many run
+  /// as may, which `what` names.
+  template <typename Make, typename Run>
+  std::uint64_t start(std::string_view what, Make&& make, Run run) {
+    const std::scoped_lock lock(mutex_);
+    const auto running =
+        std::ranges::count_if(jobs_, [](const auto& each) { return each.second->running(); });
+    if (running >= static_cast<std::ptrdiff_t>(at_once_)) {
+      throw Refusal{429, fmt::format("{}: {}, as many as may; wait for one to end, or stop it",
+                                     what, running)};
+    }
+    forget_old();
+    const auto job = std::make_shared<Job>();
+    job->id = next_++;
+    make(*job);
+    job->thread = std::thread([run, one = job.get()] {
+      constexpr int gives_way = 10;
+      static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), gives_way));
+      run(*one);
+    });
+    jobs_[job->id] = job;
+    return job->id;
+  }
+
+  [[nodiscard]] std::shared_ptr<Job> find(std::uint64_t id) const {
+    const std::scoped_lock lock(mutex_);
+    const auto found = jobs_.find(id);
+    return found == jobs_.end() ? nullptr : found->second;
+  }
+
+  /// All, latest first.
+  [[nodiscard]] std::vector<std::shared_ptr<Job>> all() const {
+    const std::scoped_lock lock(mutex_);
+    std::vector<std::shared_ptr<Job>> list;
+    for (auto at = jobs_.rbegin(); at != jobs_.rend(); ++at) {
+      list.push_back(at->second);
+    }
+    return list;
+  }
+
+  /// Asks all to stop and waits so long; whether all have.
+  [[nodiscard]] bool stop_all(std::chrono::duration<double> patience) {
+    ask_all();
+    const auto list = all();
+    constexpr std::chrono::milliseconds between_looks{10};
+    const auto end = std::chrono::steady_clock::now() + patience;
+    while (std::ranges::any_of(list, [](const auto& job) { return job->running(); })) {
+      if (std::chrono::steady_clock::now() >= end) {
+        return false;
+      }
+      std::this_thread::sleep_for(between_looks);
+    }
+    return true;
+  }
+
+ private:
+  void ask_all() {
+    for (const auto& job : all()) {
+      job->control->stop(WhyStopped::interrupted);
+    }
+  }
+
+  // With mutex_ held.
+  void forget_old() {
+    for (auto at = jobs_.begin(); jobs_.size() >= remembered_ && at != jobs_.end();) {
+      if (at->second->running()) {
+        ++at;
+        continue;
+      }
+      at->second->thread.join();
+      at = jobs_.erase(at);
+    }
+  }
+
+  unsigned at_once_;
+  std::size_t remembered_;
+  mutable std::mutex mutex_;
+  std::map<std::uint64_t, std::shared_ptr<Job>> jobs_;
+  std::uint64_t next_ = 1;
+};
+
+}  // namespace changeover::serve
