@@ -1,7 +1,9 @@
 """Load orders with all that they may be told: pairs of every kind, workers, what steps compute and store."""
 
+import collections
 import itertools
 import os
+import pathlib
 import pickle
 import tempfile
 import unittest
@@ -211,6 +213,104 @@ class Orders(unittest.TestCase):
         for wrong, words in (({"workers": 0}, "^workers 0: give at least 1"), ({"workers": 2**40}, "^workers 1099511627776: give 1 to")):
             with self.assertRaisesRegex(changeover.BadInput, words):
                 changeover.load_order(24, 6, **wrong)
+
+
+class Sizes(unittest.TestCase):
+    def test_what_is_held_fits_into_the_memory(self):
+        sizes = [(1 + i * i % 13) * 1000 for i in range(20)]
+        order = changeover.load_order(None, sizes=sizes, memory=50_000, new_pairs=True)
+        held, loaded, pairs = set(), 0, []
+        for step in order.work():
+            held -= set(step.evict)
+            held |= set(step.load)
+            loaded += sum(sizes[item] for item in step.load)
+            self.assertLessEqual(sum(sizes[item] for item in held), 50_000)
+            pairs += step.pairs
+        self.assertEqual((loaded, len(set(pairs)), len(pairs)), (order.bytes, 190, 190))
+        self.assertLessEqual(order.bytes_bound, order.bytes)
+        self.assertIsNone(changeover.load_order(6, 3).bytes)
+        listed = changeover.load_order(None, pairs=[(0, 2), (2, 3)], sizes={0: 5, 2: 4, 3: 3}, memory=9)
+        self.assertEqual(listed.bytes, 12)
+
+    def test_what_does_not_fit_is_refused(self):
+        for more, why in (({"sizes": [3, 6], "memory": 8}, "9 bytes together"), ({"sizes": [3, 6]}, "memory"),
+                          ({"sizes": [3, 0.5], "memory": 9}, "whole number of bytes"), ({}, "give items")):
+            with self.assertRaisesRegex(changeover.BadInput, why):
+                changeover.load_order(None, **more)
+
+
+class Epochs(unittest.TestCase):
+    def test_every_pair_is_computed_once_in_each_epoch(self):
+        for more in ({}, {"workers": 3}, {"workers": 2, "disjoint": True}, {"write_back": True}):
+            order = changeover.load_order(
+                16, 5, epochs=3, new_pairs=True, spread=True, ordered=True, with_self=True, seed=2, **more)
+            self.assertEqual(len(order.epoch_loads), 3)
+            self.assertEqual(sum(order.epoch_loads), order.loads)
+            seen = collections.Counter()
+            for worker in range(more.get("workers", 1)):
+                held = set()
+                for step in order.work(worker) if "workers" in more else order.work():
+                    held -= set(step.evict)
+                    held |= set(step.load)
+                    self.assertLessEqual(len(held), 5)
+                    for i, j in step.pairs:
+                        self.assertTrue({i, j} <= held)
+                        seen[step.epoch, i, j] += 1
+            self.assertEqual(seen, collections.Counter(itertools.product((1, 2, 3), range(16), range(16))))
+            again = pickle.loads(pickle.dumps(order))
+            self.assertEqual((again.loads, again.epoch_loads), (order.loads, order.epoch_loads))
+
+    def test_what_marius_needs_is_what_the_order_says(self):
+        order = changeover.load_order(16, 4, epochs=2, new_pairs=True, spread=True)
+        first, second = order.for_marius()
+        self.assertEqual(first["buffer_states"][-1], second["buffer_states"][0])
+        for epoch in (first, second):
+            self.assertEqual((epoch["num_partitions"], epoch["buffer_capacity"]), (16, 4))
+            buckets = [tuple(bucket) for each in epoch["edge_buckets_per_buffer"] for bucket in each]
+            self.assertEqual(sorted(buckets), list(itertools.product(range(16), range(16))))
+            for state, each in zip(epoch["buffer_states"], epoch["edge_buckets_per_buffer"]):
+                self.assertEqual(len(set(state)), 4)
+                self.assertTrue(set(sum(each, [])) <= set(state))
+        with self.assertRaisesRegex(changeover.BadInput, "one buffer"):
+            changeover.load_order(16, 4, prefetch=True).for_marius()
+
+    def test_items_change_and_a_job_that_raised_goes_on(self):
+        def run(folder, workers, stops=()):
+            data = os.path.join(folder, "data")
+            if not os.path.exists(data):
+                pathlib.Path(data).write_bytes(bytes(12 * 8))
+            calls = []
+
+            def update(i, j, first, second):
+                calls.append((i, j))
+                if len(calls) in stops:
+                    raise OSError("stopped")
+                for view, other in ((first, j), (second, i)):
+                    view[:2] = (int.from_bytes(view[:2], "little") + other + 1).to_bytes(2, "little")
+
+            return changeover.update_pairs(
+                data, 8, 4, update, journal=os.path.join(folder, "journal"), workers=workers, epochs=3,
+                spread=True, shuffle=True, checkpoint_every=5), pathlib.Path(data).read_bytes()
+
+        for workers in (1, 2):
+            with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as other:
+                report, data = run(folder, workers)
+                self.assertEqual((report.finished, report.updates), (True, 3 * 66))
+                with self.assertRaisesRegex(OSError, "stopped"):
+                    run(other, workers, stops=(120,))
+                again, same = run(other, workers)
+                self.assertEqual(same, data)
+                self.assertGreater(again.steps_resumed, 0)
+                self.assertEqual(int.from_bytes(data[:2], "little"), 3 * sum(range(2, 13)))
+
+    def test_what_update_keeps_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            data = os.path.join(folder, "data")
+            pathlib.Path(data).write_bytes(bytes(64))
+            kept = []
+            with self.assertRaisesRegex(changeover.BadInput, "has kept memory of item"):
+                changeover.update_pairs(data, 8, 3, lambda i, j, a, b: kept.append(a[1:3]),
+                                        journal=os.path.join(folder, "journal"))
 
 
 if __name__ == "__main__":
