@@ -259,7 +259,7 @@ def check_loads(server, count):
         for key in rng.sample(list(may_be), rng.choice([0, 1, 1, 2, 3])):
             ask[key] = may_be[key]
         if number < len(together):
-            ask = {"items": 20, "room": 8, **together[number]}
+            ask = {"items": 20, "room": 5, **together[number]}
             ask = {key: value for key, value in ask.items() if value is not None}
         elif rng.random() < 0.2:
             ask |= rng.choice(together)
