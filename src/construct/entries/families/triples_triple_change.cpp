@@ -5,7 +5,7 @@
 // triples a, b meet, take others c, d, one after the other, such that a and c, b and d are
 // disjoint, and turn the list round from b to c. If each triple is disjoint from half of all or
 // more, there are such c and d: so it is for v ≥ 20. Below, a turn that leads nowhere is taken now
-// and then. Mostly two triples can simply be exchanged instead, which is faster.
+// and then. Mostly two triples can be exchanged instead, which is faster.
 #include <fmt/format.h>
 
 #include <algorithm>
