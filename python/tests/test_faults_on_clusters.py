@@ -18,7 +18,8 @@ import changeover
 from changeover import cluster
 from changeover.cluster import (
     _bag, _failed, _job, _journal, _searches, _simulation, _worker)
-from test_cluster import Bags, RayStandIn, play, shares_of
+from test_cluster import play, shares_of
+from test_engines import Bags, RayStandIn
 
 
 def only_stretch(items=12, room=4):
