@@ -151,8 +151,8 @@ TEST(Dossier, LatexCompilesIt) {
 
 TEST(Latex, OfATableHasBoundsAndCitations) {
   const TemporaryFolder folder;
-  expect({{"$changeover table --k 4..5 --v 14..15 --linear --format latex", 0,
-           "14 & $19^{a}_{\\geq 18}$ & $\\mathbf{14}^{a}$ \\\\"},
+  expect({{"$changeover table --k 5..6 --v 16..17 --linear --format latex", 0,
+           "17 & $20^{b}_{\\geq 19}$ & $16^{a}_{\\geq 15}$ \\\\"},
           {"$changeover table --k 4 --v 15 --circular --format latex", 0, "\\toprule"},
           {"$changeover table --k 5 --v 15 --circular --format latex", 0,
            "a: cyclic \\cite[{Theorem 10"},

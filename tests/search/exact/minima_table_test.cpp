@@ -81,7 +81,7 @@ TEST(MinimaTable, RefusesRowsThatAreNone) {
     return std::string();
   };
   const std::string head = as_csv({});
-  EXPECT_THAT(refusal("v,k\n"), HasSubstr("a.csv:1: expected the line"));
+  EXPECT_THAT(refusal("v,k\n"), HasSubstr("a.csv:1: the first line is not"));
   EXPECT_THAT(refusal(head + "2,1\n"), HasSubstr("a.csv:2: the row is too short"));
   EXPECT_THAT(refusal(head + "2,1,oval,4,9,1,1,1,x,0,0,0,0,0,0\n"), HasSubstr("the kind must be"));
   EXPECT_THAT(refusal(head + "2,1,linear,4,9,1,1,1,x,0,0,0,0,0,0,7\n"), HasSubstr("too long"));
