@@ -109,8 +109,8 @@ std::vector<Slot> read_slots(Input& input) {
     const auto limit = [&](const Field& said) {
       const auto value = number(said.text);
       if (!value) {
-        reader.fail(said,
-                    fmt::format("{} is not a number of parts; {}", shown(said.text), write_a_number));
+        reader.fail(
+            said, fmt::format("{} is not a number of parts; {}", shown(said.text), write_a_number));
       }
       return *value;
     };

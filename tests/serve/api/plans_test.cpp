@@ -297,4 +297,4 @@ TEST(RunsOfTwoServers, MeetInOneFile) {
 }
 
 }  // namespace
-}  // namespace changeover::plans_test
+}  // namespace changeover::test::plans_test

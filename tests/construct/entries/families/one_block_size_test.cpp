@@ -92,9 +92,7 @@ const std::vector<Served> families{
      {2000},
      0,
      [](const Parameters& p) { return p.v % 6 == 1 || p.v % 6 == 3; },
-     [](const Parameters& p) {
-       return (p.v * (p.v / 2) + 2) / 3 == (p.v * (p.v - 1) / 2 + 2) / 3;
-     },
+     [](const Parameters& p) { return (p.v * (p.v / 2) + 2) / 3 == (p.v * (p.v - 1) / 2 + 2) / 3; },
      never,
      always},
     {"triples-single-change",
