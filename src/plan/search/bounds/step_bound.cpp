@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -14,11 +13,11 @@
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
-#include "plan/job/pair_numbers.hpp"
 #include "plan/search/bounds/dearest_parts.hpp"
 #include "plan/search/bounds/job_numbers.hpp"
 #include "plan/search/bounds/least_sum.hpp"
 #include "plan/search/bounds/rounded_up.hpp"
+#include "plan/search/bounds/step_groups.hpp"
 
 namespace changeover {
 namespace {
@@ -26,31 +25,8 @@ namespace {
 __extension__ using Whole = __int128;
 
 constexpr std::size_t most_step_parts = 200;
-constexpr std::size_t most_kinds = 2100;  // of steps, in a block
-constexpr std::size_t most_step_columns = 7000;
 constexpr int fraction_bits = 20;  // of prices in whole numbers
 constexpr double slightly = 1e-6;  // what rows are violated by
-
-// Parts of which a set-up holds so many at most: those of a slot, or all.
-struct PartGroup {
-  std::vector<std::size_t> parts = {};  // numbers in JobNumbers::parts
-  std::uint64_t room = 0;               // c of the theorem: no less than what is there at the start
-  std::uint64_t in_a_test = 0;
-};
-
-// Groups whose changes are counted together.
-struct StepBlock {
-  std::vector<std::size_t> groups;
-  std::vector<std::vector<std::uint64_t>> kinds = {};  // of steps: how many each puts in, by group
-  std::size_t first_column = 0;  // how often there is a step of the first kind
-  std::size_t steps_row = 0;
-
-  [[nodiscard]] std::optional<std::size_t> place_of(std::size_t group) const {
-    const auto found = std::find(groups.begin(), groups.end(), group);
-    return found == groups.end() ? std::nullopt
-                                 : std::optional<std::size_t>(found - groups.begin());
-  }
-};
 
 // The linear program of Theorem 18. Columns: by part, how often it comes beyond once; tests beyond
 // the least number; by block and kind, steps.
@@ -58,15 +34,7 @@ class StepProgram {
  public:
   StepProgram(const Job& job, const JobNumbers& n, const DearestParts& parts,
               std::uint64_t least_tests)
-      : n_(&n), q_(&parts), v_(parts.parts.size()), least_tests_(least_tests) {
-    needed_.assign(v_ * v_, false);
-    for (std::size_t x = 0; x < v_; ++x) {
-      for (std::size_t y = 0; y < v_; ++y) {
-        needed_[x * v_ + y] = x != y && job.needed.contains(n.parts[x], n.parts[y]);
-      }
-    }
-    make_groups(job);
-    make_blocks();
+      : q_(&parts), v_(parts.parts.size()), least_tests_(least_tests), counted_(job, n, parts) {
     set_costs(job);
     add_first_rows();
   }
@@ -108,9 +76,6 @@ class StepProgram {
     std::int64_t least = 0;
   };
 
-  void make_groups(const Job& job);
-  void make_blocks();
-  void add_block(std::vector<std::size_t> groups);
   void set_costs(const Job& job);
   void add_first_rows();
   bool add_violated();
@@ -130,38 +95,12 @@ class StepProgram {
     rows_.push_back({std::move(terms), least});
   }
 
-  [[nodiscard]] bool needed(std::size_t x, std::size_t y) const { return needed_[x * v_ + y]; }
   [[nodiscard]] double times(std::size_t x) const { return 1.0 + program_->value(x); }
-  [[nodiscard]] std::uint64_t degree(std::size_t x, std::size_t group) const {
-    return degree_[group * v_ + x];
-  }
-  // Needed pairs of two groups, or within one.
-  [[nodiscard]] std::uint64_t pairs(std::size_t a, std::size_t b) const {
-    std::uint64_t all = 0;
-    for (const std::size_t x : groups_[a].parts) {
-      all += degree(x, b);
-    }
-    return a == b ? all / 2 : all;
-  }
-  // New pairs of a step of this kind.
-  [[nodiscard]] std::uint64_t brought(const StepBlock& block, std::size_t kind, std::size_t at_a,
-                                      std::size_t at_b) const {
-    const std::uint64_t i = block.kinds[kind][at_a];
-    const std::uint64_t j = block.kinds[kind][at_b];
-    const std::uint64_t c = groups_[block.groups[at_a]].room;
-    const std::uint64_t d = groups_[block.groups[at_b]].room;
-    return at_a == at_b ? choose_two(i) + i * (c - i) : c * d - (c - i) * (d - j);
-  }
 
-  const JobNumbers* n_;
   const DearestParts* q_;
   std::size_t v_;
   std::uint64_t least_tests_;
-  std::vector<bool> needed_;
-  std::vector<PartGroup> groups_;
-  std::vector<std::uint64_t> degree_;    // by group and part: needed pairs with the group
-  std::vector<std::uint64_t> least_on_;  // by part: tests in which it is at least
-  std::vector<StepBlock> blocks_;
+  StepGroups counted_;
   std::uint64_t starts_ = 0;          // parts that are there at the start
   std::vector<std::uint64_t> costs_;  // by column that costs something
   Whole base_ = 0;                    // of each part once and the least number of tests
@@ -170,129 +109,8 @@ class StepProgram {
   std::uint64_t work_ = 1'500'000'000;
   std::optional<LeastSum> program_;
   std::vector<SavedRow> rows_;
+  std::vector<std::size_t> steps_rows_;  // by block: the row that counts its steps
 };
-
-void StepProgram::make_groups(const Job& job) {
-  for (std::size_t s = 0; s < n_->most.size(); ++s) {
-    PartGroup group;
-    std::uint64_t there = 0;
-    for (std::size_t x = 0; x < v_; ++x) {
-      if (n_->slot_of[n_->parts[x]] == s) {
-        group.parts.push_back(x);
-        there += q_->at_start[x];
-      }
-    }
-    group.in_a_test = std::min(n_->most[s], n_->room);
-    group.room = std::min<std::uint64_t>(std::max(group.in_a_test, there), group.parts.size());
-    if (!group.parts.empty() && group.room > 0) {
-      groups_.push_back(std::move(group));
-    }
-  }
-  const std::uint64_t all = std::accumulate(
-      groups_.begin(), groups_.end(), std::uint64_t{0},
-      [](std::uint64_t sum, const PartGroup& group) { return sum + group.in_a_test; });
-  if (all > n_->room || job.slots.empty()) {
-    PartGroup whole{.room = std::min<std::uint64_t>(q_->room, v_), .in_a_test = n_->room};
-    whole.parts.resize(v_);
-    std::iota(whole.parts.begin(), whole.parts.end(), 0);
-    groups_.resize(job.slots.empty() ? 0 : groups_.size());
-    groups_.push_back(std::move(whole));
-  }
-  degree_.assign(groups_.size() * v_, 0);
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    for (std::size_t x = 0; x < v_; ++x) {
-      for (const std::size_t y : groups_[g].parts) {
-        degree_[g * v_ + x] += needed(x, y) ? 1U : 0U;
-      }
-    }
-  }
-  least_on_.assign(v_, 1);
-  for (const PartGroup& group : groups_) {
-    const std::size_t g = static_cast<std::size_t>(&group - groups_.data());
-    for (std::size_t x = 0; x < v_; ++x) {
-      const bool within = std::find(group.parts.begin(), group.parts.end(), x) != group.parts.end();
-      const std::uint64_t places = group.in_a_test - (within ? 1 : 0);
-      if (degree(x, g) > 0 && places > 0) {
-        least_on_[x] = std::max(least_on_[x], ceil_div(degree(x, g), places));
-      }
-    }
-  }
-}
-
-// Blocks, until every two groups with needed pairs are in one, or there are many columns.
-void StepProgram::make_blocks() {
-  const bool has_whole = groups_.back().parts.size() == v_;
-  const std::size_t slots = has_whole ? groups_.size() - 1 : groups_.size();
-  if (has_whole) {
-    add_block({slots});
-  }
-  std::vector<std::uint64_t> open(slots * slots, 0);
-  for (std::size_t a = 0; a < slots; ++a) {
-    for (std::size_t b = 0; b < slots; ++b) {
-      open[a * slots + b] = pairs(a, b);
-    }
-  }
-  while (slots > 0) {
-    const std::size_t first =
-        static_cast<std::size_t>(std::max_element(open.begin(), open.end()) - open.begin());
-    if (open[first] == 0) {
-      return;
-    }
-    std::vector<std::size_t> groups{first / slots};
-    std::size_t kinds = groups_[first / slots].room + 1;
-    for (;;) {
-      std::optional<std::size_t> best;
-      std::uint64_t most = 0;
-      for (std::size_t b = 0; b < slots; ++b) {
-        std::uint64_t gain = 0;
-        for (const std::size_t a : groups) {
-          gain += a == b ? 0 : open[a * slots + b];
-        }
-        const bool fits = kinds * (groups_[b].room + 1) <= most_kinds;
-        if (gain > most && fits && std::find(groups.begin(), groups.end(), b) == groups.end()) {
-          most = gain;
-          best = b;
-        }
-      }
-      if (!best) {
-        break;
-      }
-      groups.push_back(*best);
-      kinds *= groups_[*best].room + 1;
-    }
-    if (blocks_.empty() ? kinds > 2 * most_kinds
-                        : blocks_.back().first_column + blocks_.back().kinds.size() + kinds >
-                              most_step_columns) {
-      return;
-    }
-    open[first] = open[first % slots * slots + first / slots] = 0;
-    for (const std::size_t a : groups) {
-      for (const std::size_t b : groups) {
-        open[a * slots + b] = 0;
-      }
-    }
-    add_block(std::move(groups));
-  }
-}
-
-void StepProgram::add_block(std::vector<std::size_t> groups) {
-  StepBlock block{.groups = std::move(groups)};
-  block.first_column =
-      blocks_.empty() ? v_ + 1 : blocks_.back().first_column + blocks_.back().kinds.size();
-  std::vector<std::uint64_t> kind(block.groups.size(), 0);
-  for (;;) {
-    std::size_t place = 0;
-    while (place < kind.size() && kind[place] == groups_[block.groups[place]].room) {
-      kind[place++] = 0;
-    }
-    if (place == kind.size()) {
-      break;
-    }
-    ++kind[place];
-    block.kinds.push_back(kind);
-  }
-  blocks_.push_back(std::move(block));
-}
 
 void StepProgram::set_costs(const Job& job) {
   for (std::size_t x = 0; x < v_; ++x) {
@@ -308,8 +126,7 @@ void StepProgram::set_costs(const Job& job) {
   for (const std::uint64_t cost : costs_) {
     costs.push_back(static_cast<double>(cost) / unit_);
   }
-  costs.resize(blocks_.empty() ? v_ + 1
-                               : blocks_.back().first_column + blocks_.back().kinds.size());
+  costs.resize(counted_.columns());
   // A little more for each, so that no two choices cost the same and the method does not go round.
   std::uint64_t mixed = 1;
   for (double& cost : costs) {
@@ -321,15 +138,16 @@ void StepProgram::set_costs(const Job& job) {
 
 void StepProgram::add_first_rows() {
   const std::int64_t before = starts_ > 0 ? 1 : 0;  // the start is a set-up, but no test
-  for (StepBlock& block : blocks_) {
-    block.steps_row = rows_.size();
+  const std::vector<PartGroup>& groups = counted_.groups();
+  for (const StepBlock& block : counted_.blocks()) {
+    steps_rows_.push_back(rows_.size());
     LeastSum::Row steps{{v_, 1}};
     for (std::size_t kind = 0; kind < block.kinds.size(); ++kind) {
       steps.push_back({block.first_column + kind, -1});
     }
     add(std::move(steps), 1 - before);
     for (std::size_t a = 0; a < block.groups.size(); ++a) {
-      const PartGroup& group = groups_[block.groups[a]];
+      const PartGroup& group = groups[block.groups[a]];
       LeastSum::Row coming;
       for (const std::size_t x : group.parts) {
         coming.push_back({x, 1});
@@ -342,15 +160,15 @@ void StepProgram::add_first_rows() {
       }
       add(std::move(coming), static_cast<std::int64_t>(group.room));
       for (std::size_t b = 0; b <= a; ++b) {
-        const std::uint64_t all = pairs(block.groups[a], block.groups[b]);
+        const std::uint64_t all = counted_.pairs(block.groups[a], block.groups[b]);
         const std::uint64_t first =
-            a == b ? choose_two(group.room) : group.room * groups_[block.groups[b]].room;
+            a == b ? choose_two(group.room) : group.room * groups[block.groups[b]].room;
         if (all <= first) {
           continue;
         }
         LeastSum::Row met;
         for (std::size_t kind = 0; kind < block.kinds.size(); ++kind) {
-          const std::uint64_t each = brought(block, kind, a, b);
+          const std::uint64_t each = counted_.brought(block, kind, a, b);
           if (each > 0) {
             met.push_back({block.first_column + kind, static_cast<std::int64_t>(each)});
           }
@@ -367,11 +185,12 @@ void StepProgram::add_first_rows() {
 }
 
 bool StepProgram::add_violated() {
+  const std::vector<PartGroup>& groups = counted_.groups();
   bool any = add_few_stays();
-  for (std::size_t a = 0; a < groups_.size(); ++a) {
-    any = add_occupied(groups_[a].parts, groups_[a].in_a_test) || any;
-    for (std::size_t b = 0; b < groups_.size(); ++b) {
-      const bool apart = groups_[a].parts.size() < v_ && groups_[b].parts.size() < v_;
+  for (std::size_t a = 0; a < groups.size(); ++a) {
+    any = add_occupied(groups[a].parts, groups[a].in_a_test) || any;
+    for (std::size_t b = 0; b < groups.size(); ++b) {
+      const bool apart = groups[a].parts.size() < v_ && groups[b].parts.size() < v_;
       if (a != b && !apart) {
         continue;  // All parts are not beside those of a slot.
       }
@@ -384,21 +203,24 @@ bool StepProgram::add_violated() {
 
 // (3) of the theorem.
 bool StepProgram::add_staying(std::size_t a, std::size_t b) {
-  const auto block = std::find_if(blocks_.begin(), blocks_.end(), [&](const StepBlock& each) {
+  const std::vector<PartGroup>& groups = counted_.groups();
+  const std::vector<StepBlock>& blocks = counted_.blocks();
+  const auto block = std::find_if(blocks.begin(), blocks.end(), [&](const StepBlock& each) {
     return each.place_of(a) && each.place_of(b);
   });
-  if (block == blocks_.end()) {
+  if (block == blocks.end()) {
     return false;
   }
-  const std::uint64_t each = groups_[b].room - (a == b ? 1 : 0);
+  const std::uint64_t each = groups[b].room - (a == b ? 1 : 0);
   LeastSum::Row row;
   double open = 0;
   std::int64_t least = 0;
-  for (const std::size_t x : groups_[a].parts) {
-    const double lacking = static_cast<double>(degree(x, b)) - static_cast<double>(each) * times(x);
+  for (const std::size_t x : groups[a].parts) {
+    const double lacking =
+        static_cast<double>(counted_.degree(x, b)) - static_cast<double>(each) * times(x);
     if (lacking > 0) {
       open += lacking;
-      least += static_cast<std::int64_t>(degree(x, b));
+      least += static_cast<std::int64_t>(counted_.degree(x, b));
       row.push_back({x, static_cast<std::int64_t>(each)});
     }
   }
@@ -409,7 +231,7 @@ bool StepProgram::add_staying(std::size_t a, std::size_t b) {
   const std::size_t at_b = *block->place_of(b);
   for (std::size_t kind = 0; kind < block->kinds.size(); ++kind) {
     const std::uint64_t met =
-        (groups_[a].room - block->kinds[kind][at_a]) * block->kinds[kind][at_b];
+        (groups[a].room - block->kinds[kind][at_a]) * block->kinds[kind][at_b];
     if (met > 0) {
       open -= static_cast<double>(met) * program_->value(block->first_column + kind);
       row.push_back({block->first_column + kind, static_cast<std::int64_t>(met)});
@@ -424,8 +246,9 @@ bool StepProgram::add_staying(std::size_t a, std::size_t b) {
 
 // (4) of the theorem: of the parts that come least often.
 bool StepProgram::add_subsets(std::size_t a, std::size_t b) {
+  const std::vector<PartGroup>& groups = counted_.groups();
   const auto by_times = [&](std::size_t group) {
-    std::vector<std::size_t> parts = groups_[group].parts;
+    std::vector<std::size_t> parts = groups[group].parts;
     std::stable_sort(parts.begin(), parts.end(),
                      [&](std::size_t x, std::size_t y) { return times(x) < times(y); });
     return parts;
@@ -443,11 +266,11 @@ bool StepProgram::add_subsets(std::size_t a, std::size_t b) {
     std::uint64_t of_last = 0;
     double times_b = 0;
     for (std::size_t t = 1; t <= of_b.size(); ++t) {
-      of_last += needed(of_a[s - 1], of_b[t - 1]) ? 1U : 0U;
+      of_last += counted_.needed(of_a[s - 1], of_b[t - 1]) ? 1U : 0U;
       met[t] += of_last;
       times_b += times(of_b[t - 1]);
-      const std::uint64_t c = std::min<std::uint64_t>(groups_[a].room, s);
-      const std::uint64_t d = std::min<std::uint64_t>(groups_[b].room, t);
+      const std::uint64_t c = std::min<std::uint64_t>(groups[a].room, s);
+      const std::uint64_t d = std::min<std::uint64_t>(groups[b].room, t);
       if (a == b && s != t) {
         continue;
       }
@@ -467,8 +290,8 @@ bool StepProgram::add_subsets(std::size_t a, std::size_t b) {
     return false;
   }
   LeastSum::Row row;
-  const std::uint64_t c = std::min<std::uint64_t>(groups_[a].room, best_a);
-  const std::uint64_t d = std::min<std::uint64_t>(groups_[b].room, best_b);
+  const std::uint64_t c = std::min<std::uint64_t>(groups[a].room, best_a);
+  const std::uint64_t d = std::min<std::uint64_t>(groups[b].room, best_b);
   for (std::size_t s = 0; s < best_a; ++s) {
     row.push_back({of_a[s], static_cast<std::int64_t>(a == b ? c - 1 : d)});
   }
@@ -487,13 +310,13 @@ bool StepProgram::add_occupied(const std::vector<std::size_t>& parts, std::uint6
   for (const std::size_t x : parts) {
     const auto there = static_cast<std::int64_t>(q_->at_start[x]);
     const double comes = times(x) - static_cast<double>(there);
-    if (comes > static_cast<double>(least_on_[x])) {
+    if (comes > static_cast<double>(counted_.least_on(x))) {
       row.push_back({x, -1});
       least -= there;
       open += comes;
     } else {
-      least += static_cast<std::int64_t>(least_on_[x]);
-      open += static_cast<double>(least_on_[x]);
+      least += static_cast<std::int64_t>(counted_.least_on(x));
+      open += static_cast<double>(counted_.least_on(x));
     }
   }
   if (open <= slightly) {
@@ -529,9 +352,7 @@ bool StepProgram::add_few_stays() {
 }
 
 Amount StepProgram::proved() const {
-  const std::size_t columns =
-      blocks_.empty() ? v_ + 1 : blocks_.back().first_column + blocks_.back().kinds.size();
-  std::vector<Whole> charged(columns, 0);
+  std::vector<Whole> charged(counted_.columns(), 0);
   Whole sum = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const double price = program_->price(i) * unit_ * static_cast<double>(1U << fraction_bits);
@@ -542,13 +363,14 @@ Amount StepProgram::proved() const {
     }
   }
   // Steps cost nothing: what one is charged too much, the row that counts them takes back.
-  for (const StepBlock& block : blocks_) {
+  for (std::size_t b = 0; b < counted_.blocks().size(); ++b) {
+    const StepBlock& block = counted_.blocks()[b];
     Whole most = 0;
     for (std::size_t kind = 0; kind < block.kinds.size(); ++kind) {
       most = std::max(most, charged[block.first_column + kind]);
     }
     charged[v_] += most;
-    sum += most * rows_[block.steps_row].least;
+    sum += most * rows_[steps_rows_[b]].least;
   }
   for (std::size_t j = 0; j <= v_; ++j) {
     const Whole left = (Whole{costs_[j]} << fraction_bits) - charged[j];
