@@ -113,6 +113,8 @@ attack() { # the verb and its words
     { timeout --preserve-status -s INT -k $((8 * slower)) 2 "$CHANGEOVER" "$@" >"$out" 2>"$err" </dev/null; } 2>/dev/null
     code=$?
     heard
+    # On a busy machine the signal may come before the program waits for it.
+    [[ $1 != serve || $code != 130 || -n $said || -s $out ]] || code=0
   fi
   judge_ending
   if [[ -z $defect && -s $out ]]; then

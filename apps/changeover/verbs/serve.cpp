@@ -152,8 +152,8 @@ Answer run(const ServeRequest& request) {
   if (request.verbose) {
     settings.log = [](const std::string& line) { status_line().say(line); };
   }
+  const SignalsWaitedFor signals;  // first: opening a catalog takes a moment
   Catalog& catalog = request.catalog.open();
-  const SignalsWaitedFor signals;
   auto server = std::make_unique<serve::ExplorerServer>(std::move(settings), catalog);
   if (!server->is_local()) {
     status_line().say(fmt::format(
