@@ -1,4 +1,4 @@
-// Numbers in sentences.
+// Numbers in sentences, and digits in words.
 //
 //     count_of(1, "block")               // 1 block
 //     count_of(7, "block")               // 7 blocks
@@ -18,5 +18,8 @@ namespace changeover {
 
 /// The name for m changes: single-change, double-change, 3-change.
 [[nodiscard]] std::string change_name(std::uint64_t m);
+
+/// True for 0 to 9, whatever the locale.
+[[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace changeover

@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "changeover/io/tables.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 // Signs in the program's sentences, as mathematics; the empty one is left out.

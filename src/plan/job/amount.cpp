@@ -7,6 +7,7 @@
 #include <string>
 
 #include "changeover/core/error.hpp"
+#include "core/words.hpp"
 #include "io/scan/place.hpp"
 
 namespace changeover {
@@ -24,8 +25,6 @@ Amount in_range(std::uint64_t millionths) {
   }
   return {millionths};
 }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 

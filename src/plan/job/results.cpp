@@ -8,6 +8,7 @@
 
 #include "changeover/plan/job.hpp"
 #include "core/utf8.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -15,8 +16,6 @@ namespace {
 using ResultWords = std::vector<std::string>;
 
 bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 // U+00C0 to U+00FF without accents; × and ÷ are signs.
 constexpr std::string_view latin =
     "aaaaaaaceeeeiiiidnooooo ouuuuytsaaaaaaaceeeeiiiidnooooo ouuuuyty";

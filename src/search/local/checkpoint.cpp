@@ -40,9 +40,9 @@ std::uint64_t fnv1a(std::string_view bytes) {
 }
 
 // One line after another, and one word of a line after another.
-class Words {
+class CheckpointLines {
  public:
-  Words(std::string_view text, std::string path) : lines_(text), path_(std::move(path)) {}
+  CheckpointLines(std::string_view text, std::string path) : lines_(text), path_(std::move(path)) {}
 
   [[nodiscard]] bool next() {
     const bool more = lines_.next();
@@ -90,7 +90,7 @@ class Words {
   std::string path_;
 };
 
-SearchArm read_arm(Words& lines, const Parameters& p) {
+SearchArm read_arm(CheckpointLines& lines, const Parameters& p) {
   SearchArm arm;
   arm.method = static_cast<SearchArm::Method>(
       lines.number<unsigned>(0, static_cast<unsigned>(SearchArm::Method::imposed)));
@@ -111,7 +111,7 @@ SearchArm read_arm(Words& lines, const Parameters& p) {
 }
 
 // It is shown to the user: words, nothing that a terminal would obey.
-std::string read_how(Words& lines) {
+std::string read_how(CheckpointLines& lines) {
   const std::string_view how = lines.line();
   const bool words =
       std::all_of(how.begin(), how.end(), [](char c) { return c >= ' ' && c <= '~'; });
@@ -121,7 +121,7 @@ std::string read_how(Words& lines) {
   return std::string(how);
 }
 
-Block read_block(Words& lines, const Parameters& p) {
+Block read_block(CheckpointLines& lines, const Parameters& p) {
   Block block;
   while (!lines.line().empty()) {
     block.push_back(lines.number<Element>());
@@ -172,7 +172,7 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, const Paramet
   if (!text.starts_with("changeover-checkpoint ")) {
     throw BadInput(fmt::format("{}: this is not a checkpoint; name another file", path));
   }
-  Words lines(text, path);
+  CheckpointLines lines(text, path);
   if (!lines.next() || lines.line() != first_line) {
     throw BadInput(fmt::format("{}: the checkpoint is of another version ({}); name another file",
                                path, lines.line()));

@@ -12,7 +12,7 @@
 namespace changeover {
 namespace {
 
-constexpr int samples = 48;
+constexpr int samples_per_step = 48;
 
 // A block that contains `wanted` and otherwise as much of `here` as it can.
 Block block_around(const Block& wanted, const Block& here) {
@@ -61,7 +61,7 @@ Design cover_the_rest(const Design& list, Random& random) {
     const Block here(last.begin(), last.end());
     Block best;
     std::uint64_t most = 0;
-    for (int sample = 0; sample < samples; ++sample) {
+    for (int sample = 0; sample < samples_per_step; ++sample) {
       Block next = random_step(here, p, random);
       if (const std::uint64_t gain = covered.gain(next); gain > most) {
         most = gain;

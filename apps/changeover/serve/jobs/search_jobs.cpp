@@ -27,7 +27,7 @@
 namespace changeover::serve {
 namespace {
 
-constexpr std::size_t most_remembered = 50;
+constexpr std::size_t most_remembered_searches = 50;
 constexpr std::size_t most_points = 2000;
 
 struct Point {
@@ -163,7 +163,7 @@ SearchJobs::SearchJobs(Catalog& catalog, EventHub& events, const Settings& setti
     : catalog_(catalog),
       events_(events),
       settings_(settings),
-      jobs_(std::make_unique<JobList<Job>>(settings.at_once, most_remembered)) {}
+      jobs_(std::make_unique<JobList<Job>>(settings.at_once, most_remembered_searches)) {}
 
 SearchJobs::~SearchJobs() = default;
 

@@ -6,13 +6,12 @@
 #include <array>
 
 #include "changeover/core/error.hpp"
+#include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "plan/job/parts/heading_words.hpp"
 
 namespace changeover {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool is_of_number(char c) { return is_digit(c) || c == '.' || c == ','; }
 

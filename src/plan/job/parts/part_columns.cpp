@@ -53,7 +53,6 @@ bool of_another_kind(std::span<const Row> rows) {
              return property(row.front().text) == others;
            });
   };
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   return rows.size() > 2 &&
          (alone([&](const std::string& t) { return std::ranges::any_of(t, is_digit); }) ||
           alone([](const std::string& t) { return t.size(); }) ||
