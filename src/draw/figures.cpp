@@ -216,19 +216,19 @@ Picture laid_out(const Round& round) {
     }
     const double usual = names_inside ? std::min(16.0, 0.95 * node_radius) : 10;
     const double room = names_inside ? 1.8 * node_radius : middle - circle_radius - 4;
-    const double font =
+    const double name_font =
         std::clamp(usual * room / text_width(node.name, usual), std::min(usual, 6.0), usual);
     Point place = names_inside ? at(node, node.radius * circle_radius)
                                : at(node, circle_radius + node_radius + 9);
-    place.y += 0.35 * font;
-    const std::string name = fitted(node.name, room, font);
-    if (!names_inside && !names_beside.has_room(place, text_width(name, font), font)) {
+    place.y += 0.35 * name_font;
+    const std::string name = fitted(node.name, room, name_font);
+    if (!names_inside && !names_beside.has_room(place, text_width(name, name_font), name_font)) {
       continue;  // who points at the point is told its name
     }
     names.marks.push_back(
         {.shape = Text{.at = place, .content = name, .element = true},
          .style = {.fill = names_inside && node.fill ? Paint::upon(fill) : Paint(Paint::Role::ink),
-                   .font_size = font}});
+                   .font_size = name_font}});
   }
   picture.add(
       {.shape = std::move(nodes),

@@ -61,10 +61,10 @@ const Palette& palette(Theme theme) { return theme == Theme::light ? light : dar
 std::string on_ramp(const Palette& palette, double value) {
   const double at = (palette.ramp_from + value * (palette.ramp_to - palette.ramp_from)) *
                     static_cast<double>(viridis.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(at), viridis.size() - 2);
-  const double part = at - static_cast<double>(below);
-  const Colour a = colour_of(viridis[below]);
-  const Colour b = colour_of(viridis[below + 1]);
+  const auto lower = std::min(static_cast<std::size_t>(at), viridis.size() - 2);
+  const double part = at - static_cast<double>(lower);
+  const Colour a = colour_of(viridis[lower]);
+  const Colour b = colour_of(viridis[lower + 1]);
   const auto mixed = [&](double x, double y) {
     return static_cast<int>(std::lround(x + part * (y - x)));
   };

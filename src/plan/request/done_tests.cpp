@@ -21,7 +21,7 @@
 namespace changeover {
 namespace {
 
-constexpr std::size_t few = 10;
+constexpr std::size_t unread_shown = 10;
 
 Block in_order(Block setup) {
   std::sort(setup.begin(), setup.end());
@@ -268,7 +268,7 @@ class DoneTaker {
       ++failed_with_gone_;  // what is gone may be to blame: nothing else is
     } else if (result == TestResult::pass || result == TestResult::fail) {
       answer_.results.push_back({setup, result == TestResult::fail});
-    } else if (result == TestResult::unread && answer_.unread++ < few) {
+    } else if (result == TestResult::unread && answer_.unread++ < unread_shown) {
       answer_.first_unread.push_back({list.unread[i], list.results[i]});
     }
   }

@@ -6,7 +6,7 @@ namespace changeover {
 namespace {
 
 constexpr std::int64_t prices = 4;
-constexpr std::int64_t most = 511;  // stands for "impossible" too
+constexpr std::int64_t most_cost = 511;  // stands for "impossible" too
 constexpr unsigned lane_bits = 16;
 
 std::int64_t lane(std::uint64_t word, std::int64_t price) {
@@ -29,10 +29,10 @@ DegreeTable::DegreeTable(const EnumerationCase& own) : change_(own.change), rows
         for (std::int64_t missing = 0; missing < 64; ++missing) {
           std::uint64_t word = 0;
           for (std::int64_t price = 0; price < prices; ++price) {
-            std::int64_t cost = most;
+            std::int64_t cost = most_cost;
             if (left == 0) {
               const bool allowed = role == EndRole::anywhere || (role == EndRole::in) == in;
-              cost = allowed && missing == 0 ? 0 : most;
+              cost = allowed && missing == 0 ? 0 : most_cost;
             } else {
               const auto after = [&](bool next_in, std::int64_t covers) {
                 const auto still =
@@ -42,7 +42,7 @@ DegreeTable::DegreeTable(const EnumerationCase& own) : change_(own.change), rows
               };
               const std::int64_t next_in =
                   in ? after(true, stay) : after(true, introduction) + price;
-              cost = std::min({most, next_in, after(false, 0)});
+              cost = std::min({most_cost, next_in, after(false, 0)});
             }
             word |= in_lane(cost, price);
           }
