@@ -37,7 +37,7 @@ TEST(HardTimes, WhoSendsNoHttpIsLetGo) {
   EXPECT_TRUE(eventually([&] { return own.server->connections() == 0; }));
 }
 
-TEST(HardTimes, WhoSendsTooSlowlyIsLetGo) {
+TEST(HardTimes, ASenderThatTakesTooLongIsLetGo) {
   const OwnServer own(impatient());
   Connection body(own.port());
   body.send("POST /api/verify HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(own.port()) +

@@ -8,7 +8,7 @@
 namespace changeover::serve::lanes_test {
 namespace {
 
-TEST(Lanes, QuickTasksPassSlowOnes) {
+TEST(Lanes, QuickTasksPassLongOnes) {
   Lanes lanes({.quick = 1, .slow = 1});
   std::latch slow_may_end(1);
   std::latch quick_done(10);
