@@ -18,7 +18,7 @@ for change in "$@"; do
     : >"$work/new"
     for range in '3..12 5..160' '13..40 15..160'; do
       "$program" table --k "${range% *}" --v "${range#* }" --change "$change" "--$kind" --anew --format catalog -o "$work/table"
-      for from in 03 13 20 27 34; do
+      for from in 03 08 13 20 27 34; do
         file=$files-k$from.jsonl
         [[ -e $file ]] || head -n 1 "$work/table" | sed 's/,"command":.*/}}/' >"$file"
       done
@@ -32,7 +32,7 @@ for change in "$@"; do
           split(substr(line, RSTART + 9, RLENGTH - 10), part, ".")
           cell = part[1] "." part[2] "." part[3] "." part[4]
           b = part[5] + 0
-          from = part[2] < 13 ? "03" : part[2] < 34 ? 13 + 7 * int((part[2] - 13) / 7) : "34"
+          from = part[2] < 8 ? "03" : part[2] < 13 ? "08" : part[2] < 34 ? 13 + 7 * int((part[2] - 13) / 7) : "34"
         }
         /"label"/ { look($0); if (!(cell in best) || b < best[cell]) best[cell] = b }
         END {
