@@ -65,6 +65,19 @@ inline std::string message_of(const Reply& reply) {
                                                     : "no message: " + reply.body;
 }
 
+/// Posts JSON with the token.
+inline Reply act(const OwnServer& own, const std::string& target, const std::string& body = "") {
+  return ask(own.port(), "POST", target, own.token(), body);
+}
+
+/// The answer to that, which is 200.
+inline nlohmann::json asked(const OwnServer& own, const std::string& target,
+                            const nlohmann::json& body) {
+  const Reply reply = act(own, target, body.dump());
+  EXPECT_EQ(reply.status, 200) << target << "\n" << reply.body.substr(0, 500);
+  return json_of(reply);
+}
+
 /// Tests of answers: the catalog that comes with the program.
 class Served : public ::testing::Test {
  protected:

@@ -13,10 +13,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-Reply act(const OwnServer& own, const std::string& target, const std::string& body = "") {
-  return ask(own.port(), "POST", target, own.token(), body);
-}
-
 nlohmann::json search(const OwnServer& own, int id) {
   return json_of(get(own.port(), "/api/search?id=" + std::to_string(id)));
 }

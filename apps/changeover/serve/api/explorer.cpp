@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
@@ -145,6 +146,9 @@ Response answered(Explorer& explorer, const Request& request, Again again,
     throw request.method == "POST" ? malformed(fault.what()) : Refusal{400, fault.what()};
   } catch (const MissingResource& fault) {
     throw Refusal{503, fault.what()};
+  } catch (const std::filesystem::filesystem_error& fault) {
+    throw Refusal{503, fmt::format("{}: {}; mend that where the server runs",
+                                   fault.path1().string(), fault.code().message())};
   } catch (const Stopped& stopped) {
     throw of_stop(explorer, stopped.why());
   }

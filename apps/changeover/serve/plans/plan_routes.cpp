@@ -1,8 +1,6 @@
 // Run sheets for experimenters, searched for at once or followed, and runs that are kept.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "io/write/json_writer.hpp"
@@ -12,16 +10,15 @@
 #include "serve/api/routes.hpp"
 #include "serve/plans/plan_answers.hpp"
 #include "serve/plans/plan_jobs.hpp"
+#include "serve/plans/run_document.hpp"
 #include "serve/plans/run_store.hpp"
 
 namespace changeover::serve {
 namespace {
 
-constexpr double usual_seconds = 10;       // of a plan that is waited for
-constexpr double most_followed = 3'600;    // of one that is followed
-constexpr double followed_seconds = 60;    // the same if nothing is said
-constexpr std::size_t most_letters = 200;  // of a name, a result or a title
-constexpr std::size_t most_in_notes = 2'000;
+constexpr double usual_seconds = 10;     // of a plan that is waited for
+constexpr double most_followed = 3'600;  // of one that is followed
+constexpr double followed_seconds = 60;  // the same if nothing is said
 
 double seconds_of(const JobRequest& request, double usual, double most) {
   const double seconds = request.seconds.value_or(usual);
@@ -67,25 +64,6 @@ Response file(Explorer& explorer, const Request& request) {
   return response;
 }
 
-std::string short_text(JsonBody& body, const std::string& name, std::size_t most = most_letters) {
-  std::string text = body.text(name).value_or("");
-  if (text.size() > most) {
-    throw Refusal{422, fmt::format("{}: at most {} bytes", name, most)};
-  }
-  return text;
-}
-
-RunResult result_in(JsonBody& body) {
-  RunResult result{.test = short_text(body, "test"),
-                   .result = short_text(body, "result"),
-                   .notes = short_text(body, "notes", most_in_notes),
-                   .by = short_text(body, "by")};
-  if (result.test.empty()) {
-    throw Refusal{422, "test: write which test of the sheet it is"};
-  }
-  return result;
-}
-
 std::string revisions_of(const KeptRun& run) {
   JsonWriter json;
   json.begin_object().key("id").value(run.id).key("revision").value(run.revision);
@@ -98,22 +76,7 @@ Response keep_run(Explorer& explorer, const Request& sent) {
   KeptRun run{.id = short_text(body, "id"), .title = short_text(body, "title")};
   run.sheet_revision = body.number("sheet_revision").value_or(0);
   run.tests = body.needed_number("tests");
-  const nlohmann::json* const sheet = body.find("sheet");
-  if (sheet == nullptr || !sheet->is_object()) {
-    throw Refusal{422, "sheet: write an object"};
-  }
-  run.sheet = sheet->dump();
-  if (const nlohmann::json* const results = body.find("results")) {
-    if (!results->is_array() || results->size() > run.tests) {
-      throw Refusal{422, "results: write a list, with a result a test at most"};
-    }
-    for (const nlohmann::json& each : *results) {
-      JsonBody one(each.dump());
-      run.results.push_back(result_in(one));
-      run.results.back().at = short_text(one, "at");
-      one.finish();
-    }
-  }
+  read_sheet(body, run);
   body.finish();
   return json_response(revisions_of(explorer.runs->keep(std::move(run))));
 }

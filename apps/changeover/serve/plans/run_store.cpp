@@ -2,17 +2,20 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
+#include <system_error>
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "changeover/io/input.hpp"
 #include "changeover/io/output.hpp"
+#include "changeover/run/control.hpp"
 #include "io/file/file_lock.hpp"
 #include "io/write/json_writer.hpp"
 #include "serve/http/guard.hpp"
@@ -23,9 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view run_format = "changeover-run/1";
 constexpr std::size_t most_runs = 200;
-constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 20;
+constexpr std::size_t most_bytes = std::size_t{4} << 20;
 constexpr std::size_t id_letters = 24;
 
 std::string now() {
@@ -43,45 +45,44 @@ bool is_id(const std::string& id) {
 
 Refusal no_run() { return {404, "this run is not kept here any more"}; }
 
-void write_head(JsonWriter& json, const KeptRun& run) {
-  json.key("id").value(run.id).key("title").value(run.title);
-  json.key("revision").value(run.revision).key("sheet_revision").value(run.sheet_revision);
-  json.key("changed").value(run.changed).key("tests").value(run.tests);
+[[noreturn]] void fail_to_read(const std::string& path, const std::string& why) {
+  throw MissingResource(fmt::format("{}: cannot be read as a run: {}; move it away", path, why));
 }
 
-std::string json_of(const KeptRun& run) {
-  JsonWriter json;
-  json.begin_object().key("format").value(run_format);
-  write_head(json, run);
-  json.key("sheet").raw(run.sheet).key("results").begin_array();
-  for (const RunResult& each : run.results) {
-    json.begin_object().key("test").value(each.test).key("result").value(each.result);
-    json.key("notes").value(each.notes).key("by").value(each.by).key("at").value(each.at);
-    json.end_object();
+// @throws Refusal 404 if there is none.
+struct stat status_of(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) {
+    if (errno == ENOENT) {
+      throw no_run();
+    }
+    throw MissingResource(fmt::format("{}: cannot be read: {}; allow reading it, or move it away",
+                                      path, std::strerror(errno)));
   }
-  return json.end_array().end_object().take() + "\n";
+  return status;
 }
 
-KeptRun run_in(const std::string& text) {
-  const nlohmann::json object = nlohmann::json::parse(text);
-  if (object.at("format") != run_format) {
-    throw BadInput("another format");
+// The same of what may be a run. @throws MissingResource if it is none by its kind or size.
+struct stat status_of_run(const std::string& path) {
+  const struct stat status = status_of(path);
+  if (!S_ISREG(status.st_mode)) {
+    fail_to_read(path, "it is no file");
   }
-  KeptRun run{.id = object.at("id"),
-              .title = object.at("title"),
-              .revision = object.at("revision"),
-              .sheet_revision = object.at("sheet_revision"),
-              .changed = object.at("changed"),
-              .tests = object.at("tests"),
-              .sheet = object.at("sheet").dump()};
-  for (const nlohmann::json& each : object.at("results")) {
-    run.results.push_back({.test = each.at("test"),
-                           .result = each.at("result"),
-                           .notes = each.at("notes"),
-                           .by = each.at("by"),
-                           .at = each.at("at")});
+  if (static_cast<std::uintmax_t>(status.st_size) > most_bytes) {
+    fail_to_read(path,
+                 fmt::format("it has more than the {} bytes that a run may have", most_bytes));
   }
-  return run;
+  return status;
+}
+
+// The lock of a run that there is.
+FileLock lock_of(const std::string& path) {
+  try {
+    return FileLock(path);
+  } catch (const BadInput&) {
+    throw MissingResource(
+        fmt::format("{}.lock is no lock of changeover, but has its name; move it away", path));
+  }
 }
 
 void require_sheet(const KeptRun& run, std::uint64_t sheet_revision) {
@@ -102,28 +103,51 @@ std::string RunStore::path_of(const std::string& id) const {
   return folder_ + "/" + id + ".json";
 }
 
+std::vector<std::string> RunStore::ids() const {
+  std::vector<std::string> found;
+  std::error_code error;
+  fs::directory_iterator at(folder_, error);
+  while (!error && at != fs::directory_iterator()) {
+    const std::string id = at->path().stem().string();
+    std::error_code unknown;
+    if (at->path().extension() == ".json" && is_id(id) && at->is_regular_file(unknown)) {
+      found.push_back(id);
+    }
+    at.increment(error);
+  }
+  if (error && error != std::errc::no_such_file_or_directory) {
+    throw MissingResource(
+        fmt::format("{}: cannot read this folder: {}; allow reading it, or move "
+                    "it away",
+                    folder_, error.message()));
+  }
+  return found;
+}
+
 KeptRun RunStore::read(const std::string& id) const {
   const std::string path = path_of(id);
-  std::error_code error;
-  const std::uintmax_t size = fs::file_size(path, error);
-  if (error) {
-    throw no_run();
-  }
-  if (size > most_bytes) {
-    throw MissingResource(path + ": it is too large for a run; move it away");
-  }
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  static_cast<void>(status_of_run(path));
+  const auto input = open_input(path);
+  const std::string text = read_to_end(*input, most_bytes, "move it away");
   try {
-    return run_in(text);
-  } catch (const std::exception&) {
-    throw MissingResource(path + ": it is damaged, or no run; move it away");
+    return run_in(text, id);
+  } catch (const BadInput& fault) {
+    fail_to_read(path, fault.what());
   }
 }
 
 void RunStore::write(const KeptRun& run) const {
+  const std::string text = run_json(run);
+  if (text.size() > most_bytes) {
+    throw Refusal{413, fmt::format("the run would have {} bytes, more than the {} that a run may "
+                                   "have; write shorter notes",
+                                   text.size(), most_bytes)};
+  }
+  if (run.revision > most_revisions) {
+    throw Refusal{422, "the run was changed as often as may be; keep it as a new one"};
+  }
   OutputFile file(path_of(run.id));
-  file.write(json_of(run));
+  file.write(text);
   file.commit();
 }
 
@@ -135,13 +159,13 @@ KeptRun RunStore::keep(KeptRun run) {
   fs::create_directories(folder_);
   const bool is_new = run.id.empty();
   if (is_new) {
-    const auto runs = std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
-    if (runs >= static_cast<std::ptrdiff_t>(most_runs)) {
+    const std::size_t runs = ids().size();
+    if (runs >= most_runs) {
       throw Refusal{422, fmt::format("{} runs are kept, as many as may be; remove one", runs)};
     }
     run.id = make_token().substr(0, id_letters);
   }
-  const FileLock file_lock(path_of(run.id));
+  const FileLock file_lock = lock_of(path_of(run.id));
   run.revision = 1;
   if (!is_new) {
     const KeptRun before = read(run.id);
@@ -159,10 +183,8 @@ KeptRun RunStore::add_result(const std::string& id, RunResult result,
                              std::uint64_t sheet_revision) {
   const std::scoped_lock lock(mutex_);
   const std::string path = path_of(id);
-  if (!fs::exists(path)) {
-    throw no_run();
-  }
-  const FileLock file_lock(path);
+  static_cast<void>(status_of(path));
+  const FileLock file_lock = lock_of(path);
   KeptRun run = read(id);
   require_sheet(run, sheet_revision);
   std::erase_if(run.results, [&](const RunResult& each) { return each.test == result.test; });
@@ -183,44 +205,76 @@ KeptRun RunStore::add_result(const std::string& id, RunResult result,
 void RunStore::remove(const std::string& id) {
   const std::scoped_lock lock(mutex_);
   const std::string path = path_of(id);
-  if (!fs::exists(path)) {
-    throw no_run();
-  }
-  const FileLock file_lock(path);
+  static_cast<void>(status_of(path));
+  const FileLock file_lock = lock_of(path);
   fs::remove(path);
   publish({.id = id}, true);
 }
 
-std::string RunStore::json(const std::string& id) const {
-  const std::scoped_lock lock(mutex_);
-  return json_of(read(id));
+// Files appear whole, so nothing that reads them waits.
+std::string RunStore::json(const std::string& id) const { return run_json(read(id)); }
+
+std::optional<RunStore::Listed> RunStore::listed(const std::string& id) const {
+  struct stat status {};
+  try {
+    status = status_of_run(path_of(id));
+  } catch (const Refusal&) {  // It has just been removed.
+    return std::nullopt;
+  } catch (const MissingResource&) {  // A question for it says what is wrong.
+    return std::nullopt;
+  }
+  Listed found{.stamp = {status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_size,
+                         static_cast<std::int64_t>(status.st_ino)}};
+  {
+    const std::scoped_lock lock(listed_mutex_);
+    const auto before = listed_.find(id);
+    if (before != listed_.end() && before->second.stamp == found.stamp) {
+      return before->second;
+    }
+  }
+  stop_if_asked();
+  try {
+    KeptRun run = read(id);
+    found.done = run.done();
+    run.sheet.clear();
+    run.results.clear();
+    found.run = std::move(run);
+  } catch (const Refusal&) {
+    return std::nullopt;
+  } catch (const MissingResource&) {
+    // So it is until the file changes.
+  }
+  const std::scoped_lock lock(listed_mutex_);
+  listed_[id] = found;
+  return found;
 }
 
 std::string RunStore::list_json() const {
-  const std::scoped_lock lock(mutex_);
-  std::vector<KeptRun> runs;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder_, error)) {
-    const std::string id = entry.path().stem().string();
-    if (entry.path().extension() != ".json" || !is_id(id)) {
-      continue;
-    }
-    try {
-      runs.push_back(read(id));
-    } catch (const Refusal&) {  // It has just been removed.
-    } catch (const MissingResource&) {
-      // A question for it says what is wrong.
+  const std::vector<std::string> there = ids();
+  std::map<std::string, Listed> runs;
+  for (const std::string& id : there) {
+    if (auto found = listed(id)) {
+      runs[id] = *std::move(found);
     }
   }
-  std::ranges::sort(runs, std::ranges::greater(), &KeptRun::changed);
+  {
+    const std::scoped_lock lock(listed_mutex_);
+    std::erase_if(listed_, [&](const auto& each) { return !runs.contains(each.first); });
+  }
+  std::vector<const Listed*> sorted;
+  for (const auto& [id, each] : runs) {
+    if (each.run) {
+      sorted.push_back(&each);
+    }
+  }
+  std::ranges::stable_sort(sorted, std::ranges::greater(),
+                           [](const Listed* each) { return each->run->changed; });
   JsonWriter json;
   json.begin_array();
-  for (const KeptRun& run : runs) {
+  for (const Listed* const each : sorted) {
     json.begin_object();
-    write_head(json, run);
-    json.key("done").value(std::ranges::count_if(
-        run.results, [](const RunResult& each) { return !each.result.empty(); }));
-    json.end_object();
+    write_head(json, *each->run);
+    json.key("done").value(each->done).end_object();
   }
   return json.end_array().take() + "\n";
 }

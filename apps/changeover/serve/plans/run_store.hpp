@@ -12,6 +12,7 @@
 // with each comes the revision of the sheet, and one of a sheet that was replaced is refused.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <mutex>
@@ -20,28 +21,9 @@
 #include <vector>
 
 #include "serve/http/events.hpp"
+#include "serve/plans/run_document.hpp"
 
 namespace changeover::serve {
-
-/// The result of a test. An empty one is none.
-struct RunResult {
-  std::string test;  ///< its name on the sheet
-  std::string result;
-  std::string notes = {};
-  std::string by = {};
-  std::string at = {};  ///< when, in UTC: "2026-11-22T10:00:00Z"
-};
-
-struct KeptRun {
-  std::string id = {};
-  std::string title = {};
-  std::uint64_t revision = 1;        ///< grows with every change
-  std::uint64_t sheet_revision = 1;  ///< the revision that brought this sheet
-  std::string changed = {};          ///< when, as RunResult::at
-  std::uint64_t tests = 0;           ///< of the sheet
-  std::string sheet = {};            ///< JSON
-  std::vector<RunResult> results = {};
-};
 
 class RunStore {
  public:
@@ -50,29 +32,44 @@ class RunStore {
 
   /// A new run if it has no id, else another sheet for it, with the results that go with it;
   /// `run.sheet_revision` says on which sheet it follows. @throws Refusal 404 for one that there is
-  /// not, 409 if another sheet came meanwhile, 422 for too many runs; MissingResource
+  /// not, 409 if another sheet came meanwhile, 413 if it were too large, 422 for too many runs;
+  /// MissingResource
   KeptRun keep(KeptRun run);
 
-  /// Writes down one result. @throws Refusal 404, 409 as keep()
+  /// Writes down one result. @throws Refusal 404, 409, 413 as keep()
   KeptRun add_result(const std::string& id, RunResult result, std::uint64_t sheet_revision);
 
   /// @throws Refusal 404
   void remove(const std::string& id);
 
+  /// @throws Refusal 404; MissingResource for a file that cannot be read as a run
   [[nodiscard]] std::string json(const std::string& id) const;
-  /// An array of all without their sheets, the last changed first. Files that cannot be read are
-  /// left out.
+  /// An array of all without their sheets, the last changed first. Files that cannot be read as
+  /// runs are left out. What is known of a file is remembered until its time or size changes.
+  /// @throws MissingResource if the folder cannot be read
   [[nodiscard]] std::string list_json() const;
 
  private:
+  struct Listed {
+    std::array<std::int64_t, 4> stamp = {};  ///< of the file, whatever is in it
+    std::optional<KeptRun> run = {};         ///< without sheet and results; nothing: it is none
+    std::uint64_t done = 0;
+  };
+
   [[nodiscard]] std::string path_of(const std::string& id) const;
+  /// Of the files that are named as runs.
+  [[nodiscard]] std::vector<std::string> ids() const;
   [[nodiscard]] KeptRun read(const std::string& id) const;
+  [[nodiscard]] std::optional<Listed> listed(const std::string& id) const;
+  /// @throws Refusal 413, 422 for one that could not be read again
   void write(const KeptRun& run) const;
   void publish(const KeptRun& run, bool removed);
 
   std::string folder_;
   EventHub& events_;
-  mutable std::mutex mutex_;
+  std::mutex mutex_;  // of those that write
+  mutable std::mutex listed_mutex_;
+  mutable std::map<std::string, Listed> listed_;
 };
 
 }  // namespace changeover::serve
