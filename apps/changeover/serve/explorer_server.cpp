@@ -105,7 +105,9 @@ ExplorerServer::ExplorerServer(ExplorerSettings settings, Catalog& catalog)
                            .memory_bytes = explorer.limits.memory_bytes});
   explorer.plans = std::make_shared<PlanJobs>(
       explorer.events, PlanJobs::Settings{.at_once = explorer.limits.plans,
-                                          .memory_bytes = explorer.limits.memory_bytes});
+                                          .memory_bytes = explorer.limits.memory_bytes,
+                                          .answer_bytes = explorer.limits.plan_bytes,
+                                          .remembered_bytes = explorer.limits.remembered_bytes});
   explorer.runs = std::make_shared<RunStore>(folder_of_runs(catalog.user_path()), explorer.events);
   state_->guard =
       std::make_shared<const Guard>(names_of(state_->host, state_->listening.port), make_token());
@@ -120,6 +122,7 @@ ExplorerServer::ExplorerServer(ExplorerSettings settings, Catalog& catalog)
   served.guard = state_->guard;
   served.lanes = {.quick = threads, .slow = std::max(2U, threads / 2)};
   served.deadlines = settings.deadlines;
+  served.most_untaken = explorer.limits.untaken_bytes;
   served.log = std::move(settings.log);
   served.complain = std::move(settings.complain);
   state_->server = std::make_unique<Server>(std::move(served));

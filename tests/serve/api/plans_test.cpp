@@ -83,6 +83,72 @@ TEST(Plans, OfAServerThatWritesNothingAreNotFollowed) {
   EXPECT_EQ(json_of(get(own.port(), "/api/run")), json::array());
 }
 
+TEST(Plans, OfWhichTheAnswerIsTooLargeAreTakenAsFiles) {
+  serve::ExplorerSettings settings;
+  settings.limits.plan_bytes = 2'000;
+  const OwnServer own(std::move(settings));
+  const Reply at_once = act(own, "/api/plan", nine.dump());
+  EXPECT_EQ(at_once.status, 413);
+  EXPECT_THAT(message_of(at_once), HasSubstr("the answer has more than 2000 bytes"));
+  const int id = asked(own, "/api/plan/start", nine)["id"];
+  ASSERT_TRUE(eventually([&] { return followed(own, id)["state"] != "running"; }));
+  const json job = followed(own, id);
+  EXPECT_EQ(job["state"], "done");
+  EXPECT_EQ(job["answer"], nullptr);
+  EXPECT_EQ(job["best"], 117);
+  EXPECT_THAT(job["message"].get<std::string>(), HasSubstr("the answer has more than 2000 bytes"));
+  const std::string file = "/api/plan/file?id=" + std::to_string(id);
+  EXPECT_EQ(get(own.port(), file + "&format=csv").status, 200);
+  const Reply large = get(own.port(), file + "&format=json");
+  EXPECT_EQ(large.status, 413);
+  EXPECT_THAT(message_of(large), HasSubstr("the answer has more than 2000 bytes"));
+  // Names alone may be more than that.
+  json names = nine;
+  names["parts"] = json::array();
+  for (const char name : {'a', 'b', 'c', 'd', 'e', 'f', 'g', 'h', 'i'}) {
+    names["parts"].push_back(std::string(150, name));
+  }
+  EXPECT_EQ(act(own, "/api/plan", names.dump()).status, 413);
+}
+
+TEST(Plans, ThatEndedAreForgottenWhenTheyAreLarge) {
+  for (const std::size_t bytes : {std::size_t{1}, std::size_t{1} << 28}) {
+    serve::ExplorerSettings settings;
+    settings.limits.remembered_bytes = bytes;
+    const OwnServer own(std::move(settings));
+    std::vector<int> ids;
+    for (int i = 0; i < 3; ++i) {
+      ids.push_back(asked(own, "/api/plan/start", nine)["id"]);
+      ASSERT_TRUE(eventually([&] { return followed(own, ids.back())["state"] != "running"; }));
+    }
+    const int before = bytes == 1 ? 404 : 200;
+    const auto status = [&](int id) {
+      return get(own.port(), "/api/plan/job?id=" + std::to_string(id)).status;
+    };
+    EXPECT_EQ(status(ids[0]), before);
+    EXPECT_EQ(status(ids[1]), before);
+    EXPECT_EQ(status(ids[2]), 200);
+    EXPECT_EQ(get(own.port(), "/api/plan/file?id=" + std::to_string(ids[2])).status, 200);
+  }
+}
+
+// Clients that ask for much and take nothing hold no more than that.
+TEST(Plans, AnswersThatAreNotTakenAreBounded) {
+  serve::ExplorerSettings settings;
+  settings.limits.untaken_bytes = 1'000;
+  const OwnServer own(std::move(settings));
+  const Reply reply = act(own, "/api/plan", nine.dump());
+  EXPECT_EQ(reply.status, 503);
+  EXPECT_THAT(message_of(reply), HasSubstr("too many answers wait to be taken"));
+  EXPECT_EQ(get(own.port(), "/api/constructions").status, 200);  // kept, so all share it
+  serve::ExplorerSettings more;
+  more.limits.untaken_bytes = 20'000;
+  const OwnServer other(std::move(more));
+  for (int i = 0; i < 20; ++i) {
+    asked(other, "/api/plan", nine);
+  }
+}
+
 // News of a plan with first tests, of benches and of a model count the whole plan.
 TEST(Plans, FollowedTellCostsOfTheWholePlan) {
   const OwnServer own;

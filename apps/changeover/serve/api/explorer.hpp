@@ -33,12 +33,15 @@ struct GivenFile {
 };
 
 struct Limits {
-  std::size_t body_bytes = std::size_t{64} << 20;  ///< of a design that is sent
-  std::size_t json_bytes = std::size_t{1} << 20;   ///< of other bodies
-  std::chrono::duration<double> seconds{60};       ///< of one answer
-  std::uint64_t memory_bytes = 0;                  ///< of one table in the making of an answer
-  unsigned searches = 2;                           ///< at once
-  unsigned plans = 4;                              ///< that are followed, at once
+  std::size_t body_bytes = std::size_t{64} << 20;      ///< of a design that is sent
+  std::size_t json_bytes = std::size_t{1} << 20;       ///< of other bodies
+  std::chrono::duration<double> seconds{60};           ///< of one answer
+  std::uint64_t memory_bytes = 0;                      ///< of one table in the making of an answer
+  unsigned searches = 2;                               ///< at once
+  unsigned plans = 4;                                  ///< that are followed, at once
+  std::size_t plan_bytes = std::size_t{32} << 20;      ///< of the answer to a plan, or of its file
+  std::size_t untaken_bytes = std::size_t{512} << 20;  ///< of answers that were not yet taken
+  std::size_t remembered_bytes = std::size_t{256} << 20;  ///< of all plans that have ended
 };
 
 /// Answers that were given, so that the same is not computed twice. Thread-safe; the least recently

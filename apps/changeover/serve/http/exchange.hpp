@@ -27,7 +27,8 @@ struct Exchange {
   std::optional<Response> response = {};
   std::size_t head_bytes = 0;  // of the head, as far as libmicrohttpd hands it out
   std::size_t expected = 0;    // bytes of the body
-  std::size_t held = 0;
+  std::size_t held = 0;        // of the body
+  std::size_t untaken = 0;     // bytes of the answer, if they are held for this exchange alone
   bool blank_in_name = false;  // of a header: others read "Content-Length : 3" as a length
   bool begun = false;
   bool dispatched = false;

@@ -58,6 +58,7 @@ struct Server::State {
   Deadlines deadlines;
   std::atomic<bool> stopping = false;
   std::atomic<std::size_t> held = 0;
+  std::atomic<std::size_t> untaken = 0;
   Heads heads;
   MHD_Daemon* daemon = nullptr;
   Lanes lanes;  // last: its threads end first
@@ -79,6 +80,7 @@ struct Server::State {
   void take(Exchange& exchange, const char* bytes, std::size_t count);
   MHD_Result dispatch(Exchange& exchange);
   [[nodiscard]] Response answer(const Exchange& exchange) const;
+  void hold(Exchange& exchange);
   MHD_Result send(Exchange& exchange);
   MHD_Result handle(Exchange& exchange, const char* method, const char* upload,
                     std::size_t* upload_size);
@@ -138,6 +140,7 @@ struct Server::State::Calls {
     if (exchange) {
       state->heads.remove(*exchange);
       state->held -= exchange->held;
+      state->untaken -= exchange->untaken;
       state->deadlines.enter(exchange->socket, Stage::head);
     }
   }
@@ -396,7 +399,24 @@ MHD_Result Server::State::dispatch(Exchange& exchange) {
   return MHD_YES;
 }
 
+// Counts the bytes of the answer that nothing else holds, as what is kept to be given again; of its
+// two forms the one that is not sent goes.
+void Server::State::hold(Exchange& exchange) {
+  Response& response = *exchange.response;
+  (response.gzipped && takes_gzip(exchange.request) ? response.body : response.gzipped).reset();
+  const auto& bytes = response.body ? response.body : response.gzipped;
+  if (!bytes || bytes.use_count() > 1) {
+    return;
+  }
+  exchange.untaken = bytes->size();
+  if ((untaken += exchange.untaken) > settings.most_untaken) {
+    untaken -= std::exchange(exchange.untaken, 0);
+    response = refused({503, "too many answers wait to be taken; try again"});
+  }
+}
+
 MHD_Result Server::State::send(Exchange& exchange) {
+  hold(exchange);
   Response& response = *exchange.response;
   const Request& request = exchange.request;
   const bool unchanged = response.status == MHD_HTTP_OK && !response.etag.empty() &&

@@ -35,9 +35,10 @@ class Server {
     Lanes::Settings lanes = {};
     Deadlines::Settings deadlines = {};
     unsigned connections = 600;
-    unsigned connections_of_one = 500;                      ///< from one address
-    std::size_t most_bytes = std::size_t{256} << 20;        ///< of all bodies together
-    std::function<void(const std::string&)> log = {};       ///< a line a request, if it is wanted
+    unsigned connections_of_one = 500;                  ///< from one address
+    std::size_t most_bytes = std::size_t{256} << 20;    ///< of all bodies together
+    std::size_t most_untaken = std::size_t{512} << 20;  ///< of answers that clients have not taken
+    std::function<void(const std::string&)> log = {};   ///< a line a request, if it is wanted
     std::function<void(const std::string&)> complain = {};  ///< a line a fault
   };
 

@@ -6,7 +6,9 @@
 //     jobs.find(id);                           // nullptr if it is not remembered
 //     jobs.stop_all(900ms);
 //
-// A Job has `id`, `control` (std::unique_ptr<RunControl>), `thread` and `running()`.
+// A Job has `id`, `control` (std::unique_ptr<RunControl>), `thread` and `running()`; if it has
+// `bytes()`, what ended is also forgotten, oldest first, when together it has more than so many.
+// The last that ended stays.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,7 +17,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -32,7 +36,9 @@ namespace changeover::serve {
 template <typename Job>
 class JobList {
  public:
-  JobList(unsigned at_once, std::size_t remembered) : at_once_(at_once), remembered_(remembered) {}
+  JobList(unsigned at_once, std::size_t remembered,
+          std::size_t most_bytes = std::numeric_limits<std::size_t>::max())
+      : at_once_(at_once), remembered_(remembered), most_bytes_(most_bytes) {}
   /// Stops all and waits for them.
   ~JobList() {
     ask_all();
@@ -55,7 +61,7 @@ class JobList {
       throw Refusal{429, fmt::format("{}: {}, as many as may; wait for one to end, or stop it",
                                      what, running)};
     }
-    forget_old();
+    forget_old(remembered_ - 1);
     const auto job = std::make_shared<Job>();
     job->id = next_++;
     make(*job);
@@ -68,8 +74,9 @@ class JobList {
     return job->id;
   }
 
-  [[nodiscard]] std::shared_ptr<Job> find(std::uint64_t id) const {
+  [[nodiscard]] std::shared_ptr<Job> find(std::uint64_t id) {
     const std::scoped_lock lock(mutex_);
+    forget_old(remembered_);
     const auto found = jobs_.find(id);
     return found == jobs_.end() ? nullptr : found->second;
   }
@@ -106,20 +113,38 @@ class JobList {
     }
   }
 
-  // With mutex_ held.
-  void forget_old() {
-    for (auto at = jobs_.begin(); jobs_.size() >= remembered_ && at != jobs_.end();) {
-      if (at->second->running()) {
-        ++at;
-        continue;
+  // With mutex_ held. Of jobs that ended the oldest go first.
+  void forget_old(std::size_t remembered) {
+    std::vector<std::uint64_t> ended;
+    std::size_t bytes = 0;
+    for (const auto& [id, job] : jobs_) {
+      if (!job->running()) {
+        ended.push_back(id);
+        bytes += bytes_of(*job);
       }
-      at->second->thread.join();
-      at = jobs_.erase(at);
     }
+    for (const std::uint64_t id : ended) {
+      const bool is_last = id == ended.back();
+      if (jobs_.size() <= remembered && (bytes <= most_bytes_ || is_last)) {
+        return;
+      }
+      const auto at = jobs_.find(id);
+      bytes -= bytes_of(*at->second);
+      at->second->thread.join();
+      jobs_.erase(at);
+    }
+  }
+
+  static std::size_t bytes_of(const Job& job) {
+    if constexpr (requires { job.bytes(); }) {
+      return job.bytes();
+    }
+    return 0;
   }
 
   unsigned at_once_;
   std::size_t remembered_;
+  std::size_t most_bytes_;
   mutable std::mutex mutex_;
   std::map<std::uint64_t, std::shared_ptr<Job>> jobs_;
   std::uint64_t next_ = 1;

@@ -1,5 +1,7 @@
 #include "serve/plans/plan_answers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -88,6 +90,49 @@ void write_plan(JsonWriter& json, const ParsedJob& asked, const PlanAnswer& answ
   json.key("verified").value(sheet.does_the_job());
   SheetDocument document{.job = &job, .plan = &found};
   json.key("csv").value(written(document, "csv"));
+}
+
+// All sheets of an answer.
+std::vector<const RunSheet*> sheets_of(const PlanAnswer& answer) {
+  std::vector<const RunSheet*> sheets;
+  if (answer.plan) {
+    sheets.push_back(&answer.plan->sheet);
+  }
+  if (answer.benches) {
+    for (const RunSheet& sheet : answer.benches->sheets) {
+      sheets.push_back(&sheet);
+    }
+  }
+  return sheets;
+}
+
+void require_small(std::size_t bytes, std::size_t most) {
+  if (bytes > most) {
+    throw Refusal{413, fmt::format("the answer has more than {} bytes; take a file of csv with "
+                                   "api/plan/start and api/plan/file, or use changeover plan",
+                                   most)};
+  }
+}
+
+// Every writer names the parts of each test: what has too many names is not written first.
+void require_few_names(const ParsedJob& asked, const PlanAnswer& answer, std::size_t most) {
+  std::size_t bytes = 0;
+  for (const RunSheet* const sheet : sheets_of(answer)) {
+    for (const RunStep& step : sheet->steps) {
+      for (const Element part : step.setup) {
+        bytes += asked.job->names[part].size();
+      }
+      require_small(bytes, most);
+    }
+  }
+}
+
+std::size_t bytes_of(const std::vector<Block>& setups) {
+  std::size_t bytes = 0;
+  for (const Block& setup : setups) {
+    bytes += sizeof(Block) + setup.size() * sizeof(Element);
+  }
+  return bytes;
 }
 
 // The parts as they are listed: a part without a cost has none.
@@ -190,7 +235,9 @@ OpenedRequest sent_job(const std::string& body) {
   return opened;
 }
 
-std::string plan_json(const JobRequest& request, const ParsedJob& asked, const PlanAnswer& answer) {
+std::string plan_json(const JobRequest& request, const ParsedJob& asked, const PlanAnswer& answer,
+                      std::size_t most_bytes) {
+  require_few_names(asked, answer, most_bytes);
   JsonWriter json;
   json.begin_object();
   if (answer.plan && !answer.what_if) {
@@ -202,7 +249,42 @@ std::string plan_json(const JobRequest& request, const ParsedJob& asked, const P
                             : "plan");
   std::string document = written(request, asked, answer, "json");
   document.pop_back();  // its end of line
-  return json.raw(document).end_object().take() + "\n";
+  std::string text = json.raw(document).end_object().take() + "\n";
+  require_small(text.size(), most_bytes);
+  return text;
+}
+
+std::string plan_file(const JobRequest& request, const ParsedJob& asked, const PlanAnswer& answer,
+                      const std::string& format, std::size_t most_bytes) {
+  require_few_names(asked, answer, most_bytes);
+  std::string text = written(request, asked, answer, format);
+  require_small(text.size(), most_bytes);
+  return text;
+}
+
+std::size_t bytes_of(const PlanAnswer& answer) {
+  std::size_t bytes = sizeof(PlanAnswer);
+  for (const RunSheet* const sheet : sheets_of(answer)) {
+    for (const RunStep& step : sheet->steps) {
+      bytes += sizeof(RunStep) +
+               sizeof(Element) * (step.setup.size() + step.put_in.size() + step.take_out.size() +
+                                  2 * (step.new_pairs.size() + step.replaced.size()) +
+                                  3 * step.new_triples.size());
+    }
+  }
+  if (answer.plan) {
+    for (const Candidate& each : answer.plan->candidates) {
+      bytes += bytes_of(each.setups);
+    }
+  }
+  if (answer.benches) {
+    for (const BenchCandidate& each : answer.benches->candidates) {
+      for (const auto& list : each.lists) {
+        bytes += bytes_of(list);
+      }
+    }
+  }
+  return bytes;
 }
 
 std::string read_job_json(const std::string& body) {

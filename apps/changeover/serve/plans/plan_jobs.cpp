@@ -35,17 +35,23 @@ struct PlanJobs::Job {
   double seconds = 0;
   std::optional<PlanNews> best = {};
   std::optional<PlanAnswer> answer = {};
-  std::string answer_json = {};
+  std::size_t answer_bytes = 0;
+  std::optional<std::string> answer_json = {};
+  std::optional<Response> ended = {};  // once it was asked for; it holds the answer then
 
   [[nodiscard]] bool running() const {
     const std::scoped_lock lock(mutex);
     return state == "running";
   }
+  [[nodiscard]] std::size_t bytes() const {
+    const std::scoped_lock lock(mutex);
+    return answer_bytes;
+  }
+  // With the mutex held.
   void write(JsonWriter& json, bool with_answer) const;
 };
 
 void PlanJobs::Job::write(JsonWriter& json, bool with_answer) const {
-  const std::scoped_lock lock(mutex);
   json.begin_object().key("id").value(id).key("state").value(state);
   json.key("seconds").value(seconds).key("limit").value(limit).key("phase").value(phase);
   const auto amount = [&](Amount PlanNews::*field) {
@@ -59,7 +65,7 @@ void PlanJobs::Job::write(JsonWriter& json, bool with_answer) const {
   json.key("message").value(message);
   if (with_answer) {
     json.key("answer");
-    answer_json.empty() ? json.null() : json.raw(answer_json);
+    answer_json ? json.raw(*answer_json) : json.null();
   }
   json.end_object();
 }
@@ -67,7 +73,8 @@ void PlanJobs::Job::write(JsonWriter& json, bool with_answer) const {
 PlanJobs::PlanJobs(EventHub& events, const Settings& settings)
     : events_(events),
       settings_(settings),
-      jobs_(std::make_unique<JobList<Job>>(settings.at_once, most_remembered)) {}
+      jobs_(std::make_unique<JobList<Job>>(settings.at_once, most_remembered,
+                                           settings.remembered_bytes)) {}
 
 PlanJobs::~PlanJobs() = default;
 
@@ -98,8 +105,9 @@ std::uint64_t PlanJobs::start(OpenedRequest opened, ParsedJob asked, double seco
 void PlanJobs::run(Job& job) {
   publish(job);
   std::optional<PlanAnswer> answer;
-  std::string json;
+  std::optional<std::string> json;
   std::string fault;
+  std::string shortage;
   try {
     const RunScope scope(*job.control);
     answer = answer_to(job.opened.request, job.asked, *job.control, [&](const PlanNews& news) {
@@ -110,8 +118,13 @@ void PlanJobs::run(Job& job) {
       }
       publish(job);
     });
-    json = plan_json(job.opened.request, job.asked, *answer);
-    json.pop_back();  // its end of line
+    if (const auto& short_of = answer->shortage()) {
+      shortage = "the plan may not be the best that could be found: " + *short_of;
+    }
+    json = plan_json(job.opened.request, job.asked, *answer, settings_.answer_bytes);
+    json->pop_back();  // its end of line
+  } catch (const Refusal& refusal) {
+    shortage = refusal.message;
   } catch (const Stopped&) {
     fault = "stopped before there was a plan";
   } catch (const std::exception& failure) {
@@ -123,10 +136,8 @@ void PlanJobs::run(Job& job) {
     job.state = !fault.empty()                                          ? "failed"
                 : job.control->why_stopped() == WhyStopped::interrupted ? "stopped"
                                                                         : "done";
-    job.message = !fault.empty() ? fault
-                  : answer->shortage()
-                      ? "the plan may not be the best that could be found: " + *answer->shortage()
-                      : "";
+    job.message = !fault.empty() ? fault : shortage;
+    job.answer_bytes = (answer ? bytes_of(*answer) : 0) + (json ? json->size() : 0);
     job.answer = std::move(answer);
     job.answer_json = std::move(json);
   }
@@ -135,7 +146,10 @@ void PlanJobs::run(Job& job) {
 
 void PlanJobs::publish(const Job& job) {
   JsonWriter json;
-  job.write(json, false);
+  {
+    const std::scoped_lock lock(job.mutex);
+    job.write(json, false);
+  }
   events_.publish("plan", std::to_string(job.id), json.take());
 }
 
@@ -153,10 +167,20 @@ bool PlanJobs::stop_all(std::chrono::duration<double> patience) {
   return jobs_->stop_all(patience);
 }
 
-std::string PlanJobs::json(std::uint64_t id) const {
+Response PlanJobs::answer(std::uint64_t id) const {
+  const auto job = find(id);
+  const std::scoped_lock lock(job->mutex);
+  if (job->ended) {
+    return *job->ended;
+  }
   JsonWriter json;
-  find(id)->write(json, true);
-  return json.take() + "\n";
+  job->write(json, true);
+  Response response = json_response(json.take() + "\n");
+  if (job->state != "running") {
+    job->ended = response;
+    job->answer_json.reset();
+  }
+  return response;
 }
 
 std::string PlanJobs::file(std::uint64_t id, const std::string& format) const {
@@ -166,7 +190,7 @@ std::string PlanJobs::file(std::uint64_t id, const std::string& format) const {
     throw Refusal{404, fmt::format("plan {} has no answer {}", id,
                                    job->state == "running" ? "yet" : "to write")};
   }
-  return written(job->opened.request, job->asked, *job->answer, format);
+  return plan_file(job->opened.request, job->asked, *job->answer, format, settings_.answer_bytes);
 }
 
 }  // namespace changeover::serve

@@ -7,16 +7,20 @@
 //     jobs.stop(id);                 // the best so far is the answer
 //     jobs.file(id, "xlsx");
 //
-// Each has a thread that gives way to those that answer. The last ten that ended are remembered.
+// Each has a thread that gives way to those that answer. The last ten that ended are remembered,
+// fewer if they are large. An answer that is too large for one document is told of in `message`; its
+// files are there.
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
 
 #include "changeover/plan/job_request.hpp"
 #include "serve/http/events.hpp"
+#include "serve/http/message.hpp"
 #include "serve/jobs/job_list.hpp"
 
 namespace changeover::serve {
@@ -25,7 +29,9 @@ class PlanJobs {
  public:
   struct Settings {
     unsigned at_once = 4;
-    std::uint64_t memory_bytes = 0;  ///< of each
+    std::uint64_t memory_bytes = 0;                         ///< of each
+    std::size_t answer_bytes = std::size_t{32} << 20;       ///< of an answer or a file
+    std::size_t remembered_bytes = std::size_t{256} << 20;  ///< of all that have ended
   };
 
   PlanJobs(EventHub& events, const Settings& settings);
@@ -45,10 +51,11 @@ class PlanJobs {
   bool stop_all(std::chrono::duration<double> patience);
 
   /// {"id", "state", "seconds", "limit", "phase", "tests", "best", "bound", "message", "answer"};
-  /// the answer is null until there is one.
-  [[nodiscard]] std::string json(std::uint64_t id) const;
+  /// the answer is null until there is one. All who ask share the bytes of one that has ended.
+  [[nodiscard]] Response answer(std::uint64_t id) const;
 
-  /// The answer in a format of changeover plan. @throws Refusal 404 until there is one; BadOption
+  /// The answer in a format of changeover plan. @throws Refusal 404 until there is one,
+  /// 413 if it is too large; BadOption
   [[nodiscard]] std::string file(std::uint64_t id, const std::string& format) const;
 
  private:

@@ -35,7 +35,7 @@ Response plan(const Explorer& explorer, const Request& sent) {
   RunControl control(*RunScope::current(), std::chrono::duration<double>(seconds));
   const PlanAnswer answer = answer_to(opened.request, asked, control);
   stop_if_asked();  // the client may have gone
-  return json_response(plan_json(opened.request, asked, answer));
+  return json_response(plan_json(opened.request, asked, answer, explorer.limits.plan_bytes));
 }
 
 Response start(Explorer& explorer, const Request& sent) {
@@ -116,7 +116,7 @@ void add_plans(Router& router, Explorer& explorer) {
   });
   router.add(question(explorer, "api/plan/job", {"id"}, Again::made_anew,
                       [&explorer](const Request& request) {
-                        return json_response(explorer.plans->json(needed_number(request, "id")));
+                        return explorer.plans->answer(needed_number(request, "id"));
                       }));
   router.add(question(explorer, "api/plan/file", {"id", "format"}, Again::made_anew,
                       [&explorer](const Request& request) { return file(explorer, request); }));
