@@ -1,4 +1,4 @@
-// Numbers in sentences, and digits in words.
+// Numbers in sentences, and letters and digits in words.
 //
 //     count_of(1, "block")               // 1 block
 //     count_of(7, "block")               // 7 blocks
@@ -21,5 +21,10 @@ namespace changeover {
 
 /// True for 0 to 9, whatever the locale.
 [[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// True for A to Z and a to z, whatever the locale.
+[[nodiscard]] constexpr bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
 
 }  // namespace changeover

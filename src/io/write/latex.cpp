@@ -74,6 +74,9 @@ std::string latex_escaped(std::string_view text) {
       case '|':
         result += "\\textbar{}";
         break;
+      case '-':
+        result += result.ends_with('-') ? "{}-" : "-";  // two in a row would be a dash
+        break;
       case '{':
       case '}':
       case '$':

@@ -10,11 +10,10 @@
 
 #include "changeover/io/tables.hpp"
 #include "core/words.hpp"
+#include "io/write/latex_formula.hpp"
 
 namespace changeover {
 namespace {
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 // Signs in the program's sentences, as mathematics; the empty one is left out.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 43> signs{{
@@ -37,7 +36,7 @@ class Prose {
 
   std::string take() {
     while (!rest_.empty()) {
-      if (!citation() && !ceiling() && !subscript() && !sign()) {
+      if (!citation() && !formula() && !ceiling() && !subscript() && !sign()) {
         letter();
       }
     }
@@ -113,6 +112,20 @@ class Prose {
     return false;
   }
 
+  // A whole formula, where a word or a number could begin.
+  bool formula() {
+    if (is_letter(before_) || is_digit(before_) || before_ == '_' || before_ == '-' ||
+        before_ == '.' || before_ == '/' || before_ == '=') {
+      return false;
+    }
+    const auto formula = latex_formula(rest_);
+    if (!formula) {
+      return false;
+    }
+    math(formula->latex, formula->length);
+    return true;
+  }
+
   // "ceil(" to the bracket that closes it.
   bool ceiling() {
     if (!rest_.starts_with("ceil(") || is_letter(before_)) {
@@ -134,34 +147,13 @@ class Prose {
     }
     const std::size_t mark = after_letter ? 1 : 0;
     std::string_view index = rest_.substr(mark + 1);
-    const std::size_t length = index_length(index);
+    const std::size_t length = latex_index_length(index);
     if (length == 0) {
       return false;
     }
     index = index.front() == '{' ? index.substr(1, length - 2) : index.substr(0, length);
     math(fmt::format("{}_{{{}}}", rest_.substr(0, mark), index), mark + 1 + length);
     return true;
-  }
-
-  // Of an index at the beginning of a text: digits, one letter, or simple words in braces.
-  static std::size_t index_length(std::string_view text) {
-    const auto is_simple = [](char c) {
-      return is_letter(c) || is_digit(c) || c == ',' || c == '+' || c == '-';
-    };
-    if (text.empty()) {
-      return 0;
-    }
-    if (text.front() == '{') {
-      const std::size_t end = text.find('}');
-      return end == std::string_view::npos ||
-                     !std::ranges::all_of(text.substr(1, end - 1), is_simple)
-                 ? 0
-                 : end + 1;
-    }
-    if (is_digit(text.front())) {
-      return std::min(text.find_first_not_of("0123456789"), text.size());
-    }
-    return is_letter(text.front()) && (text.size() == 1 || !is_letter(text[1])) ? 1 : 0;
   }
 
   bool sign() {

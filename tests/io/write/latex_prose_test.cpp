@@ -10,15 +10,35 @@ namespace changeover::latex_prose_test {
 namespace {
 
 TEST(LatexProse, MakesMathematicsOfSignsAndIndices) {
-  EXPECT_EQ(latex_prose("b >= 3"), "b $\\geq$ 3");
-  EXPECT_EQ(latex_prose("i_x(k-1)"), "$i_{x}$(k-1)");
+  EXPECT_EQ(latex_prose("b >= 3"), "$b \\geq 3$");
+  EXPECT_EQ(latex_prose("i_x(k-1)"), "$i_{x}(k - 1)$");
   EXPECT_EQ(latex_prose("over Z_15, K_{22}"), "over $Z_{15}$, $K_{22}$");
   EXPECT_EQ(latex_prose("put ∞_s and i_l"), "put $\\infty_{s}$ and $i_{l}$");
-  EXPECT_EQ(latex_prose("k²"), "k${}^{2}$");
+  EXPECT_EQ(latex_prose("k²"), "$k^{2}$");
   EXPECT_EQ(latex_prose("U₁ ∪ {x}"), "U${}_{1}$ $\\cup$ \\{x\\}");
-  EXPECT_EQ(latex_prose("ceil((8-5)/2) = 2 (so)"), "$\\lceil$(8-5)/2$\\rceil$ = 2 (so)");
-  EXPECT_EQ(latex_prose("ceil(a + ceil(b)) + c)"),
-            "$\\lceil$a + $\\lceil$b$\\rceil$$\\rceil$ + c)");
+  EXPECT_EQ(latex_prose("ceil((8-5)/2) = 2 (so)"), "$\\lceil (8 - 5) / 2\\rceil = 2$ (so)");
+  EXPECT_EQ(latex_prose("ceil(a + ceil(b)) + c)"), "$\\lceil a + \\lceil b\\rceil\\rceil + c$)");
+}
+
+TEST(LatexProse, MakesMathematicsOfWholeFormulas) {
+  EXPECT_EQ(latex_prose("at most 5 of C(12,2) = 66 pairs: b >= ⌈66 / 5⌉ = 14 (so)"),
+            "at most 5 of $C(12, 2) = 66$ pairs: $b \\geq \\lceil 66 / 5\\rceil = 14$ (so)");
+  EXPECT_EQ(latex_prose("2*n1 + n2 <= 3k = 12 where n_j elements"),
+            "$2 \\cdot n_{1} + n_{2} \\leq 3k = 12$ where $n_{j}$ elements");
+  EXPECT_EQ(latex_prose("so k + m(b-1) ≥ 3v - 3k = 24: all"),
+            "so $k + m(b - 1) \\geq 3v - 3k = 24$: all");
+  EXPECT_EQ(latex_prose("v = 7, k = 3.5."), "$v = 7$, $k = 3.5$.");
+  EXPECT_EQ(latex_prose("x + (y"), "x + (y");
+}
+
+TEST(LatexProse, TakesNoWordsForFormulas) {
+  for (const std::string same :
+       {"a DCCD(12,4) with 14 blocks", "2026-11-21", "1/2 of it", "a k-set", "and/or", "e-mail",
+        "the 12th", "1-factorization", "a 2-(7,3,1) design", "v1.2.3-4", "docs/theorems.md",
+        "block(s)", "12.4.2.circular", "a block a step", "3-change"}) {
+    EXPECT_EQ(latex_prose(same), same);
+  }
+  EXPECT_EQ(latex_prose("search --change 2"), "search -{}-change 2");
 }
 
 TEST(LatexProse, LeavesWordsAsTheyAre) {
@@ -40,9 +60,9 @@ TEST(LatexProse, CitesWhatThereIsAKeyFor) {
 
 // Dollars come in pairs and braces close, whatever is written; so nothing runs into the text behind it.
 RC_GTEST_PROP(LatexProseProperty, ClosesWhatItOpens, ()) {
-  const std::vector<std::string> pieces{"b",     ">=", "_", "x",  "{",  "}",     "(", ")",
-                                        "ceil(", "[K", "]", ", ", "∞",  "²",     "$", "\\",
-                                        "12",    "Σ",  " ", "%",  "a_", "_{1,2}"};
+  const std::vector<std::string> pieces{
+      "b",  ">=", "_", "x", "{", "}",  "(",      ")", "ceil(", "[K", "]", ", ", "∞",  "²", "$",
+      "\\", "12", "Σ", " ", "%", "a_", "_{1,2}", "+", "-",     "=",  "⌈", "⌉",  "C(", "a"};
   const auto chosen = *rc::gen::container<std::vector<std::size_t>>(
       rc::gen::inRange<std::size_t>(0, pieces.size()));
   std::string text;
