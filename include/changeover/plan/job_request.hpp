@@ -34,6 +34,7 @@ namespace changeover {
 struct JobRequest {
   RequestList model = {};
   std::optional<std::uint64_t> items = {};
+  bool items_are_parts = false;  ///< the document calls that number "parts"; so do messages
   RequestList parts = {};
   bool header = false;
   bool no_header = false;

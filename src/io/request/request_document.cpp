@@ -53,6 +53,7 @@ void RequestDocument::rename(std::string_view from, std::string_view to) {
         fail(*other, to, fmt::format("{} means the same; give one of them", from));
       }
       key = to;
+      renamed_ = {from, to};
       return;
     }
   }
@@ -66,7 +67,9 @@ std::optional<std::uint64_t> RequestDocument::take_number(const OptionRecord& re
 }
 
 void RequestDocument::fail(const JsonNode& at, std::string_view key, std::string_view what) const {
-  const std::string line = key.empty() ? std::string(what) : fmt::format("{}: {}", key, what);
+  const std::string_view written = key == renamed_.second ? renamed_.first : key;
+  const std::string line =
+      written.empty() ? std::string(what) : fmt::format("{}: {}", written, what);
   if (name_.empty()) {
     throw BadInput(line);
   }
@@ -156,7 +159,7 @@ RequestList RequestDocument::list(const OptionRecord& record, const JsonNode& no
       list.workbook = from_base64(book->text);
       const JsonNode* const sheet = node.find("sheet");
       list.sheet = sheet == nullptr ? "" : sheet->text;
-      if (!list.workbook || (sheet != nullptr && !sheet->is_text()) ||
+      if (!list.workbook || list.workbook->empty() || (sheet != nullptr && !sheet->is_text()) ||
           members.size() != (sheet == nullptr ? 1U : 2U)) {
         fail(
             node, record.key,

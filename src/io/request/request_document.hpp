@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -30,7 +31,8 @@ class RequestDocument {
   [[nodiscard]] const JsonNode& object() const { return object_; }
   /// The value of a key; nothing if it is missing or null.
   [[nodiscard]] const JsonNode* find(std::string_view key) const;
-  /// Takes `from` as another name of the key `to`.
+  /// Takes `from` as another name of the key `to`, by which messages go on to call it. Both are
+  /// literals.
   void rename(std::string_view from, std::string_view to);
   /// Takes a number out of the document, whose key does not belong to the request.
   std::optional<std::uint64_t> take_number(const OptionRecord& record);
@@ -52,6 +54,7 @@ class RequestDocument {
   std::string text_;
   std::string name_;
   JsonNode object_;
+  std::pair<std::string_view, std::string_view> renamed_;  // from, to
 };
 
 /// The value as JSON.

@@ -292,6 +292,9 @@ JobRequest job_request(std::string json, std::string name) {
   if (const JsonNode* const parts = document.find("parts");
       parts != nullptr && parts->is_number()) {
     document.rename("parts", "items");
+    JobRequest request = read_request(job_table(), document);
+    request.items_are_parts = true;
+    return request;
   }
   return read_request(job_table(), document);
 }

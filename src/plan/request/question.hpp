@@ -25,7 +25,8 @@ class Question {
 
   // "--at-once", "at_once".
   [[nodiscard]] std::string key(std::string_view key) const {
-    return spelled(option_of(job_table(), key).record, door_);
+    const bool as_parts = door_ == Door::document && key == "items" && request_.items_are_parts;
+    return spelled(option_of(job_table(), as_parts ? "parts" : key).record, door_);
   }
   // "--at-once K", "at_once".
   [[nodiscard]] std::string with_value(std::string_view key) const {

@@ -222,7 +222,7 @@ TEST(JobRequest, SaysWhatIsWrongAndWhere) {
       {base + R"("parts":9,"colour":1})", "unknown key 'colour'"},
       {base + R"("parts":9,"parts":8})", "twice"},
       {base + R"("parts":9,"items":8})", "parts means the same"},
-      {base + R"("parts":-1})", "items: write a whole number"},
+      {base + R"("parts":-1})", "parts: write a whole number"},
       {base + R"("parts":["a",{"name":"b","price":3}]})", "parts[1]: write \"name\" or"},
       {base + R"("parts":["a",{"name":"b","cost":"x"}]})", "parts[1]: "},
       {base + R"("parts":["a","b\u0007"]})", "parts[1]: control byte"},

@@ -1,4 +1,5 @@
 // Plans that are followed, and files that are read for the form.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "changeover/plan/run_plan.hpp"
@@ -205,6 +206,22 @@ TEST(PlanFiles, AreReadAsTheFormHasThem) {
        {R"({"parts":{"text":"A\nA\n"}})", R"({"parts":{"file":"/etc/passwd"}})",
         R"({"parts":{"workbook":"UEsDBA=="}})", R"({"model":"A"})", R"([])"}) {
     EXPECT_EQ(act(own, "/api/plan/read", bad).status, 422) << bad;
+  }
+  EXPECT_THAT(message_of(act(own, "/api/plan/read", R"({"parts":{"workbook":""}})")),
+              HasSubstr("parts: write {\"workbook\":the bytes of an .xlsx file in base64}"));
+}
+
+TEST(PlanFiles, NumbersOfPartsAreNamedAsTheyAreSent) {
+  const OwnServer own;
+  for (const char* const number : {"0", "1", "1001", "-1", "2.5"}) {
+    for (const std::string key : {"parts", "items"}) {
+      const std::string body = fmt::format(R"({{"{}":{},"at_once":2}})", key, number);
+      for (const char* const address : {"/api/plan", "/api/plan/read"}) {
+        const Reply reply = act(own, address, body);
+        EXPECT_EQ(reply.status, 422) << body;
+        EXPECT_THAT(message_of(reply), ::testing::StartsWith(key + ": ")) << body;
+      }
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include "changeover/core/error.hpp"
 #include "core/checked.hpp"
 #include "plan/job/bench_jobs.hpp"
+#include "plan/search/benches/step_costs.hpp"
 
 namespace changeover {
 namespace {
@@ -70,7 +71,10 @@ void BenchField::add_jobs() {
   common_.first.clear();
   take_off(common_, first);
   for (std::size_t w = 0; w < size(); ++w) {
-    spent_.push_back(run_sheet(whole(w), whole(w).first).cost);
+    Amount& spent = spent_.emplace_back();
+    for (const Amount cost : step_costs(whole(w), whole(w).first)) {
+      spent += cost;
+    }
     const auto same =
         std::find(whole_.begin(), whole_.begin() + static_cast<std::ptrdiff_t>(w), whole_[w]);
     const auto before = static_cast<std::size_t>(same - whole_.begin());
@@ -168,13 +172,12 @@ BenchSchedule BenchField::schedule(const BenchLists& lists) const {
   for (std::size_t w = 0; w < size(); ++w) {
     setups[w] = whole(w).first;
     setups[w].insert(setups[w].end(), lists[w].begin(), lists[w].end());
-    const RunSheet sheet = run_sheet(whole(w), setups[w]);
+    const std::vector<Amount> costs = step_costs(whole(w), setups[w]);
     for (const Block& setup : setups[w]) {
       bits[w].push_back(bits_of(setup));
     }
     for (std::size_t i = 0; i < setups[w].size(); ++i) {
-      courses[w].steps.push_back(
-          {static_cast<Ticks>(sheet.steps[i].cost.millionths), bits[w][i].data()});
+      courses[w].steps.push_back({static_cast<Ticks>(costs[i].millionths), bits[w][i].data()});
     }
     for (const Amount cost : whole(w).change_costs) {
       change[w].push_back(static_cast<Ticks>(cost.millionths));

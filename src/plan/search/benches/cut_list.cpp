@@ -1,42 +1,21 @@
 #include "plan/search/benches/cut_list.hpp"
 
 #include <algorithm>
-#include <iterator>
 
-#include "changeover/plan/run_plan.hpp"
-#include "plan/sheet/replacement.hpp"
+#include "plan/search/benches/step_costs.hpp"
 
 namespace changeover {
-namespace {
-
-// What a set-up costs as the first of a list; sheets take the time of all pairs of parts.
-Amount cost_anew(const Job& job, const Block& start, const Block& setup) {
-  Block out;
-  Block in;
-  std::ranges::set_difference(start, setup, std::back_inserter(out));
-  std::ranges::set_difference(setup, start, std::back_inserter(in));
-  if (job.replaces()) {
-    return job.test_cost + cheapest_replacement(job, out, in).cost;
-  }
-  Amount cost = job.test_cost;
-  for (const Element x : in) {
-    cost += job.change_costs[x];
-  }
-  return cost;
-}
-
-}  // namespace
 
 BenchLists cut_list(const Job& job, const std::vector<Block>& setups, std::size_t benches) {
   std::vector<std::uint64_t> going_on;  // by set-up: what it costs after the one before
   std::vector<std::uint64_t> anew;      // and at the beginning of a list
   std::uint64_t most = 0;
-  Block start = job.start;
-  std::ranges::sort(start);
-  for (const RunStep& step : run_sheet(job, setups).steps) {
-    anew.push_back(cost_anew(job, start, step.setup).millionths);
-    going_on.push_back(step.cost.millionths);
+  for (const Amount cost : step_costs(job, setups)) {
+    going_on.push_back(cost.millionths);
     most += going_on.back();
+  }
+  for (const Block& setup : setups) {
+    anew.push_back(step_costs(job, {setup}).front().millionths);
   }
   // Where pieces begin if none costs more than the limit.
   const auto pieces = [&](std::uint64_t limit) {

@@ -9,7 +9,10 @@
 
 #include "changeover/core/error.hpp"
 #include "cheapest.hpp"
+#include "plan/search/benches/step_costs.hpp"
 #include "random_jobs.hpp"
+#include "replacing_jobs.hpp"
+#include "run/random.hpp"
 
 namespace changeover::benches_test {
 namespace {
@@ -152,6 +155,29 @@ TEST(Benches, RefuseWhatTheyDoNotServe) {
   job.weights.set(0, 1, units(3));
   EXPECT_THROW((void)planned(job, {}), BadInput);
   EXPECT_NO_THROW((void)planned(job, {.plan = {.budget = units(3)}}));
+}
+
+TEST(Benches, StepsCostWhatSheetsSay) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    Job job = test::random_job(seed, 9);
+    if (seed % 2 == 1) {
+      job = test::replacing(job, seed);
+    }
+    Random random(seed, 8);
+    std::vector<Block> setups(random.below(6));
+    for (Block& setup : setups) {
+      for (auto x = static_cast<Element>(job.parts()); x-- > 0;) {  // in no order
+        if (random.one_in_two() && setup.size() < job.at_once) {
+          setup.push_back(x);
+        }
+      }
+    }
+    std::vector<Amount> expected;
+    for (const RunStep& step : run_sheet(job, setups).steps) {
+      expected.push_back(step.cost);
+    }
+    EXPECT_EQ(step_costs(job, setups), expected) << seed;
+  }
 }
 
 // What a clock cannot interrupt takes no time for each pair of a test and of two parts.
