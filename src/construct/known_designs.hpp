@@ -1,8 +1,8 @@
 // What is known of a cell: the one answer that every door gives, whatever else is asked.
 //
 //     KnownDesigns known(Registry::standard());
-//     known.best({.v = 198, .k = 9});          // the same before and after any other question
-//     known.best({.v = 199, .k = 9});          // cheaper now: both share most of what they come from
+//     known.best({.v = 198, .k = 9});  // the same before and after any other question
+//     known.best({.v = 199, .k = 9});  // cheaper now: both share most of what they come from
 //
 // The answer for a cell is defined by levels. Level 0 is the registry's best offer. Level 1 adds
 // blowing up and interpolating from other change numbers, fixed elements and cuts. Each further

@@ -125,7 +125,8 @@ Picture draw_recipe(const Recipe& recipe, const Registry& registry, const std::s
   const auto levels = static_cast<double>(depth(root));
   content.height = levels * node_height + (levels - 1) * below;
   content.description =
-      "The constructions that make the design, the last one on top; an arrow leads from a design to what is made of it.";
+      "The constructions that make the design, the last one on top; an arrow leads from a design "
+      "to what is made of it.";
   add(content, root, 0, 0);
   return framed({.headline = fmt::format("How {} is made", name(recipe.parameters)), .note = note},
                 std::move(content));

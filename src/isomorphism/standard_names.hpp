@@ -1,9 +1,9 @@
 // Names for elements when the order of blocks is fixed: by columns, in O(bk).
 //
 //     StandardNames names(design);
-//     names.read({.start = 3, .backwards = true});       // blocks 3, 2, 1, 0, b−1, …
-//     names.name_of()[x];                                // 0 for an element of block 3
-//     names.form();                                      // the b·k renamed elements, block after block
+//     names.read({.start = 3, .backwards = true});  // blocks 3, 2, 1, 0, b−1, …
+//     names.name_of()[x];                           // 0 for an element of block 3
+//     names.form();                                 // the b·k renamed elements, block after block
 //
 // The elements are kept in an ordered partition into classes with the same column so far. Each
 // block splits the classes that it meets: its elements come first.

@@ -167,13 +167,14 @@ std::string render_text(const PaperReport& report) {
 std::string render_markdown(const PaperReport& report) {
   std::string out =
       "# The source paper, rebuilt\n\n"
-      "This library began with [ChafeeStevens2025]. Here is each statement of the paper, its own and those\n"
-      "that it cites, and what the library finds of it. *Reproduced*: rebuilt or recomputed, equal in every comparison. *Differs*: a\n"
-      "misprint, or a proof that leaves something out. *Refuted*: false as printed, with a counterexample\n"
-      "that was built and verified; most need one more condition. *Vacuous*: true, but there is no such\n"
-      "design. *Not checkable*: no statement that a program could decide, or one for which the paper\n"
-      "names too little. \"For all k\" is checked up to a limit that is named; where there is a proof, it\n"
-      "is said. `changeover paper` writes this page.\n\n";
+      "This library began with [ChafeeStevens2025]. Here is each statement of the paper, its\n"
+      "own and those that it cites, and what the library finds of it. *Reproduced*: rebuilt or\n"
+      "recomputed, equal in every comparison. *Differs*: a misprint, or a proof that leaves\n"
+      "something out. *Refuted*: false as printed, with a counterexample that was built and\n"
+      "verified; most need one more condition. *Vacuous*: true, but there is no such design.\n"
+      "*Not checkable*: no statement that a program could decide, or one for which the paper\n"
+      "names too little. \"For all k\" is checked up to a limit that is named; where there is a\n"
+      "proof, it is said. `changeover paper` writes this page.\n\n";
   out += summary(report) + ".\n";
   append_findings(out, report, "What to know first",
                   [](const PaperItem& item) { return item.comes_first; });

@@ -9,11 +9,11 @@
 //   reproduced    rebuilt, or recomputed, and equal in every cell that was compared
 //   differs       the print says one thing and the computation another; each finding says both,
 //                 and why
-//   refuted       a mathematical statement that is false: each finding is a counterexample, built and
-//                 verified, or a bound that excludes what is said to exist
+//   refuted       a mathematical statement that is false: each finding is a counterexample, built
+//                 and verified, or a bound that excludes what is said to exist
 //   vacuous       true, but of nothing: there is no design of which it says something
-//   not checkable no statement that a program could decide, or one for which the paper names too little;
-//                 the reason is given
+//   not checkable no statement that a program could decide, or one for which the paper names too
+//                 little; the reason is given
 // Nothing is hard-coded: a misprint is found because a comparison fails, and every comparison can
 // fail (the print is an argument). "For all k" is checked for every k up to a limit, not proved.
 //
@@ -53,8 +53,8 @@ struct PaperItem {
   std::string unit;                    ///< of what: "blocks", "cells", "designs"
   std::vector<PaperFinding> findings;  ///< of an item that differs or is refuted
   std::vector<std::string> notes;      ///< remarks, and reasons why an item is not checkable
-  std::string follows =
-      {};  ///< the place of the item with the same cause, which says it; empty for an item of its own
+  /// the place of the item with the same cause, which says it; empty for an item of its own
+  std::string follows = {};
   bool comes_first = false;  ///< what a reader should know before the rest
 
   bool operator==(const PaperItem&) const = default;
@@ -88,9 +88,9 @@ struct PaperReportOptions {
 /// The same as a Markdown page.
 [[nodiscard]] std::string render_markdown(const PaperReport& report);
 
-/// {"format":"changeover-paper/3","reproduced":n,"differs":n,"refuted":n,"vacuous":n,"not_checkable":n,
-/// "consequences":n,"items":[{"place","what","status","checked","unit","follows","findings":[{"printed","truth",
-/// "why"}],"notes":[…]}]}. One line. "follows" is a place or null.
+/// {"format":"changeover-paper/3","reproduced":n,"differs":n,"refuted":n,"vacuous":n,
+/// "not_checkable":n,"consequences":n,"items":[{"place","what","status","checked","unit","follows",
+/// "findings":[{"printed","truth","why"}],"notes":[…]}]}. One line. "follows" is a place or null.
 [[nodiscard]] std::string render_json(const PaperReport& report);
 
 }  // namespace changeover

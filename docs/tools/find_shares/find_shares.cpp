@@ -4,7 +4,7 @@
 //     find_shares < TABLE > NEW_TABLE            checks it, and leaves out what is of no use
 //     find_shares 20000 7 < TABLE > NEW_TABLE    20,000 tries, seed 7
 //
-// TABLE is src/loadorder/shares/share_table.cpp (docs/tools/find_shares.sh compiles it and puts the
+// TABLE is src/loadorder/shares/share_table.inc (docs/tools/find_shares.sh compiles it and puts the
 // new table in place.) A program of its own: it includes nothing of the library, which reads each
 // line of the table again.
 //
@@ -413,17 +413,13 @@ int main(int count, char** words) {
     search.even_out();
   }
   std::puts(
-      "// Written by docs/tools/find_shares.sh. Do not edit: a line that is wrong is refused by the tests.\n"
-      "#include \"loadorder/shares/known_shares.hpp\"\n\n"
-      "namespace changeover {\nnamespace {\n\n// clang-format off\nconstexpr const char* lines[] = {");
+      "// Written by docs/tools/find_shares.sh. Do not edit: a line that is wrong is refused by the "
+      "tests.");
   for (const Shares& shares : search.useful()) {
     if (!is_right(shares)) {
       std::fprintf(stderr, "a share that was found is wrong\n");
       return 1;
     }
-    std::printf("    \"%s\",\n", line_of(shares).c_str());
+    std::printf("\"%s\",\n", line_of(shares).c_str());
   }
-  std::puts(
-      "};\n\n}  // namespace\n\n"
-      "std::span<const char* const> share_table() { return lines; }\n\n}  // namespace changeover");
 }

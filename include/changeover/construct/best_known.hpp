@@ -1,6 +1,7 @@
 // The best known recipe for every (v, k, kind) of a range at once.
 //
-//     BestKnownTable plan = best_known_table(registry, {.v_from = 5, .v_to = 24, .k_from = 3, .k_to = 6});
+//     BestKnownTable plan =
+//         best_known_table(registry, {.v_from = 5, .v_to = 24, .k_from = 3, .k_to = 6});
 //     const KnownCell& cell = plan.at({.v = 20, .k = 5, .kind = Kind::circular});
 //     cell.best->b;  cell.bound.blocks;  cell.status();
 //
@@ -45,8 +46,9 @@ namespace changeover {
 // What constructions answer when they are asked for a design, and how they explain it.
 //
 //     const Registry& registry = Registry::standard();
-//     const std::vector<Parameters> asked = {{.v = 8, .k = 5, .kind = Kind::circular}, {.v = 8, .k = 5}};
-//     const auto offer = best_offer(registry, asked);           // of both kinds, the one with fewer blocks
+//     const std::vector<Parameters> asked = {{.v = 8, .k = 5, .kind = Kind::circular},
+//                                            {.v = 8, .k = 5}};
+//     const auto offer = best_offer(registry, asked);  // of both kinds, the one with fewer blocks
 //     const RecipeNode tree = explained(registry, offer->recipe);
 //     std::cout << tree.explanation << ' ' << tree.citation << '\n';
 //

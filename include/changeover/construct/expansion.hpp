@@ -268,9 +268,9 @@ struct IntervalCoverSize {
 
 // A larger design out of one of yours: by an expansion set, or by unchanged subsets that overlap.
 //
-//     Enlarged larger = enlarge(design);                             // by as many elements as serve it best
-//     Enlarged by_four = enlarge(design, {.new_elements = 4});       // by four
-//     larger.design.block_count();  larger.at.size();                // the positions where blocks were inserted
+//     Enlarged larger = enlarge(design);  // by as many elements as serve it best
+//     Enlarged by_four = enlarge(design, {.new_elements = 4});  // by four
+//     larger.design.block_count();  larger.at.size();  // the positions where blocks were inserted
 //
 // If the number of new elements is left open and m = 2, the recursion of [ChafeeStevens2025,
 // Theorem 2] is taken (construct/expansion.hpp), provided that there is an expansion set with an

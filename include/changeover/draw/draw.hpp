@@ -9,16 +9,19 @@
 // with both marked, for repairs start there. Nothing is verified here; who verified says so in
 // `note`.
 //
-//   array      blocks as columns, elements in the row in which they stay, as printed in [ChafeeStevens2025]: a star above an element
-//              that is introduced, below one that leaves, carets at an expansion set. A step that does not change m
-//              elements is marked between its blocks.
-//   stays      a row an element, a bar a stay: the blocks from where it is introduced to where it leaves. In a circular
-//              design a stay over the end is one.
-//   coverage   for each pair of elements, below the diagonal the block of their first meeting, above it how often they are
-//              newly covered when that is not once.
-//   circle     points on a circle. If the blocks are developed from base blocks under a rotation, these with the pairs that they
-//              newly cover and their differences; else the first blocks with theirs.
-//   recipe     the tree of constructions that made it, with parameters, numbers of blocks and theorems.
+//   array      blocks as columns, elements in the row in which they stay, as printed in
+//              [ChafeeStevens2025]: a star above an element that is introduced, below one that
+//              leaves, carets at an expansion set. A step that does not change m elements is marked
+//              between its blocks.
+//   stays      a row an element, a bar a stay: the blocks from where it is introduced to where it
+//              leaves. In a circular design a stay over the end is one.
+//   coverage   for each pair of elements, below the diagonal the block of their first meeting,
+//              above it how often they are newly covered when that is not once.
+//   circle     points on a circle. If the blocks are developed from base blocks under a rotation,
+//              these with the pairs that they newly cover and their differences; else the first
+//              blocks with theirs.
+//   recipe     the tree of constructions that made it, with parameters, numbers of blocks and
+//              theorems.
 #pragma once
 
 #include <cstdint>
@@ -175,7 +178,8 @@ struct CircleFigure {
 
 // A table of designs as a picture: a square for each v and k.
 //
-//     const BestKnownTable plan = best_known_table(Registry::standard(), {.v_from = 5, .v_to = 12, .k_from = 3, .k_to = 5});
+//     const BestKnownTable plan = best_known_table(
+//         Registry::standard(), {.v_from = 5, .v_to = 12, .k_from = 3, .k_to = 5});
 //     std::vector<KnownCell> cells;
 //     for (const KnownCell& cell : plan.cells()) {
 //       if (cell.parameters.kind == Kind::linear) {

@@ -4,7 +4,7 @@
 //     FileItems file("vectors.f32", 32 << 20, {.bypass_cache = true});
 //     PrefetchPlan plan = plan_prefetch(file.item_count(), room_for(file, 512 << 20));
 //     AllPairsReport report = all_pairs(file, plan.order, [&](const PairWork& pair) {
-//       gram(pair.first.bytes, pair.second.bytes);        // first = second: the pairs within one item
+//       gram(pair.first.bytes, pair.second.bytes);  // first = second: the pairs within one item
 //     }, {.threads = 2, .read_ahead = plan.spare, .journal = "job.journal"});
 //
 // *Contract.* compute() is called exactly once for each pair of different items (each pair that the
@@ -76,7 +76,7 @@ class WorkerSplit;
 //      public:
 //       std::string describe() const override { return "distances.f64, 300 rows of 300"; }
 //       void open(const ResultsClaim& claim) override { file_.open(300 * 300 * 8, claim); }
-//       Checksum checksum(const StepPairs& done) override;      // of what file_ holds for these pairs
+//       Checksum checksum(const StepPairs& done) override;  // of what file_ holds for these pairs
 //       void sync() override { file_.sync(); }
 //      private:
 //       ResultFile file_{"distances.f64"};

@@ -59,8 +59,8 @@ enum {
   CHANGEOVER_LOADORDER_ERROR = -1 /* see changeover_loadorder_error() */
 };
 
-/* An order of `items` items with room for `room`, at its first step; NULL if there is none, with one
- * line in `error` that says why (cut to error_size bytes; error may be NULL). */
+/* An order of `items` items with room for `room`, at its first step; NULL if there is none, with
+ * one line in `error` that says why (cut to error_size bytes; error may be NULL). */
 changeover_loadorder* changeover_loadorder_open(uint64_t items, uint64_t room, char* error,
                                                 size_t error_size);
 

@@ -23,11 +23,12 @@
 // are loads from the C-th on. So L ≥ C + b₁ − 1.
 //
 // *Where orders come from.* The best of
-//   registry   every construction for m = 1, 2, 3, circular ones read as linear (P ≤ 2,000 or P < 16C)
+//   registry   every construction for m = 1, 2, 3, circular ones read as linear
+//              (P ≤ 2,000 or P < 16C)
 //   rules      closure rules over the parameters around (P ≤ 120)
-//   streamed   for any P and C, made as it goes: r rounds hold C−1 items while the others pass, then the
-//              tight circular design on 2c(C−1)+1 items [ChafeeStevens2023] with w ≤ C−1 further items
-//              that pass beside 2c of its unchanged subsets
+//   streamed   for any P and C, made as it goes: r rounds hold C−1 items while the others pass,
+//              then the tight circular design on 2c(C−1)+1 items [ChafeeStevens2023] with w ≤ C−1
+//              further items that pass beside 2c of its unchanged subsets
 //   improve    whatever you plug in: a local search, say, started from the best so far
 //
 // *Certificate.* For P ≤ `read_up_to` every step is read before plan_load_order() returns
@@ -216,8 +217,8 @@ class LoadOrder {
 //     order.facts().epoch_loads;               // 149, and then 133 in each epoch
 //
 // *How.* Epochs go forward and backward in turn. In a step that is undone the same items are held,
-// so all pairs meet backward, too; and an epoch begins with a memory full of what it needs first. It
-// loads what the epoch before evicted: C items fewer, if memory is full at the end.
+// so all pairs meet backward, too; and an epoch begins with a memory full of what it needs first.
+// It loads what the epoch before evicted: C items fewer, if memory is full at the end.
 //
 // *The bound.* What W memories hold when an epoch begins and what is loaded in it make an order of
 // one epoch, so an epoch has at least load_lower_bound() − W·C loads; and of all pairs at most
@@ -249,7 +250,7 @@ inline constexpr std::uint64_t most_epochs = 100'000;
 //     RunControl control({.time = std::chrono::seconds(1)});
 //     LoadOrderOptions options;
 //     options.improve = improve_by_search(control);
-//     LoadOrder order = plan_load_order(37, 9, options);     // no more loads than without the search
+//     LoadOrder order = plan_load_order(37, 9, options);  // no more loads than without the search
 //
 // See search/local_search.hpp for what it does with the time.
 
@@ -305,10 +306,10 @@ improve_by_search(RunControl& control);
 //
 // *Pairs.* A pair belongs to the first step after whose loads a worker has both items in memory,
 // and an item with itself to the step that first loads it; or, if they are spread, to a random step
-// in which a worker has it, evened over steps. Of several epochs that is so in each. For more than 65,535 items whose pairs
-// are not listed, pairs are not kept in mind: then every loaded item is computed against all in
-// memory, and a pair may come again. Steps of two levels say themselves which pairs meet on the
-// accelerator for the first time.
+// in which a worker has it, evened over steps. Of several epochs that is so in each. For more than
+// 65,535 items whose pairs are not listed, pairs are not kept in mind: then every loaded item is
+// computed against all in memory, and a pair may come again. Steps of two levels say themselves
+// which pairs meet on the accelerator for the first time.
 //
 // *Overlap* (loadorder/workers.hpp): what the next step evicts goes early as far as its loads need
 // the places, the pairs with it are computed first, and the others while the loads run.

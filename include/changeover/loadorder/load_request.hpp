@@ -2,7 +2,7 @@
 // how much room, by how many workers.
 //
 //     LoadRequest request{.items = 64, .room = 16, .workers = 4};
-//     to_json(request);       // {"format":"changeover-load-request/1","items":64,"room":16,"workers":4}
+//     to_json(request);  // {"format":"changeover-load-request/1","items":64,"room":16,"workers":4}
 //     const CheckedLoads asked = checked_loads(request, Door::document);
 //     const WorkerSplit split = split_load_order(asked.items(), asked.room(), *request.workers);
 //

@@ -18,10 +18,11 @@
 // *Checked of every step.* Steps of a worker are numbered 1, 2, …; what is evicted is there; what
 // is loaded is an item and is not; at most `room` items are in memory or on their way. Of two
 // levels: the same of the accelerator, and what is there stays in memory. Of workers in lockstep:
-// nothing is held twice. If items have sizes, what is in memory has at most so many bytes. What is computed is wanted, and both its items are there. What is stored
-// was changed, and no change is lost. *At the end:* every wanted pair was together in a memory,
-// of two levels on the accelerator, or was computed exactly once. Of several *epochs*: each worker's
-// steps go through them in turn, memory stays as it is between them, and all of this is so in each.
+// nothing is held twice. If items have sizes, what is in memory has at most so many bytes. What is
+// computed is wanted, and both its items are there. What is stored was changed, and no change is
+// lost. *At the end:* every wanted pair was together in a memory, of two levels on the accelerator,
+// or was computed exactly once. Of several *epochs*: each worker's steps go through them in turn,
+// memory stays as it is between them, and all of this is so in each.
 //
 // *Memory.* Pairs cost C(P,2) bits, up to P = 65,535 (268 MB), listed ones two bits each. Above
 // that, or if asked to, only *watched* items are followed: for each of them, chosen by a seed,

@@ -2,7 +2,8 @@
 // a crash as if there had been none.
 //
 //     LoadOrder order = plan_disjoint_order(24, 5, 2);
-//     UpdateOptions options{.data = "embeddings.f32", .item_bytes = 4096, .journal = "job.journal"};
+//     UpdateOptions options{
+//         .data = "embeddings.f32", .item_bytes = 4096, .journal = "job.journal"};
 //     options.checkpoint_every = 10;
 //     UpdateReport report = update_pairs(order, [&](const PairUpdate& pair) {
 //       train(pair.first.bytes, pair.second.bytes);          // both may be written

@@ -1,8 +1,8 @@
 // Which pairs must be in memory together: all of them, or only some.
 //
-//     WantedPairs edges = WantedPairs::listed(read_pairs("edges.txt"));      // pairs that a file lists
-//     WantedPairs matching = WantedPairs::between(12, 20);     // items 0, …, 11 with items 12, …, 31
-//     WantedPairs grown = WantedPairs::beyond(1000, 1024);     // pairs of the last 24 with all others
+//     WantedPairs edges = WantedPairs::listed(read_pairs("edges.txt"));  // pairs that a file lists
+//     WantedPairs matching = WantedPairs::between(12, 20);  // items 0, …, 11 with items 12, …, 31
+//     WantedPairs grown = WantedPairs::beyond(1000, 1024);  // pairs of the last 24 with all others
 //
 //     matching.contains(3, 12)                 // true
 //     matching.count()                         // 240

@@ -226,11 +226,13 @@ class WorkerSplit {
 // makespan_lower_bound(P, C, W), and the span is no less than that.
 //
 // *Where orders come from.* One worker: plan_load_order(). Else the best of
-//   eras     W groups of n ≤ C−1 items stay, one at each worker, while all groups that are left pass, each at another worker in
-//            turn; then those that stayed meet each other, half of them staying, and are dropped for good. Any P.
-//   grown    one item of each worker is changed a step, the change that brings most new pairs together, or two workers
-//            exchange items; the best of many is cut at random steps and grown again. P ≤ 1,000. The same with groups of items,
-//            room for 2 to 8 of them, which is better if few items are left beside those that are held.
+//   eras     W groups of n ≤ C−1 items stay, one at each worker, while all groups that are left
+//            pass, each at another worker in turn; then those that stayed meet each other, half of
+//            them staying, and are dropped for good. Any P.
+//   grown    one item of each worker is changed a step, the change that brings most new pairs
+//            together, or two workers exchange items; the best of many is cut at random steps and
+//            grown again. P ≤ 1,000. The same with groups of items, room for 2 to 8 of them, which
+//            is better if few items are left beside those that are held.
 //   round robin   2W groups, two at each worker: the rounds of a tournament. Span P.
 
 /// The best order that is known, verified by ScheduleCheck. With `options.search_pairs` it is grown

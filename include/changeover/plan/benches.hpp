@@ -126,8 +126,8 @@ struct BenchCount {
   std::uint64_t tests = 0;
   std::uint64_t changes = 0;
   Amount cost;  ///< of all benches
-  Amount
-      makespan;  ///< when the last test ends; where no bench waits or rests, the largest cost of one
+  /// when the last test ends; where no bench waits or rests, the largest cost of one
+  Amount makespan;
   std::uint64_t pairs_needed = 0;
   std::uint64_t pairs_tested = 0;
   std::uint64_t triples_needed = 0;

@@ -1,9 +1,10 @@
 // What an experimenter wants: parts to be tested in pairs, room for some of them at once, and what
 // a test and a change cost.
 //
-//     Job job = make_job(9, 3, parse_amount("1"), parse_amount("5"));   // nine parts, three at a time
-//     job.never.insert(2, 7);                                           // these two must not meet …
-//     job.needed = all_pairs_but(job.never);                            // … and all others must
+//     // nine parts, three at a time
+//     Job job = make_job(9, 3, parse_amount("1"), parse_amount("5"));
+//     job.never.insert(2, 7);                 // these two must not meet …
+//     job.needed = all_pairs_but(job.never);  // … and all others must
 //     check(job);
 //
 // A *set-up* is a set of at most `at_once` parts that are mounted together and tested once. A list
@@ -180,19 +181,18 @@ struct Job {
   std::vector<Element> piece_of;  ///< by part: the part of which it is a further piece, or itself;
                                   ///< empty: none is; only to be said
   std::uint64_t tests_done = 0;   ///< tests before the first; only for numbering
-  std::uint64_t met_only_in_failed =
-      0;  ///< what had to meet and did so only in tests that did not pass, see mark_tested(); only to be said
+  /// what had to meet and did so only in tests that did not pass (mark_tested()); only to be said
+  std::uint64_t met_only_in_failed = 0;
   bool trust_failed = false;  ///< whether these count as tested; only to be said
   PairWeights
       weights;  ///< of needed pairs: which are to meet early, or at all if the budget is small
   std::vector<Triple> triples;  ///< three parts that must meet in one set-up; increasing, each once
   std::vector<Block> first;  ///< set-ups that must be run first, in this order; they are paid for
-  std::vector<Amount>
-      replace_costs;  ///< of putting in part i where part o was taken out, at o · parts() + i, which
-                      ///< says nothing if they are not of one slot; empty:
-                      ///< it is change_costs[i] for every o
-  std::shared_ptr<const Model>
-      model;  ///< the parts are its values and the slots its parameters: every set-up follows its rules
+  /// of putting in part i where part o was taken out, at o · parts() + i, which says nothing if
+  /// they are not of one slot; empty: it is change_costs[i] for every o
+  std::vector<Amount> replace_costs;
+  /// the parts are its values and the slots its parameters: every set-up follows its rules
+  std::shared_ptr<const Model> model;
 
   std::vector<std::uint64_t>
       quantities;  ///< by part: how many of it several benches share, or enough_for_all;

@@ -2,7 +2,8 @@
 // what is planned for.
 //
 //     JobRequest request{.items = 9, .at_once = 3, .test_cost = "1", .change_cost = "5"};
-//     to_json(request);       // {"format":"changeover-job/1","items":9,"at_once":3,"test_cost":"1","change_cost":"5"}
+//     // {"format":"changeover-job/1","items":9,"at_once":3,"test_cost":"1","change_cost":"5"}
+//     to_json(request);
 //     const ParsedJob asked = checked_job(request, Door::document);
 //     RunControl control({.threads = 1});
 //     const PlanAnswer answer = answer_to(request, asked, control);

@@ -2,7 +2,8 @@
 // be from the cheapest there is.
 //
 //     RunControl control({.time = std::chrono::seconds(10)});
-//     RunPlan plan = make_run_plan(make_job(9, 3, parse_amount("1"), parse_amount("5")), {}, control);
+//     RunPlan plan =
+//         make_run_plan(make_job(9, 3, parse_amount("1"), parse_amount("5")), {}, control);
 //     plan.sheet.cost;  plan.bound.cost;             // e.g. 117 and 117
 //     for (const Candidate& c : plan.candidates) {   // cheapest first: the first one is the sheet
 //       std::cout << c.name << ": " << to_string(c.cost) << '\n';
@@ -48,7 +49,7 @@ namespace changeover {
 // costs.
 //
 //     RunSheet sheet = run_sheet(job, setups);
-//     sheet.does_the_job();                        // all needed pairs, no forbidden one, room for all
+//     sheet.does_the_job();  // all needed pairs, no forbidden one, room for all
 //     sheet.steps[3].put_in;  to_string(sheet.cost);
 //
 // This is the referee of all plans: it reads the job and the set-ups, counts in the plainest way,
@@ -61,9 +62,9 @@ struct RunStep {
   Block setup;
   std::vector<std::pair<Element, Element>> new_pairs;  ///< needed pairs that meet here first
   std::vector<Triple> new_triples;                     ///< likewise
-  std::vector<std::pair<Element, Element>>
-      replaced;  ///< if the job asks what is replaced: a part out and the one in its place, by the first;
-                 ///< parts put in that are in none went to empty places
+  /// if the job asks what is replaced: a part out and the one in its place, by the first; parts put
+  /// in that are in none went to empty places
+  std::vector<std::pair<Element, Element>> replaced;
   Amount cost;  ///< of this step
   Amount cost_so_far;
   Amount weight_so_far;  ///< of needed pairs that have met, if the job weighs them
@@ -80,8 +81,8 @@ struct RunSheet {
   std::uint64_t triples_tested = 0;
   Amount weight_needed;  ///< of all needed pairs, if the job weighs them
   Amount weight_tested;
-  std::vector<std::string>
-      faults;  ///< broken constraints, slots and what must come first included, but not missing pairs
+  /// broken constraints, slots and what must come first included, but not missing pairs
+  std::vector<std::string> faults;
 
   [[nodiscard]] bool does_the_job() const {
     return faults.empty() && pairs_tested == pairs_needed && triples_tested == triples_needed;
@@ -220,8 +221,8 @@ struct RunPlan {
   std::vector<Candidate>
       candidates;  ///< cheapest first; under a budget, most weight or most pairs first
   std::optional<Candidate> complete;  ///< under a budget: the cheapest plan that tests all
-  CostBound
-      bound;  ///< of testing all needed pairs: cost_bound(), or better if all lists were looked through
+  /// of testing all needed pairs: cost_bound(), or better if all lists were looked through
+  CostBound bound;
   std::optional<Amount>
       most_weight;  ///< under a budget, if the job weighs pairs: no list within it tests more
   std::uint64_t steps = 0;  ///< moves of local search, over all attempts
@@ -264,7 +265,8 @@ struct RunPlan {
 //
 //     WhatIf answer = what_if(job, plan, {}, control);
 //     for (const WhatIf::Range& range : answer.ranges) {   // by ratio, without gaps
-//       std::cout << range.plan.name << (range.to ? " up to " + range.to->to_string() : "") << '\n';
+//       std::cout << range.plan.name << (range.to ? " up to " + range.to->to_string() : "")
+//                 << '\n';
 //     }
 //
 // A plan with T tests and C changes costs T + rC tests at the ratio r of the change cost to the
@@ -312,7 +314,7 @@ struct WhatIf {
 //
 //     SheetDocument document{.job = &job, .plan = &plan, .title = "Pump bench"};
 //     written(document, "table", 100);    // for a terminal of 100 columns
-//     written(document, "html");          // one page to print, with boxes to tick; needs nothing else
+//     written(document, "html");  // one page to print, with boxes to tick; needs nothing else
 //
 // All say for each step what to take out and put in, the set-up, how many needed pairs it tests
 // first, and the cost so far; all but CSV add what the plan was compared with and the lower bound

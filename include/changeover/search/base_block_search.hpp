@@ -13,13 +13,14 @@
 // The shapes that the parameters allow (search/base_block_search.hpp) are tried one after another,
 // fewest blocks first, until one has base blocks. Any unchanged subsets may occur, not intervals
 // only. Two methods:
-//   sat     a formula for all base blocks at once, CaDiCaL; for a tight design every orbit of pairs is newly
-//           covered exactly once and each element has a degree that the degree identity allows. It can say
-//           that there are none of this shape. That is the solver's statement, not a certificate.
-//   anneal  segment swaps made in all images at once (search/local/segment_orbits.hpp); for larger parameters
-//           with some slack. It never says none.
-//   automatic  a short annealing, then sat if the formula is small enough, then the rest of the annealing;
-//           for tight designs of few base blocks sat at once.
+//   sat     a formula for all base blocks at once, CaDiCaL; for a tight design every orbit of pairs
+//           is newly covered exactly once and each element has a degree that the degree identity
+//           allows. It can say that there are none of this shape. That is the solver's statement,
+//           not a certificate.
+//   anneal  segment swaps made in all images at once (search/local/segment_orbits.hpp); for larger
+//           parameters with some slack. It never says none.
+//   automatic  a short annealing, then sat if the formula is small enough, then the rest of the
+//           annealing; for tight designs of few base blocks sat at once.
 //
 // Every result is developed by the registry and verified on all its blocks before it is returned.
 // For a linear p the circular design is cut open. With one seed and limits in moves and conflicts,

@@ -6,7 +6,8 @@
 //                                     [&](const Design&) { ++seen; });
 //     result.forms;                     // 2554, if result.why_stopped is WhyStopped::exhausted
 //
-//     auto classes = classify_designs({.v = 9, .k = 4, .change = 1, .kind = Kind::circular}, 12, {}, control);
+//     auto classes = classify_designs({.v = 9, .k = 4, .change = 1, .kind = Kind::circular}, 12,
+//                                     {}, control);
 //     classes.standard_forms;           // 16 sequences
 //     classes.classes;                  // 2 [McSorley1999]
 //
@@ -19,11 +20,11 @@
 // twins, and of twins the lowest come first into a block, so each standard form is met exactly
 // once. A partial design is given up as soon as
 //   excess   the pairs that were covered again exceed what b blocks can afford;
-//   degree   some whole numbers of introductions and stays within the blocks left must cover what is
-//            missing at each element, and at each element this costs an excess; the sum is too large
-//            (with prices of 0 to 3 for an introduction, as their total is known);
-//   reach    some missing pair is in no set of k elements whose other pairs can be afforded: a covered pair
-//            that has been separated costs an excess when it meets again.
+//   degree   some whole numbers of introductions and stays within the blocks left must cover what
+//            is missing at each element, and at each element this costs an excess; the sum is too
+//            large (with prices of 0 to 3 for an introduction, as their total is known);
+//   reach    some missing pair is in no set of k elements whose other pairs can be afforded: a
+//            covered pair that has been separated costs an excess when it meets again.
 // A circular design fixes its last unchanged subset from the start. Classes of circular designs are
 // found from sequences that begin a longest run, in which nothing stays longer. Designs with f ≥ 2
 // elements in every block, whose pairs are never newly covered, come from designs on v − f

@@ -1,9 +1,10 @@
 // Is there a change covering design with exactly b blocks? Found, or proved that there is none.
 //
 //     RunControl control({.time = std::chrono::seconds(60)});
-//     Decision decision = decide({.v = 9, .k = 4, .change = 1}, 11, {.proof_directory = "proofs"}, control);
-//     decision.excluded();                     // true: there is none, and the proof was checked
-//     decision.parts.front().proof_path;       // "proofs/linear-m1-v9-k4-b11.drat", and .cnf beside it
+//     Decision decision =
+//         decide({.v = 9, .k = 4, .change = 1}, 11, {.proof_directory = "proofs"}, control);
+//     decision.excluded();                // true: there is none, and the proof was checked
+//     decision.parts.front().proof_path;  // "proofs/linear-m1-v9-k4-b11.drat", and .cnf beside it
 //
 // The question becomes a formula (src/search/exact/exact_encoding.hpp) for a SAT solver. A design
 // is verified before it is handed out. "None" is said only after the solver's DRAT proof, read back
@@ -120,7 +121,8 @@ unsigned require_room(const Parameters& p, std::uint64_t b, const ExactOptions& 
 //     RunControl control({.time = std::chrono::minutes(5)});
 //     MinimumResult result = find_minimum({.v = 12, .k = 4}, {}, control);
 //     result.settled();                     // true
-//     result.lower;  result.upper();         // 14, 14: bounds on paper give 13, which a checked proof excludes
+//     // 14, 14: bounds on paper give 13, which a checked proof excludes
+//     result.lower;  result.upper();
 //
 // The walk starts from the largest bound that is a proof on paper (bounds/lower_bound.hpp; minima
 // known by exhaustive search are not used: they are what is settled here), and goes up one block at
@@ -172,7 +174,7 @@ struct MinimumResult {
 // A table of minima: for each set of small parameters the bound on paper, the best construction,
 // and what exact search with checked proofs makes of the gap between them.
 //
-//     std::vector<MinimaRow> rows = read_minima(*open_input("minima.csv"));       // of an earlier run
+//     std::vector<MinimaRow> rows = read_minima(*open_input("minima.csv"));  // of an earlier run
 //     fill_minima({.changes = {1}, .k_from = 3, .k_to = 3, .v_to = 6}, rows, {}, control,
 //                 [&](const MinimaRow&) {
 //                   OutputFile file("minima.csv");

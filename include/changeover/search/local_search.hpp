@@ -79,9 +79,11 @@ struct ImproveResult {
 // Designs with a property that constructions need, by local search with locked cells.
 //
 //     RunControl control({.time = std::chrono::seconds(20)});
-//     LockedResult found = search_locked({.v = 12, .k = 4, .change = 1}, {.first = {0, 1, 2}, .expansion_set = true}, {.blocks = 21}, control);
-//     found.design->block_count();          // 21
-//     found.parts.size();                   // 3: unchanged subsets that hold the nine other elements
+//     LockedResult found =
+//         search_locked({.v = 12, .k = 4, .change = 1},
+//                       {.first = {0, 1, 2}, .expansion_set = true}, {.blocks = 21}, control);
+//     found.design->block_count();  // 21
+//     found.parts.size();           // 3: unchanged subsets that hold the nine other elements
 //
 // Concatenation, rings and expansion ask for more than few blocks: disjoint unchanged subsets that
 // hold all elements but some of the first or of the last block. Places for such subsets are drawn,

@@ -1,10 +1,12 @@
 // The one inserter of the recursions: a stream that copies another one and adds blocks at chosen
 // positions, before the first block (0), after the i-th (i), or after the last (b).
 //
-//     class Beside final : public InsertingSource {      // U ∪ {x} at the position of each subset U
+//     class Beside final : public InsertingSource {  // U ∪ {x} at the position of each subset U
 //      …
 //       std::uint64_t position(std::uint64_t i) const override { return set_[i].position; }
-//       Insertion insertion(std::uint64_t i, const Place&) override { return {set_[i].elements, {x_}}; }
+//       Insertion insertion(std::uint64_t i, const Place&) override {
+//         return {set_[i].elements, {x_}};
+//       }
 //     };
 //
 // Subclasses describe what is inserted, one insertion after another; the inserter reads, counts and

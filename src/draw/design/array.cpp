@@ -61,8 +61,8 @@ class Array {
     content.width = margin_before() + column_ * static_cast<double>(per_band);
     content.height = y;
     content.description = fmt::format(
-        "{}: the blocks as columns, each element in one row while it stays. {} introductions are marked "
-        "by a star above{}.",
+        "{}: the blocks as columns, each element in one row while it stays. {} introductions are "
+        "marked by a star above{}.",
         drawing_.summary(), introductions_,
         options_.leaving ? fmt::format(", {} leavings by a star below", leavings_) : std::string());
     return framed(drawing_.heading(), std::move(content), legend());

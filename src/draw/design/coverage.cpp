@@ -84,8 +84,9 @@ class Coverage {
     content.add({.shape = std::move(pairs), .kind = "pairs"});
     add_names(content);
     content.description = fmt::format(
-        "{}: below the diagonal the block in which each pair first meets, above it how often it is newly "
-        "covered if that is not once. {} pairs are newly covered more than once, {} are in no block.",
+        "{}: below the diagonal the block in which each pair first meets, above it how often it "
+        "is newly covered if that is not once. {} pairs are newly covered more than once, {} are "
+        "in no block.",
         drawing_.summary(), repeated_, uncovered_);
     return framed(drawing_.heading(), std::move(content), legend());
   }

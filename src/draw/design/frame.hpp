@@ -1,7 +1,8 @@
 // What is around a picture: headline, note, legend.
 //
-//     Picture content;                                  // drawn from (0,0), with its width and height
-//     return framed({.headline = "DCCD(6,4), 3 blocks"}, std::move(content), {swatch(Paint::series(0), "first stay")});
+//     Picture content;  // drawn from (0,0), with its width and height
+//     return framed({.headline = "DCCD(6,4), 3 blocks"}, std::move(content),
+//                   {swatch(Paint::series(0), "first stay")});
 #pragma once
 
 #include <functional>

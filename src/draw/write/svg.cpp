@@ -41,8 +41,8 @@ class Writer {
     const std::string height = coordinate(picture.height);
     out_ = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
-        "viewBox=\"0 0 {0} {1}\" role=\"img\" class=\"changeover {2}\" fill=\"{3}\" font-size=\"12\" "
-        "font-family=\"'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif\">\n",
+        "viewBox=\"0 0 {0} {1}\" role=\"img\" class=\"changeover {2}\" fill=\"{3}\" "
+        "font-size=\"12\" font-family=\"'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif\">\n",
         width, height, to_string(theme_), Paint(Paint::Role::ink).hex(theme_));
     out_ += fmt::format("<title>{}</title>\n", escaped(picture.title));
     if (!picture.description.empty()) {

@@ -149,7 +149,8 @@ class TikzWriter {
                                                                     : "base east";
     const std::string size = coordinate(bp * look.font_size);
     body_ += fmt::format(
-        "\\node[anchor={},inner sep=0pt,text={},font=\\fontsize{{{}bp}}{{{}bp}}\\selectfont{}] at {} "
+        "\\node[anchor={},inner sep=0pt,text={},"
+        "font=\\fontsize{{{}bp}}{{{}bp}}\\selectfont{}] at {} "
         "{{{}}};\n",
         anchor, colour(look.fill), size, size, look.bold ? "\\bfseries" : "", at(shape.at),
         content);
@@ -166,7 +167,8 @@ std::string tikz(const Picture& picture, Theme theme) {
   const std::size_t marks = mark_count(picture);
   if (marks > most_marks_of_tikz) {
     throw BadInput(fmt::format(
-        "a picture of {} marks is too large for TeX, which takes {}; draw a part with --from and --to, or write svg",
+        "a picture of {} marks is too large for TeX, which takes {}; draw a part with --from and "
+        "--to, or write svg",
         marks, most_marks_of_tikz));
   }
   return TikzWriter(theme).write(picture);

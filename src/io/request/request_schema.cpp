@@ -22,10 +22,10 @@ std::string fields(std::string_view least, std::string_view most) {
 std::string row(RowShape shape) {
   switch (shape) {
     case RowShape::parts:
-      return fmt::format(
-          R"({{"anyOf":[{{"type":"string"}},{{"type":"object","required":["name"],"additionalProperties":false,)"
-          R"("properties":{{"name":{0},"cost":{0},"slot":{0},"quantity":{0}}}}}]}})",
-          field);
+      return fmt::format(R"({{"anyOf":[{{"type":"string"}},{{"type":"object","required":["name"],)"
+                         R"("additionalProperties":false,)"
+                         R"("properties":{{"name":{0},"cost":{0},"slot":{0},"quantity":{0}}}}}]}})",
+                         field);
     case RowShape::slots:
       return fmt::format(R"({{"type":"object","required":["name"],"additionalProperties":false,)"
                          R"("properties":{{"name":{0},"least":{0},"most":{0}}}}})",
@@ -48,9 +48,12 @@ std::string row(RowShape shape) {
           fields("", ""), field);
     case RowShape::benches:
       return fmt::format(
-          R"({{"anyOf":[{{"type":"string"}},{{"type":"object","additionalProperties":false,"properties":{{)"
-          R"("name":{0},"at_once":{0},"test_cost":{0},"change_factor":{0},"slots":{{"anyOf":[{0},{{"type":"array","items":{1}}}]}},)"
-          R"("mounted":{2},"start":{2},"own":{2},"without":{2},"hours":{0},"down":{{"type":["boolean","string","null"]}}}}}}]}})",
+          R"({{"anyOf":[{{"type":"string"}},{{"type":"object","additionalProperties":false,)"
+          R"("properties":{{)"
+          R"("name":{0},"at_once":{0},"test_cost":{0},"change_factor":{0},"slots":{{"anyOf":[{0},)"
+          R"({{"type":"array","items":{1}}}]}},)"
+          R"("mounted":{2},"start":{2},"own":{2},"without":{2},"hours":{0},)"
+          R"("down":{{"type":["boolean","string","null"]}}}}}}]}})",
           field, row(RowShape::slots),
           fmt::format(R"({{"anyOf":[{},{}]}})", field, fields("", "")));
     default:
@@ -61,15 +64,20 @@ std::string row(RowShape shape) {
 std::string list(const OptionRecord& record) {
   if (record.shape == RowShape::document) {
     return R"({"anyOf":[{"type":"string"},)"
-           R"({"type":"object","required":["file"],"additionalProperties":false,"properties":{"file":{"type":"string","minLength":1}}},)"
-           R"({"type":"object","required":["text"],"additionalProperties":false,"properties":{"text":{"type":"string"}}}]})";
+           R"({"type":"object","required":["file"],"additionalProperties":false,)"
+           R"("properties":{"file":{"type":"string","minLength":1}}},)"
+           R"({"type":"object","required":["text"],"additionalProperties":false,)"
+           R"("properties":{"text":{"type":"string"}}}]})";
   }
   constexpr std::string_view one_of =
       R"({{"anyOf":[{}{{"type":"array","items":{}}},)"
-      R"({{"type":"object","required":["file"],"additionalProperties":false,"properties":{{"file":{{"type":"string","minLength":1}}}}}},)"
-      R"({{"type":"object","required":["text"],"additionalProperties":false,"properties":{{"text":{{"type":"string"}}}}}},)"
+      R"({{"type":"object","required":["file"],"additionalProperties":false,)"
+      R"("properties":{{"file":{{"type":"string","minLength":1}}}}}},)"
+      R"({{"type":"object","required":["text"],"additionalProperties":false,)"
+      R"("properties":{{"text":{{"type":"string"}}}}}},)"
       R"({{"type":"object","required":["workbook"],"additionalProperties":false,)"
-      R"("properties":{{"workbook":{{"type":"string","contentEncoding":"base64"}},"sheet":{{"type":"string"}}}}}}]}})";
+      R"("properties":{{"workbook":{{"type":"string","contentEncoding":"base64"}},)"
+      R"("sheet":{{"type":"string"}}}}}}]}})";
   return fmt::format(fmt::runtime(one_of),
                      record.shape == RowShape::parts || record.shape == RowShape::benches
                          ? R"({"type":"integer","minimum":0},)"

@@ -29,7 +29,8 @@ enum class ColumnKind {
   number,   ///< decimal, to the right; words in it ("+1 (0.9 %)") are to the right as well
   formula,  ///< LaTeX that stands as it is, to the right; for LaTeX only
   cost,     ///< a number whose thousands a workbook sets apart
-  remark,  ///< a text of some length: a page has it in small letters below the first cell of the row
+  /// a text of some length: a page has it in small letters below the first cell of the row
+  remark,
   choice,  ///< to be filled in with a word: a page has a box for each word of the head
   notes,   ///< to be filled in by hand
 };

@@ -5,9 +5,10 @@
 // either by more hold rounds, to the end, or, if R = 2cn + 1 + w with c ≥ 1 and 0 ≤ w ≤ n, like
 // this:
 //
-//   Number them 0, …, v−1 and X_1, …, X_w, v = 2cn + 1. For j = 0, …, v−1 the window {j, …, j+n−1} (modulo v)
-//   stays while j+cn, …, j+2n, j+n pass, after X_1, …, X_w if j is one of 0, n, …, (2c−1)n. The last to pass,
-//   j+n, belongs to the next window, and only j has to go. At the end X_1, …, X_w join v−1.
+//   Number them 0, …, v−1 and X_1, …, X_w, v = 2cn + 1. For j = 0, …, v−1 the window {j, …, j+n−1}
+//   (modulo v) stays while j+cn, …, j+2n, j+n pass, after X_1, …, X_w if j is one of 0, n, …,
+//   (2c−1)n. The last to pass, j+n, belongs to the next window, and only j has to go. At the end
+//   X_1, …, X_w join v−1.
 //
 // The windows and what passes are the tight circular SCCD on v items, so each pair of these meets:
 // x passes the window that is qn back for each of q = 1, …, c, and so meets the items at distance

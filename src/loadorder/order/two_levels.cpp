@@ -419,8 +419,8 @@ LoadOrder plan_two_levels(std::uint64_t items, std::uint64_t room, std::uint64_t
   facts.group_items = best.group_items;
   facts.explanation =
       best.group_items == 0
-          ? "An order for the accelerator alone; what leaves it stays in memory, from which goes what "
-            "is needed last."
+          ? "An order for the accelerator alone; what leaves it stays in memory, from which goes "
+            "what is needed last."
           : fmt::format(
                 "Groups of at most {} items are loaded; what a group meets for the first time "
                 "is done at once: up to {} of its items stay on the accelerator while the "

@@ -79,12 +79,14 @@ class Job {
     const auto begin = std::chrono::steady_clock::now();
     if (order_.facts().epochs > 1 || (split_ != nullptr && split_->facts().epochs > 1)) {
       throw BadInput(
-          "all_pairs() computes each pair once: give an order of one epoch, or take update_pairs()");
+          "all_pairs() computes each pair once: give an order of one epoch, or take "
+          "update_pairs()");
     }
     const auto& sizes = order_.facts().sizes;
     if (sizes != nullptr && (options_.read_ahead > 0 || options_.share.of > 1)) {
       throw BadInput(
-          "items have sizes, and memory is for all that is loaded: give no read_ahead and no share");
+          "items have sizes, and memory is for all that is loaded: give no read_ahead and no "
+          "share");
     }
     report_.buffer_bytes =
         sizes != nullptr ? checked_add(sizes->memory, checked_multiply(room_, buffer_alignment))

@@ -1,5 +1,5 @@
-// Internal: a fixed pool of buffers, or one as large as its item for each load, and the threads that
-// fill them.
+// Internal: a fixed pool of buffers, or one as large as its item for each load, and the threads
+// that fill them.
 #pragma once
 
 #include <chrono>

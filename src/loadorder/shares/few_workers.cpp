@@ -67,8 +67,8 @@ LoadBound least_at_one_worker(std::uint64_t items, std::uint64_t workers) {
       best.loads = least;
       best.reason = fmt::format(
           "any two of {} items meet at one of {} workers; if none loads more than {}, some item is "
-          "loaded by at most {} of them and cannot meet all others there, or too many pairs meet at "
-          "several (docs/theorems.md, Theorem 17)",
+          "loaded by at most {} of them and cannot meet all others there, or too many pairs meet "
+          "at several (docs/theorems.md, Theorem 17)",
           items, workers, least - 1, k);
     }
   }

@@ -25,7 +25,7 @@ namespace changeover {
 /// A line of the table: "n m | A / S | A / S …".
 [[nodiscard]] GroupShares developed_shares(std::string_view line);
 
-/// All of it (share_table.cpp).
+/// All of it (share_table.inc).
 [[nodiscard]] std::span<const char* const> share_table();
 
 /// The fewest loads of the busiest worker, then of all, that any of them needs, if fewer than

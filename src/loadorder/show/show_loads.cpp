@@ -406,8 +406,8 @@ class Said {
     }
     if (spare_) {
       text +=
-          "each step: wait for load, compute before; evict first of the next step, start its loads; "
-          "compute the others; evict late\n";
+          "each step: wait for load, compute before; evict first of the next step, start its "
+          "loads; compute the others; evict late\n";
     } else if (facts_.lockstep > 0) {
       text += fmt::format("each step: all {}evict, wait for each other, load, compute\n",
                           rules_.store ? "store and " : "");

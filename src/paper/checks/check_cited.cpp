@@ -166,8 +166,8 @@ PaperItem check_triples(const PaperContext& context) {
     });
   }
   check.note(fmt::format(
-      "by our own construction, v <= {}; minimum for {} of the {} with v = 2, 4 (mod 6) too, which the "
-      "cited work leaves open",
+      "by our own construction, v <= {}; minimum for {} of the {} with v = 2, 4 (mod 6) too, "
+      "which the cited work leaves open",
       largest_v, minimum, others));
   return std::move(check).finish();
 }
@@ -197,9 +197,10 @@ PaperItem check_3k_5(const PaperContext& context) {
     check.is_vacuous();
   }
   check.note(fmt::format(
-      "2k-4 is g1, so such a design would be tight, and no other could have fewer blocks. But for {} of {} k there "
-      "is none: for k = 4, 5 by exhaustion, and from k = 6 on by the bound of stays (docs/theorems.md, Theorem 5), "
-      "2b >= 3v-4k+2 = 5k-13, which is more than 2(2k-4) = 4k-8",
+      "2k-4 is g1, so such a design would be tight, and no other could have fewer blocks. But for "
+      "{} of {} k there is none: for k = 4, 5 by exhaustion, and from k = 6 on by the bound of "
+      "stays (docs/theorems.md, Theorem 5), 2b >= 3v-4k+2 = 5k-13, which is more than 2(2k-4) = "
+      "4k-8",
       none, tried));
   return std::move(check).finish();
 }
@@ -265,9 +266,9 @@ PaperItem check_prime_power(const PaperContext& context) {
     }
   }
   check.note(fmt::format(
-      "every v below 3k-5 for k <= {}{}; with \"tight\" in the place of \"minimum\" it is right: g1 - "
-      "(2v-2)/3 is a quadratic in v with the roots 3k-5 and 2 - k/3, and is 0 at {} places with k+2 <= v < 3k-5, "
-      "k <= {}",
+      "every v below 3k-5 for k <= {}{}; with \"tight\" in the place of \"minimum\" it is right: "
+      "g1 - (2v-2)/3 is a quadratic in v with the roots 3k-5 and 2 - k/3, and is 0 at {} places "
+      "with k+2 <= v < 3k-5, k <= {}",
       largest_k, open.empty() ? "" : fmt::format(", {} left open", fmt::join(open, ", ")), tight,
       context.options.largest_k));
   return std::move(check).finish();
@@ -299,8 +300,8 @@ PaperItem check_no_fixed_elements(const PaperContext& context) {
     }
   }
   check.note(fmt::format(
-      "by counting: delete a fixed element, and a linear DCCD(v-1,k-1) with as many blocks is left, which "
-      "has too few; 3 <= k <= {}, the first {} values of v of each",
+      "by counting: delete a fixed element, and a linear DCCD(v-1,k-1) with as many blocks is "
+      "left, which has too few; 3 <= k <= {}, the first {} values of v of each",
       context.options.largest_k, beyond + 1));
   return std::move(check).finish();
 }
@@ -319,7 +320,8 @@ PaperItem check_k4_formula(const PaperContext& context) {
       return PaperFinding{
           fmt::format("DCCD(v,4,b) with b = {}", context.paper.cited.k4_b),
           fmt::format("b = g1(v,4) = {} and not {} for v = {}", g1, printed.to_string(), v),
-          "the formula for general k in the same sentence, which ends in + 1, gives this for k = 4"};
+          "the formula for general k in the same sentence, which ends in + 1, gives this for "
+          "k = 4"};
     };
     check.expect(right || wrong > 0, finding);  // one finding says it for all
     if (!right) {
@@ -332,8 +334,8 @@ PaperItem check_k4_formula(const PaperContext& context) {
   }
   if (wrong > 0) {
     check.note(fmt::format(
-        "wrong for {} of 95 values of v, and below the bounds for linear and for circular designs for {}; "
-        "that there are no fixed elements is right for linear ones, by the item above",
+        "wrong for {} of 95 values of v, and below the bounds for linear and for circular designs "
+        "for {}; that there are no fixed elements is right for linear ones, by the item above",
         wrong, impossible));
   }
   return std::move(check).finish();
@@ -403,9 +405,10 @@ PaperItem check_fixed_elements(const PaperContext& context) {
     }
   }
   check.note(fmt::format(
-      "right where every pair is covered exactly once ({} designs compared): if x is in every block, every other "
-      "element is introduced once, so 2b = v-1, and b = g2 gives v = 2k-3; and at v = 2k-3 the k-2 blocks introduce "
-      "2k-4 of the 2k-3 elements. All {} circular DCCD(7,5,3) that begin with {{0,1,2,3,4}} have one",
+      "right where every pair is covered exactly once ({} designs compared): if x is in every "
+      "block, every other element is introduced once, so 2b = v-1, and b = g2 gives v = 2k-3; and "
+      "at v = 2k-3 the k-2 blocks introduce 2k-4 of the 2k-3 elements. All {} circular "
+      "DCCD(7,5,3) that begin with {{0,1,2,3,4}} have one",
       once, all.found));
   return std::move(check).finish();
 }

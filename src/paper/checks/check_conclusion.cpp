@@ -63,14 +63,15 @@ std::vector<PaperItem> check_conclusion(const PaperContext& context) {
       check_all_minima(
           context, "asked: the minimum circular DCCDs for v <= 2k-2", 2,
           [](std::uint64_t k) { return 2 * k - 2; },
-          "answered, for every k, by Theorem 2 of docs/theorems.md; built, with as many blocks as the lower bound"),
+          "answered, for every k, by Theorem 2 of docs/theorems.md; built, with as many blocks "
+          "as the lower bound"),
       not_checkable(
           "Section 4",
           "asked: a recursion for expansion sets of even size; economical designs from tight "
           "ones; products of two designs; more designs with k > 4; triples",
-          "questions, not statements. Of what we know: docs/theorems.md, Theorem 3, is a recursion for either "
-          "parity; docs/new_designs.md has tight designs with k = 6 and k = 10; strength 3 and 4 are in "
-          "docs/minima.md"),
+          "questions, not statements. Of what we know: docs/theorems.md, Theorem 3, is a "
+          "recursion for either parity; docs/new_designs.md has tight designs with k = 6 and k = "
+          "10; strength 3 and 4 are in docs/minima.md"),
   };
 }
 

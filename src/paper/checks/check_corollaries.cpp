@@ -167,7 +167,8 @@ std::string likely_slip(const PaperContext& context, const PrintedTriple& triple
       if (cyclic.design.v() + subsets + 1 == triple.v &&
           cyclic.design.block_count() + subsets * (subsets + 1) / 2 == triple.b) {
         return fmt::format(
-            "{} and {} come out if the {} is expanded with {} of the {} members of its expansion set",
+            "{} and {} come out if the {} is expanded with {} of the {} members of its expansion "
+            "set",
             triple.v, triple.b, dccd(cyclic.design.v(), triple.k, cyclic.design.block_count()),
             subsets, cyclic.set.size());
       }

@@ -113,14 +113,15 @@ PaperItem check_bound_from_2k_3(const PaperContext& context) {
     });
   }
   check.note(
-      "the proof: take an element that is in every block out of all blocks. A circular DCCD(v-1,k-1) with as many "
-      "blocks is left. Here g2(v-1,k-1) >= g2(v,k), which is true exactly if v >= 2k-3, and then v-1 >= 2(k-1)-3 "
-      "too. So go on until at most one element is in every block: there each pair is covered, and the "
-      "paper's count gives b >= g2");
+      "the proof: take an element that is in every block out of all blocks. A circular "
+      "DCCD(v-1,k-1) with as many blocks is left. Here g2(v-1,k-1) >= g2(v,k), which is true "
+      "exactly if v >= 2k-3, and then v-1 >= 2(k-1)-3 too. So go on until at most one element is "
+      "in every block: there each pair is covered, and the paper's count gives b >= g2");
   check.note(fmt::format(
       "below, a design with fewer than ceil(g2) blocks is built for {} of the {} pairs (v,k) with "
-      "k+2 <= v < 2k-3 and k <= {}. So what fails needs one more condition: v >= 2k-3 for Theorem 1 and for "
-      "\"any economical DCCD is minimum\", at most one element in every block for the rest",
+      "k+2 <= v < 2k-3 and k <= {}. So what fails needs one more condition: v >= 2k-3 for Theorem "
+      "1 and for \"any economical DCCD is minimum\", at most one element in every block for the "
+      "rest",
       below, cells, context.options.largest_k));
   return std::move(check).finish();
 }

@@ -72,8 +72,8 @@ PaperItem check_expanded_single_change(const PaperContext& context) {
               fmt::format("a SCCD({},{},{}) from a SCCD({},{},{})", v, k,
                           count_of(printed.b, values), small.parameters.v, k, small.b),
               fmt::format("{} blocks: {} more", larger.b, larger.b - small.b),
-              "one block more for each of the v/(k-1) members of the expansion set; the paper writes b for two "
-              "numbers"};
+              "one block more for each of the v/(k-1) members of the expansion set; the paper "
+              "writes b for two numbers"};
         });
         told |= !right;
       }
@@ -261,8 +261,8 @@ PaperItem check_introductions(const Paper& paper, const std::vector<WithSet>& de
                         dccd(larger.v(), larger.k(), larger.block_count()), number,
                         braces(after.blocks[i]), braces(after.introduced[i]),
                         in_print ? fmt::format(", as {} has it", table.place) : ""),
-            "blocks inserted at U_0 come before B_1, and bring U_0 in. So the first of them covers the pairs within "
-            "U_0, and B_1 no longer does; all else is as the proof says"};
+            "blocks inserted at U_0 come before B_1, and bring U_0 in. So the first of them covers "
+            "the pairs within U_0, and B_1 no longer does; all else is as the proof says"};
       });
       different += same ? 0U : 1U;
     }
@@ -281,8 +281,8 @@ PaperItem check_introductions(const Paper& paper, const std::vector<WithSet>& de
         0);
   }
   check.note(fmt::format(
-      "so in {}; {} of the designs {} linear with a subset at U_0. As many pairs are covered in all, and "
-      "Theorem 2 stands as it is",
+      "so in {}; {} of the designs {} linear with a subset at U_0. As many pairs are covered in "
+      "all, and Theorem 2 stands as it is",
       count_of(different, "block"), at_the_front, at_the_front == 1 ? "is" : "are"));
   return std::move(check).finish();
 }

@@ -62,8 +62,8 @@ std::string with_its_blocks(const Economical& found) {
 constexpr const char* cause = "Theorem 1";
 
 constexpr std::string_view reason =
-    "pairs of elements that are in every block are never covered in the paper's sense, and others are covered "
-    "in their place; it holds where at most one element is in every block";
+    "pairs of elements that are in every block are never covered in the paper's sense, and others "
+    "are covered in their place; it holds where at most one element is in every block";
 
 // "In a tight DCCD every pair is covered exactly once. In an economical DCCD, there are less than
 // 2k−3 additional pairs covered." A statement for all of some designs, with the first
@@ -92,7 +92,8 @@ PaperItem check_for_all(std::string what, const std::vector<Economical>& designs
           ? std::string("designs of the paper, read as linear and circular, and with up "
                         "to eight elements added to every block")
           : fmt::format(
-                "false for {} of the {} designs; of these {} have two or more elements in every block",
+                "false for {} of the {} designs; of these {} have two or more elements in every "
+                "block",
                 wrong, designs.size(), with_fixed));
   return std::move(check).finish();
 }
@@ -192,8 +193,8 @@ PaperItem check_degrees(const PaperContext& context) {
   }
   if (wrong > 0) {
     check.note(fmt::format(
-        "false for {} of the designs; of these {} have two or more elements in every block. With the pairs "
-        "that are never covered taken off on the right it holds for {} of them",
+        "false for {} of the designs; of these {} have two or more elements in every block. With "
+        "the pairs that are never covered taken off on the right it holds for {} of them",
         wrong, with_fixed, amended));
   }
   return std::move(check).finish();
@@ -220,8 +221,8 @@ PaperItem check_leaning_proof(const PaperContext& context) {
         return PaperFinding{
             "g2(2k-2,k) = k-1 is an integer, so every pair must be covered exactly once",
             fmt::format(
-                "for k = {} and {} elements in every block, {} pairs are covered in {} blocks and only {} need be: "
-                "nothing said so far keeps others from being covered twice",
+                "for k = {} and {} elements in every block, {} pairs are covered in {} blocks and "
+                "only {} need be: nothing said so far keeps others from being covered twice",
                 k, fixed, covered, b, to_cover),
             "the proof does not exclude two or more elements in every block"};
       });
@@ -235,9 +236,10 @@ PaperItem check_leaning_proof(const PaperContext& context) {
     }
   }
   check.note(fmt::format(
-      "the theorem stands, and so does the rest of its proof, once such elements are excluded: delete f of "
-      "them, and Theorem 1 for (2k-2-f,k-f) asks for more than k-1 blocks, in {} of {} cases with odd k <= "
-      "{}. Shorter, b >= 2*ceil((k-2)/2) + 1 = k for odd k, whatever is in every block (end to end)",
+      "the theorem stands, and so does the rest of its proof, once such elements are excluded: "
+      "delete f of them, and Theorem 1 for (2k-2-f,k-f) asks for more than k-1 blocks, in {} of "
+      "{} cases with odd k <= {}. Shorter, b >= 2*ceil((k-2)/2) + 1 = k for odd k, whatever is in "
+      "every block (end to end)",
       closed, cases, context.options.largest_k));
   return std::move(check).finish();
 }

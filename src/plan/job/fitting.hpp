@@ -2,7 +2,7 @@
 // filled up.
 //
 //     const Fitting fitting(job);
-//     fitting.completed({cpu, disk}, job.start);   // with a power supply too, if a set-up needs one
+//     fitting.completed({cpu, disk}, job.start);  // with a power supply too, if a set-up needs one
 //
 // This serves those who make plans. The referee (plan/run_plan.hpp) counts for itself.
 #pragma once

@@ -23,8 +23,9 @@ namespace changeover {
 
 /// Whether a number that is no name stands for a part.
 enum class PartNumbers {
-  count,               ///< it does
-  unless_names_are_so  ///< not if a name of a part is a number: then it would be a name that is wrong
+  count,  ///< it does
+  /// not if a name of a part is a number: then it would be a name that is wrong
+  unless_names_are_so
 };
 
 /// How parts are called. The names, and the model, must outlive this.

@@ -164,7 +164,8 @@ void CompiledRules::add_to(Cnf& cnf) const {
     cnf.add(clause);
     if (cnf.size().literals > most_rule_literals) {
       throw MissingResource(fmt::format(
-          "the rules of the model are a formula of more than {} literals; plan for a part of the model",
+          "the rules of the model are a formula of more than {} literals; plan for a part of the "
+          "model",
           most_rule_literals));
     }
   }

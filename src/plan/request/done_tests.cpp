@@ -277,7 +277,8 @@ class DoneTaker {
     std::vector<std::string>& notes = answer_.notes;
     if (failed_with_gone_ > 0) {
       notes.push_back(fmt::format(
-          "{}: {} failed with a part that is gone, which may be to blame: a diagnosis leaves {} out",
+          "{}: {} failed with a part that is gone, which may be to blame: a diagnosis leaves {} "
+          "out",
           name_, count_of(failed_with_gone_, "test"), failed_with_gone_ == 1 ? "it" : "them"));
     }
     note_unread(*options_, *words_, answer_);

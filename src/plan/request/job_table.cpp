@@ -26,8 +26,8 @@ std::vector<RequestOption<R>> options() {
             .flags = "--model",
             .kind = K::list,
             .value = "FILE",
-            .help =
-                "instead of parts: parameters with their values and rules, in the language of PICT or ACTS",
+            .help = "instead of parts: parameters with their values and rules, in the language of "
+                    "PICT or ACTS",
             .shape = RowShape::document},
            &R::model},
           {{.key = "header",

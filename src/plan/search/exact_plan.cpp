@@ -479,7 +479,8 @@ std::optional<Start> take_exact(RunPlan& plan, ExactPlan exact) {
   if (exact.bound > plan.bound.cost) {
     plan.bound.cost = exact.bound;
     plan.bound.reason = fmt::format(
-        "of all lists, looked through from the cheapest on in {}, none costs less; without that, {}",
+        "of all lists, looked through from the cheapest on in {}, none costs less; without that, "
+        "{}",
         count_of(exact.states, "state"), plan.bound.reason);
   }
   if (!exact.setups) {

@@ -309,7 +309,8 @@ class Tour {
         reverse(h, x);
       }
     }
-    if (!turned) {  // The stretch is short, so it is the near way from one of its ends to the other.
+    // The stretch is short, so it is the near way from one of its ends to the other.
+    if (!turned) {
       if ((place_[end] + n_ - place_[begin]) % n_ < longest_segment) {
         reverse(begin, end);
       } else {

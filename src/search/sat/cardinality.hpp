@@ -1,6 +1,7 @@
 // How many of some literals hold, and which of two lists of them is greater, as a formula.
 //
-//     const auto at_least = unary_count(cnf, literals, 3);   // at_least[j] ⟺ j + 1 or more hold, j < 3
+//     // at_least[j] ⟺ j + 1 or more hold, j < 3
+//     const auto at_least = unary_count(cnf, literals, 3);
 //     require_exactly(cnf, literals, 2);
 //
 // Counts are unary and made by merging: the literals are halved, each half is counted, and the

@@ -1,7 +1,7 @@
 // How large a formula is, counted before it is built, and the memory that it takes to decide it.
 //
-//     CnfSize size = design_formula_size(p, b);                       // search/exact/exact_encoding.hpp
-//     size += exactly_size(30, 5);                                    // search/sat/cardinality.hpp
+//     CnfSize size = design_formula_size(p, b);  // search/exact/exact_encoding.hpp
+//     size += exactly_size(30, 5);               // search/sat/cardinality.hpp
 //     control.require_memory(solving_bytes(size, {.proof = true}), "the formula of DCCD(60,5)");
 //
 // Counts are exact: what is built afterwards has as many variables, clauses and literals. Bytes are

@@ -81,8 +81,9 @@ class Concatenate final : public Entry {
       }
     }
     throw BadInput(fmt::format(
-        "concatenate to {} takes two linear single-change designs with the same k, positions of the "
-        "second that leave k-1 of its w elements out, and how many times w-k+1 elements are added",
+        "concatenate to {} takes two linear single-change designs with the same k, positions of "
+        "the second that leave k-1 of its w elements out, and how many times w-k+1 elements are "
+        "added",
         changeover::name(recipe.parameters)));
   }
 };

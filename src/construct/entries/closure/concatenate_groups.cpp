@@ -66,8 +66,9 @@ class ConcatenateGroups final : public Entry {
       pieces = fmt::format("the {} opened there", changeover::name(given.closed->parameters));
     }
     return fmt::format(
-        "The {} has {} disjoint unchanged subsets. At each of them the new elements, {} groups of {}, are inserted so that "
-        "two of different groups meet. The {} old elements that are left, the hole, meet each group in a piece: {}{}{}.",
+        "The {} has {} disjoint unchanged subsets. At each of them the new elements, {} groups of "
+        "{}, are inserted so that two of different groups meet. The {} old elements that are "
+        "left, the hole, meet each group in a piece: {}{}{}.",
         changeover::name(given.base->parameters), parts, groups.groups, groups.size, hole, pieces,
         given.how.dropped == 0
             ? ""
@@ -112,8 +113,9 @@ class ConcatenateGroups final : public Entry {
       }
     }
     throw BadInput(fmt::format(
-        "concatenate-groups to {} takes groups, at, reversed (0 or 1) and dropped; a design of fewer elements, for "
-        "the pieces a circular one, a linear one or both; positions of parts, and the hinge",
+        "concatenate-groups to {} takes groups, at, reversed (0 or 1) and dropped; a design of "
+        "fewer elements, for the pieces a circular one, a linear one or both; positions of parts, "
+        "and the hinge",
         changeover::name(p)));
   }
 

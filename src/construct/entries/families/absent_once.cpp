@@ -92,8 +92,8 @@ class AbsentOnce final : public Family {
                          shape.m, shape.m, runs(shape.p));
     } else {
       text = fmt::format(
-          "Of {} blocks in a circle the {} elements {}i, … are absent {}, the last {} of them one block "
-          "less",
+          "Of {} blocks in a circle the {} elements {}i, … are absent {}, the last {} of them one "
+          "block less",
           shape.b, shape.m, shape.m, runs(shape.p), shape.r);
     }
     const std::uint64_t fixed = p.v - shape.elements();

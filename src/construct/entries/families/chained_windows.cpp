@@ -180,8 +180,8 @@ class ChainedWindows final : public Family {
 
   std::string explanation(const Parameters& p) const override {
     return fmt::format(
-        "A window of {} elements slides over Z_{}, visitors stay in two chains while it moves, and {} new elements meet "
-        "its beginning and visit it three times.",
+        "A window of {} elements slides over Z_{}, visitors stay in two chains while it moves, "
+        "and {} new elements meet its beginning and visit it three times.",
         p.k - 1, 4 * p.k - 3, p.v + 3 - 4 * p.k);
   }
 };

@@ -127,9 +127,9 @@ class RelayedWindows final : public Family {
   std::string explanation(const Parameters& p) const override {
     const std::uint64_t w = p.v - 2 * p.k + 1;
     return fmt::format(
-        "A window slides round over {} elements, which stay once each; on the second half of the way "
-        "{} of "
-        "the {} others hold places beside it and relieve each other until each two have met.",
+        "A window slides round over {} elements, which stay once each; on the second half of the "
+        "way {} of the {} others hold places beside it and relieve each other until each two have "
+        "met.",
         2 * p.k - w, w - 1, 2 * w - 1);
   }
 };

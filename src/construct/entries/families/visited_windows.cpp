@@ -6,8 +6,8 @@
 //
 //   v = u + w, 1 ≤ w ≤ K      c·u + (2c+1)w − 1 blocks;
 //   v = u + w, K < w < 2K     w − K more: the x that do not fit go round among themselves;
-//   v = 3k − 1                5k − 2 blocks (c = 1): K elements x and one, y, that visits W_K and stands in for
-//                             0 and 2K at the ends.
+//   v = 3k − 1                5k − 2 blocks (c = 1): K elements x and one, y, that visits W_K and
+//                             stands in for 0 and 2K at the ends.
 //
 // Those are linear. The first two become circular by one block more, W_0 + K.
 //
@@ -218,7 +218,8 @@ constexpr Description description{
     .summary = "a window slides over a cycle; new elements visit windows that cover it",
     .preconditions = "m = 1, k >= 3, v = 2c(k-1)+1+w with c >= 1 and 1 <= w < 2(k-1)",
     .guarantee =
-        "b = c(2c(k-1)+1) + (2c+1)w, w-k+1 more if w >= k; linear 1 less, minimum for 2k <= v < 3k, k > 3",
+        "b = c(2c(k-1)+1) + (2c+1)w, w-k+1 more if w >= k; linear 1 less, minimum for 2k <= v < "
+        "3k, k > 3",
     .place = "docs/theorems.md, Theorem 6",
 };
 

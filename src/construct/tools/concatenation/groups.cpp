@@ -328,7 +328,8 @@ class Joint {
         p_.kind == Kind::linear && (circular() || how_.hinge.at == order_.size());
     if (how_.dropped > rings || (!ends_there && (how_.dropped % 2 != 0 || open != nullptr))) {
       refuse_groups(
-          "at most all pieces lack blocks, an even number of them and no open one if others follow");
+          "at most all pieces lack blocks, an even number of them and no open one if others "
+          "follow");
     }
     ends_ = sorted(how_.hinge.elements);
     const std::uint64_t less = most_dropped(hole_.size(), p_);

@@ -3,11 +3,12 @@
 //     energy = cost + penalty · (uncovered needed pairs)
 // and under a budget
 //     energy = cost/4 + 4 · max(0, cost − budget) + penalty · (uncovered needed pairs).
-// Under a budget the penalty is fixed, else it is measured (cooling.hpp). Most moves look at one step: what it puts in comes one set-up earlier or
-// later in exchange for what it takes out, which stays as long. Others put any part, or one of an
-// uncovered pair, in the place of another, in one set-up or in a stretch; mount or take out a part;
-// take out a set-up, or insert one like that beside it; reverse a stretch, or move one.
-// Deterministic: integers, and floating point with + − × ÷ and comparisons only.
+// Under a budget the penalty is fixed, else it is measured (cooling.hpp). Most moves look at one
+// step: what it puts in comes one set-up earlier or later in exchange for what it takes out, which
+// stays as long. Others put any part, or one of an uncovered pair, in the place of another, in one
+// set-up or in a stretch; mount or take out a part; take out a set-up, or insert one like that
+// beside it; reverse a stretch, or move one. Deterministic: integers, and floating point with
+// + − × ÷ and comparisons only.
 #pragma once
 
 #include <chrono>

@@ -195,8 +195,8 @@ class BenchBounder {
     if (one_list_ && one_list_->cost > bounds_.cost.cost) {
       bounds_.cost.cost = one_list_->cost;
       bounds_.cost.reason = fmt::format(
-          "the dearest parts must meet among themselves (docs/plan.md, The lower bound): {} with {} "
-          "cost least",
+          "the dearest parts must meet among themselves (docs/plan.md, The lower bound): {} with "
+          "{} cost least",
           count_of(one_list_->tests, "test"), count_of(one_list_->introductions, "change"));
     }
     if (field_->alike() && !field_->rest(0).replaces()) {

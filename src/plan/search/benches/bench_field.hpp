@@ -2,7 +2,8 @@
 // the first set-ups are run, scarce parts and hours.
 //
 //     const BenchField field(job, benches);
-//     Lists lists(field.lists_job(100), BenchLists(field.size()));    // lists of what comes after the first set-ups
+//     // lists of what comes after the first set-ups
+//     Lists lists(field.lists_job(100), BenchLists(field.size()));
 //     count_benches(job, benches, field.schedule(lists.lists()));
 #pragma once
 

@@ -7,16 +7,18 @@
 // which is one test more and costs what it costs: both are taken off again.) Let X be any set of
 // parts of F, I_X their introductions, P_X the needed pairs within X.
 //  (a) One by one: in the order of introductions, within a step in any order, each of X meets at
-//  most the K − 1 others of X that
-//      are there, the first ones of a list fewer: P_X ≤ (K−1)·I_X − K(K−1)/2 if I_X > K. For n lists and X = F, each list but those that introduce only two
-//      parts loses K(K−1)/2.
+//      most the K − 1 others of X that are there, the first ones of a list fewer:
+//      P_X ≤ (K−1)·I_X − K(K−1)/2 if I_X > K. For n lists and X = F, each list but those that
+//      introduce only two parts loses K(K−1)/2.
 //  (b) By steps: a step that introduces j of X tests at most p(j) = C(j,2) + j(K−j) pairs of X, the
-//  first one of a list at most C(j,2). p is concave. (c) Degrees: x meets at most K−1 parts of F
-//  when it is introduced, and while it stays those j that come:
-//      Σ_{x∈X} (d_x − (K−1)·i_x) ≤ Y, the sum of j(K−j) over all steps but the first of each list.
+//      first one of a list at most C(j,2). p is concave.
+//  (c) Degrees: x meets at most K−1 parts of F when it is introduced, and while it stays those j
+//      that come: Σ_{x∈X} (d_x − (K−1)·i_x) ≤ Y, the sum of j(K−j) over all steps but the first of
+//      each list.
 //  (d) Stays: if every two parts of X must meet, Σ_{x∈X} (s+1−i_x) ≤ c_s for every s
-//  [docs/theorems.md, Theorem 5]. (e) i_x ≥ 1, and in a cheapest plan with fewest introductions i_x
-//  ≤ d_x, unless slots need parts; each step introduces something.
+//      [docs/theorems.md, Theorem 5].
+//  (e) i_x ≥ 1, and in a cheapest plan with fewest introductions i_x ≤ d_x, unless slots need
+//      parts; each step introduces something.
 // Each of them bounds I_X from below, given T and I. Let X_t be the t dearest parts, S_t their
 // introductions. The cost Σ c_x·i_x is Σ_t (c_t − c_{t+1})·S_t, prices falling, and so least where
 // every S_t is as small as (a) to (e) allow at once: the bound is the least over T and I.

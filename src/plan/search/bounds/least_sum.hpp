@@ -1,12 +1,12 @@
 // Linear programs of bounds: min Σ c_j·x_j where Σ a_ij·x_j ≥ b_i and x_j ≥ 0, c_j ≥ 0, and rows
 // come while it is solved.
 //
-//     LeastSum program({3, 2});                    // 3x + 2y
-//     program.add({{0, 1}, {1, 1}}, 5);            // x + y ≥ 5
-//     program.add({{0, 2}}, 4);                    // 2x ≥ 4
+//     LeastSum program({3, 2});          // 3x + 2y
+//     program.add({{0, 1}, {1, 1}}, 5);  // x + y ≥ 5
+//     program.add({{0, 2}}, 4);          // 2x ≥ 4
 //     program.solve();
-//     program.value(0);                            // 2
-//     program.price(1);                            // 0.5: a unit more of the second row costs so much
+//     program.value(0);                  // 2
+//     program.price(1);                  // 0.5: a unit more of the second row costs so much
 //
 // The dual simplex method on a dense table [Lemke1954]. It computes with rounded numbers, so what
 // it says is a proposal: with any prices ≥ 0 of the rows, Σ price·b_i is a lower bound if no

@@ -5,7 +5,8 @@
 //     energy = what the aim counts + penalty · (weight of what has not met)
 // where the aim counts, of the costs c_1, …, c_N of the benches with sum C, or when they end, and
 // the budget Z,
-//     least cost: C,      least largest cost: C + 2·Σ (c_i − C/N)²/(C/N),      most weight: C/4 + a · max(0, C − Z), 4 ≤ a ≤ 100.
+//     least cost: C,      least largest cost: C + 2·Σ (c_i − C/N)²/(C/N),
+//     most weight: C/4 + a · max(0, C − Z), 4 ≤ a ≤ 100.
 // Most moves look at one step: what it puts in comes one set-up earlier or later in exchange for
 // what it takes out. Others put any part, or one of something that has not met, in the place of
 // another, in one set-up or in a stretch; mount or take out a part in a stretch; take out a set-up,

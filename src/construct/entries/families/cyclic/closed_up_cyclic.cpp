@@ -86,8 +86,8 @@ class ClosedUpCyclic final : public WithoutNeighbours {
   }
   std::string explanation(const Parameters& p, const Deletion& deletion) const override {
     return fmt::format(
-        "Delete {} neighbours of the tight circular SCCD({},{}) of {} windows; in place of each, another element stays "
-        "from its last visit on.",
+        "Delete {} neighbours of the tight circular SCCD({},{}) of {} windows; in place of each, "
+        "another element stays from its last visit on.",
         deletion.r, p.v + deletion.r, p.k, deletion.c);
   }
 };

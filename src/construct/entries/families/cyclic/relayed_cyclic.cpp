@@ -191,7 +191,8 @@ class RelayedCyclic final : public Entry {
         static_cast<std::uint64_t>(given->second) > p.k / p.change ||
         !could_be(p, static_cast<std::uint64_t>(given->second))) {
       throw BadInput(
-          "relayed-cyclic takes a circular design's parameters and t, the number of carriers at a time");
+          "relayed-cyclic takes a circular design's parameters and t, the number of carriers at "
+          "a time");
     }
     const auto t = static_cast<std::uint64_t>(given->second);
     require_input(recipe, without_carriers(p, t), {{"t", given->second}});

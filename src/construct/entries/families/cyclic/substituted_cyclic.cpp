@@ -91,8 +91,8 @@ class SubstitutedCyclic final : public WithoutNeighbours {
   }
   std::string explanation(const Parameters& p, const Deletion& deletion) const override {
     return fmt::format(
-        "In the tight circular SCCD({0},{1}) of {2} windows let x+{3} take the place of x = 0,…,{4} in the windows, and "
-        "neither of them visit any.",
+        "In the tight circular SCCD({0},{1}) of {2} windows let x+{3} take the place of x = "
+        "0,…,{4} in the windows, and neither of them visit any.",
         p.v + deletion.r, p.k, deletion.c, deletion.c * (p.k - 1), deletion.r - 1);
   }
 };

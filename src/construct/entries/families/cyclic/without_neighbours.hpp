@@ -1,7 +1,8 @@
 // Families that leave out neighbours of the tight circular SCCD(2cK+1, k), K = k−1: v = 2cK+1−r,
 // 0 < r < 2K.
 //
-//     class ClosedUp final : public WithoutNeighbours { … };  // says which it serves, what it saves, and the legs
+//     // says which it serves, what it saves, and the legs
+//     class ClosedUp final : public WithoutNeighbours { … };
 //
 // In each of these designs some block is needed for one pair only if the list begins with the
 // next block, and this pair meets elsewhere too. A linear design leaves it out.
