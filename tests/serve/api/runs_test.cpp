@@ -218,6 +218,8 @@ TEST(RunsFolder, ThatCannotBeUsedIsNamed) {
   };
   spit(folder, "a file");
   all_are_503();
+  EXPECT_THAT(message_of(act(own, "/api/run", empty.dump())),
+              HasSubstr("; mend that where the server runs"));
   std::filesystem::remove(folder);
   std::filesystem::create_symlink("runs", folder);  // leads in a circle
   all_are_503();
