@@ -68,9 +68,9 @@ Weights weights_of(const ItemSizes& sizes, const WantedPairs& wanted, std::uint6
   return w;
 }
 
-// What these items need beyond each being loaded once, and what a loaded byte brings at most. A load
-// of x brings products of its size and those beside it, s_x (M - s_x) at most; what is loaded before
-// memory can be full brings M (M - s) / 2 less, s being the largest size.
+// What these items need beyond each being loaded once, and what a loaded byte brings at most. A
+// load of x brings products of its size and those beside it, s_x (M - s_x) at most; what is loaded
+// before memory can be full brings M (M - s) / 2 less, s being the largest size.
 std::pair<std::uint64_t, std::uint64_t> bytes_beyond(const Weights& w, std::uint64_t memory) {
   std::pair<std::uint64_t, std::uint64_t> best{0, 0};
   const auto consider = [&](Wide lacking, std::uint64_t most) {

@@ -36,8 +36,8 @@ void each_partner(const WantedPairs& wanted, std::uint64_t items, Element x, Vis
 [[nodiscard]] std::uint64_t most_held(const ItemSizes& sizes, const WantedPairs& wanted);
 
 /// Sizes from a list: an item and its bytes per row, or in rows of one field the bytes of items 0,
-/// 1, … in turn; bytes are whole numbers, with K, M, G or T for thousands. Items have the numbers or
-/// names of the pairs that are listed; without a list, if they have names, `names` gets them.
+/// 1, … in turn; bytes are whole numbers, with K, M, G or T for thousands. Items have the numbers
+/// or names of the pairs that are listed; without a list, if they have names, `names` gets them.
 /// @throws BadInput with a place
 [[nodiscard]] std::vector<std::uint64_t> read_sizes(Input& input,
                                                     std::optional<std::uint64_t> items,
