@@ -1,19 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <unordered_map>
 
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
-#include "core/utf8.hpp"
 #include "io/scan/row_reader.hpp"
+#include "loadorder/pairs/item_names.hpp"
 
 namespace changeover {
 namespace {
-
-constexpr std::size_t longest_name = 255;
 
 // Items with anything between them. Lists are long: a row is not kept.
 RowOptions row_options() {
@@ -25,41 +21,6 @@ RowOptions row_options() {
 }
 
 bool separates(char c) { return c == ' ' || c == '\t' || c == ',' || c == ';'; }
-
-/// A plain decimal below `most_items`.
-std::optional<Element> item_number(const Field& field) {
-  const std::string_view word = field.text;
-  Element number = 0;
-  const char* end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, number);
-  const bool plain = error == std::errc() && stop == end && (word[0] != '0' || word.size() == 1);
-  return plain && number < most_items ? std::optional(number) : std::nullopt;
-}
-
-/// What `word` is as a number if it is written like one: digits, perhaps with a sign, leading zeros
-/// or a point, without what makes no difference to the number. Nothing for all other words.
-std::optional<std::string> as_number(std::string_view word) {
-  const bool negative = word.starts_with('-');
-  if (negative || word.starts_with('+')) {
-    word.remove_prefix(1);
-  }
-  const std::size_t point = std::min(word.find('.'), word.size());
-  const std::string_view whole = word.substr(0, point);
-  std::string_view part = point < word.size() ? word.substr(point + 1) : std::string_view();
-  const auto digits = [](std::string_view text) {
-    return std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-  };
-  if (whole.empty() || !digits(whole) || !digits(part)) {
-    return std::nullopt;
-  }
-  std::string number(whole.substr(std::min(whole.find_first_not_of('0'), whole.size() - 1)));
-  part = part.substr(0, part.find_last_not_of('0') + 1);
-  if (!part.empty()) {
-    number += '.';
-    number += part;
-  }
-  return negative && number != "0" ? '-' + number : number;
-}
 
 /// "0 1": its author meant two items, and not one of this name.
 bool are_numbers(std::string_view text) {
@@ -74,37 +35,6 @@ bool are_numbers(std::string_view text) {
     text.remove_prefix(std::min(word.size() + 1, text.size()));
   }
   return true;
-}
-
-/// An invisible character that makes another name of a name, as in "U+200B"; nothing if there is
-/// none. `word` is UTF-8.
-std::optional<std::string> invisible_character(std::string_view word) {
-  constexpr auto ranges = std::to_array<std::pair<char32_t, char32_t>>({{0xA0, 0xA0},
-                                                                        {0xAD, 0xAD},
-                                                                        {0x34F, 0x34F},
-                                                                        {0x61C, 0x61C},
-                                                                        {0x115F, 0x1160},
-                                                                        {0x17B4, 0x17B5},
-                                                                        {0x180B, 0x180F},
-                                                                        {0x2000, 0x200F},
-                                                                        {0x2028, 0x202F},
-                                                                        {0x205F, 0x206F},
-                                                                        {0x3000, 0x3000},
-                                                                        {0x3164, 0x3164},
-                                                                        {0xFE00, 0xFE0F},
-                                                                        {0xFEFF, 0xFEFF},
-                                                                        {0xFFA0, 0xFFA0},
-                                                                        {0xE0000, 0xE0FFF}});
-  while (!word.empty()) {
-    const CodePoint point = first_code_point(word);
-    word.remove_prefix(point.bytes);
-    for (const auto& [first, last] : ranges) {
-      if (point.value >= first && point.value <= last) {
-        return fmt::format("U+{:04X}", std::uint32_t{point.value});
-      }
-    }
-  }
-  return std::nullopt;
 }
 
 /// Two items as most files write them: digits, one blank, tab or comma, digits. Nothing for every
@@ -231,7 +161,7 @@ class PairReader {
       seen_any_ = true;
       first_line_ = row_;
       for (const Field& field : first_line_) {
-        check_name(field);
+        check_item_name(rows_, field);
       }
       return;
     }
@@ -240,12 +170,7 @@ class PairReader {
     if (named_ || !numbers) {
       if (!named_ && !pairs_.empty()) {
         for (const Field& field : row_) {
-          if (const auto number = as_number(field.text); number && *number != field.text) {
-            rows_.fail(field,
-                       fmt::format("'{}' is not written like the whole numbers before it; write "
-                                   "{}, or begin all items with a letter if they are names",
-                                   field.text, *number));
-          }
+          check_written_plainly(rows_, field);
         }
       }
       become_named();
@@ -301,36 +226,12 @@ class PairReader {
     });
   }
 
-  void check_name(const Field& field) {
-    const std::string& word = field.text;
-    if (word.size() > longest_name) {
-      rows_.fail(field, "a name of more than 255 bytes; shorten it");
-    }
-    if (const auto character = invisible_character(word)) {
-      rows_.fail(field, fmt::format("the name '{}' has a character that cannot be seen, {}; "
-                                    "remove it",
-                                    word, *character));
-    }
-    if (word.find('|') != std::string_view::npos) {
-      rows_.fail(field, fmt::format("the name '{}' has a '|', which stands between the names of a "
-                                    "pair; rename it",
-                                    word));
-    }
-  }
-
   Element item_called(const Field& field) {
     const std::string& word = field.text;
     const auto [found, is_new] = numbers_.try_emplace(word, static_cast<Element>(names_.size()));
     if (is_new) {
-      check_name(field);
-      if (const auto number = as_number(word)) {
-        const auto [other, first] = written_.try_emplace(*number, word);
-        if (!first) {
-          rows_.fail(field,
-                     fmt::format("'{}' and '{}' are one number and two names; write it in one way",
-                                 other->second, word));
-        }
-      }
+      check_item_name(rows_, field);
+      written_.add(rows_, field);
       if (names_.size() == options_.items.value_or(most_items)) {
         rows_.fail(field, fmt::format("'{}' is one name more than {} items", word, names_.size()));
       }
@@ -350,7 +251,7 @@ class PairReader {
   Element largest_ = 0;
   std::vector<std::string> names_;
   std::unordered_map<std::string, Element> numbers_;
-  std::unordered_map<std::string, std::string> written_;  // names that are numbers, by the number
+  WrittenNumbers written_;
 };
 
 }  // namespace

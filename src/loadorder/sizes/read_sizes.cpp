@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <unordered_map>
 #include <utility>
 
 #include "changeover/core/error.hpp"
 #include "io/scan/row_reader.hpp"
+#include "loadorder/pairs/item_names.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
 
 namespace changeover {
@@ -23,7 +25,7 @@ class SizeList {
  public:
   SizeList(Input& input, std::optional<std::uint64_t> items, const PairGraph* graph,
            std::vector<std::string>& names)
-      : rows_(input, options()), items_(items), graph_(graph), names_(names) {
+      : rows_(input, options()), name_(input.name()), items_(items), graph_(graph), names_(names) {
     if (graph != nullptr) {
       items_ = graph->items();
       for (const std::string& name : graph->names()) {
@@ -73,8 +75,25 @@ class SizeList {
                                                             : std::nullopt;
   }
 
+  // "NaN", "-3" and "1e400", which are no sizes, are meant as some.
+  static bool is_meant_as_size(std::string_view word) {
+    std::string small(word);
+    std::ranges::transform(small, small.begin(), [](char c) {
+      return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    const auto first = small.find_first_not_of("+-.");
+    const std::string_view unsigned_word =
+        first == std::string::npos ? std::string_view() : std::string_view(small).substr(first);
+    constexpr auto values = std::to_array<std::string_view>(
+        {"nan", "inf", "infinity", "na", "n/a", "none", "null", "nil", "?", ""});
+    return std::ranges::find(values, unsigned_word) != values.end() ||
+           (unsigned_word[0] >= '0' && unsigned_word[0] <= '9');
+  }
+
+  // A first line none of whose cells is meant as a size.
   static bool is_heading(const Row& row) {
-    return row.size() <= 2 && !size_in(row.back()) &&
+    return row.size() <= 2 && !is_meant_as_size(row.front().text) &&
+           !is_meant_as_size(row.back().text) &&
            row.back().text.find_first_of("0123456789") == std::string::npos;
   }
 
@@ -107,16 +126,16 @@ class SizeList {
 
   // A list of names alone says which items there are.
   Element item(const Field& field) {
-    std::string_view rest;
-    const auto number = whole_number(field.text, rest);
-    const bool is_number = number && rest.empty() && *number < most_items;
+    const auto number = item_number(field);
+    const bool is_number = number.has_value();
     const bool by_name = graph_ != nullptr ? !numbers_.empty() : named_.value_or(!is_number);
     if (!by_name) {
       if (!is_number) {
+        check_written_plainly(rows_, field);
         rows_.fail(field, fmt::format("'{}' is not the number of an item", field.text));
       }
       named_ = false;
-      return static_cast<Element>(*number);
+      return *number;
     }
     const auto found = numbers_.find(field.text);
     if (found != numbers_.end()) {
@@ -126,6 +145,8 @@ class SizeList {
       rows_.fail(field,
                  fmt::format("'{}' is not in the listed pairs; write it as there", field.text));
     }
+    check_item_name(rows_, field);
+    written_.add(rows_, field);
     named_ = true;
     names_.push_back(field.text);
     numbers_.emplace(field.text, static_cast<Element>(names_.size() - 1));
@@ -133,12 +154,15 @@ class SizeList {
   }
 
   std::vector<std::uint64_t> finish() {
+    if (sizes_.empty()) {
+      throw BadInput(name_ + ": no size is listed; give an item and its bytes per line");
+    }
     sizes_.resize(
         std::max<std::size_t>(sizes_.size(), static_cast<std::size_t>(items_.value_or(0))), 0);
     for (Element x = 0; x < sizes_.size(); ++x) {
       if (sizes_[x] == 0 && (graph_ == nullptr || graph_->is_needed(x))) {
         const bool by_name = graph_ != nullptr && !graph_->names().empty();
-        throw BadInput(fmt::format("item {} has no size; give one for each item",
+        throw BadInput(fmt::format("{}: item {} has no size; give one for each item", name_,
                                    by_name ? graph_->names()[x] : std::to_string(x)));
       }
     }
@@ -146,11 +170,13 @@ class SizeList {
   }
 
   RowReader rows_;
+  std::string name_;
   std::optional<std::uint64_t> items_;
   const PairGraph* graph_;
   std::vector<std::string>& names_;
   std::optional<bool> named_;
   std::unordered_map<std::string, Element> numbers_;
+  WrittenNumbers written_;
   std::size_t columns_ = 0;
   std::vector<std::uint64_t> sizes_;
 };

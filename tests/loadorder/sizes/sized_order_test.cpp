@@ -258,6 +258,41 @@ TEST(SizedOrder, IsReadFromRequests) {
   EXPECT_THAT(facts(R"({"sizes":[[0,5],[1,26]],"memory":30})"), HasSubstr("31 bytes together"));
 }
 
+TEST(SizedOrder, ListsOfSizesLoseNoRow) {
+  const auto read = [](const std::string& text) -> std::string {
+    try {
+      const CheckedLoads asked = checked_loads(
+          load_request(fmt::format(R"({{"sizes":{{"text":"{}"}},"memory":30}})", text)),
+          Door::document);
+      return fmt::format("{}", fmt::join(asked.sizes()->bytes, " "));
+    } catch (const Error& fault) {
+      return fault.what();
+    }
+  };
+  // What is meant as a size is no heading.
+  for (const std::string word : {"NaN", "nan", "inf", "-inf", "Infinity", "-3", "1e400", "0", "NA",
+                                 "none", "null", "-", "?", "-.5", "+4"}) {
+    EXPECT_THAT(read(fmt::format("a {}\\nb 3\\nc 4\\n", word)), HasSubstr(":1:3: '" + word + "'"));
+    EXPECT_THAT(read(fmt::format("0 {}\\n1 3\\n", word)), HasSubstr(":1:3: '" + word + "'"));
+    EXPECT_THAT(read(word + "\\n3\\n4\\n"), HasSubstr(":1:1: '" + word + "'"));
+  }
+  EXPECT_THAT(read("0 bytes\\n1 3\\n"), HasSubstr(":1:3: 'bytes'"));
+  for (const std::string heading : {"item bytes", "name information", "name,größe", "nano,infer"}) {
+    EXPECT_EQ(read(heading + "\\na 3\\nb 4\\n"), "3 4");
+  }
+  EXPECT_EQ(read("size\\n3\\n4\\n"), "3 4");
+  // Without a row, too, it is said which list.
+  EXPECT_THAT(read(""), HasSubstr(": no size is listed; give"));
+  EXPECT_THAT(read("item bytes\\n"), HasSubstr(": no size is listed; give"));
+  EXPECT_THAT(read("0 3\\n2 4\\n"), HasSubstr(": item 1 has no size"));
+  // Names are those of other lists.
+  EXPECT_THAT(read("a 3\\na\\u200b 4\\n"), HasSubstr(":2:1: the name 'a\u200b' has a char"));
+  EXPECT_THAT(read("a 3\\nb|c 4\\n"), HasSubstr(":2:1: the name 'b|c' has a '|'"));
+  EXPECT_THAT(read(std::string(256, 'a') + " 3\\nb 4\\n"), HasSubstr("more than 255 bytes"));
+  EXPECT_THAT(read("0 3\\n01 4\\n"), HasSubstr(":2:1: '01' is not written like"));
+  EXPECT_THAT(read("a 3\\n1 3\\n01 4\\n"), HasSubstr(":3:1: '1' and '01' are one number"));
+}
+
 TEST(SizedOrder, TheExecutorHoldsNoMoreThanTheMemory) {
   const std::vector<std::uint64_t> bytes{50'000, 9'000,  20'000, 33'000, 4'000,  8'000,
                                          41'000, 27'000, 3'000,  60'000, 10'000, 15'000};
