@@ -107,6 +107,9 @@ class WantedPairs {
   /// @throws BadInput if no item occurs.
   [[nodiscard]] static WantedPairs listed(std::shared_ptr<const PairGraph> graph);
 
+  /// The same of a graph that has all pairs of items that were not listed, but have names.
+  [[nodiscard]] static WantedPairs whole(std::shared_ptr<const PairGraph> graph);
+
   [[nodiscard]] bool are_all() const { return kind_ == Kind::all; }
 
   /// 0 if all pairs are wanted.
@@ -151,6 +154,7 @@ class WantedPairs {
   Kind kind_ = Kind::all;
   std::uint64_t items_ = 0;
   std::uint64_t first_ = 0;
+  bool whole_ = false;
   std::shared_ptr<const PairGraph> graph_;
 };
 

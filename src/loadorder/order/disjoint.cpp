@@ -250,10 +250,12 @@ LoadOrder plan_disjoint_order(std::uint64_t items, std::uint64_t room, std::uint
   facts.bound = load_lower_bound(items, room);
   facts.makespan_bound = makespan_lower_bound(items, room, workers);
   if (workers > 1 && items / workers < room) {
+    const std::string less =
+        items / workers < 2 ? "" : fmt::format("room for {} or less, or ", items / workers);
     throw BadInput(
-        fmt::format("{} workers with room for {} each would hold more than all {} items; give room "
-                    "for {} or less, or fewer workers",
-                    workers, room, items, items / workers));
+        fmt::format("{} workers with room for {} each would hold more than all {} items; give {}"
+                    "fewer workers",
+                    workers, room, items, less));
   }
   if (items > max_elements_in_memory) {
     throw ImpossibleParameters(

@@ -326,7 +326,7 @@ class ScheduleCheck::State {
                              step.load[rules_.room - worker.memory.size()]));
     }
     if (rules_.overlap) {
-      compute(step, std::exchange(worker.overlap, {}), true);
+      compute(step, std::exchange(worker.overlap, {}), !step.load.empty());
       evict(step, last);
     }
     if (changes_ && stored_ < step.store.size()) {

@@ -120,6 +120,12 @@ WantedPairs WantedPairs::listed(std::shared_ptr<const PairGraph> graph) {
   throw BadInput("no pair is listed; give two items per line");
 }
 
+WantedPairs WantedPairs::whole(std::shared_ptr<const PairGraph> graph) {
+  WantedPairs wanted = listed(std::move(graph));
+  wanted.whole_ = true;
+  return wanted;
+}
+
 std::uint64_t WantedPairs::count() const {
   switch (kind_) {
     case Kind::all:
@@ -144,7 +150,7 @@ std::string WantedPairs::describe() const {
       return fmt::format("{} with {}{}", count_of(rest, "new item"),
                          rest == 1 ? "" : "each other and with ", count_of(first_, "old one"));
     default:
-      return count_of(graph_->pairs(), "listed pair");
+      return whole_ ? count_of(items_, "item") : count_of(graph_->pairs(), "listed pair");
   }
 }
 

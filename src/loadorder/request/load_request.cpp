@@ -308,11 +308,13 @@ void check_together(const LoadRequest& request, Door door, bool all) {
                        *request.done_items, key("items", door), items));
   }
   if (request.disjoint && *request.workers > 1 && items / *request.workers < *request.room) {
-    refuse(
-        fmt::format("{}: {} workers with room for {} would hold more than {}; give {} {} "
-                    "or less, or fewer workers",
-                    key("disjoint", door), *request.workers, *request.room, count_of(items, "item"),
-                    key("room", door), items / *request.workers));
+    const std::uint64_t most = items / *request.workers;
+    const std::string less =
+        most < 2 ? "" : fmt::format("{} {} or less, or ", key("room", door), most);
+    refuse(fmt::format(
+        "{}: {} workers with room for {} would hold more than {}; give {}fewer "
+        "workers",
+        key("disjoint", door), *request.workers, *request.room, count_of(items, "item"), less));
   }
   if ((request.disjoint || request.fast_room) && items > max_elements_in_memory) {
     refuse(fmt::format("{}: at most {} items; group items into larger ones",
@@ -430,11 +432,13 @@ CheckedLoads checked_loads(const LoadRequest& request, Door door,
         open(request.pairs, option_of(load_table(), "pairs").record, key("pairs", door));
     pairs = read_pairs(*input, {.items = request.items});
   }
+  const bool listed = pairs != nullptr;
   if (request.sizes.is_given()) {
     take_sizes(request, door, pairs, checked.sizes_);
   }
   if (pairs) {
-    checked.wanted_ = WantedPairs::listed(std::move(pairs));
+    checked.wanted_ =
+        listed ? WantedPairs::listed(std::move(pairs)) : WantedPairs::whole(std::move(pairs));
   } else if (request.against) {
     checked.wanted_ = WantedPairs::between(*request.items, *request.against);
   } else if (request.done_items) {

@@ -11,8 +11,8 @@ namespace {
 // Steps that say more than what is loaded and which pairs are new, or that depend on those of other
 // workers, are all read before one worker's are written.
 bool is_worker_by_itself(const LoadRequest& request) {
-  return request.worker &&
-         !(request.disjoint || request.fast_room || request.prefetch || request.write_back);
+  return request.worker && !(request.disjoint || request.fast_room || request.prefetch ||
+                             request.write_back || request.spread);
 }
 
 LoadsShown shown_as_asked(const LoadRequest& request) {

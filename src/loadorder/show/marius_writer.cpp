@@ -18,7 +18,7 @@ void MariusWriter::write(const Step& step) {
   if (!memory_.empty() && step.load.size() != step.evict.size()) {
     throw BadInput(fmt::format(
         "step {} evicts {} and loads {}: Marius exchanges as many partitions as it evicts; "
-        "give another room",
+        "list more pairs or all, or give items of one size",
         step.number, step.evict.size(), step.load.size()));
   }
   for (std::size_t i = 0; i < step.evict.size(); ++i) {
@@ -26,6 +26,12 @@ void MariusWriter::write(const Step& step) {
   }
   if (memory_.empty()) {
     memory_ = step.load;
+    if (memory_.size() != std::min(room_, items_)) {
+      throw BadInput(fmt::format(
+          "step {} fills {} of {} places: Marius' buffer is always full; list more pairs or all, "
+          "or give items of one size",
+          step.number, memory_.size(), std::min(room_, items_)));
+    }
   }
   states_ += states_.empty() ? "[" : ",[";
   for (std::size_t i = 0; i < memory_.size(); ++i) {

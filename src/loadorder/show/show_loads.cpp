@@ -14,6 +14,7 @@
 #include "core/checked.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
+#include "loadorder/show/counted_pairs.hpp"
 #include "loadorder/show/marius_writer.hpp"
 #include "loadorder/show/step_writer.hpp"
 #include "loadorder/show/worker_words.hpp"
@@ -119,24 +120,23 @@ class Said {
   void check() {
     CheckOptions options;
     options.all_pairs = each_pair_once();
-    checked_ = check_schedule(*steps(), rules_, options);
+    CountedPairs counted(steps(), split_ != nullptr ? split_->workers.size() : facts_.lockstep);
+    checked_ = check_schedule(counted, rules_, options);
     if (!checked_.valid() || checked_.loads != facts_.loads ||
         checked_.transfers != facts_.transfers ||
-        (facts_.lockstep > 0 && checked_.span != facts_.span) || !pairs_are_as_said()) {
+        (facts_.lockstep > 0 && checked_.span != facts_.span) || !are_as_said(counted.pairs())) {
       throw InternalError(fmt::format("what the steps do is wrong: {} missing, {} repeated; {}",
                                       checked_.missing, checked_.repeated, checked_.fault));
     }
+    if (facts_.lockstep > 0) {
+      facts_.worker_pairs = counted.pairs();  // at random they change workers, too
+    }
   }
 
-  // What workers compute is what the head says of them.
-  [[nodiscard]] bool pairs_are_as_said() const {
-    if (split_ == nullptr || !split_->pairs_are_known || how_.compute.self ||
-        how_.compute.ordered) {
-      return true;
-    }
-    std::vector<std::uint64_t> computed = checked_.worker_pairs;
-    computed.resize(split_->workers.size(), 0);
-    return std::ranges::equal(computed, split_->workers, {}, {}, &WorkerFacts::pairs);
+  // What workers compute one after another is what the head says of them.
+  [[nodiscard]] bool are_as_said(const std::vector<std::uint64_t>& computed) const {
+    return split_ == nullptr || !split_->pairs_are_known ||
+           std::ranges::equal(computed, split_->workers, {}, {}, &WorkerFacts::pairs);
   }
 
   // One line.
@@ -446,6 +446,12 @@ class Said {
       throw BadInput(
           "Marius has one buffer of numbered partitions, whose buckets are known: give one worker, "
           "one level, and at most 65535 items");
+    }
+    for (Element x = 0; x < facts_.items; ++x) {
+      if (!facts_.wanted.are_all() && !facts_.wanted.needs(x)) {
+        throw BadInput(fmt::format(
+            "partition {} is in no pair, and Marius needs all of them; list it with itself", x));
+      }
     }
     MariusWriter writer(out, facts_.items, facts_.room);
     const auto all = steps();

@@ -1,0 +1,155 @@
+// What the head of an answer says is what its steps do, whatever is asked; items in no listed pair
+// are not loaded.
+#include "loadorder/show/loads_answer.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "changeover/core/error.hpp"
+#include "pairs/pairs_support.hpp"
+
+namespace changeover::test::loads_answer_test {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A request and its answer; nothing if the options exclude each other.
+std::unique_ptr<LoadsAnswer> answer(const LoadRequest& request,
+                                    std::shared_ptr<const PairGraph> pairs = nullptr) {
+  try {
+    const CheckedLoads asked = checked_loads(request, Door::document, std::move(pairs));
+    return std::make_unique<LoadsAnswer>(asked, request, LoadOrderOptions());
+  } catch (const Error&) {
+    return nullptr;
+  }
+}
+
+/// The list of numbers in a line of JSON: "[7,8]".
+std::string list_in(const std::string& head, const std::string& key) {
+  const std::size_t at = head.find("\"" + key + "\":[");
+  return at == std::string::npos
+             ? ""
+             : head.substr(head.find('[', at), head.find(']', at) + 1 - head.find('[', at));
+}
+
+/// Every combination of the options that say how steps compute.
+template <typename Visit>
+void each_combination(Visit&& visit) {
+  for (unsigned bits = 0; bits < 1U << 8; ++bits) {
+    const auto has = [&](unsigned bit) { return (bits >> bit & 1U) != 0; };
+    LoadRequest request;
+    request.room = 3;
+    request.workers = 2;
+    request.disjoint = has(0);
+    request.new_pairs = has(1);
+    request.ordered = has(2);
+    request.self = has(3);
+    request.spread = has(4);
+    request.write_back = has(5);
+    request.prefetch = has(6);
+    request.first_holder = has(7);
+    for (const std::uint64_t epochs : {1U, 2U}) {
+      request.epochs = epochs;
+      visit(request, fmt::format("{} {}", bits, epochs));
+    }
+  }
+}
+
+TEST(LoadsAnswer, WorkerPairsAreThoseOfTheSteps) {
+  int counted = 0;
+  each_combination([&](LoadRequest request, const std::string& what) {
+    for (const std::uint64_t items : {6U, 9U}) {
+      request.items = items;
+      const auto loads = answer(request);
+      if (loads == nullptr || !loads->says_work()) {
+        continue;
+      }
+      const std::string said = list_in(loads->head(), "worker_pairs");
+      ASSERT_NE(said, "") << what;
+      std::vector<std::uint64_t> pairs(2, 0);
+      const auto steps = loads->steps(std::nullopt);
+      for (Step step; steps->next(step);) {
+        for (const auto* const computed : {&step.compute, &step.overlap}) {
+          for (const auto& [x, y] : *computed) {
+            pairs[static_cast<std::size_t>(step.worker)] += x < y ? 1U : 0U;
+          }
+        }
+      }
+      EXPECT_EQ(said, fmt::format("[{}]", fmt::join(pairs, ","))) << what << " " << items;
+      ++counted;
+    }
+  });
+  EXPECT_GT(counted, 100);
+}
+
+TEST(LoadsAnswer, ItemsInNoListedPairAreNotLoaded) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const std::uint64_t items = 8 + 3 * seed;
+    const std::vector<ItemPair> pairs = random_pairs(items, 3 + seed % 5, seed);
+    const auto graph = std::make_shared<const PairGraph>(items, pairs);
+    each_combination([&](LoadRequest request, const std::string& what) {
+      for (const std::uint64_t room : {std::uint64_t{4}, items}) {
+        for (const std::uint64_t workers : {0U, 1U, 2U, 3U}) {
+          request.room = room;
+          request.workers = workers > 0 ? std::optional(workers) : std::nullopt;
+          const auto loads = answer(request, graph);
+          if (loads == nullptr) {
+            continue;
+          }
+          const auto steps = loads->steps(std::nullopt);
+          for (Step step; steps->next(step);) {
+            for (const Element x : step.load) {
+              ASSERT_TRUE(graph->is_needed(x)) << seed << " " << what << " " << workers;
+            }
+            for (const auto& [x, y] : step.compute) {
+              ASSERT_TRUE(graph->is_needed(x) && graph->is_needed(y)) << seed << " " << what;
+            }
+          }
+          ASSERT_EQ(loads->fault(), "") << seed << " " << what << " " << workers;
+        }
+      }
+    });
+  }
+}
+
+TEST(LoadsAnswer, OneWorkersSpreadPairsAreReadFirst) {
+  LoadRequest request;
+  request.items = 12;
+  request.room = 4;
+  request.workers = 2;
+  request.worker = 1;
+  request.new_pairs = request.spread = true;
+  const auto loads = answer(request);
+  ASSERT_NE(loads, nullptr);
+  EXPECT_THAT(loads->head(), HasSubstr("\"pairs_per_step\""));
+}
+
+TEST(LoadsAnswer, WithoutLoadsNoPairIsComputedWhileTheyRun) {
+  LoadRequest request;
+  request.items = 3;
+  request.room = 4;
+  request.prefetch = true;
+  request.epochs = 3;
+  const auto loads = answer(request);
+  ASSERT_NE(loads, nullptr);
+  EXPECT_THAT(loads->head(), HasSubstr("\"overlapped\":0"));
+}
+
+TEST(LoadsAnswer, MariusHasAllPartitionsAndFullStates) {
+  const auto written = [](const std::vector<ItemPair>& pairs) -> std::string {
+    LoadRequest request;
+    request.room = 3;
+    const auto loads = answer(request, std::make_shared<const PairGraph>(5, pairs));
+    StringSink sink;
+    try {
+      loads->write("marius", sink);
+    } catch (const BadInput& fault) {
+      return fault.what();
+    }
+    return sink.text();
+  };
+  EXPECT_THAT(written({{0, 1}, {1, 2}, {2, 4}}), HasSubstr("partition 3 is in no pair"));
+}
+
+}  // namespace
+}  // namespace changeover::test::loads_answer_test
