@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <ranges>
 #include <utility>
 
 #include "changeover/core/error.hpp"
@@ -263,7 +265,40 @@ WorkerSplit SplitMaker::for_fewer_pairs(WorkerSplit split, const WantedPairs& wa
   split.facts_.all_pairs = count_of_pairs(wanted, split.facts_.items);
   split.facts_.pairs_are_known = false;
   put_in_words(split);
+  leave_out_unneeded(split);
   return split;
+}
+
+// Items in no listed pair, which orders for all pairs load.
+void SplitMaker::leave_out_unneeded(WorkerSplit& split) {
+  const PairGraph* const graph = split.order_.facts().wanted.graph();
+  const auto is_needed = [&](Element x) { return graph->is_needed(x); };
+  if (graph == nullptr ||
+      std::ranges::all_of(std::views::iota(Element{0}, static_cast<Element>(graph->items())),
+                          is_needed)) {
+    return;
+  }
+  SplitFacts& facts = split.facts_;
+  auto lists = std::make_shared<StepLists>();
+  for (std::size_t w = 0; w < facts.workers.size(); ++w) {
+    std::vector<Move> moves;
+    const auto steps = split.stream(w);
+    for (Step step; steps->next(step);) {
+      stop_if_asked();
+      std::erase_if(step.evict, std::not_fn(is_needed));
+      std::erase_if(step.load, std::not_fn(is_needed));
+      moves.push_back({step.evict, step.load});
+    }
+    moves = lazily(std::move(moves), facts.room);
+    facts.workers[w] = {};
+    facts.workers[w].steps = moves.size();
+    for (const Move& move : moves) {
+      facts.workers[w].loads += move.load.size();
+    }
+    lists->add(moves);
+  }
+  split.owners_ = nullptr;  // of the steps that there were
+  take_steps(split, std::move(lists));
 }
 
 bool SplitMaker::are_few(const WorkerSplit& split) {

@@ -28,7 +28,7 @@ class SplitMaker {
                             std::uint64_t workers);
   /// For two sets: as `other`, but one block per worker.
   static WorkerSplit blocks(HeldBlocks blocks, const WorkerSplit& other);
-  /// The same steps, of which only these pairs are wanted.
+  /// The same steps, of which only these pairs are wanted, and no item that is in none of them.
   static WorkerSplit for_fewer_pairs(WorkerSplit split, const WantedPairs& wanted,
                                      const LoadBound& bound, const LoadBound& makespan_bound);
 
@@ -47,6 +47,7 @@ class SplitMaker {
 
  private:
   static bool are_few(const WorkerSplit& split);
+  static void leave_out_unneeded(WorkerSplit& split);
   static void put_in_words(WorkerSplit& split);
   static void take_steps(WorkerSplit& split, std::shared_ptr<const WorkerSteps> steps);
   static std::string certify(const GroupShares& shares);
