@@ -43,6 +43,20 @@ void require_memory_for_a_step(const CheckedLoads& asked, bool ordered) {
                  fmt::format("a step of --new-pairs with --room {}", room));
 }
 
+// All steps are read and made again before the first one is written.
+void require_few_epochs(const CheckedLoads& asked, std::uint64_t epochs) {
+  constexpr std::uint64_t most_pairs = 100'000'000;
+  const std::uint64_t pairs =
+      asked.wanted().are_all() ? asked.items() * (asked.items() - 1) / 2 : asked.wanted().count();
+  if (epochs > 1 && pairs > most_pairs / epochs) {
+    throw BadOption(fmt::format(
+        "--epochs {}: with --spread or --format marius all epochs have at most {} pairs; give {}",
+        epochs, most_pairs,
+        most_pairs / pairs < 2 ? "fewer items"
+                               : fmt::format("--epochs {} or less", most_pairs / pairs)));
+  }
+}
+
 Answer run(const LoadOrderRequest& typed) {
   RunRequest run = typed.run;
   LoadRequest request =
@@ -66,6 +80,9 @@ Answer run(const LoadOrderRequest& typed) {
   const CheckedLoads asked = checked_loads(request, Door::command_line);
   if (request.new_pairs) {
     require_memory_for_a_step(asked, request.ordered);
+  }
+  if (request.spread || typed.output.format() == "marius") {
+    require_few_epochs(asked, request.epochs.value_or(1));
   }
   LoadOrderOptions options;
   options.seed = request.seed.value_or(1);

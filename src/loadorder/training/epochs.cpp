@@ -15,6 +15,17 @@
 #include "loadorder/order/read_order.hpp"
 
 namespace changeover {
+
+void check_moves_kept(std::uint64_t moves, std::uint64_t steps) {
+  constexpr std::uint64_t moves_of_a_step = 8;  // take as much memory as what it says beside them
+  if (moves > most_moves_kept || steps > (most_moves_kept - moves) / moves_of_a_step) {
+    throw ImpossibleParameters(fmt::format(
+        "to go back, the {} loads and evictions and {} steps of an epoch would be kept in mind, "
+        "more than 1.6 GB; group items into larger ones",
+        moves, steps));
+  }
+}
+
 namespace {
 
 /// What moves, step by step.
@@ -25,12 +36,7 @@ class Tape {
       items_.insert(items_.end(), (step.*list).begin(), (step.*list).end());
       ends_.push_back(items_.size());
     }
-    if (items_.size() > most_moves_kept) {
-      throw ImpossibleParameters(fmt::format(
-          "to go back, the loads and evictions of an epoch are kept in mind, {} at most; group "
-          "items into larger ones",
-          most_moves_kept));
-    }
+    check_moves_kept(items_.size(), steps());
   }
 
   [[nodiscard]] std::size_t steps() const { return ends_.size() / lists.size(); }
@@ -211,6 +217,11 @@ LoadOrder repeat_order(LoadOrder order, std::uint64_t epochs) {
   if (facts.epochs != 1) {
     throw BadInput("an order of several epochs is not repeated");
   }
+  const std::uint64_t all_workers = std::max<std::uint64_t>(1, facts.lockstep);
+  // What is there at the end is not evicted.
+  const std::uint64_t stays = std::min(facts.loads, checked_multiply(facts.room, all_workers));
+  check_moves_kept(checked_add(facts.loads, facts.loads - stays),
+                   checked_multiply(facts.steps, all_workers));
   const LoadOrder::Maker once = order.maker();
   const std::uint64_t lockstep = facts.lockstep;
   LoadOrder::Maker maker = [once, epochs, lockstep] {

@@ -25,6 +25,10 @@ inline constexpr std::uint64_t most_moves_kept = 400'000'000;
 /// What moves, without any check; of workers in lockstep, or of others one after another: 1.
 [[nodiscard]] ScheduleFacts count_moves(StepSource& steps, std::uint64_t workers);
 
+/// @throws ImpossibleParameters if loads, evictions and steps of an epoch take too much memory to
+/// be kept
+void check_moves_kept(std::uint64_t moves, std::uint64_t steps);
+
 /// @throws BadInput unless 1 ≤ epochs ≤ most_epochs
 void check_epochs(std::uint64_t epochs);
 
