@@ -74,7 +74,7 @@ struct UpdateOptions {
   std::string data;  ///< items of the same size, which are changed; DATA.versions is beside it
   std::uint64_t item_bytes = 0;                  ///< of each
   std::string journal;                           ///< path
-  std::uint64_t checkpoint_every = 100;          ///< steps
+  std::uint64_t checkpoint_every = 100;          ///< steps, at least 1
   std::string job = {};                          ///< names what is computed
   ComputeRules work = {};                        ///< which pairs: both ways, items alone, shuffled
   const std::atomic<bool>* cancelled = nullptr;  ///< looked at after each step

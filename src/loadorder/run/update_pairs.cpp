@@ -158,7 +158,7 @@ class UpdateJob {
     }
     while (report_.steps_done < facts_.steps && !cancelled()) {
       compute_step(items, pool);
-      if (report_.steps_done % std::max<std::uint64_t>(1, options_.checkpoint_every) == 0 ||
+      if (report_.steps_done % options_.checkpoint_every == 0 ||
           report_.steps_done == facts_.steps || cancelled()) {
         checkpoint(journal, items, pool);
       }
@@ -194,6 +194,9 @@ class UpdateJob {
       throw BadInput(options_.journal.empty()
                          ? "a job whose items change needs a journal; name a file for it"
                          : "items of 0 bytes; give at least 1");
+    }
+    if (options_.checkpoint_every == 0) {
+      throw BadInput("checkpoint_every 0: give at least 1 step");
     }
     std::error_code error;
     if (!std::filesystem::is_regular_file(options_.data, error)) {

@@ -76,6 +76,9 @@ void StepWriter::write(const Step& step) {
     }
   }
   constexpr std::size_t piece = 1 << 16;
+  if (!json_ && !csv_ && text_.size() == head_) {
+    text_ += " nothing to do";
+  }
   text_ += json_ ? "}\n" : "\n";
   if (text_.size() >= piece) {
     end();
@@ -117,6 +120,7 @@ void StepWriter::number(Column column, std::uint64_t value) {
   }
   fmt::format_to(std::back_inserter(text_), "{}", value);
   text_ += column == Column::step && !json_ && !csv_ ? ":" : "";
+  head_ = text_.size();
 }
 
 template <typename Members>
@@ -132,7 +136,7 @@ void StepWriter::list(Column column, const Members& members) {
   } else {
     std::string name = name_of(column);
     std::replace(name.begin(), name.end(), '_', ' ');
-    text_ += (text_.back() == ':' ? " " : "; ") + name + " ";
+    text_ += (text_.size() == head_ ? " " : "; ") + name + " ";
   }
   const std::size_t cell = text_.size();
   bool first = true;

@@ -65,6 +65,7 @@ class StepWriter {
   const std::vector<std::string>* names_;
   std::vector<Column> columns_;
   std::string text_;
+  std::size_t head_ = 0;  // where the numbers of the line end, and its lists begin
 };
 
 }  // namespace changeover

@@ -61,6 +61,13 @@ UpdateOptions options_in(const TemporaryFolder& folder, std::uint64_t checkpoint
   return options;
 }
 
+TEST(UpdatePairs, RefusesNoStepBetweenCheckpoints) {
+  const TemporaryFolder folder;
+  spit(folder.file("data"), content(12));
+  const LoadOrder order = plan_load_order(12, 4);
+  EXPECT_THROW(update_pairs(order, mixer(), options_in(folder, 0)), BadInput);
+}
+
 TEST(UpdatePairs, GivesWhatIsComputedInMemory) {
   for (const auto& [items, room, workers] :
        {std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>{12, 4, 1},
