@@ -121,7 +121,7 @@ void StepProgram::set_costs(const Job& job) {
   }
   costs_.push_back(job.test_cost.millionths);
   base_ += Whole{job.test_cost.millionths} * least_tests_;
-  most_times_ = job.needed.size() + 1;
+  most_times_ = job.needed.size() + job.first.size() + 1;
   unit_ = std::max(1.0, static_cast<double>(*std::max_element(costs_.begin(), costs_.end())));
   std::vector<double> costs;
   for (const std::uint64_t cost : costs_) {
