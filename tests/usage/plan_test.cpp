@@ -280,7 +280,7 @@ TEST(Plan, TakesNoHeaderForAPart) {
           {plan("crates.csv --change-cost 1 --header"), 0, "3 parts, 2 at a time"},
           {plan("crates.csv --change-cost 1 --no-header"), 0, "4 parts, 2 at a time"},
           {plan("crates.csv --header --no-header"), 2, "exclude each other"},
-          {plan("--items 4 --change-cost 1 --header"), 2, "not for --items"},
+          {plan("--items 4 --change-cost 1 --header"), 2, "--items says only how many parts"},
           {plan("wines.csv --format csv -o sheet.csv") + " && cat sheet.csv", 0, "step,take_out"},
           {plan("sheet.csv"), 3, "sheet.csv:1:1: this is a run sheet"}},
          folder);
@@ -319,7 +319,7 @@ TEST(Plan, FillsEverySlot) {
        {plan("--slots slots.csv --slot CPU=1"), 2, "exclude each other"},
        {plan("--slots slots.csv -o slots.csv"), 2, "same file as --slots"},
        {"$changeover plan --items 4 -k 2 --test-cost 1 --change-cost 1 --slot CPU=1" + fast, 2,
-        "not for --items"}},
+        "--items says only how many parts"}},
       folder);
 }
 

@@ -104,15 +104,17 @@ void check_options(const JobRequest& request, Door door) {
     return;
   }
   if (request.slots.is_given() || !request.slot.empty()) {
-    refuse(fmt::format("{} and {} are for a parts list with a column slot, not for {}",
-                       key("slots"), key("slot"), key("items")));
+    refuse(
+        fmt::format("{} and {} need a parts list with a column slot; {} says only how many parts",
+                    key("slots"), key("slot"), key("items")));
   }
   if (request.header || request.no_header) {
-    refuse(fmt::format("{} and {} are for a parts list, not for {}", key("header"),
+    refuse(fmt::format("{} and {} need a parts list; {} says only how many parts", key("header"),
                        key("no_header"), key("items")));
   }
   if (!request.cost_column.empty()) {
-    refuse(fmt::format("{} is for a parts list, not for {}", key("cost_column"), key("items")));
+    refuse(fmt::format("{} needs a parts list; {} says only how many parts", key("cost_column"),
+                       key("items")));
   }
   if (request.change_cost.empty() && !request.change_costs.is_given()) {
     refuse(
