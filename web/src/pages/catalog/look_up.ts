@@ -35,7 +35,7 @@ export function understand(text: string, change: number, kind: Kind): Found {
 }
 
 export function lookUp(here: () => { change: number; kind: Kind }): HTMLElement {
-  const message = h('p', { class: 'hint', id: 'look-up-says' }, 'v and k as in 20 5, a label as in 20.5.2.linear, or paste a whole design.');
+  const message = h('p', { class: 'hint', id: 'look-up-says' }, 'Write v and k (20 5) or a label (20.5.2.linear), or paste a design.');
   const input = h('input', { id: 'look-up', type: 'text', autocomplete: 'off', spellcheck: 'false', placeholder: '20 5', 'aria-describedby': message.id });
   const go = (text: string): void => {
     const { change, kind } = here();
