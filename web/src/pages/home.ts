@@ -103,7 +103,7 @@ export const home: Page = {
     fill(
       view.root,
       h('h1', {}, 'Every pair together, with as few changes as possible'),
-      h('p', { class: 'lead' }, 'A change covering design is a list of blocks of equal size in which every two elements meet and each block differs from the one before in the same number of elements. Three kinds of people need one.'),
+      h('p', { class: 'lead' }, 'A change covering design is a list of blocks of equal size in which every two elements meet and each block differs from the one before in the same number of elements. Use one to plan tests or to order loads, or study the designs themselves.'),
       h(
         'ul',
         { class: 'doors' },
@@ -111,7 +111,7 @@ export const home: Page = {
         door('Load data', 'What to read when memory is small?', memoryPicture(), ['Items lie on a disk, a few fit into memory, and every two must meet there. Get an order with the fewest loads.'], link('loadorder'), 'Order loads'),
         door('Study designs', 'How few blocks are possible?', mapPicture(view), [counts, ' Each is verified, and each bound has its reason.'], link('catalog'), 'Browse the catalog'),
       ),
-      h('section', { class: 'home-more', 'aria-label': 'More' }, lookUp(() => ({ change: 2, kind: 'circular' })), h('ul', { class: 'plain-list' }, !frozen && h('li', {}, h('a', { href: link('verify') }, 'Verify'), ' a list of blocks of your own'), !frozen && h('li', {}, h('a', { href: link('search') }, 'Search'), ' for a design with fewer blocks'), h('li', {}, h('a', { href: link('theorems') }, 'Theorems'), ' and constructions, with proofs')), !frozen && goOn()),
+      h('section', { class: 'home-more', 'aria-label': 'More' }, lookUp(() => ({ change: 2, kind: 'circular' })), h('div', {}, h('h2', {}, 'Other pages'), h('ul', { class: 'plain-list' }, !frozen && h('li', {}, h('a', { href: link('verify') }, 'Verify'), ' a list of blocks of your own'), !frozen && h('li', {}, h('a', { href: link('search') }, 'Search'), ' for a design with fewer blocks'), h('li', {}, h('a', { href: link('theorems') }, 'Theorems'), ' and constructions, with proofs'))), !frozen && goOn()),
     );
     about().then(({ catalog }) => fill(counts, `${number(catalog.designs)} designs in ${number(catalog.cells)} cells.`), () => undefined);
   },
