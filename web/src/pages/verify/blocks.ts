@@ -110,7 +110,7 @@ export function blockList(report: Report, view: View): HTMLElement {
       h(
         'button',
         { type: 'button', class: 'plain', onclick: () => goToStep(current - 1), disabled: wrong.length < 2 },
-        '‹ Wrong step before',
+        '‹ Previous wrong step',
       ),
       h('button', { type: 'button', class: 'plain', onclick: () => goToStep(current + 1) }, 'Next wrong step ›'),
       where,

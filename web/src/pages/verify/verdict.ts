@@ -72,7 +72,7 @@ export function facts({ answer, blocks }: Report): HTMLElement {
   const rows: [term: string, value: string, meaning: string][] = [
     ['elements v', number(blocks.v), terms.v],
     ['block size k', number(blocks.k), terms.k],
-    ['changes m', number(blocks.change), terms.change],
+    ['change number m', number(blocks.change), terms.change],
     ['kind', blocks.kind, terms.kind],
     ['blocks b', number(blocks.b), terms.blocks],
     [
