@@ -200,7 +200,7 @@ async function render(view: View): Promise<void> {
       field('Bytes per item', size, 'optional'),
       field('Workers', workers, 'each with this room'),
       field('Search', time, 'for fewer loads'),
-      h('div', { class: 'field' }, h('span', { class: 'hint' }, '\u00a0'), h('label', { class: 'check' }, ahead, 'load ahead'), h('small', { class: 'hint' }, 'while pairs are computed')),
+      h('div', { class: 'field' }, h('span', { class: 'hint' }, '\u00a0'), h('label', { class: 'check ahead' }, ahead, 'Load ahead'), h('small', { class: 'hint' }, 'while pairs are computed')),
       h('div', { class: 'field' }, h('span', { class: 'hint' }, '\u00a0'), go),
     ),
     some,
@@ -211,7 +211,7 @@ async function render(view: View): Promise<void> {
     h(
       'p',
       {},
-      'Items lie on a disk, and some of them fit into memory. Every pair must be in memory together at some time: distances, Gram matrices, training on the edges between partitions. This page finds what to load and evict, step by step, with as few loads as possible. Try ',
+      'Items lie on a disk, and only some fit into memory. Each pair must be in memory together once, to compute distances or a Gram matrix, or to train on edges between partitions. This page says what to load and what to evict at each step, with as few loads as possible. Try ',
       h('a', { href: link('loadorder', { items: 64, room: 16, bytes: '2 GB' }) }, '64 items, room for 16'),
       ' or ',
       h('a', { href: link('loadorder', { items: 1000, room: 100, workers: 8 }) }, '1000 items for 8 workers'),
