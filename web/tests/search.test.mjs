@@ -78,19 +78,19 @@ test('what it found opens in the viewer and is kept in the catalog', async () =>
 
 test('exact, from base blocks, with locked sets', async () => {
   const page = await explorer.open('#/search', { mayFail: /status of 4/ });
-  await page.getByRole('combobox', { name: 'Way' }).selectOption('exact');
+  await page.getByRole('combobox', { name: 'Method' }).selectOption('exact');
   assert.ok(await page.getByRole('spinbutton', { name: 'Seed' }).isHidden());
   await begin(page, 8, 4, { change: '1', seconds: '60' });
   await watched(page).getByText(/^Done after .*minimum/).waitFor({ timeout: 60_000 });
   await watched(page).locator('.advice', { hasText: 'Nothing is left to find' }).waitFor();
-  await page.getByRole('combobox', { name: 'Way' }).selectOption('locked');
+  await page.getByRole('combobox', { name: 'Method' }).selectOption('locked');
   await page.getByRole('button', { name: 'Start' }).click();
   await page.getByRole('alert').filter({ hasText: 'first, last or expansion_set' }).waitFor();
   await page.getByLabel('In the first block').fill('0, 1');
   await begin(page, 9, 4, { change: '1' });
   await page.getByRole('heading', { name: /locked sets$/ }).waitFor();
   await watched(page).getByText(/^Done after .*\d+ blocks/).waitFor({ timeout: 60_000 });
-  await page.getByRole('combobox', { name: 'Way' }).selectOption('base-blocks');
+  await page.getByRole('combobox', { name: 'Method' }).selectOption('base-blocks');
   await begin(page, 9, 4, { change: '1', kind: 'circular' });
   await watched(page).getByText(/base blocks$/).waitFor();
   await look(page, 'search-ways');

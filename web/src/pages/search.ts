@@ -18,9 +18,9 @@ const times: readonly (readonly [string, string])[] = [
 ];
 
 const ways: readonly (readonly [SearchWay, string, string])[] = [
-  ['local', 'local search', 'Starts from the best design known and changes it step by step. Best when few blocks are to be saved.'],
-  ['base-blocks', 'base blocks', 'Looks for designs with a symmetry, from a few blocks and their images. Best for large v.'],
-  ['exact', 'exact, with proof', 'Excludes one number of blocks after another by SAT, each with a checked proof, until a design is found. For small v only.'],
+  ['local', 'local search', 'Starts from the best design known and changes it step by step. It suits cells with a small gap.'],
+  ['base-blocks', 'base blocks', 'Builds designs with a symmetry from a few blocks and their images. It suits large v.'],
+  ['exact', 'exact, with proof', 'Excludes one number of blocks after another by SAT, each with a checked proof, until a design is found. It suits small v only.'],
   ['locked', 'locked sets', 'Looks for a design with certain elements in its first or last block, or with an expansion set, as constructions need them.'],
 ];
 const strengths: readonly (readonly [string, string])[] = [
@@ -193,7 +193,7 @@ async function render(view: View): Promise<void> {
   async function begin(): Promise<void> {
     fill(fault);
     if (v.value === '' || k.value === '') {
-      fill(fault, problem(new Error('Write v, the number of elements, and k, the size of the blocks.')));
+      fill(fault, problem(new Error('Write v, the number of elements, and k, the block size.')));
       (v.value === '' ? v : k).focus();
       return;
     }
@@ -233,7 +233,7 @@ async function render(view: View): Promise<void> {
     h(
       'p',
       {},
-      'Looks for a design with fewer blocks than are known, or proves that there is none. A search runs on this machine and goes on when this page is closed; what it finds is verified.',
+      'A search looks for a design with fewer blocks than are known, or proves that there is none. It runs on this machine, also after this page is closed. Each design that it finds is verified.',
     ),
     h(
       'form',
@@ -246,7 +246,7 @@ async function render(view: View): Promise<void> {
       },
       h('div', { class: 'row' }, field('Elements v', v), field('Block size k', k), field('Change number', change), field('Kind', kind), field('Covers', strength)),
       known,
-      h('div', { class: 'row' }, field('Way', way), field('Time', time), field('Threads', threads), field('Seed', seed), field('Blocks wanted', blocks), start),
+      h('div', { class: 'row' }, field('Method', way), field('Time', time), field('Threads', threads), field('Seed', seed), field('Blocks wanted', blocks), start),
       about_way,
       locks,
     ),

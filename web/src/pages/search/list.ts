@@ -32,7 +32,7 @@ export function jobList(chosen: (id: string) => void): JobList {
         h(
           'tr',
           {},
-          ['design', 'way', 'state', 'best', 'bound', 'time'].map((name, i) => h('th', { scope: 'col', class: i > 3 ? 'number' : null }, name)),
+          ['design', 'method', 'state', 'best', 'bound', 'time'].map((name, i) => h('th', { scope: 'col', class: i > 3 ? 'number' : null }, name)),
         ),
       ),
       body,
