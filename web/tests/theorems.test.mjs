@@ -42,6 +42,7 @@ test('contents stay, proofs unfold, works are listed', async () => {
   await contents.getByRole('link', { name: /^7 / }).click();
   assert.equal(new URLSearchParams(page.url().split('?').at(-1)).get('theorem'), '7');
   assert.ok(await contents.getByRole('link', { name: /^1 / }).isVisible());
+  await contents.locator('a[aria-current]', { hasText: /^7 / }).waitFor();
   const proof = page.locator('#theorem-2 details.proof');
   await proof.getByText('Proof', { exact: true }).click();
   await proof.locator('p').first().waitFor();

@@ -78,12 +78,38 @@ function theorem(it: Theorem, gallery: Gallery, chosen: boolean): HTMLElement {
       h(
         'div',
         { class: 'prose' },
-        markup(it.statement, inPages),
+        markup(it.statement.replace(new RegExp(`^\\s*\\*\\*Theorem ${it.number}\\.\\*\\*\\s*`), ''), inPages), // The heading says its name.
         it.proof && h('details', { class: 'proof' }, h('summary', {}, 'Proof'), lazily(() => markup(it.proof, inPages))),
       ),
       it.example && gallery.add(it.example),
     ),
   );
+}
+
+/** Marks in the contents which part is read, and keeps that entry in sight. */
+function followReading(root: HTMLElement, contents: HTMLElement, signal: AbortSignal): void {
+  const entries = new Map([...contents.querySelectorAll<HTMLElement>('a[data-part]')].map((entry) => [entry.dataset['part']!, entry]));
+  const parts = [...entries.keys()].flatMap((id) => root.querySelector<HTMLElement>(`#${id}`) ?? []);
+  const list = contents.querySelector('ul')!;
+  let marked: HTMLElement | undefined;
+  let asked = false;
+  const mark = (): void => {
+    asked = false;
+    const line = window.innerHeight / 3;
+    const now = entries.get((parts.filter((part) => part.getBoundingClientRect().top < line).at(-1) ?? parts[0])?.id ?? '');
+    if (now === marked || !now) {
+      return;
+    }
+    marked?.removeAttribute('aria-current');
+    now.setAttribute('aria-current', 'location');
+    marked = now;
+    const [inside, around] = [now.getBoundingClientRect(), contents.getBoundingClientRect()];
+    if (list.offsetHeight > contents.clientHeight && (inside.top < around.top || inside.bottom > around.bottom)) {
+      contents.scrollTop += inside.top - around.top - contents.clientHeight / 2;
+    }
+  };
+  window.addEventListener('scroll', () => asked || ((asked = true), requestAnimationFrame(mark)), { passive: true, signal });
+  mark();
 }
 
 /** What is inside of a fold, made when it is opened. */
@@ -118,7 +144,7 @@ function construction(it: Construction, gallery: Gallery, chosen: boolean): HTML
           it.gives ? [h('dt', {}, 'gives'), h('dd', {}, reason(it.gives))] : [],
           it.citation && it.citation !== '[elementary]' ? [h('dt', {}, 'from'), h('dd', {}, citation(it.citation))] : [],
         ),
-        h('p', {}, h('a', { href: link('catalog', { by: it.name }) }, 'Cells of the catalog that it makes'), ' · ', h('a', { href: link('theorems', { construction: it.name }) }, 'link to this construction')),
+        h('p', {}, h('a', { href: link('catalog', { by: it.name }) }, 'Cells of the catalog that it makes'), ' · ', h('a', { href: link('theorems', { construction: it.name }) }, 'Link to this construction')),
       ),
       it.example && gallery.add(it.example),
     ),
@@ -163,7 +189,7 @@ export const theorems: Page = {
       (wanted.construction && !built.some((each) => each.name === wanted.construction) && `There is no construction “${wanted.construction}” here.`);
 
     const jump = (words: Child[], id: string, to: string): HTMLElement =>
-      h('li', {}, h('a', { href: to, onclick: (event) => {
+      h('li', {}, h('a', { href: to, 'data-part': id, onclick: (event) => {
         // The page is there already: no need to draw it anew.
         event.preventDefault();
         view.go({ theorem: null, construction: null, reference: null, ...Object.fromEntries(new URLSearchParams(to.split('?')[1] ?? '')) }, { quiet: true });
@@ -184,8 +210,8 @@ export const theorems: Page = {
     const folds = h('button', { type: 'button', class: 'plain small', onclick: () => {
       const open = articles.some((each) => !each.hidden && !each.open);
       articles.filter((each) => !each.hidden).forEach((each) => (each.open = open));
-      folds.textContent = open ? 'Fold all' : 'Unfold all';
-    } }, 'Unfold all');
+      folds.textContent = open ? 'Collapse all' : 'Expand all';
+    } }, 'Expand all');
     fill(
       view.root,
       h('h1', {}, 'Theorems and constructions'),
@@ -197,7 +223,7 @@ export const theorems: Page = {
         h(
           'div',
           {},
-          h('p', {}, 'What the program uses beyond the published theorems, with proofs, and everything that it can build. SCCD(v, k) and DCCD(v, k) are single- and double-change covering designs on v elements in blocks of k.'),
+          h('p', {}, 'These theorems go beyond the published ones; each has its proof. The constructions below them are all that the program builds with. SCCD(v, k) and DCCD(v, k) are the single-change and double-change covering designs on v elements in blocks of k.'),
           h('h2', {}, 'Theorems'),
           proved.map((each) => theorem(each, gallery, each.number === wanted.theorem)),
           h('h2', { id: 'constructions', tabindex: -1 }, 'Constructions'),
@@ -208,6 +234,7 @@ export const theorems: Page = {
         ),
       ),
     );
+    followReading(view.root, contents, view.signal);
     const chosen = view.root.querySelector<HTMLElement>('.chosen');
     if (chosen) {
       chosen.scrollIntoView({ block: 'start', behavior: 'instant' });
