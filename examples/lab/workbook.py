@@ -111,9 +111,9 @@ class Sheet:
         return table
 
 
-def fill(source, path, results):
-    """results: what is written in the column `result`, by step; or a function that says it of Sheet.table()."""
-    run = Sheet(source, "Run sheet")
+def fill(source, path, results, name="Run sheet"):
+    """results: what is written in the column `result`, by step; or a function that says it of Sheet.table(). `name` is the sheet, that of a bench if there are several."""
+    run = Sheet(source, name)
     left = dict(results(run.table()) if callable(results) else results)
     for row, said in zip(run.rows[1:], run.table()):
         result = left.pop(said["step"], None)

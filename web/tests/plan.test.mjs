@@ -150,7 +150,7 @@ test('what if: the library says which plan is cheapest when, and plans anew', as
   await page.getByRole('textbox', { name: 'Cost of a change' }).fill('1');
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
   await page.getByText('12 tests, 25 changes').waitFor();
-  await page.getByRole('button', { name: 'Find which plan is cheapest when' }).click();
+  await page.getByRole('button', { name: 'Compare plans by cost' }).click();
   const table = page.getByRole('region', { name: 'Which plan is cheapest when' });
   await table.waitFor({ timeout: 60_000 });
   assert.deepEqual(await table.locator('tbody tr').first().locator('td').allTextContents(), ['0', '1', 'double-change design', '12', '25']);

@@ -135,6 +135,45 @@ test('two windows write into one run, which outlives both; a window without the 
   await look(later, 'plan-runs');
 });
 
+test('the workbook is there in other windows and after a reload, as long as it is of this sheet', async () => {
+  const page = await explorer.open('#/plan');
+  await planNine(page);
+  await page.getByRole('link', { name: 'Workbook' }).waitFor();
+  await page.waitForURL(/[?&]s=/);
+  await page.reload();
+  await planned(page);
+  await page.getByRole('link', { name: 'Workbook' }).waitFor();
+  await page.getByRole('button', { name: 'Keep this run on the server' }).click();
+  await page.waitForURL(/run=/);
+  const other = await withoutToken(explorer, `#/plan?run=${/run=([^&]+)/.exec(page.url())[1]}`);
+  await planned(other);
+  await other.getByRole('link', { name: 'Workbook' }).waitFor();
+
+  // The server has another plan under that number: its workbook is not that of this sheet.
+  await other.route('**/api/plan/job*', async (route) => {
+    const answer = await (await route.fetch()).json();
+    answer.answer.plan.steps.reverse();
+    await route.fulfill({ json: answer });
+  });
+  await other.reload();
+  await planned(other);
+  await other.waitForLoadState('networkidle');
+  assert.equal(await other.getByRole('link', { name: 'Workbook' }).count(), 0);
+});
+
+test('with a budget, plans are compared for the whole job, and the page says so', async () => {
+  const page = await explorer.open('#/plan');
+  await page.getByRole('spinbutton', { name: 'How many parts' }).fill('9');
+  await page.getByRole('button', { name: 'numbered parts' }).click();
+  await page.locator('.group summary', { hasText: 'Budget' }).click();
+  await page.getByRole('textbox', { name: 'Budget' }).fill('20');
+  await page.getByRole('button', { name: 'Plan', exact: true }).click();
+  await planned(page);
+  await page.getByText('The comparison is of the whole job, without the budget.').waitFor();
+  await page.getByRole('button', { name: 'Compare plans by cost' }).click();
+  await page.getByRole('region', { name: 'Which plan is cheapest when' }).waitFor({ timeout: 60_000 });
+});
+
 test('a run that is planned anew in one window is so in the others; parts that stay keep their places', async () => {
   const one = await explorer.open('#/plan');
   await one.getByRole('link', { name: 'a server with slots' }).click();
@@ -205,6 +244,25 @@ test('three benches: a sheet each, with its times; a part is on one bench at a t
   }
   await page.getByText('day 1, 0:00').first().waitFor();
   assert.ok((await page.locator('.next-test').count()) >= 1);
+  await page.getByText('The comparison of costs covers one bench only.').waitFor();
+
+  // Its workbook comes back with results, which stand on the sheets of their benches; without results it says so.
+  const folder = mkdtempSync(join(tmpdir(), 'changeover-benches-'));
+  const [planned_, filled] = ['week.xlsx', 'filled.xlsx'].map((name) => join(folder, name));
+  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('link', { name: 'Workbook' }).click()]);
+  await download.saveAs(planned_);
+  await give(page, 'week.xlsx', readFileSync(planned_));
+  await page.getByText('week.xlsx: its run sheets have no results').waitFor();
+  execFileSync('python3', ['-c', 'import sys; sys.path.insert(0, sys.argv[1]); import workbook; workbook.fill(sys.argv[2], sys.argv[3], workbook.play(2, []), "North")', lab, planned_, filled]);
+  const north = await page.locator('.bench-sheet', { hasText: 'North' }).locator('td.set-up').allTextContents();
+  await give(page, 'filled.xlsx', readFileSync(filled));
+  await page.getByText('2 tests done; for the rest').waitFor({ timeout: 60_000 });
+  await page.locator('.sheet-progress', { hasText: /^2 of \d+ tests done/ }).waitFor();
+  const after = await page.locator('.bench-sheet', { hasText: 'North' }).locator('tr.done td.set-up').allTextContents();
+  assert.deepEqual(after.map((text) => text.split(', ').sort()), north.slice(0, 2).map((text) => text.split(', ').sort()));
+  await give(page, 'benches.csv', readFileSync(join(lab, 'benches/benches.csv')));
+  await page.getByRole('button', { name: 'Plan', exact: true }).click();
+  await page.locator('.sheet-progress', { hasText: /^0 of \d+ tests done/ }).waitFor({ timeout: 60_000 });
   const south = await page.locator('.bench-sheet', { hasText: 'South' }).locator('td.set-up').allTextContents();
   assert.ok(south.every((set) => !set.includes('H100')));
   await press(page, 'North 1');

@@ -1,4 +1,4 @@
-import { address, ApiError, linkForOthers, post } from '../lib/api';
+import { ApiError, linkForOthers, post } from '../lib/api';
 import { announce, field, fill, h } from '../lib/dom';
 import { save } from '../lib/save';
 import { count } from '../lib/words';
@@ -15,11 +15,12 @@ import { emptyJob, exact, lineOf, namesIn, type Job, type Part } from './plan/jo
 import { keptList } from './plan/kept';
 import { livePanel } from './plan/live';
 import { nextTests } from './plan/next';
-import { csv, isDone, outcomeOf, verdictOf, withNext, type Outcome, type Place, type State, type Test } from './plan/outcome';
+import { csv, isDone, onBenches, outcomeOf, verdictOf, withNext, type Outcome, type Place, type State, type Test } from './plan/outcome';
 import { keepOwnName, keepResult, keepRun, openRun, ownName, watchRun, withResults, type Kept } from './plan/run';
 import { runSheet } from './plan/sheet';
 import { keep as keepState, load, newId } from './plan/store';
-import { compared, whatIf } from './plan/what_if';
+import { compared, whatIf, whyNoWhatIf } from './plan/what_if';
+import { workbookLink } from './plan/workbook';
 
 const lost = 'This link does not hold a whole job (it may have been cut), and this browser does not have it either. Open it where it was made, or make it anew.';
 
@@ -73,7 +74,7 @@ class PlanPage {
       h(
         'p',
         { class: 'no-print' },
-        'You have parts, and room for some of them at once. Every two of them have to be tested together. A test costs something, and so does every part that is put in: which set-ups, and in which order?',
+        'A set-up holds some of your parts, and every two parts must be tested together. This page plans the set-ups and their order at the least cost of tests and of parts put in.',
       ),
       h(
         'p',
@@ -221,7 +222,7 @@ class PlanPage {
       this.tell(notes.map((note) => note.replace(/^(parts|done)(?=[:\s])/, file.name)));
       this.stale.hidden = this.state.outcome === null;
       if (done.tests.length > 0) {
-        await this.plan(done.tests, done.places);
+        await this.plan(onBenches(done.tests, this.state.outcome), done.places);
       } else {
         announce(`${file.name} was read`);
       }
@@ -260,11 +261,11 @@ class PlanPage {
       this.fault.scrollIntoView({ block: 'nearest' });
       const found = await follow(request, mine.signal, best.signal, (each) => live.hear(each));
       const done = tests.filter(isDone);
-      this.state = { id: this.state.id, job, outcome: outcomeOf(found.planned, job, done, places) };
+      this.state = { id: this.state.id, job, outcome: { ...outcomeOf(found.planned, job, done, places), plan: found.job } };
       this.unsaved.clear();
       fill(this.fault, found.message ? h('p', { class: 'note' }, found.message) : null);
       this.stale.hidden = true;
-      this.show(found.job);
+      this.show();
       this.result.scrollIntoView({ block: 'start' });
       announce(`${count(this.state.outcome!.tests.length, 'test')}, cost ${this.state.outcome!.cost}`);
       await this.keepSheet();
@@ -281,8 +282,7 @@ class PlanPage {
     }
   }
 
-  /** Draws the sheet. `job` is the plan on the server of which files can be had. */
-  private show(job: number | null = null): void {
+  private show(): void {
     const { state } = this;
     const outcome = state.outcome!;
     this.drawing.abort();
@@ -304,7 +304,8 @@ class PlanPage {
       diagnose.hidden = state.job.changeCosts !== '' || !outcome.tests.some((test) => verdictOf(test) === 'fail');
     };
     this.refreshSheet();
-    const file = (format: string, text: string) => h('a', { class: 'button plain', href: address('plan/file', { id: job, format }), download: `run_sheet.${format}` }, text);
+    const whyNot = whyNoWhatIf(state.job, outcome);
+    const workbook = workbookLink(outcome, drawing.signal);
     fill(
       this.result,
       headline(state.job, outcome),
@@ -317,17 +318,17 @@ class PlanPage {
         diagnose,
         h('button', { type: 'button', class: 'plain', onclick: () => window.print() }, 'Print the sheet'),
         h('button', { type: 'button', class: 'plain', onclick: () => save('run_sheet.csv', csv(outcome), 'text/csv') }, 'Download CSV'),
-        job === null ? null : file('xlsx', 'Workbook'),
+        workbook,
       ),
       diagnosis,
       sheet.element,
       this.keeping,
       compared(outcome),
-      outcome.benches || outcome.met.what === 'triples' || state.job.budget !== '' || state.job.weights !== '' || state.job.changeCosts !== ''
-        ? null
+      whyNot !== ''
+        ? h('p', { class: 'hint no-print' }, whyNot)
         : whatIf(
+            state.job,
             outcome,
-            state.job.parts.some((part) => part.cost !== null),
             async () => {
               const { what_if: found } = await post('plan', {}, forWhatIf(this.asked(state.job, outcome.tests.filter(isDone), outcome.places)), drawing.signal);
               return found!;

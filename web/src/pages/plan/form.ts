@@ -27,13 +27,13 @@ const strengths: readonly (readonly [string, string])[] = [
   ['3', 'every three together'],
 ];
 const units: readonly (readonly [Unit, string])[] = [
-  ['', 'money, or as the list says'],
-  ['minutes', 'minutes: a clock runs along'],
-  ['hours', 'hours: a clock runs along'],
-  ['seconds', 'seconds: a clock runs along'],
+  ['', 'as in the list'],
+  ['minutes', 'minutes, with clock'],
+  ['hours', 'hours, with clock'],
+  ['seconds', 'seconds, with clock'],
 ];
 const times: readonly (readonly [string, string])[] = [
-  ['0', 'as long as it brings something'],
+  ['0', 'automatic'],
   ['1', '1 second'],
   ['5', '5 seconds'],
   ['30', '30 seconds'],
@@ -163,7 +163,7 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
       'slots',
       'Slots',
       () => join(...slots.read().map(span)),
-      h('p', { class: 'hint' }, 'A server has exactly one processor and two to four disks: name the slot of each part in the list, and say here how many of it a set-up has. Empty is no limit.'),
+      h('p', { class: 'hint' }, 'A server has exactly one processor and two to four disks: name the slot of each part in the list, and write here how many parts of it a set-up has. An empty field is no limit.'),
       slots.element,
     ),
   ];
@@ -222,7 +222,7 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
   const partsSection = h(
     'section',
     { 'aria-label': 'Parts' },
-    h('p', { class: 'hint' }, 'Type, or paste a table from a spreadsheet into the first field. A name is enough.'),
+    h('p', { class: 'hint' }, 'Type names, or paste a table from a spreadsheet into the first field.'),
     grid.element,
     h(
       'div',
@@ -278,15 +278,15 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
       h(
         'section',
         { 'aria-label': 'Costs and rules' },
-        h('div', { class: 'fields' }, atOnceField, field('Cost of a test', testCost), field('Cost of a change', changeCost, 'where the list does not say; taking out is free'), field('Costs are', unit)),
+        h('div', { class: 'fields' }, atOnceField, field('Cost of a test', testCost), field('Cost of a change', changeCost, 'for parts without a cost in the list; taking out is free'), field('Costs are', unit), field('Title of the sheet', title), field('Search for', seconds)),
+        h('div', { class: 'row' }, go),
+        h('h2', { class: 'more-rules' }, 'Options'),
         onlyParts[0]!,
         meeting,
         mounting,
         severalBenches,
         order,
         replacing,
-        h('div', { class: 'fields' }, field('Title of the sheet', title), field('Search for', seconds)),
-        h('div', { class: 'row' }, go),
       ),
     ),
   );

@@ -57,6 +57,8 @@ export interface Outcome {
   changeCost: number;
   /** How many tests were done when this was planned. */
   doneBefore: number;
+  /** The number of the plan on the server that made it; it forgets old ones. */
+  plan?: number | null;
 }
 
 export interface State {
@@ -96,6 +98,16 @@ export function namesOf(outcome: Outcome): string[] {
     const n = (counts.get(bench) ?? 0) + 1;
     counts.set(bench, n);
     return bench === null ? String(n) : `${bench} ${n}`;
+  });
+}
+
+/** Tests that were read from files name no bench: the sheet that was planned here says it, by the set-up. */
+export function onBenches(done: readonly Test[], sheet: Outcome | null): Test[] {
+  const open = sheet?.benches ? [...sheet.tests] : [];
+  return done.map((test) => {
+    const i = test.bench === null ? open.findIndex(({ parts }) => parts.length === test.parts.length && parts.every((name) => test.parts.includes(name))) : -1;
+    const [planned] = i < 0 ? [] : open.splice(i, 1);
+    return planned ? { ...planned, result: test.result, notes: test.notes } : test;
   });
 }
 

@@ -25,9 +25,18 @@ export function clockOf(unit: Outcome['unit']): ((cost: number) => string) | nul
   };
 }
 
+/** A name breaks at its spaces only if it is long. */
+function unbroken(name: string): Child {
+  return name.length <= 24 && name.includes(' ') ? h('span', { class: 'whole' }, name) : name;
+}
+
+function named(names: readonly string[]): Child[] {
+  return names.flatMap((name, i) => [i > 0 ? ', ' : null, unbroken(name)]);
+}
+
 /** What is mounted, slot by slot, in the order of the places; what was put in stands out. */
 export function setUp(test: Test, places: readonly Place[], fresh: ReadonlySet<string>): Child[] {
-  const shown = (name: string) => (fresh.has(name) ? h('strong', {}, name) : name);
+  const shown = (name: string) => (fresh.has(name) ? h('strong', {}, unbroken(name)) : unbroken(name));
   const listed = (names: readonly string[]): Child[] => names.flatMap((name, i) => [i > 0 ? ', ' : null, shown(name)]);
   if (test.values) {
     return Object.entries(test.values).map(([parameter, value], i) =>
@@ -102,7 +111,7 @@ export function runSheet(outcome: Outcome, mounted: readonly string[], written: 
         notes.value = test.notes;
       }
     });
-    const list = (parts: string[]) => (parts.length > 0 ? parts.join(', ') : '–');
+    const list = (parts: string[]) => (parts.length > 0 ? named(parts) : '–');
     rows[i] = h(
       'tr',
       {},

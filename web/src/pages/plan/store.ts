@@ -149,7 +149,7 @@ function outcomeIn(given: Record<string, unknown>): Outcome | null {
     alternatives.every((each) => isObject(each) && isText(each['name']) && ['tests', 'changes', 'cost'].every((key) => isNumber(each[key]))) &&
     places.every((each) => isObject(each) && isNumber(each['number']) && (each['slot'] === null || isText(each['slot']))) &&
     (benches === null || (isList(benches) && benches.every((each) => isObject(each) && isText(each['name']) && isNumber(each['end']))));
-  return good ? ({ ...rest, benches, places, alternatives, met, notes, unit, finish, budget, tests: read } as Outcome) : null;
+  return good && (rest['plan'] === undefined || rest['plan'] === null || isNumber(rest['plan'])) ? ({ ...rest, benches, places, alternatives, met, notes, unit, finish, budget, tests: read } as Outcome) : null;
 }
 
 /** Links come from anywhere: what is not a state is null. */

@@ -3,7 +3,7 @@ import type { WhatIf } from '../../lib/api';
 import { fill, h, scroll } from '../../lib/dom';
 import { number } from '../../lib/words';
 import { plot, type Line } from '../../parts/plot';
-import { about } from './job';
+import { about, type Job } from './job';
 import type { Outcome } from './outcome';
 
 /** Of a plan when all changes cost `factor` times what they do. */
@@ -47,15 +47,28 @@ function price(label: string, base: number, changed: () => void): { element: HTM
   };
 }
 
+/** Why the library compares no plans of this job; '' if it does. */
+export function whyNoWhatIf(job: Job, outcome: Outcome): string {
+  return outcome.benches
+    ? 'The comparison of costs covers one bench only.'
+    : outcome.met.what === 'triples'
+      ? 'The comparison of costs covers pairs only, and in this job every three parts must meet.'
+      : job.changeCosts !== ''
+        ? 'The comparison of costs covers one cost per part only, and in this job a change costs by what is replaced.'
+        : '';
+}
+
 /** `ask` has the library look; `planAnew` plans at other prices. */
-export function whatIf(outcome: Outcome, byPart: boolean, ask: () => Promise<WhatIf>, planAnew: (testCost: number, changeCost: number) => void, signal: AbortSignal): HTMLElement {
+export function whatIf(job: Job, outcome: Outcome, ask: () => Promise<WhatIf>, planAnew: (testCost: number, changeCost: number) => void, signal: AbortSignal): HTMLElement {
   const { testCost, changeCost } = outcome;
+  const byPart = job.parts.some((part) => part.cost !== null);
+  const narrowed = [job.budget.trim() === '' ? '' : 'the budget', job.weights.trim() === '' ? '' : 'priorities'].filter(Boolean).join(' and ');
   const place = h('div', {});
   const said = h('p', { role: 'status' });
   const test = price('A test costs', testCost, settle);
   const change = price(byPart ? 'A change costs, where the list does not say' : 'A change costs', changeCost, settle);
   const anew = h('button', { type: 'button', class: 'plain', onclick: () => planAnew(test.value(), change.value()) }, 'Replan at these costs');
-  const look = h('button', { type: 'button', class: 'plain', onclick: () => void search() }, 'Find which plan is cheapest when');
+  const look = h('button', { type: 'button', class: 'plain', onclick: () => void search() }, 'Compare plans by cost');
   let found: WhatIf | null = null;
   let redraw = (): void => undefined;
 
@@ -164,9 +177,10 @@ export function whatIf(outcome: Outcome, byPart: boolean, ask: () => Promise<Wha
     'section',
     { class: 'what-if no-print', 'aria-label': 'What if' },
     h('h2', {}, 'What if'),
-    h('p', {}, 'Fewer tests need more changes, and the other way round. Which plan is cheapest depends on what a test costs beside a change.'),
+    h('p', {}, 'Fewer tests need more changes. Which plan is cheapest depends on the cost of a test and the cost of a change.'),
+    narrowed && h('p', { class: 'hint' }, `The comparison is of the whole job, without ${narrowed}.`),
     h('div', { class: 'row' }, test.element, change.element),
-    h('div', { class: 'row' }, look, h('button', { type: 'button', class: 'plain', onclick: () => (test.reset(), change.reset(), settle()) }, 'My costs'), anew),
+    h('div', { class: 'row' }, look, h('button', { type: 'button', class: 'plain', onclick: () => (test.reset(), change.reset(), settle()) }, 'Reset to my costs'), anew),
     said,
     place,
   );
