@@ -95,7 +95,7 @@ function followReading(root: HTMLElement, contents: HTMLElement, signal: AbortSi
   let asked = false;
   const mark = (): void => {
     asked = false;
-    const line = window.innerHeight / 3;
+    const line = 80; // A part that was jumped to begins just below the edge of the window.
     const now = entries.get((parts.filter((part) => part.getBoundingClientRect().top < line).at(-1) ?? parts[0])?.id ?? '');
     if (now === marked || !now) {
       return;
