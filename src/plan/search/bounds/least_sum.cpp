@@ -130,7 +130,7 @@ LeastSum::End LeastSum::solve(std::uint64_t& work, double enough) {
 }
 
 double LeastSum::value(std::size_t column) const {
-  return row_of_[column] == no_place ? 0.0 : table_[row_of_[column]][columns_];
+  return row_of_[column] == no_place ? 0.0 : std::max(0.0, table_[row_of_[column]][columns_]);
 }
 
 double LeastSum::price(std::size_t row) const {

@@ -4,7 +4,8 @@
 //     LeastSum program({3, 2});          // 3x + 2y
 //     program.add({{0, 1}, {1, 1}}, 5);  // x + y ≥ 5
 //     program.add({{0, 2}}, 4);          // 2x ≥ 4
-//     program.solve();
+//     std::uint64_t work = 1'000'000;
+//     program.solve(work);
 //     program.value(0);                  // 2
 //     program.price(1);                  // 0.5: a unit more of the second row costs so much
 //
@@ -43,6 +44,7 @@ class LeastSum {
   /// of this thread (run/control.hpp) wants to stop; the prices are then as good as they were.
   End solve(std::uint64_t& work, double enough = 0);
 
+  /// Of the last table; no less than 0 even if solve() has not ended.
   [[nodiscard]] double value(std::size_t column) const;
   [[nodiscard]] double price(std::size_t row) const;
   [[nodiscard]] std::size_t rows() const { return table_.size(); }

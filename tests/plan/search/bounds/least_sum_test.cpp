@@ -57,6 +57,17 @@ std::optional<double> proved(const Program& program, const LeastSum& solved) {
   return sum;
 }
 
+// Stopped early, the table may hold a negative number for a column.
+TEST(LeastSum, NoValueIsNegativeWhenTheWorkEnds) {
+  LeastSum program({1, 2});
+  program.add({{0, 20}, {1, 20}}, 100);
+  program.add({{1, 1}}, 10);
+  std::uint64_t work = 12;  // two pivots of 2 rows and 3 numbers
+  ASSERT_EQ(program.solve(work), LeastSum::End::worked);
+  EXPECT_EQ(program.value(0), 0.0);
+  EXPECT_EQ(program.value(1), 10.0);
+}
+
 // Values that satisfy all rows and prices that prove their sum are each the best.
 TEST(LeastSum, HasValuesAndPricesOfTheSameSumOrPricesThatProveThatThereAreNone) {
   std::uint64_t solved = 0;
