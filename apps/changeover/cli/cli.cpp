@@ -99,6 +99,18 @@ std::vector<std::string> members_of(const CLI::App& program, const std::string& 
   return members;
 }
 
+// What is wrong with the values of an option; only the parser's words say it.
+std::string mismatch_message(const std::string& words) {
+  const std::string option = words.substr(0, words.find_first_of(": "));
+  if (words.find("flag override") != std::string::npos) {
+    return option + ": it takes no value; leave the value out";
+  }
+  if (words.find("At Most") != std::string::npos) {
+    return option + ": it is given more than once; give it once";
+  }
+  return option + ": a value is missing; give one";
+}
+
 // The parser's own words, made to say where help is.
 std::string usage_message(const CLI::ParseError& fault, const CLI::App& verb) {
   std::string message = fault.what();
@@ -108,7 +120,7 @@ std::string usage_message(const CLI::ParseError& fault, const CLI::App& verb) {
   if (dynamic_cast<const CLI::ExtrasError*>(&fault) != nullptr) {
     message = message.substr(message.find(": ") + 2) + ": too many arguments; leave this out";
   } else if (dynamic_cast<const CLI::ArgumentMismatch*>(&fault) != nullptr) {
-    message = message.substr(0, message.find(':')) + ": a value is missing; give one";
+    message = mismatch_message(message);
   }
   const std::string name = verb.get_parent() == nullptr ? "" : " " + verb.get_name();
   return message + "; see changeover" + as_typed(name) + " --help";
