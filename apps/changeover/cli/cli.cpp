@@ -101,14 +101,11 @@ std::vector<std::string> members_of(const CLI::App& program, const std::string& 
 
 // What is wrong with the values of an option; only the parser's words say it.
 std::string mismatch_message(const std::string& words) {
-  const std::string option = words.substr(0, words.find_first_of(": "));
-  if (words.find("flag override") != std::string::npos) {
-    return option + ": it takes no value; leave the value out";
-  }
-  if (words.find("At Most") != std::string::npos) {
-    return option + ": it is given more than once; give it once";
-  }
-  return option + ": a value is missing; give one";
+  const auto has = [&](const char* part) { return words.find(part) != std::string::npos; };
+  return (words.starts_with('-') ? "" : "--") + words.substr(0, words.find_first_of(": ")) +
+         (has("flag override") ? ": it takes no value; leave the value out"
+          : has("At Most")     ? ": it is given more than once; give it once"
+                               : ": a value is missing; give one");
 }
 
 // The parser's own words, made to say where help is.
@@ -370,11 +367,11 @@ void Verb::choice(const std::string& flags, std::string& value,
 }
 
 void Verb::flag(const std::string& flags, bool& value, const std::string& help) {
-  state_->app->add_flag(flags, value, help);
+  state_->app->add_flag(flags, value, help)->disable_flag_override();
 }
 
 void Verb::flag(const std::string& flags, std::function<void()> set, const std::string& help) {
-  state_->app->add_flag_callback(flags, std::move(set), help);
+  state_->app->add_flag_callback(flags, std::move(set), help)->disable_flag_override();
 }
 
 void Verb::exclude(const std::vector<std::string>& names) {
