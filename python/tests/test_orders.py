@@ -303,6 +303,15 @@ class Epochs(unittest.TestCase):
                 self.assertGreater(again.steps_resumed, 0)
                 self.assertEqual(int.from_bytes(data[:2], "little"), 3 * sum(range(2, 13)))
 
+    def test_a_checkpoint_every_0_steps_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            data = os.path.join(folder, "data")
+            pathlib.Path(data).write_bytes(bytes(64))
+            with self.assertRaisesRegex(changeover.BadInput, "checkpoint_every 0: give at least 1"):
+                changeover.update_pairs(data, 8, 3, lambda i, j, a, b: None,
+                                        journal=os.path.join(folder, "journal"), checkpoint_every=0)
+            self.assertEqual(os.listdir(folder), ["data"])
+
     def test_what_update_keeps_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:
             data = os.path.join(folder, "data")

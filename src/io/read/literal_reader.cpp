@@ -15,7 +15,7 @@ enum class Language : std::uint8_t { unknown, gap, sage };
 constexpr std::string_view third_argument =
     "a third argument, as for blocks developed under a group; write out all blocks";
 
-bool is_letter(char c) {
+bool is_of_name(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c >= '0' && c <= '9');
 }
 
@@ -115,7 +115,7 @@ class LiteralReader {
   std::string_view name(std::string_view wanted) {
     skip_blanks();
     std::size_t end = at_;
-    while (end < text_.size() && is_letter(text_[end])) {
+    while (end < text_.size() && is_of_name(text_[end])) {
       ++end;
     }
     if (end == at_) {
@@ -197,7 +197,7 @@ class LiteralReader {
     while (!take(")")) {
       skip_blanks();
       const std::size_t start = at_;
-      const bool has_name = !at_digit() && at_ < text_.size() && is_letter(text_[at_]);
+      const bool has_name = !at_digit() && at_ < text_.size() && is_of_name(text_[at_]);
       const std::string_view key = has_name ? name("an argument") : "";
       const bool is_keyword = has_name && take("=");
       if (is_keyword) {
@@ -284,7 +284,7 @@ bool begins_like_a_literal(std::string_view beginning) {
     beginning.remove_prefix(std::min(beginning.find_first_not_of(what), beginning.size()));
   };
   const auto word = [&] {
-    const auto end = std::find_if_not(beginning.begin(), beginning.end(), is_letter);
+    const auto end = std::find_if_not(beginning.begin(), beginning.end(), is_of_name);
     const std::string_view found(beginning.data(),
                                  static_cast<std::size_t>(end - beginning.begin()));
     beginning.remove_prefix(found.size());

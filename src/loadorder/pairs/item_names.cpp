@@ -9,6 +9,7 @@
 
 #include "changeover/loadorder/wanted_pairs.hpp"
 #include "core/utf8.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -66,7 +67,7 @@ std::optional<std::string> as_number(std::string_view word) {
   const std::string_view whole = word.substr(0, point);
   std::string_view part = point < word.size() ? word.substr(point + 1) : std::string_view();
   const auto digits = [](std::string_view text) {
-    return std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+    return std::all_of(text.begin(), text.end(), is_digit);
   };
   if (whole.empty() || !digits(whole) || !digits(part)) {
     return std::nullopt;

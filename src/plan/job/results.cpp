@@ -15,7 +15,7 @@ namespace {
 
 using ResultWords = std::vector<std::string>;
 
-bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
+bool is_small_letter(char c) { return c >= 'a' && c <= 'z'; }
 // U+00C0 to U+00FF without accents; × and ÷ are signs.
 constexpr std::string_view latin =
     "aaaaaaaceeeeiiiidnooooo ouuuuytsaaaaaaaceeeeiiiidnooooo ouuuuyty";
@@ -58,7 +58,7 @@ ResultWords result_words_of(std::string_view text) {
   ResultWords words;
   bool within = false;
   for (const char c : text) {
-    const bool part = is_letter(c) || (static_cast<unsigned char>(c) & 0x80U) != 0;
+    const bool part = is_small_letter(c) || (static_cast<unsigned char>(c) & 0x80U) != 0;
     if (part && !within) {
       words.emplace_back();
     }

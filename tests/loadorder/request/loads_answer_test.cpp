@@ -5,10 +5,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "changeover/core/error.hpp"
 #include "pairs/pairs_support.hpp"
 
-namespace changeover::test::loads_answer_test {
+namespace changeover::loads_answer_test {
+using test::random_pairs;
 namespace {
 
 using ::testing::HasSubstr;
@@ -138,21 +141,45 @@ TEST(LoadsAnswer, WithoutLoadsNoPairIsComputedWhileTheyRun) {
   EXPECT_THAT(loads->head(), HasSubstr("\"overlapped\":0"));
 }
 
-TEST(LoadsAnswer, MariusHasAllPartitionsAndFullStates) {
-  const auto written = [](const std::vector<ItemPair>& pairs) -> std::string {
-    LoadRequest request;
-    request.room = 3;
-    const auto loads = answer(request, std::make_shared<const PairGraph>(5, pairs));
-    StringSink sink;
-    try {
-      loads->write("marius", sink);
-    } catch (const BadInput& fault) {
-      return fault.what();
+// What Marius reads of these pairs of partitions, or why it cannot.
+std::string as_marius(const std::vector<ItemPair>& pairs, std::uint64_t partitions,
+                      std::uint64_t room) {
+  LoadRequest request;
+  request.room = room;
+  const auto loads = answer(request, std::make_shared<const PairGraph>(partitions, pairs));
+  StringSink sink;
+  try {
+    loads->write("marius", sink);
+  } catch (const BadInput& fault) {
+    return fault.what();
+  }
+  return sink.text();
+}
+
+TEST(LoadsAnswer, MariusNeedsAllPartitions) {
+  EXPECT_THAT(as_marius({{0, 1}, {1, 2}, {2, 4}}, 5, 3), HasSubstr("partition 3 is in no pair"));
+}
+
+TEST(LoadsAnswer, MariusFindsItsBufferFullInEveryState) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const std::uint64_t partitions = 5 + seed % 7;
+    std::vector<ItemPair> pairs = random_pairs(partitions, 1 + seed % 5, seed);
+    for (Element x = 0; x + 1 < partitions; x += 2) {
+      pairs.emplace_back(x, x + 1);  // so that each is in a pair
     }
-    return sink.text();
-  };
-  EXPECT_THAT(written({{0, 1}, {1, 2}, {2, 4}}), HasSubstr("partition 3 is in no pair"));
+    pairs.emplace_back(0, static_cast<Element>(partitions - 1));
+    for (const std::uint64_t room : {2U, 3U, 4U}) {
+      const std::string text = as_marius(pairs, partitions, room);
+      const std::size_t begin = text.find("\"buffer_states\":[[");
+      ASSERT_NE(begin, std::string::npos) << text;
+      const std::string states = text.substr(begin, text.find("]]", begin) + 1 - begin);
+      const auto ends = std::count(states.begin(), states.end(), ']');
+      const auto commas = std::count(states.begin(), states.end(), ',');
+      // A state has room - 1 commas in it, and one stands between two states.
+      EXPECT_EQ(commas, ends * static_cast<std::ptrdiff_t>(room) - 1) << seed << " " << text;
+    }
+  }
 }
 
 }  // namespace
-}  // namespace changeover::test::loads_answer_test
+}  // namespace changeover::loads_answer_test
