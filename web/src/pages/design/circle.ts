@@ -27,6 +27,13 @@ export function places(symmetry: Symmetry): { x: number; y: number }[] {
   return found;
 }
 
+/** Between neighbours of a ring, or between rings. */
+function leastDistance(symmetry: Symmetry, at: readonly { x: number; y: number }[]): number {
+  const rings = cyclesOf(symmetry.map).filter((cycle) => cycle.length > 1);
+  const neighbours = rings.map(([a, b]) => Math.hypot(at[a!]!.x - at[b!]!.x, at[a!]!.y - at[b!]!.y));
+  return Math.min(200 / rings.length, ...neighbours);
+}
+
 export function circlePicture(symmetry: Symmetry, blocks: readonly (readonly number[])[], names: (x: number) => string, drawn: readonly number[], lit: readonly number[]): SVGElement {
   const at = places(symmetry);
   const colours = hues(mostDrawn, theme());
@@ -40,9 +47,9 @@ export function circlePicture(symmetry: Symmetry, blocks: readonly (readonly num
     marks.push(polygon);
   });
   const inSome = new Set(drawn.flatMap((index) => blocks[index]!));
-  const small = at.length > 60;
+  const r = Math.min(14, 0.45 * leastDistance(symmetry, at));
   at.forEach((place, x) => {
-    marks.push(svg('g', { class: `circle-point${lit.includes(x) ? ' lit' : inSome.has(x) ? ' in' : ''}`, 'data-x': x }, svg('circle', { cx: place.x.toFixed(1), cy: place.y.toFixed(1), r: small ? 7 : 14 }), svg('text', { x: place.x.toFixed(1), y: (place.y + (small ? 2.5 : 4.5)).toFixed(1), 'font-size': small ? 7 : 13 }, names(x))));
+    marks.push(svg('g', { class: `circle-point${lit.includes(x) ? ' lit' : inSome.has(x) ? ' in' : ''}`, 'data-x': x }, svg('circle', { cx: place.x.toFixed(1), cy: place.y.toFixed(1), r: r.toFixed(1) }), svg('text', { x: place.x.toFixed(1), y: (place.y + 0.33 * r).toFixed(1), 'font-size': (0.93 * r).toFixed(1) }, names(x))));
   });
   return svg('svg', { viewBox: '0 0 600 600', class: 'circle-picture', role: 'img', 'aria-label': `Elements on a circle; ${drawn.length} blocks of one turn` }, ...marks);
 }
@@ -78,12 +85,20 @@ export function circleView(symmetry: Symmetry, chosen: Chosen, panel: HTMLElemen
   document.addEventListener('themechange', draw, { signal });
   fill(
     panel,
-    h('p', { class: 'hint' }, `A rotation of the picture by one place is an automorphism: it maps every block to the one ${count(shift, 'place')} later. ${shift === 1 ? 'One block makes' : `${number(shift)} base blocks make`} all ${number(blocks.length)} in ${number(rotations)} turns; on the elements: ${shape}${fixed > 0 ? `, ${count(fixed, 'fixed point')}` : ''}.`),
-    h('div', { class: 'row' }, shift > 1 && field('Base block', select(which, options, (value) => {
-      which = value;
-      draw();
-    })), h('div', { class: 'row tight' }, h('button', { type: 'button', class: 'plain', 'aria-label': 'Turn back', onclick: () => step(-1) }, '↺'), h('button', { type: 'button', class: 'plain', 'aria-label': 'Turn on', onclick: () => step(1) }, '↻')), said),
-    place,
+    h(
+      'div',
+      { class: 'circle-view' },
+      h(
+        'div',
+        {},
+        h('p', { class: 'hint' }, `A rotation of the picture by one place is an automorphism: it maps every block to the one ${count(shift, 'place')} later. ${shift === 1 ? 'One block makes' : `${number(shift)} base blocks make`} all ${number(blocks.length)} in ${number(rotations)} turns; on the elements: ${shape}${fixed > 0 ? `, ${count(fixed, 'fixed point')}` : ''}.`),
+        h('div', { class: 'row' }, shift > 1 && field('Base block', select(which, options, (value) => {
+          which = value;
+          draw();
+        })), h('div', { class: 'row tight' }, h('button', { type: 'button', class: 'plain', 'aria-label': 'Turn back', onclick: () => step(-1) }, '↺'), h('button', { type: 'button', class: 'plain', 'aria-label': 'Turn on', onclick: () => step(1) }, '↻')), said),
+      ),
+      place,
+    ),
   );
   draw();
 }

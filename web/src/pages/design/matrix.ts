@@ -184,10 +184,11 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
     pen.restore();
     pen.font = `12px ${token('--text-font')}`;
     const step = Math.max(1, Math.ceil(16 / cell));
+    const strongAt = lit.map(rowOf);
     for (let i = 0; i < v; ++i) {
-      const strong = lit.includes(rows[i]!);
-      if (i % step !== 0 && !strong) {
-        continue;
+      const strong = strongAt.includes(i);
+      if (!strong && (i % step !== 0 || strongAt.some((at) => Math.abs(at - i) < step))) {
+        continue; // No room, or in the way of a name that is chosen.
       }
       pen.fillStyle = strong ? mark : faint;
       const name = steps.names[rows[i]!]!.slice(0, 5);
@@ -195,7 +196,7 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
       const down = margin + (i - corner.y + 0.5) * cell;
       pen.textBaseline = 'middle';
       pen.textAlign = 'center';
-      if (across > margin && across < side && (cell * step >= name.length * 7 || strong)) {
+      if (across > margin && across + name.length * 3.5 < side && (cell * step >= name.length * 7 || strong)) {
         pen.fillText(name, across, margin - 10);
       }
       pen.textAlign = 'right';
