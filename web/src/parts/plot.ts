@@ -30,6 +30,8 @@ export interface PlotOptions {
   /** An upright line at this x. */
   mark?: () => number | null;
   fromZero?: boolean;
+  /** What is counted has no halves: no lines between whole numbers. */
+  whole?: boolean;
 }
 
 export interface Plot {
@@ -42,6 +44,8 @@ export interface Plot {
 function colour(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
+
+const wholeSteps = Array.from({ length: 27 }, (_, i) => [1, 2, 5][i % 3]! * 10 ** Math.floor(i / 3));
 
 const short = (value: number) => (Math.abs(value) >= 1e6 ? value.toPrecision(3).replace('+', '') : String(+value.toPrecision(6)));
 
@@ -88,7 +92,7 @@ export function plot(options: PlotOptions): Plot {
         legend: { live: true },
         axes: [
           { ...axis, label: options.x, size: 34, values: (_, ticks) => ticks.map((tick) => (options.xText ?? short)(tick)) },
-          { ...axis, label: options.y, size: 62, values: (_, ticks) => ticks.map(yText) },
+          { ...axis, label: options.y, size: 62, values: (_, ticks) => ticks.map(yText), ...(options.whole ? { incrs: wholeSteps } : {}) },
           ...(right
             ? [
                 {
@@ -104,7 +108,7 @@ export function plot(options: PlotOptions): Plot {
             : []),
         ],
         series: [
-          { label: options.x, value: (_, x) => (x === null ? '–' : (options.xText ?? short)(x)) },
+          { label: options.x, value: (_, x) => (x === null ? '' : (options.xText ?? short)(x)) },
           ...lines.map((line) => ({
             label: line.label,
             scale: line.right ? 'right' : 'y',
@@ -114,7 +118,7 @@ export function plot(options: PlotOptions): Plot {
             pxAlign: 0,
             ...(line.dash ? { dash: line.dash } : {}),
             ...(line.steps ? { paths: uPlot.paths.stepped!({ align: 1 }) } : {}),
-            value: (_: uPlot, y: number | null) => (y === null ? '–' : (line.right ? rightText : yText)(y)),
+            value: (_: uPlot, y: number | null) => (y === null ? '' : (line.right ? rightText : yText)(y)),
           })),
         ],
         hooks: {

@@ -47,7 +47,8 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     x: 'seconds',
     y: 'blocks',
     signal,
-    yText: (y) => (Number.isInteger(y) ? number(y) : ''),
+    yText: number,
+    whole: true,
   });
   const speed = plot({ label: 'Moves per second over time', x: 'seconds', y: 'moves per second', height: 160, signal, fromZero: true, yText: rate });
   const speeds = h('details', {}, h('summary', {}, 'Speed'), speed.element);
