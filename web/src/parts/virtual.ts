@@ -29,7 +29,6 @@ export function virtualList({ label, rows, height = 28, row }: Options): Virtual
   const element = h('div', { class: 'virtual', tabindex: 0, role: 'group', 'aria-label': label }, space);
   const total = Math.min(rows * height, highest);
   space.style.height = `${total}px`;
-  element.style.setProperty('--rows-height', `${total}px`);
   let drawn = '';
 
   function draw(): void {
