@@ -4,6 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { look, program, settled, start } from './support/browser.mjs';
+import { phone } from './support/phone.mjs';
 
 let explorer;
 before(async () => {
@@ -154,5 +155,5 @@ test('on a phone nothing scrolls sideways but the frames', async () => {
   await page.setViewportSize({ width: 390, height: 844 });
   await page.locator('.timeline-canvas').waitFor();
   assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
-  await look(page, 'loadorder-phone');
+  await phone(page, 'loadorder');
 });

@@ -179,7 +179,11 @@ test('the sheet is downloaded as CSV that the command line reads back', async ()
 test('on paper there is the sheet alone, with boxes', async () => {
   const page = await explorer.open('#/plan');
   await planNine(page);
+  await press(page, 1);
   await page.emulateMedia({ media: 'print' });
+  // What is written down is as black as the rest; the other box is not there.
+  assert.equal(await sheetButton(page, 1, 'pass').evaluate((button) => getComputedStyle(button).color), 'rgb(0, 0, 0)');
+  assert.ok(!(await sheetButton(page, 1, 'fail').isVisible()));
   assert.ok(!(await page.locator('.plan-form').isVisible()));
   assert.ok(!(await page.locator('.what-if').isVisible()));
   assert.ok(!(await page.locator('.next-tests').isVisible()));

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, afterEach, before, test } from 'node:test';
 import { look, settled, start } from './support/browser.mjs';
+import { phone } from './support/phone.mjs';
 
 let explorer;
 before(async () => {
@@ -150,5 +151,5 @@ test('on a phone nothing scrolls sideways but the frames', async () => {
   await page.locator('.searches button').first().click();
   await watched(page).getByText(/after/).waitFor();
   assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
-  await look(page, 'search-phone');
+  await phone(page, 'search');
 });

@@ -5,6 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { look, settled, start } from './support/browser.mjs';
+import { phone } from './support/phone.mjs';
 
 let explorer;
 before(async () => {
@@ -209,7 +210,7 @@ test('on a phone nothing scrolls sideways but the frames', async () => {
   await page.setViewportSize({ width: 390, height: 844 });
   await page.getByRole('heading', { name: '✗ Not a design' }).waitFor();
   assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
-  await look(page, 'verify-phone');
+  await phone(page, 'verify');
 });
 
 test('a repair is suggested, and used', async () => {
