@@ -13,14 +13,13 @@ if(CHANGEOVER_MPI)
       MPI_Init(&count, &arguments);
       return MPI_Finalize();
     }")
+  if(CHANGEOVER_HAS_MPI)
+    find_package(MPI QUIET COMPONENTS CXX) # once, here: it takes a second, and targets below see it
+  endif()
 endif()
 
 function(changeover_use_mpi target)
-  if(NOT CHANGEOVER_MPI OR NOT CHANGEOVER_HAS_MPI)
-    return()
-  endif()
-  find_package(MPI QUIET COMPONENTS CXX)
-  if(MPI_CXX_FOUND)
+  if(CHANGEOVER_MPI AND CHANGEOVER_HAS_MPI AND MPI_CXX_FOUND)
     target_link_libraries(${target} PRIVATE MPI::MPI_CXX)
     # Without the C++ bindings, which MPI has dropped.
     target_compile_definitions(${target} PRIVATE

@@ -12,6 +12,7 @@ mapfile -t presets < <("$cmake" --list-presets | sed -n 's/^  "\([^"]*\)".*/\1/p
   exit 1
 }
 tried=0 faults=0
+settings=(-DCHANGEOVER_WERROR=ON)
 for preset in "${presets[@]}"; do
   compiler=$("$cmake" --preset "$preset" -N | sed -n 's/^ *CMAKE_CXX_COMPILER="\(.*\)"/\1/p')
   if [[ -n $compiler ]] && ! command -v "$compiler" >/dev/null; then
@@ -19,9 +20,12 @@ for preset in "${presets[@]}"; do
     continue
   fi
   tried=$((tried + 1))
-  if "$cmake" --preset "$preset" -B "$folder/$preset" -D CHANGEOVER_WERROR=ON >"$folder/log" 2>&1 &&
+  if "$cmake" --preset "$preset" -B "$folder/$preset" "${settings[@]}" >"$folder/log" 2>&1 &&
     [[ -f $folder/$preset/build.ninja ]]; then
     echo "$preset: configured"
+    # Optional packages that worked for one preset are not tried again: a trial takes seconds.
+    mapfile -t worked < <(sed -n 's/^\(CHANGEOVER_[A-Za-z]*_WORKS\):.*=TRUE$/-D\1=TRUE/p' "$folder/$preset/CMakeCache.txt")
+    settings=(-DCHANGEOVER_WERROR=ON "${worked[@]}")
   else
     faults=$((faults + 1))
     echo "$preset: not configured"
