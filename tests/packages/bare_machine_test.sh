@@ -35,6 +35,11 @@ expect 'it is no folder' "$folder/file"
 for good in "$folder/new" "$folder/new/deep" "$folder/empty" "$folder/earlier"; do
   expect 'only root may make a Debian' "$good"
 done
+said=$(PATH="$folder/bin:$PATH" bash "$script" --debian 11 run 2>&1) || true
+[[ $said == *'--debian 11: what is tried is Debian 12 or 13' ]] || {
+  printf -- '--debian 11: %s\n' "$said" >&2
+  faults=1
+}
 [[ ! -e $folder/new && -z $(ls -A "$folder/empty") && -e $folder/full/mine ]] || {
   echo 'something was made or lost' >&2
   faults=1
