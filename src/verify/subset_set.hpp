@@ -90,7 +90,10 @@ class SubsetSet {
   void choose(std::span<const Element> from, std::uint32_t have) {
     if (have == t_) {
       std::array<Element, max_strength> sorted = chosen_;
-      std::sort(sorted.begin(), sorted.begin() + t_);
+      // By insertion: so few, and gcc 14 warns that std::sort could leave the array.
+      for (auto next = sorted.begin(); next != sorted.begin() + t_; ++next) {
+        std::rotate(std::upper_bound(sorted.begin(), next, *next), next, next + 1);
+      }
       std::uint64_t place = 0;
       for (std::uint32_t i = 0; i < t_; ++i) {
         place += binomials_[i + 1][sorted[i]];

@@ -87,7 +87,19 @@ struct XmlReader::State {
   static State& of(void* self) { return *static_cast<State*>(self); }
 
   [[nodiscard]] Place place() const {
+#ifdef XML_ATTR_DEPRECATED  // since Expat 2.9, whose older names draw a warning
+    return {XML_GetCurrentLineNumber64(parser), XML_GetCurrentColumnNumber64(parser) + 1};
+#else
     return {XML_GetCurrentLineNumber(parser), XML_GetCurrentColumnNumber(parser) + 1};
+#endif
+  }
+  // Of the event, in bytes from the beginning; negative if that is not known.
+  [[nodiscard]] std::int64_t offset() const {
+#ifdef XML_ATTR_DEPRECATED
+    return XML_GetCurrentByteIndex64(parser);
+#else
+    return XML_GetCurrentByteIndex(parser);
+#endif
   }
   [[noreturn]] void fail(std::string_view what) const { changeover::fail(name, place(), what); }
 
@@ -123,7 +135,7 @@ struct XmlReader::State {
       }
       fed += part.size();
       // The parser looks at an unfinished tag again with each piece.
-      const XML_Index done = XML_GetCurrentByteIndex(parser);
+      const std::int64_t done = offset();
       if (done >= 0 && fed - static_cast<std::uint64_t>(done) > longest_tag) {
         fail(fmt::format("a tag of more than {} MiB", longest_tag >> 20));
       }
@@ -154,7 +166,7 @@ void XmlReader::finish() { state_->parse({}, true); }
 Place XmlReader::place() const { return state_->place(); }
 
 std::size_t XmlReader::offset() const {
-  return static_cast<std::size_t>(std::max<XML_Index>(0, XML_GetCurrentByteIndex(state_->parser)));
+  return static_cast<std::size_t>(std::max<std::int64_t>(0, state_->offset()));
 }
 
 void XmlReader::fail(std::string_view what) const { state_->fail(what); }

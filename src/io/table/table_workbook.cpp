@@ -12,6 +12,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -343,7 +344,8 @@ class SheetWriter {
   // A list to choose from; other words are taken, too.
   void offer(const Choices& choices, std::size_t column, lxw_row_t first, lxw_row_t last) {
     Choices said = choices;  // the library asks for characters that it may write to
-    std::vector<char*> list;
+    // Of char* or const char*, as the version of the library has it.
+    std::vector<std::remove_pointer_t<decltype(lxw_data_validation::value_list)>> list;
     for (std::string& word : said.words) {
       list.push_back(word.data());
     }
