@@ -1,3 +1,13 @@
+# -O2 switches a flag on from gcc 13 on without which headers that were compiled at -O2 are refused at -Og; only some processors have it.
+set(CHANGEOVER_COLD_OPTIONS -Og)
+if(CHANGEOVER_PRECOMPILE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
+  include(CheckCXXCompilerFlag)
+  check_cxx_compiler_flag(-munroll-only-small-loops CHANGEOVER_UNROLLS_SMALL_LOOPS)
+  if(CHANGEOVER_UNROLLS_SMALL_LOOPS)
+    list(APPEND CHANGEOVER_COLD_OPTIONS -munroll-only-small-loops)
+  endif()
+endif()
+
 # changeover_cold(<target> [ONLY <regex> | UNLESS <regex>])
 #
 # What nobody waits for while it runs is compiled for a fast build: -Og instead of -O2 takes about 0.6 of the compiler's time. That is
@@ -22,10 +32,10 @@ function(changeover_cold target)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${apart}>)
   endif()
   if(cold_ONLY)
-    target_compile_options(${apart} PRIVATE $<$<CONFIG:Release>:-Og>)
+    target_compile_options(${apart} PRIVATE "$<$<CONFIG:Release>:${CHANGEOVER_COLD_OPTIONS}>")
     return()
   endif()
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Og>)
+  target_compile_options(${target} PRIVATE "$<$<CONFIG:Release>:${CHANGEOVER_COLD_OPTIONS}>")
   if(cold_UNLESS)
     target_compile_options(${apart} PRIVATE $<$<CONFIG:Release>:-O2>)
   endif()

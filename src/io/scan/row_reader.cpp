@@ -353,7 +353,7 @@ Row split_row(std::string_view line) {
   return row;
 }
 
-std::string quoted(std::string_view field) {
+std::string quoted_field(std::string_view field) {
   const bool plain = !field.empty() && field.find_first_of(",;\t\"") == std::string_view::npos &&
                      !is_blank(field.front()) && !is_blank(field.back()) && field.front() != '#';
   return plain ? std::string(field) : in_quotes(field);
@@ -361,7 +361,7 @@ std::string quoted(std::string_view field) {
 
 std::string quoted_among_blanks(std::string_view field) {
   return std::ranges::any_of(field, is_blank) || field.starts_with('%') ? in_quotes(field)
-                                                                        : quoted(field);
+                                                                        : quoted_field(field);
 }
 
 }  // namespace changeover

@@ -140,7 +140,7 @@ class RowReader {
 
 /// A field written so that it reads back the same: quoted if it has commas, semicolons, tabs,
 /// quotes or outer blanks, or begins with #.
-[[nodiscard]] std::string quoted(std::string_view field);
+[[nodiscard]] std::string quoted_field(std::string_view field);
 
 /// The same for a field among blanks: quoted if it holds a blank, too, or begins with %.
 [[nodiscard]] std::string quoted_among_blanks(std::string_view field);

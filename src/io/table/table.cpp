@@ -250,7 +250,7 @@ std::string list_line(const std::vector<std::string>& words) {
   std::vector<std::string> fields;
   fields.reserve(words.size());
   for (const std::string& word : words) {
-    fields.push_back(changeover::quoted(word));
+    fields.push_back(quoted_field(word));
   }
   return joined(fields);
 }

@@ -384,7 +384,7 @@ Block parts_named(const std::vector<std::string>& words, const Job& job) {
 std::string parts_text(const Block& parts, const std::vector<std::string>& names) {
   std::string text;
   for (const Element x : parts) {
-    text += (text.empty() ? "" : ", ") + quoted(names[x]);
+    text += (text.empty() ? "" : ", ") + quoted_field(names[x]);
   }
   return text;
 }

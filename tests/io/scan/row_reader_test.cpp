@@ -90,7 +90,7 @@ TEST(RowReader, SaysLineAndColumn) {
 TEST(RowReader, ReadsWhatIsWrittenInQuotes) {
   for (const std::string text :
        {"a", "a b", "a\tb", "a,b", "a;b", "\"", " a", "#a", "%a", "5\" disk", "é,"}) {
-    EXPECT_EQ(rows_of(changeover::quoted(text) + "," + changeover::quoted("x") + "\n"),
+    EXPECT_EQ(rows_of(changeover::quoted_field(text) + "," + changeover::quoted_field("x") + "\n"),
               (Texts{{text, "x"}}))
         << text;
     const RowOptions any{.any_separator = true, .blanks = true, .percent_too = true};
