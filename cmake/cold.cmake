@@ -1,10 +1,11 @@
-# -O2 switches a flag on from gcc 13 on without which headers that were compiled at -O2 are refused at -Og; only some processors have it.
+# gcc 13 and later take headers that were compiled at -O2 at -Og only if these flags, which -O2 switches on, are on there as well. They
+# are those of one kind of processor.
 set(CHANGEOVER_COLD_OPTIONS -Og)
 if(CHANGEOVER_PRECOMPILE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
   include(CheckCXXCompilerFlag)
-  check_cxx_compiler_flag(-munroll-only-small-loops CHANGEOVER_UNROLLS_SMALL_LOOPS)
-  if(CHANGEOVER_UNROLLS_SMALL_LOOPS)
-    list(APPEND CHANGEOVER_COLD_OPTIONS -munroll-only-small-loops)
+  check_cxx_compiler_flag("-munroll-only-small-loops -mvzeroupper" CHANGEOVER_HAS_FLAGS_OF_O2)
+  if(CHANGEOVER_HAS_FLAGS_OF_O2)
+    list(APPEND CHANGEOVER_COLD_OPTIONS -munroll-only-small-loops -mvzeroupper)
   endif()
 endif()
 

@@ -14,7 +14,7 @@ std::uint64_t BaseBlocks::block_count() const {
   return checked_multiply(blocks.size(), parameters.v);
 }
 
-DevelopedSource::DevelopedSource(BaseBlocks base)
+DevelopedSource::DevelopedSource(const BaseBlocks& base)
     : DevelopedSource(base, {.n = base.parameters.v, .cycles = 1}) {}
 
 DevelopedSource::DevelopedSource(BaseBlocks base, const Automorphism& pi, std::uint64_t shift)

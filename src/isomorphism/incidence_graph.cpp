@@ -106,8 +106,20 @@ std::string group_order(const bliss::Stats& stats) {
   return all.substr(begin, end - begin);
 }
 
-void keep_generator(void* generators, unsigned n, const unsigned* map) {
-  static_cast<std::vector<std::vector<unsigned>>*>(generators)->emplace_back(map, map + n);
+// The canonical label of each vertex. Since bliss 0.77 a function object is told the generators,
+// before it was a function and what it is given.
+template <typename Graph>
+const unsigned* canonical_label(Graph& search, bliss::Stats& stats,
+                                std::vector<std::vector<unsigned>>& generators) {
+  auto keep = [&](unsigned n, const unsigned* map) { generators.emplace_back(map, map + n); };
+  if constexpr (requires { search.canonical_form(stats, keep); }) {
+    return search.canonical_form(stats, keep);
+  } else {
+    const auto hook = [](void* keeper, unsigned n, const unsigned* map) {
+      (*static_cast<decltype(keep)*>(keeper))(n, map);
+    };
+    return search.canonical_form(stats, hook, &keep);
+  }
 }
 
 }  // namespace
@@ -128,7 +140,7 @@ GraphForm graph_form(const Design& design, BlockOrder order) {
   }
   GraphForm form;
   bliss::Stats stats;
-  const unsigned* label = search.canonical_form(stats, &keep_generator, &form.generators);
+  const unsigned* label = canonical_label(search, stats, form.generators);
   form.label.assign(label, label + graph.colours.size());
   form.group_order = group_order(stats);
   for (std::size_t i = 0; i < graph.colours.size(); ++i) {

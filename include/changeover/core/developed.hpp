@@ -115,7 +115,7 @@ struct BaseBlocks {
 class DevelopedSource final : public BlockSource {
  public:
   /// @throws BadInput unless there is a base block and each has k elements below v.
-  explicit DevelopedSource(BaseBlocks base);
+  explicit DevelopedSource(const BaseBlocks& base);
 
   /// The same under π^shift, shift < n, instead of x ↦ x + 1. pi.v() must be the v of the base
   /// blocks.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "changeover/loadorder/load_order.hpp"
-#include "loadorder_support.hpp"
+#include "../loadorder_support.hpp"
 #include "run/random.hpp"
 
 namespace changeover::test {
