@@ -133,7 +133,7 @@ changeover::WantedPairs wanted_by(const changeover_loadorder_options& asked, std
   }
   return asked.against > 0      ? WantedPairs::between(items, asked.against)
          : asked.done_items > 0 ? WantedPairs::beyond(asked.done_items, items)
-                                : WantedPairs();
+                                : WantedPairs(items);
 }
 
 changeover_loadorder* opened(std::uint64_t items, std::uint64_t room,
@@ -162,15 +162,12 @@ changeover_loadorder* opened(std::uint64_t items, std::uint64_t room,
       search();
     };
   }
-  const bool all = wanted.are_all();
   if (asked.workers > 1 || asked.with_pairs != 0) {
     const std::uint64_t workers = std::max<std::uint64_t>(1, asked.workers);
-    return new changeover_loadorder(all ? split_load_order(items, room, workers, options)
-                                        : split_load_order(wanted, room, workers, options),
+    return new changeover_loadorder(split_load_order(wanted, room, workers, options),
                                     asked.with_pairs != 0);
   }
-  return new changeover_loadorder(all ? plan_load_order(items, room, options)
-                                      : plan_load_order(wanted, room, options));
+  return new changeover_loadorder(plan_load_order(wanted, room, options));
 }
 
 }  // namespace

@@ -34,10 +34,7 @@ void take_memory_of_items(LoadRequest& request, RunRequest& run) {
 void require_memory_for_a_step(const CheckedLoads& asked, bool ordered) {
   const std::uint64_t room = asked.room();
   const std::uint64_t there = std::min(room, asked.items());
-  std::uint64_t pairs = there * (there - 1) / 2;
-  if (!asked.wanted().are_all()) {
-    pairs = std::min(pairs, asked.wanted().count());
-  }
+  const std::uint64_t pairs = std::min(there * (there - 1) / 2, asked.wanted().count());
   const std::uint64_t copies = ordered ? 3 : 2;  // as they are found, and as they are said
   require_memory(pairs * copies * sizeof(ItemPair),
                  fmt::format("a step of --new-pairs with --room {}", room));
@@ -46,8 +43,7 @@ void require_memory_for_a_step(const CheckedLoads& asked, bool ordered) {
 // All steps are read and made again before the first one is written.
 void require_few_epochs(const CheckedLoads& asked, std::uint64_t epochs) {
   constexpr std::uint64_t most_pairs = 100'000'000;
-  const std::uint64_t pairs =
-      asked.wanted().are_all() ? asked.items() * (asked.items() - 1) / 2 : asked.wanted().count();
+  const std::uint64_t pairs = asked.wanted().count();
   if (epochs > 1 && pairs > most_pairs / epochs) {
     throw BadOption(fmt::format(
         "--epochs {}: with --spread or --format marius all epochs have at most {} pairs; give {}",

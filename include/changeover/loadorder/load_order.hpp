@@ -57,9 +57,10 @@ struct LoadBound {
   std::string reason;  ///< one line of plain mathematics
 };
 
-/// The bound of the summary above. @throws BadInput if items = 0 or room < 2; ImpossibleParameters
-/// if there are more than 2³² − 1 items.
-[[nodiscard]] LoadBound load_lower_bound(std::uint64_t items, std::uint64_t room);
+/// The loads that no order for these pairs can go below; load_lower_bound(64, 16): the bound of the
+/// summary above. @throws BadInput if items = 0 or room < 2; ImpossibleParameters if all pairs of
+/// more than 10⁷ items are wanted.
+[[nodiscard]] LoadBound load_lower_bound(const WantedPairs& wanted, std::uint64_t room);
 
 /// What is known of an order before its first step.
 struct LoadOrderFacts : ScheduleFacts {
@@ -167,20 +168,12 @@ class LoadOrder {
   std::unique_ptr<StepSource> reader_;  // none before the first step is asked for
 };
 
-/// The best order that is known. Bound by reading it, see `read_up_to`: 10⁷ to 10⁸ pairs a second.
-/// @throws BadInput if items = 0 or room < 2, one line that says so; ImpossibleParameters if items
-/// exceeds 10⁷; InternalError if an order does not keep its promise.
-[[nodiscard]] LoadOrder plan_load_order(std::uint64_t items, std::uint64_t room,
-                                        const LoadOrderOptions& options = {});
-
-/// The same for the pairs that are wanted: docs/loadorder.md says how. Orders for listed pairs are
-/// kept in memory, 8 bytes a load, and always read; others above `read_up_to` are certified by
-/// their structure.
+/// The best order that is known; for some pairs only, docs/loadorder.md says how. Bound by reading
+/// it, see `read_up_to`: 10⁷ to 10⁸ pairs a second. Orders for listed pairs are kept in memory, 8
+/// bytes a load, and always read. @throws BadInput if items = 0 or room < 2, one line that says so;
+/// ImpossibleParameters if items exceeds 10⁷; InternalError if an order does not keep its promise.
 [[nodiscard]] LoadOrder plan_load_order(const WantedPairs& wanted, std::uint64_t room,
                                         const LoadOrderOptions& options = {});
-
-/// The loads that no order for these pairs can go below. @throws as above
-[[nodiscard]] LoadBound load_lower_bound(const WantedPairs& wanted, std::uint64_t room);
 
 // Items of different size: what is in memory is counted in bytes.
 //

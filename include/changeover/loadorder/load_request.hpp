@@ -79,7 +79,7 @@ void check_options(const LoadRequest& request, Door door);
 class CheckedLoads {
  public:
   [[nodiscard]] const WantedPairs& wanted() const { return wanted_; }
-  [[nodiscard]] std::uint64_t items() const { return items_; }
+  [[nodiscard]] std::uint64_t items() const { return wanted_.items(); }
   /// Of items with sizes the most that fit.
   [[nodiscard]] std::uint64_t room() const { return room_; }
   /// Null if all items have the same size.
@@ -92,7 +92,6 @@ class CheckedLoads {
                                     std::shared_ptr<const PairGraph> pairs);
   CheckedLoads() = default;
   WantedPairs wanted_;
-  std::uint64_t items_ = 0;
   std::uint64_t room_ = 0;
   std::shared_ptr<const ItemSizes> sizes_;
   std::function<double(Element, Element)> cost_;

@@ -97,6 +97,9 @@ class WantedPairs {
   /// All pairs of however many items.
   WantedPairs() = default;
 
+  /// All pairs of so many items: where pairs are asked for a number of items will do.
+  WantedPairs(std::uint64_t items) : items_(items) {}  // NOLINT(google-explicit-constructor)
+
   /// Items 0, …, a−1 with items a, …, a+b−1. @throws BadInput if one of them is 0.
   [[nodiscard]] static WantedPairs between(std::uint64_t a, std::uint64_t b);
 
@@ -112,10 +115,15 @@ class WantedPairs {
 
   [[nodiscard]] bool are_all() const { return kind_ == Kind::all; }
 
-  /// 0 if all pairs are wanted.
+  /// 0 if it is not said of how many items all pairs are.
   [[nodiscard]] std::uint64_t items() const { return items_; }
 
-  /// How many are wanted; of no meaning if all are.
+  /// The same pairs; if they are all, of so many items.
+  [[nodiscard]] WantedPairs among(std::uint64_t items) const {
+    return are_all() ? WantedPairs(items) : *this;
+  }
+
+  /// How many are wanted.
   [[nodiscard]] std::uint64_t count() const;
 
   /// x ≠ y, both below items().

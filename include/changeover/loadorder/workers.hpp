@@ -165,9 +165,6 @@ class WorkerSplit {
 };
 
 /// The makespan that no split goes below. @throws as load_lower_bound(), BadInput if workers = 0.
-[[nodiscard]] LoadBound makespan_lower_bound(std::uint64_t items, std::uint64_t room,
-                                             std::uint64_t workers);
-
 [[nodiscard]] LoadBound makespan_lower_bound(const WantedPairs& wanted, std::uint64_t room,
                                              std::uint64_t workers);
 
@@ -178,8 +175,10 @@ class WorkerSplit {
 [[nodiscard]] WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room,
                                       std::uint64_t workers);
 
-/// The best split that is known, verified. @throws as plan_load_order() and split_order().
-[[nodiscard]] WorkerSplit split_load_order(std::uint64_t items, std::uint64_t room,
+/// The best split that is known, verified. Of some pairs only, items are not grouped; two sets may
+/// be cut instead: then each worker has a part of one with a part of the other. @throws as
+/// plan_load_order() and split_order().
+[[nodiscard]] WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room,
                                            std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
 
@@ -196,12 +195,6 @@ class WorkerSplit {
 /// than 5,000 items, unless their pairs are listed, it is not said who computes what: owners() is
 /// null. @throws as repeat_order()
 [[nodiscard]] WorkerSplit repeat_shares(WorkerSplit split, std::uint64_t epochs);
-
-/// The same for some pairs, whose items are not grouped. Two sets may be cut instead: then each
-/// worker has a part of one with a part of the other.
-[[nodiscard]] WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room,
-                                           std::uint64_t workers,
-                                           const LoadOrderOptions& options = {});
 
 // Load orders for workers that step together and never hold one item twice: what training needs,
 // where items change.
@@ -287,16 +280,11 @@ using PrefetchPlan = Prefetched<LoadOrder>;
 using PrefetchSplit = Prefetched<WorkerSplit>;  ///< for several workers
 
 /// The better of the two ways. @throws as plan_load_order().
-[[nodiscard]] PrefetchPlan plan_prefetch(std::uint64_t items, std::uint64_t room,
-                                         const LoadOrderOptions& options = {});
 [[nodiscard]] PrefetchPlan plan_prefetch(const WantedPairs& wanted, std::uint64_t room,
                                          const LoadOrderOptions& options = {});
 
 /// The same for workers; of both ways the one whose busiest worker is ready first. @throws as
 /// split_load_order().
-[[nodiscard]] PrefetchSplit split_prefetch(std::uint64_t items, std::uint64_t room,
-                                           std::uint64_t workers,
-                                           const LoadOrderOptions& options = {});
 [[nodiscard]] PrefetchSplit split_prefetch(const WantedPairs& wanted, std::uint64_t room,
                                            std::uint64_t workers,
                                            const LoadOrderOptions& options = {});

@@ -14,9 +14,7 @@
 namespace changeover {
 
 SeenPairs::SeenPairs(const WantedPairs& wanted, std::uint64_t items)
-    : wanted_(wanted),
-      items_(items),
-      wanted_count_(wanted.are_all() ? binomial(items, 2) : wanted.count()) {
+    : wanted_(wanted), items_(items), wanted_count_(wanted.among(items).count()) {
   if (wanted.graph() == nullptr && items > max_elements_in_memory) {
     throw MissingResource(
         fmt::format("{} items have too many pairs to be followed one by one; {} is the most", items,

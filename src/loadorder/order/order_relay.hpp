@@ -34,4 +34,11 @@ class OrderRelay {
   Place left_;
 };
 
+/// Steps `first` to `first + count − 1` of an order of groups as steps of items; a place in the
+/// order comes from the relay, and goes back to it if all are read.
+[[nodiscard]] std::unique_ptr<StepSource> stretch_steps(std::shared_ptr<OrderRelay> relay,
+                                                        const LoadOrder& order, std::uint64_t first,
+                                                        std::uint64_t count, std::uint64_t items,
+                                                        std::uint64_t worker);
+
 }  // namespace changeover

@@ -12,12 +12,14 @@ std::shared_ptr<const PairOwners> owners_in(const WorkerSplit& split) { return s
 
 // In pairs: what the model of the summary says, of the worker that takes longest.
 template <typename Order>
-std::uint64_t time_of(const Order& order, std::uint64_t items, std::uint64_t room,
-                      const WantedPairs& wanted) {
-  StepWork schedule(
-      order.stream(),
-      {.items = items, .room = room, .wanted = wanted, .compute = ComputeRules{}, .overlap = true},
-      owners_in(order));
+std::uint64_t time_of(const Order& order, std::uint64_t room, const WantedPairs& wanted) {
+  StepWork schedule(order.stream(),
+                    {.items = wanted.items(),
+                     .room = room,
+                     .wanted = wanted,
+                     .compute = ComputeRules{},
+                     .overlap = true},
+                    owners_in(order));
   std::uint64_t longest = 0;
   std::uint64_t total = 0;
   std::uint64_t overlap = 0;
@@ -34,16 +36,16 @@ std::uint64_t time_of(const Order& order, std::uint64_t items, std::uint64_t roo
 
 // `plan` makes an order for a room.
 template <typename Plan>
-auto better_way(std::uint64_t items, std::uint64_t room, const WantedPairs& wanted, Plan&& plan)
+auto better_way(const WantedPairs& wanted, std::uint64_t room, Plan&& plan)
     -> Prefetched<decltype(plan(room))> {
   auto whole = plan(room);
-  if (room < 3 || items <= room) {
+  if (room < 3 || wanted.items() <= room) {
     return {std::move(whole), 0};
   }
   constexpr std::uint64_t most_compared = 2000;
   auto less = plan(room - 1);
-  if (items <= most_compared &&
-      time_of(whole, items, room, wanted) <= time_of(less, items, room, wanted)) {
+  if (wanted.items() <= most_compared &&
+      time_of(whole, room, wanted) <= time_of(less, room, wanted)) {
     return {std::move(whole), 0};
   }
   return {std::move(less), 1};
@@ -51,28 +53,15 @@ auto better_way(std::uint64_t items, std::uint64_t room, const WantedPairs& want
 
 }  // namespace
 
-PrefetchPlan plan_prefetch(std::uint64_t items, std::uint64_t room,
-                           const LoadOrderOptions& options) {
-  return better_way(items, room, {},
-                    [&](std::uint64_t places) { return plan_load_order(items, places, options); });
-}
-
 PrefetchPlan plan_prefetch(const WantedPairs& wanted, std::uint64_t room,
                            const LoadOrderOptions& options) {
-  return better_way(wanted.items(), room, wanted,
+  return better_way(wanted, room,
                     [&](std::uint64_t places) { return plan_load_order(wanted, places, options); });
-}
-
-PrefetchSplit split_prefetch(std::uint64_t items, std::uint64_t room, std::uint64_t workers,
-                             const LoadOrderOptions& options) {
-  return better_way(items, room, {}, [&](std::uint64_t places) {
-    return split_load_order(items, places, workers, options);
-  });
 }
 
 PrefetchSplit split_prefetch(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers,
                              const LoadOrderOptions& options) {
-  return better_way(wanted.items(), room, wanted, [&](std::uint64_t places) {
+  return better_way(wanted, room, [&](std::uint64_t places) {
     return split_load_order(wanted, places, workers, options);
   });
 }

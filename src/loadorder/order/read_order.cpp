@@ -27,12 +27,11 @@ ScheduleVerdict read_order(const LoadOrder::Maker& maker, ScheduleRules rules,
   return verdict;
 }
 
-std::string pairs_read(const ScheduleVerdict& verdict, std::uint64_t items,
+std::string pairs_read(const ScheduleVerdict& verdict, std::uint64_t all,
                        const std::string& where) {
-  const std::uint64_t count = binomial(items, 2);
-  const std::string pairs = count_of(count, "pair");
-  return verdict.computed == count ? fmt::format("{} computed{}, each once", pairs, where)
-                                   : fmt::format("all {} met{}", pairs, where);
+  const std::string pairs = count_of(all, "pair");
+  return verdict.computed == all ? fmt::format("{} computed{}, each once", pairs, where)
+                                 : fmt::format("all {} met{}", pairs, where);
 }
 
 }  // namespace changeover

@@ -17,8 +17,8 @@ inline constexpr std::uint64_t most_loads_read = 200'000'000;
 [[nodiscard]] ScheduleVerdict read_order(const LoadOrder::Maker& maker, ScheduleRules rules,
                                          const std::string& what, bool compute = true);
 
-/// What such a verdict says of the pairs: "6 pairs computed on the accelerator, each once".
-[[nodiscard]] std::string pairs_read(const ScheduleVerdict& verdict, std::uint64_t items,
+/// What such a verdict says of all pairs: "6 pairs computed on the accelerator, each once".
+[[nodiscard]] std::string pairs_read(const ScheduleVerdict& verdict, std::uint64_t all,
                                      const std::string& where = "");
 
 }  // namespace changeover

@@ -432,8 +432,8 @@ LoadOrder plan_two_levels(std::uint64_t items, std::uint64_t room, std::uint64_t
                              fast_room, best.group_items));
   static_cast<ScheduleFacts&>(facts) = verdict;
   facts.every_step_read = true;
-  facts.certificate =
-      "every step read: room at both levels, " + pairs_read(verdict, items, " on the accelerator");
+  facts.certificate = "every step read: room at both levels, " +
+                      pairs_read(verdict, binomial(items, 2), " on the accelerator");
   return {std::move(facts), std::move(best.maker)};
 }
 

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <vector>
 
+#include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 #include "loadorder/pairs/bucket_queue.hpp"
 
 namespace changeover {
@@ -73,6 +75,17 @@ void peel(const PairGraph& graph, Visit&& visit) {
   }
 }
 
+LoadBound bound_of_all(std::uint64_t items, std::uint64_t room) {
+  if (items <= room) {
+    return {items, fmt::format("each of {} items is loaded", items)};
+  }
+  const Parameters p{.v = items, .k = room, .change = 1, .kind = Kind::linear};
+  const Bound bound = lower_bound(p);
+  return {checked_add(room, bound.blocks - 1),
+          fmt::format("loads from number {} on make blocks of a linear SCCD({},{}), {}: {}", room,
+                      items, room, bound.name, bound.reason)};
+}
+
 LoadBound bound_of_list(const PairGraph& graph, std::uint64_t room) {
   std::uint32_t count = 0;
   const std::vector<std::uint32_t> component = components_of(graph, count);
@@ -100,7 +113,7 @@ LoadBound bound_of_list(const PairGraph& graph, std::uint64_t room) {
     part.bound = part.all_items;
     consider(part);
     if (part.all_items > room && part.all_pairs == binomial(part.all_items, 2)) {
-      const LoadBound all = load_lower_bound(part.all_items, room);
+      const LoadBound all = bound_of_all(part.all_items, room);
       if (all.loads > part.bound) {
         part.bound = all.loads;
         complete =
@@ -155,7 +168,7 @@ LoadBound bound_between(const WantedPairs& wanted, std::uint64_t room) {
 LoadBound bound_beyond(const WantedPairs& wanted, std::uint64_t room) {
   const std::uint64_t fresh = wanted.items() - wanted.first();
   const std::uint64_t by_pairs = least_loads(wanted.count(), room);
-  const LoadBound among = load_lower_bound(fresh, room);
+  const LoadBound among = bound_of_all(fresh, room);
   const std::uint64_t apart = checked_add(wanted.first(), among.loads);
   if (by_pairs > apart) {
     return {by_pairs, fmt::format("{} pairs are wanted, and {} loads bring at most {} together",
@@ -206,20 +219,24 @@ std::uint64_t least_between(std::uint64_t pairs, std::uint64_t room) {
 }
 
 std::uint64_t needed_items(const WantedPairs& wanted) {
-  std::uint64_t count = 0;
-  for (Element x = 0; x < wanted.items(); ++x) {
-    count += wanted.needs(x) ? std::uint64_t{1} : 0;
+  std::uint64_t count = wanted.items();
+  for (Element x = 0; wanted.graph() != nullptr && x < wanted.items(); ++x) {
+    count -= wanted.needs(x) ? 0U : 1U;
   }
   return count;
 }
 
 LoadBound load_lower_bound(const WantedPairs& wanted, std::uint64_t room) {
+  const std::uint64_t items = wanted.items();
+  if (items == 0) {
+    throw BadInput("a load order of 0 items: give at least 1 item");
+  }
   if (room < 2) {
-    throw BadInput(
-        fmt::format("room for {}: no two items could meet; give room for at least 2", room));
+    throw BadInput(fmt::format("room for {}: no two items could meet; give room for at least 2",
+                               count_of(room, "item")));
   }
   // More room than items changes nothing.
-  room = std::min(room, std::max<std::uint64_t>(2, wanted.items()));
+  room = std::min(room, std::max<std::uint64_t>(2, items));
   switch (wanted.kind()) {
     case WantedPairs::Kind::between:
       return bound_between(wanted, room);
@@ -228,7 +245,11 @@ LoadBound load_lower_bound(const WantedPairs& wanted, std::uint64_t room) {
     case WantedPairs::Kind::listed:
       return bound_of_list(*wanted.graph(), room);
     default:
-      throw BadInput("all pairs of how many items is not said; call load_lower_bound(items, room)");
+      if (items > most_items) {
+        throw ImpossibleParameters(
+            fmt::format("{} items: load orders are made for at most {}", items, most_items));
+      }
+      return bound_of_all(items, room);
   }
 }
 

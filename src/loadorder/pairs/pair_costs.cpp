@@ -35,8 +35,8 @@ std::optional<Number> number_in(const Field& field) {
 
 class CostList {
  public:
-  CostList(Input& input, std::uint64_t items, const WantedPairs& wanted)
-      : rows_(input, options()), items_(items) {
+  CostList(Input& input, const WantedPairs& wanted)
+      : rows_(input, options()), items_(wanted.items()) {
     if (wanted.graph() != nullptr) {
       for (const std::string& name : wanted.graph()->names()) {
         numbers_.emplace(name, static_cast<Element>(numbers_.size()));
@@ -126,9 +126,8 @@ class CostList {
 
 }  // namespace
 
-std::function<double(Element, Element)> read_pair_costs(Input& input, std::uint64_t items,
-                                                        const WantedPairs& wanted) {
-  const auto costs = std::make_shared<const Costs>(CostList(input, items, wanted).read());
+std::function<double(Element, Element)> read_pair_costs(Input& input, const WantedPairs& wanted) {
+  const auto costs = std::make_shared<const Costs>(CostList(input, wanted).read());
   return [costs](Element x, Element y) {
     const auto found = costs->find(key_of(x, y));
     return found == costs->end() ? 1.0 : found->second;

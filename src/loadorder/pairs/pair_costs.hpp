@@ -14,7 +14,6 @@ namespace changeover {
 /// are not in the list cost 1. A first row of words over rows of numbers is a header. @throws
 /// BadInput with its place for an unknown item, a cost below 0, or a pair that has a cost already
 [[nodiscard]] std::function<double(Element, Element)> read_pair_costs(Input& input,
-                                                                      std::uint64_t items,
                                                                       const WantedPairs& wanted);
 
 }  // namespace changeover

@@ -12,6 +12,7 @@
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "loadorder/order/plan_all_pairs.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/pairs/closing.hpp"
 #include "loadorder/pairs/held_order.hpp"
@@ -254,7 +255,7 @@ void consider_all_pairs(const PairGraph& graph, std::uint64_t room, const LoadOr
   }
   LoadOrderOptions quick = options;
   quick.improve = nullptr;
-  LoadOrder all = plan_load_order(items, room, quick);
+  LoadOrder all = plan_all_pairs(items, room, quick);
   // One by one, what is loaded in the same step would meet what goes later in it: only more pairs
   // meet.
   if (all.facts().loads < best.moves.size()) {
@@ -301,7 +302,7 @@ std::optional<LoadOrder> order_for_all_pairs(const LoadOrderFacts& facts, std::u
   LoadOrderOptions quick = options;
   quick.improve = nullptr;
   const auto all =
-      std::make_shared<const LoadOrder>(plan_load_order(facts.items, facts.room, quick));
+      std::make_shared<const LoadOrder>(plan_all_pairs(facts.items, facts.room, quick));
   if (all->facts().loads >= loads) {
     return std::nullopt;
   }
@@ -362,6 +363,9 @@ LoadOrder order_in_one_step(LoadOrderFacts facts, const LoadOrderOptions& option
 
 LoadOrder plan_load_order(const WantedPairs& wanted, std::uint64_t room,
                           const LoadOrderOptions& options) {
+  if (wanted.are_all()) {
+    return plan_all_pairs(wanted.items(), room, options);
+  }
   LoadOrderFacts facts;
   facts.bound = load_lower_bound(wanted, room);
   facts.items = wanted.items();

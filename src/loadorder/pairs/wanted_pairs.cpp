@@ -129,7 +129,7 @@ WantedPairs WantedPairs::whole(std::shared_ptr<const PairGraph> graph) {
 std::uint64_t WantedPairs::count() const {
   switch (kind_) {
     case Kind::all:
-      return 0;
+      return binomial(items_, 2);
     case Kind::between:
       return checked_multiply(first_, items_ - first_);
     case Kind::beyond:
@@ -158,7 +158,7 @@ std::uint64_t WantedPairs::hash() const {
   std::uint64_t hash = 14695981039346656037ULL;
   const auto mix = [&](std::uint64_t value) { hash = (hash ^ value) * 1099511628211ULL; };
   mix(static_cast<std::uint64_t>(kind_));
-  mix(items_);
+  mix(are_all() ? 0 : items_);
   mix(first_);
   if (graph_) {
     for (Element x = 0; x < items_; ++x) {

@@ -443,10 +443,9 @@ CheckedLoads checked_loads(const LoadRequest& request, Door door,
     checked.wanted_ = WantedPairs::between(*request.items, *request.against);
   } else if (request.done_items) {
     checked.wanted_ = WantedPairs::beyond(*request.done_items, *request.items);
+  } else {
+    checked.wanted_ = checked.sizes_ ? checked.sizes_->bytes.size() : *request.items;
   }
-  checked.items_ = !checked.wanted_.are_all() ? checked.wanted_.items()
-                   : checked.sizes_           ? checked.sizes_->bytes.size()
-                                              : *request.items;
   if (checked.sizes_) {
     check_sizes(*checked.sizes_, checked.wanted_);
     checked.room_ = most_held(*checked.sizes_, checked.wanted_);
@@ -454,7 +453,7 @@ CheckedLoads checked_loads(const LoadRequest& request, Door door,
   if (request.pair_cost.is_given()) {
     const auto input = open(request.pair_cost, option_of(load_table(), "pair_cost").record,
                             key("pair_cost", door));
-    checked.cost_ = read_pair_costs(*input, checked.items_, checked.wanted_);
+    checked.cost_ = read_pair_costs(*input, checked.wanted_);
   }
   return checked;
 }

@@ -40,6 +40,12 @@ std::uint64_t least_number(std::uint64_t high, Holds&& holds) {
 
 }  // namespace
 
+void check_workers(std::uint64_t workers) {
+  if (workers == 0 || workers > most_workers) {
+    throw BadInput(fmt::format("{} workers: give 1 to {}", workers, most_workers));
+  }
+}
+
 LoadBound least_at_one_worker(std::uint64_t items, std::uint64_t workers) {
   LoadBound best{1, "an item is loaded"};
   if (items == 1) {

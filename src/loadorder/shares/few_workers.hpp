@@ -7,9 +7,14 @@
 // them are large, or many pairs have more than one worker in common [docs/theorems.md, Theorem 17].
 #pragma once
 
-#include "changeover/loadorder/load_order.hpp"
+#include <cstdint>
+
+#include "changeover/loadorder/workers.hpp"
 
 namespace changeover {
+
+/// @throws BadInput unless 1 ≤ workers ≤ most_workers
+void check_workers(std::uint64_t workers);
 
 /// Some worker loads so many different items. items ≥ 1, workers ≥ 1. O(√W · log P)
 [[nodiscard]] LoadBound least_at_one_worker(std::uint64_t items, std::uint64_t workers);

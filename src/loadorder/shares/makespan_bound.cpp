@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "bounds/stays.hpp"
 #include "changeover/core/parameters.hpp"
@@ -9,7 +10,6 @@
 #include "core/checked.hpp"
 #include "loadorder/pairs/pair_bounds.hpp"
 #include "loadorder/shares/few_workers.hpp"
-#include "loadorder/shares/split_maker.hpp"
 
 namespace changeover {
 namespace {
@@ -27,26 +27,9 @@ LoadBound bound_by_pairs(std::uint64_t pairs, bool between, std::uint64_t least_
                       between ? most_between(low, room) : most_pairs(low, room))};
 }
 
-}  // namespace
-
-LoadBound makespan_lower_bound(const WantedPairs& wanted, std::uint64_t room,
-                               std::uint64_t workers) {
-  check_workers(workers);
-  const LoadBound alone = load_lower_bound(wanted, room);
-  room = std::min(room, std::max<std::uint64_t>(2, wanted.items()));
-  return workers == 1 ? alone
-                      : bound_by_pairs(wanted.count(), wanted.kind() == WantedPairs::Kind::between,
-                                       needed_items(wanted), alone.loads, room, workers);
-}
-
-LoadBound makespan_lower_bound(std::uint64_t items, std::uint64_t room, std::uint64_t workers) {
-  check_workers(workers);
-  const LoadBound alone = load_lower_bound(items, room);
-  if (workers == 1) {
-    return alone;
-  }
-  room = std::min(room, std::max<std::uint64_t>(2, items));
-  LoadBound by_pairs = bound_by_pairs(binomial(items, 2), false, items, alone.loads, room, workers);
+// All pairs of items: what several workers load is end to end a list in which they meet.
+LoadBound bound_of_all(LoadBound by_pairs, std::uint64_t items, std::uint64_t room,
+                       std::uint64_t workers) {
   LoadBound best = least_at_one_worker(items, workers);
   if (by_pairs.loads >= best.loads) {
     best = std::move(by_pairs);
@@ -58,6 +41,22 @@ LoadBound makespan_lower_bound(std::uint64_t items, std::uint64_t room, std::uin
                               workers, all.s + 1, most_meetings(all.s, 2), all.count, each)};
   }
   return best;
+}
+
+}  // namespace
+
+LoadBound makespan_lower_bound(const WantedPairs& wanted, std::uint64_t room,
+                               std::uint64_t workers) {
+  check_workers(workers);
+  LoadBound alone = load_lower_bound(wanted, room);
+  if (workers == 1) {
+    return alone;
+  }
+  room = std::min(room, std::max<std::uint64_t>(2, wanted.items()));
+  LoadBound by_pairs = bound_by_pairs(wanted.count(), wanted.kind() == WantedPairs::Kind::between,
+                                      needed_items(wanted), alone.loads, room, workers);
+  return wanted.are_all() ? bound_of_all(std::move(by_pairs), wanted.items(), room, workers)
+                          : by_pairs;
 }
 
 }  // namespace changeover

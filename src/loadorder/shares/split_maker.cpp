@@ -15,9 +15,11 @@
 #include "loadorder/order/order_relay.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/order/streamed_order.hpp"
+#include "loadorder/shares/few_workers.hpp"
 #include "loadorder/shares/owners/meetings.hpp"
 #include "loadorder/shares/owners/pair_table.hpp"
 #include "loadorder/shares/owners/plane_owners.hpp"
+#include "loadorder/shares/owners/streamed_owners.hpp"
 #include "loadorder/shares/step_lists.hpp"
 #include "loadorder/shares/stretches.hpp"
 
@@ -47,10 +49,6 @@ class GroupSteps final : public WorkerSteps {
   ItemGroups groups_;
   std::uint64_t room_;
 };
-
-std::uint64_t count_of_pairs(const WantedPairs& wanted, std::uint64_t items) {
-  return wanted.are_all() ? binomial(items, 2) : wanted.count();
-}
 
 // Steps of each worker. If all are alike each step brings as many pairs together but the first,
 // which brings as many as `ahead` steps more; these are left to others.
@@ -115,16 +113,16 @@ WorkerSplit SplitMaker::stretches(LoadOrder order, std::uint64_t items, std::uin
   facts.room = room;
   facts.groups = whole.items;
   facts.group_room = whole.room;
-  facts.makespan_bound = whole.wanted.are_all() ? makespan_lower_bound(items, room, workers)
-                                                : makespan_lower_bound(whole.wanted, room, workers);
+  const WantedPairs wanted = whole.wanted.among(items);
+  facts.makespan_bound = makespan_lower_bound(wanted, room, workers);
   facts.certificate = (whole.items < items ? "of groups of items: " : "") + whole.certificate;
   facts.workers.resize(static_cast<std::size_t>(workers));
-  facts.all_pairs = count_of_pairs(whole.wanted, items);
+  facts.all_pairs = wanted.count();
   // Blocks are full and steps alike, unless items are grouped: then sizes differ by one.
   const std::uint64_t first_loads = std::min(whole.room, whole.items);
   const std::uint64_t change =
       whole.steps > 1 ? (whole.loads - first_loads) / (whole.steps - 1) : 0;
-  const bool alike = whole.items == items && whole.wanted.are_all() && !whole.fast_room &&
+  const bool alike = whole.items == items && wanted.are_all() && !whole.fast_room &&
                      whole.loads == first_loads + change * (whole.steps - 1);
   // Shares of equal numbers of steps, unless steps differ: then shares whose loads are even.
   constexpr std::uint64_t most_steps_cut = 10'000'000;
@@ -262,7 +260,7 @@ WorkerSplit SplitMaker::for_fewer_pairs(WorkerSplit split, const WantedPairs& wa
   whole.explanation = "An order for all pairs. " + whole.explanation;
   split.order_ = LoadOrder(std::move(whole), split.order_.maker());
   split.facts_.makespan_bound = makespan_bound;
-  split.facts_.all_pairs = count_of_pairs(wanted, split.facts_.items);
+  split.facts_.all_pairs = wanted.count();
   split.facts_.pairs_are_known = false;
   put_in_words(split);
   leave_out_unneeded(split);
@@ -341,6 +339,11 @@ void SplitMaker::give_pairs(WorkerSplit& split, const LoadOrderOptions& options)
         fmt::format("pairs have costs: give at most {} items and {} workers, or list the pairs",
                     most_items_of_a_table, most_workers_of_a_table));
   }
+  const auto take = [&](const auto& owners) {
+    set_pairs(facts, owners->pairs());
+    facts.pairs_are_known = true;
+    split.owners_ = owners;
+  };
   // More workers than steps: some have none, and the first that has a pair computes it.
   const bool is_streamed = all && whole.method == "streamed" && facts.groups == facts.items &&
                            facts.workers.size() <= whole.steps;
@@ -353,31 +356,16 @@ void SplitMaker::give_pairs(WorkerSplit& split, const LoadOrderOptions& options)
              groups != nullptr && all && !options.pair_cost) {
     if (groups->shares().plane_order > 0 && facts.groups > most_groups_of_a_table) {
       const std::uint64_t q = groups->shares().plane_order;
-      auto owners = std::make_shared<PlaneOwners>(Plane(q, facts.groups == q * q), facts.items);
-      set_pairs(facts, owners->pairs());
-      split.owners_ = std::move(owners);
+      take(std::make_shared<const PlaneOwners>(Plane(q, facts.groups == q * q), facts.items));
     } else {
-      auto owners = owners_of(groups->shares(), facts.items);
-      set_pairs(facts, owners->pairs());
-      split.owners_ = std::move(owners);
+      take(owners_of(groups->shares(), facts.items));
     }
-    facts.pairs_are_known = true;
   } else if (facts.groups < facts.items && all && !options.pair_cost) {
-    auto owners = owners_of_stretches(split.order_, facts.workers, facts.items);
-    set_pairs(facts, owners->pairs());
-    split.owners_ = std::move(owners);
-    facts.pairs_are_known = true;
+    take(owners_of_stretches(split.order_, facts.workers, facts.items));
   } else if (is_short) {
     spread(split, {}, options.pair_cost);
   } else if (is_streamed) {
-    const StreamedPairs pairs(best_streamed_shape(facts.items, facts.room));
-    for (WorkerFacts& worker : facts.workers) {
-      worker.pairs = worker.steps == 0 ? 0
-                                       : pairs.met_after(worker.first_step + worker.steps - 1) -
-                                             pairs.met_after(worker.first_step - 1);
-    }
-    split.owners_ = owners_of_streamed_stretches(split.order_, facts.workers);
-    facts.pairs_are_known = true;
+    take(std::make_shared<const StreamedOwners>(split.order_, facts.workers));
   }
   sum_up(facts);
 }
@@ -438,10 +426,10 @@ void SplitMaker::verify(WorkerSplit& split, const LoadOrderOptions& options) {
     sum_up(facts);
   }
   facts.transfers = verdict.transfers;
-  const std::string pairs = fmt::format("all {} pairs met", binomial(facts.items, 2));
   say(true, whole.fast_room ? "every step read: room at both levels, " +
-                                  pairs_read(verdict, facts.items, " on the accelerator")
-            : whole.wanted.are_all() ? "every step read, " + pairs
+                                  pairs_read(verdict, facts.all_pairs, " on the accelerator")
+            : whole.wanted.are_all()
+                ? fmt::format("every step read, all {} pairs met", facts.all_pairs)
             : facts.all_pairs == 1
                 ? std::string("every step read, the wanted pair met")
                 : fmt::format("every step read, all {} wanted pairs met", facts.all_pairs));
@@ -464,7 +452,12 @@ std::string SplitMaker::certify(const GroupShares& shares) {
                                     verdict.fault, verdict.example));
   }
   return fmt::format("structure: all steps of {} items a group read, all {} pairs of {} groups met",
-                     each, binomial(items, 2), shares.groups);
+                     each, split.facts().all_pairs, shares.groups);
+}
+
+WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room,
+                        std::uint64_t workers) {
+  return SplitMaker::stretches(std::move(order), items, room, workers, SplitMaker::Cut::by_steps);
 }
 
 }  // namespace changeover

@@ -13,9 +13,6 @@
 
 namespace changeover {
 
-/// @throws BadInput unless 1 ≤ workers ≤ most_workers
-void check_workers(std::uint64_t workers);
-
 class SplitMaker {
  public:
   /// How stretches of steps that are all alike are cut.

@@ -7,26 +7,13 @@
 #include <vector>
 
 #include "changeover/loadorder/workers.hpp"
-#include "loadorder/order/order_relay.hpp"
 #include "loadorder/shares/owners/group_owners.hpp"
 
 namespace changeover {
 
-/// Steps `first` to `first + count − 1` of an order of groups as steps of items; a place in the
-/// order comes from the relay, and goes back to it if all are read.
-[[nodiscard]] std::unique_ptr<StepSource> stretch_steps(std::shared_ptr<OrderRelay> relay,
-                                                        const LoadOrder& order, std::uint64_t first,
-                                                        std::uint64_t count, std::uint64_t items,
-                                                        std::uint64_t worker);
-
 /// Balanced pairs of groups, of stretches of so many steps each.
 [[nodiscard]] std::shared_ptr<const GroupOwners> owners_of_stretches(
     const LoadOrder& order, const std::vector<WorkerFacts>& workers, std::uint64_t items);
-
-/// A pair is of the worker in whose stretch its items come together first; of stretches of a
-/// streamed order.
-[[nodiscard]] std::shared_ptr<const PairOwners> owners_of_streamed_stretches(
-    const LoadOrder& order, std::vector<WorkerFacts> workers);
 
 /// What the steps of an order hold and load, in items; a transfer to an accelerator counts, too, if
 /// it has a weight.

@@ -42,33 +42,29 @@ AnyLoads planned(const CheckedLoads& asked, const LoadRequest& request, LoadOrde
   options.pair_cost = asked.pair_cost();
   options.read_first = !request.verify_beside && !is_worker_by_itself(request);
   const WantedPairs& wanted = asked.wanted();
-  const bool all = wanted.are_all();
-  const std::uint64_t items = asked.items();
   const std::uint64_t room = asked.room();
   if (asked.sizes()) {
     return plan_sized_order(asked.sizes(), wanted, options);
   }
   if (request.disjoint) {
-    return plan_disjoint_order(items, room, *request.workers, options);
+    return plan_disjoint_order(wanted.items(), room, *request.workers, options);
   }
   if (request.fast_room) {
     if (request.workers) {
-      return split_two_levels(items, room, *request.fast_room, *request.workers, options);
+      return split_two_levels(wanted.items(), room, *request.fast_room, *request.workers, options);
     }
-    return plan_two_levels(items, room, *request.fast_room);
+    return plan_two_levels(wanted.items(), room, *request.fast_room);
   }
   if (request.prefetch) {
     if (request.workers) {
-      return all ? split_prefetch(items, room, *request.workers, options)
-                 : split_prefetch(wanted, room, *request.workers, options);
+      return split_prefetch(wanted, room, *request.workers, options);
     }
-    return all ? plan_prefetch(items, room, options) : plan_prefetch(wanted, room, options);
+    return plan_prefetch(wanted, room, options);
   }
   if (request.workers) {
-    return all ? split_load_order(items, room, *request.workers, options)
-               : split_load_order(wanted, room, *request.workers, options);
+    return split_load_order(wanted, room, *request.workers, options);
   }
-  return all ? plan_load_order(items, room, options) : plan_load_order(wanted, room, options);
+  return plan_load_order(wanted, room, options);
 }
 
 AnyLoads repeated(AnyLoads loads, std::uint64_t epochs) {

@@ -534,10 +534,10 @@ Said said_of(const WorkerSplit& split, std::uint64_t room, const LoadsShown& how
   }
   whole.explanation = facts.explanation;
   whole.certificate = facts.certificate;
-  whole.makespan_bound = room == facts.room || facts.epochs > 1 ? facts.makespan_bound
-                         : whole.wanted.are_all()
-                             ? makespan_lower_bound(whole.items, room, facts.workers.size())
-                             : makespan_lower_bound(whole.wanted, room, facts.workers.size());
+  whole.makespan_bound =
+      room == facts.room || facts.epochs > 1
+          ? facts.makespan_bound
+          : makespan_lower_bound(whole.wanted.among(whole.items), room, facts.workers.size());
   whole.worker_loads.clear();
   for (const WorkerFacts& worker : facts.workers) {
     whole.worker_loads.push_back(worker.loads);
@@ -554,10 +554,8 @@ Said said_of(const WorkerSplit& split, std::uint64_t room, const LoadsShown& how
 }  // namespace
 
 LoadBound bound_of_loads(const ScheduleRules& rules, std::uint64_t room, std::uint64_t workers) {
-  const bool all = rules.wanted.are_all();
-  const LoadBound once =
-      all ? load_lower_bound(rules.items, room) : load_lower_bound(rules.wanted, room);
-  return epochs_lower_bound(once, all ? binomial(rules.items, 2) : rules.wanted.count(), room,
+  const WantedPairs wanted = rules.wanted.among(rules.items);
+  return epochs_lower_bound(load_lower_bound(wanted, room), wanted.count(), room,
                             std::max<std::uint64_t>(1, workers), rules.epochs);
 }
 

@@ -405,8 +405,7 @@ LoadOrder plan_sized_order(std::shared_ptr<const ItemSizes> sizes, const WantedP
   facts.room = most_held(*sizes, wanted);
   facts.sizes = sizes;
   facts.wanted = wanted;
-  facts.bound = wanted.are_all() ? load_lower_bound(facts.items, facts.room)
-                                 : load_lower_bound(wanted, facts.room);
+  facts.bound = load_lower_bound(wanted.among(facts.items), facts.room);
   std::vector<Element> items;
   for (Element x = 0; x < facts.items; ++x) {
     if (wanted.needs(x)) {
@@ -457,9 +456,8 @@ LoadOrder plan_sized_order(std::shared_ptr<const ItemSizes> sizes, const WantedP
   }
   static_cast<ScheduleFacts&>(facts) = verdict;
   facts.every_step_read = true;
-  facts.certificate =
-      fmt::format("every step read, all {} pairs met, at most {} bytes in memory",
-                  wanted.are_all() ? binomial(facts.items, 2) : wanted.count(), verdict.most_bytes);
+  facts.certificate = fmt::format("every step read, all {} pairs met, at most {} bytes in memory",
+                                  wanted.among(facts.items).count(), verdict.most_bytes);
   return {std::move(facts), std::move(maker)};
 }
 

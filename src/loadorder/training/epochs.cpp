@@ -229,8 +229,7 @@ LoadOrder repeat_order(LoadOrder order, std::uint64_t epochs) {
   };
   const std::uint64_t workers = std::max<std::uint64_t>(1, lockstep);
   facts.epochs = epochs;
-  const std::uint64_t pairs =
-      facts.wanted.are_all() ? binomial(facts.items, 2) : facts.wanted.count();
+  const std::uint64_t pairs = facts.wanted.among(facts.items).count();
   facts.bound = epochs_lower_bound(facts.bound, pairs, facts.room, workers, epochs);
   if (facts.sizes) {
     const std::uint64_t left =

@@ -54,8 +54,7 @@ void SplitMaker::repeat(WorkerSplit& split, std::uint64_t epochs) {
   SplitFacts& facts = split.facts_;
   const LoadOrderFacts& whole = split.order_.facts();
   const std::uint64_t pairs = facts.all_pairs;
-  const LoadBound once = whole.wanted.are_all() ? load_lower_bound(facts.items, facts.room)
-                                                : load_lower_bound(whole.wanted, facts.room);
+  const LoadBound once = load_lower_bound(whole.wanted.among(facts.items), facts.room);
   facts.epochs = epochs;
   facts.makespan_bound = epochs_makespan_bound(
       facts.makespan_bound, epochs_lower_bound(once, pairs, facts.room, workers, epochs), workers);
@@ -102,6 +101,18 @@ void SplitMaker::repeat(WorkerSplit& split, std::uint64_t epochs) {
   its.certificate = facts.certificate = read ? in_each_epoch(whole.certificate, epochs)
                                              : whole.certificate + ", and read back and forth";
   split.order_ = LoadOrder(std::move(its), split.order_.maker());
+}
+
+WorkerSplit repeat_shares(WorkerSplit split, std::uint64_t epochs) {
+  check_epochs(epochs);
+  if (epochs == 1) {
+    return split;
+  }
+  if (split.facts().epochs != 1) {
+    throw BadInput("shares of several epochs are not repeated");
+  }
+  SplitMaker::repeat(split, epochs);
+  return split;
 }
 
 }  // namespace changeover

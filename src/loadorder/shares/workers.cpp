@@ -1,30 +1,18 @@
-#include "changeover/loadorder/workers.hpp"
-
-#include <fmt/format.h>
-
+// The best split that is known.
 #include <algorithm>
 #include <utility>
 
 #include "bounds/counting_bound.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/loadorder/load_order.hpp"
+#include "changeover/loadorder/workers.hpp"
 #include "core/checked.hpp"
-#include "loadorder/order/order_relay.hpp"
-#include "loadorder/order/read_order.hpp"
+#include "loadorder/pairs/held_blocks.hpp"
+#include "loadorder/shares/few_workers.hpp"
 #include "loadorder/shares/known_shares.hpp"
 #include "loadorder/shares/split_maker.hpp"
-#include "loadorder/shares/stretches.hpp"
-#include "loadorder/training/epochs.hpp"
 
 namespace changeover {
-
-void check_workers(std::uint64_t workers) {
-  if (workers == 0 || workers > most_workers) {
-    throw BadInput(fmt::format("{} workers: give 1 to {}", workers, most_workers));
-  }
-}
-
 namespace {
 
 struct Grouping {
@@ -45,27 +33,6 @@ Grouping cost(std::uint64_t groups, std::uint64_t room, std::uint64_t size, std:
   return {groups, room, size * (room + change * (ceil_div(steps, workers) - 1)),
           size * (busy * room + change * (steps - busy))};
 }
-
-class OneAfterAnother final : public StepSource {
- public:
-  explicit OneAfterAnother(const WorkerSplit& split) : split_(split) {}
-
-  bool next(Step& step) override {
-    while (!steps_ || !steps_->next(step)) {
-      steps_.reset();  // leaves its place in the order to the next one
-      if (worker_ == split_.facts().workers.size()) {
-        return false;
-      }
-      steps_ = split_.stream(worker_++);
-    }
-    return true;
-  }
-
- private:
-  const WorkerSplit& split_;
-  std::unique_ptr<StepSource> steps_;
-  std::uint64_t worker_ = 0;
-};
 
 // The order of items or groups of them whose stretches have the smallest makespan.
 LoadOrder order_to_cut(LoadOrder order, std::uint64_t items, std::uint64_t room,
@@ -107,48 +74,9 @@ LoadOrderOptions unread(LoadOrderOptions options, std::uint64_t workers) {
   return options;
 }
 
-}  // namespace
-
-WorkerSplit::WorkerSplit(SplitFacts facts, LoadOrder order)
-    : facts_(std::move(facts)), order_(std::move(order)), relay_(std::make_shared<OrderRelay>()) {
-  facts_.explanation = order_.facts().explanation;
-}
-
-std::unique_ptr<StepSource> WorkerSplit::stream(std::uint64_t worker) const {
-  if (worker >= facts_.workers.size()) {
-    throw BadInput(fmt::format("there is no worker {}: the order is for {}; count from 0", worker,
-                               facts_.workers.size()));
-  }
-  if (steps_) {
-    return steps_->of(worker);
-  }
-  const WorkerFacts& facts = facts_.workers[static_cast<std::size_t>(worker)];
-  return stretch_steps(relay_, order_, facts.first_step, facts.steps, facts_.items, worker);
-}
-
-std::unique_ptr<StepSource> WorkerSplit::stream() const {
-  return std::make_unique<OneAfterAnother>(*this);
-}
-
-ScheduleRules WorkerSplit::rules(const std::optional<ComputeRules>& compute) const {
-  const LoadOrderFacts& whole = order_.facts();
-  return {.items = facts_.items,
-          .room = facts_.room,
-          .fast_room = whole.fast_room,
-          .wanted = whole.wanted,
-          .compute = compute,
-          .epochs = facts_.epochs,
-          .shares = true};
-}
-
-WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room,
-                        std::uint64_t workers) {
-  return SplitMaker::stretches(std::move(order), items, room, workers, SplitMaker::Cut::by_steps);
-}
-
-WorkerSplit split_load_order(std::uint64_t items, std::uint64_t room, std::uint64_t workers,
-                             const LoadOrderOptions& options) {
-  check_workers(workers);
+// Of all pairs: stretches of an order of items or groups, or shares.
+WorkerSplit split_all_pairs(std::uint64_t items, std::uint64_t room, std::uint64_t workers,
+                            const LoadOrderOptions& options) {
   LoadOrder order = plan_load_order(items, room, unread(options, workers));
   if (workers == 1) {
     WorkerSplit split = split_order(std::move(order), items, room, 1);
@@ -167,30 +95,9 @@ WorkerSplit split_load_order(std::uint64_t items, std::uint64_t room, std::uint6
   return split;
 }
 
-WorkerSplit repeat_shares(WorkerSplit split, std::uint64_t epochs) {
-  check_epochs(epochs);
-  if (epochs == 1) {
-    return split;
-  }
-  if (split.facts().epochs != 1) {
-    throw BadInput("shares of several epochs are not repeated");
-  }
-  SplitMaker::repeat(split, epochs);
-  return split;
-}
-
-WorkerSplit split_two_levels(std::uint64_t items, std::uint64_t room, std::uint64_t fast_room,
-                             std::uint64_t workers, const LoadOrderOptions& options) {
-  check_workers(workers);
-  WorkerSplit split = split_order(plan_two_levels(items, room, fast_room), items, room, workers);
-  SplitMaker::give_pairs(split, options);
-  SplitMaker::verify(split, options);
-  return split;
-}
-
-WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers,
+// Of some: stretches, blocks of two sets, or what is left of a split of all pairs.
+WorkerSplit split_some_pairs(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers,
                              const LoadOrderOptions& options) {
-  check_workers(workers);
   std::vector<WorkerSplit> candidates;
   candidates.push_back(split_order(plan_load_order(wanted, room, unread(options, workers)),
                                    wanted.items(), room, workers));
@@ -209,7 +116,7 @@ WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room, std:
     quick.improve = nullptr;
     quick.pair_cost = nullptr;
     candidates.push_back(SplitMaker::for_fewer_pairs(
-        split_load_order(wanted.items(), room, workers, unread(quick, workers)), wanted, bound,
+        split_all_pairs(wanted.items(), room, workers, unread(quick, workers)), wanted, bound,
         makespan_bound));
   }
   // What is left out may make the second best the best.
@@ -223,6 +130,24 @@ WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room, std:
     SplitMaker::give_pairs(split, options);
   }
   WorkerSplit split = std::move(*std::ranges::min_element(candidates, less));
+  SplitMaker::verify(split, options);
+  return split;
+}
+
+}  // namespace
+
+WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers,
+                             const LoadOrderOptions& options) {
+  check_workers(workers);
+  return wanted.are_all() ? split_all_pairs(wanted.items(), room, workers, options)
+                          : split_some_pairs(wanted, room, workers, options);
+}
+
+WorkerSplit split_two_levels(std::uint64_t items, std::uint64_t room, std::uint64_t fast_room,
+                             std::uint64_t workers, const LoadOrderOptions& options) {
+  check_workers(workers);
+  WorkerSplit split = split_order(plan_two_levels(items, room, fast_room), items, room, workers);
+  SplitMaker::give_pairs(split, options);
   SplitMaker::verify(split, options);
   return split;
 }
