@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <new>
 #include <tuple>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "changeover/run/control.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "plan/job/setup_list.hpp"
+#include "plan/search/budget.hpp"
 
 namespace changeover {
 namespace {
@@ -149,16 +149,10 @@ void check_within(const std::vector<Candidate>& plans, Amount budget,
 }
 
 void keep_what_there_is(RunPlan& plan, const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const Stopped&) {
-    // The control knows why.
-  } catch (const MissingResource& fault) {
-    plan.shortage = fault.what();
-  } catch (const std::bad_alloc&) {
-    plan.shortage = fmt::format("not enough memory to go on searching among lists of {} tests",
-                                plan.candidates.front().tests());
-  }
+  keep_what_there_is(plan.shortage, work, [&] {
+    return fmt::format("not enough memory to go on searching among lists of {} tests",
+                       plan.candidates.front().tests());
+  });
 }
 
 void settle(const Job& job, RunPlan& plan, const RunControl& control) {

@@ -8,6 +8,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "plan/search/anneal/attempts.hpp"
+#include "plan/search/budget.hpp"
 #include "plan/search/candidates.hpp"
 #include "plan/search/exact_plan.hpp"
 #include "plan/search/starts/starts.hpp"
@@ -133,8 +134,9 @@ class PairsPlanner {
         }
       }
       // Longer and longer searches, each from the best so far, as long as that helps or is wished.
-      unsigned idle = 0;  // rounds without anything better, one after another
-      for (unsigned round = 0; best().cost > plan.bound.cost && !control_->stop_wanted(); ++round) {
+      Rounds rounds(*options_);
+      while (best().cost > plan.bound.cost && !control_->stop_wanted()) {
+        const unsigned round = rounds.now();
         const Amount before = best().cost;
         const Round next = round_of(attempts, steps, attempts.are_short(best()));
         add(plan, attempts.cheaper_than(best(), next_best(all), next.steps, next.attempts, round));
@@ -143,8 +145,7 @@ class PairsPlanner {
           look_at_all(plan, best().cost);
         }
         const bool many = attempts.are_short(best());
-        idle = best().cost == before ? idle + 1 : 0;
-        if (!options_->until_stopped && enough(plan, best().cost, round, idle, many)) {
+        if (!rounds.go_on(best().cost < before, limits(many)) || is_close(plan, best().cost)) {
           break;
         }
         constexpr std::uint64_t longest = std::uint64_t{1} << 60;
@@ -157,13 +158,8 @@ class PairsPlanner {
   // Designs have an eighth of the time: other lists need it more.
   void add_designs(RunPlan& plan) const {
     constexpr double share = 0.125;
-    const auto left = control_->time_left();
-    std::optional<RunControl> part;
-    if (left) {
-      part.emplace(*control_, *left * share);
-    }
-    for (const Start& start :
-         design_starts(*job_, options_->design_moves, part ? *part : *control_)) {
+    ShareOfTime part(*control_, share);
+    for (const Start& start : design_starts(*job_, options_->design_moves, part.control())) {
       add(plan, start);
     }
   }
@@ -191,19 +187,18 @@ class PairsPlanner {
     return {all / much < steps ? 4 * all : steps, each_thread_one};
   }
 
-  // Whether a search without a given time has gone on for long enough.
-  [[nodiscard]] bool enough(const RunPlan& plan, Amount now, unsigned round, unsigned idle,
-                            bool many) const {
+  // One fruitless round says little of a short list; all lists of a small job are looked at anyway.
+  [[nodiscard]] Rounds::Limits limits(bool many) const {
+    return {.most = many ? 8U : 3U,
+            .most_idle = many && !is_small(*job_) ? 3U : 1U,
+            .least = many ? 5U : 2U};
+  }
+
+  // Whether that is good enough for a search without a given time.
+  [[nodiscard]] bool is_close(const RunPlan& plan, Amount now) const {
     constexpr std::uint64_t small_gap = 200;  // one in so many
-    const unsigned most_rounds = many ? 8 : 3;
-    const unsigned least = many ? 4 : 1;  // rounds that are made in any case
-    const std::uint64_t gap = (now - plan.bound.cost).millionths;
-    // One fruitless round says little of a short list; all lists of a small job are looked at
-    // anyway.
-    const bool patient = many && !is_small(*job_);
-    return options_->steps != 0 || round + 1 >= most_rounds ||
-           (round >= least && idle >= (patient ? 3U : 1U)) ||
-           gap < plan.bound.cost.millionths / small_gap;
+    return !options_->until_stopped &&
+           (now - plan.bound.cost).millionths < plan.bound.cost.millionths / small_gap;
   }
 
   // A small job is done: its cheapest list is found, or the best so far is proved to be one. Where

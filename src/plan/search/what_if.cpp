@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <numeric>
 #include <set>
 #include <tuple>
@@ -14,6 +13,7 @@
 #include "changeover/run/control.hpp"
 #include "plan/job/prices.hpp"
 #include "plan/search/anneal/attempts.hpp"
+#include "plan/search/budget.hpp"
 #include "plan/search/first_plan.hpp"
 #include "plan/search/valid_job.hpp"
 
@@ -193,7 +193,7 @@ WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
   };
   constexpr std::uint64_t far = 1000;
   std::optional<std::string> shortage = plan.shortage;
-  try {
+  const auto search_all = [&] {
     search({1, far});
     search({far, 1});
     constexpr unsigned most_rounds = 12;
@@ -206,13 +206,9 @@ WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
         break;
       }
     }
-  } catch (const Stopped&) {
-    // What was found before is the answer.
-  } catch (const MissingResource& fault) {
-    shortage = fault.what();
-  } catch (const std::bad_alloc&) {
-    shortage = "not enough memory to search at all ratios";
-  }
+  };
+  keep_what_there_is(shortage, search_all,
+                     [] { return "not enough memory to search at all ratios"; });
   WhatIf answer = envelope(job, candidates);
   answer.shortage = shortage;
   return answer;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "plan/search/anneal/cooling.hpp"
+#include "plan/search/budget.hpp"
 #include "run/threads.hpp"
 
 namespace changeover {

@@ -43,16 +43,4 @@ double share_done(std::uint64_t step, std::uint64_t steps, double time_gone) {
   return std::min(1.0, time_gone < early ? share : std::max(time_gone, share));
 }
 
-std::optional<std::chrono::duration<double>> time_of_attempt(const RunControl& control,
-                                                             std::size_t attempt,
-                                                             std::size_t attempts, double share) {
-  const auto left = control.time_left();
-  if (!left || left->count() <= 0) {
-    return std::nullopt;
-  }
-  const std::size_t threads = std::max<std::size_t>(1, control.threads());
-  const auto rounds = static_cast<double>((attempts - attempt + threads - 1) / threads);
-  return *left * (share / rounds);
-}
-
 }  // namespace changeover

@@ -7,12 +7,8 @@
 #pragma once
 
 #include <array>
-#include <chrono>
-#include <cstddef>
 #include <cstdint>
-#include <optional>
 
-#include "changeover/run/control.hpp"
 #include "run/portable_math.hpp"
 #include "run/random.hpp"
 
@@ -65,10 +61,5 @@ struct HeatStyle {
 inline constexpr std::array<HeatStyle, 4> heat_styles{
     {{0.8, 0.03}, {0.4, 0.05}, {0.6, 0.03}, {0.5, 0.04}}};
 inline constexpr HeatStyle warm_style{0.16, 0.03};
-
-/// What an attempt has of this share of the time left, if the attempts before it are over by now;
-/// nothing without a limit.
-[[nodiscard]] std::optional<std::chrono::duration<double>> time_of_attempt(
-    const RunControl& control, std::size_t attempt, std::size_t attempts, double share);
 
 }  // namespace changeover

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <new>
+#include <functional>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -16,6 +16,7 @@
 #include "plan/search/benches/bench_bounds.hpp"
 #include "plan/search/benches/bench_field.hpp"
 #include "plan/search/benches/cut_list.hpp"
+#include "plan/search/budget.hpp"
 #include "plan/search/candidates.hpp"
 #include "plan/search/lists/lists_search.hpp"
 #include "plan/search/valid_job.hpp"
@@ -156,18 +157,10 @@ class BenchPlanner {
     }
   }
 
-  // Runs what may end early; what was found before stays.
-  template <typename Work>
-  void keep_what_there_is(Work&& work) {
-    try {
-      work();
-    } catch (const Stopped&) {
-      // The control knows why.
-    } catch (const MissingResource& fault) {
-      plan_.shortage = fault.what();
-    } catch (const std::bad_alloc&) {
-      plan_.shortage = "not enough memory to go on searching";
-    }
+  // Runs what may end early.
+  void keep_what_there_is(const std::function<void()>& work) {
+    changeover::keep_what_there_is(plan_.shortage, work,
+                                   [] { return "not enough memory to go on searching"; });
   }
 
   [[nodiscard]] std::uint64_t most_tests() const {
@@ -218,12 +211,9 @@ class BenchPlanner {
     once.rest.clear();
     const Job& rest = field_.rest(alone);
     constexpr double share = 0.15;  // of the time: the search for all benches needs more
-    const auto left = control_->time_left();
-    std::optional<RunControl> part;
-    if (left && field_.size() > 1) {
-      part.emplace(*control_, *left * share);
-    }
-    const RunPlan one = plan_of_valid_job(rest, once, part ? *part : *control_);
+    ShareOfTime part(*control_, share);
+    const RunPlan one =
+        plan_of_valid_job(rest, once, field_.size() > 1 ? part.control() : *control_);
     plan_.shortage = one.shortage;
     plan_.steps += one.steps;
     BenchLists lists(field_.size());
@@ -353,7 +343,7 @@ class BenchPlanner {
                        .steps = options_->plan.steps,
                        .attempts = options_->plan.attempts,
                        .phase = between_benches};
-    unsigned idle = 0;
+    Rounds rounds(options_->plan);
     while (!is_best_possible() && !control_->stop_wanted()) {
       const auto before = std::tuple(best().makespan, best().cost);
       FoundLists found = search_lists(job, starts, search, *control_);
@@ -364,13 +354,10 @@ class BenchPlanner {
         add("local search, each bench anew", "then each bench planned anew for what only it tests",
             found.lists);
       }
-      ++search.round;
-      idle = std::tuple(best().makespan, best().cost) == before ? idle + 1 : 0;
-      constexpr unsigned most_rounds = 4;
-      const bool enough = options_->plan.steps != 0 || idle > 0 || search.round >= most_rounds;
-      if (!options_->plan.until_stopped && enough) {
+      if (!rounds.go_on(std::tuple(best().makespan, best().cost) != before, {})) {
         break;
       }
+      search.round = rounds.now();
       starts.front() = without_first(best().lists);
     }
   }

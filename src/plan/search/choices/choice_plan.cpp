@@ -12,6 +12,7 @@
 #include "changeover/core/error.hpp"
 #include "core/words.hpp"
 #include "plan/search/anneal/attempts.hpp"
+#include "plan/search/budget.hpp"
 #include "plan/search/candidates.hpp"
 #include "plan/search/choices/choice_search.hpp"
 #include "plan/search/exact_plan.hpp"
@@ -150,23 +151,21 @@ class ChoicePlanner {
       look_at_all(plan);
     }
     std::uint64_t steps = moves;
-    unsigned idle = 0;
-    for (unsigned round = 0; !is_done(plan) && !control_.stop_wanted(); ++round) {
+    Rounds rounds(options_);
+    while (!is_done(plan) && !control_.stop_wanted()) {
       const auto before = std::pair(best(plan).tests(), best(plan).cost);
-      if (few_tests() && round > 0) {
+      if (few_tests() && rounds.now() > 0) {
         shorten(plan, steps / 4);
       }
-      anneal(plan, steps, round);
-      idle = std::pair(best(plan).tests(), best(plan).cost) == before ? idle + 1 : 0;
-      if (!options_.until_stopped &&
-          (options_.steps != 0 || round + 1 >= most_rounds || idle >= 2)) {
+      anneal(plan, steps, rounds.now());
+      if (!rounds.go_on(std::pair(best(plan).tests(), best(plan).cost) != before,
+                        {.most_idle = 2})) {
         break;
       }
       steps = std::min(2 * steps, longest);
     }
   }
 
-  static constexpr unsigned most_rounds = 4;
   static constexpr std::uint64_t longest = std::uint64_t{1} << 34;
 
   // Lists with few tests, in a cheap order.
@@ -223,14 +222,9 @@ class ChoicePlanner {
     return setups;
   }
 
-  // The share of the time left that an attempt has, if the attempts before it are over by now.
   [[nodiscard]] std::optional<std::chrono::duration<double>> time_for(std::size_t attempt) const {
-    const auto left = control_.time_left();
-    constexpr double for_the_rest = 0.95;
-    const std::size_t threads = std::max<std::size_t>(1, control_.threads());
-    const auto rounds = static_cast<double>((options_.attempts - attempt + threads - 1) / threads);
-    return left && left->count() > 0 ? std::optional(*left * (for_the_rest / rounds))
-                                     : std::nullopt;
+    constexpr double share = 0.95;  // the rest is for what the clock does not see
+    return time_of_attempt(control_, attempt, options_.attempts, share);
   }
 
   // How attempts differ: hot ones forget where they started.
@@ -313,11 +307,7 @@ class ChoicePlanner {
     std::erase_if(within, [&](const Candidate& each) {
       return each.name == search_name && std::exchange(seen, true);
     });
-    for (const Candidate& candidate : within) {
-      if (candidate.cost > budget) {
-        throw InternalError(candidate.name + " exceeds the budget");
-      }
-    }
+    check_within(within, budget, std::nullopt);
     plan.candidates = std::move(within);
   }
 

@@ -7,6 +7,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "plan/search/anneal/cooling.hpp"
+#include "plan/search/budget.hpp"
 #include "plan/search/lists/lists_annealer.hpp"
 #include "run/random.hpp"
 #include "run/threads.hpp"

@@ -1,9 +1,9 @@
 #include "plan/search/lists/replacing_plan.hpp"
 
-#include <optional>
 #include <utility>
 
 #include "plan/job/prices.hpp"
+#include "plan/search/budget.hpp"
 #include "plan/search/lists/lists_plan.hpp"
 #include "plan/search/valid_job.hpp"
 
@@ -19,12 +19,8 @@ std::vector<Start> at_mean_prices(const Job& job, const PlanOptions& options, Ru
   once.rest.clear();
   once.states = 0;
   constexpr double share = 0.4;
-  const auto left = control.time_left();
-  std::optional<RunControl> part;
-  if (left) {
-    part.emplace(control, *left * share);
-  }
-  const RunPlan plan = plan_of_valid_job(at_prices(job, Price::mean), once, part ? *part : control);
+  ShareOfTime part(control, share);
+  const RunPlan plan = plan_of_valid_job(at_prices(job, Price::mean), once, part.control());
   std::vector<Start> starts;
   for (const Candidate& candidate : plan.candidates) {
     starts.push_back({candidate.name + " at mean prices", candidate.how, candidate.setups});
