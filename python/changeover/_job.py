@@ -220,7 +220,7 @@ def _check_columns(columns: list[Any]) -> None:
         return  # names and costs, without a heading
     of: dict[str, list[str]] = {"name": [], "slot": [], "cost": [], "quantity": [], "": []}
     for heading in headings:
-        of[_core.heads(heading)].append(heading)
+        of[_core.meaning(heading)].append(heading)
     others = of[""]
     if not of["name"] and others:
         of["name"].append(others.pop(0))
@@ -236,7 +236,7 @@ def _check_columns(columns: list[Any]) -> None:
 def _parts_in_columns(frame: Any) -> list[dict[str, str]]:
     """A table of columns is read as a file of it would be: the same headers, the same refusals."""
     index = frame.index
-    has_names = any(_core.heads(words_of(column)) == "name" for column in frame.columns)
+    has_names = any(_core.meaning(words_of(column)) == "name" for column in frame.columns)
     # Rows that were left out leave numbers that say nothing.
     says_nothing = type(index).__name__ == "RangeIndex" or (has_names and has_numbered_rows(frame))
     if index.name is not None or not says_nothing:

@@ -51,13 +51,13 @@ def _entry(core: Any) -> Any:
 def find(label: str) -> Optional[Entry]:
     """The entry of a label, of an alias, or of the beginning of one label alone; None if there is
     none."""
-    entry: Optional[Entry] = _entry(_core.find(label))
+    entry: Optional[Entry] = _entry(_core.Entry.find(label))
     return entry
 
 
 def cell(v: int, k: int, change: int = 2, kind: Kind = "linear", strength: int = 2) -> List[Entry]:
     """All entries of a cell, fewest blocks first, retracted ones too."""
-    return [_entry(core) for core in _core.cell(v, k, change, kind, strength)]
+    return [_entry(core) for core in _core.Entry.cell(v, k, change, kind, strength)]
 
 
 def entries(
@@ -67,14 +67,14 @@ def entries(
 ) -> List[Entry]:
     """A list of the entries that are asked for, by change, kind, k, v, b; the best of each cell
     only unless said."""
-    found = _core.entries(v_from, v_to, k_from, k_to, change, kind, status, best_only, users_only)
+    found = _core.Entry.all(v_from, v_to, k_from, k_to, change, kind, status, best_only, users_only)
     return [_entry(core) for core in found]
 
 
 def add(design: Design, *, who: str, date: str, note: str = "") -> str:
     """Puts a design into the user's catalog and returns its label. Raises BadInput if it is
     none."""
-    label: str = _core.add(design._core, who, date, note)
+    label: str = _core.Entry.add(design._core, who, date, note)
     return label
 
 

@@ -45,20 +45,20 @@ class Blocks(_core.Memory):
         count = len(self)
         if isinstance(index, slice):
             first, stop, step = index.indices(count)
-            return _core.part(Blocks, self, first, len(range(first, stop, step)), step)
+            return self.part(first, len(range(first, stop, step)), step)
         if not hasattr(type(index), "__index__"):
             shown = _core.quoted(words_of(repr(index)))
             raise TypeError(f"blocks have a number or a slice as index, not {shown}")
         place = operator.index(index)
         if not -count <= place < count:
             raise IndexError(f"there are {count} blocks")
-        return _core.row(self, place % count)
+        return self.row(place % count)
 
     def __len__(self) -> int:
         return self.shape[0]
 
     def __iter__(self) -> Iterator[Block]:
-        return (_core.row(self, place) for place in range(len(self)))
+        return (self.row(place) for place in range(len(self)))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Blocks):
@@ -296,7 +296,7 @@ class Design(Made):
     def __setstate__(self, state: Any) -> None:
         if not isinstance(state, tuple) or len(state) != 1 or not isinstance(state[0], str):
             raise TypeError("Design.__setstate__(): the state is what pickle made of a design")
-        self._take(_core.read_text(state[0], ""))
+        self._take(_core.Design.read_text(state[0], ""))
 
     def __reduce_ex__(self, _protocol: Any = 2) -> Any:
         return getattr(copyreg, "__newobj__"), (type(self),), self.__getstate__()
@@ -370,7 +370,7 @@ def _from_numbers(blocks: Any, v: Optional[int], change: Optional[int], *more: A
     if change is None:
         change = len(set(numbers[k:2 * k]).difference(numbers[:k])) or 2
     elements = array("I", numbers).tobytes()
-    return _core.from_numbers(elements, k, largest + 1 if v is None else v, change, *more)
+    return _core.Design.from_numbers(elements, k, largest + 1 if v is None else v, change, *more)
 
 
 def _core_of(blocks: Any, v: Any, change: Any, kind: Any, strength: int) -> Any:
@@ -381,7 +381,8 @@ def _core_of(blocks: Any, v: Any, change: Any, kind: Any, strength: int) -> Any:
         v = blocks.v if v is None else v
         change = blocks.change if change is None else change
         elements = blocks.blocks._view().tobytes()
-        return _core.from_numbers(elements, blocks.k, v, change, kind or blocks.kind, strength)
+        kind = kind or blocks.kind
+        return _core.Design.from_numbers(elements, blocks.k, v, change, kind, strength)
     if isinstance(blocks, (str, bytes)):
         raise TypeError("blocks are an array or a list of lists; changeover.loads() reads a text")
     parameters = v, change, kind, strength
@@ -394,7 +395,7 @@ def _core_of(blocks: Any, v: Any, change: Any, kind: Any, strength: int) -> Any:
              for element in listed("blocks", holds, block)]
             for block in rows_of("blocks", holds, blocks, True)]
     text = words_of(json.dumps(rows, ensure_ascii=False, separators=(",", ":")))
-    return _core.read_text(text, "blocks", *parameters)
+    return _core.Design.read_text(text, "blocks", *parameters)
 
 
 def design(
@@ -408,7 +409,7 @@ def design(
     ImpossibleParameters if no such blocks can be written down, MissingResource if the design is too
     long for memory: see stream().
     """
-    core = _core.design(v, k, change, kind, strength, construction)
+    core = _core.Design.best_known(v, k, change, kind, strength, construction)
     return core and design_of(core)
 
 
@@ -420,7 +421,7 @@ def stream(v: int, k: int, change: int = 2, kind: Optional[Kind] = None, *,
     For designs that are too long for memory. Raises InternalError at the end if what was read is no
     design.
     """
-    core = _core.stream(v, k, change, kind, batch)
+    core = _core.Stream.of(v, k, change, kind, batch)
     return core and made(Stream, core.facts(), core)
 
 
@@ -458,12 +459,12 @@ def read(path: str) -> Design:
     """The design of a file of any format that is known: text, JSON, CSV, GAP, Sage, XML of
     designtheory.org. Its verdict may be that it is none. Raises BadInput with line and column,
     MissingResource."""
-    return design_of(_core.read(path))
+    return design_of(_core.Design.read(path))
 
 
 def loads(text: str) -> Design:
     """The same for a text in memory."""
-    return design_of(_core.read_text(text, ""))
+    return design_of(_core.Design.read_text(text, ""))
 
 
 check_calls(globals())

@@ -95,7 +95,7 @@ def _made_again(kind: Any, state: bytes, checksum: int) -> Any:
     facts, asked, ends, seed, text = pickle.loads(state)
     core: Any = _Recorded(text) if text is not None else None
     if core is None:
-        core, again = _core.load_order(
+        core, again = _core.Loads.planned(
             json.dumps({**asked, "verify_beside": False}), ends, None, 1, seed, None)
         if again != facts:
             raise BadInput("another version of changeover pickled this load order, and made another "
@@ -387,7 +387,7 @@ def load_order(
     if sizes is not None:
         asked["sizes"] = _size_rows(sizes)
     ends = None if pairs is None else _ends(pairs).tobytes()
-    core, facts = _core.load_order(json.dumps(asked), ends, time, threads, seed, progress)
+    core, facts = _core.Loads.planned(json.dumps(asked), ends, time, threads, seed, progress)
     # What a search finds is not found again: a pickle holds its steps.
     facts["_asked"] = (asked, ends, seed, None if time is None else "")
     if workers is None:

@@ -208,7 +208,7 @@ class RunSheet(_Sheets):
             said = result_of(result)
             if said is None or (result is None and setup is not None):
                 raise BadInput(wanted)
-            read = _core.result_of(said)
+            read = _core.meaning(said, of_a_result=True)
             if read in ("pass", "fail"):
                 tested.append((steps[of_sheet - 1]["setup"] if setup is None else setup,
                                read == "fail"))
@@ -417,7 +417,7 @@ def plan(
     document.update({key: value for key,
         value in (("trust_failed", trust_failed), ("compact", compact), ("title", title),
                   ("first_day", first_day), ("weekends", weekends)) if value})
-    core = _core.plan(json.dumps(document), time, threads, seed, progress)
+    core = _core.Planned.of(json.dumps(document), time, threads, seed, progress)
     facts = _facts(core)  # What a workbook asks for may be of several benches.
     return made(BenchSheets, facts, core) if "sheets" in facts else made(RunSheet, facts, core)
 

@@ -82,14 +82,16 @@ void bind_catalog(py::module_& module) {
   py::class_<CatalogEntry>(module, "Entry")
       .def("facts", &facts_of_entry)
       .def("recipe", [](const CatalogEntry& self) { return recipe_to_json(self.recipe); })
-      .def("design", &built);
-  module.def("find", [](const std::string& label) { return standard_catalog().find(label); });
-  module.def("cell", [](std::uint64_t v, std::uint64_t k, std::uint64_t change,
-                        const std::string& kind, std::uint64_t strength) {
-    return standard_catalog().cell(parameters(v, k, change, kind_of(kind), strength));
-  });
-  module.def("entries", &entries);
-  module.def("add", &add);
+      .def("design", &built)
+      .def_static("find", [](const std::string& label) { return standard_catalog().find(label); })
+      .def_static(
+          "cell",
+          [](std::uint64_t v, std::uint64_t k, std::uint64_t change, const std::string& kind,
+             std::uint64_t strength) {
+            return standard_catalog().cell(parameters(v, k, change, kind_of(kind), strength));
+          })
+      .def_static("all", &entries)
+      .def_static("add", &add);
 }
 
 }  // namespace changeover::python

@@ -408,29 +408,31 @@ void bind_designs(py::module_& module) {
            [](const HeldDesign& self) {
              return stoppable([&] { return automorphisms(*self.design).order; });
            })
-      .def("equals", &equal);
+      .def("equals", &equal)
+      .def_static("best_known", &design)
+      .def_static("from_numbers", &from_numbers)
+      .def_static("read_text", [](const std::string& text,
+                                  const std::string& name) { return read_text(text, name, {}); })
+      .def_static("read_text",
+                  [](const std::string& text, const std::string& name,
+                     std::optional<std::uint64_t> v, std::optional<std::uint64_t> change,
+                     const std::optional<std::string>& kind, std::uint64_t strength) {
+                    return read_text(text, name, said(v, change, kind, strength));
+                  })
+      .def_static("read", [](const std::string& path) {
+        return stoppable([&] { return verified_or_not(read_design(path)); });
+      });
   module.attr("most_elements") = max_elements_in_memory;
-  py::class_<Stream>(module, "Stream").def("facts", &Stream::facts).def("next", &Stream::next);
-  module.def("design", &design);
-  module.def("stream", &stream);
+  py::class_<Stream>(module, "Stream")
+      .def_static("of", &stream)
+      .def("facts", &Stream::facts)
+      .def("next", &Stream::next);
   module.def("explain", &explain);
   module.def("constructions", &constructions);
   module.def("write_file", [](const std::string& path, const std::string& text) {
     OutputFile file(path);
     file.write(text);
     file.commit();
-  });
-  module.def("from_numbers", &from_numbers);
-  module.def("read_text", [](const std::string& text, const std::string& name) {
-    return read_text(text, name, {});
-  });
-  module.def("read_text", [](const std::string& text, const std::string& name,
-                             std::optional<std::uint64_t> v, std::optional<std::uint64_t> change,
-                             const std::optional<std::string>& kind, std::uint64_t strength) {
-    return read_text(text, name, said(v, change, kind, strength));
-  });
-  module.def("read", [](const std::string& path) {
-    return stoppable([&] { return verified_or_not(read_design(path)); });
   });
 }
 

@@ -534,6 +534,7 @@ void bind_loads(py::module_& module) {
       .def("__iter__", [](py::object self) { return self; })
       .def("__next__", &next_full);
   py::class_<Loads>(module, "Loads")
+      .def_static("planned", &order)
       .def("work", &work_of)
       .def("shapes", &shapes_of)
       .def("in_format", &Loads::in_format)
@@ -554,7 +555,6 @@ void bind_loads(py::module_& module) {
                                                          : self.one()->stream(worker)};
       });
   module.attr("most_items") = most_items;
-  module.def("load_order", &order);
   module.def("all_pairs", &run);
   module.def("update_pairs", &run_updates);
 }

@@ -97,8 +97,9 @@ py::tuple row(const py::object& blocks, Py_ssize_t index) {
   return tuple_of({row_of(exporter, index), static_cast<std::size_t>(exporter.shape[1])});
 }
 
-py::object part(const py::object& type, const py::object& blocks, Py_ssize_t first,
-                Py_ssize_t length, Py_ssize_t step) {
+// Of the same type.
+py::object part(const py::object& blocks, Py_ssize_t first, Py_ssize_t length, Py_ssize_t step) {
+  const py::type type = py::type::of(blocks);
   const Exporter& exporter = exporter_of(blocks);
   const Py_ssize_t k = exporter.shape[1];
   if (step == 1) {
@@ -152,8 +153,9 @@ void end_view(const py::object& view) {
 
 void bind_memory(py::module_& module) {
   module.attr("Memory") = py::reinterpret_borrow<py::object>(type_of_exporters());
-  module.def("row", &row);
-  module.def("part", &part);
+  const py::object memory = module.attr("Memory");
+  memory.attr("row") = py::cpp_function(&row, py::name("row"), py::is_method(memory));
+  memory.attr("part") = py::cpp_function(&part, py::name("part"), py::is_method(memory));
 }
 
 }  // namespace changeover::python

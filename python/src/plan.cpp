@@ -127,31 +127,27 @@ void check_amount(const std::string& argument, const std::string& words) {
   }
 }
 
-const char* read_result(const std::string& result) {
-  switch (result_of(result)) {
-    case TestResult::pass:
-      return "pass";
-    case TestResult::fail:
-      return "fail";
-    case TestResult::unread:
-      return "unread";
-    default:
-      return "";
+// What the heading of a column says of it, or what a test said; "" if that is nothing.
+const char* meaning(const std::string& words, bool of_a_result) {
+  if (of_a_result) {
+    const TestResult result = result_of(words);
+    return result == TestResult::pass     ? "pass"
+           : result == TestResult::fail   ? "fail"
+           : result == TestResult::unread ? "unread"
+                                          : "";
   }
-}
-
-const char* headed_by(const std::string& heading) {
-  return heads_parts(heading)                           ? "name"
-         : heads_slots(heading)                         ? "slot"
-         : heads_quantities(heading)                    ? "quantity"
-         : heads_costs(heading) || heads_times(heading) ? "cost"
-                                                        : "";
+  return heads_parts(words)                         ? "name"
+         : heads_slots(words)                       ? "slot"
+         : heads_quantities(words)                  ? "quantity"
+         : heads_costs(words) || heads_times(words) ? "cost"
+                                                    : "";
 }
 
 }  // namespace
 
 void bind_plan(py::module_& module) {
   py::class_<Planned>(module, "Planned")
+      .def_static("of", &plan)
       .def_readonly("interrupted", &Planned::interrupted)
       .def_property_readonly("complete",
                              [](const Planned& self) {
@@ -169,12 +165,10 @@ void bind_plan(py::module_& module) {
            })
       .def("what_if", &ratios)
       .def("diagnose", &diagnosis_of);
-  module.def("plan", &plan);
   module.def("read_parts", &parts_in);
   module.def("quoted", &quoted);
   module.def("check_amount", &check_amount);
-  module.def("result_of", &read_result);
-  module.def("heads", &headed_by);
+  module.def("meaning", &meaning, py::arg(), py::kw_only(), py::arg("of_a_result") = false);
 }
 
 }  // namespace changeover::python

@@ -131,7 +131,7 @@ def _core_bug(what: str) -> Exception:
 
 def _plan(asked: Dict[str, Any], ends: Optional[array[int]],
           seconds: Optional[float] = None) -> Tuple[Any, Dict[str, Any]]:
-    core, facts = _core.load_order(
+    core, facts = _core.Loads.planned(
         json.dumps(asked), None if ends is None else ends.tobytes(), seconds, 1, 1, None)
     return core, facts
 

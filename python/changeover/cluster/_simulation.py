@@ -348,8 +348,8 @@ class _Bulk:
 
 
 def _bulk_shares(wanted: Wanted, workers: int) -> List[List[Any]]:
-    core, _ = _core.load_order(json.dumps({**wanted.asked, "workers": workers}), None, None, 1, 1,
-                               None)
+    asked = json.dumps({**wanted.asked, "workers": workers})
+    core, _ = _core.Loads.planned(asked, None, None, 1, 1, None)
     shapes: array[int] = array("Q")
     shapes.frombytes(core.shapes())
     rows = list(zip(shapes[::3], shapes[1::3], shapes[2::3]))
