@@ -28,36 +28,20 @@ class ClosedUpCycle final : public LegsWithHeldPlaces {
   using LegsWithHeldPlaces::LegsWithHeldPlaces;
 
  protected:
-  [[nodiscard]] std::vector<Swap> swaps_of(std::uint64_t j) const override {
-    std::vector<Swap> swaps;
-    std::uint64_t out = leaving_before(j);
-    const auto enter = [&](std::uint64_t x) {
-      swaps.push_back({.leaves = number(out), .enters = number(x)});
-      out = x;
-    };
+  [[nodiscard]] std::vector<std::uint64_t> visitors_of(std::uint64_t j) const override {
+    std::vector<std::uint64_t> visitors;
     const bool held = deleted(j);  // what stays in its place is there already
     for (std::uint64_t p = numbers().c; p >= 2; --p) {
       const std::uint64_t visitor = (j + p * numbers().big) % numbers().u;
       if (!deleted(visitor) && !(held && p == 2 && deleted(j + numbers().big))) {
-        enter(visitor);
+        visitors.push_back(visitor);
       }
     }
     const std::uint64_t next = (j + numbers().big) % numbers().u;
     if (!deleted(next) && !held) {
-      enter(next);
+      visitors.push_back(next);
     }
-    return swaps;
-  }
-
- private:
-  // Who makes room when the window moves to W_j: j−1, or if there is no such element the last
-  // visitor of W_{j−1}.
-  [[nodiscard]] std::uint64_t leaving_before(std::uint64_t j) const {
-    const std::uint64_t before = (j + numbers().u - 1) % numbers().u;
-    if (!deleted(before)) {
-      return before;
-    }
-    return before + (deleted(before + numbers().big) ? 3 : 2) * numbers().big;
+    return visitors;
   }
 };
 

@@ -28,33 +28,24 @@ class EvenVisits final : public LegsWithHeldPlaces {
   using LegsWithHeldPlaces::LegsWithHeldPlaces;
 
  protected:
-  [[nodiscard]] std::vector<Swap> swaps_of(std::uint64_t j) const override {
-    std::vector<Swap> swaps;
-    std::uint64_t out = leaving_before(j);
+  [[nodiscard]] std::vector<std::uint64_t> visitors_of(std::uint64_t j) const override {
+    std::vector<std::uint64_t> visitors;
     const auto enter = [&](std::uint64_t o) {
       const std::uint64_t x = (j + o * numbers().big) % numbers().u;
       if (!deleted(x) && (o == 2 || !holds_a_place(x))) {
-        swaps.push_back({.leaves = number(out), .enters = number(x)});
-        out = x;
+        visitors.push_back(x);
       }
     };
     for (std::uint64_t o = 2 * numbers().c - 2; o >= 2; o -= 2) {
       enter(o);
     }
     enter(1);
-    return swaps;
+    return visitors;
   }
 
  private:
   [[nodiscard]] bool holds_a_place(std::uint64_t x) const {
     return x >= numbers().big && deleted(x - numbers().big);
-  }
-
-  // Who makes room when the window moves to W_j: j−1, or if there is no such element the last
-  // visitor of W_{j−1}.
-  [[nodiscard]] std::uint64_t leaving_before(std::uint64_t j) const {
-    const std::uint64_t before = (j + numbers().u - 1) % numbers().u;
-    return deleted(before) ? before + 2 * numbers().big : before;
   }
 };
 

@@ -101,6 +101,19 @@ class LegsWithHeldPlaces : public LegsOfWindows {
       : LegsOfWindows({k, deletion}, kind, k - 1 + deletion.r - 1) {}
 
  protected:
+  /// Who enters while the window is W_j, one after another.
+  [[nodiscard]] virtual std::vector<std::uint64_t> visitors_of(std::uint64_t j) const = 0;
+
+  [[nodiscard]] std::vector<Swap> swaps_of(std::uint64_t j) const final {
+    std::vector<Swap> swaps;
+    std::uint64_t out = leaving_before(j);
+    for (const std::uint64_t x : visitors_of(j)) {
+      swaps.push_back({.leaves = number(out), .enters = number(x)});
+      out = x;
+    }
+    return swaps;
+  }
+
   [[nodiscard]] Block last_of(std::uint64_t j) const final {
     const std::uint64_t next = j == numbers().u - 1 ? numbers().r : j + 1;
     Block block(static_cast<std::size_t>(numbers().big));
@@ -111,6 +124,17 @@ class LegsWithHeldPlaces : public LegsOfWindows {
 
   [[nodiscard]] bool deleted(std::uint64_t x) const { return x < numbers().r; }
   [[nodiscard]] std::uint64_t number(std::uint64_t x) const { return x - numbers().r; }
+
+ private:
+  // Who makes room when the window moves to W_j: j−1, or if there is no such element the last
+  // visitor of W_{j−1}.
+  [[nodiscard]] std::uint64_t leaving_before(std::uint64_t j) const {
+    const std::uint64_t before = (j + numbers().u - 1) % numbers().u;
+    if (!deleted(before)) {
+      return before;
+    }
+    return before + (deleted(before + numbers().big) ? 3 : 2) * numbers().big;
+  }
 };
 
 /// A family of change number 1 or, if its lists permit it (tools/unions.hpp), of every change
