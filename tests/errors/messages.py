@@ -66,8 +66,8 @@ def without_comments(text):
     return "".join([*out, text[at:]])
 
 
-def literals(text, opening):
-    """The literals between the bracket at `opening` and the one that closes it, adjacent ones as one."""
+def scanned(text, opening):
+    """The literals between the bracket at `opening` and the one that closes it, adjacent ones as one; and where that ends."""
     depth, at, found, current = 0, opening, [], None
     while at < len(text):
         raw, plain, character = (each.match(text, at) for each in (RAW, LITERAL, CHARACTER))
@@ -88,28 +88,17 @@ def literals(text, opening):
         at += 1
         if depth == 0:
             break
-    return found
+    return found, at
 
 
 def worded(text, opening, offset=0):
     """The literals between two brackets that are words of a message: with a blank, and longer than a connective."""
-    return [(at + offset, words) for at, words in literals(text, opening) if " " in words.strip() and len(words) > 6]
+    return [(at + offset, words) for at, words in scanned(text, opening)[0] if " " in words.strip() and len(words) > 6]
 
 
 def between(text, opening):
     """What stands between a bracket and the one that closes it."""
-    depth, at = 0, opening
-    while at < len(text):
-        literal = LITERAL.match(text, at) or CHARACTER.match(text, at)
-        if literal:
-            at = literal.end()
-            continue
-        depth += text[at] in "({["
-        depth -= text[at] in ")}]"
-        at += 1
-        if depth == 0:
-            break
-    return text[opening:at]
+    return text[opening:scanned(text, opening)[1]]
 
 
 def of_variables(text, names):
