@@ -30,7 +30,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/io/output.hpp"
-#include "changeover/loadorder/update_pairs.hpp"
+#include "changeover/loadorder/all_pairs.hpp"
 #include "changeover/loadorder/workers.hpp"
 
 namespace {

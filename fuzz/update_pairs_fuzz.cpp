@@ -3,7 +3,7 @@
 #include <cstring>
 #include <optional>
 
-#include "changeover/loadorder/update_pairs.hpp"
+#include "changeover/loadorder/all_pairs.hpp"
 #include "support/chain.hpp"
 #include "support/promises.hpp"
 

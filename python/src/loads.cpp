@@ -13,7 +13,6 @@
 #include "changeover/loadorder/all_pairs.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/load_request.hpp"
-#include "changeover/loadorder/update_pairs.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/control.hpp"
 #include "gil.hpp"

@@ -5,7 +5,6 @@
 
 #include "changeover/core/design.hpp"
 #include "changeover/loadorder/all_pairs.hpp"
-#include "changeover/loadorder/update_pairs.hpp"
 
 namespace changeover::python {
 

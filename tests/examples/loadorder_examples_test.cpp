@@ -76,6 +76,26 @@ TEST_F(LoadOrderExamples, ItemSource) {
   EXPECT_EQ(file.item_count(), 3U);
 }
 
+TEST_F(LoadOrderExamples, UpdatePairs) {
+  put("embeddings.f32", std::string(24 * 4096, 'x'));
+  std::atomic<int> trained = 0;
+  const auto train = [&](std::span<std::byte> a, std::span<std::byte> b) {
+    a[0] = b[0] = std::byte{1};
+    ++trained;
+  };
+  LoadOrder order = plan_disjoint_order(24, 5, 2);
+  UpdateOptions options{.data = "embeddings.f32", .item_bytes = 4096, .journal = "job.journal"};
+  options.checkpoint_every = 10;
+  UpdateReport report = update_pairs(
+      order,
+      [&](const PairUpdate& pair) {
+        train(pair.first.bytes, pair.second.bytes);  // both may be written
+      },
+      options);
+  EXPECT_TRUE(report.finished);
+  EXPECT_EQ(trained, 24 * 23 / 2);
+}
+
 TEST_F(LoadOrderExamples, LoadOrder) {
   StandardOutput output;
   LoadOrder order = plan_load_order(64, 16);
@@ -156,26 +176,6 @@ TEST_F(LoadOrderExamples, Schedule) {
     check.read(step);
   }
   EXPECT_TRUE(check.finish().valid());  // each pair computed once, both items in memory
-}
-
-TEST_F(LoadOrderExamples, UpdatePairs) {
-  put("embeddings.f32", std::string(24 * 4096, 'x'));
-  std::atomic<int> trained = 0;
-  const auto train = [&](std::span<std::byte> a, std::span<std::byte> b) {
-    a[0] = b[0] = std::byte{1};
-    ++trained;
-  };
-  LoadOrder order = plan_disjoint_order(24, 5, 2);
-  UpdateOptions options{.data = "embeddings.f32", .item_bytes = 4096, .journal = "job.journal"};
-  options.checkpoint_every = 10;
-  UpdateReport report = update_pairs(
-      order,
-      [&](const PairUpdate& pair) {
-        train(pair.first.bytes, pair.second.bytes);  // both may be written
-      },
-      options);
-  EXPECT_TRUE(report.finished);
-  EXPECT_EQ(trained, 24 * 23 / 2);
 }
 
 TEST_F(LoadOrderExamples, WantedPairs) {

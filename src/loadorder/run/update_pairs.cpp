@@ -1,4 +1,3 @@
-#include "changeover/loadorder/update_pairs.hpp"
 
 #include <fmt/format.h>
 

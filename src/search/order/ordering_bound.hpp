@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "changeover/run/control.hpp"
-#include "changeover/search/ordering.hpp"
+#include "changeover/search/local_search.hpp"
 #include "search/order/ordering_overlap.hpp"
 
 namespace changeover {

@@ -9,7 +9,7 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
-#include "changeover/search/ordering.hpp"
+#include "changeover/search/local_search.hpp"
 #include "run/random.hpp"
 #include "search/order/ordering_overlap.hpp"
 #include "search/sat/cardinality.hpp"

@@ -1,4 +1,4 @@
-#include "changeover/search/repair.hpp"
+#include "changeover/search/local_search.hpp"
 
 #include <fmt/format.h>
 

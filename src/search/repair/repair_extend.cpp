@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "changeover/search/repair.hpp"
+#include "changeover/search/local_search.hpp"
 #include "core/checked.hpp"
 #include "run/grace.hpp"
 #include "search/local/local_search_states.hpp"

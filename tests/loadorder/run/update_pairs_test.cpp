@@ -1,5 +1,5 @@
 // Items that change, killed at every write: the result is that of a run without a crash, byte for byte.
-#include "changeover/loadorder/update_pairs.hpp"
+#include "changeover/loadorder/all_pairs.hpp"
 
 #include <gtest/gtest.h>
 #include <signal.h>

@@ -12,8 +12,6 @@
 #include "changeover/run/control.hpp"
 #include "changeover/search/base_block_search.hpp"
 #include "changeover/search/local_search.hpp"
-#include "changeover/search/ordering.hpp"
-#include "changeover/search/repair.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "run/random.hpp"
 #include "search/local/random_list.hpp"

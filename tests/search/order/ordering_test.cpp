@@ -1,4 +1,4 @@
-#include "changeover/search/ordering.hpp"
+#include "changeover/search/local_search.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -9,7 +9,7 @@
 #include "answer/design/judgement.hpp"
 #include "changeover/io/formats.hpp"
 #include "changeover/run/control.hpp"
-#include "changeover/search/repair.hpp"
+#include "changeover/search/local_search.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"

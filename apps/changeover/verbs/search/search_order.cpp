@@ -4,7 +4,7 @@
 
 #include "changeover/io/formats.hpp"
 #include "changeover/io/input.hpp"
-#include "changeover/search/ordering.hpp"
+#include "changeover/search/local_search.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/search_request.hpp"

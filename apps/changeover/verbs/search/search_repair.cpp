@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "changeover/io/input.hpp"
-#include "changeover/search/repair.hpp"
+#include "changeover/search/local_search.hpp"
 #include "core/words.hpp"
 #include "request/search_request.hpp"
 

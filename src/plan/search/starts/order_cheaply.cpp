@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "changeover/run/control.hpp"
-#include "changeover/search/ordering.hpp"
+#include "changeover/search/local_search.hpp"
 #include "plan/search/anneal/anneal.hpp"
 #include "plan/search/listener.hpp"
 #include "plan/search/starts/starts.hpp"

@@ -28,7 +28,7 @@ struct Start {
 /// comes soon.
 [[nodiscard]] Start greedy_start(const Job& job, RunControl& control);
 
-/// The set-ups in a cheap order: that of search/ordering.hpp if all changes cost the same and
+/// The set-ups in a cheap order: that of search/local_search.hpp if all changes cost the same and
 /// nothing is mounted at the start, else always the nearest next; then reversing stretches and
 /// moving short ones while it helps and the control does not say stop. O(tests²) a round.
 [[nodiscard]] std::vector<Block> order_cheaply(const Job& job, const Weights& weights,
