@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 
 namespace changeover {
 namespace {
@@ -88,15 +86,6 @@ std::string csv_cell(std::string_view text) {
 std::string_view csv_text(std::string_view cell) {
   const bool escaped = cell.starts_with('\'') && is_formula_behind_apostrophes(cell);
   return cell.substr(escaped ? 1 : 0);
-}
-
-std::string csv_number(double number) {
-  if (!std::isfinite(number)) {
-    return {};
-  }
-  std::array<char, 32> text = {};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
-  return {text.data(), end};
 }
 
 }  // namespace changeover

@@ -16,7 +16,6 @@
 // Not done: a spreadsheet takes a name that looks like a number (007, 1e5) for one.
 #pragma once
 
-#include <concepts>
 #include <string>
 #include <string_view>
 
@@ -28,15 +27,5 @@ namespace changeover {
 
 /// The text of a cell without its quotes: removes the apostrophe of csv_cell().
 [[nodiscard]] std::string_view csv_text(std::string_view cell);
-
-/// A number as a cell: decimal, with a point, never quoted and never escaped.
-template <std::integral Number>
-[[nodiscard]] std::string csv_number(Number number) {
-  return std::to_string(number);
-}
-
-/// The same, with as few digits as identify the number; infinite and undefined values are an empty
-/// cell.
-[[nodiscard]] std::string csv_number(double number);
 
 }  // namespace changeover

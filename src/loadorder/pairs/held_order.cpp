@@ -24,7 +24,7 @@ class Walk {
   explicit Walk(const HeldShape& shape) : shape_(&shape) {}
 
   struct Change {
-    ItemRange group_out, group_in;
+    ItemRange group_out;
     std::vector<ItemRange> out, in;  // of those that pass
     std::uint64_t times = 1;         // so many steps of the same size follow each other
   };

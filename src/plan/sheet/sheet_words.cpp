@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 namespace changeover {
 namespace {
@@ -239,14 +238,6 @@ std::vector<std::string> summary(const SheetDocument& document) {
   lines.push_back("because " + bound.reason);
   lines.insert(lines.end(), document.notes.begin(), document.notes.end());
   return lines;
-}
-
-Block without_mounted(const Job& job, const Block& setup) {
-  Block rest;
-  std::copy_if(setup.begin(), setup.end(), std::back_inserter(rest), [&](Element x) {
-    return std::find(job.mounted.begin(), job.mounted.end(), x) == job.mounted.end();
-  });
-  return rest;
 }
 
 std::string difference(const SheetDocument& document, const Candidate& candidate) {

@@ -65,9 +65,6 @@ class Money {
 /// How many of them a step tests first.
 [[nodiscard]] std::uint64_t new_here(const Job& job, const RunStep& step);
 
-/// The parts of a set-up but those that stay mounted, which are said once.
-[[nodiscard]] Block without_mounted(const Job& job, const Block& setup);
-
 /// How much more a candidate costs than the first: "+1 (0.9 %)"; empty for the first and under a
 /// budget.
 [[nodiscard]] std::string difference(const SheetDocument& document, const Candidate& candidate);

@@ -44,7 +44,6 @@ class SegmentOrbits {
 
   [[nodiscard]] std::uint32_t base_block_count() const { return c_; }
   [[nodiscard]] std::uint64_t missing() const { return coverage_.missing(); }
-  [[nodiscard]] std::size_t orbit_count() const { return orbits_.count(); }
   /// How many pairs of base blocks lie in the orbit of {x,y}; x ≠ y.
   [[nodiscard]] std::uint32_t count(Element x, Element y) const {
     return coverage_.times(orbits_.of(x, y));
