@@ -179,7 +179,7 @@ void LoadsAnswer::write(const std::string& format, Sink& sink) const {
     how.new_pairs = how.compute.ordered = how.compute.self = true;
     how.write_back = false;
   }
-  std::visit([&](const auto& loads) { show_loads(loads, room_, how, sink); }, loads_);
+  std::visit([&](const auto& loads) { show_loads(loads, how, sink); }, loads_);
 }
 
 std::string LoadsAnswer::head() const {
@@ -187,7 +187,7 @@ std::string LoadsAnswer::head() const {
   LoadsShown how = how_;
   how.format = "jsonl";
   how.head_only = true;
-  std::visit([&](const auto& loads) { show_loads(loads, room_, how, sink); }, loads_);
+  std::visit([&](const auto& loads) { show_loads(loads, how, sink); }, loads_);
   std::string line = sink.text();
   line.pop_back();  // its end
   return line;

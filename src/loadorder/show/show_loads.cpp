@@ -559,8 +559,7 @@ LoadBound bound_of_loads(const ScheduleRules& rules, std::uint64_t room, std::ui
                             std::max<std::uint64_t>(1, workers), rules.epochs);
 }
 
-void show_loads(const LoadOrder& order, std::uint64_t /*room: the order's own*/,
-                const LoadsShown& how, Sink& out) {
+void show_loads(const LoadOrder& order, const LoadsShown& how, Sink& out) {
   Said(
       order.facts(),
       [&order, &how] { return how.from_step ? order.stream_from(*how.from_step) : order.stream(); },
@@ -568,22 +567,21 @@ void show_loads(const LoadOrder& order, std::uint64_t /*room: the order's own*/,
       .show(out);
 }
 
-void show_loads(const WorkerSplit& split, std::uint64_t /*room: the split's own*/,
-                const LoadsShown& how, Sink& out) {
+void show_loads(const WorkerSplit& split, const LoadsShown& how, Sink& out) {
   said_of(split, split.facts().room, how).show(out);
 }
 
-void show_loads(const PrefetchPlan& plan, std::uint64_t room, const LoadsShown& how, Sink& out) {
+void show_loads(const PrefetchPlan& plan, const LoadsShown& how, Sink& out) {
   LoadOrderFacts facts = plan.order.facts();
-  facts.room = room;
+  facts.room += plan.spare;
   Said said(
       std::move(facts), [&plan] { return plan.order.stream(); }, how);
   said.overlap(plan.spare);
   said.show(out);
 }
 
-void show_loads(const PrefetchSplit& plan, std::uint64_t room, const LoadsShown& how, Sink& out) {
-  Said said = said_of(plan.order, room, how);
+void show_loads(const PrefetchSplit& plan, const LoadsShown& how, Sink& out) {
+  Said said = said_of(plan.order, plan.order.facts().room + plan.spare, how);
   said.overlap(plan.spare);
   said.show(out);
 }

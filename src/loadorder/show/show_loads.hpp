@@ -34,11 +34,11 @@ struct LoadsShown {
 
 /// In lockstep the steps of all workers with the same number come after one another. @throws
 /// ImpossibleParameters if bytes exceed 64 bits
-void show_loads(const LoadOrder& order, std::uint64_t room, const LoadsShown& how, Sink& out);
+void show_loads(const LoadOrder& order, const LoadsShown& how, Sink& out);
 /// One worker after another.
-void show_loads(const WorkerSplit& split, std::uint64_t room, const LoadsShown& how, Sink& out);
-/// `room` counts what is on its way.
-void show_loads(const PrefetchPlan& plan, std::uint64_t room, const LoadsShown& how, Sink& out);
-void show_loads(const PrefetchSplit& plan, std::uint64_t room, const LoadsShown& how, Sink& out);
+void show_loads(const WorkerSplit& split, const LoadsShown& how, Sink& out);
+/// With the whole room, of which the order may leave some.
+void show_loads(const PrefetchPlan& plan, const LoadsShown& how, Sink& out);
+void show_loads(const PrefetchSplit& plan, const LoadsShown& how, Sink& out);
 
 }  // namespace changeover
