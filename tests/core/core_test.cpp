@@ -8,6 +8,7 @@
 #include "changeover/core/pair_set.hpp"
 #include "changeover/core/parameters.hpp"
 #include "core/checked.hpp"
+#include "message_of.hpp"
 
 namespace changeover::core_test {
 namespace {
@@ -37,12 +38,7 @@ TEST(Binomial, RefusesToOverflow) {
 
 TEST(Parameters, NameTheNumberAtFault) {
   const auto message = [](const Parameters& p) -> std::string {
-    try {
-      check(p);
-    } catch (const ImpossibleParameters& fault) {
-      return fault.what();
-    }
-    return "";
+    return message_of<ImpossibleParameters>([&] { check(p); });
   };
   EXPECT_NE(message({.v = 3, .k = 4}).find("k = 4"), std::string::npos);
   EXPECT_NE(message({.v = 3, .k = 0}).find("k = 0"), std::string::npos);

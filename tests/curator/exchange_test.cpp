@@ -13,6 +13,7 @@
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
+#include "message_of.hpp"
 #include "run_program.hpp"
 
 namespace changeover::test::exchange_test {
@@ -52,12 +53,7 @@ Foreign read(const std::string& text, const Catalog& catalog, const ForeignLimit
 
 std::string refusal(const std::string& text, const ForeignLimits& limits = {}) {
   const Catalog nothing({});
-  try {
-    static_cast<void>(read(text, nothing, limits));
-  } catch (const BadInput& fault) {
-    return fault.what();
-  }
-  return "";
+  return message_of([&] { static_cast<void>(read(text, nothing, limits)); });
 }
 
 std::string file_of(const std::vector<CatalogEntry>& entries) {

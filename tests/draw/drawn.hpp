@@ -14,19 +14,9 @@
 #include "changeover/core/error.hpp"
 #include "changeover/draw/picture.hpp"
 #include "core/utf8.hpp"
+#include "message_of.hpp"
 
 namespace changeover {
-
-/// What `action` throws says; "" if nothing is thrown.
-template <typename Action>
-std::string message_of(Action&& action) {
-  try {
-    action();
-  } catch (const BadInput& fault) {
-    return fault.what();
-  }
-  return "";
-}
 
 inline std::size_t count(const std::string& text, const std::string& part) {
   std::size_t number = 0;

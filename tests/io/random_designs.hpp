@@ -14,21 +14,11 @@
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
+#include "message_of.hpp"
 
 namespace changeover {
 
 using namespace std::string_view_literals;
-
-/// What reading `action` throws says; "" if nothing is thrown.
-template <typename Fault = BadInput, typename Action>
-std::string message_of(Action&& action) {
-  try {
-    action();
-  } catch (const Fault& fault) {
-    return fault.what();
-  }
-  return "";
-}
 
 /// Names as people give them: letters, subscripts, numbers, words of other scripts.
 inline std::vector<std::string> random_labels(std::uint64_t v, std::mt19937& random) {

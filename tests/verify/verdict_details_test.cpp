@@ -8,18 +8,14 @@
 #include "changeover/run/control.hpp"
 #include "changeover/verify/difference.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "message_of.hpp"
 
 namespace changeover::verdict_details_test {
 namespace {
 
 template <typename Action>
 std::string refusal(Action&& action) {
-  try {
-    action();
-  } catch (const BadInput& fault) {
-    return fault.what();
-  }
-  return "";
+  return message_of([&] { action(); });
 }
 
 TEST(VerdictDetails, NothingIsNotValid) {

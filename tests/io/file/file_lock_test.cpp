@@ -12,6 +12,7 @@
 #include <string>
 
 #include "changeover/core/error.hpp"
+#include "message_of.hpp"
 
 namespace changeover::file_lock_test {
 namespace {
@@ -25,12 +26,7 @@ class FileLockTest : public testing::Test {
 
   // What taking the lock of a file says; "" if it can be had.
   std::string refusal(const fs::path& path) const {
-    try {
-      const FileLock lock(path.string());
-    } catch (const Error& fault) {
-      return fault.what();
-    }
-    return "";
+    return message_of<Error>([&] { const FileLock lock(path.string()); });
   }
   static void write(const fs::path& path, const std::string& text) { std::ofstream(path) << text; }
   static std::string content(const fs::path& path) {

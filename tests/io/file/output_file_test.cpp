@@ -13,6 +13,7 @@
 #include <iterator>
 
 #include "changeover/core/error.hpp"
+#include "message_of.hpp"
 
 namespace changeover::output_file_test {
 namespace {
@@ -48,14 +49,11 @@ class OutputFileTest : public testing::Test {
     return status.st_mode & 07777;
   }
   static std::string refusal(const std::string& file, const std::string& text = "x") {
-    try {
+    return message_of<MissingResource>([&] {
       OutputFile output(file);
       output.write(text);
       output.commit();
-    } catch (const MissingResource& fault) {
-      return fault.what();
-    }
-    return "";
+    });
   }
 
   fs::path folder_;

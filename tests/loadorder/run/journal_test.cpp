@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "changeover/core/error.hpp"
+#include "message_of.hpp"
 #include "run_program.hpp"
 
 namespace changeover::test::journal_test {
@@ -40,12 +41,7 @@ TEST(Journal, SaysWhatIsAnother) {
     return std::vector<JournalField>{{"job", name}, {"order", "a; b"}, {"shares", shares}};
   };
   const auto complaint = [&](const std::vector<JournalField>& fields) -> std::string {
-    try {
-      Journal(path, fields, 20);
-    } catch (const BadInput& fault) {
-      return fault.what();
-    }
-    return "";
+    return message_of([&] { Journal(path, fields, 20); });
   };
   { Journal(path, job("sums", "4"), 20).begin(); }
   EXPECT_EQ(complaint(job("sums", "4")), "");

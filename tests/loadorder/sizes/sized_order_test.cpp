@@ -12,6 +12,7 @@
 #include "changeover/loadorder/all_pairs.hpp"
 #include "changeover/loadorder/load_request.hpp"
 #include "core/checked.hpp"
+#include "message_of.hpp"
 #include "pairs/pairs_support.hpp"
 
 namespace changeover::test::sized_order_test {
@@ -213,12 +214,8 @@ TEST(SizedOrder, WhatIsWrongIsFound) {
 TEST(SizedOrder, RefusesWhatDoesNotFit) {
   const auto refusal = [](std::vector<std::uint64_t> bytes, std::uint64_t memory,
                           const WantedPairs& wanted = {}) -> std::string {
-    try {
-      static_cast<void>(plan_sized_order(sizes_of(std::move(bytes), memory), wanted));
-    } catch (const BadInput& fault) {
-      return fault.what();
-    }
-    return "";
+    return message_of(
+        [&] { static_cast<void>(plan_sized_order(sizes_of(std::move(bytes), memory), wanted)); });
   };
   EXPECT_EQ(refusal({3, 5, 4}, 8), "items 1 and 2 have 9 bytes together, and memory 8");
   EXPECT_EQ(refusal({3, 5, 4}, 8, listed(3, {{0, 1}, {0, 2}})), "");

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "changeover/core/error.hpp"
+#include "message_of.hpp"
 #include "run/random.hpp"
 
 namespace changeover::read_job_test {
@@ -278,12 +279,7 @@ TEST(ReadJob, AnyMutantIsReadOrRefusedWithOneLine) {
 
 TEST(ReadParts, NamesThatLookTheSameAreRefused) {
   const auto complaint = [](const std::string& text) -> std::string {
-    try {
-      (void)read_parts(*input_from_text(text, "p.csv"), Header::none);
-    } catch (const BadInput& fault) {
-      return fault.what();
-    }
-    return "";
+    return message_of([&] { (void)read_parts(*input_from_text(text, "p.csv"), Header::none); });
   };
   EXPECT_EQ(complaint("Pump A,1\nPump\u200b B,2\nFan,3\n"), "") << "one that looks like no other";
   EXPECT_EQ(complaint("Pump,1\nPu\u200bmp,2\n").find("p.csv:2:1: a second part looks like 'Pump'"),
@@ -308,12 +304,7 @@ TEST(Pairs, MayHaveBlanksBetweenThemAndQuotesAroundThem) {
   EXPECT_TRUE(pairs("Valve \"x, y\"\n").contains(1, 2));
   EXPECT_TRUE(read_priorities(*input_from_text("1 2 2.5\n\"Pump A\" 5 7\n"), bench).weighs(0, 3));
   const auto says = [&](const std::string& text) -> std::string {
-    try {
-      pairs(text);
-    } catch (const BadInput& fault) {
-      return fault.what();
-    }
-    return "";
+    return message_of([&] { pairs(text); });
   };
   EXPECT_THAT(says("1 2\n1 9\n"), StartsWith("pairs.csv:2:3: there is no part '9'"));
   EXPECT_THAT(says("Pump A\n"), StartsWith("pairs.csv:1:1: one part stands here"));

@@ -6,6 +6,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
+#include "message_of.hpp"
 #include "random_models.hpp"
 
 namespace changeover::model_sheets_test {
@@ -101,12 +102,7 @@ TEST(ModelSheets, SeedsHaveColumnsInAnyOrderAndOthersBesides) {
   EXPECT_THAT(read("Debian,Log: Off\nOS=Windows,0,Log: On\n"),
               ElementsAre(Block{0, 6}, Block{1, 3, 5}));
   const auto complaint = [&](const std::string& text) -> std::string {
-    try {
-      (void)read(text);
-    } catch (const BadInput& fault) {
-      return fault.what();
-    }
-    return "";
+    return message_of([&] { (void)read(text); });
   };
   EXPECT_EQ(complaint("OS,Log\nArch,On\n"),
             "s.tsv:2:1: OS has no value 'Arch'; write it as the model does");

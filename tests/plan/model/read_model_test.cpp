@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "changeover/core/error.hpp"
+#include "message_of.hpp"
 #include "some_models.hpp"
 
 namespace changeover::read_model_test {
@@ -165,12 +166,7 @@ TEST(ReadModel, WordsThatNoValueHasAreSaid) {
 TEST(ReadModel, RelationsAreOfAllParametersAndTheStrengthOfTheWhole) {
   const auto refusal = [](const std::string& text, std::uint64_t strength) -> std::string {
     const Model model = test::model_of(text);
-    try {
-      check_relations(model, strength);
-    } catch (const BadInput& fault) {
-      return fault.what();
-    }
-    return "";
+    return message_of([&] { check_relations(model, strength); });
   };
   const std::string three = "A: a, b\nB: c, d\nC: e, f\n";
   EXPECT_EQ(refusal(three, 2), "");

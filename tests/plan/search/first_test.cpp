@@ -7,6 +7,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "cheapest.hpp"
+#include "message_of.hpp"
 #include "random_jobs.hpp"
 
 namespace changeover::first_test {
@@ -140,12 +141,7 @@ TEST(First, ARuleThatIsBrokenIsNamedWithItsLine) {
   job.never.insert(0, 1);
   job.needed = all_pairs_but(job.never);
   const auto complaint = [&](const std::string& text) -> std::string {
-    try {
-      (void)read_first(*input_from_text(text, "f.csv"), job);
-    } catch (const BadInput& fault) {
-      return fault.what();
-    }
-    return "";
+    return message_of([&] { (void)read_first(*input_from_text(text, "f.csv"), job); });
   };
   EXPECT_EQ(complaint("# smoke\n1,3\n2,3,4\n"), "");
   EXPECT_THAT(complaint("# none\n"), HasSubstr("no set-up is listed"));

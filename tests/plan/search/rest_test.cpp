@@ -4,6 +4,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
+#include "message_of.hpp"
 #include "random_jobs.hpp"
 
 namespace changeover::rest_test {
@@ -82,12 +83,7 @@ TEST(ReadDone, PartsThatAreGoneAreNamedOnce) {
 
 TEST(ReadDone, ADamagedSheetIsRefusedWhereItIsDamaged) {
   const auto complaint = [](const std::string& text) -> std::string {
-    try {
-      (void)read_done(*input_from_text(text, "d.csv"), {"a", "b", "c"});
-    } catch (const BadInput& fault) {
-      return fault.what();
-    }
-    return "";
+    return message_of([&] { (void)read_done(*input_from_text(text, "d.csv"), {"a", "b", "c"}); });
   };
   const std::string head = "step,slot_1,slot_2,slot_3,result\n";
   EXPECT_EQ(complaint(head + "1,a,b,c,pass\n2,a,b,\n"), "");

@@ -10,6 +10,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "cheapest.hpp"
+#include "message_of.hpp"
 #include "random_jobs.hpp"
 
 namespace changeover::weighted_test {
@@ -180,12 +181,7 @@ TEST(Priorities, AreReadOrRefusedWithTheirPlace) {
     return read_priorities(*input_from_text(text, "p.csv"), names);
   };
   const auto complaint = [&](const std::string& text) -> std::string {
-    try {
-      (void)read(text);
-    } catch (const BadInput& fault) {
-      return fault.what();
-    }
-    return "";
+    return message_of([&] { (void)read(text); });
   };
   const PairWeights weights = read("part,part 2,weight\na,b,5\n3,2,0.25\nb,a,5\n");
   EXPECT_EQ(weights(1, 0), units(5));
