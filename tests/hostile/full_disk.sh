@@ -88,29 +88,26 @@ due() {
   ((rounds > 1 || turn % 2 == 0))
 }
 
-# A limit on the size of files, for anybody.
-for command in "${writers[@]}"; do
-  due || continue
+# A limit on the size of files, for anybody: a file that was there stays.
+attack_old() {
   attacks=$((attacks + 1))
   cp "$scratch/tools/old" old
-  start 1 "$command -o old"
+  start 1 "$1 -o old"
   await
-  tried="ulimit -f 1; changeover $command -o old"
+  tried="ulimit -f 1; changeover $1 -o old"
   refused "$tried"
   cmp -s old "$scratch/tools/old" || fault "$tried: the old file was lost"
+}
+for command in "${writers[@]}"; do
+  due || continue
+  attack_old "$command"
   nothing_left "$tried" .
   clear_folder
 done
 inputs
 for command in "${searches[@]}"; do
   due || continue
-  attacks=$((attacks + 1))
-  cp "$scratch/tools/old" old
-  start 1 "$command -o old"
-  await
-  tried="ulimit -f 1; changeover $command -o old"
-  refused "$tried"
-  cmp -s old "$scratch/tools/old" || fault "$tried: the old file was lost"
+  attack_old "$command"
   delivered || fault "$tried: the design was lost"
   nothing_left "$tried" .
 done

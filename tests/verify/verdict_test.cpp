@@ -6,6 +6,7 @@
 #include <numeric>
 #include <random>
 
+#include "all_blocks.hpp"
 #include "changeover/core/developed.hpp"
 #include "changeover/core/error.hpp"
 #include "core/checked.hpp"
@@ -14,6 +15,7 @@
 namespace changeover::verdict_test {
 namespace {
 
+using test::all_blocks;
 using test::naive_verdict;
 using test::NaiveVerdict;
 
@@ -48,22 +50,6 @@ void expect_agreement(const Design& design) {
   if (naive.valid && design.parameters().strength == 2) {
     ASSERT_TRUE(verdict.degree_identity);
   }
-}
-
-std::vector<Block> all_blocks(std::uint32_t v, std::uint32_t k) {
-  std::vector<Block> blocks;
-  std::vector<bool> chosen(v, false);
-  std::fill(chosen.begin(), chosen.begin() + k, true);
-  do {
-    Block block;
-    for (Element x = 0; x < v; ++x) {
-      if (chosen[x]) {
-        block.push_back(x);
-      }
-    }
-    blocks.push_back(block);
-  } while (std::prev_permutation(chosen.begin(), chosen.end()));
-  return blocks;
 }
 
 Design mcsorley(std::uint32_t k) {

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 
+#include "all_blocks.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
 
@@ -17,18 +18,7 @@ namespace {
 // Breadth-first search over all k-subsets.
 std::map<Block, std::uint64_t> distances_by_search(std::uint32_t v, std::uint32_t k,
                                                    std::uint32_t m) {
-  std::vector<Block> all;
-  std::vector<bool> chosen(v, false);
-  std::fill(chosen.begin(), chosen.begin() + k, true);
-  do {
-    Block block;
-    for (Element x = 0; x < v; ++x) {
-      if (chosen[x]) {
-        block.push_back(x);
-      }
-    }
-    all.push_back(block);
-  } while (std::prev_permutation(chosen.begin(), chosen.end()));
+  const std::vector<Block> all = test::all_blocks(v, k);
   std::map<Block, std::uint64_t> distance{{all.front(), 0}};
   std::deque<Block> queue{all.front()};
   while (!queue.empty()) {
