@@ -113,6 +113,16 @@ std::vector<Block> sound_rest(const Job& job, const PlanOptions& options) {
   return rest;
 }
 
+Start rest_as_it_is(std::vector<Block> rest) {
+  return {"rest of the sheet", "the tests of the sheet that are not done, as they are",
+          std::move(rest)};
+}
+
+Start rest_mended(std::vector<Block> setups) {
+  return {"rest of the sheet, mended", "with what it lacked, without what is not needed",
+          std::move(setups)};
+}
+
 bool cheaper(const Candidate& a, const Candidate& b) {
   return std::tuple(a.cost, a.changes, a.tests()) < std::tuple(b.cost, b.changes, b.tests());
 }
@@ -124,16 +134,25 @@ bool tests_more(const Candidate& a, const Candidate& b) {
                                                 : cheaper(a, b);
 }
 
-Candidate affordable(const Job& job, const Candidate& plan, Amount budget) {
-  Start part{"beginning of: " + plan.name, "", {}};
-  for (const RunStep& step : run_sheet(job, plan.setups).steps) {
-    if (step.cost_so_far > budget) {
+std::vector<Candidate> affordable(const Job& job, const std::vector<Candidate>& plans,
+                                  Amount budget, RunControl& control) {
+  std::vector<Candidate> within;
+  for (const Candidate& plan : plans) {
+    if (!within.empty() && control.stop_wanted()) {
       break;
     }
-    part.setups.push_back(step.setup);
+    Start part{"beginning of: " + plan.name, "", {}};
+    for (const RunStep& step : run_sheet(job, plan.setups).steps) {
+      if (step.cost_so_far > budget) {
+        break;
+      }
+      part.setups.push_back(step.setup);
+    }
+    part.how = fmt::format("the first {} of its {} tests", part.setups.size(), plan.tests());
+    within.push_back(counted(job, part));
   }
-  part.how = fmt::format("the first {} of its {} tests", part.setups.size(), plan.tests());
-  return counted(job, part);
+  std::stable_sort(within.begin(), within.end(), tests_more);
+  return within;
 }
 
 void check_within(const std::vector<Candidate>& plans, Amount budget,

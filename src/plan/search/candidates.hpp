@@ -23,6 +23,10 @@ namespace changeover {
 /// list.
 [[nodiscard]] std::vector<Block> sound_rest(const Job& job, const PlanOptions& options);
 
+/// A list made of them: nothing changed, or with what it lacked and without what is too much.
+[[nodiscard]] Start rest_as_it_is(std::vector<Block> rest);
+[[nodiscard]] Start rest_mended(std::vector<Block> setups);
+
 /// Orders of candidates: the cheapest first; those that test the most weight, triples or pairs
 /// first.
 [[nodiscard]] bool cheaper(const Candidate& a, const Candidate& b);
@@ -33,8 +37,10 @@ namespace changeover {
 void tell_if_best(const RunPlan& plan, const PlanOptions& options,
                   const std::function<bool(const Candidate&, const Candidate&)>& before);
 
-/// The longest beginning of a plan that is within the budget.
-[[nodiscard]] Candidate affordable(const Job& job, const Candidate& plan, Amount budget);
+/// The longest beginnings of these plans that are within the budget, that which tests most first;
+/// of the first plans only if the control says stop.
+[[nodiscard]] std::vector<Candidate> affordable(const Job& job, const std::vector<Candidate>& plans,
+                                                Amount budget, RunControl& control);
 
 /// @throws InternalError if a plan costs more than the budget, or tests more than can be.
 void check_within(const std::vector<Candidate>& plans, Amount budget,

@@ -84,14 +84,12 @@ class PairsPlanner {
       return;
     }
     if (run_sheet(*job_, rest).does_the_job()) {
-      add(plan,
-          {"rest of the sheet", "the tests of the sheet that are not done, as they are", rest});
+      add(plan, rest_as_it_is(rest));
     }
     keep_what_there_is(plan, [&] {
       Sequence sequence(*job_, Weights::of(*job_, rest.size() + job_->needed.size()), rest);
       if (repair(sequence, *control_)) {
-        add(plan, {"rest of the sheet, mended", "with what it lacked, without what is not needed",
-                   sequence.setups()});
+        add(plan, rest_mended(sequence.setups()));
       }
     });
   }
@@ -259,14 +257,7 @@ class PairsPlanner {
     if (plan.complete->cost <= budget) {
       return;
     }
-    std::vector<Candidate> within;
-    for (const Candidate& whole : plan.candidates) {
-      if (!within.empty() && control_->stop_wanted()) {
-        break;
-      }
-      within.push_back(affordable(*job_, whole, budget));
-    }
-    std::stable_sort(within.begin(), within.end(), tests_more);
+    std::vector<Candidate> within = affordable(*job_, plan.candidates, budget, *control_);
     plan.most_weight = most_weight_;
     keep_what_there_is(plan, [&] {
       if (!control_->stop_wanted()) {

@@ -59,9 +59,6 @@ class ChoicePlanner {
 
  private:
   [[nodiscard]] bool few_tests() const { return options_.objective == PlanObjective::tests; }
-  [[nodiscard]] std::string what_meets() const {
-    return job_.triples.empty() ? "pairs" : "triples";
-  }
 
   [[nodiscard]] bool is_better(const Candidate& a, const Candidate& b) const {
     return few_tests()
@@ -126,13 +123,11 @@ class ChoicePlanner {
     Random random(control_.seed(), 4'000'000);
     ChoiceList list(*choices_, rest);
     if (list.missing() == 0) {
-      add(plan,
-          {"rest of the sheet", "the tests of the sheet that are not done, as they are", rest});
+      add(plan, rest_as_it_is(rest));
     }
     complete_greedily(*choices_, list, GreedyAim::cost, random, control_);
     prune_choices(*choices_, list);
-    add(plan, {"rest of the sheet, mended", "with what it lacked, without what is not needed",
-               list.setups()});
+    add(plan, rest_mended(list.setups()));
   }
 
   // Moves of a first annealing.
@@ -275,11 +270,7 @@ class ChoicePlanner {
     if (plan.complete->cost <= budget) {
       return;
     }
-    std::vector<Candidate> within;
-    for (const Candidate& whole : plan.candidates) {
-      within.push_back(affordable(job_, whole, budget));
-    }
-    std::ranges::stable_sort(within, tests_more);
+    std::vector<Candidate> within = affordable(job_, plan.candidates, budget, control_);
     keep_what_there_is(plan, [&] {
       std::vector<AnnealedChoices> found(options_.attempts);
       const std::uint64_t steps = suitable_moves(*plan.complete);

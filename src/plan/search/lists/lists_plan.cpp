@@ -79,13 +79,11 @@ class ListsPlanner {
     }
     Lists lists(*job_, weights_, {rest});
     if (lists.open() == 0) {
-      add(plan,
-          {"rest of the sheet", "the tests of the sheet that are not done, as they are", rest});
+      add(plan, rest_as_it_is(rest));
     }
     if (complete(lists, *control_)) {
       prune(lists, *control_);
-      add(plan, {"rest of the sheet, mended", "with what it lacked, without what is not needed",
-                 lists.lists().front()});
+      add(plan, rest_mended(lists.lists().front()));
     }
   }
 
@@ -121,11 +119,7 @@ class ListsPlanner {
   void find_affordable(RunPlan& plan) const {
     const Amount budget = *options_->budget;
     plan.complete = plan.candidates.front();
-    std::vector<Candidate> within;
-    for (const Candidate& whole : plan.candidates) {
-      within.push_back(affordable(*job_, whole, budget));
-    }
-    std::stable_sort(within.begin(), within.end(), tests_more);
+    std::vector<Candidate> within = affordable(*job_, plan.candidates, budget, *control_);
     keep_what_there_is(plan, [&] {
       const WithinBudget most{.job = ListsJob::alike(*job_, weights_, 1),
                               .budget = budget,
