@@ -9,7 +9,8 @@ import time
 from typing import Any, Callable, Deque, Dict, List, Optional, Tuple
 
 from ..errors import MissingResource
-from ._engine import Engine, Lost, Task, Tell, check_team, engine_for, kind_of
+from ._engine import Engine, Lost, Task, Tell, check_team, kind_of
+from ._engines import engine_for
 from ._failed import failed
 from ._worker import Failure, Outcome
 

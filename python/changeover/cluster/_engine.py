@@ -103,12 +103,3 @@ def check_team(threads: Optional[int], workers: Optional[int]) -> None:
         raise BadInput(f"threads is a number from 1 to {_most_threads}")
     if workers is not None and not 1 <= workers <= _most_workers:
         raise BadInput(f"workers is a number from 1 to {_most_workers}")
-
-
-def engine_for(client: Any, task: Task, workers: Optional[int]) -> Engine:
-    """Of Dask or Ray; processes of MPI lead or serve, see _mpi.py."""
-    if kind_of(client) == "dask":
-        from ._dask import DaskEngine
-        return DaskEngine(client, task)
-    from ._ray import RayEngine
-    return RayEngine(client, task, workers)

@@ -8,7 +8,8 @@ from typing import Any, Callable, Dict, Iterable, List, Optional, SupportsIndex,
 
 from .._made import Made, Progress, check_calls, fact, made
 from ..errors import BadInput, MissingResource
-from ._engine import Engine, Task, Tell, check_team, engine_for, kind_of, tell_of
+from ._engine import Engine, Task, Tell, check_team, kind_of, tell_of
+from ._engines import engine_for
 from ._job import Wanted, Work, planned_bytes, sizes_of
 from ._team import NoWorkers, Team
 from ._worker import Memory
