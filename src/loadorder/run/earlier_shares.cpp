@@ -33,8 +33,7 @@ WorkerSplit shares_of(const LoadOrder& order, std::uint64_t shares,
                       const std::function<bool(Element, Element)>& computed) {
   const LoadOrderFacts& facts = order.facts();
   LoadOrder same(facts, order.maker());
-  WorkerSplit split = SplitMaker::stretches(std::move(same), facts.items, facts.room, shares,
-                                            SplitMaker::Cut::by_steps);
+  WorkerSplit split = split_order(std::move(same), facts.items, facts.room, shares);
   SplitMaker::spread(split, computed);
   return split;
 }

@@ -12,7 +12,6 @@
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
-#include "loadorder/order/order_relay.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/order/streamed_order.hpp"
 #include "loadorder/shares/few_workers.hpp"
@@ -50,33 +49,6 @@ class GroupSteps final : public WorkerSteps {
   std::uint64_t room_;
 };
 
-// Steps of each worker. If all are alike each step brings as many pairs together but the first,
-// which brings as many as `ahead` steps more; these are left to others.
-std::vector<std::uint64_t> equal_shares(std::uint64_t steps, std::uint64_t workers,
-                                        std::uint64_t ahead) {
-  std::vector<std::uint64_t> counts(static_cast<std::size_t>(workers), 0);
-  if (workers == 0 || steps == 0) {
-    return counts;
-  }
-  if (ahead > 0 && (steps + ahead) / workers <= ahead + 1) {
-    counts = equal_shares(steps - 1, workers - 1, 0);
-    counts.insert(counts.begin(), 1);
-    return counts;
-  }
-  const std::uint64_t all = steps + ahead;
-  for (std::uint64_t w = 0; w < workers; ++w) {
-    counts[static_cast<std::size_t>(w)] = all / workers + (w < all % workers ? 1 : 0);
-  }
-  counts[0] -= ahead;
-  return counts;
-}
-
-// How many steps as all others the first one is worth, in pairs, beside itself.
-std::uint64_t steps_ahead(std::uint64_t room, std::uint64_t change) {
-  const std::uint64_t a_step = change * (room - change) + binomial(change, 2);
-  return a_step == 0 ? 0 : (binomial(room, 2) - std::min(binomial(room, 2), a_step)) / a_step;
-}
-
 void set_pairs(SplitFacts& facts, const std::vector<std::uint64_t>& pairs) {
   for (std::size_t w = 0; w < facts.workers.size(); ++w) {
     facts.workers[w].pairs = w < pairs.size() ? pairs[w] : 0;
@@ -98,7 +70,7 @@ void sum_up(SplitFacts& facts) {
 }  // namespace
 
 WorkerSplit SplitMaker::stretches(LoadOrder order, std::uint64_t items, std::uint64_t room,
-                                  std::uint64_t workers, Cut cut) {
+                                  std::uint64_t workers, bool even_pairs) {
   check_workers(workers);
   const LoadOrderFacts& whole = order.facts();
   if (whole.items > items) {
@@ -116,51 +88,10 @@ WorkerSplit SplitMaker::stretches(LoadOrder order, std::uint64_t items, std::uin
   const WantedPairs wanted = whole.wanted.among(items);
   facts.makespan_bound = makespan_lower_bound(wanted, room, workers);
   facts.certificate = (whole.items < items ? "of groups of items: " : "") + whole.certificate;
-  facts.workers.resize(static_cast<std::size_t>(workers));
   facts.all_pairs = wanted.count();
-  // Blocks are full and steps alike, unless items are grouped: then sizes differ by one.
-  const std::uint64_t first_loads = std::min(whole.room, whole.items);
-  const std::uint64_t change =
-      whole.steps > 1 ? (whole.loads - first_loads) / (whole.steps - 1) : 0;
-  const bool alike = whole.items == items && wanted.are_all() && !whole.fast_room &&
-                     whole.loads == first_loads + change * (whole.steps - 1);
-  // Shares of equal numbers of steps, unless steps differ: then shares whose loads are even.
-  constexpr std::uint64_t most_steps_cut = 10'000'000;
-  std::vector<std::uint64_t> counts;
-  std::optional<StepSizes> sizes;
-  if (!alike && whole.steps <= most_steps_cut) {
-    sizes.emplace(order, items);
-    // Of two levels what both move, measured by the fewest there can be.
-    counts = whole.fast_room
-                 ? StepSizes(order, items, whole.transfer_bound.loads, whole.bound.loads)
-                       .best_shares(workers)
-                 : sizes->best_shares(workers);
-    counts.resize(static_cast<std::size_t>(workers), 0);
-    facts.cut_by_loads = workers > 1;
-  } else {
-    // Of fewer items pairs are given away one by one, and need no uneven loads.
-    const bool by_pairs = cut == Cut::by_pairs && alike && items > most_items_of_a_table;
-    counts = equal_shares(whole.steps, workers, by_pairs ? steps_ahead(whole.room, change) : 0);
-  }
-  const auto relay = std::make_shared<OrderRelay>();
-  std::uint64_t next = 1;
-  for (std::uint64_t w = 0; w < workers; ++w) {
-    WorkerFacts& worker = facts.workers[static_cast<std::size_t>(w)];
-    worker.steps = counts[static_cast<std::size_t>(w)];
-    worker.first_step = worker.steps > 0 ? next : 0;
-    next += worker.steps;
-    if (worker.steps > 0 && alike) {
-      worker.loads = first_loads + change * (worker.steps - 1);
-    } else if (worker.steps > 0 && sizes) {
-      worker.loads = sizes->loads(worker.first_step - 1, worker.steps);
-    } else if (worker.steps > 0) {
-      const auto stretch = stretch_steps(relay, order, worker.first_step, worker.steps, items, w);
-      for (Step step; stretch->next(step);) {
-        stop_if_asked();
-        worker.loads += step.load.size();
-      }
-    }
-  }
+  Stretches cut = cut_order(order, items, workers, even_pairs);
+  facts.workers = std::move(cut.workers);
+  facts.cut_by_loads = cut.by_loads;
   sum_up(facts);
   WorkerSplit split(std::move(facts), std::move(order));
   put_in_words(split);
@@ -200,8 +131,9 @@ WorkerSplit SplitMaker::shares(GroupShares shares, std::uint64_t items, std::uin
   facts.items = items;
   facts.room = room;
   facts.groups = shares.groups;
-  facts.makespan_bound = makespan_lower_bound(items, room, workers);
-  facts.all_pairs = binomial(items, 2);
+  const WantedPairs all = items;
+  facts.makespan_bound = makespan_lower_bound(all, room, workers);
+  facts.all_pairs = all.count();
   facts.workers.resize(static_cast<std::size_t>(workers));
   const ItemGroups groups{items, shares.groups};
   for (std::size_t w = 0; w < shares.workers.size(); ++w) {
@@ -210,7 +142,7 @@ WorkerSplit SplitMaker::shares(GroupShares shares, std::uint64_t items, std::uin
     facts.workers[w].loads = cost.loads;
   }
   LoadOrderFacts whole;
-  whole.bound = load_lower_bound(items, room);
+  whole.bound = load_lower_bound(all, room);
   whole.method = shares.method;
   whole.explanation =
       (shares.groups == items ? std::string("The items are ")
@@ -457,7 +389,7 @@ std::string SplitMaker::certify(const GroupShares& shares) {
 
 WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room,
                         std::uint64_t workers) {
-  return SplitMaker::stretches(std::move(order), items, room, workers, SplitMaker::Cut::by_steps);
+  return SplitMaker::stretches(std::move(order), items, room, workers, false);
 }
 
 }  // namespace changeover

@@ -15,12 +15,10 @@ namespace changeover {
 
 class SplitMaker {
  public:
-  /// How stretches of steps that are all alike are cut.
-  enum class Cut : std::uint8_t { by_steps, by_pairs };
-
+  /// Cut so that loads are even, or numbers of steps or of new pairs where all steps are alike.
   /// @throws as split_order()
   static WorkerSplit stretches(LoadOrder order, std::uint64_t items, std::uint64_t room,
-                               std::uint64_t workers, Cut cut);
+                               std::uint64_t workers, bool even_pairs);
   static WorkerSplit shares(GroupShares shares, std::uint64_t items, std::uint64_t room,
                             std::uint64_t workers);
   /// For two sets: as `other`, but one block per worker.

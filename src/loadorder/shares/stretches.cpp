@@ -1,9 +1,12 @@
 #include "loadorder/shares/stretches.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "changeover/core/parameters.hpp"
 #include "changeover/run/control.hpp"
+#include "core/checked.hpp"
 #include "loadorder/order/order_relay.hpp"
 
 namespace changeover {
@@ -37,6 +40,33 @@ std::shared_ptr<const GroupOwners> owners_of_stretches(const LoadOrder& order,
   owners->balance();
   return owners;
 }
+
+namespace {
+
+/// What the steps of an order hold and load, in items; a transfer to an accelerator counts, too, if
+/// it has a weight.
+class StepSizes {
+ public:
+  StepSizes(const LoadOrder& order, std::uint64_t items, std::uint64_t load = 1,
+            std::uint64_t transfer = 0);
+
+  [[nodiscard]] std::uint64_t steps() const { return held_.size(); }
+  /// The loads of a worker whose share begins with step `first`, counted from 0: what is in memory
+  /// then, and all after it.
+  [[nodiscard]] std::uint64_t loads(std::uint64_t first, std::uint64_t count) const {
+    return held_[first] + loaded_[first + count] - loaded_[first + 1];
+  }
+  /// The number of steps of each share, of so many workers, whose largest has as few loads as can
+  /// be: with contiguous shares, by bisection.
+  [[nodiscard]] std::vector<std::uint64_t> best_shares(std::uint64_t workers) const;
+
+ private:
+  [[nodiscard]] std::uint64_t fitting(std::uint64_t first, std::uint64_t most) const;
+  [[nodiscard]] std::vector<std::uint64_t> shares(std::uint64_t most) const;
+
+  std::vector<std::uint64_t> held_;    // after each step
+  std::vector<std::uint64_t> loaded_;  // before each step
+};
 
 StepSizes::StepSizes(const LoadOrder& order, std::uint64_t items, std::uint64_t load,
                      std::uint64_t transfer) {
@@ -98,6 +128,84 @@ std::vector<std::uint64_t> StepSizes::best_shares(std::uint64_t workers) const {
     fits(shares(middle)) ? high = middle : low = middle + 1;
   }
   return shares(high);
+}
+
+// Steps of each worker. If all are alike each step brings as many pairs together but the first,
+// which brings as many as `ahead` steps more; these are left to others.
+std::vector<std::uint64_t> equal_shares(std::uint64_t steps, std::uint64_t workers,
+                                        std::uint64_t ahead) {
+  std::vector<std::uint64_t> counts(static_cast<std::size_t>(workers), 0);
+  if (workers == 0 || steps == 0) {
+    return counts;
+  }
+  if (ahead > 0 && (steps + ahead) / workers <= ahead + 1) {
+    counts = equal_shares(steps - 1, workers - 1, 0);
+    counts.insert(counts.begin(), 1);
+    return counts;
+  }
+  const std::uint64_t all = steps + ahead;
+  for (std::uint64_t w = 0; w < workers; ++w) {
+    counts[static_cast<std::size_t>(w)] = all / workers + (w < all % workers ? 1 : 0);
+  }
+  counts[0] -= ahead;
+  return counts;
+}
+
+// How many steps as all others the first one is worth, in pairs, beside itself.
+std::uint64_t steps_ahead(std::uint64_t room, std::uint64_t change) {
+  const std::uint64_t a_step = change * (room - change) + binomial(change, 2);
+  return a_step == 0 ? 0 : (binomial(room, 2) - std::min(binomial(room, 2), a_step)) / a_step;
+}
+
+}  // namespace
+
+Stretches cut_order(const LoadOrder& order, std::uint64_t items, std::uint64_t workers,
+                    bool even_pairs) {
+  Stretches cut;
+  const LoadOrderFacts& whole = order.facts();
+  // Blocks are full and steps alike, unless items are grouped: then sizes differ by one.
+  const std::uint64_t first_loads = std::min(whole.room, whole.items);
+  const std::uint64_t change =
+      whole.steps > 1 ? (whole.loads - first_loads) / (whole.steps - 1) : 0;
+  const bool alike = whole.items == items && whole.wanted.are_all() && !whole.fast_room &&
+                     whole.loads == first_loads + change * (whole.steps - 1);
+  // Shares of equal numbers of steps, unless steps differ: then shares whose loads are even.
+  constexpr std::uint64_t most_steps_cut = 10'000'000;
+  std::vector<std::uint64_t> counts;
+  std::optional<StepSizes> sizes;
+  if (!alike && whole.steps <= most_steps_cut) {
+    sizes.emplace(order, items);
+    // Of two levels what both move, measured by the fewest there can be.
+    counts = whole.fast_room
+                 ? StepSizes(order, items, whole.transfer_bound.loads, whole.bound.loads)
+                       .best_shares(workers)
+                 : sizes->best_shares(workers);
+    counts.resize(static_cast<std::size_t>(workers), 0);
+    cut.by_loads = workers > 1;
+  } else {
+    counts = equal_shares(whole.steps, workers,
+                          even_pairs && alike ? steps_ahead(whole.room, change) : 0);
+  }
+  const auto relay = std::make_shared<OrderRelay>();
+  std::uint64_t next = 1;
+  for (std::uint64_t w = 0; w < workers; ++w) {
+    WorkerFacts& worker = cut.workers.emplace_back();
+    worker.steps = counts[static_cast<std::size_t>(w)];
+    worker.first_step = worker.steps > 0 ? next : 0;
+    next += worker.steps;
+    if (worker.steps > 0 && alike) {
+      worker.loads = first_loads + change * (worker.steps - 1);
+    } else if (worker.steps > 0 && sizes) {
+      worker.loads = sizes->loads(worker.first_step - 1, worker.steps);
+    } else if (worker.steps > 0) {
+      const auto stretch = stretch_steps(relay, order, worker.first_step, worker.steps, items, w);
+      for (Step step; stretch->next(step);) {
+        stop_if_asked();
+        worker.loads += step.load.size();
+      }
+    }
+  }
+  return cut;
 }
 
 }  // namespace changeover

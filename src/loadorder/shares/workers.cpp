@@ -10,6 +10,7 @@
 #include "loadorder/pairs/held_blocks.hpp"
 #include "loadorder/shares/few_workers.hpp"
 #include "loadorder/shares/known_shares.hpp"
+#include "loadorder/shares/owners/pair_table.hpp"
 #include "loadorder/shares/split_maker.hpp"
 
 namespace changeover {
@@ -78,20 +79,21 @@ LoadOrderOptions unread(LoadOrderOptions options, std::uint64_t workers) {
 WorkerSplit split_all_pairs(std::uint64_t items, std::uint64_t room, std::uint64_t workers,
                             const LoadOrderOptions& options) {
   LoadOrder order = plan_load_order(items, room, unread(options, workers));
-  if (workers == 1) {
-    WorkerSplit split = split_order(std::move(order), items, room, 1);
-    SplitMaker::give_pairs(split, options);
-    return split;
+  if (workers > 1) {
+    order = order_to_cut(std::move(order), items, room, workers, options);
   }
-  order = order_to_cut(std::move(order), items, room, workers, options);
-  WorkerSplit split = SplitMaker::stretches(
-      std::move(order), items, room, workers,
-      options.balance ? SplitMaker::Cut::by_pairs : SplitMaker::Cut::by_steps);
-  if (auto shares = best_group_shares(items, room, workers, split.facts().makespan)) {
-    split = SplitMaker::shares(std::move(*shares), items, room, workers);
+  // Of fewer items pairs are given away one by one, and need no uneven loads.
+  const bool even_pairs = options.balance && items > most_items_of_a_table;
+  WorkerSplit split = SplitMaker::stretches(std::move(order), items, room, workers, even_pairs);
+  if (workers > 1) {
+    if (auto shares = best_group_shares(items, room, workers, split.facts().makespan)) {
+      split = SplitMaker::shares(std::move(*shares), items, room, workers);
+    }
   }
   SplitMaker::give_pairs(split, options);
-  SplitMaker::verify(split, options);
+  if (workers > 1) {  // One worker's order was read.
+    SplitMaker::verify(split, options);
+  }
   return split;
 }
 
