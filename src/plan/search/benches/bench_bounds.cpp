@@ -17,7 +17,7 @@
 #include "plan/job/prices.hpp"
 #include "plan/job/setup_list.hpp"
 #include "plan/search/bounds/dearest_parts.hpp"
-#include "plan/search/bounds/rounded_up.hpp"
+#include "plan/search/bounds/job_numbers.hpp"
 #include "plan/search/valid_job.hpp"
 #include "plan/search/weighted.hpp"
 

@@ -17,9 +17,7 @@
 #include "plan/job/prices.hpp"
 #include "plan/search/bounds/dearest_parts.hpp"
 #include "plan/search/bounds/job_numbers.hpp"
-#include "plan/search/bounds/least_number.hpp"
-#include "plan/search/bounds/rounded_up.hpp"
-#include "plan/search/bounds/stays_cost.hpp"
+#include "plan/search/bounds/least_numbers.hpp"
 #include "plan/search/bounds/step_bound.hpp"
 #include "plan/search/choices/choice_plan.hpp"
 #include "plan/search/first_plan.hpp"
@@ -30,55 +28,6 @@ namespace changeover {
 namespace {
 
 __extension__ using Wide = unsigned __int128;
-
-// (5): the least that so many introductions of parts of F can cost.
-class IntroductionCosts {
- public:
-  IntroductionCosts(const Job& job, const JobNumbers& n) {
-    std::vector<Element> by_cost = n.parts;
-    std::stable_sort(by_cost.begin(), by_cost.end(), [&](Element x, Element y) {
-      return job.change_costs[x] < job.change_costs[y];
-    });
-    for (const Element x : by_cost) {
-      const std::uint32_t slot = n.slot_of[x];
-      constexpr std::uint64_t any_number = std::uint64_t{1} << 40U;
-      std::uint64_t spare =
-          slot < job.slots.size() && job.slots[slot].least > 0 ? any_number : n.degree[x];
-      if (!n.at_start[x]) {
-        ++once_;
-        base_ += job.change_costs[x];
-        --spare;
-      }
-      extra_.push_back({job.change_costs[x], spare});
-    }
-  }
-
-  [[nodiscard]] std::uint64_t once() const { return once_; }
-
-  // nullopt if the limits do not allow so many.
-  [[nodiscard]] std::optional<Amount> operator()(std::uint64_t introductions) const {
-    Amount cost = base_;
-    std::uint64_t left = introductions - std::min(introductions, once_);
-    for (const Extra& extra : extra_) {
-      const std::uint64_t taken = std::min(left, extra.spare);
-      cost += extra.cost * taken;
-      left -= taken;
-      if (left == 0) {
-        return cost;
-      }
-    }
-    return left == 0 ? std::optional(cost) : std::nullopt;
-  }
-
- private:
-  struct Extra {
-    Amount cost;
-    std::uint64_t spare = 0;
-  };
-  std::uint64_t once_ = 0;
-  Amount base_;
-  std::vector<Extra> extra_;
-};
 
 // (6): the least that the introductions must cost so that all parts meet whom they must.
 class DegreeCosts {
@@ -157,112 +106,6 @@ class DegreeCosts {
   std::vector<Offer> offers_;
 };
 
-// (7): parts of which every two must meet, as many as come together by taking those with most pairs
-// first.
-std::vector<Element> all_meeting(const Job& job, const JobNumbers& n) {
-  if (n.pairs == choose_two(n.parts.size())) {
-    return n.parts;
-  }
-  std::vector<Element> by_degree = n.parts;
-  std::stable_sort(by_degree.begin(), by_degree.end(),
-                   [&](Element x, Element y) { return n.inner[x] > n.inner[y]; });
-  std::vector<Element> together;
-  for (const Element x : by_degree) {
-    if (std::all_of(together.begin(), together.end(),
-                    [&](Element y) { return job.needed.contains(x, y); })) {
-      together.push_back(x);
-    }
-  }
-  return together;
-}
-
-// (7): of all introductions of parts of F.
-StaysCost least_by_stays(const Job& job, const JobNumbers& n) {
-  std::vector<Amount> prices;
-  std::uint64_t at_start = 0;  // more than K if parts that will stay mounted are not there yet
-  for (const Element x : all_meeting(job, n)) {
-    prices.push_back(job.change_costs[x]);
-    at_start += n.at_start[x] ? 1U : 0U;
-  }
-  StaysCost least = stays_cost(std::move(prices), std::max(n.room, at_start));
-  for (const Element x : n.parts) {
-    if (!n.at_start[x]) {
-      ++least.extra;
-      least.cost += job.change_costs[x];
-    }
-  }
-  return least;
-}
-
-LeastNumber least_tests(const Job& job, const JobNumbers& n) {
-  const bool slots = !job.slots.empty();
-  std::vector<std::uint64_t> inner_of_slot(slots ? job.names.size() * n.most.size() : 0, 0);
-  if (slots) {
-    std::vector<bool> mounted(job.names.size());
-    for (const Element m : job.mounted) {
-      mounted[m] = true;
-    }
-    job.needed.for_each(all_of_them, [&](Element x, Element y) {
-      if (!mounted[x] && !mounted[y]) {
-        ++inner_of_slot[x * n.most.size() + n.slot_of[y]];
-        ++inner_of_slot[y * n.most.size() + n.slot_of[x]];
-      }
-    });
-  }
-  LeastNumber tests{1, "there is something to test"};
-  std::uint64_t occurrences = 0;
-  std::vector<std::uint64_t> by_slot(n.most.size(), 0);
-  for (const Element x : n.parts) {
-    std::uint64_t times = n.inner[x] == 0 ? 1 : ceil_div(n.inner[x], n.room - 1);
-    if (slots) {
-      for (std::size_t s = 0; s < n.most.size(); ++s) {
-        const std::uint64_t places = n.most[s] - (n.slot_of[x] == s ? 1 : 0);
-        const std::uint64_t partners = inner_of_slot[x * n.most.size() + s];
-        times = partners == 0 ? times : std::max(times, ceil_div(partners, places));
-      }
-      by_slot[n.slot_of[x]] += times;
-    }
-    occurrences += times;
-  }
-  for (std::size_t s = 0; s < by_slot.size(); ++s) {
-    if (by_slot[s] > 0) {
-      tests.at_least(
-          ceil_div(by_slot[s], n.most[s]),
-          fmt::format("the parts {} are in at least {} in all, {} in each",
-                      s < job.slots.size() ? "of slot " + job.slots[s].name : "of no slot",
-                      count_of(by_slot[s], "set-up"), n.most[s]));
-    }
-  }
-  if (n.room > 0) {
-    tests.at_least(ceil_div(occurrences, n.room),
-                   fmt::format("the parts are in at least {} in all, {} in each",
-                               count_of(occurrences, "set-up"), n.room));
-  }
-  return tests;
-}
-
-LeastNumber least_introductions(const JobNumbers& n, std::uint64_t once, std::uint64_t by_stays) {
-  LeastNumber least{0, "none is needed"};
-  least.at_least(once, "each part once");
-  const std::uint64_t v = n.parts.size();
-  std::uint64_t start = 0;
-  for (const Element x : n.parts) {
-    start += n.at_start[x] ? 1U : 0U;
-  }
-  if (n.pairs == choose_two(v) && n.room >= 2 && v > n.room && start <= n.room) {
-    const Parameters p{.v = v, .k = n.room, .change = 1, .kind = Kind::linear};
-    try {
-      const std::uint64_t b = lower_bound(p).blocks;
-      const std::uint64_t needed = n.room - 1 + b;
-      least.at_least(needed - std::min(needed, start),
-                     fmt::format("one change at a time takes {} blocks: {}", b, name(p, false)));
-    } catch (const Stopped&) {  // What follows holds all the same.
-    }
-  }
-  least.at_least(by_stays, "at most K parts come once, and on: docs/theorems.md, Theorem 5");
-  return least;
-}
-
 // JobNumbers of tests and of introductions of parts of F that cost least.
 struct Cheapest {
   Amount cost;
@@ -325,53 +168,6 @@ Cheapest cheapest_numbers(const Job& job, const JobNumbers& n, const Introductio
 }
 
 }  // namespace
-
-Amount rounded_up(const Job& job, Amount cost) {
-  std::uint64_t unit = job.test_cost.millionths;
-  for (const Amount each : job.change_costs) {
-    unit = std::gcd(unit, each.millionths);
-  }
-  for (const Amount each : job.replace_costs) {
-    unit = std::gcd(unit, each.millionths);
-  }
-  return unit == 0 ? cost : Amount{unit} * ceil_div(cost.millionths, unit);
-}
-
-std::optional<DearestParts> dearest_parts_of(const Job& job, Amount& mounting) {
-  const JobNumbers n = numbers_of(job);
-  mounting = n.mounting;
-  if (n.pairs == 0 || n.room < 2) {
-    return std::nullopt;
-  }
-  const StaysCost stays = least_by_stays(job, n);
-  const IntroductionCosts costs(job, n);
-  DearestParts dearest{
-      .room = std::max(n.room, n.start),
-      .parts = n.parts,
-      .needed = &job.needed,
-      .test = job.test_cost,
-      .starts = n.start > 0 ? 1U : 0U,
-      .least_tests = least_tests(job, n).number,
-      .least_introductions = least_introductions(n, costs.once(), stays.extra).number,
-      .first = 1};
-  std::vector<bool> together(job.names.size(), false);
-  for (const Element x : all_meeting(job, n)) {
-    together[x] = true;
-  }
-  for (const Element x : n.parts) {
-    const std::uint32_t slot = n.slot_of[x];
-    const bool fills = slot < job.slots.size() && job.slots[slot].least > 0;
-    dearest.prices.push_back(job.change_costs[x]);
-    dearest.most.push_back(fills ? std::numeric_limits<std::uint32_t>::max() : n.degree[x]);
-    dearest.at_start.push_back(n.at_start[x] ? 1U : 0U);
-    dearest.together.push_back(together[x]);
-    dearest.least_introductions += dearest.at_start.back();
-  }
-  if (n.start == 0) {
-    dearest.first = std::clamp<std::uint64_t>(n.first, 1, dearest.room);
-  }
-  return dearest;
-}
 
 CostBound cost_bound(const Job& job) {
   check_in_full(job);

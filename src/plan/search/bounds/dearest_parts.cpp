@@ -13,7 +13,7 @@
 #include "core/checked.hpp"
 #include "core/words.hpp"
 #include "plan/job/pair_numbers.hpp"
-#include "plan/search/bounds/rounded_up.hpp"
+#include "plan/search/bounds/least_numbers.hpp"
 
 namespace changeover {
 namespace {
@@ -313,6 +313,42 @@ class DearestBound {
 };
 
 }  // namespace
+
+std::optional<DearestParts> dearest_parts_of(const Job& job, Amount& mounting) {
+  const JobNumbers n = numbers_of(job);
+  mounting = n.mounting;
+  if (n.pairs == 0 || n.room < 2) {
+    return std::nullopt;
+  }
+  const StaysCost stays = least_by_stays(job, n);
+  const IntroductionCosts costs(job, n);
+  DearestParts dearest{
+      .room = std::max(n.room, n.start),
+      .parts = n.parts,
+      .needed = &job.needed,
+      .test = job.test_cost,
+      .starts = n.start > 0 ? 1U : 0U,
+      .least_tests = least_tests(job, n).number,
+      .least_introductions = least_introductions(n, costs.once(), stays.extra).number,
+      .first = 1};
+  std::vector<bool> together(job.names.size(), false);
+  for (const Element x : all_meeting(job, n)) {
+    together[x] = true;
+  }
+  for (const Element x : n.parts) {
+    const std::uint32_t slot = n.slot_of[x];
+    const bool fills = slot < job.slots.size() && job.slots[slot].least > 0;
+    dearest.prices.push_back(job.change_costs[x]);
+    dearest.most.push_back(fills ? std::numeric_limits<std::uint32_t>::max() : n.degree[x]);
+    dearest.at_start.push_back(n.at_start[x] ? 1U : 0U);
+    dearest.together.push_back(together[x]);
+    dearest.least_introductions += dearest.at_start.back();
+  }
+  if (n.start == 0) {
+    dearest.first = std::clamp<std::uint64_t>(n.first, 1, dearest.room);
+  }
+  return dearest;
+}
 
 void raise_by_dearest(const Job& job, CostBound& bound) {
   Amount mounting;

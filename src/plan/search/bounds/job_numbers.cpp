@@ -1,7 +1,9 @@
 #include "plan/search/bounds/job_numbers.hpp"
 
 #include <algorithm>
+#include <numeric>
 
+#include "core/checked.hpp"
 #include "plan/job/pair_numbers.hpp"
 
 namespace changeover {
@@ -142,6 +144,17 @@ std::uint64_t most_pairs(const JobNumbers& n, std::uint64_t tests, std::uint64_t
     most = std::max(most, pairs);
   }
   return most;
+}
+
+Amount rounded_up(const Job& job, Amount cost) {
+  std::uint64_t unit = job.test_cost.millionths;
+  for (const Amount each : job.change_costs) {
+    unit = std::gcd(unit, each.millionths);
+  }
+  for (const Amount each : job.replace_costs) {
+    unit = std::gcd(unit, each.millionths);
+  }
+  return unit == 0 ? cost : Amount{unit} * ceil_div(cost.millionths, unit);
 }
 
 }  // namespace changeover

@@ -32,4 +32,7 @@ struct JobNumbers {
 [[nodiscard]] std::uint64_t most_pairs(const JobNumbers& n, std::uint64_t tests,
                                        std::uint64_t introductions);
 
+/// The cost rounded up to a multiple of what divides all costs: every list costs one.
+[[nodiscard]] Amount rounded_up(const Job& job, Amount cost);
+
 }  // namespace changeover

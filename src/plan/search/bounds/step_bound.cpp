@@ -16,7 +16,6 @@
 #include "plan/search/bounds/dearest_parts.hpp"
 #include "plan/search/bounds/job_numbers.hpp"
 #include "plan/search/bounds/least_sum.hpp"
-#include "plan/search/bounds/rounded_up.hpp"
 #include "plan/search/bounds/step_groups.hpp"
 
 namespace changeover {

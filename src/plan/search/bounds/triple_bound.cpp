@@ -9,7 +9,7 @@
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
-#include "plan/search/bounds/rounded_up.hpp"
+#include "plan/search/bounds/job_numbers.hpp"
 #include "plan/search/bounds/stays_cost.hpp"
 #include "plan/search/triple_plan.hpp"
 #include "plan/search/valid_job.hpp"
