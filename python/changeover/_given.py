@@ -25,6 +25,11 @@ def is_bytes(value: Any) -> bool:
                       (bytes, bytearray)) or (isinstance(value, memoryview) and value.format == "B")
 
 
+def is_whole(value: Any) -> bool:
+    """Whether it is one whole number; an array of NumPy has an index, too."""
+    return hasattr(type(value), "__index__") and not hasattr(type(value), "__iter__")
+
+
 def is_data_frame(value: Any) -> bool:
     return hasattr(value, "itertuples") and hasattr(value, "columns")
 
@@ -66,6 +71,7 @@ def listed(argument: str, holds: str, value: Any, ordered: bool = False) -> Iter
     if not isinstance(value, collections.abc.Iterable):
         refuse(f", not {_core.quoted(words_of(repr(value)))}")
     if ordered and isinstance(value, (set, frozenset)):
+        holds = holds.partition(",")[0]
         refuse(" in an order, and a set has none; give sorted(...) of it")
     return value
 

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import csv
 import io
+import itertools
 import operator
 import os
 from typing import Any, Iterable, Iterator, NoReturn, Optional
 
 from . import _core
 from ._given import (
-    has_numbered_rows, is_bytes, is_data_frame, is_missing, is_text, leads_from_keys, listed,
-    rows_of, words_of)
+    has_numbered_rows, is_bytes, is_data_frame, is_missing, is_text, is_whole, leads_from_keys,
+    listed, rows_of, words_of)
 from .errors import BadInput
 
 _most_parts = 1000
@@ -170,7 +171,7 @@ def _bench(given: Any) -> Any:
 
 def benches_of(given: Any) -> Any:
     """How many benches that are alike, or one after another."""
-    if hasattr(type(given), "__index__") and not hasattr(type(given), "__iter__"):
+    if is_whole(given):
         return operator.index(given)
     rows = [_bench(bench)
             for bench in _rows("benches", listed("benches", "names or dicts", given, True))]
@@ -185,17 +186,20 @@ def _slot(name: str, room: Any) -> dict[str, Any]:
                        "(least, most) with None for no limit")
 
     def number(given: Any) -> str:
-        if not isinstance(given, int) or not 0 <= given < 1 << 64:
+        if not is_whole(given) or not 0 <= operator.index(given) < 1 << 64:
             refuse()
-        return str(given)
+        return str(operator.index(given))
 
-    if isinstance(room, int):
+    if is_whole(room):
         return {"name": name, "least": number(room), "most": number(room)}
-    if not hasattr(room, "__len__") or not hasattr(room, "__getitem__") or len(room) != 2:
+    try:
+        limits = list(itertools.islice(listed("slots", "limits", room, True), 3))
+    except TypeError:
         refuse()
-    limits = {"least": room[0], "most": room[1]}
-    return {"name": name,
-            **{key: number(limit) for key, limit in limits.items() if limit is not None}}
+    if len(limits) != 2:
+        refuse()
+    return {"name": name, **{key: number(limit) for key, limit in zip(("least", "most"), limits)
+                             if limit is not None}}
 
 
 def _table(costs: Any) -> list[list[str]]:
@@ -298,7 +302,7 @@ def _parts(given: Any, slots: Any, slot_of: Any, quantities: Any, needs_costs: b
                 raise BadInput("parts is a file, which says in a column " + argument + " what "
                                + ("slot_of" if argument == "slot" else "quantities") + " would")
         return {"file": words_of(os.fsdecode(given))}
-    if hasattr(type(given), "__index__") and not hasattr(type(given), "__iter__"):
+    if is_whole(given):
         count = operator.index(given)
         if not 2 <= count <= _most_parts:
             raise BadInput(_too_many_or_few)

@@ -133,13 +133,16 @@ def _text(value: Any) -> str:
 
 
 def _whole(value: Any) -> int:
-    """What Python takes for an index, and what becomes an int without being a float or a text."""
+    """What Python takes for an index, and what is as much as an int without being a float or a
+    text: Decimal(2), an array of one number."""
     try:
         number = operator.index(value)
     except Exception:
         if isinstance(value, (float, str, bytes, bytearray)):
             raise
         number = int(value)
+        if not bool(number == value):  # Decimal("2.5"), numpy.float32(2.5)
+            raise
     if not 0 <= number < 1 << 64:
         raise ValueError
     return number

@@ -156,6 +156,10 @@ class Calls(unittest.TestCase):
         self.assertIn("users_only is ", self.said(changeover.catalog.entries, best_only=1, users_only="x"))
         self.assertTrue(design.is_same_as(design, 1))
 
+    def test_no_part_of_a_number_is_dropped(self):
+        for given in (Fraction(13, 2), Decimal("6.000001"), Decimal("nan"), 6.0):
+            self.assertIn("v is a whole number from 0 to 2**64 - 1, not ", self.said(changeover.design, given, 4))
+
     def test_a_state_that_is_none_is_refused_in_one_line(self):
         for state in ({}, None, b"x", [1]):
             self.assertIn("__setstate__(): ", self.said(changeover.Design.__new__(changeover.Design).__setstate__, state))

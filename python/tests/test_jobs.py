@@ -46,6 +46,15 @@ class Plans(unittest.TestCase):
         self.assertEqual([set(step["setup"]) for step in sheet.steps[:2]], [set(each) for each in first])
         self.assertEqual(len(met_by(sheet)), 10)
 
+    def test_numbers_of_slots_are_any_whole_numbers(self):
+        class One:  # as those of NumPy
+            def __index__(self):
+                return 1
+        asked = dict(slot_of={"a": "CPU", "b": "CPU", "c": "disk", "d": "disk"}, test_cost=1, change_cost=1, steps=10)
+        plans = [changeover.plan(list("abcd"), slots={"CPU": room, "disk": 1}, **asked).steps
+                 for room in (1, True, One(), (1, One()), iter([1, 1]))]
+        self.assertEqual(plans, plans[:1] * 5)
+
     def test_slots_are_kept(self):
         slot_of = {"P1": "CPU", "P2": "CPU", "P3": "CPU", "D1": "disk", "D2": "disk", "D3": "disk"}
         sheet = self.plan(list(slot_of) + ["fan"], 5, slots={"CPU": 1, "disk": (1, 2)}, slot_of=slot_of)
@@ -108,6 +117,9 @@ class Plans(unittest.TestCase):
             ({"done": [itertools.repeat("a")]}, "done names more parts than there are"),
             ({"mounted": ["x" * 10**5]}, "there is no part 'x{20,99}…'; "),
             ({"slots": {"CPU": "many"}, "slot_of": {"a": "CPU"}}, "slots says how many"),
+            ({"slots": {"CPU": b"12"}, "slot_of": {"a": "CPU"}}, "slots says how many"),
+            ({"slots": {"CPU": {0: 1, 1: 1}}, "slot_of": {"a": "CPU"}}, "slots says how many"),
+            ({"slots": {"CPU": {1, 2}}, "slot_of": {"a": "CPU"}}, "slots says how many"),
             ({"slots": {"CPU": 1}, "slot_of": {"a": "disk"}}, "disk"),
             ({"weights": [("a", "b")]}, "weights is a dict"),
             ({"first": [["a", "b", "c", "d"]]}, "^first.0.: 4 parts stand here, but only 3 fit"),
@@ -167,7 +179,7 @@ class Plans(unittest.TestCase):
         for wrong in ("abcd", b"abcd", {"a", "b", "c"}, 5.5):
             with self.subTest(parts=wrong), self.assertRaisesRegex(TypeError, "^parts has names"):
                 self.plan(wrong, 3)
-        with self.assertRaisesRegex(TypeError, "a set has none"):
+        with self.assertRaisesRegex(TypeError, "^first has set-ups in an order, and a set has none"):
             self.plan("a b c d".split(), 3, first={("a", "b", "c")})
         # A pair and a set-up have no order, and neither have pairs.
         self.assertEqual(self.plan("a b c".split(), 2, never=[pair]).cost, self.plan("a b c".split(), 2, never={("b", "a")}).cost)
