@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import collections
 import collections.abc
-from typing import Any, Iterable, NoReturn
+import operator
+from typing import Any, Callable, Iterable, NoReturn, Optional, Tuple, TypeVar
 
 from . import _core
+from .errors import BadInput
+
+T = TypeVar("T")
 
 
 def words_of(value: Any) -> str:
@@ -23,6 +27,32 @@ def is_text(value: Any) -> bool:
 def is_bytes(value: Any) -> bool:
     return isinstance(value,
                       (bytes, bytearray)) or (isinstance(value, memoryview) and value.format == "B")
+
+
+def file_name(argument: str, name: str) -> str:
+    """The name; BadInput for one with a zero byte, of which what opens files takes the beginning."""
+    if "\0" in name:
+        raise BadInput(f"{argument}: {_core.quoted(name)} is no name of a file")
+    return name
+
+
+def attempt(read: Callable[[Any], T], value: Any) -> Optional[T]:
+    """What it reads, or None, whatever the class of the value raises."""
+    try:
+        return read(value)
+    except Exception:
+        return None
+
+
+def share_of(share: Any) -> Tuple[int, int]:
+    """(part, parts), the whole if it is None."""
+    try:
+        part, parts = (0, 1) if share is None else map(operator.index, share)
+    except Exception:
+        part, parts = 1, 0
+    if not 0 <= part < parts < 1 << 64:
+        raise BadInput("share is (part, parts), two numbers, the first from 0 and below the second")
+    return part, parts
 
 
 def is_whole(value: Any) -> bool:

@@ -15,6 +15,7 @@ import zlib
 from typing import Any, Callable, Dict, Literal, Optional, Type, TypeVar, Union
 
 from . import _core
+from ._given import file_name
 from ._progress import Bar
 from .errors import BadInput
 
@@ -132,7 +133,7 @@ def _text(value: Any) -> str:
     return value.decode()
 
 
-def _whole(value: Any) -> int:
+def whole(value: Any) -> int:
     """What Python takes for an index, and what is as much as an int without being a float or a
     text: Decimal(2), an array of one number."""
     try:
@@ -169,7 +170,7 @@ def _same_if(fits: Callable[[Any], object]) -> Callable[[Any], Any]:
 
 
 _readers: dict[Any, tuple[Callable[[Any], Any], str]] = {
-    int: (_whole, "a whole number from 0 to 2**64 - 1"), float: (_number,
+    int: (whole, "a whole number from 0 to 2**64 - 1"), float: (_number,
         "a number"), bool: (_truth, "True or False"),
     str: (_text, "a string"), Literal: (_text,
         "a string"), collections.abc.Callable: (_same_if(callable), "a function"),
@@ -199,7 +200,7 @@ def _fitted(wanted: Any, value: Any) -> Any:
         raise _Misfit(words + " that can be written as UTF-8" if is_text else words)
 
 
-def _shown(value: Any) -> str:
+def in_a_line(value: Any) -> str:
     """A value in a line, whatever its repr() does."""
     try:
         text = " ".join(reprlib.repr(value).split())
@@ -220,15 +221,13 @@ def _bound(name: str, signature: inspect.Signature, given: tuple[Any, ...],
         try:
             bound.arguments[argument] = _fitted(signature.parameters[argument].annotation, value)
         except _Misfit as fault:
-            return f"{name}(): {argument} is {fault}, not {_shown(value)}"
-        if argument in _names_of_files and "\0" in (bound.arguments[argument] or ""):
-            # What opens files would take what is before it for the name.
-            raise BadInput(f"{argument}: {_core.quoted(bound.arguments[argument])} is no name of a "
-                           "file")
+            return f"{name}(): {argument} is {fault}, not {in_a_line(value)}"
+        if argument in _names_of_files:
+            file_name(argument, bound.arguments[argument] or "")
         if argument == "progress":
             if not (value is None or isinstance(value, bool) or callable(value)):
                 return (f"{name}(): progress is a function, True, False or None, "
-                        f"not {_shown(value)}")
+                        f"not {in_a_line(value)}")
             bound.arguments[argument] = Bar() if value is True else value or None
     return bound
 

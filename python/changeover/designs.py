@@ -7,11 +7,11 @@ import importlib
 import json
 import operator
 from array import array
-from typing import Any, Dict, Iterator, List, Literal, Optional, SupportsIndex, Tuple, overload
+from typing import Any, Dict, Iterator, List, Literal, Optional, SupportsIndex, Tuple, Union, overload
 
 from . import _core
-from ._given import listed, rows_of, words_of
-from ._made import Kind, Made, check_calls, fact, made
+from ._given import attempt, listed, rows_of, words_of
+from ._made import Kind, Made, check_calls, fact, in_a_line, made
 from ._notebook import shown, table
 from .errors import BadInput
 from .pictures import Picture, PictureKind, Theme, picture_of
@@ -373,6 +373,16 @@ def _from_numbers(blocks: Any, v: Optional[int], change: Optional[int], *more: A
     return _core.Design.from_numbers(elements, k, largest + 1 if v is None else v, change, *more)
 
 
+def _element(element: Any, block: int) -> Union[str, int]:
+    if isinstance(element, str):
+        return element
+    number = attempt(operator.index, element)
+    if number is None:
+        raise TypeError(
+            f"block {block}: elements are whole numbers or strings, not {in_a_line(element)}")
+    return number
+
+
 def _core_of(blocks: Any, v: Any, change: Any, kind: Any, strength: int) -> Any:
     """A design of the compiled module, of a Design or Blocks, a two-dimensional buffer of whole
     numbers (a NumPy array), or any iterable of iterables of numbers or strings. What is not said is
@@ -391,9 +401,8 @@ def _core_of(blocks: Any, v: Any, change: Any, kind: Any, strength: int) -> Any:
         return core
     # Anything else is written down as JSON and read as a file would be: one set of rules.
     holds = "lists of elements"
-    rows = [[element if isinstance(element, str) else operator.index(element)
-             for element in listed("blocks", holds, block)]
-            for block in rows_of("blocks", holds, blocks, True)]
+    rows = [[_element(element, number) for element in listed("blocks", holds, block)]
+            for number, block in enumerate(rows_of("blocks", holds, blocks, True), 1)]
     text = words_of(json.dumps(rows, ensure_ascii=False, separators=(",", ":")))
     return _core.Design.read_text(text, "blocks", *parameters)
 

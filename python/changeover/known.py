@@ -6,7 +6,8 @@ import importlib
 from typing import Any, Iterable, List, Optional, Tuple, Union
 
 from . import _core
-from ._made import Kind, Made, check_calls, checked, fact, made
+from ._given import attempt
+from ._made import Kind, Made, check_calls, fact, in_a_line, made, whole
 from ._notebook import shown, table as html_table
 from .designs import Design
 from .errors import BadInput
@@ -118,16 +119,12 @@ def _ends(what: Any, name: str) -> Tuple[int, int]:
         if len(what) == 0 or what.step != 1:
             raise BadInput(f"{name} is a range without gaps, not {what}")
         return what[0], what[-1]
-    if isinstance(what, tuple):
-        first, last = what
-        return first, last
-    return what, what
-
-
-def _table(k_from: int, k_to: int, v_from: int, v_to: int, change: int,
-           kind: Optional[Kind]) -> Table:
-    return Table(made(Cell, facts, name) for name,
-                 facts in _core.table(k_from, k_to, v_from, v_to, change, kind))
+    pair = what if isinstance(what, tuple) and len(what) == 2 else (what, what)
+    first, last = (attempt(whole, end) for end in pair)
+    if first is None or last is None:
+        raise TypeError(f"table(): {name} is a whole number, a range or a pair (first, last), not "
+                        f"{in_a_line(what)}")
+    return first, last
 
 
 def table(k: Range, v: Range, change: int = 2, kind: Optional[Kind] = None) -> Table:
@@ -137,8 +134,8 @@ def table(k: Range, v: Range, change: int = 2, kind: Optional[Kind] = None) -> T
     by kind (circular first if none is named), k, v. A few milliseconds a cell; raises BadInput
     beyond v = 1000.
     """
-    cells: Table = _checked_table(*_ends(k, "k"), *_ends(v, "v"), change, kind)
-    return cells
+    cells = _core.table(*_ends(k, "k"), *_ends(v, "v"), change, kind)
+    return Table(made(Cell, facts, name) for name, facts in cells)
 
 
 def to_pandas(what: Union[Design, RunSheet, Iterable[Cell]]) -> Any:
@@ -167,4 +164,3 @@ def to_sage(what: Design) -> Any:
 
 
 check_calls(globals())
-_checked_table = checked(_table, "table")

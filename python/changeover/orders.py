@@ -16,8 +16,9 @@ from typing import (
     Union, overload)
 
 from . import _core
-from ._given import listed, rows_of, words_of
-from ._made import Made, Progress, check_calls, fact, made
+from ._given import (
+    attempt, file_name, is_text, leads_from_keys, listed, rows_of, share_of, words_of)
+from ._made import Made, Progress, check_calls, fact, in_a_line, made
 from ._notebook import shown, table
 from .errors import BadInput, InternalError
 
@@ -264,11 +265,11 @@ class Report(Made):
                 f"{resumed}, {self.loads} loads, {self.bytes_read} bytes, {self.pairs} pairs>")
 
 
-def _item(number: Any) -> int:
-    item = operator.index(number)
-    if not 0 <= item < _most_items:
-        shown = _core.quoted(words_of(item))
-        raise BadInput(f"pairs: items are numbered from 0 to {_most_items - 1}, not {shown}")
+def _item(argument: str, number: Any) -> int:
+    item = attempt(operator.index, number)
+    if item is None or not 0 <= item < _most_items:
+        raise (TypeError if item is None else BadInput)(
+            f"{argument}: items are numbered from 0 to {_most_items - 1}, not {in_a_line(number)}")
     return item
 
 
@@ -279,7 +280,7 @@ def _ends(pairs: Any) -> array[int]:
         more = iter(listed("pairs", "rows of two items", row))
         for _ in range(2):
             for item in more:
-                ends.append(_item(item))
+                ends.append(_item("pairs", item))
                 break
             else:
                 raise BadInput(f"pairs: row {number} has fewer than two items; a pair has two")
@@ -290,14 +291,16 @@ def _ends(pairs: Any) -> array[int]:
 
 def _cost_rows(pair_cost: Any) -> List[List[str]]:
     """Rows of two items and a cost, of a mapping from pairs or of such rows."""
-    rows = ([*pair, cost] for pair, cost in pair_cost.items()) if hasattr(
-        pair_cost, "items") else pair_cost
+    holds = "rows of two items and a number"
+    rows = ((*listed("pair_cost", "pairs of items", pair), cost)
+            for pair, cost in pair_cost.items()) if leads_from_keys(pair_cost) else pair_cost
     made_rows: List[List[str]] = []
-    for number, row in enumerate(rows_of("pair_cost", "rows of two items and a number", rows)):
-        cells = list(listed("pair_cost", "rows of two items and a number", row))
-        if len(cells) != 3:
+    for number, row in enumerate(rows_of("pair_cost", holds, rows)):
+        *items, cost = list(listed("pair_cost", holds, row)) or [None]
+        cost = attempt(float, cost)
+        if len(items) != 2 or cost is None:
             raise BadInput(f"pair_cost: row {number} is not two items and a number")
-        made_rows.append([str(_item(cells[0])), str(_item(cells[1])), repr(float(cells[2]))])
+        made_rows.append([*(str(_item("pair_cost", item)) for item in items), repr(cost)])
     return made_rows
 
 
@@ -307,10 +310,10 @@ def _size_rows(sizes: Any) -> List[List[str]]:
         listed("sizes", "numbers of bytes", sizes))
     rows: List[List[str]] = []
     for item, size in items:
-        try:
-            rows.append([str(_item(item)), str(operator.index(size))])
-        except TypeError:
-            raise BadInput(f"sizes: {size!r} is not a whole number of bytes") from None
+        count = attempt(operator.index, size)
+        if count is None:
+            raise BadInput(f"sizes: {in_a_line(size)} is not a whole number of bytes")
+        rows.append([str(_item("sizes", item)), str(count)])
     return rows
 
 
@@ -411,10 +414,14 @@ def all_pairs(
     journals of another number of shares, whose pairs are not computed again. verify_beside: begin
     before the order is read. What compute raises ends the job. Raises BadInput, MissingResource.
     """
-    index, of = (0, 1) if share is None else share
+    journals = []
+    for name in listed("earlier", "paths of journals", earlier):
+        if not is_text(name):
+            raise TypeError(f"earlier has paths of journals, strings, not {in_a_line(name)}")
+        journals.append(file_name("earlier", words_of(name)))
     return made(Report, _core.all_pairs(
-        path, item_bytes, room, compute, header_bytes, threads, journal, operator.index(index),
-        operator.index(of), list(listed("earlier", "paths of journals", earlier)), verify_beside))
+        path, item_bytes, room, compute, header_bytes, threads, journal, *share_of(share), journals,
+        verify_beside))
 
 
 def update_pairs(

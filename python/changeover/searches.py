@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import operator
 from typing import Any, Dict, List, Optional, Tuple
 
 from . import _core
+from ._given import share_of
 from ._made import Kind, Made, Progress, check_calls, fact, made
 from .designs import Design, design_of
-from .errors import BadInput
 
 
 class SearchResult(Made):
@@ -70,16 +69,6 @@ def search(
     return made(SearchResult, {**facts, "design": found, "b": found and found.b})
 
 
-def _share(share: Any) -> Tuple[int, int]:
-    try:
-        part, parts = (0, 1) if share is None else map(operator.index, share)
-    except Exception:
-        part, parts = 1, 0
-    if not 0 <= part < parts < 1 << 64:
-        raise BadInput("share is (part, parts), two numbers, the first from 0 and below the second")
-    return part, parts
-
-
 def classify(
     v: int, k: int, b: int, change: int = 2, kind: Kind = "linear", *, reversal: bool = False,
     keep: int = 100, time: Optional[float] = None, threads: int = 1, progress: Progress = None,
@@ -93,7 +82,7 @@ def classify(
     Raises ImpossibleParameters above 64 elements or 4096 blocks. Exponential in b.
     """
     facts = _core.classify(
-        v, k, b, change, kind, reversal, keep, time, threads, progress, _share(share))
+        v, k, b, change, kind, reversal, keep, time, threads, progress, share_of(share))
     orders = {int(order): count for order, count in facts["group_orders"]}
     designs = [design_of(core) for core in facts["designs"]]
     return made(Classification, {**facts, "group_orders": orders, "designs": designs})

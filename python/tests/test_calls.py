@@ -160,6 +160,35 @@ class Calls(unittest.TestCase):
         for given in (Fraction(13, 2), Decimal("6.000001"), Decimal("nan"), 6.0):
             self.assertIn("v is a whole number from 0 to 2**64 - 1, not ", self.said(changeover.design, given, 4))
 
+    def test_what_is_inside_of_an_argument_is_refused_in_one_line(self):
+        def jobs(**more):
+            return lambda: changeover.all_pairs("no such file", 4, 2, lambda *_: None, **more)
+
+        def costs(pair_cost):
+            return lambda: changeover.load_order(6, 3, workers=2, new_pairs=True, pair_cost=pair_cost)
+
+        share = r"^share is \(part, parts\), two numbers"
+        cost = "^pair_cost: row 0 is not two items and a number$"
+        ends = r"^table\(\): k is a whole number, a range or a pair \(first, last\), not "
+        for call, words in (
+            *((jobs(share=wrong), share) for wrong in (5, (0,), (0, 1, 2), (0.0, 1), (1, 1), (-1, 2), ("0", "1"), (0, 2**64))),
+            (jobs(earlier=[1]), "^earlier has paths of journals, strings, not 1$"),
+            (jobs(earlier=["a\0b"]), r"^earlier: 'a\\x00b' is no name of a file$"),
+            *((costs(wrong), cost) for wrong in ({(0, 1): "x"}, {(0, 1): None}, {(0,): 1}, [(0, 1, 2, 3)])),
+            (costs({0: 1}), "^pair_cost has pairs of items, not '0'$"),
+            (costs([(0, 1.5, 1)]), "^pair_cost: items are numbered from 0 to [0-9]+, not 1.5$"),
+            (lambda: changeover.load_order(5, 3, pairs=[(0, "x")]), "^pairs: items are numbered from 0 to [0-9]+, not 'x'$"),
+            (lambda: changeover.load_order(None, sizes={"a": 1}, memory=5), "^sizes: items are numbered from 0 to [0-9]+, not 'a'$"),
+            (lambda: changeover.load_order(None, sizes=[1, "2"], memory=5), "^sizes: '2' is not a whole number of bytes$"),
+            *((lambda wrong=wrong: changeover.table(wrong, 8), ends) for wrong in ((3, 4, 5), (3,), (3.0, 4), [3, 4], "3", -1, (1, 2**64), None)),
+            *((lambda wrong=wrong: changeover.Design([[0, 1], [2, wrong]]), "^block 2: elements are whole numbers or strings, not ")
+              for wrong in (1.5, None, [1])),
+        ):
+            with self.subTest(words=words), self.assertRaisesRegex((TypeError, changeover.BadInput), words) as caught:
+                call()
+            self.assertNotIn("\n", str(caught.exception))
+        self.assertEqual(len(changeover.table((4, 4), range(6, 8), 2, "linear")), 2)
+
     def test_a_state_that_is_none_is_refused_in_one_line(self):
         for state in ({}, None, b"x", [1]):
             self.assertIn("__setstate__(): ", self.said(changeover.Design.__new__(changeover.Design).__setstate__, state))
