@@ -90,6 +90,9 @@ std::unique_ptr<Input> open_input(const std::string& path) {
   if (path == "-") {
     return std::make_unique<FileInput>("<stdin>", STDIN_FILENO, false);
   }
+  if (path.find('\0') != std::string::npos) {  // The system would open what is before it.
+    cannot_read(path, ENOENT);
+  }
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) {
     cannot_read(path.empty() ? "''" : path, errno);
