@@ -317,7 +317,9 @@ class Design(Made):
 def _math(name: str) -> str:
     if name.isdecimal():
         return name
-    plain = "".join({"\\": "/", "$": "S"}.get(c, "\\" + c if c in "#%&_{}" else c) for c in name)
+    # What a letter is to LaTeX and not to MathJax, or the other way round, looks like another one.
+    alike = {"\\": "/", "$": "S", "^": "\u02c6", "~": "\u02dc"}
+    plain = "".join(alike.get(c, "\\" + c if c in "#%&_{}" else c) for c in name)
     return f"\\text{{{plain}}}"
 
 

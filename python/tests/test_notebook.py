@@ -45,8 +45,9 @@ class Shown(unittest.TestCase):
         page = design._repr_html_()
         self.assertIn("&lt;b&gt;, a&amp;b", page)
         well_formed(page)
-        latex = changeover.Design([["$x", "a&b"], ["a&b", "c_1"], ["c_1", "$x"]])._repr_latex_()
+        latex = changeover.Design([["$x^^5c", "a&b"], ["a&b", "c~1"], ["c~1", "$x^^5c"]])._repr_latex_()
         self.assertEqual(latex.count("$"), 4)
+        self.assertNotRegex(latex, "[~^]")  # in LaTeX no letters
         self.assertIn(r"\text{a\&b}", latex)
 
     def test_a_wrong_design_is_called_so(self):

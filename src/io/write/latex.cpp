@@ -75,7 +75,13 @@ std::string latex_escaped(std::string_view text) {
         result += "\\textbar{}";
         break;
       case '-':
-        result += result.ends_with('-') ? "{}-" : "-";  // two in a row would be a dash
+      case '`':
+      case '\'':
+      case ',':  // Two in a row would be one sign, and so would ?` and !`.
+        if (result.ends_with(c) || (c == '`' && (result.ends_with('?') || result.ends_with('!')))) {
+          result += "{}";
+        }
+        result += c;
         break;
       case '{':
       case '}':

@@ -184,6 +184,7 @@ TEST(LatexTest, NamesAreSetAsThePaperSetsThem) {
   EXPECT_EQ(latex_element("[1", true), "{[1$^*$}");
   EXPECT_EQ(latex_escaped("\\{}$&#_%~^"),
             "\\textbackslash{}\\{\\}\\$\\&\\#\\_\\%\\textasciitilde{}\\textasciicircum{}");
+  EXPECT_EQ(latex_escaped("--,,''``?`!`"), "-{}-,{},'{}'`{}`?{}`!{}`");
 }
 
 // The table has balanced braces and dollars, and no row has more cells than there are columns.
