@@ -16,6 +16,7 @@
 #include "plan/job/pair_numbers.hpp"
 #include "plan/job/prices.hpp"
 #include "plan/search/bounds/dearest_parts.hpp"
+#include "plan/search/bounds/exchange_bound.hpp"
 #include "plan/search/bounds/job_numbers.hpp"
 #include "plan/search/bounds/least_numbers.hpp"
 #include "plan/search/bounds/step_bound.hpp"
@@ -191,6 +192,13 @@ CostBound bound_of_valid_job(const Job& job) {
         fmt::format("each {} costs at least what it costs where it is cheapest to {}: {}",
                     job.model == nullptr ? "part" : "value",
                     job.model == nullptr ? "put in" : "set", bound.reason);
+    if (job.triples.empty() && job.needed.size() > 0) {
+      try {
+        raise_by_exchanges(job, bound);
+      } catch (const Stopped&) {
+        // What is known is true.
+      }
+    }
     return bound;
   }
   std::string least;  // tests and changes, with reasons
