@@ -154,10 +154,12 @@ struct RunSheet {
 // left after them.
 // *What is replaced.* If costs depend on it, each introduction of x costs at least the least of x's
 // own cost and of those in place of any part that does not stay mounted, which is never taken out.
-// The bound is that at these prices. The bound, rounded up to a multiple of what divides all costs,
-// is the least of T·test + (the largest of (5), (6) and (7)) over T ≥ (2) and I ≥ I(T), (3), (4),
-// (8). With forbidden pairs, pairs that need not meet, a start or tests already done, (4) falls
-// away unless its condition holds as it stands; the others stay true. (6) is left out of large
+// The bound is that at these prices, or that of docs/theorems.md, Theorem 20.
+//
+// It is rounded up to a multiple of what divides all costs, and is the least of T·test + (the
+// largest of (5), (6) and (7)) over T ≥ (2) and I ≥ I(T), (3), (4), (8). With forbidden pairs,
+// pairs that need not meet, a start or tests already done, (4) falls away unless its condition
+// holds as it stands; the others stay true. (6) is left out of large
 // jobs, where it takes long.
 
 struct CostBound {

@@ -4,6 +4,8 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "changeover/plan/model.hpp"
@@ -13,11 +15,14 @@
 #include "plan/job/pair_numbers.hpp"
 #include "plan/search/bounds/least_numbers.hpp"
 #include "plan/search/choices/choice_plan.hpp"
+#include "plan/search/choices/equal_values.hpp"
 #include "plan/search/choices/tests_apart.hpp"
 #include "plan/search/choices/transport.hpp"
 
 namespace changeover {
 namespace {
+
+__extension__ using Wide = unsigned __int128;
 
 // The numbers of the proof.
 struct ChoiceNumbers {
@@ -51,7 +56,6 @@ struct ChoiceNumbers {
 
 // C(n, k), or the largest number.
 std::uint64_t choose(std::uint64_t n, std::uint64_t k) {
-  __extension__ using Wide = unsigned __int128;
   Wide value = 1;
   for (std::uint64_t i = 1; i <= k; ++i) {
     value = value * (n - k + i) / i;
@@ -62,23 +66,23 @@ std::uint64_t choose(std::uint64_t n, std::uint64_t k) {
   return static_cast<std::uint64_t>(value);
 }
 
-// (2): parameters with two values each, all of which must meet.
-std::uint64_t two_valued_clique(const Job& job, const ChoiceNumbers& n) {
+// (2): so many parameters with so many values each, all of which must meet.
+std::uint64_t clique_of_equal(const Job& job, const ChoiceNumbers& n, std::size_t values) {
   std::vector<std::vector<Element>> chosen;
   for (std::size_t p = 0; p < n.slots; ++p) {
-    std::vector<Element> two;
-    for (Element x = 0; x < job.parts(); ++x) {
-      const bool fits =
-          job.slot_of[x] == p && !n.negative[x] &&
-          std::ranges::all_of(chosen, [&](const std::vector<Element>& others) {
-            return job.needed.contains(x, others[0]) && job.needed.contains(x, others[1]);
-          });
+    std::vector<Element> own;
+    for (Element x = 0; x < job.parts() && own.size() < values; ++x) {
+      const bool fits = job.slot_of[x] == p && !n.negative[x] &&
+                        std::ranges::all_of(chosen, [&](const std::vector<Element>& others) {
+                          return std::ranges::all_of(
+                              others, [&](Element y) { return job.needed.contains(x, y); });
+                        });
       if (fits) {
-        two.push_back(x);
+        own.push_back(x);
       }
     }
-    if (two.size() >= 2) {
-      chosen.push_back({two[0], two[1]});
+    if (own.size() == values) {
+      chosen.push_back(std::move(own));
     }
   }
   return chosen.size();
@@ -115,7 +119,7 @@ LeastNumber least_choice_tests(const Job& job, const ChoiceNumbers& n) {
                                        count_of(number, "triple"), job.slots[slots[0]].name,
                                        job.slots[slots[1]].name, job.slots[slots[2]].name));
   }
-  const std::uint64_t k = two_valued_clique(job, n);
+  const std::uint64_t k = clique_of_equal(job, n, 2);
   if (k >= 2) {
     std::uint64_t tests = 4;
     while (choose(tests - 1, tests / 2 - 1) < k) {
@@ -123,6 +127,17 @@ LeastNumber least_choice_tests(const Job& job, const ChoiceNumbers& n) {
     }
     least.at_least(tests, fmt::format("{} of two values and more need so many [Katona1973]",
                                       count_of(k, "parameter")));
+  }
+  constexpr std::uint64_t most_values = 40;
+  for (std::uint64_t g = 3; g <= most_values; ++g) {
+    const std::uint64_t equal = clique_of_equal(job, n, g);
+    if (equal < g) {
+      break;
+    }
+    least.at_least(least_tests_of_equal(equal, g),
+                   fmt::format("in fewer, {} of {} values and more would have too few tests that "
+                               "differ (docs/theorems.md, Theorem 21)",
+                               count_of(equal, "parameter"), g));
   }
   if (hidden > 0) {
     least.why += fmt::format("{}{} more with a value that is out of range",
@@ -141,6 +156,60 @@ struct LeastChanges {
   std::uint64_t number = 0;
   Amount cost;
 };
+
+// (4) and (5): what changes cost at least beyond `there`, by parameter; two parameters change
+// `wanted` times together, if that is not 0.
+std::uint64_t least_more(const std::vector<std::vector<std::uint64_t>>& wanted,
+                         const std::vector<std::uint64_t>& there,
+                         const std::vector<std::uint64_t>& prices) {
+  const std::size_t slots = there.size();
+  std::vector<bool> is_in(slots, true);  // what is left for (4)
+  const auto by_two = [&](const std::vector<bool>& among) {
+    std::vector<std::vector<std::uint64_t>> more(slots, std::vector<std::uint64_t>(slots, 0));
+    for (std::size_t p = 0; p < slots; ++p) {
+      for (std::size_t q = 0; q < slots; ++q) {
+        const std::uint64_t both = there[p] + there[q];
+        more[p][q] = among[p] && among[q] ? wanted[p][q] - std::min(wanted[p][q], both) : 0;
+      }
+    }
+    return ceil_div(most_profit(more, prices), 2);
+  };
+  std::set<std::uint64_t> times;
+  for (const std::vector<std::uint64_t>& row : wanted) {
+    times.insert(row.begin(), row.end());
+  }
+  Wide by_cliques = 0;
+  std::size_t looks = 16;
+  for (auto each = times.rbegin(); each != times.rend() && *each > 2 && looks > 0;
+       ++each, --looks) {
+    const std::uint64_t often = (*each + 1) / 2;  // all but one change as often
+    std::vector<bool> clique(slots, false);
+    Wide all = 0;
+    Wide dearest = 0;
+    for (std::size_t p = 0; p < slots; ++p) {
+      bool fits = is_in[p];
+      for (std::size_t q = 0; q < p && fits; ++q) {
+        fits = !clique[q] || wanted[p][q] + 1 >= 2 * often;
+      }
+      if (fits) {
+        clique[p] = true;
+        const Wide cost = Wide{prices[p]} * (often - std::min(often, there[p]));
+        all += cost;
+        dearest = std::max(dearest, cost);
+      }
+    }
+    if (all - dearest > by_two(clique)) {
+      by_cliques += all - dearest;
+      for (std::size_t p = 0; p < slots; ++p) {
+        is_in[p] = is_in[p] && !clique[p];
+      }
+    }
+  }
+  const std::vector<bool> any(slots, true);
+  constexpr Wide most = std::numeric_limits<std::int64_t>::max();
+  return static_cast<std::uint64_t>(
+      std::min(most, std::max(Wide{by_two(any)}, by_cliques + by_two(is_in))));
+}
 
 LeastChanges least_choice_changes(const Job& job, const ChoiceNumbers& n) {
   std::vector<std::uint64_t> once(n.slots, 0);  // introductions that must be
@@ -172,17 +241,17 @@ LeastChanges least_choice_changes(const Job& job, const ChoiceNumbers& n) {
     least.number += once[p];
     least.cost += costs_once[p];
   }
-  std::vector<std::vector<std::uint64_t>> more(n.slots, std::vector<std::uint64_t>(n.slots, 0));
+  std::vector<std::vector<std::uint64_t>> wanted(n.slots, std::vector<std::uint64_t>(n.slots, 0));
+  std::vector<std::uint64_t> there(n.slots, 0);
   for (std::size_t p = 0; p < n.slots; ++p) {
+    there[p] = once[p] + at_start[p];
     for (std::size_t q = 0; q < n.slots; ++q) {
-      const std::uint64_t wanted = n.pairs[p][q] + 1;
-      const std::uint64_t there = once[p] + once[q] + at_start[p] + at_start[q];
-      more[p][q] = p == q || n.pairs[p][q] == 0 ? 0 : wanted - std::min(wanted, there);
+      wanted[p][q] = p == q || n.pairs[p][q] == 0 ? 0 : n.pairs[p][q] + 1;
     }
   }
   const std::vector<std::uint64_t> ones(n.slots, 1);
-  least.number += ceil_div(most_profit(more, ones), 2);
-  least.cost += Amount{ceil_div(most_profit(more, lowest), 2)};
+  least.number += least_more(wanted, there, ones);
+  least.cost += Amount{least_more(wanted, there, lowest)};
   return least;
 }
 

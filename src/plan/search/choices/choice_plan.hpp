@@ -24,7 +24,8 @@ namespace changeover {
 ///  (2) *Two values.* Choose two values of each of k parameters so that all pairs of R among them
 ///      are needed. Where a test has another value put the first of the two: a list in which any
 ///      two of k rows of N signs have all four pairs. There are none for k > C(N−1, ⌊N/2⌋−1)
-///      [Katona1973; KleitmanSpencer1973].
+///      [Katona1973; KleitmanSpencer1973]. Likewise with more values each: docs/theorems.md,
+///      Theorem 21.
 ///  (3) *Rules.* Needed pairs, or triples, of which no two fit in one test, are in as many tests
 ///      (tests_apart.hpp).
 ///  (4) *Changes.* Cut the list where p or q changes: within a piece one pair of them is tested. If
@@ -34,6 +35,9 @@ namespace changeover {
 ///      values that must be set. What the changes beyond these cost at least, at the lowest price
 ///      of each parameter, is a linear program; its dual is a fractional matching of parameters,
 ///      found as a transport problem.
+///  (5) *Of many.* If every two of some parameters change 2s − 1 times together, or more, by (4),
+///      at most one of them changes less than s times. (4) alone says 2s − 1 for two of them, and
+///      half of that for each.
 void improve_choice_bound(const Job& job, CostBound& bound, std::string& known);
 
 }  // namespace changeover

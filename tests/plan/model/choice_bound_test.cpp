@@ -1,0 +1,102 @@
+// What tests of models cost at least, and how many there are [docs/theorems.md, Theorem 21].
+#include <gtest/gtest.h>
+
+#include <map>
+#include <utility>
+
+#include "changeover/plan/run_plan.hpp"
+#include "cheapest.hpp"
+#include "plan/search/choices/equal_values.hpp"
+#include "random_models.hpp"
+#include "run/random.hpp"
+
+namespace changeover::choice_bound_test {
+namespace {
+
+std::string model_text(const std::vector<std::uint32_t>& sizes) {
+  std::string text;
+  for (std::size_t p = 0; p < sizes.size(); ++p) {
+    text += "P" + std::to_string(p) + ":";
+    for (std::uint32_t i = 0; i < sizes[p]; ++i) {
+      text += (i == 0 ? " v" : ", v") + std::to_string(p) + "_" + std::to_string(i);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+TEST(ChoiceBound, IsNeverAboveTheCheapestPlanOfTinyModels) {
+  std::size_t attained = 0;
+  for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+    Random random(seed, 99);
+    std::vector<std::uint32_t> sizes(2 + random.below(3));
+    for (std::uint32_t& size : sizes) {
+      size = 2 + (sizes.size() < 4 ? random.below(2) : 0);
+    }
+    const Model model = test::model_of(model_text(sizes));
+    Job job = job_of(model, Amount{random.below(4) * 1'000'000ULL}, Amount{1'000'000});
+    const bool one_price = random.one_in_two();
+    for (Amount& cost : job.change_costs) {
+      cost = one_price ? cost : Amount{(1 + random.below(5)) * 500'000ULL};
+    }
+    while (job.needed.size() > 13) {
+      PairSet some(job.parts());
+      job.needed.for_each(1000, [&](Element x, Element y) {
+        if (random.below(8) > 0) {
+          some.insert(x, y);
+        }
+      });
+      job.needed = some;
+    }
+    const std::uint64_t least = test::least_cost(job).value();
+    const CostBound bound = cost_bound(job);
+    EXPECT_LE(bound.cost.millionths, least) << seed << '\n' << model_text(sizes);
+    attained += bound.cost.millionths == least ? 1U : 0U;
+  }
+  EXPECT_GT(attained, 500U);
+}
+
+// One parameter may change twice, and all others three times: intervals that overlap do it.
+TEST(ChoiceBound, OfManyParametersWithTwoValuesIsAttained) {
+  for (const std::size_t k : {2U, 3U, 7U, 20U}) {
+    const Model model = test::model_of(model_text(std::vector<std::uint32_t>(k, 2)));
+    const Job job = job_of(model, Amount{}, Amount{1});
+    EXPECT_EQ(cost_bound(job).cost, Amount{3 * k - 1}) << k;
+  }
+}
+
+// Arrays of so many tests exist: those known to be the smallest, or the smallest that are known.
+TEST(ChoiceBound, NeedsNoMoreTestsThanThereAreArrays) {
+  const std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t> arrays{
+      {{3, 2}, 4},    {{4, 2}, 5},  {{10, 2}, 6}, {{15, 2}, 7}, {{35, 2}, 8}, {{56, 2}, 9},
+      {{126, 2}, 10}, {{4, 3}, 9},  {{5, 3}, 11}, {{7, 3}, 12}, {{9, 3}, 13}, {{10, 3}, 14},
+      {{20, 3}, 15},  {{5, 4}, 16}, {{6, 4}, 19}, {{7, 4}, 21}, {{6, 5}, 25}, {{7, 5}, 29},
+      {{8, 7}, 49},   {{3, 6}, 36}, {{9, 8}, 64}};
+  for (const auto& [cell, tests] : arrays) {
+    EXPECT_LE(least_tests_of_equal(cell.first, cell.second), tests)
+        << cell.first << ' ' << cell.second;
+  }
+  EXPECT_EQ(least_tests_of_equal(5, 3), 11U);
+  EXPECT_EQ(least_tests_of_equal(13, 3), 12U);
+  EXPECT_EQ(least_tests_of_equal(15, 4), 20U);
+  EXPECT_EQ(least_tests_of_equal(20, 10), 107U);
+}
+
+TEST(ChoiceBound, GrowsWithTheParameters) {
+  for (std::uint64_t g = 2; g <= 12; ++g) {
+    for (std::uint64_t k = 2; k < 200; ++k) {
+      EXPECT_LE(least_tests_of_equal(k, g), least_tests_of_equal(k + 1, g)) << k << ' ' << g;
+    }
+  }
+}
+
+TEST(ChoiceBound, CountsAParameterByAsManyOfItsValuesAsOthersHave) {
+  const Model model = test::model_of(model_text({3, 4, 3, 5, 3, 2}));
+  const CostBound bound = cost_bound(job_of(model, Amount{1}, Amount{}));
+  EXPECT_EQ(bound.tests, 20U);
+  const Model more = test::model_of(model_text({3, 3, 3, 3, 3, 3, 3, 3, 2}));
+  EXPECT_EQ(cost_bound(job_of(more, Amount{1}, Amount{})).tests, 12U);
+}
+
+}  // namespace
+}  // namespace changeover::choice_bound_test
