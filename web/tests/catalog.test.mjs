@@ -205,7 +205,14 @@ test('completeness by block size', async () => {
 test('it looks right', async () => {
   const page = await explorer.open(`${small}&at=20.5`);
   await look(page, 'catalog');
+  const more = page.getByRole('button', { name: 'More controls' });
+  assert.equal(await more.count(), 0, 'a desktop has room for all controls');
   await phone(page, 'catalog');
+  assert.ok(!(await page.getByLabel('Colour by').isVisible()), 'on a phone the map comes first');
+  await more.click();
+  await page.getByLabel('Colour by').waitFor();
+  await page.getByRole('button', { name: 'Fewer controls' }).click();
+  await page.getByLabel('Colour by').waitFor({ state: 'hidden' });
   await page.close();
   const all = await explorer.open('#/catalog?tight=1');
   await look(all, 'catalog-tight');

@@ -208,6 +208,10 @@ test('a file of the command line is what is shown first', async () => {
     await page.keyboard.press('ArrowRight');
     await page.locator('.in', { hasText: 'Introduced: d' }).waitFor();
     const map = page.locator('canvas.coverage-map');
+    // The names stand beside their squares.
+    assert.deepEqual(await page.locator('.coverage-names.down span').allTextContents(), ['a', 'b', 'c', 'd']);
+    const [whole, name] = [await map.boundingBox(), await page.locator('.coverage-names.across span').nth(3).boundingBox()];
+    assert.ok(Math.abs(name.x + name.width / 2 - (whole.x + (whole.width * 3.5) / 4)) < 2);
     const { width } = await map.boundingBox();
     await map.hover({ position: { x: (width * 3.5) / 4, y: width / 8 } });
     await page.locator('.pair', { hasText: 'a and d: first together in block 2' }).waitFor();

@@ -208,6 +208,13 @@ export const catalog: Page = {
       }
     }
 
+    // On a phone the map comes first, and how it is shown on demand.
+    const more = h('button', { type: 'button', class: 'plain more-controls', 'aria-expanded': 'false', onclick: () => {
+      const open = more.getAttribute('aria-expanded') === 'false';
+      more.setAttribute('aria-expanded', String(open));
+      more.textContent = open ? 'Fewer controls' : 'More controls';
+    } }, 'More controls');
+
     if (view.params.has('k') || view.params.has('v')) {
       const [k, v] = [readRange(param('k', '')), readRange(param('v', ''))];
       map.look({ ...(k ? { k } : {}), ...(v ? { v } : {}) });
@@ -221,6 +228,7 @@ export const catalog: Page = {
         choice('Change number', 'change', '2', changes),
         choice('Kind', 'kind', 'circular', kinds),
         choice('Covers', 'strength', '2', strengths),
+        more,
         choice('Colour by', 'measure', 'ratio', measures),
         choice('Numbers', 'number', 'b', writtens),
         field('k, block size', kRange),

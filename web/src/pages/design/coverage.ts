@@ -1,6 +1,6 @@
 // Which pairs have met: a square for each pair of elements, drawn on a canvas.
 import { token } from '../../lib/canvas';
-import { h } from '../../lib/dom';
+import { fill, h } from '../../lib/dom';
 import type { Steps } from './steps';
 
 export interface Coverage {
@@ -31,6 +31,13 @@ export function coverage(steps: Steps): Coverage | null {
   const canvas = h('canvas', { width: v * side, height: v * side, class: 'coverage-map', role: 'img' });
   const over = h('canvas', { width: v * side, height: v * side, class: 'coverage-over', 'aria-hidden': 'true' });
   const both = h('div', { class: 'coverage-both' }, canvas, over);
+  const rail = (way: string): HTMLElement => h('div', { class: `coverage-names ${way}`, 'aria-hidden': 'true' });
+  const [across, down] = [rail('across'), rail('down')];
+  const frame = h('div', { class: 'coverage-frame' }, across, down, both);
+  const short = (x: number): string => steps.names[x]!.slice(0, 5);
+  const letters = Math.max(...steps.names.map((_, x) => short(x).length));
+  frame.style.setProperty('--letters', String(letters));
+  const apart = Math.max(1, Math.ceil((7 * letters + 5) / side));
   const pen = canvas.getContext('2d')!;
   let lit: readonly number[] = [];
   let paint = colours();
@@ -66,7 +73,23 @@ export function coverage(steps: Steps): Coverage | null {
     }
   }
 
+  /** Names beside the squares, as many as there is room for, and those of what is chosen. */
+  function names(): void {
+    const shown = steps.names.map((_, x) => x).filter((x) => lit.includes(x) || (x % apart === 0 && !lit.some((at) => Math.abs(at - x) < apart)));
+    for (const [names, way] of [[across, 'left'], [down, 'top']] as const) {
+      fill(
+        names,
+        shown.map((x) => {
+          const name = h('span', { class: lit.includes(x) ? 'lit' : (x / apart) % 2 === 1 ? 'second' : '' }, short(x));
+          name.style.setProperty(way, `${(100 * (x + 0.5)) / v}%`);
+          return name;
+        }),
+      );
+    }
+  }
+
   function light(): void {
+    names();
     const top = over.getContext('2d')!;
     top.clearRect(0, 0, over.width, over.height);
     top.strokeStyle = paint.mark;
@@ -93,7 +116,7 @@ export function coverage(steps: Steps): Coverage | null {
   }
 
   return {
-    element: both,
+    element: frame,
     elementsAt: placeAt,
     light(elements) {
       lit = elements;

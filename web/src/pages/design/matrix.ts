@@ -1,7 +1,7 @@
 // All pairs of elements as a matrix: below the diagonal when they first meet, above it how often they are newly covered. Zoomed and
 // panned; a pair is chosen by a click, and the blocks that are chosen elsewhere stand out.
 import { clear, placeTip, resize, token } from '../../lib/canvas';
-import { scale } from '../../lib/colours';
+import { inkOn, scale } from '../../lib/colours';
 import { h } from '../../lib/dom';
 import { number } from '../../lib/words';
 import { theme } from '../../shell/theme';
@@ -146,11 +146,12 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
         const n = counts[x * v + y]!;
         const inside = !range || (when >= range.from && when <= range.to);
         pen.globalAlpha = inside ? 1 : 0.22;
-        pen.fillStyle = colourOf(i, j, when, n);
+        const colour = colourOf(i, j, when, n);
+        pen.fillStyle = colour;
         const [px, py] = [margin + (j - corner.x) * cell, margin + (i - corner.y) * cell];
         pen.fillRect(px, py, cell - gap, cell - gap);
         if (cell >= 24 && inside) {
-          pen.fillStyle = text;
+          pen.fillStyle = inkOn(colour);
           pen.font = `${cell >= 30 ? 11 : 9}px ${token('--text-font')}`;
           pen.textAlign = 'center';
           pen.textBaseline = 'middle';
