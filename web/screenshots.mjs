@@ -1,6 +1,8 @@
 // Takes the pictures of the explorer that the documents show: node screenshots.mjs FOLDER
-// One viewport each, in light or dark; the pages are those of the program (CHANGEOVER_PROGRAM).
+// One viewport each, in light or dark, some as a phone shows them; the pages are those of the program (CHANGEOVER_PROGRAM).
+import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { smallPng } from './small_png.mjs';
 import { settled, start } from './tests/support/browser.mjs';
 
 const folder = process.argv[2];
@@ -8,6 +10,7 @@ if (!folder) {
   console.error('usage: node screenshots.mjs FOLDER');
   process.exit(2);
 }
+const onPhone = (page) => page.setViewportSize({ width: 390, height: 844 });
 const pictures = [
   ['home', 'light', '#/home', async (page) => {
     await page.locator('canvas.drawn').waitFor({ timeout: 60_000 });
@@ -42,6 +45,14 @@ const pictures = [
     await page.waitForTimeout(8000);
   }],
   ['theorems', 'light', '#/theorems'],
+  ['catalog-phone', 'light', '#/catalog', onPhone],
+  ['design-phone', 'dark', '#/design?v=20&k=5&change=2&kind=circular&show=steps&at=12', onPhone],
+  ['plan-phone', 'light', '#/plan', async (page) => {
+    await onPhone(page);
+    await page.getByRole('link', { name: 'a server with slots' }).click();
+    await page.locator('.next-test').waitFor({ timeout: 60_000 });
+    await page.evaluate(() => window.scrollTo(0, document.querySelector('.next-test').offsetTop - 20));
+  }],
 ];
 const explorer = await start({ viewport: { width: 1280, height: 860 } });
 for (const [name, colorScheme, fragment, act] of pictures) {
@@ -50,7 +61,7 @@ for (const [name, colorScheme, fragment, act] of pictures) {
   await act?.(page);
   await settled(page);
   await page.waitForTimeout(1500);
-  await page.screenshot({ path: join(folder, `explorer-${name}-${colorScheme}.png`) });
+  writeFileSync(join(folder, `explorer-${name}-${colorScheme}.png`), smallPng(await page.screenshot()));
   await page.close();
 }
 await explorer.stop();
