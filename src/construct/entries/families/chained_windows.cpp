@@ -12,11 +12,18 @@
 // W_{2K+1} and to W_{3K}, there beside the visitor K−2. Then 3K−1 misses 4K−1, which visits W_{2K}
 // instead of W_{2K−1}; and 2K−1, which it misses there, is with it in the last block, for which 1
 // leaves early.
+//
+// Circular ones for 2 ≤ w ≤ k−2 and k ≥ 4 have 8(k−1) + 5w + 1 blocks, one fewer than
+// visited-windows. There is the first chain only. Before the window moves to W_0 the new elements
+// come for −1, 2K−1 and w−2 of 1, 2, …, one more of these makes room for 2K, and all come back for
+// the new elements and 0, together with K−1 and K. x_1, which does not meet K−1 then, visits
+// W_{K−1} instead of W_K.
 #include <fmt/format.h>
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "changeover/construct/registry.hpp"
@@ -146,21 +153,108 @@ class Chained final : public SwapPlan {
   bool spares_;
 };
 
+class Ring final : public SwapPlan {
+ public:
+  Ring(std::uint64_t k, std::uint64_t w) : big_(k - 1), u_(4 * big_ + 1), w_(w) {}
+
+  // W_1 + (2K+1).
+  [[nodiscard]] Block start() const override {
+    Block block;
+    for (std::uint64_t y = 1; y <= big_; ++y) {
+      block.push_back(static_cast<Element>(y));
+    }
+    block.push_back(static_cast<Element>(2 * big_ + 1));
+    return block;
+  }
+
+  // The other blocks with W_j for j = 1, …, 4K, and those that lead back.
+  bool leg(std::uint64_t index, std::vector<Swap>& swaps) const override {
+    const std::uint64_t j = index + 1;
+    if (j > 4 * big_) {
+      if (j == u_) {
+        close(swaps);
+      }
+      return j == u_;
+    }
+    std::uint64_t out = in_chain(j - 1) ? (j - 1 + 2 * big_) % u_ : j - 1;
+    const auto visit = [&](std::uint64_t y) {
+      swaps.push_back({.leaves = out, .enters = y});
+      out = y;
+    };
+    if (j == big_ - 1) {
+      visit(x(1));
+    }
+    if (j == big_ || j == 2 * big_ + 1 || j == 3 * big_ + 1) {
+      for (std::uint64_t i = j == big_ ? 2 : 1; i <= w_; ++i) {
+        visit(x(i));
+      }
+    }
+    if (j > 1) {
+      visit((j + 2 * big_) % u_);
+    } else {
+      out = 2 * big_ + 1;
+    }
+    if (in_chain(j)) {
+      swaps.push_back({.leaves = j, .enters = (j + big_) % u_});
+    } else if (j < 4 * big_) {
+      visit((j + big_) % u_);
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t x(std::uint64_t i) const { return u_ + i - 1; }
+  // Whether the visitor j+2K stays while j leaves for j+K.
+  [[nodiscard]] bool in_chain(std::uint64_t j) const {
+    return j == big_ || j == 2 * big_ || j == 3 * big_;
+  }
+
+  void close(std::vector<Swap>& swaps) const {
+    const auto step = [&](std::uint64_t leaves, std::uint64_t enters) {
+      swaps.push_back({.leaves = leaves, .enters = enters});
+    };
+    step(4 * big_, x(1));
+    step(2 * big_ - 1, x(2));
+    for (std::uint64_t y = 1; y + 1 < w_; ++y) {
+      step(y, x(y + 2));
+    }
+    step(w_ - 1, 2 * big_);
+    step(x(1), big_ - 1);
+    for (std::uint64_t y = 1; y + 1 < w_; ++y) {
+      step(x(y + 1), y);
+    }
+    step(x(w_), big_);
+    step(0, w_ - 1);
+  }
+
+  std::uint64_t big_;  // K
+  std::uint64_t u_;
+  std::uint64_t w_;
+};
+
+std::uint64_t visitors(const Parameters& p) { return p.v + 3 - 4 * p.k; }
+
 bool is_served(const Parameters& p) {
-  return asks_for_pairs(p, 1) && p.kind == Kind::linear && p.k >= 6 && p.v + 1 >= 4 * p.k &&
-         p.v + 6 <= 5 * p.k;
+  if (!asks_for_pairs(p, 1) || p.v + 1 < 4 * p.k) {
+    return false;
+  }
+  return p.kind == Kind::linear ? p.k >= 6 && p.v + 6 <= 5 * p.k : p.k >= 4 && p.v + 5 <= 5 * p.k;
 }
 
 std::uint64_t blocks_of(const Parameters& p) {
-  const std::uint64_t w = p.v + 3 - 4 * p.k;
-  return 8 * (p.k - 1) + 5 * w - (spares_a_block(p.k, w) ? 1 : 0);
+  const std::uint64_t w = visitors(p);
+  const std::uint64_t b = 8 * (p.k - 1) + 5 * w;
+  return p.kind == Kind::circular ? b + 1 : b - (spares_a_block(p.k, w) ? 1 : 0);
 }
 
 constexpr Description description{
     .name = "chained-windows",
     .summary = "a window slides over a cycle, and some visitors stay while it moves",
-    .preconditions = "linear, m = 1, k >= 6, v = 4k-3+w with 2 <= w <= k-3",
-    .guarantee = "b = 8(k-1) + 5w, 1 less if k >= 7 and w >= 3",
+    .preconditions =
+        "m = 1, v = 4k-3+w; linear, k >= 6 and 2 <= w <= k-3, or circular, k >= 4 and 2 <= w <= "
+        "k-2",
+    .guarantee =
+        "linear b = 8(k-1) + 5w, 1 less if k >= 7 and w >= 3; circular b = 8(k-1) + 5w + 1",
     .place = "docs/theorems.md, Theorem 11",
 };
 
@@ -174,15 +268,20 @@ class ChainedWindows final : public Family {
   }
 
   std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
-    return std::make_unique<SwapSource>(p, blocks_of(p),
-                                        std::make_unique<Chained>(p.k, p.v + 3 - 4 * p.k));
+    std::unique_ptr<SwapPlan> plan;
+    if (p.kind == Kind::linear) {
+      plan = std::make_unique<Chained>(p.k, visitors(p));
+    } else {
+      plan = std::make_unique<Ring>(p.k, visitors(p));
+    }
+    return std::make_unique<SwapSource>(p, blocks_of(p), std::move(plan));
   }
 
   std::string explanation(const Parameters& p) const override {
     return fmt::format(
-        "A window of {} elements slides over Z_{}, visitors stay in two chains while it moves, "
-        "and {} new elements meet its beginning and visit it three times.",
-        p.k - 1, 4 * p.k - 3, p.v + 3 - 4 * p.k);
+        "A window of {} elements slides over Z_{}, visitors stay in {} while it moves, and {} new "
+        "elements meet its beginning and visit it three times.",
+        p.k - 1, 4 * p.k - 3, p.kind == Kind::linear ? "two chains" : "a chain", visitors(p));
   }
 };
 
