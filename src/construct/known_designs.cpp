@@ -116,6 +116,7 @@ class KnownDesigns::Cell {
     unfix();
     take_away();
     expand();
+    join_ends();
     if (best_ && !done() && usable(*best_)) {
       const std::uint64_t needed = all_.needed_of(best_);
       take(drop_recipe(best_->offer.recipe), needed, *best_);
@@ -166,6 +167,19 @@ class KnownDesigns::Cell {
     if (level_ > 1 && !done()) {
       const BestCut cut = all_.cut_of(source, all_.bound(p_).blocks);
       take(drop_recipe(cut_recipe(recipe, cut.at)), cut.needed, *source);
+    }
+  }
+
+  // What is linear, with a way back.
+  void join_ends() {
+    if (p_.kind == Kind::circular) {
+      Parameters linear = p_;
+      linear.kind = Kind::linear;
+      if (const Ptr source = useful(linear, level_ - 1, 0)) {
+        if (auto made = join_ends_recipe(source->offer.recipe, all_.design_of(source))) {
+          take(std::move(made->recipe), made->b, *source);
+        }
+      }
     }
   }
 

@@ -7,8 +7,8 @@
 // The answer for a cell is defined by levels. Level 0 is the registry's best offer. Level 1 adds
 // blowing up and interpolating from other change numbers, fixed elements and cuts. Each further
 // level takes the best of the level below it and of what the rules make of cells around, as these
-// are one level below: cut, coarsen, fix, unfix, truncate, close up, partial expansion; and
-// needless blocks go. The answer is level 3, and 2 beyond v = 300.
+// are one level below: cut, coarsen, fix, unfix, truncate, close up, partial expansion, join ends;
+// and needless blocks go. The answer is level 3, and 2 beyond v = 300.
 //
 // Each level refers to lower levels, to lower change numbers (and m = 1 to m = 2 without other
 // change numbers), to the circular design, to smaller blocks or to fewer elements; so this ends. A

@@ -250,6 +250,12 @@ const std::map<std::string, Rule, std::less<>>& rules() {
          return Result{interpolate_recipe(r, 1), with(p, p.v, p.k, 1),
                        interpolated_count(p, 1, d.block_count())};
        }},
+      {"join-ends",
+       [](const Recipe& r, const Design& d, std::mt19937&) {
+         Parameters p = r.parameters;
+         p.kind = Kind::circular;
+         return of_made(join_ends_recipe(r, d), p);
+       }},
       {"literal",
        [](const Recipe& r, const Design& d, std::mt19937&) {
          return std::optional(Result{literal_recipe(d, "as it is"), r.parameters, d.block_count()});

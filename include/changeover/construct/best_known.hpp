@@ -16,6 +16,7 @@
 //   truncate  (v+i,k) → (v,k), where some elements can go
 //   close up  (v+i,k) → (v,k), linear and m = 1, with fewer blocks
 //   partial expansion  (v,k) → (v+w,k), for every w, where unchanged subsets cover all elements
+//   join ends a linear design with a way back is a circular one
 //   drop      blocks that are not needed go, after a cut above all
 // and those that lead from one change number to another:
 //   blow up      (v/s,k/s,m/s) → (v,k,m)

@@ -106,6 +106,11 @@ struct Made {
 [[nodiscard]] std::optional<Made> coarsen_recipe(const Recipe& input, const Design& design,
                                                  std::uint64_t g);
 
+/// *Join ends*: a linear design with the blocks of a shortest way from its last block to its first,
+/// a circular one. `design` is what the input builds. nullopt if it is circular, its ends are the
+/// same block, it has fewer than 3 blocks or there is no way. O(k²).
+[[nodiscard]] std::optional<Made> join_ends_recipe(const Recipe& input, const Design& design);
+
 /// A cover of a design by unchanged subsets, as a recipe names it.
 struct CoverPositions {
   std::vector<Element> positions;  ///< increasing; see UnchangedCover

@@ -10,6 +10,8 @@
 #include "changeover/construct/one_factorization.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
+#include "construct/tools/concatenation/slopes.hpp"
+#include "construct/tools/concatenation/written_classes.hpp"
 #include "core/checked.hpp"
 #include "core/sorted.hpp"
 
@@ -56,12 +58,10 @@ std::uint64_t class_count(const Groups& groups, std::uint64_t m) {
   if (m == 2) {
     return q % 2 == 0 || g % 2 == 0 ? checked_multiply(q - 1, g) : 0;
   }
-  for (std::uint64_t d = 2; d < m; ++d) {
-    if (g % d == 0) {
-      return 0;
-    }
+  if (q != m) {
+    return 0;
   }
-  return q == m ? g : 0;
+  return Slopes::known(g, m) ? g : m == 3 ? written_class_count(g) : 0;
 }
 
 std::vector<Block> group_class(const Groups& groups, std::uint64_t m, std::uint64_t index) {
@@ -69,10 +69,12 @@ std::vector<Block> group_class(const Groups& groups, std::uint64_t m, std::uint6
   const auto number = [](std::uint64_t x) { return static_cast<Element>(x); };
   std::vector<Block> blocks;
   if (m > 2) {
+    const auto slopes = Slopes::known(g, m) ? std::optional<Slopes>({g, m}) : std::nullopt;
     for (std::uint64_t a = 0; a < g; ++a) {
       Block block;
       for (std::uint64_t i = 0; i < q; ++i) {
-        block.push_back(number(i * g + (a + i * index) % g));
+        block.push_back(
+            number(i * g + (slopes ? slopes->at(i, index, a) : in_written_class(g, index, i, a))));
       }
       blocks.push_back(std::move(block));
     }

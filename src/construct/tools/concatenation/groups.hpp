@@ -27,14 +27,16 @@ struct Groups {
   std::uint64_t size = 0;
 };
 
-/// How many classes it takes that each pair of elements of two groups is together once:
-/// (q−1)g/(m−1). 0 if none are known: m = 2 takes an even number of elements; m ≥ 3 takes q = m and
-/// a g without divisors from 2 to m−1.
+/// How many classes it takes that each pair of elements of two groups is together: (q−1)g/(m−1),
+/// and each is once, but 7 for three groups of 6. 0 if none are known: m = 2 takes an even number of
+/// elements; m ≥ 3 takes q = m and a g in which each prime comes with a power of m or more, or not
+/// at all, and m = 3 a g of 6 or 10, too.
 [[nodiscard]] std::uint64_t class_count(const Groups& groups, std::uint64_t m);
 
 /// Class `index` < class_count(): each element i·g+t, 0 ≤ t < g, of group i < q is in one of its
 /// blocks. m = 2: 1-factors of the complete multipartite graph, made of 1-factors of a complete
-/// graph on the groups or on their halves. m ≥ 3: lines of slope `index`. O(qg).
+/// graph on the groups or on their halves. m ≥ 3: lines of slope `index` (slopes.hpp), or those of
+/// written_classes.hpp. O(qg).
 [[nodiscard]] std::vector<Block> group_class(const Groups& groups, std::uint64_t m,
                                              std::uint64_t index);
 

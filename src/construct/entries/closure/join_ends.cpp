@@ -1,0 +1,92 @@
+// Join ends: a linear design closed to a circular one by the blocks of a shortest way from its last
+// block to its first.
+//
+// All pairs stay covered. Ends that differ in d elements are ⌈d/m⌉ steps apart, rarely one more, so
+// one block less is added.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "changeover/construct/closure.hpp"
+#include "changeover/construct/registry.hpp"
+#include "changeover/core/error.hpp"
+#include "construct/entry.hpp"
+#include "construct/tools/path.hpp"
+#include "construct/tools/read_within_memory.hpp"
+
+namespace changeover::join_ends_entry {
+namespace {
+
+Parameters linear(Parameters p) {
+  p.kind = Kind::linear;
+  return p;
+}
+
+constexpr Description description{
+    .name = "join-ends",
+    .summary = "a linear design closed by a shortest way from its last block to its first",
+    .preconditions = "circular; a linear design with the same m, v, k, as input, with two ends",
+    .guarantee = "a block less than there are steps between the ends is added",
+};
+
+class JoinEnds final : public Entry {
+ public:
+  JoinEnds() : Entry(description) {}
+
+  std::unique_ptr<BlockSource> build(const Recipe& recipe,
+                                     const Registry& registry) const override {
+    const Parameters& p = recipe.parameters;
+    if (p.kind != Kind::circular || p.v <= p.k) {
+      require_recipe(recipe, *this, std::nullopt);
+    }
+    require_input(recipe, linear(p), {});
+    const Design design = read_within_memory(*registry.build(recipe.inputs.front()));
+    std::vector<Block> blocks = design.blocks();
+    if (!join_ends_recipe(recipe.inputs.front(), design)) {
+      throw BadInput(fmt::format(
+          "join-ends takes a linear design of 3 blocks or more whose ends differ; the {} is none",
+          changeover::name(design.parameters())));
+    }
+    for (Block& each : connecting_blocks(blocks.back(), blocks.front(), p.change, p.v)) {
+      blocks.push_back(std::move(each));
+    }
+    return std::make_unique<BlockListSource>(p, std::move(blocks));
+  }
+
+  std::string explain(const Recipe& recipe) const override {
+    require_input(recipe, linear(recipe.parameters), {});
+    return fmt::format("Close the {} by a shortest way from its last block to its first.",
+                       changeover::name(recipe.inputs.front().parameters));
+  }
+};
+
+}  // namespace
+
+const Construction& construction() { return only<JoinEnds>(); }
+
+}  // namespace changeover::join_ends_entry
+
+namespace changeover {
+
+std::optional<Made> join_ends_recipe(const Recipe& input, const Design& design) {
+  Parameters p = input.parameters;
+  if (p.kind != Kind::linear || design.block_count() < 3) {
+    return std::nullopt;
+  }
+  const auto first = design.block(0);
+  const auto last = design.block(design.block_count() - 1);
+  std::uint64_t distance = 0;
+  for (const Element x : first) {
+    distance += std::find(last.begin(), last.end(), x) == last.end() ? 1U : 0U;
+  }
+  const auto steps = connecting_steps(distance, p.k, p.change, p.v);
+  if (distance == 0 || !steps) {
+    return std::nullopt;
+  }
+  p.kind = Kind::circular;
+  return Made{{"join-ends", p, {}, {input}, {}}, design.block_count() + *steps - 1};
+}
+
+}  // namespace changeover
