@@ -23,7 +23,7 @@ struct changeover_loadorder {
     begin();
   }
 
-  /// The worker's first step, or another step of one worker, comes next.
+  /// Continues with the first step of the worker, or with another step of a single worker.
   void begin(std::uint64_t from = 1) {
     step = {};
     pairs.clear();
@@ -56,7 +56,7 @@ struct changeover_loadorder {
   std::string error;
 
  private:
-  // Where it depends on the workers before what one computes, these are read.
+  // If what a worker computes depends on the workers before it, their steps are read first.
   void begin_with_pairs(const changeover::WorkerSplit& all) {
     using changeover::StepWork;
     const changeover::ScheduleRules rules = all.rules(changeover::ComputeRules{});
@@ -71,7 +71,7 @@ struct changeover_loadorder {
 
 namespace {
 
-// Cut to the size given, always ended.
+// Copies the text, cut to the given size and always terminated.
 void say(char* error, std::size_t size, const char* text) {
   if (error != nullptr && size > 0) {
     const std::size_t length = std::min(std::strlen(text), size - 1);
@@ -84,12 +84,12 @@ int fail(changeover_loadorder* order, const char* text) noexcept {
   try {
     order->error = text;
   } catch (...) {
-    order->error.clear();  // the return value still says that something is wrong
+    order->error.clear();  // the return value still reports the error
   }
   return CHANGEOVER_LOADORDER_ERROR;
 }
 
-// What `act` returns; whatever it throws ends here, in a line that is given to `tell`.
+// Returns the result of `act`; an exception becomes one line that is passed to `tell`.
 template <typename Act, typename Tell>
 auto without_throwing(const Act& act, const Tell& tell) noexcept -> decltype(act()) {
   try {
@@ -107,7 +107,7 @@ auto without_throwing(const Act& act, const Tell& tell) noexcept -> decltype(act
   }
 }
 
-/// Options of any length: what a program does not know of is 0.
+/// Options of any size: members that a program does not know are 0.
 changeover_loadorder_options options_in(const changeover_loadorder_options* given) {
   changeover_loadorder_options options{};
   if (given != nullptr) {
@@ -116,7 +116,7 @@ changeover_loadorder_options options_in(const changeover_loadorder_options* give
   return options;
 }
 
-// Which pairs are wanted. @throws BadInput for more than one choice, or items that there are not
+// The wanted pairs. @throws BadInput for more than one choice, or items that do not exist.
 changeover::WantedPairs wanted_by(const changeover_loadorder_options& asked, std::uint64_t items) {
   using namespace changeover;
   const bool listed = asked.pairs != nullptr;

@@ -1,4 +1,4 @@
-// The orbits of pairs of elements under π: what has to be covered.
+// The orbits of pairs of elements under π, which have to be covered.
 //
 //     PairOrbits orbits(pi);
 //     orbits.of(x, y);                 // 0 … orbits.count() − 1, the same for {π(x), π(y)}
@@ -13,12 +13,12 @@
 
 namespace changeover {
 
-/// Orbits of the C(v,2) pairs, by number. 4v² bytes and 4 for each orbit.
+/// Numbers the orbits of the C(v,2) pairs. 4v² bytes and 4 per orbit.
 class PairOrbits {
  public:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-  /// v ≤ 65,536. Listens to the scope of this thread. O(v²).
+  /// v ≤ 65,536. The scope of this thread can stop it. O(v²).
   explicit PairOrbits(const Automorphism& pi)
       : v_(static_cast<std::size_t>(pi.v())), numbers_(v_ * v_, none) {
     for (Element y = 1; y < v_; ++y) {
@@ -45,7 +45,7 @@ class PairOrbits {
   [[nodiscard]] std::uint32_t of(Element x, Element y) const { return row(x)[y]; }
   /// of(x, 0), …, of(x, v−1).
   [[nodiscard]] const std::uint32_t* row(Element x) const { return numbers_.data() + x * v_; }
-  /// The pair of an orbit that comes first by its larger element, then by the other one.
+  /// The pair of an orbit that is first by its larger element, then by the other one.
   [[nodiscard]] std::pair<Element, Element> representative(std::size_t orbit) const {
     return representatives_[orbit];
   }

@@ -1,4 +1,4 @@
-// The t-subsets of {0, …, v−1} by number: {x₁ < x₂ < …} has rank ΣC(xᵢ,i), its place in
+// Numbers the t-subsets of {0, …, v−1}: {x₁ < x₂ < …} has rank ΣC(xᵢ,i), its place in
 // colexicographic order.
 #pragma once
 
@@ -27,7 +27,7 @@ class SubsetRanks {
     return choose_[static_cast<std::size_t>(r * (v_ + 1) + n)];
   }
 
-  /// Of t increasing elements.
+  /// The rank of t increasing elements.
   [[nodiscard]] std::uint64_t rank(std::span<const Element> subset) const {
     std::uint64_t rank = 0;
     for (std::uint32_t i = 0; i < subset.size(); ++i) {

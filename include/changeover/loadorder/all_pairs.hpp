@@ -1,4 +1,4 @@
-// Runs an all-pairs job out of core: loads items in the order that was planned, computes every pair
+// Runs an all-pairs job out of core: loads the items in the planned order and computes every pair
 // once.
 //
 //     FileItems file("vectors.f32", 32 << 20, {.bypass_cache = true});
@@ -7,46 +7,46 @@
 //       gram(pair.first.bytes, pair.second.bytes);  // first = second: the pairs within one item
 //     }, {.threads = 2, .read_ahead = plan.spare, .journal = "job.journal"});
 //
-// *Contract.* compute() is called exactly once for each pair of different items (each pair that the
-// order is for, loadorder/wanted_pairs.hpp) and once for each item with itself that is loaded, by
-// `threads` threads at once, with the bytes of both in memory. Loads run on threads of their own
-// while pairs are computed (loadorder/workers.hpp, which also says why an order for one item less
-// with read_ahead = 1 is often faster). Never more than room + read_ahead items are in memory or on
-// their way: there are that many buffers, made at the start, and nothing else grows with the data.
+// *Contract.* compute() is called exactly once for each pair of different items that the order is
+// for (loadorder/wanted_pairs.hpp), and once for each loaded item with itself. `threads` threads
+// call it at the same time, with the bytes of both items in memory. Other threads load items while
+// pairs are computed; loadorder/workers.hpp says why an order for one item less with read_ahead = 1
+// is often faster. At most room + read_ahead items are in memory or being loaded. That many buffers
+// are allocated at the start, and nothing else grows with the data.
 //
-// *Journal.* With a journal a step is recorded, and synced to the disk, after all its pairs are
-// computed, on_step_done(step) has returned and `results` (loadorder/all_pairs.hpp) are on the
-// disk, with the checksum of its results. When a job is started again with the same journal, the
-// results of recorded steps are read again: a step whose checksum they have is not computed again;
-// a step that has lost them, or was under way, is computed anew from its beginning. So results must
-// be idempotent by step: PairWork says the step. Without `results` the journal can only say that
-// on_step_done() has returned, and what became of them afterwards is the caller's affair.
+// *Journal.* A step is recorded in the journal, and synced to the disk, after three things: all its
+// pairs are computed, on_step_done(step) has returned, and the results (JobResults) are on the
+// disk. The record has a checksum of the results of the step. A job that is restarted with the same
+// journal reads the results of the recorded steps and compares the checksums. It computes a step
+// again if its results are lost or it had not finished. So results must be idempotent per step,
+// which PairWork names. Without `results` the journal only records that on_step_done() returned;
+// keeping the results is then up to the caller.
 //
-// A journal belongs to one job: the name, the data, as far as ItemSource::fingerprint() knows them
-// again, the order, the share and the place of the results. That of another job is refused before
-// anything is touched. Each line vouches for those before it (src/loadorder/run/journal.hpp); what
-// was edited, moved or added counts for nothing, nor does what follows. Checksums are no
-// signatures: who writes wrong results together with a journal that was made to fit them is
-// believed.
+// A journal belongs to one job: its name, its data (as identified by ItemSource::fingerprint()),
+// its order, its share, and the place of its results. The journal of another job is refused before
+// anything is changed. Each line has a checksum of all lines before it
+// (src/loadorder/run/journal.hpp): from the first line that was edited, moved or added, no line
+// counts. Checksums are not signatures: wrong results with a forged journal are accepted.
 //
-// *Several processes.* With share = {i, n} this process takes the i-th of n stretches of the order
-// (loadorder/workers.hpp), or of the shares that it is given: all processes
-// together compute what one alone would, each pair once, without talking to each other. Pairs that
-// several stretches have are spread evenly, of up to 5,000 items or listed pairs; otherwise they
-// are of the first that has them. With `earlier` journals another number of processes goes on where
-// a run has ended: its pairs are left out, and what is then loaded for nothing, too.
-// examples/all_pairs.cpp does that with the processes of mpirun.
+// *Several processes.* With share = {i, n} this process takes the i-th of n stretches of the order,
+// or of the given shares (loadorder/workers.hpp). Together the processes compute each pair once, as
+// one process alone would, without communicating. Pairs that several stretches have are spread
+// evenly for up to 5,000 items and for listed pairs; otherwise the first stretch that has a pair
+// computes it. With the `earlier` journals a different number of processes continues a run: pairs
+// that it computed are left out, and so are loads that only they needed. examples/all_pairs.cpp
+// does this with the processes of mpirun.
 //
-// *Faults.* What the source throws ends the job after the pairs under way, naming the item; what
-// compute() throws, too. A cancelled job returns a report that says so. Data that change while they
-// are read are a fault at the end, since the results are then of neither. A killed or failed job
-// has changed the results of its own steps only.
+// *Faults.* An exception from the source or from compute() ends the job after the pairs in
+// progress; one from the source names the item. A cancelled job returns a report that says so. Data
+// that change during the job are a fault at the end, because the results then belong to neither
+// version. A job that was killed or failed has changed the results of its own steps only.
 //
-// Of an order for items of different size (plan_sized_order()) each load has a buffer of its item's
-// size, given back when it is evicted: at most as many bytes as the order was planned for, and
-// 4,096 for each item. What the next step evicts goes before its loads start.
+// In an order for items of different sizes (plan_sized_order()) each load has a buffer of the size
+// of its item, freed when the item is evicted. The buffers have at most the bytes that the order
+// was planned for, and 4,096 more per item. What the next step evicts is freed before its loads
+// start.
 //
-// At most 65,535 items, so that pairs can be kept in mind: C(P,2) bits; any number if pairs are
+// At most 65,535 items, since computed pairs are tracked in C(P,2) bits; any number if pairs are
 // listed. An item is best a chunk of many vectors.
 #pragma once
 
@@ -81,16 +81,15 @@ namespace changeover {
 //       ResultFile file_{"distances.f64"};
 //     };
 //
-// all_pairs() calls, in this order: open(), when nothing speaks against the job any more (its
-// journal is locked and belongs to it) and before anything is computed; checksum() for each step
-// that an earlier run recorded, to compare; then for each step that was computed sync() and
-// checksum(), which goes into the journal. Calls come from one thread, when compute() is not
-// running.
+// all_pairs() calls, in this order: open(), once the journal is locked and known to belong to the
+// job, and before anything is computed; checksum(), for each step that an earlier run recorded, to
+// compare; then, for each computed step, sync() and checksum(), whose value goes into the journal.
+// All calls come from one thread, while compute() is not running.
 //
-// ResultFile is a file that is written at any place. While it is open it belongs to one job:
-// processes that compute other shares of the same job may have it open too, no others. Locks end
-// with the process that has them; they bind only those who ask for them, which is everybody who
-// uses this class.
+// ResultFile is a file that can be written at any offset. While it is open it belongs to one job:
+// processes that compute other shares of the same job may have it open, too; other jobs may not.
+// The operating system frees the locks when the process ends. Locks are advisory: they bind every
+// user of this class, and no other program.
 
 /// The part of an order that a process takes.
 struct OrderShare {
@@ -98,7 +97,7 @@ struct OrderShare {
   std::uint64_t of = 1;
 };
 
-/// Who wants to write results: a job, told from others by its checksum, and the share of it.
+/// The job that wants to write results, identified by its checksum, and its share.
 struct ResultsClaim {
   Checksum job = {};
   OrderShare share = {};
@@ -116,15 +115,15 @@ class JobResults {
   JobResults(const JobResults&) = delete;
   JobResults& operator=(const JobResults&) = delete;
 
-  /// Names the place and the shape of the results; a journal for others is refused.
+  /// Names the place and the shape of the results; a journal of another place or shape is refused.
   [[nodiscard]] virtual std::string describe() const = 0;
 
-  /// Locks the place and gives it its shape. What fits stays as it is: it may be of an earlier run
-  /// or of another share. @throws MissingResource if another job has the place, or there is no
-  /// space: nothing has changed then.
+  /// Locks the place and allocates it. Contents of the right shape stay: they may come from an
+  /// earlier run or another share. @throws MissingResource if another job has the place, or there
+  /// is no space; then nothing has changed.
   virtual void open(const ResultsClaim& claim) = 0;
 
-  /// Of what is stored for these pairs now, read from where it is stored.
+  /// The checksum of what is stored for these pairs now, read back from the storage.
   virtual Checksum checksum(const StepPairs& done) = 0;
 
   /// Returns when everything that was written is on the disk.
@@ -137,27 +136,28 @@ class JobResults {
 /// A file of results that is written in pieces, at any place.
 class ResultFile {
  public:
-  /// Nothing is opened yet.
+  /// Opens nothing yet.
   explicit ResultFile(std::string path) : path_(std::move(path)) {}
   ~ResultFile();
   ResultFile(const ResultFile&) = delete;
   ResultFile& operator=(const ResultFile&) = delete;
 
-  /// Opens or begins the file, locks it for the job and makes it so many bytes long, for which
-  /// space is reserved where the file system can. @throws MissingResource if that is not possible
-  /// or another process has the file for another job or for the same share, BadInput if it is not a
-  /// regular file; nothing has changed then.
+  /// Opens or creates the file, locks it for the job, and sets its length, reserving the space
+  /// where the file system can. @throws MissingResource if that fails, or another process has the
+  /// file open for another job or for the same share; BadInput if it is not a regular file. After a
+  /// fault nothing has changed.
   void open(std::uint64_t bytes, const ResultsClaim& claim);
 
-  /// Thread-safe. @throws MissingResource if the system refuses.
+  /// Writes at an offset. Thread-safe. @throws MissingResource if the system refuses.
   void write(const void* bytes, std::size_t count, std::uint64_t offset) const;
 
-  /// Thread-safe. @throws MissingResource if the system refuses or the file has become shorter.
+  /// Reads from an offset. Thread-safe. @throws MissingResource if the system refuses or the file
+  /// has become shorter.
   void read(void* bytes, std::size_t count, std::uint64_t offset) const;
 
-  /// Waits for the disk. @throws MissingResource if the system refuses, or if the path no longer
-  /// names this file or its size was changed: then the results would be lost without a
-  /// word.
+  /// Waits until the disk has the data. @throws MissingResource if the system refuses, or if the
+  /// path no longer names this file or its size was changed: without the fault the results would be
+  /// lost silently.
   void sync() const;
 
  private:
@@ -174,16 +174,16 @@ class ResultFile {
   std::uint64_t bytes_ = 0;
 };
 
-// Where the items of an all-pairs job come from: a file of fixed-size items, or a function of
-// yours.
+// The source of the items of an all-pairs job: a file of fixed-size items, or a function of the
+// caller.
 //
 //     FileItems file("vectors.f32", 32 << 20, {.bypass_cache = true});   // items of 32 MiB
 //     file.item_count();                           // the last one may be shorter
 //
-// A source is read by several threads at once. Buffers are given by the reader; they start at a
-// multiple of 4096 bytes and have buffer_bytes() bytes.
+// Several threads read a source at the same time. The reader provides the buffers: each starts at a
+// multiple of 4096 bytes and has buffer_bytes() bytes.
 
-/// Start and length of buffers and of direct reads are multiples of it.
+/// Buffers and direct reads start at multiples of this and have a length that is a multiple of it.
 inline constexpr std::size_t buffer_alignment = 4096;
 
 class ItemSource {
@@ -194,7 +194,7 @@ class ItemSource {
 
   [[nodiscard]] virtual std::uint64_t item_count() const = 0;
 
-  /// Enough for any item.
+  /// A size that is enough for any item.
   [[nodiscard]] virtual std::size_t buffer_bytes() const = 0;
 
   /// Reads an item and returns the part of `buffer` that it fills. Thread-safe. @throws BadInput if
@@ -202,11 +202,11 @@ class ItemSource {
   /// the item.
   virtual std::span<const std::byte> read(Element item, std::span<std::byte> buffer) = 0;
 
-  /// Names the data in messages and in journals, e.g. the path and the size of a file.
+  /// Describes the data in messages and journals, e.g. the path and the size of a file.
   [[nodiscard]] virtual std::string describe() const = 0;
 
-  /// One line that is another when the data are others, so that results of others are not taken for
-  /// theirs; empty if the source cannot tell.
+  /// A line that changes when the data change, so that a journal never mixes results of different
+  /// data; empty if the source cannot tell.
   [[nodiscard]] virtual std::string fingerprint() const { return {}; }
 
  protected:
@@ -215,12 +215,12 @@ class ItemSource {
 
 struct FileItemsOptions {
   std::uint64_t header_bytes = 0;  ///< before the first item
-  /// Keep the data out of the page cache: O_DIRECT, or where a file system has none, ordinary reads
-  /// whose pages are given back (posix_fadvise, POSIX_FADV_DONTNEED).
+  /// Keeps the data out of the page cache: with O_DIRECT or, where a file system lacks it, by
+  /// ordinary reads whose pages are dropped afterwards (posix_fadvise, POSIX_FADV_DONTNEED).
   bool bypass_cache = false;
 };
 
-/// A file cut into items of the same size.
+/// A file that is cut into items of the same size.
 class FileItems final : public ItemSource {
  public:
   /// @throws BadInput if item_bytes = 0, the file is not a regular one or holds no item;
@@ -234,15 +234,15 @@ class FileItems final : public ItemSource {
   std::span<const std::byte> read(Element item, std::span<std::byte> buffer) override;
   [[nodiscard]] std::string describe() const override;
 
-  /// The size, the times of the last change of the contents and of the file (the second cannot be
-  /// set back), and a checksum of the first, the last and up to 62 other pages. So `touch`, `mv`
-  /// and `chmod` make another fingerprint too.
+  /// The size, the modification and change times (the change time cannot be set back), and a
+  /// checksum of the first, the last and up to 62 other pages. So `touch`, `mv` and `chmod` change
+  /// the fingerprint, too.
   [[nodiscard]] std::string fingerprint() const override;
 
-  /// Of all items together.
+  /// The total size of all items.
   [[nodiscard]] std::uint64_t data_bytes() const;
 
-  /// How bytes are read: "direct", "dropped" (given back after reading) or "cached".
+  /// How bytes are read: "direct", "dropped" (pages are dropped after reading) or "cached".
   [[nodiscard]] std::string access() const;
 
  private:
@@ -256,7 +256,7 @@ class CallbackItems final : public ItemSource {
   /// Fills the buffer and returns how many bytes the item has. Thread-safe; may throw.
   using Read = std::function<std::size_t(Element item, std::span<std::byte> buffer)>;
 
-  /// The fingerprint is yours to choose: a version, a checksum, …; see ItemSource::fingerprint().
+  /// The caller chooses the fingerprint: a version, a checksum, …; see ItemSource::fingerprint().
   CallbackItems(std::uint64_t items, std::size_t bytes_per_item, Read read,
                 std::string description = "a function", std::string fingerprint = {});
 
@@ -280,20 +280,22 @@ class CallbackItems final : public ItemSource {
 /// An item in memory.
 struct ItemView {
   Element item = 0;
-  std::span<const std::byte> bytes;  ///< until compute() returns, or for as long as keep() is held
+  std::span<const std::byte>
+      bytes;  ///< valid until compute() returns, or while the result of keep() is held
   const std::shared_ptr<const std::byte>* memory =
-      nullptr;  ///< of the executor, which owns the bytes
+      nullptr;  ///< owned by the executor, like the bytes
 
-  /// Owns the bytes beyond the call: while it is held, they are not written to. The executor then
-  /// takes other memory for the next item, beyond its room. Empty for a view that no executor made.
+  /// Shares ownership of the bytes: they stay unchanged while the result is held, also after the
+  /// call. The executor then allocates other memory for the next item, beyond its room. Empty for a
+  /// view that no executor made.
   [[nodiscard]] std::shared_ptr<const std::byte> keep() const {
     return memory == nullptr ? nullptr : *memory;
   }
 };
 
-/// What compute() is given: two items, the smaller number first, or one with itself.
+/// The arguments of compute(): two items, the smaller number first, or one item twice.
 struct PairWork {
-  std::uint64_t step = 0;  ///< of this share, from 1; 0: of an earlier run's
+  std::uint64_t step = 0;  ///< within this share, from 1; 0 for a step of an earlier run
   ItemView first;
   ItemView second;
 };
@@ -301,66 +303,68 @@ struct PairWork {
 using PairCompute = std::function<void(const PairWork&)>;
 
 struct AllPairsProgress {
-  std::uint64_t step = 0;   ///< finished
-  std::uint64_t steps = 0;  ///< of this share
+  std::uint64_t step = 0;   ///< that finished
+  std::uint64_t steps = 0;  ///< in this share
   std::uint64_t loads = 0;
   std::uint64_t bytes_read = 0;
-  std::uint64_t pairs = 0;  ///< computed, items with themselves included
+  std::uint64_t pairs = 0;  ///< computed, including items with themselves
 };
 
-/// More threads than that, of either kind, are refused.
+/// The limit for either number of threads.
 inline constexpr unsigned most_job_threads = 4096;
 
 struct AllPairsOptions {
-  unsigned threads = 1;          ///< that compute
-  unsigned readers = 1;          ///< that load
-  std::uint64_t read_ahead = 0;  ///< buffers beyond the order's room, for loads on their way
+  unsigned threads = 1;          ///< that compute pairs
+  unsigned readers = 1;          ///< that load items
+  std::uint64_t read_ahead = 0;  ///< buffers beyond the room of the order, for loads in progress
   OrderShare share = {};
-  std::string journal = {};  ///< path; empty: none
-  /// Journals of a run of the same job, and of those that it continued, in another number of
-  /// shares: what they record is not computed again. They are not changed. All processes of this
-  /// run are given the same, whenever they start.
+  std::string journal = {};  ///< path; empty for none
+  /// Journals of an earlier run of the same job with another number of shares, and of the runs that
+  /// it continued: what they record is not computed again. They stay unchanged. All processes of
+  /// this run must be given the same journals, whenever they start.
   std::vector<std::string> earlier = {};
-  /// An order that was not read before is read while its pairs are computed, and not first. If it
-  /// is wrong the job fails at the end.
+  /// Checks an unverified order while its pairs are computed, and not before. If the order is
+  /// wrong, the job fails at the end.
   bool verify_beside = false;
-  JobResults* results = nullptr;  ///< where they are; opened even without a journal
-  std::string job = {};  ///< names what is computed, so that a journal of something else is refused
-  std::optional<std::uint64_t> memory_bytes = {};  ///< refuse to start if the buffers need more
-  const std::atomic<bool>* cancelled = nullptr;    ///< looked at before each pair
-  std::function<void(std::uint64_t step)> on_step_done = {};      ///< before it is recorded
-  std::function<void(const AllPairsProgress&)> on_progress = {};  ///< after each step
+  JobResults* results = nullptr;  ///< their place; opened even without a journal
+  std::string job = {};           ///< name of the computation; a journal of another one is refused
+  std::optional<std::uint64_t> memory_bytes = {};  ///< the job is refused if its buffers need more
+  const std::atomic<bool>* cancelled = nullptr;    ///< checked before each pair
+  std::function<void(std::uint64_t step)> on_step_done =
+      {};  ///< called before the step is recorded
+  std::function<void(const AllPairsProgress&)> on_progress = {};  ///< called after each step
 };
 
 struct AllPairsReport {
-  bool finished = false;            ///< false: cancelled
-  std::uint64_t steps = 0;          ///< of this share
-  std::uint64_t steps_done = 0;     ///< of these, recorded ones included
-  std::uint64_t steps_resumed = 0;  ///< recorded by an earlier run, results found again
-  std::uint64_t steps_lost = 0;     ///< recorded, but without the results: computed again
-  /// The same of steps of earlier shares that this one looked after.
+  bool finished = false;            ///< false if the job was cancelled
+  std::uint64_t steps = 0;          ///< in this share
+  std::uint64_t steps_done = 0;     ///< including recorded ones
+  std::uint64_t steps_resumed = 0;  ///< recorded by an earlier run, with matching results
+  std::uint64_t steps_lost = 0;     ///< recorded, but computed again because the results were lost
+  /// The same for steps of the earlier shares that this share has checked.
   std::uint64_t earlier_resumed = 0;
   std::uint64_t earlier_lost = 0;
-  std::string note;  ///< one line about lines of the journal that do not count, or empty
+  std::string note;  ///< one line about journal lines that do not count; empty if all count
   std::uint64_t loads = 0;
   std::uint64_t bytes_read = 0;
   std::uint64_t pairs = 0;                 ///< calls of compute()
-  std::uint64_t most_in_memory = 0;        ///< items, those on their way included
-  std::uint64_t buffer_bytes = 0;          ///< of all buffers
-  std::chrono::duration<double> waited{};  ///< for loads
+  std::uint64_t most_in_memory = 0;        ///< items, including those being loaded
+  std::uint64_t buffer_bytes = 0;          ///< of all buffers together
+  std::chrono::duration<double> waited{};  ///< time spent waiting for loads
   std::chrono::duration<double> elapsed{};
 };
 
-/// Runs a share of a job to its end. @throws BadInput if the order is none or not for the items of
-/// the source, the buffers exceed memory_bytes, the share is none, there are too many threads, the
-/// journal is another job's, or the data have changed at the end; ImpossibleParameters above 65,535
-/// items; whatever the source, compute(), the results or a callback throws; MissingResource if the
-/// journal cannot be written or is in use, or threads cannot be started.
+/// Runs a share of a job to its end. @throws BadInput if the order is empty or not for the items of
+/// the source, the buffers exceed memory_bytes, the share does not exist, there are too many
+/// threads, the journal is another job's, or the data changed during the job; ImpossibleParameters
+/// above 65,535 items; MissingResource if the journal cannot be written or is in use, or threads
+/// cannot be started; and what the source, compute(), the results or a callback throws.
 AllPairsReport all_pairs(ItemSource& source, const LoadOrder& order, const PairCompute& compute,
                          const AllPairsOptions& options = {});
 
-/// The same for shares that were planned (split_load_order()), options.share.index of them; without
-/// `earlier` journals. @throws as above; BadInput unless options.share.of is their number
+/// The same for planned shares (split_load_order()): this process takes share options.share.index.
+/// `earlier` journals are not supported. @throws as above; BadInput unless options.share.of is the
+/// number of shares
 AllPairsReport all_pairs(ItemSource& source, const WorkerSplit& shares, const PairCompute& compute,
                          const AllPairsOptions& options = {});
 

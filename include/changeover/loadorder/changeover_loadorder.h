@@ -1,4 +1,4 @@
-/* Load orders for programs in C, and in whatever calls C.
+/* Load orders for C, and for languages that call C.
  *
  *     char error[CHANGEOVER_LOADORDER_ERROR_SIZE];
  *     changeover_loadorder* order = changeover_loadorder_open(64, 16, error, sizeof error);
@@ -10,13 +10,13 @@
  *     }
  *     changeover_loadorder_close(order);
  *
- * After the last step every pair of items has been in memory together, and never were more than
- * `room` there. The order is the best that is known, and verified: see loadorder/load_order.hpp. An
- * order is used by one thread at a time; different orders have nothing to do with each other.
- * Nothing is thrown. NULL for an order is an error where one can be returned, and otherwise an
- * order of no loads and no steps.
+ * After the last step every pair of items has been in memory together, with at most `room` items at
+ * a time. The order is the best known one, and verified: see loadorder/load_order.hpp. Only one
+ * thread at a time may use an order; different orders are independent. No function throws. A
+ * function that can return an error does so for a NULL order; the others treat NULL as an order
+ * without loads and steps.
  *
- * Several workers, some pairs only, a time for a search, and a way to give up are options:
+ * Options select several workers, some pairs only, a limit for a search, and a way to cancel:
  *
  *     changeover_loadorder_options options = {.size = sizeof options};
  *     options.workers = 4;
@@ -39,12 +39,12 @@
 extern "C" {
 #endif
 
-/* Enough for any error text. */
+/* Large enough for any error text. */
 #define CHANGEOVER_LOADORDER_ERROR_SIZE 512
 
 typedef struct changeover_loadorder changeover_loadorder;
 
-/* One step: evict first, then load. The arrays live until the next call with the same order. */
+/* One step: evict first, then load. The arrays are valid until the next call with the order. */
 typedef struct changeover_loadorder_step {
   uint64_t number; /* from 1 */
   const uint32_t* evict;
@@ -59,74 +59,76 @@ enum {
   CHANGEOVER_LOADORDER_ERROR = -1 /* see changeover_loadorder_error() */
 };
 
-/* An order of `items` items with room for `room`, at its first step; NULL if there is none, with
- * one line in `error` that says why (cut to error_size bytes; error may be NULL). */
+/* Opens an order of `items` items with memory for `room` items, before its first step. Returns NULL
+ * on error, with one line in `error` that says why (cut to error_size bytes; error may be NULL). */
 changeover_loadorder* changeover_loadorder_open(uint64_t items, uint64_t room, char* error,
                                                 size_t error_size);
 
-/* What else can be asked. All that is 0 is not asked for; set `size`, so that programs that were
- * compiled with an older header go on to work. */
+/* Options; a member that is 0 has no effect. Set `size` to sizeof: programs that were compiled with
+ * an older header then still work. */
 typedef struct changeover_loadorder_options {
   size_t size; /* sizeof (changeover_loadorder_options) */
-  /* Each has room of its own; they may run at the same time or one after another. */
+  /* The number of workers. Each has its own room; they may run at the same time or one after
+   * another. */
   uint64_t workers;
-  /* Only these, two items a pair. They are read before the call returns. */
+  /* Only these pairs meet: two items per pair. They are copied before the call returns. */
   const uint32_t* pairs;
   size_t pair_count;
-  /* Only pairs of each of the items with each of so many others, numbered after them. */
+  /* Only pairs of each of the `items` items with each of this many others, numbered after them. */
   uint64_t against;
-  /* All pairs but those of the first so many items. */
+  /* All pairs except those of the first so many items. */
   uint64_t done_items;
-  /* Say what each step computes: changeover_loadorder_pairs(). */
+  /* Report what each step computes: changeover_loadorder_pairs(). */
   int with_pairs;
-  /* The first worker that has a pair computes it; otherwise pairs are spread evenly. */
+  /* The first worker that has a pair computes it; by default, pairs are spread evenly. */
   int first_holder;
-  /* Begin without reading the steps first: then read them with a check of your own. */
+  /* Open without verifying the steps first; verify them yourself then. */
   int unread;
   double seconds; /* of search for an order with fewer loads */
   uint64_t seed;  /* of that search */
-  /* 0 or more: costs are spread instead of numbers of pairs. */
+  /* The cost of a pair, 0 or more: costs are spread evenly instead of numbers of pairs. */
   double (*pair_cost)(uint32_t item, uint32_t other, void* data);
-  /* Asked now and then; another value than 0: give up, with an error. */
+  /* Called now and then; a value other than 0 cancels with an error. */
   int (*cancelled)(void* data);
   void* data; /* for the functions */
 } changeover_loadorder_options;
 
-/* The same with options, NULL: none. Of several workers it begins with worker 0. */
+/* The same with options, or NULL for none. An order for several workers starts with worker 0. */
 changeover_loadorder* changeover_loadorder_open_with(uint64_t items, uint64_t room,
                                                      const changeover_loadorder_options* options,
                                                      char* error, size_t error_size);
 
-/* The next step is the first of this worker, from 0: CHANGEOVER_LOADORDER_END, or _ERROR. */
+/* Continues with the first step of this worker, from 0: CHANGEOVER_LOADORDER_END, or _ERROR. */
 int changeover_loadorder_take_worker(changeover_loadorder* order, uint64_t worker);
 
-/* The next step is step `number` of one worker's order, from 1; it loads all that is in memory
- * then. Not with pairs, nor of several workers. CHANGEOVER_LOADORDER_END, or _ERROR. */
+/* Makes step `number` (from 1) of one worker's order the next step; it loads everything that is in
+ * memory then. Not available with pairs or several workers. Returns CHANGEOVER_LOADORDER_END, or
+ * _ERROR. */
 int changeover_loadorder_seek(changeover_loadorder* order, uint64_t number);
 
-/* What the last step computes, if that was asked for: *count pairs, two items each, the smaller
- * first. They live until the next call with the same order. */
+/* The pairs that the last step computes, if with_pairs was set: *count pairs of two items each, the
+ * smaller first. Valid until the next call with the same order. */
 const uint32_t* changeover_loadorder_pairs(const changeover_loadorder* order, size_t* count);
 
 /* Writes the next step into *step. */
 int changeover_loadorder_next(changeover_loadorder* order, changeover_loadorder_step* step);
 
-/* Back to the first step: CHANGEOVER_LOADORDER_END, or _ERROR. */
+/* Returns to the first step: CHANGEOVER_LOADORDER_END, or _ERROR. */
 int changeover_loadorder_rewind(changeover_loadorder* order);
 
-/* All loads of the order, its steps, and the number of loads that no order can go below. */
+/* The total loads of the order, its steps, and the proven minimum of loads of any order. */
 uint64_t changeover_loadorder_loads(const changeover_loadorder* order);
 uint64_t changeover_loadorder_steps(const changeover_loadorder* order);
 uint64_t changeover_loadorder_lower_bound(const changeover_loadorder* order);
 
-/* How many workers there are, what one of them loads and computes (0 if that is not known), and the
- * loads that some worker has at least. */
+/* The number of workers, the loads and pairs of one of them (0 if unknown), and the proven minimum
+ * of loads of the busiest worker. */
 uint64_t changeover_loadorder_workers(const changeover_loadorder* order);
 uint64_t changeover_loadorder_worker_loads(const changeover_loadorder* order, uint64_t worker);
 uint64_t changeover_loadorder_worker_pairs(const changeover_loadorder* order, uint64_t worker);
 uint64_t changeover_loadorder_makespan_bound(const changeover_loadorder* order);
 
-/* The last error of this order in one line, "" if there was none; lives as long as the order. */
+/* The last error of this order in one line, "" if there was none; valid as long as the order. */
 const char* changeover_loadorder_error(const changeover_loadorder* order);
 
 /* Frees the order; NULL is allowed. */

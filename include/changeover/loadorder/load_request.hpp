@@ -1,5 +1,5 @@
-// The question of a systems programmer as plain data: which pairs are to be in memory together, in
-// how much room, by how many workers.
+// A request for load orders as plain data: which pairs must be in memory together, with how much
+// room, and by how many workers.
 //
 //     LoadRequest request{.items = 64, .room = 16, .workers = 4};
 //     to_json(request);  // {"format":"changeover-load-request/1","items":64,"room":16,"workers":4}
@@ -23,7 +23,7 @@
 
 namespace changeover {
 
-/// What can be asked of load orders; what each key means is said by load_table().
+/// The keys of a request; load_table() says what each one means.
 struct LoadRequest {
   std::optional<std::uint64_t> items = {};
   std::optional<std::uint64_t> room = {};
@@ -57,25 +57,25 @@ struct LoadRequest {
   bool operator==(const LoadRequest&) const = default;
 };
 
-/// All options of load orders, in the order of the help, and the rules between them.
+/// All options of load orders, in the order of the help text, and the rules between them.
 [[nodiscard]] const RequestTable<LoadRequest>& load_table();
 
-/// One line of JSON that load_request() reads back as the same request.
+/// Writes one line of JSON that load_request() reads back as the same request.
 [[nodiscard]] std::string to_json(const LoadRequest& request);
 
-/// A request from its document; `name` is that of the file it is from, or empty. No file that it
-/// names is opened. The server's older key "bytes_per_item" is not one of it. @throws BadInput with
-/// one line, with a place if there is a file, for what is no such document.
+/// Reads a request document; `name` is the name of its file, or empty. Files that it names are not
+/// opened. The older key "bytes_per_item", which the server accepts, is unknown here. @throws
+/// BadInput with one line, and a place in the file if there is one, if the document is invalid.
 [[nodiscard]] LoadRequest load_request(std::string json, std::string name = "");
 
-/// A JSON Schema (draft 2020-12) of the document.
+/// Returns a JSON Schema (draft 2020-12) of the document.
 [[nodiscard]] std::string load_request_schema();
 
-/// What two keys cannot mean together, and what is out of range, before any list is read. @throws
-/// BadOption in the words of the door.
+/// Checks ranges and combinations of keys, before any list is read. @throws BadOption, naming
+/// options as the door does.
 void check_options(const LoadRequest& request, Door door);
 
-/// A request of which everything was read and found possible: only checked_loads() makes one.
+/// A request that was read and checked completely; only checked_loads() makes one.
 class CheckedLoads {
  public:
   [[nodiscard]] const WantedPairs& wanted() const { return wanted_; }
@@ -84,7 +84,7 @@ class CheckedLoads {
   [[nodiscard]] std::uint64_t room() const { return room_; }
   /// Null if all items have the same size.
   [[nodiscard]] const std::shared_ptr<const ItemSizes>& sizes() const { return sizes_; }
-  /// What a pair costs; empty if all cost the same.
+  /// The cost of a pair; empty if all pairs cost the same.
   [[nodiscard]] const std::function<double(Element, Element)>& pair_cost() const { return cost_; }
 
  private:
@@ -97,10 +97,9 @@ class CheckedLoads {
   std::function<double(Element, Element)> cost_;
 };
 
-/// Reads the pairs of a request and checks all of it, for every door. `pairs` are those of a caller
-/// who has them in memory already, in place of the request's. @throws BadOption, in the words of
-/// the door, for keys that are wrong; BadInput for pairs that are; MissingResource for a file that
-/// cannot be read. O(pairs · log pairs).
+/// Reads the pairs of a request and checks all of it, for every door. `pairs`, if given, replace
+/// those of the request. @throws BadOption, naming options as the door does, for wrong keys;
+/// BadInput for wrong pairs; MissingResource for a file that cannot be read. O(pairs · log pairs).
 [[nodiscard]] CheckedLoads checked_loads(const LoadRequest& request, Door door,
                                          std::shared_ptr<const PairGraph> pairs = nullptr);
 

@@ -1,5 +1,5 @@
-// Schedules: what is evicted, stored, loaded, transferred and computed, step by step; and whether
-// it is right.
+// Schedules: what is evicted, stored, loaded, transferred and computed in each step, and a check
+// that it is right.
 //
 //     ScheduleRules rules{.items = 24, .room = 6, .compute = ComputeRules{}};
 //     StepWork work(plan_load_order(24, 6).stream(), rules);
@@ -9,28 +9,27 @@
 //     }
 //     check.finish().valid();                  // true: each pair computed once, with both items
 //
-// *A schedule* is a stream of steps. There is one kind of step, and one check of all schedules:
-// load orders, their shares for workers (loadorder/workers.hpp), workers in lockstep
-// (disjoint.hpp), what is computed and stored (step_work.hpp), loads that overlap computation
-// (prefetch.hpp), two levels of memory (two_levels.hpp). What a source hands out is a claim;
-// ScheduleCheck decides.
+// *A schedule* is a stream of steps. All schedules have the same kind of step and the same check:
+// load orders, their shares for workers, workers in lockstep, and loads that overlap computation
+// (loadorder/workers.hpp); what is computed and stored, and two levels of memory
+// (loadorder/load_order.hpp). The steps of a source are a claim; ScheduleCheck verifies it.
 //
-// *Checked of every step.* Steps of a worker are numbered 1, 2, …; what is evicted is there; what
-// is loaded is an item and is not; at most `room` items are in memory or on their way. Of two
-// levels: the same of the accelerator, and what is there stays in memory. Of workers in lockstep:
-// nothing is held twice. If items have sizes, what is in memory has at most so many bytes. What is
-// computed is wanted, and both its items are there. What is stored was changed, and no change is
-// lost. *At the end:* every wanted pair was together in a memory, of two levels on the accelerator,
-// or was computed exactly once. Of several *epochs*: each worker's steps go through them in turn,
-// memory stays as it is between them, and all of this is so in each.
+// *Checked in every step.* The steps of a worker are numbered 1, 2, …; evicted items are in memory;
+// loaded items exist and are not in memory; at most `room` items are in memory or being loaded. For
+// two levels: the same for the accelerator, whose items stay in memory. For workers in lockstep: no
+// item is held twice. For items with sizes: their bytes fit into memory. Computed pairs are wanted,
+// with both items in memory. Stored items were changed, and no change is lost.
+// *Checked at the end.* Every wanted pair was together in a memory (for two levels, on the
+// accelerator), or was computed exactly once. For several *epochs*: each worker's steps go through
+// them in turn, memory stays as it is between them, and all of this holds in each.
 //
-// *Memory.* Pairs cost C(P,2) bits, up to P = 65,535 (268 MB), listed ones two bits each. Above
-// that, or if asked to, only *watched* items are followed: for each of them, chosen by a seed,
-// whether all others met it. A wrong order that misses a share p of the items' rows escapes n
-// watched items with probability (1−p)ⁿ; the rest of the checks is complete either way.
+// *Memory.* All pairs take C(P,2) bits, up to P = 65,535 (268 MB); listed pairs take two bits each.
+// Above that, or on request, only *watched* items are tracked: for each of them, chosen by a seed,
+// the check is whether all other items met it. A wrong order in which a share p of the items misses
+// pairs escapes n watched items with probability (1−p)ⁿ; the other checks are complete either way.
 //
-// Complexity: O(C) a load if pairs have to meet, or a word for 64 of them whose names are close to
-// each other; O(watched) if some are watched, O(1) for what is computed.
+// Complexity: O(C) per load if pairs have to meet, or one word per 64 pairs whose numbers are close
+// to each other; O(watched) per load if items are watched; O(1) per computed pair.
 #pragma once
 
 #include <algorithm>
@@ -45,28 +44,29 @@
 
 namespace changeover {
 
-/// What happens before one stretch of computation, and what is computed then. In this order: items
-/// leave the accelerator, are stored, are evicted; are loaded, are transferred to the accelerator;
-/// pairs are computed. A schedule fills the lists that it is about; the others are empty.
+/// The moves before one stretch of computation, and what is computed then. In this order: items
+/// leave the accelerator, are stored, evicted, loaded, and transferred to the accelerator; pairs
+/// are computed. A schedule fills the lists that it needs; the others are empty.
 struct Step {
   std::uint64_t number = 0;            ///< of its worker, from 1
   std::vector<Element> evict = {};     ///< leave memory
   std::vector<Element> load = {};      ///< come into memory
   std::vector<ItemPair> compute = {};  ///< smaller item first unless pairs are ordered
   std::vector<ItemPair> overlap = {};  ///< computed while the loads of the next step run
-  std::size_t late = 0;  ///< so many of `evict`, the last ones, leave when the step before is over,
-                         ///< the others before the loads start
-  std::vector<Element> store = {};       ///< those of `evict`, in its order, that have changed
+  std::size_t late =
+      0;  ///< the last ones of `evict`, which leave when the step before is over; the
+          ///< others leave before the loads start
+  std::vector<Element> store = {};  ///< the items of `evict` that have changed, in the same order
   std::vector<Element> fast_evict = {};  ///< leave the accelerator
-  std::vector<Element> fast_load = {};   ///< come from memory to the accelerator
+  std::vector<Element> fast_load = {};   ///< come from memory onto the accelerator
   std::uint64_t worker = 0;              ///< from 0
   std::uint64_t epoch = 1;               ///< of its worker, from 1
 
   bool operator==(const Step&) const = default;
 };
 
-/// A stream of steps: one at a time, so an order of 10⁹ steps needs no memory for them. Workers
-/// come one after another, or, in lockstep, by turns.
+/// A stream of steps, read one at a time, so an order of 10⁹ steps needs no memory for them.
+/// Workers follow one another or, in lockstep, alternate.
 class StepSource {
  public:
   virtual ~StepSource() = default;
@@ -74,13 +74,13 @@ class StepSource {
   StepSource& operator=(const StepSource&) = delete;
 
   /// Writes the next step into `step`, whose vectors are reused, and returns true; false at the
-  /// end. Lists that this source does not fill stay as they are: give it a step that is new or its
-  /// own.
+  /// end. Lists that this source does not fill stay as they are: pass a new step, or one that this
+  /// source has filled.
   virtual bool next(Step& step) = 0;
 
-  /// Makes step `step` the next one, from 1, and writes what is in memory before it into `held`, in
-  /// any order; without reading those between, which takes O(room) then. False if this source can
-  /// only be read on, or has no such step: nothing has changed.
+  /// Makes step `step` (from 1) the next one without reading those before, in O(room), and writes
+  /// what is in memory before it into `held`, in any order. Returns false, and changes nothing, if
+  /// this source can only be read in sequence or has no such step.
   virtual bool jump(std::uint64_t step, std::vector<Element>& held) {
     static_cast<void>(step);
     static_cast<void>(held);
@@ -91,59 +91,61 @@ class StepSource {
   StepSource() = default;
 };
 
-/// What the steps say of pairs.
+/// Which pairs the steps compute.
 struct ComputeRules {
-  bool ordered = false;  ///< (i,j) and (j,i), as for the edges from partition i to partition j
-  bool self = false;     ///< (i,i), too
-  std::optional<std::uint64_t> shuffle = {};  ///< a seed: the pairs of a step in random order
-  /// A seed: each pair goes to a random step of those that have it, evened over steps; otherwise to
-  /// the first of them.
+  bool ordered = false;  ///< both (i,j) and (j,i), as for the edges from partition i to partition j
+  bool self = false;     ///< also (i,i)
+  std::optional<std::uint64_t> shuffle = {};  ///< a seed: the pairs of a step are in random order
+  /// A seed: a pair is computed in a random one of the steps that have it, balanced over the steps;
+  /// otherwise in the first of them.
   std::optional<std::uint64_t> spread = {};
 };
 
-/// Items of different size, and how much fits into memory.
+/// Items of different sizes, and the size of the memory.
 struct ItemSizes {
   std::vector<std::uint64_t> bytes;  ///< by item
-  std::uint64_t memory = 0;          ///< bytes, of each worker
+  std::uint64_t memory = 0;          ///< in bytes, of each worker
 
   bool operator==(const ItemSizes&) const = default;
 };
 
-/// Which schedule is meant: makers and the check take the same rules.
+/// The rules of a schedule, the same for its maker and its check.
 struct ScheduleRules {
   std::uint64_t items = 0;
-  std::uint64_t room = 0;                       ///< of each worker
-  std::optional<std::uint64_t> fast_room = {};  ///< of these on an accelerator, where pairs meet
-  std::uint64_t lockstep = 0;  ///< workers that step together; 0: one, or one after another
+  std::uint64_t room = 0;                       ///< items in the memory of each worker
+  std::optional<std::uint64_t> fast_room = {};  ///< items on an accelerator, where pairs must meet
+  std::uint64_t lockstep = 0;  ///< number of workers that step together; 0 if not in lockstep
   WantedPairs wanted = {};
-  std::optional<ComputeRules> compute = {};  ///< each pair once; otherwise every pair meets
+  std::optional<ComputeRules> compute =
+      {};                ///< each pair is computed once; without it, every pair meets
   bool overlap = false;  ///< loads run while pairs of the step before are computed
-  bool store = false;    ///< what is computed changes its items
-  std::shared_ptr<const ItemSizes> sizes = {};  ///< what is held fits into that memory, too
-  std::uint64_t epochs = 1;  ///< in each of which every pair meets, or is computed
-  bool shares = false;       ///< of several epochs: whether workers come one after another
+  bool store = false;    ///< computing a pair changes both items
+  std::shared_ptr<const ItemSizes> sizes = {};  ///< item sizes; the items in memory must fit
+  std::uint64_t epochs = 1;  ///< every pair meets, or is computed, in each of them
+  bool shares = false;       ///< whether workers follow one another in each of several epochs
 };
 
 /// Counts of a schedule.
 struct ScheduleFacts {
-  std::uint64_t steps = 0;  ///< of all workers; in lockstep those of each
+  std::uint64_t steps = 0;  ///< of all workers; in lockstep, of each worker
   std::uint64_t loads = 0;
   std::uint64_t transfers = 0;  ///< to the accelerator
   std::uint64_t stores = 0;
-  std::uint64_t computed = 0;    ///< pairs, with repetition, and items alone
-  std::uint64_t overlapped = 0;  ///< of these, while loads run
-  std::uint64_t span = 0;        ///< in lockstep: the most loads of one worker in a step, added up
+  std::uint64_t computed = 0;    ///< pairs, including repeated ones, and items alone
+  std::uint64_t overlapped = 0;  ///< of these, how many while loads run
+  std::uint64_t span = 0;  ///< in lockstep: the sum over steps of the most loads of one worker
   std::uint64_t most_in_memory = 0;
   std::uint64_t bytes = 0;                 ///< loaded, if items have sizes
   std::uint64_t most_bytes = 0;            ///< in memory, of one worker
-  std::uint64_t most_in_a_step = 0;        ///< computed, of one worker
+  std::uint64_t most_in_a_step = 0;        ///< pairs computed, of one worker
   std::vector<std::uint64_t> epoch_loads;  ///< of all workers
   std::vector<std::uint64_t> worker_loads;
-  /// Computed, items alone included. Of workers one after another whose pairs only have to meet:
-  /// that met first at each, if it was asked for.
+  /// Pairs computed by each worker, including items alone. For workers one after another whose
+  /// pairs only have to meet: the pairs that met first at each, if requested
+  /// (CheckOptions::by_worker).
   std::vector<std::uint64_t> worker_pairs;
 
-  /// The loads of the busiest worker.
+  /// Returns the loads of the busiest worker.
   [[nodiscard]] std::uint64_t makespan() const {
     return worker_loads.empty() ? loads
                                 : *std::max_element(worker_loads.begin(), worker_loads.end());
@@ -151,44 +153,44 @@ struct ScheduleFacts {
 };
 
 struct ScheduleVerdict : ScheduleFacts {
-  std::string fault;           ///< the first step that is wrong, in one line; empty if none
-  std::uint64_t missing = 0;   ///< pairs that never met, or were not computed, of those followed
-  std::uint64_t repeated = 0;  ///< pairs that were computed more than once
-  std::string example;         ///< a pair that never met, "{3,7}"; empty if none
-  std::uint64_t watched_items = 0;  ///< items whose pairs were followed: all of them, or a few
+  std::string fault;           ///< the first wrong step, in one line; empty if there is none
+  std::uint64_t missing = 0;   ///< tracked pairs that never met or were not computed
+  std::uint64_t repeated = 0;  ///< pairs computed more than once
+  std::string example;         ///< a pair that never met, such as "{3,7}"; empty if there is none
+  std::uint64_t watched_items = 0;  ///< items whose pairs were tracked: all, or a few
 
   [[nodiscard]] bool valid() const {
     return steps > 0 && fault.empty() && missing == 0 && repeated == 0;
   }
 };
 
-/// How pairs are followed.
+/// How pairs are tracked.
 struct CheckOptions {
-  /// Needs items ≤ 65,535 unless pairs are listed. Of what is computed none are followed otherwise.
+  /// Needs items ≤ 65,535 unless pairs are listed; above that, computed pairs are not tracked.
   bool all_pairs = true;
-  std::uint64_t watched = 64;  ///< items to follow otherwise, if pairs have to meet
-  std::uint64_t seed = 1;      ///< of their choice
-  /// Other names of the items, by which what is in memory together has numbers close to each other:
-  /// pairs are kept under these names, and their bits share cache lines. Every renaming leads to
-  /// the same verdict. Empty: none.
+  std::uint64_t watched = 64;  ///< number of items to track otherwise, if pairs have to meet
+  std::uint64_t seed = 1;      ///< for choosing them
+  /// A permutation that gives items that are in memory together numbers close to each other, so
+  /// that the bits of their pairs share cache lines. It does not change the verdict. Empty for
+  /// none.
   std::vector<Element> kept_as = {};
-  bool by_worker = false;  ///< whether pairs that have to meet are counted where they meet first
+  bool by_worker = false;  ///< whether to count the pairs that first meet at each worker
 };
 
-/// Plays steps and trusts nothing else.
+/// Replays the steps and trusts nothing else.
 class ScheduleCheck {
  public:
   /// @throws BadInput if items or room is 0, or kept_as is not a permutation of the items;
-  /// MissingResource if all pairs of more than 65,535 items are asked for.
+  /// MissingResource if all pairs of more than 65,535 items are to be tracked.
   explicit ScheduleCheck(const ScheduleRules& rules, const CheckOptions& options = {});
   ~ScheduleCheck();
   ScheduleCheck(ScheduleCheck&&) noexcept;
 
-  /// Takes the next step. Another worker than that of the step before begins with an empty memory.
-  /// After the first fault nothing is looked at any more.
+  /// Reads the next step. A change of the worker starts with an empty memory. After the first fault
+  /// further steps are ignored.
   void read(const Step& step);
 
-  /// What is true of the steps that were read.
+  /// The verdict on the steps that were read.
   [[nodiscard]] ScheduleVerdict finish();
 
  private:
@@ -196,8 +198,8 @@ class ScheduleCheck {
   std::unique_ptr<State> state_;
 };
 
-/// Reads a whole stream; stops if the control of its thread (run/control.hpp) wants to. @throws as
-/// ScheduleCheck
+/// Reads a whole stream; stops when the control of its thread (run/control.hpp) requests it.
+/// @throws as ScheduleCheck
 [[nodiscard]] ScheduleVerdict check_schedule(StepSource& steps, const ScheduleRules& rules,
                                              const CheckOptions& options = {});
 

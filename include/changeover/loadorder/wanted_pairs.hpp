@@ -1,4 +1,4 @@
-// Which pairs must be in memory together: all of them, or only some.
+// Which pairs must be in memory together: all, or only some.
 //
 //     WantedPairs edges = WantedPairs::listed(read_pairs("edges.txt"));  // pairs that a file lists
 //     WantedPairs matching = WantedPairs::between(12, 20);  // items 0, …, 11 with items 12, …, 31
@@ -7,19 +7,22 @@
 //     matching.contains(3, 12)                 // true
 //     matching.count()                         // 240
 //
-// A file of pairs has two items per line, separated by a comma, a semicolon, a tab or blanks; an
-// item in double quotes may hold any of them, with quotes doubled ("cam 0/x.JPG","b"), and without
-// quotes an item between commas, semicolons or tabs may hold blanks. Empty lines and lines that
-// begin with # or % are skipped, and so is a first line of two words over lines of numbers. A
+// A file of pairs has two items per line, separated by a comma, a semicolon, a tab or blanks. An
+// item in double quotes may contain any of these, with quotes doubled ("cam 0/x.JPG","b"); without
+// quotes, an item between commas, semicolons or tabs may contain blanks. Empty lines and lines that
+// begin with # or % are skipped, and so is a first line of two words above lines of numbers. A
 // workbook (.xlsx) is read, too: its first sheet, or the one that open_list() (io/input.hpp) names.
-// If all items are whole numbers below 10⁷ they are the numbers of the items, from 0. Otherwise
-// they are names, of up to 255 bytes, and items are numbered as they first occur. A pair may come
-// twice and either way round; an item with itself has to be loaded and needs no other item. Items
-// that do not occur are not loaded. Refused are numbers that are written in another way than whole
-// numbers before them ("01", "1.0"), two names of one number, two numbers between separators (0
-// 1,2), and names with invisible characters or a '|'.
 //
-// Memory: 8 bytes a pair and 8 an item, and 16 a pair while a file is read.
+// If all items are whole numbers below 10⁷, they are the numbers of the items, from 0. Otherwise
+// they are names of up to 255 bytes, and items are numbered by their first occurrence. A pair may
+// occur twice and in either direction. An item paired with itself must be loaded, but needs no
+// other item. Items that do not occur are not loaded.
+//
+// Refused are numbers in another form than the whole numbers before them ("01", "1.0"), two names
+// of one number, two numbers between separators (0 1,2), and names with invisible characters or a
+// '|'.
+//
+// Memory: 8 bytes per pair and 8 per item, and 16 per pair while a file is read.
 #pragma once
 
 #include <cstdint>
@@ -38,19 +41,19 @@ namespace changeover {
 
 using ItemPair = std::pair<Element, Element>;  ///< smaller first
 
-/// No job has more items.
+/// The limit for the number of items.
 inline constexpr std::uint64_t most_items = 10'000'000;
 
 /// Items and pairs of them.
 class PairGraph {
  public:
-  /// A pair may come twice and either way round; an item with itself is only needed. `names` are
-  /// all or none. @throws BadInput if a pair has no item below `items`, or there are other than
-  /// `items` names; ImpossibleParameters above most_items.
+  /// A pair may occur twice and in either direction; an item paired with itself is only marked as
+  /// needed. `names` is empty or has a name for each item. @throws BadInput if a pair has an item ≥
+  /// `items`, or the number of names is not `items`; ImpossibleParameters above most_items.
   PairGraph(std::uint64_t items, std::span<const ItemPair> pairs,
             std::vector<std::string> names = {});
 
-  /// The same from pairs that `each` shows to its argument, the same ones whenever it is called.
+  /// The same from pairs that `each` passes to its argument; each call must pass the same pairs.
   using Visit = std::function<void(Element, Element)>;
   PairGraph(std::uint64_t items, const std::function<void(const Visit&)>& each,
             std::vector<std::string> names);
@@ -58,7 +61,7 @@ class PairGraph {
   [[nodiscard]] std::uint64_t items() const { return begin_.size() - 1; }
   [[nodiscard]] std::uint64_t pairs() const { return partners_.size() / 2; }
 
-  /// In increasing order.
+  /// The items that x must meet, in increasing order.
   [[nodiscard]] std::span<const Element> partners(Element x) const {
     return std::span(partners_).subspan(begin_[x], begin_[x + 1] - begin_[x]);
   }
@@ -66,22 +69,23 @@ class PairGraph {
   /// Whether the item occurs.
   [[nodiscard]] bool is_needed(Element x) const { return needed_[x]; }
 
-  /// A number below 2·pairs() of its own for each pair; nothing for two items that are none. O(log
-  /// of the partners)
+  /// A number below 2·pairs() for each pair, different for each; nullopt for two items that are no
+  /// pair. O(log of the number of partners)
   [[nodiscard]] std::optional<std::uint64_t> place(Element x, Element y) const;
 
-  /// Empty: items are called by their numbers.
+  /// The names of the items; empty if they have only numbers.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
 
  private:
-  std::vector<std::uint64_t> begin_;  // of an item's partners
+  std::vector<std::uint64_t> begin_;  // first partner of each item
   std::vector<Element> partners_;
   std::vector<bool> needed_;
   std::vector<std::string> names_;
 };
 
 struct PairFileOptions {
-  std::optional<std::uint64_t> items = {};  ///< there are so many, numbered from 0 or named
+  std::optional<std::uint64_t> items =
+      {};  ///< the number of items, which are numbered from 0 or named
 };
 
 /// Reads a file as described above, or standard input for "-". @throws BadInput with line and
@@ -91,10 +95,10 @@ struct PairFileOptions {
 [[nodiscard]] std::shared_ptr<const PairGraph> read_pairs(Input& input,
                                                           const PairFileOptions& options = {});
 
-/// The pairs that a load order is for.
+/// The pairs that a load order must bring together.
 class WantedPairs {
  public:
-  /// All pairs of however many items.
+  /// All pairs; the number of items is given elsewhere.
   WantedPairs() = default;
 
   /// All pairs of so many items: where pairs are asked for a number of items will do.
@@ -103,14 +107,14 @@ class WantedPairs {
   /// Items 0, …, a−1 with items a, …, a+b−1. @throws BadInput if one of them is 0.
   [[nodiscard]] static WantedPairs between(std::uint64_t a, std::uint64_t b);
 
-  /// All pairs of `items` items but those of two of the first `done`. @throws BadInput if done ≥
+  /// All pairs of `items` items except those within the first `done`. @throws BadInput if done ≥
   /// items.
   [[nodiscard]] static WantedPairs beyond(std::uint64_t done, std::uint64_t items);
 
   /// @throws BadInput if no item occurs.
   [[nodiscard]] static WantedPairs listed(std::shared_ptr<const PairGraph> graph);
 
-  /// The same of a graph that has all pairs of items that were not listed, but have names.
+  /// All pairs of named items: of a graph that has them all, although they were not listed.
   [[nodiscard]] static WantedPairs whole(std::shared_ptr<const PairGraph> graph);
 
   [[nodiscard]] bool are_all() const { return kind_ == Kind::all; }
@@ -126,7 +130,7 @@ class WantedPairs {
   /// How many are wanted.
   [[nodiscard]] std::uint64_t count() const;
 
-  /// x ≠ y, both below items().
+  /// Whether the pair is wanted, for x ≠ y, both below items().
   [[nodiscard]] bool contains(Element x, Element y) const {
     switch (kind_) {
       case Kind::all:
@@ -143,16 +147,16 @@ class WantedPairs {
   /// Whether the item must be loaded.
   [[nodiscard]] bool needs(Element x) const { return !graph_ || graph_->is_needed(x); }
 
-  /// Of listed pairs; nullptr otherwise.
+  /// The graph of listed pairs; otherwise nullptr.
   [[nodiscard]] const PairGraph* graph() const { return graph_.get(); }
 
-  /// "all pairs", "12 items with 20 others", …
+  /// A description: "all pairs", "12 items with 20 others", …
   [[nodiscard]] std::string describe() const;
 
-  /// The same for the same pairs.
+  /// A hash of the wanted pairs.
   [[nodiscard]] std::uint64_t hash() const;
 
-  /// The size of the first set of between(), and what was done of beyond().
+  /// The size of the first set of between(), or `done` of beyond().
   [[nodiscard]] std::uint64_t first() const { return first_; }
 
   enum class Kind : std::uint8_t { all, between, beyond, listed };

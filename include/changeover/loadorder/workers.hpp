@@ -7,32 +7,29 @@
 //       auto steps = split.stream(w);          // numbered from 1; the first loads a full memory
 //     }
 //
-// *How.* The best of
-//   stretches   an order is cut into W stretches; each worker begins by loading what is in memory
-//               at its first step. A stretch costs what its steps load and C − (what its first step
-//               loads) more, so the makespan is about L/W + C. The items of that order may be
-//               groups of items: P items in G groups, room for C·G/P groups
+// *How.* The best of three kinds, compared by makespan and then by all loads:
+//   stretches   an order is cut into W stretches; each worker first loads what is in memory at the
+//               start of its stretch. A stretch costs the loads of its steps, and C − (the loads of
+//               its first step) more, so the makespan is about L/W + C. The items of that order may
+//               be groups of items: P items in G groups, with room for C·G/P groups
 //   shares      for rooms of P/(2√W) or more: the items are in groups; each worker holds some of
 //               them all the time and streams others past them. Planes, difference covers, and
 //               pairs of sets (A,S) of Z_n, found by search
 //   blocks      two sets, each cut into parts: one part of each for a worker
-// compared by makespan, then by all loads.
 //
 // *The bound on the makespan.* A worker that loads ℓ items brings at most C(ℓ,2) pairs together if
-// ℓ ≤ C, and C(C,2) + (ℓ−C)(C−1) otherwise. W workers with at most ℓ loads bring all C(P,2)
-// together only if W times that is enough, and all items are loaded somewhere: ℓ ≥ ⌈P/W⌉.
-// Whatever several workers load, end to end, is a list of sets in which all pairs meet: W·ℓ ≥
-// (s+1)P − (s²−s+1)C for every s [docs/theorems.md, Theorem 5]. And however much room there is, any
-// two items meet at one of few workers, for which ℓ ≥ P/√W is not enough [Theorem 17].
+// ℓ ≤ C, and C(C,2) + (ℓ−C)(C−1) otherwise. W times this must reach C(P,2), and all items are
+// loaded somewhere, so ℓ ≥ ⌈P/W⌉. The sets of all workers, end to end, are a list in which all
+// pairs meet: W·ℓ ≥ (s+1)P − (s²−s+1)C for every s [docs/theorems.md, Theorem 5]. For few workers
+// there is a bound that holds for any room: P/√W loads each are not enough [Theorem 17].
 //
-// *Pairs.* Several workers may have a pair. Unless it is asked otherwise, pairs are spread over
-// those that have them such that the worker with most of them has as few as can be, counted or
-// weighed by a cost; owners() says who computes what. The bound is the mean. What is loaded and
-// brings a worker no pair is not loaded there, if pairs are spread one by one: of up to 5,000
-// items, and of listed pairs.
+// *Pairs.* Several workers may have the same pair in memory. By default pairs are spread over the
+// workers that have them so that the worker with the most pairs, counted or weighed by cost, has as
+// few as possible; owners() says which worker computes what. The mean is the lower bound. For up to
+// 5,000 items and for listed pairs, a worker does not load an item that brings it no pair.
 //
-// *Verified.* For P ≤ 65,535 all workers' steps are read, and the pairs that met with any of them
-// are all pairs. Above that the stretches are those of an order that is certified by its structure.
+// *Verified.* For P ≤ 65,535 the steps of all workers are read, and all pairs meet at some worker.
+// Above that the stretches belong to an order that is certified by its structure.
 #pragma once
 
 #include <cstdint>
@@ -44,86 +41,86 @@
 
 namespace changeover {
 
-/// No split is for more.
+/// The largest number of workers of a split.
 inline constexpr std::uint64_t most_workers = 65'536;
 
-/// What one worker computes of the pairs that it has in memory.
+/// Says which of the pairs in its memory one worker computes.
 class PairRule {
  public:
   virtual ~PairRule() = default;
   PairRule(const PairRule&) = delete;
   PairRule& operator=(const PairRule&) = delete;
 
-  /// Whether it computes {x,y}, which came together in its memory by its step number `step`; x = y:
-  /// the item alone, which that step loads. O(1) or O(log) of the workers that have them.
+  /// Whether the worker computes {x,y}, a pair that came together in its memory in its step `step`;
+  /// x = y stands for the item alone, which that step loads. O(1), or O(log) of the workers that
+  /// have the pair.
   [[nodiscard]] virtual bool computes(std::uint64_t step, Element x, Element y) const = 0;
 
  protected:
   PairRule() = default;
 };
 
-/// Who computes what: each pair is one worker's, and what a worker computes can be said without the
-/// steps of others.
+/// Assigns each pair to one worker, and says what a worker computes without reading the steps of
+/// the others.
 class PairOwners {
  public:
   virtual ~PairOwners() = default;
   PairOwners(const PairOwners&) = delete;
   PairOwners& operator=(const PairOwners&) = delete;
 
-  /// It may not outlive this.
+  /// The rule of one worker, which must not outlive this object.
   [[nodiscard]] virtual std::unique_ptr<const PairRule> of(std::uint64_t worker) const = 0;
 
  protected:
   PairOwners() = default;
 };
 
-/// What one worker does.
+/// The share of one worker.
 struct WorkerFacts {
-  std::uint64_t first_step = 0;  ///< of the common order, from 1; 0 if the worker has nothing to do
+  std::uint64_t first_step = 0;  ///< in the common order, from 1; 0 if the worker has no steps
   std::uint64_t steps = 0;
   std::uint64_t loads = 0;
-  std::uint64_t pairs = 0;  ///< that it computes
-  double cost = 0;          ///< of these, if pairs have costs
+  std::uint64_t pairs = 0;  ///< computed by the worker
+  double cost = 0;          ///< of these pairs, if pairs have costs
 };
 
 struct SplitFacts {
   std::uint64_t items = 0;
   std::uint64_t room = 0;
-  std::uint64_t groups = 0;      ///< G; equal to items if they are not grouped
-  std::uint64_t group_room = 0;  ///< groups that are in memory at once
+  std::uint64_t groups = 0;  ///< G, the number of groups; equal to items if they are not grouped
+  std::uint64_t group_room = 0;  ///< groups in memory at a time
   std::uint64_t loads = 0;       ///< of all workers
-  std::uint64_t makespan = 0;    ///< of the busiest one
-  std::uint64_t transfers = 0;   ///< to the accelerators of all workers, of two levels
+  std::uint64_t makespan = 0;    ///< loads of the busiest worker
+  std::uint64_t transfers = 0;   ///< to the accelerators of all workers, for two levels
   LoadBound makespan_bound;      ///< no split has a smaller makespan
-  std::string explanation;       ///< how the common order is made; says so if it is one of groups
   std::string
-      certificate;  ///< one line: how it was verified; counts pairs of items, or says of what
-  bool cut_by_loads =
-      false;  ///< shares have even loads; otherwise even numbers of steps, or of pairs
+      explanation;  ///< one line: how the common order is made, and whether its items are groups
+  std::string certificate;  ///< one line: how the split was verified, and which pairs were counted
+  bool cut_by_loads = false;  ///< cut by loads; otherwise by numbers of steps or of pairs
   bool pairs_are_known =
-      false;  ///< how many pairs workers compute: of more than 65,535 items not always
-  std::uint64_t most_pairs = 0;  ///< of one worker
+      false;  ///< whether the numbers of computed pairs are known: above 65,535 items, not always
+  std::uint64_t most_pairs = 0;  ///< at one worker
   std::uint64_t all_pairs =
-      0;  ///< that are wanted; no split has fewer than ⌈all_pairs / W⌉ at some worker
-  bool has_costs = false;  ///< pairs have costs, which are spread instead of their number
-  double most_cost = 0;    ///< of one worker
-  double all_costs = 0;    ///< no split has less than a W-th of it at some worker
+      0;  ///< wanted pairs; in any split some worker has at least ⌈all_pairs / W⌉
+  bool has_costs = false;  ///< pairs have costs, which are spread instead of their numbers
+  double most_cost = 0;    ///< at one worker
+  double all_costs = 0;    ///< in any split some worker has at least a W-th of it
   std::vector<WorkerFacts> workers;
   std::uint64_t epochs =
-      1;  ///< in each of which all pairs meet; loads and pairs are of all of them
-  std::vector<std::uint64_t> epoch_loads;  ///< of all workers; empty of one epoch
+      1;  ///< all pairs meet in each of them; loads and pairs are sums over all epochs
+  std::vector<std::uint64_t> epoch_loads;  ///< of all workers; empty for one epoch
 };
 
 class OrderRelay;
 
-/// Steps of each worker, where they are no stretches of one order.
+/// The steps of each worker, for splits that are not stretches of one order.
 class WorkerSteps {
  public:
   virtual ~WorkerSteps() = default;
   WorkerSteps(const WorkerSteps&) = delete;
   WorkerSteps& operator=(const WorkerSteps&) = delete;
 
-  /// From the first step on; the stream may outlive this.
+  /// The steps of a worker from the first on; the stream may outlive this object.
   [[nodiscard]] virtual std::unique_ptr<StepSource> of(std::uint64_t worker) const = 0;
 
  protected:
@@ -134,23 +131,23 @@ class WorkerSplit {
  public:
   [[nodiscard]] const SplitFacts& facts() const { return facts_; }
 
-  /// The order that was cut; or all shares, one after another, each beginning with an empty memory.
+  /// The order that was cut; or all shares one after another, each starting with an empty memory.
   [[nodiscard]] const LoadOrder& order() const { return order_; }
 
-  /// The steps of a worker, 0 ≤ worker < W. Of shares, and of streamed orders, that takes O(C + its
-  /// steps). Steps of other orders before its own are skipped by reading them, once for all workers
-  /// if these are read in their order, each stream to its end.
+  /// The steps of a worker, 0 ≤ worker < W. For shares and streamed orders that takes O(C + its
+  /// steps). For other orders the steps before its own are read and skipped: once for all workers,
+  /// if the streams are requested in the order of the workers and each is read to its end.
   /// @throws BadInput if there is no such worker.
   [[nodiscard]] std::unique_ptr<StepSource> stream(std::uint64_t worker) const;
 
-  /// The steps of all workers, one worker after another. It may not outlive this.
+  /// The steps of all workers, one worker after another. The stream must not outlive this object.
   [[nodiscard]] std::unique_ptr<StepSource> stream() const;
 
-  /// Who computes which pairs. Null: a pair belongs to the first worker that has it, and what a
-  /// worker computes depends on all before it.
+  /// Which worker computes which pairs. Null: the first worker that has a pair computes it, so what
+  /// a worker computes depends on all workers before it.
   [[nodiscard]] const std::shared_ptr<const PairOwners>& owners() const { return owners_; }
 
-  /// What the steps keep to, for StepWork and ScheduleCheck.
+  /// The rules of the steps, for StepWork and ScheduleCheck.
   [[nodiscard]] ScheduleRules rules(const std::optional<ComputeRules>& compute = {}) const;
 
  private:
@@ -168,10 +165,9 @@ class WorkerSplit {
 [[nodiscard]] LoadBound makespan_lower_bound(const WantedPairs& wanted, std::uint64_t room,
                                              std::uint64_t workers);
 
-/// Cuts an order of `groups` things into stretches for P items in as many groups, of ⌊P/G⌋ or ⌈P/G⌉
-/// items with consecutive numbers; a pair belongs to the first worker that has it. Nothing is
-/// verified. @throws BadInput if workers = 0 or exceeds 65,536, or if there are more groups than
-/// items.
+/// Cuts an order of G groups into stretches for P items, with ⌊P/G⌋ or ⌈P/G⌉ consecutive items per
+/// group. The first worker that has a pair computes it. Nothing is verified. @throws BadInput if
+/// workers = 0 or exceeds 65,536, or if there are more groups than items.
 [[nodiscard]] WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room,
                                       std::uint64_t workers);
 
@@ -182,18 +178,17 @@ class WorkerSplit {
                                            std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
 
-/// An order for two levels (loadorder/load_order.hpp) in stretches, each worker with memory and an
-/// accelerator of its own: what both levels of the busiest worker move is as little as stretches
-/// allow. Verified. @throws as plan_two_levels() and split_order().
+/// Cuts an order for two levels (loadorder/load_order.hpp) into stretches; each worker has its own
+/// memory and accelerator. The cut minimises the transfers on both levels of the busiest worker.
+/// Verified. @throws as plan_two_levels() and split_order().
 [[nodiscard]] WorkerSplit split_two_levels(std::uint64_t items, std::uint64_t room,
                                            std::uint64_t fast_room, std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
 
-/// Shares of one epoch again and again, each worker going through its own back and forth
-/// (loadorder/load_order.hpp), with what it holds staying from one epoch to the next, and with the
-/// same pairs in each. Verified, as far as the pairs of all epochs can be followed at once. Of more
-/// than 5,000 items, unless their pairs are listed, it is not said who computes what: owners() is
-/// null. @throws as repeat_order()
+/// Repeats the shares of one epoch. Each worker goes through its share forward and backward in turn
+/// (loadorder/load_order.hpp), keeps its memory between epochs, and computes the same pairs in
+/// each. Verified as far as the pairs of all epochs can be tracked at once. Above 5,000 items,
+/// unless their pairs are listed, owners() is null. @throws as repeat_order()
 [[nodiscard]] WorkerSplit repeat_shares(WorkerSplit split, std::uint64_t epochs);
 
 // Load orders for workers that step together and never hold one item twice: what training needs,
@@ -204,39 +199,38 @@ class WorkerSplit {
 //     StepWork work(order.stream(), order.rules(ComputeRules{}));
 //     check_schedule(work, order.rules(ComputeRules{})).valid();   // true: disjoint at every step
 //
-// *A step.* All workers evict; all wait for each other; all load; all compute. So one barrier a
-// step is enough, the one between evicting and loading, and an item may go from one worker to
-// another within a step. After the loads of a step no item is held by two workers, so what one of
-// them computes touches nothing of another's. A worker may have nothing to do in a step; every
-// worker has equally many.
+// *A step.* All workers evict; all wait for each other; all load; all compute. One barrier per step
+// is enough, between evicting and loading, and an item can move from one worker to another within a
+// step. After the loads of a step no two workers hold the same item, so they compute independently.
+// All workers have the same number of steps; a worker may have nothing to do in a step.
 //
-// *The cost.* With a barrier a step takes as long as its slowest worker: the *span* is the sum over
-// all steps of the most loads that one worker has in it. Orders are told apart by span, then by the
-// loads of all workers.
+// *The cost.* With a barrier a step takes as long as its slowest worker. The *span* is the sum,
+// over all steps, of the most loads of one worker in the step. Orders are compared by span, then by
+// the loads of all workers.
 //
-// *Bounds.* The workers' lists of sets end to end are one list in which all pairs meet, so all
-// loads together are at least load_lower_bound(P, C); the busiest worker has at least
-// makespan_lower_bound(P, C, W), and the span is no less than that.
+// *Bounds.* The sets of all workers, end to end, are one list in which all pairs meet: so all loads
+// together are at least load_lower_bound(P, C). The busiest worker has at least
+// makespan_lower_bound(P, C, W) loads, and the span is no less.
 //
-// *Where orders come from.* One worker: plan_load_order(). Else the best of
-//   eras     W groups of n ≤ C−1 items stay, one at each worker, while all groups that are left
-//            pass, each at another worker in turn; then those that stayed meet each other, half of
-//            them staying, and are dropped for good. Any P.
-//   grown    one item of each worker is changed a step, the change that brings most new pairs
-//            together, or two workers exchange items; the best of many is cut at random steps and
-//            grown again. P ≤ 1,000. The same with groups of items, room for 2 to 8 of them, which
-//            is better if few items are left beside those that are held.
+// *Where orders come from.* One worker: plan_load_order(). Otherwise the best of
+//   eras     W groups of n ≤ C−1 items stay, one at each worker, while all other groups pass, each
+//            at another worker in turn; then the groups that stayed meet each other, half of them
+//            staying, and are finished. Any P.
+//   grown    in each step one item of each worker is changed, by the change that brings most new
+//            pairs together, or two workers exchange items; the best of many is cut at random
+//            steps and grown again. P ≤ 1,000. The same with groups of items, room for 2 to 8
+//            groups, which is better if few items are outside memory.
 //   round robin   2W groups, two at each worker: the rounds of a tournament. Span P.
 
-/// The best order that is known, verified by ScheduleCheck. With `options.search_pairs` it is grown
-/// anew until the time is over, otherwise for a fixed amount of work. @throws as plan_load_order();
-/// BadInput if there are less than W·C items, or W is 0 or exceeds 65,536; ImpossibleParameters
+/// Returns the best known order, verified by ScheduleCheck. With `options.search_pairs` it is grown
+/// until the time is over, otherwise for a fixed amount of work. @throws as plan_load_order();
+/// BadInput if there are fewer than W·C items, or W is 0 or exceeds 65,536; ImpossibleParameters
 /// above 65,535 items.
 [[nodiscard]] LoadOrder plan_disjoint_order(std::uint64_t items, std::uint64_t room,
                                             std::uint64_t workers,
                                             const LoadOrderOptions& options = {});
 
-// When what is computed and loaded, so that loads overlap computation.
+// When pairs are computed and items loaded, so that loads overlap computation.
 //
 //     PrefetchPlan plan = plan_prefetch(64, 16);
 //     ScheduleRules rules{.items = 64, .room = 16, .compute = ComputeRules{}, .overlap = true};
@@ -254,23 +248,23 @@ class WorkerSplit {
 //       drop({late, next.evict.end()});
 //     }
 //
-// *Two ways.* With a place to spare, an order for room C−1, the next load can start as soon as a
-// step begins, and everything that is computed overlaps it. With the whole room for the order there
-// are fewer loads, but the next one needs the place of the item y that goes: the pairs with y come
-// first, and only the others overlap. If y came a while ago that is one pair of C−1, and this way
-// wins. If y is what was loaded last, because items pass one by one through the same place, nothing
-// overlaps, and the first way wins by far.
+// *Two ways.* With an order for room C−1 one place is free, so the next load starts as soon as a
+// step begins, and all computation overlaps it. An order for the whole room has fewer loads, but a
+// load needs the place of the evicted item y: the pairs with y are computed first, and only the
+// other pairs overlap. If y was loaded some steps before, there is one such pair of C−1, and this
+// way is faster. If y was loaded last, because items pass through the same place one by one,
+// nothing overlaps, and the first way is much faster.
 //
-// plan_prefetch() compares both in a model: a load takes as long as C−1 pairs do, which is where
-// overlap matters most; a step takes the time of what it computes first, and then of its `overlap`
-// or of the next loads, whichever is longer. For more than 2,000 items the spare place is taken,
-// since streamed orders pass items one by one.
+// plan_prefetch() compares both in a model. A load takes as long as C−1 pairs, where overlap
+// matters most. A step takes the time of the pairs computed first, plus that of its `overlap` or of
+// the next loads, whichever is longer. Above 2,000 items the free place is used, since streamed
+// orders pass items one by one.
 //
-// *Each pair once.* A pair is computed in the first step that has both in memory. For more than
-// 65,535 items pairs are not kept in mind; then every loaded item is computed against all in
-// memory, and a pair may come again.
+// *Each pair once.* A pair is computed in the first step that has both items in memory. For more
+// than 65,535 items computed pairs are not tracked: every loaded item is computed against all in
+// memory, and a pair may be computed again.
 
-/// An order and the places that it leaves for loads on their way.
+/// An order, and the places that it leaves free for loads in progress.
 template <typename Order>
 struct Prefetched {
   Order order;
@@ -283,7 +277,7 @@ using PrefetchSplit = Prefetched<WorkerSplit>;  ///< for several workers
 [[nodiscard]] PrefetchPlan plan_prefetch(const WantedPairs& wanted, std::uint64_t room,
                                          const LoadOrderOptions& options = {});
 
-/// The same for workers; of both ways the one whose busiest worker is ready first. @throws as
+/// The same for workers: the way whose busiest worker finishes first. @throws as
 /// split_load_order().
 [[nodiscard]] PrefetchSplit split_prefetch(const WantedPairs& wanted, std::uint64_t room,
                                            std::uint64_t workers,

@@ -1,5 +1,4 @@
-// The tests of a job on several benches side by side: which tests on which bench, in which order on
-// each, and when.
+// Plans for several benches side by side: which tests run on which bench, in which order, and when.
 //
 //     Job job = make_job(9, 3, parse_amount("1"), parse_amount("5"));
 //     RunControl control({.threads = 1});
@@ -7,29 +6,31 @@
 //     to_string(plan.makespan);              // when the last test ends: "63"
 //     plan.sheets[0].steps.size();           // tests on the first bench
 //
-// A pair has met if it was on some bench in one set-up. Every bench obeys the job, or what it says
-// itself (Bench): what stays mounted, slots, room, costs; forbidden pairs hold on each. What is
-// mounted on a bench at its start need not be put in there.
+// Two parts have met if they were in one set-up on some bench. Every bench obeys the job, except
+// where it has its own values (Bench): what stays mounted, slots, room, costs. Forbidden pairs hold
+// on every bench. Parts that are mounted on a bench at its start need not be put in there.
 //
-// Time. A step of a bench, its changes and then its test, takes as long as it costs, with costs in
-// hours that many hours, and steps of a bench do not overlap. A bench *holds* a part from the
-// beginning of the step that puts it in to the end of the last test with it before it is taken out,
-// also while the bench waits in between; a part that is mounted at the start and stays in the first
-// set-up, from the beginning. A bench that waits may give up a part that stays, after the last test
-// before: it then holds it from the next step on again, which puts it in again and pays for it. At
-// no time may more benches hold a part than there are of it (Job::quantities); a bench that has a
-// part of its own is not counted. The *makespan* is the end of the last test.
+// Time. A step is the changes before a test and the test. It takes as long as it costs (an hour per
+// unit, if costs are hours), and the steps of a bench do not overlap. A bench *holds* a part from
+// the beginning of the step that puts it in to the end of the last test before it is taken out,
+// also while the bench waits in between. It holds a part that is mounted at the start, and stays in
+// the first set-up, from the beginning. A bench that waits may give up a part that stays, after the
+// last test before the wait: it then holds the part again from the next step on, which puts it in
+// again and pays for it. At no time may more benches hold a part than there are pieces of it
+// (Job::quantities); a bench with its own piece is not counted. The *makespan* is the end of the
+// last test.
 //
-// Days. A bench with so many hours a day begins a step only if it ends on the same day; a step of
-// more hours begins in the morning and goes on for as many days as it takes. All benches begin a
-// day together, and time counts hours of work: a day has as many as the bench that works longest,
-// the others rest at its end. A bench without hours, or with 24, never rests; the day has 24 then.
+// Days. A bench with limited hours per day begins a step only if the step ends on the same day. A
+// longer step begins in the morning and continues for as many days as it takes. All benches begin a
+// day together. Time counts working hours: a day has the hours of the bench that works longest, and
+// the others rest at its end. A bench without hours, or with 24, never rests; the day then has 24
+// hours.
 //
-// Bounds. Put the lists of all benches end to end: this is one list that does the job. If no bench
-// has anything mounted at its start it costs no more than they do together, since what stays
-// mounted from one list to the next need not be put in again. So all benches together cost at least
-// cost_bound(). src/plan/search/benches/bench_bounds.hpp has the better bounds, and those of the
-// makespan, each with its proof.
+// Bounds. The lists of all benches, end to end, are one list that does the job. If no bench has
+// anything mounted at its start, this list costs at most their sum, since parts that stay mounted
+// from one list to the next need not be put in again. So all benches together cost at least
+// cost_bound(). src/plan/search/benches/bench_bounds.hpp has better bounds, and those of the
+// makespan, with proofs.
 #pragma once
 
 #include <cstdint>
@@ -42,91 +43,93 @@
 
 namespace changeover {
 
-/// A bench; what it does not say is as the job says.
+/// A bench; members that are not set take the value of the job.
 struct Bench {
-  std::string name = {};                         ///< empty: "Bench 1" and so on
-  std::optional<std::uint64_t> at_once = {};     ///< how many parts fit
-  std::optional<Amount> test_cost = {};          ///< of running one test there
-  Amount change_factor = {1'000'000};            ///< by which all change costs are multiplied there
-  std::vector<Slot> slots = {};                  ///< limits of some of the job's slots, by name
-  std::optional<Block> mounted = {};             ///< parts that are in every set-up there
-  std::optional<Block> start = {};               ///< parts that are mounted before its first test
-  std::optional<std::vector<Block>> first = {};  ///< set-ups that must be run first there
-  Block own = {};  ///< parts of which the bench has one of its own, besides those that are shared
-  Block without = {};  ///< parts that cannot be mounted there
-  std::optional<Amount> hours =
-      {};                        ///< of work a day; costs are hours, or what Job::cost_unit says
-  bool down = false;             ///< it is out of order: no test is planned for it
-  std::uint64_t tests_done = 0;  ///< tests before its first; only for numbering
-  std::vector<Block> rest = {};  ///< of its plan that is under way
-  std::vector<MountedPlace> places = {};  ///< those that are known, with what is in them
+  std::string name = {};                      ///< empty: "Bench 1" and so on
+  std::optional<std::uint64_t> at_once = {};  ///< number of parts that fit
+  std::optional<Amount> test_cost = {};       ///< of running one test on this bench
+  Amount change_factor = {1'000'000};  ///< all change costs are multiplied by it on this bench
+  std::vector<Slot> slots =
+      {};  ///< limits that differ from those of the job's slots of the same name
+  std::optional<Block> mounted = {};             ///< parts in every set-up of this bench
+  std::optional<Block> start = {};               ///< parts that are mounted before the first test
+  std::optional<std::vector<Block>> first = {};  ///< set-ups that must run first on this bench
+  Block own = {};      ///< parts of which the bench has its own piece, besides the shared ones
+  Block without = {};  ///< parts that cannot be mounted on this bench
+  std::optional<Amount> hours = {};  ///< working hours per day; costs are hours, or Job::cost_unit
+  bool down = false;                 ///< out of order: no test is planned for it
+  std::uint64_t tests_done = 0;      ///< number of earlier tests; only for numbering
+  std::vector<Block> rest = {};      ///< remaining set-ups of its current plan
+  std::vector<MountedPlace> places = {};  ///< known places, with the parts in them
 
   bool operator==(const Bench&) const = default;
 };
 
-/// What a bench is called: its name, or "Bench 3" for the third.
+/// The name of a bench, or "Bench 3" for the third if it has none.
 [[nodiscard]] std::string name_of(const std::vector<Bench>& benches, std::size_t bench);
 
-/// An hour in the unit of the costs of a job: 60 where these are minutes, 1 where nothing is said.
+/// The cost of one hour: 60 if costs are minutes, 1 if no unit is given.
 [[nodiscard]] std::uint64_t costs_of_hour(const Job& job);
 
-/// What is to be least: the makespan, and what all benches cost together among equals; or the other
-/// way round.
+/// The objective: the smallest makespan, and among equal ones the smallest total cost; or the
+/// reverse.
 enum class BenchObjective { makespan, cost };
 
 struct BenchOptions {
   std::uint64_t benches = 2;
   BenchObjective objective = BenchObjective::makespan;
-  PlanOptions plan = {};  ///< of the searches; a budget is of all benches together; without a rest
-  std::vector<Bench> each = {};  ///< the benches, if they are not so many that are alike
+  PlanOptions plan =
+      {};  ///< options of the searches; a budget is for all benches together; without a rest
+  std::vector<Bench> each =
+      {};  ///< the benches, if they differ; otherwise `benches` says how many there are
 };
 
-/// The most benches.
+/// The limit for the number of benches.
 inline constexpr std::uint64_t max_benches = 64;
 
-/// A test of a bench, and when.
+/// A test on a bench, with its time.
 struct BenchStep {
   Block setup;
   Amount begin;  ///< of the changes before the test
   Block again =
-      {};  ///< parts of the set-up before that were given up meanwhile and are put in again
+      {};  ///< parts of the set-up before that were given up during a wait and are put in again
 };
 
-/// By bench, in their order.
+/// The steps of each bench, in its order.
 using BenchSchedule = std::vector<std::vector<BenchStep>>;
 
-/// From when to when.
+/// Begin and end of a step.
 struct StepTime {
   Amount begin;
   Amount end;
 };
 
-/// Lists, one a bench, and how they came about.
+/// The lists of all benches, and how they were made.
 struct BenchCandidate {
   std::string name;
   std::string how;
   std::vector<std::vector<Block>> lists;
   std::uint64_t tests = 0;
   std::uint64_t changes = 0;
-  Amount cost;      ///< of all benches
-  Amount makespan;  ///< when the last test ends
+  Amount cost;      ///< of all benches together
+  Amount makespan;  ///< the end of the last test
   std::uint64_t pairs_tested = 0;
   std::uint64_t triples_tested = 0;
-  Amount weight = {};  ///< of the pairs tested, if the job weighs them
+  Amount weight = {};  ///< of the tested pairs, if the job weighs pairs
 };
 
-/// The lists as run sheets: the referee, which shares nothing with what made them. A pair is new
-/// where it first meets if all of bench 1 comes before bench 2, and so on.
+/// The lists as run sheets, counted by code that is independent of the planner. A pair is new where
+/// it first meets if bench 1 is counted completely before bench 2, and so on.
 struct BenchCount {
-  std::vector<Bench> benches;  ///< what was counted
+  std::vector<Bench> benches;  ///< the benches that were counted
   BenchSchedule schedule;
   std::vector<RunSheet>
-      sheets;  ///< a part that was given up is taken out and put in by the step that has it again
+      sheets;  ///< by bench; a part that is given up is taken out, and put in by a later step
   std::vector<std::vector<StepTime>> times;  ///< by bench and step
   std::uint64_t tests = 0;
   std::uint64_t changes = 0;
-  Amount cost;  ///< of all benches
-  /// when the last test ends; where no bench waits or rests, the largest cost of one
+  Amount cost;  ///< of all benches together
+  /// The end of the last test; if no bench waits or rests, the largest cost of a bench.
   Amount makespan;
   std::uint64_t pairs_needed = 0;
   std::uint64_t pairs_tested = 0;
@@ -134,57 +137,58 @@ struct BenchCount {
   std::uint64_t triples_tested = 0;
   Amount weight_needed;  ///< of all needed pairs, if the job weighs them
   Amount weight_tested;
-  std::vector<std::string> faults;  ///< broken constraints, a line each
+  std::vector<std::string> faults;  ///< broken constraints, one per line
 
   [[nodiscard]] bool does_the_job() const {
     return faults.empty() && pairs_tested == pairs_needed && triples_tested == triples_needed;
   }
 };
 
-/// Counts everything and holds it against the definitions above. @throws as run_sheet(); BadInput
-/// if there are not as many lists as benches.
+/// Counts everything and checks it against the definitions above. @throws as run_sheet(); BadInput
+/// if the number of lists is not the number of benches.
 [[nodiscard]] BenchCount count_benches(const Job& job, const std::vector<Bench>& benches,
                                        const BenchSchedule& schedule);
 
-/// Of benches that are alike, have every part, begin empty and never wait.
+/// The same for equal benches that have every part, start empty, and never wait.
 [[nodiscard]] BenchCount count_benches(const Job& job,
                                        const std::vector<std::vector<Block>>& lists);
 
-/// Why no benches like these can do the job, or why they are malformed, a line each, at most ten;
-/// none if they can. Complete as defects(Job) is.
+/// Reasons why these benches are malformed or cannot do the job, one per line, at most ten; empty
+/// if they can. Complete in the same sense as defects(Job).
 [[nodiscard]] std::vector<std::string> bench_defects(const Job& job,
                                                      const std::vector<Bench>& benches);
 
-/// The needed pairs that no set-up of any bench can hold, for what slots, room and benches allow,
-/// as cannot_meet(Job).
+/// The needed pairs that no set-up of any bench can hold, because of slots, room and benches; like
+/// cannot_meet(Job).
 [[nodiscard]] PairSet cannot_meet(const Job& job, const std::vector<Bench>& benches);
 
 struct BenchPlan : BenchCount {
-  std::vector<BenchCandidate> candidates;  ///< the best first: it is the plan
-  std::optional<BenchCandidate> complete;  ///< under a budget: the cheapest plan that tests all
-  CostBound bound;                         ///< of all benches together, testing everything
-  Amount makespan_bound;                   ///< of the makespan, testing everything
-  std::string makespan_reason;             ///< in one line
+  std::vector<BenchCandidate> candidates;  ///< best first; the first one is the plan
+  std::optional<BenchCandidate>
+      complete;                 ///< with a budget: the cheapest plan that tests everything
+  CostBound bound;              ///< on the cost of testing everything on all benches together
+  Amount makespan_bound;        ///< lower bound on the makespan of testing everything
+  std::string makespan_reason;  ///< one line
   std::optional<Amount>
-      most_weight;  ///< under a budget, if the job weighs pairs: no lists within it test more
+      most_weight;  ///< with a budget and weights: no plan within the budget tests more weight
   std::uint64_t steps = 0;              ///< moves of local search
   std::optional<std::string> shortage;  ///< as in RunPlan
 };
 
-/// The best plan that was found for these benches; there always is one. The plan for one bench is
+/// Returns the best plan found for these benches; there always is one. The plan for one bench is
 /// cut into lists of about equal cost, these are shortened, and a local search moves set-ups and
-/// parts on all benches and between them; the rest of plans under way is a candidate. Under a
-/// budget: the plan that tests the most weight within it.
-/// @throws BadInput for no bench or more than max_benches, for bench_defects(), for a job that
-/// weighs pairs without a budget, and as make_run_plan().
+/// parts within and between benches. The rest of the current plans is a candidate, too. With a
+/// budget: the plan that tests the most weight within it. @throws BadInput for no bench or more
+/// than max_benches, for bench_defects(), for a job that weighs pairs without a budget, and as
+/// make_run_plan().
 [[nodiscard]] BenchPlan make_bench_plan(const CheckedJob& job, const BenchOptions& options,
                                         RunControl& control);
 [[nodiscard]] BenchPlan make_bench_plan(const Job& job, const BenchOptions& options,
                                         RunControl& control);
 
-/// What sheet_formats.hpp writes of one list, for all benches: one table per bench; CSV with a
-/// column bench; JSON, format "changeover-benches/1": title, benches, objective, cost, makespan,
-/// tests, changes, pairs_needed, pairs_tested, triples_needed, triples_tested, lower_bound {cost,
+/// The documents of sheet_formats.hpp for all benches: one table per bench; CSV with a column
+/// `bench`; JSON, format "changeover-benches/1": title, benches, objective, cost, makespan, tests,
+/// changes, pairs_needed, pairs_tested, triples_needed, triples_tested, lower_bound {cost,
 /// makespan, cost_reason, makespan_reason}, cost_unit, places, sheets [{bench, tests, changes,
 /// cost, steps [{step, take_out, put_in, set_up, places, new_pairs (their number), cost,
 /// cost_so_far, begin, end}]}], candidates [{name, how, tests, changes, cost, makespan}], notes; in
@@ -196,13 +200,14 @@ struct BenchDocument {
   std::string title = "Run sheets";
   std::vector<std::string> notes = {};
   std::optional<Amount> budget = {};
-  std::string first_day = {};  ///< of the first tests, as 2025-03-31; empty: days have numbers only
-  bool weekends = false;       ///< Saturdays and Sundays are worked on, too
+  std::string first_day =
+      {};  ///< date of the first tests, such as 2025-03-31; if empty, days only have numbers
+  bool weekends = false;  ///< Saturdays and Sundays are working days, too
 };
 
-/// As written() of sheet_formats.hpp. A page has each bench on a sheet of paper of its own; a
-/// workbook a sheet per bench, `Bench 1`, `Bench 2`, …, as that of one list, then `Plan` and
-/// `Parts`. read_setups() and read_done() (plan/job.hpp) read the sheet of a bench back.
+/// Writes the document, as written() of sheet_formats.hpp. A page has each bench on its own sheet
+/// of paper; a workbook has a sheet per bench, `Bench 1`, `Bench 2`, …, then `Plan` and `Parts`.
+/// read_setups() and read_done() (plan/job.hpp) read the sheet of a bench back.
 [[nodiscard]] std::string written(const BenchDocument& document, std::string_view format,
                                   std::size_t width = 80);
 

@@ -1,5 +1,5 @@
-// The question of an experimenter as plain data: what every door makes of what it is given, and
-// what is planned for.
+// A request for a plan or a diagnosis as plain data, made by every door; and its check and its
+// answer.
 //
 //     JobRequest request{.items = 9, .at_once = 3, .test_cost = "1", .change_cost = "5"};
 //     // {"format":"changeover-job/1","items":9,"at_once":3,"test_cost":"1","change_cost":"5"}
@@ -10,9 +10,10 @@
 //     answer.plan->sheet.steps.size();                        // 17
 //
 // The document, format "changeover-job/1": the keys of job_table(), with numbers, texts and truth
-// values as JSON has them. Amounts are numbers or texts, and exact. A list is an array of its rows
-// (RowShape, io/request.hpp), {"file": its path} or {"text": what a file would hold}. "parts" may
-// be a number, as "items" is; "model" is a text. Parts are named, or numbered from 1; a name wins.
+// values as in JSON. Amounts are numbers or texts, and exact. A list is an array of its rows
+// (RowShape, io/request.hpp), {"file": its path} or {"text": the content of a file}. "parts" may be
+// a number, like "items"; "model" is a text. Parts are given by name or by number, from 1; a name
+// takes precedence.
 #pragma once
 
 #include <cstddef>
@@ -31,11 +32,12 @@
 
 namespace changeover {
 
-/// What can be asked of plans; what each key means is said by job_table().
+/// The keys of a request; job_table() says what each one means.
 struct JobRequest {
   RequestList model = {};
   std::optional<std::uint64_t> items = {};
-  bool items_are_parts = false;  ///< the document calls that number "parts"; so do messages
+  bool items_are_parts =
+      false;  ///< the document gives the number as "parts"; messages then do, too
   RequestList parts = {};
   bool header = false;
   bool no_header = false;
@@ -77,98 +79,98 @@ struct JobRequest {
   bool operator==(const JobRequest&) const = default;
 };
 
-/// All options of plans, in the order of the help, and the rules between them.
+/// All options of plans, in the order of the help text, and the rules between them.
 [[nodiscard]] const RequestTable<JobRequest>& job_table();
 
-/// One line of JSON that job_request() reads back as the same request.
+/// Writes one line of JSON that job_request() reads back as the same request.
 [[nodiscard]] std::string to_json(const JobRequest& request);
 
-/// A request from its document; `name` is that of the file it is from, or empty. No file that it
-/// names is opened.
-/// @throws BadInput with one line, with a place if there is a file, for what is no such document.
+/// Reads a request document; `name` is the name of its file, or empty. Files that it names are not
+/// opened. @throws BadInput with one line, and a place in the file if there is one, if the document
+/// is invalid.
 [[nodiscard]] JobRequest job_request(std::string json, std::string name = "");
 
-/// A JSON Schema (draft 2020-12) of the document.
+/// Returns a JSON Schema (draft 2020-12) of the document.
 [[nodiscard]] std::string job_request_schema();
 
-/// Takes from `other` what `request` does not say.
+/// Fills the keys that `request` does not have from `other`.
 void complete(JobRequest& request, JobRequest other);
 
-/// A request with what the workbook of its parts list says besides, and what was taken from there,
-/// a line each.
+/// A request completed from the workbook of its parts list, and notes on what was taken from there,
+/// one per line.
 struct OpenedRequest {
   JobRequest request;
   std::vector<std::string> notes;
 };
 
-/// If the parts are in a workbook and no sheet of it is named: a workbook that was made as a run
-/// sheet has the question that it was made for on a hidden sheet, which is taken where the request
-/// says nothing, and the tests on it that have a result are those that were done; a budget is less
-/// by what they cost. Lists on its other sheets count if they were changed since. In other
-/// workbooks, slots, forbidden pairs, priorities and costs by what is
-/// replaced are found on sheets by their names. Every other request comes back as it is. @throws
-/// BadInput for a workbook that cannot be read, and for a question in it that is damaged, of
-/// another kind, or that names files; MissingResource for a file that cannot be read.
+/// Completes a request whose parts are in a workbook, if it names no sheet of it. A workbook that
+/// was made as a run sheet has its original request on a hidden sheet: keys that the request lacks
+/// are taken from there. The tests on it that have a result count as done, and their cost is
+/// deducted from a budget. Its other lists count if they were changed since. In other workbooks,
+/// sheets with slots, forbidden pairs, priorities and costs by what is replaced are found by their
+/// names. Every other request is returned unchanged. @throws BadInput for a workbook that cannot be
+/// read, and for a request in it that is damaged, of another kind, or names files; MissingResource
+/// for a file that cannot be read.
 [[nodiscard]] OpenedRequest open_workbook(JobRequest request);
 
-/// What two keys cannot mean together, and what is out of range, before any list is read. @throws
-/// BadOption in the words of the door.
+/// Checks ranges and combinations of keys, before any list is read. @throws BadOption, naming
+/// options as the door does.
 void check_options(const JobRequest& request, Door door);
 
-/// A request of which everything was read and checked.
+/// A request that was read and checked completely.
 struct ParsedJob {
   CheckedJob job;
-  std::vector<std::string> notes;    ///< what else is to be said of it, a line each
-  std::string done_from;             ///< what the tests that were done were read from
-  std::vector<Bench> benches;        ///< those that were asked for; the job is then that of all
-  std::vector<Block> rest;           ///< of the plan that is under way; of benches each has its own
-  std::vector<DoneTest> done;        ///< tests that were done, in their order
-  DoneRecord record;                 ///< the same as they are written
-  std::vector<TestedSetup> results;  ///< those that passed or failed
-  std::uint64_t unread = 0;          ///< results that are not understood
-  std::vector<UnreadResult> first_unread;  ///< the first of them
-  /// What was asked, its lists as rows, but for tests that were done: it needs no file.
+  std::vector<std::string> notes;  ///< remarks on the job, one per line
+  std::string done_from;           ///< where the tests that were done were read from
+  std::vector<Bench> benches;      ///< the requested benches; the job is then that of all
+  std::vector<Block>
+      rest;  ///< remaining set-ups of the current plan; with benches, each has its own
+  std::vector<DoneTest> done;              ///< tests that were done, in order
+  DoneRecord record;                       ///< the same as written on the sheet
+  std::vector<TestedSetup> results;        ///< tests that passed or failed
+  std::uint64_t unread = 0;                ///< number of results that are not understood
+  std::vector<UnreadResult> first_unread;  ///< the first of these
+  /// The request with its lists as rows, without the tests that were done: it needs no file.
   JobRequest question;
 };
 
-/// Reads the lists of a request and checks all of it: the one way from a question to a job, for
-/// every door. What waits is bounded by the scope of this thread (run/control.hpp). @throws
-/// BadOption, in the words of the door, for keys that are wrong; BadInput for lists that are;
-/// MissingResource for files that cannot be read. O(v³) and the size of the lists.
+/// Reads the lists of a request and checks all of it: the only way from a request to a job, for
+/// every door. The scope of this thread (run/control.hpp) limits its time. @throws BadOption,
+/// naming options as the door does, for wrong keys; BadInput for wrong lists; MissingResource for
+/// files that cannot be read. O(v³ + size of the lists).
 [[nodiscard]] ParsedJob checked_job(const JobRequest& request, Door door);
-/// The same of one that was opened: its notes come first.
+/// The same for a request from a workbook; its notes come first.
 [[nodiscard]] ParsedJob checked_job(const OpenedRequest& opened, Door door);
 
-/// What comes of it: the plan, that for several benches, the ranges of ratios, or the diagnosis.
+/// The answer: a plan, a plan for several benches, the ranges of ratios, or a diagnosis.
 struct PlanAnswer {
   std::optional<RunPlan> plan = {};
   std::optional<BenchPlan> benches = {};
   std::optional<WhatIf> what_if = {};
   std::optional<Diagnosis> diagnosis = {};
-  PlanOptions options = {};  ///< with which it was searched for
+  PlanOptions options = {};  ///< of the search
   BenchObjective objective = BenchObjective::makespan;
-  std::vector<std::string> notes = {};  ///< those of the job, and of how it was planned
+  std::vector<std::string> notes = {};  ///< of the job, and of the planning
 
-  /// As RunPlan::shortage.
+  /// RunPlan::shortage of the answer.
   [[nodiscard]] const std::optional<std::string>& shortage() const;
 };
 
-/// The options of the search that a request asks for.
+/// The search options of a request.
 [[nodiscard]] PlanOptions plan_options(const JobRequest& request, const ParsedJob& asked);
 
-/// Plans, or diagnoses. The time and the threads are those of the control; a time that was asked
-/// for is used, otherwise the search ends by itself, so that answers repeat. @throws as
+/// Plans or diagnoses. Time and threads are those of the control. A requested time is used up;
+/// otherwise the search ends by itself, so that answers are reproducible. @throws as
 /// make_run_plan(), make_bench_plan(), what_if() and diagnose(); BadInput if there is no result to
-/// be diagnosed. `on_better` as in PlanOptions.
+/// diagnose. `on_better` as in PlanOptions.
 [[nodiscard]] PlanAnswer answer_to(const JobRequest& request, const ParsedJob& asked,
                                    RunControl& control,
                                    std::function<void(const PlanNews&)> on_better = {});
 
-/// The answer in one of the formats table, csv, markdown, html, xlsx, json; `width` is that of a
-/// terminal. "json" is "changeover-plan/1", "changeover-benches/1", "changeover-what-if/1" or
-/// "changeover-diagnosis/1": the same bytes at every door.
-/// @throws BadOption for a format that such an answer does not have; as written() of
-/// sheet_formats.hpp.
+/// Writes the answer in one of the formats table, csv, markdown, html, xlsx, json; `width` is that
+/// of a terminal. "json" is "changeover-plan/1", "changeover-benches/1", "changeover-what-if/1" or
+/// "changeover-diagnosis/1", with the same bytes at every door. @throws BadOption for a format that
+/// the answer does not have; as written() of sheet_formats.hpp.
 [[nodiscard]] std::string written(const JobRequest& request, const ParsedJob& asked,
                                   const PlanAnswer& answer, const std::string& format,
                                   std::size_t width = 80);

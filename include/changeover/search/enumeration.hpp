@@ -1,4 +1,4 @@
-// All designs with given parameters and number of blocks, each once up to the names of its
+// Enumerates all designs with given parameters and number of blocks, each once up to renaming its
 // elements.
 //
 //     RunControl control({.threads = 2});
@@ -11,32 +11,33 @@
 //     classes.standard_forms;           // 16 sequences
 //     classes.classes;                  // 2 [McSorley1999]
 //
-// A *standard form* is a sequence of blocks up to renaming elements (isomorphism/isomorphism.hpp):
-// the b rotations of a circular design are b standard forms unless it has symmetries, and so are a
-// design and its reversal. A *class* holds the designs that are the same up to renaming, rotation
-// (if circular) and, if asked for, reversal.
+// A *standard form* is a sequence of blocks up to renaming elements (isomorphism/isomorphism.hpp).
+// A circular design of b blocks has b rotations, which are b standard forms unless it has
+// symmetries; a design and its reversal are two standard forms, too. A *class* is the set of
+// designs that are the same up to renaming, rotation (if circular) and, on request, reversal.
 //
-// How it searches. Block after block, depth first. Elements that were in the same blocks so far are
-// twins, and of twins the lowest come first into a block, so each standard form is met exactly
-// once. A partial design is given up as soon as
-//   excess   the pairs that were covered again exceed what b blocks can afford;
-//   degree   some whole numbers of introductions and stays within the blocks left must cover what
-//            is missing at each element, and at each element this costs an excess; the sum is too
-//            large (with prices of 0 to 3 for an introduction, as their total is known);
-//   reach    some missing pair is in no set of k elements whose other pairs can be afforded: a
-//            covered pair that has been separated costs an excess when it meets again.
-// A circular design fixes its last unchanged subset from the start. Classes of circular designs are
-// found from sequences that begin a longest run, in which nothing stays longer. Designs with f ≥ 2
-// elements in every block, whose pairs are never newly covered, come from designs on v − f
-// elements.
+// Method: depth first, one block after another. Elements that were in the same blocks so far are
+// twins; of twins the lowest come first into a block, so each standard form occurs exactly once. A
+// partial design is pruned as soon as
+//   excess   pairs were covered repeatedly more often than b blocks allow;
+//   degree   the introductions and stays in the remaining blocks cannot cover what each element
+//            misses: the least excess that whole numbers of them cause, summed over the elements,
+//            is too large (with prices of 0 to 3 for an introduction, as their total is known);
+//   reach    some missing pair is in no set of k elements whose other pairs are within the limit: a
+//            covered pair that was separated adds to the excess when it meets again.
 //
-// Contract. Strength 2, v ≤ 64, b ≤ 4096. Every design passes verify() before it is handed out.
-// Designs come in an order that does not depend on the number of threads; so do all counts, unless
-// a limit stopped the search. Of several processes each takes the prefixes of its WorkShare: their
-// counts add up.
+// A circular design has its last unchanged subset fixed from the start. Classes of circular designs
+// are found from sequences that begin with a longest run, in which nothing stays longer. Designs
+// with f ≥ 2 elements in every block, whose pairs are never newly covered, are made from designs on
+// v − f elements.
 //
-// Bound by: exponential in b. Tight designs are easy up to v ≈ 13; every unit of excess costs a
-// factor of about 5 to 20.
+// Contract. Strength 2, v ≤ 64, b ≤ 4096. Every design passes verify() before it is passed on. The
+// order of the designs and all counts are independent of the number of threads, unless a limit
+// stopped the search. Each of several processes takes the prefixes of its WorkShare; their counts
+// add up.
+//
+// Time: exponential in b. Tight designs are easy up to v ≈ 13; every unit of excess costs a factor
+// of about 5 to 20.
 #pragma once
 
 #include <cstdint>
@@ -56,51 +57,52 @@ inline constexpr std::uint64_t max_enumeration_elements = 64;
 inline constexpr std::uint64_t max_enumeration_blocks = 4096;
 
 struct EnumerationRun {
-  /// exhausted: these are all; otherwise what stopped the search, and these are some.
+  /// `exhausted` if these are all; otherwise what stopped the search, and there may be more.
   WhyStopped why_stopped = WhyStopped::running;
-  std::uint64_t forms = 0;     ///< standard forms handed out
-  std::uint64_t nodes = 0;     ///< partial designs that were not given up at once
-  std::uint64_t prefixes = 0;  ///< into which the work was split, over all shares
+  std::uint64_t forms = 0;     ///< standard forms passed on
+  std::uint64_t nodes = 0;     ///< partial designs that were not pruned
+  std::uint64_t prefixes = 0;  ///< number of parts of the work, over all shares
 };
 
-/// Hands out every standard form of a design with exactly b blocks, one at a time, never by two
-/// threads at once. Nothing is no error: zero forms. @throws ImpossibleParameters as check(), and
-/// if the strength is not 2 or v or b is too large; whatever `on_design` throws.
+/// Passes every standard form of a design with exactly b blocks to `on_design`, one at a time,
+/// never from two threads at once. Zero forms are not an error. @throws ImpossibleParameters as
+/// check(), and if the strength is not 2 or v or b is too large; and what `on_design` throws.
 EnumerationRun enumerate_designs(const Parameters& p, std::uint64_t b, RunControl& control,
                                  const std::function<void(const Design&)>& on_design = {});
 
-/// One class of designs that are the same.
+/// One class of equivalent designs.
 struct DesignClass {
   Design representative;        ///< the canonical form of the class
   std::uint64_t forms = 0;      ///< standard forms in the class
   std::string group_order;      ///< of the automorphism group, in decimal
-  std::uint64_t rotations = 1;  ///< rotations that are automorphisms, the identity among them
-  bool reflections = false;     ///< whether a reversal is one; only if reversal is allowed
-  std::uint64_t fixed = 0;      ///< elements in every block
+  std::uint64_t rotations = 1;  ///< rotations that are automorphisms, including the identity
+  bool reflections = false;  ///< whether a reversal is an automorphism; only if reversal is allowed
+  std::uint64_t fixed = 0;   ///< number of elements that are in every block
   bool tight = false;
   bool economical = false;
 };
 
 struct ClassifyOptions {
-  bool reversal = false;     ///< whether a design and its reversal are the same
-  std::uint64_t keep = 100;  ///< how many classes to keep in the answer; all are counted
-  /// Called for every class, in a fixed order, never by two threads at once.
+  bool reversal = false;     ///< whether a design and its reversal are in the same class
+  std::uint64_t keep = 100;  ///< number of classes to keep in the result; all are counted
+  /// Called for every class, in a fixed order, never from two threads at once.
   std::function<void(const DesignClass&)> on_class = {};
 };
 
 struct Classification {
   WhyStopped why_stopped = WhyStopped::running;
-  std::uint64_t standard_forms = 0;  ///< over all classes found
+  std::uint64_t standard_forms = 0;  ///< in all classes found
   std::uint64_t classes = 0;
   std::uint64_t tight = 0;  ///< classes of tight designs
   std::uint64_t nodes = 0;
-  std::uint64_t prefixes = 0;  ///< into which the work was split: more shares have nothing to do
-  std::map<std::string, std::uint64_t> group_orders = {};  ///< how many classes have each order
+  std::uint64_t prefixes =
+      0;  ///< number of parts of the work: further shares would have nothing to do
+  std::map<std::string, std::uint64_t> group_orders = {};  ///< number of classes by group order
   std::vector<DesignClass> kept;                           ///< the first `keep` classes
 };
 
-/// The classes of designs with exactly b blocks. Nothing has to be remembered to tell classes
-/// apart, so memory does not grow with their number. @throws as enumerate_designs().
+/// Finds the classes of designs with exactly b blocks. Memory does not grow with the number of
+/// classes, since classes are told apart without storing them. @throws as enumerate_designs().
 [[nodiscard]] Classification classify_designs(const Parameters& p, std::uint64_t b,
                                               const ClassifyOptions& options, RunControl& control);
 

@@ -1,4 +1,5 @@
-// Is there a change covering design with exactly b blocks? Found, or proved that there is none.
+// Decides whether there is a change covering design with exactly b blocks: finds one, or proves
+// that there is none.
 //
 //     RunControl control({.time = std::chrono::seconds(60)});
 //     Decision decision =
@@ -7,15 +8,16 @@
 //     decision.parts.front().proof_path;  // "proofs/linear-m1-v9-k4-b11.drat", and .cnf beside it
 //
 // The question becomes a formula (src/search/exact/exact_encoding.hpp) for a SAT solver. A design
-// is verified before it is handed out. "None" is said only after the solver's DRAT proof, read back
-// from the disk with the formula, was checked by room proof, which shares no code with what made
-// them; anyone can check the two files with another checker. docs/trust.md says what trust remains.
+// is verified before it is returned. "None" is returned only after a check of the solver's DRAT
+// proof, which is read back from the disk with the formula. The checker (room proof) shares no code
+// with what made them, and other checkers can read the two files, too. docs/trust.md says what
+// remains to be trusted.
 //
-// With one thread and no share the formula is solved whole. With more, or if several processes
-// share the search (RunControl::Settings::share), it is split into cubes; each has a formula and a
-// proof of its own, and it is checked that the cubes leave nothing out. Every process makes the
-// same cubes and takes every share.of-th of them: there is none if all of them excluded their part
-// (Decision::in_share).
+// With one thread and without a share the formula is solved whole. With more threads, or if several
+// processes share the search (RunControl::Settings::share), it is split into cubes. Each has its
+// own formula and proof, and a check shows that the cubes cover all cases. Every process makes the
+// same cubes and takes every share.of-th of them: there is no design if all processes excluded
+// their part (Decision::in_share).
 #pragma once
 
 #include <chrono>
@@ -38,35 +40,33 @@
 
 namespace changeover {
 
-/// Which clauses beyond the definition the formula has; the default is what was measured to be
-/// best.
+/// The clauses of the formula beyond the definition; the defaults are the fastest ones measured.
 struct EncodingOptions {
   bool order = true;
   bool degrees = true;
-  std::uint64_t budget = 4;  ///< count repetitions if at most so many are possible
+  std::uint64_t budget = 4;  ///< count repetitions if at most this many are possible
 };
 
 struct ExactOptions {
-  /// Where formulas and proofs are kept, named by their parameters; made if it is missing. Files
-  /// appear whole or not at all, and only if there is no design. Empty: temporary files that are
+  /// Folder for formulas and proofs, named by their parameters; created if it is missing. Files
+  /// appear complete or not at all, and only if there is no design. Empty: temporary files that are
   /// removed.
   std::string proof_directory = {};
-  /// Without a proof "none" cannot be said, only that the solver says so; designs are found a
-  /// little faster.
+  /// Without proofs, "none" is only a statement of the solver; designs are found a little faster.
   bool prove = true;
-  /// The most time for one number of blocks, besides the limit of the control.
+  /// Time limit for one number of blocks, besides the limit of the control.
   std::optional<std::chrono::duration<double>> time_per_step = {};
-  /// The most conflicts of the solver for one number of blocks (for each part, if it is split).
-  /// With one thread the answer then does not depend on the machine.
+  /// Limit for conflicts of the solver for one number of blocks (for each part, if it is split).
+  /// With one thread the result is then the same on every machine.
   std::optional<std::uint32_t> conflicts_per_step = {};
   EncodingOptions encoding = {};
-  /// The question is split into about so many cubes, 4096 at most, however many threads and shares
-  /// there are. 0: 16 for each share, or 8 for each thread; one thread alone splits nothing. Shares
-  /// of the same cubes can be divided further: shares i and i + n of 2n are share i of n.
+  /// Approximate number of cubes, at most 4096, independent of the numbers of threads and shares.
+  /// 0: 16 per share, or 8 per thread; one thread alone splits nothing. Shares of the same cubes
+  /// can be divided further: shares i and i + n of 2n are share i of n.
   std::uint64_t cubes = 0;
 };
 
-/// One formula without solution, and its proof.
+/// One unsatisfiable formula, and its proof.
 struct CheckedPart {
   Cube cube = {};             ///< the literals assumed; empty if the formula is the whole question
   std::string cnf_path = {};  ///< empty if the files were temporary
@@ -74,8 +74,9 @@ struct CheckedPart {
   std::uint64_t variables = 0;
   std::uint64_t clauses = 0;
   std::uint64_t proof_bytes = 0;
-  std::uint64_t proof_steps = 0;  ///< clauses added and deleted, as far as the checker had to read
-  std::chrono::duration<double> solve_time{};  ///< of the processor
+  std::uint64_t proof_steps =
+      0;  ///< clauses added and deleted, as far as the checker had to read them
+  std::chrono::duration<double> solve_time{};  ///< processor time
   std::chrono::duration<double> check_time{};  ///< likewise
 };
 
@@ -83,40 +84,40 @@ struct Decision {
   Parameters parameters;
   std::uint64_t b = 0;
   Outcome outcome = Outcome::unknown;
-  bool proved = false;    ///< if none: with a checked proof; otherwise it is the solver's word
-  bool in_share = false;  ///< if none: in the part of this process, of several
-  std::optional<VerifiedDesign> design = {};  ///< if found
-  std::vector<CheckedPart> parts = {};        ///< what was excluded, each with a checked proof
-  std::uint64_t cubes = 1;                    ///< into how many parts the question was split
-  std::string cubes_path = {};  ///< the list of the cubes, if there are several and files are kept
+  bool proved =
+      false;  ///< for outcome `none`: a proof was checked; else it is a statement of the solver
+  bool in_share = false;  ///< for outcome `none`: only in the share of this process
+  std::optional<VerifiedDesign> design = {};  ///< for outcome `found`
+  std::vector<CheckedPart> parts = {};        ///< the excluded parts, each with a checked proof
+  std::uint64_t cubes = 1;                    ///< number of parts into which the question was split
+  std::string cubes_path = {};  ///< the list of cubes, if there are several and files are kept
   WhyStopped why_stopped = WhyStopped::running;  ///< found, exhausted, or the limit
   std::chrono::duration<double> time{};
 
-  /// Whether there is no such design, proved.
+  /// Whether it is proved that there is no such design.
   [[nodiscard]] bool excluded() const { return outcome == Outcome::none && proved && !in_share; }
 };
 
-/// Checks, before long work, that decide() would have what it needs: memory that the control
-/// allows, where the formula is counted and not built, and the folder for proofs, which is made if
-/// it is missing. Returns the threads that the memory allows, those of the control or fewer.
+/// Checks before long work that decide() has what it needs: memory within the limit of the control
+/// (the formula is counted, not built), and the folder for proofs, which is created if it is
+/// missing. Returns the number of threads that the memory allows, at most that of the control.
 /// @throws ImpossibleParameters as check(); MissingResource; Stopped as stop_if_asked(). As fast as
 /// design_formula_size().
 unsigned require_room(const Parameters& p, std::uint64_t b, const ExactOptions& options,
                       const RunControl& control);
 
-/// Decides whether there is a design with exactly b ≥ 1 blocks.
-/// @throws ImpossibleParameters as check(); BadInput if b = 0; MissingResource if the formula is
-/// too large, or if a file cannot be written whole and no design was found meanwhile; InternalError
-/// if a design does not verify or a proof does not check. Bound by: the solver; checking takes
-/// about as long again.
+/// Decides whether there is a design with exactly b ≥ 1 blocks. @throws ImpossibleParameters as
+/// check(); BadInput if b = 0; MissingResource if the formula is too large, or if a file cannot be
+/// written and no design was found meanwhile; InternalError if a design fails verification or a
+/// proof fails its check. Time: that of the solver; checking takes about as long again.
 [[nodiscard]] Decision decide(const Parameters& p, std::uint64_t b, const ExactOptions& options,
                               RunControl& control);
 
-/// The name of the files of a question, without folder and ending: "linear-m1-v9-k4-b11", with
+/// The name of the files of a question, without folder and extension: "linear-m1-v9-k4-b11", with
 /// "-t3" before the number of blocks if the strength is 3.
 [[nodiscard]] std::string file_stem(const Parameters& p, std::uint64_t b);
 
-// The least number of blocks: every smaller one excluded by a proof, and a design.
+// The minimum number of blocks: a design, and a proof that excludes every smaller number.
 //
 //     RunControl control({.time = std::chrono::minutes(5)});
 //     MinimumResult result = find_minimum({.v = 12, .k = 4}, {}, control);
@@ -124,55 +125,54 @@ unsigned require_room(const Parameters& p, std::uint64_t b, const ExactOptions& 
 //     // 14, 14: bounds on paper give 13, which a checked proof excludes
 //     result.lower;  result.upper();
 //
-// The walk starts from the largest bound that is a proof on paper (bounds/lower_bound.hpp; minima
-// known by exhaustive search are not used: they are what is settled here), and goes up one block at
-// a time. It ends at the first design, at the upper bound that is given, or when the control stops
-// it: then an interval is left.
+// The search starts from the largest bound with a proof on paper (bounds/lower_bound.hpp). Minima
+// known by exhaustive search are not used, since they are what is settled here. It goes up one
+// block at a time, and ends at the first design, at the given upper bound, or when the control
+// stops it; then an interval remains.
 
 struct MinimumOptions {
   ExactOptions exact = {};
-  /// If the limit of a step is reached (ExactOptions) and the walk must end: how many greater
-  /// numbers of blocks are tried, without proof, for a better upper bound.
+  /// After the limit of a step is reached (ExactOptions): how many greater numbers of blocks are
+  /// tried, without proof, for a better upper bound.
   std::uint64_t tries_above = 0;
-  /// Who decides about a number of blocks, if not decide(): several processes that share each
-  /// question, say.
+  /// Used instead of decide(), for example by several processes that share each question.
   std::function<Decision(std::uint64_t b, const ExactOptions&)> decider = {};
 };
 
 struct MinimumResult {
   Parameters parameters;
   std::optional<std::string> impossible = {};  ///< why no design exists with any number of blocks
-  Bound start;                                 ///< the bound on paper from which the walk started
-  std::uint64_t lower = 0;                     ///< no design has fewer blocks
+  Bound start;                                 ///< the bound on paper from which the search started
+  std::uint64_t lower = 0;                     ///< proven lower bound on the number of blocks
   std::optional<VerifiedDesign> best = {};     ///< the given design, or a better one
-  std::vector<Decision> steps = {};            ///< in the order of the walk
+  std::vector<Decision> steps = {};            ///< in the order of the search
   WhyStopped why_stopped =
-      WhyStopped::running;  ///< exhausted if settled or impossible; the limit if not
-  /// A MissingResource that ended the walk before its time, if something is known all the same:
-  /// `best`, or steps. Show what is known, then throw it on.
+      WhyStopped::running;  ///< `exhausted` if settled or impossible; otherwise the limit
+  /// A MissingResource that ended the search early although something is known: `best`, or steps.
+  /// Show what is known, then rethrow it.
   std::exception_ptr fault = {};
   std::chrono::duration<double> time{};
 
   /// The number of blocks of `best`.
   [[nodiscard]] std::optional<std::uint64_t> upper() const;
-  /// `best` has `lower` blocks.
+  /// Whether `best` has `lower` blocks.
   [[nodiscard]] bool settled() const { return upper() == lower; }
 };
 
-/// The largest bound that is a proof on paper. @throws as lower_bounds().
+/// The largest bound with a proof on paper. @throws as lower_bounds().
 [[nodiscard]] Bound lower_bound_on_paper(const Parameters& p);
 
-/// Walks up to the minimum. `known` is a design with these parameters, from a construction say; it
-/// is verified. What is stopped while `known` is verified or bounds are looked for goes on without:
-/// one block is a bound.
-/// @throws as decide() if nothing is known by then, and BadInput if `known` is not a design with
-/// these parameters. Bound by: decide().
+/// Searches for the minimum. `known` is a design with these parameters, for example from a
+/// construction; it is verified. If the verification of `known` or the search for bounds is
+/// stopped, the search continues without them: one block is a bound. @throws as decide() if nothing
+/// is known by then, and BadInput if `known` is not a design with these parameters. Time: that of
+/// decide().
 [[nodiscard]] MinimumResult find_minimum(const Parameters& p, const MinimumOptions& options,
                                          RunControl& control,
                                          const std::optional<Design>& known = std::nullopt);
 
 // A table of minima: for each set of small parameters the bound on paper, the best construction,
-// and what exact search with checked proofs makes of the gap between them.
+// and how far exact search with checked proofs closes the gap between them.
 //
 //     std::vector<MinimaRow> rows = read_minima(*open_input("minima.csv"));  // of an earlier run
 //     fill_minima({.changes = {1}, .k_from = 3, .k_to = 3, .v_to = 6}, rows, {}, control,
@@ -183,23 +183,23 @@ struct MinimumResult {
 //                 });
 //     std::string text = minima_markdown(rows);
 //
-// Filling goes on where it was stopped: rows that are settled stay, and so do those that were tried
-// with at least as many conflicts a step. A limit of conflicts and not of time makes the table the
-// same everywhere.
+// Filling continues where it was stopped: settled rows stay, and so do rows that were tried with at
+// least as many conflicts per step. With a limit of conflicts and none of time the table is the
+// same on every machine.
 
-/// What is known of one set of parameters. Times are in seconds.
+/// The results for one set of parameters. Times are in seconds.
 struct MinimaRow {
   Parameters parameters;
-  std::uint64_t start = 0;  ///< the largest bound that is a proof on paper
-  std::uint64_t lower = 0;  ///< start, and one more for each number that was excluded
+  std::uint64_t start = 0;                  ///< the largest bound with a proof on paper
+  std::uint64_t lower = 0;                  ///< start, plus one for each excluded number
   std::optional<std::uint64_t> upper = {};  ///< blocks of the best design
-  std::string by = {};                      ///< who made it: a construction's name, or "SAT"
-  double seconds = 0;                       ///< that exact search took in all
-  double solve_seconds = 0;                 ///< of these, to refute the formulas that were excluded
-  double check_seconds = 0;                 ///< and to check their proofs
-  std::uint64_t proof_bytes = 0;            ///< of these proofs
+  std::string by = {};            ///< the name of the construction of that design, or "SAT"
+  double seconds = 0;             ///< of exact search in total
+  double solve_seconds = 0;       ///< of these, for refuting the excluded formulas
+  double check_seconds = 0;       ///< of these, for checking their proofs
+  std::uint64_t proof_bytes = 0;  ///< size of these proofs
   std::uint64_t proof_steps = 0;
-  std::uint64_t limit = 0;  ///< conflicts that one number of blocks was given
+  std::uint64_t limit = 0;  ///< limit of conflicts for one number of blocks
 
   [[nodiscard]] bool settled() const { return upper == lower; }
 
@@ -214,29 +214,28 @@ struct MinimaRange {
   std::uint32_t strength = 2;
 };
 
-/// Fills in what is missing of the range, the smallest v first, so that easy rows come before hard
-/// ones, and calls on_row after each new row. Rows stay in the order of strength, m, kind, k and v.
-/// With a control that has stopped only rows are filled in that need no search. Ends early, without
-/// an exception, where the scope of the caller stops (run/control.hpp).
-/// @throws as find_minimum() and best_known_table(), and a MissingResource that ended a search; the
-/// rows until then stay.
+/// Fills in the missing rows of the range, smallest v first, so that easy rows come before hard
+/// ones, and calls on_row after each new row. Rows are sorted by strength, m, kind, k and v. If the
+/// control has stopped, only rows that need no search are filled in. Ends early, without an
+/// exception, when the scope of the caller stops (run/control.hpp). @throws as find_minimum() and
+/// best_known_table(), and a MissingResource that ended a search; the rows so far stay.
 void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
                  const MinimumOptions& options, RunControl& control,
                  const std::function<void(const MinimaRow&)>& on_row);
 
-/// CSV with a line of names. Writing, reading and writing again gives the same bytes. @throws as
+/// Writes CSV with a header. Writing, reading and writing again gives the same bytes. @throws as
 /// Sink::write().
 void write_minima(const std::vector<MinimaRow>& rows, Sink& sink);
 
-/// The rows in their order. @throws BadInput with the line if the text is not what write_minima()
-/// writes: impossible parameters, some that stand there twice, and bounds that decrease are
-/// refused, too; MissingResource if reading fails.
+/// Reads the rows in their order. @throws BadInput with the line if the text is not as written by
+/// write_minima(), also for impossible parameters, repeated parameters, and bounds that decrease;
+/// MissingResource if reading fails.
 [[nodiscard]] std::vector<MinimaRow> read_minima(Input& input);
 
-/// One object whose "minima" are the rows, in their order.
+/// One JSON object whose "minima" are the rows, in their order.
 [[nodiscard]] std::string minima_json(const std::vector<MinimaRow>& rows);
 
-/// Markdown: tables of minima by v and k, of the proofs and of what is open.
+/// Markdown: tables of minima by v and k, of the proofs, and of open cases.
 [[nodiscard]] std::string minima_markdown(const std::vector<MinimaRow>& rows);
 
 /// The same as LaTeX, for the packages booktabs and longtable.

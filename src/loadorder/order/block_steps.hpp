@@ -1,4 +1,5 @@
-// Internal: blocks as steps. What a block introduces is loaded, what left is evicted before.
+// Internal: blocks as steps. Elements that a block introduces are loaded; those that left it are
+// evicted before.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +13,11 @@
 
 namespace changeover {
 
-/// Steps of a stream of blocks, which is read once, to its end; the step back to the first block of
-/// a circular one is not made. O(k) a block.
+/// The steps of a stream of blocks, which is read once, to its end. The step back to the first
+/// block of a circular design is left out. O(k) per block.
 class BlockSteps final : public StepSource {
  public:
-  /// `keeper` is whatever must live as long as the blocks.
+  /// `keeper` is an object that must live as long as the blocks.
   explicit BlockSteps(std::unique_ptr<BlockSource> blocks,
                       std::shared_ptr<const void> keeper = nullptr)
       : keeper_(std::move(keeper)),
@@ -42,7 +43,7 @@ class BlockSteps final : public StepSource {
   }
 
  private:
-  // Most places hold what they held: these are passed over many at a time.
+  // Most places do not change: many are skipped at a time.
   void take_changes(Step& step) {
     constexpr std::size_t at_a_time = 64;
     changed_.clear();
@@ -56,7 +57,7 @@ class BlockSteps final : public StepSource {
         }
       }
     }
-    // mark_[x] is 2n if x left its place in block n, and 2n+1 if it came to another.
+    // mark_[x] is 2n if x left its place in block n, and 2n+1 if it entered another one.
     for (const std::size_t i : changed_) {
       mark_[before_[i]] = 2 * number_;
     }

@@ -17,9 +17,9 @@
 namespace changeover {
 namespace {
 
-constexpr std::uint64_t most_items_to_grow = 1000;  // one by one
+constexpr std::uint64_t most_items_to_grow = 1000;  // for growing orders item by item
 
-/// An order of G groups of items with room for some of them.
+/// An order of G groups of items, with room for some of the groups.
 struct GroupedOrder {
   std::uint64_t items = 0;
   std::uint64_t groups = 0;
@@ -28,13 +28,13 @@ struct GroupedOrder {
 
   [[nodiscard]] std::uint64_t largest() const { return ceil_div(items, groups); }
 
-  /// Upper bounds on the span and on all loads.
+  /// Upper bounds on the span and on the loads of all workers.
   [[nodiscard]] std::pair<std::uint64_t, std::uint64_t> cost(std::uint64_t workers) const {
     return {largest() * (room + order.steps.size()), largest() * (workers * room + order.changes)};
   }
 };
 
-/// The steps of a worker of such an order.
+/// The steps of one worker in such an order.
 class GroupedSteps final : public StepSource {
  public:
   GroupedSteps(std::shared_ptr<const GroupedOrder> order, std::uint64_t worker)
@@ -76,7 +76,7 @@ class GroupedSteps final : public StepSource {
   std::uint64_t number_ = 0;
 };
 
-/// Grows orders and keeps the best.
+/// Grows orders and keeps the best one.
 class Garden {
  public:
   Garden(std::uint64_t items, std::uint64_t room, std::uint64_t workers, std::uint64_t seed)
@@ -89,7 +89,8 @@ class Garden {
     }
   }
 
-  /// Cuts the best one and grows it again. Its last third is where most is lost.
+  /// Cuts the best order and grows it again, mostly in its last third, which is the least efficient
+  /// part.
   void cut_and_grow(std::uint64_t times) {
     for (std::uint64_t i = 0; i < times && best_ && !best_->steps.empty(); ++i) {
       stop_if_asked();
@@ -107,7 +108,7 @@ class Garden {
     const std::uint64_t most_steps = best_ ? best_->steps.size() : 4 * items_ * items_;
     auto grown = grow_order(items_, room_, workers_, best_ ? *best_ : GrownOrder(), keep, rule,
                             most_steps, random_);
-    // One that is as good may lead to a better one.
+    // An order that is equally good may lead to a better one.
     if (grown && (!best_ || !best_->better_than(*grown))) {
       best_ = std::move(grown);
     }
@@ -118,15 +119,14 @@ class Garden {
   std::optional<GrownOrder> best_;
 };
 
-// Cuts and grows, about so many additions of bytes.
+// Cuts and grows, for about `work` additions of bytes.
 void tend(Garden& garden, std::uint64_t items, std::uint64_t room, std::uint64_t work) {
   garden.sow();
   const std::uint64_t one = items * items / room * (items + 10 * room) + 1000;
   garden.cut_and_grow(std::min<std::uint64_t>(work / one, 3000));
 }
 
-// With few items left beside those that are held, groups that move together are better than single
-// items.
+// If few items are outside the memories, groups that move together are better than single items.
 void consider_groups(std::optional<GroupedOrder>& best, const LoadOrderFacts& facts,
                      std::uint64_t seed) {
   constexpr std::uint64_t most_room = 8;
@@ -167,7 +167,7 @@ std::optional<GroupedOrder> grown_order(const LoadOrderFacts& facts,
             garden.cut_and_grow(16);
           } while (RunScope::current() != nullptr);
         } catch (const Stopped&) {
-          // The best so far is what counts.
+          // The best order so far is used.
         }
       });
     }
@@ -181,7 +181,7 @@ std::optional<GroupedOrder> grown_order(const LoadOrderFacts& facts,
 
 using WorkerMaker = std::function<std::unique_ptr<StepSource>(std::uint64_t worker)>;
 
-// Says in `facts` what it is.
+// Describes the order in `facts`.
 WorkerMaker best_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
   if (facts.lockstep == 1) {
     const auto order =
@@ -218,7 +218,7 @@ WorkerMaker best_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
   return [order](std::uint64_t worker) { return std::make_unique<GroupedSteps>(order, worker); };
 }
 
-/// By turns.
+/// The steps of all workers, alternating.
 class InLockstep final : public StepSource {
  public:
   InLockstep(const WorkerMaker& maker, std::uint64_t workers) {

@@ -1,4 +1,4 @@
-// Internal: steps that were made before.
+// Internal: steps that are stored in memory.
 #pragma once
 
 #include <cstddef>

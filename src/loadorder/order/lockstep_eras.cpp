@@ -11,13 +11,13 @@
 namespace changeover {
 namespace {
 
-/// What a worker does in a round: the group that stays, and the one that passes.
+/// The task of a worker in a round: the group that stays, and the one that passes.
 struct Duty {
   std::optional<std::uint64_t> stays;
   std::optional<std::uint64_t> passes;
 };
 
-/// The duties of all workers, round by round.
+/// The tasks of all workers, round by round.
 class Rounds {
  public:
   explicit Rounds(const EraShape& shape)
@@ -25,7 +25,7 @@ class Rounds {
     begin_era();
   }
 
-  /// The next round; false at the end.
+  /// Moves to the next round; false at the end.
   bool next() {
     while (round_ == rounds_) {
       if (!begin_blocks()) {
@@ -56,19 +56,19 @@ class Rounds {
   struct Block {
     std::uint64_t first_passing = 0;
     std::uint64_t passing = 0;
-    std::uint64_t place = 0;  // of the worker among those of its block
+    std::uint64_t place = 0;  // of the worker, within its block
     std::uint64_t turns = 0;
     bool stays = false;
   };
 
-  // Groups that stay in this era.
+  // Number of groups that stay in this era.
   [[nodiscard]] std::uint64_t present() const { return std::min(workers_, groups_ - first_); }
 
   void begin_era() {
     const std::uint64_t others = groups_ - first_ - present();
     size_ = 2 * std::bit_ceil(present());
     round_ = 0;
-    // The pairs of a group meet here, even if nothing passes.
+    // The pairs within a group meet here, even if no group passes.
     rounds_ = others > 0 ? std::max(others, present()) : 1;
     for (std::uint64_t w = 0; w < workers_; ++w) {
       const bool stays = w < present();
@@ -77,7 +77,7 @@ class Rounds {
     }
   }
 
-  // Blocks of half the size; false if nothing is left to meet.
+  // Continues with blocks of half the size; false if all groups have met.
   bool begin_blocks() {
     size_ /= 2;
     if (size_ < 2) {
@@ -100,9 +100,9 @@ class Rounds {
   }
 
   std::uint64_t workers_, groups_;
-  std::uint64_t first_ = 0;   // group of the era
+  std::uint64_t first_ = 0;   // first group of the era
   std::uint64_t size_ = 0;    // of its blocks
-  std::uint64_t round_ = 0;   // in this phase
+  std::uint64_t round_ = 0;   // within this phase
   std::uint64_t rounds_ = 0;  // of this phase
   std::vector<Duty> duties_;
   std::vector<Block> block_of_;
@@ -116,8 +116,8 @@ std::uint64_t size_of(const EraShape& shape, const std::optional<std::uint64_t>&
   return group ? begin_of(shape, *group + 1) - begin_of(shape, *group) : 0;
 }
 
-/// Reads rounds as steps: one in which groups that are to stay are loaded, if there are any; then
-/// one for each item that passes.
+/// Turns rounds into steps: one that loads the groups that stay, if they change; then one for each
+/// item that passes.
 class EraSteps final : public StepSource {
  public:
   EraSteps(const EraShape& shape, std::uint64_t worker)
@@ -130,7 +130,7 @@ class EraSteps final : public StepSource {
     step.number = ++number_;
     step.evict.clear();
     step.load.clear();
-    if (place_ == 0 && passing_) {  // of the round before
+    if (place_ == 0 && passing_) {  // from the round before
       step.evict.push_back(*passing_);
       passing_.reset();
     }
@@ -161,7 +161,7 @@ class EraSteps final : public StepSource {
     }
   }
 
-  // A round may be empty, and is none then.
+  // Starts a round; false if it is empty.
   bool begin_round() {
     place_ = length_ = 0;
     while (length_ == 0) {
@@ -185,10 +185,11 @@ class EraSteps final : public StepSource {
   EraShape shape_;
   std::size_t worker_;
   Rounds rounds_;
-  std::vector<std::optional<std::uint64_t>> stayed_;  // of all workers, in the round before
+  std::vector<std::optional<std::uint64_t>>
+      stayed_;  // group that stayed at each worker in the round before
   Duty duty_;
-  bool changes_ = false;      // whether the round begins with other groups that stay
-  std::uint64_t place_ = 0;   // in the round
+  bool changes_ = false;      // whether other groups stay in this round
+  std::uint64_t place_ = 0;   // within the round
   std::uint64_t length_ = 0;  // of the round
   std::optional<std::uint64_t> held_;
   std::optional<Element> passing_;

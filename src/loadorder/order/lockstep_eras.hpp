@@ -1,16 +1,17 @@
-// Internal: lockstep orders for any number of items, made as they go.
+// Internal: lockstep orders for any number of items, generated step by step.
 //
 // The items are in G groups of at most n ≤ C − 1 items. In an era W groups stay, group a + w at
 // worker w.
-//   1. All groups behind them pass: in round r worker w is passed by the (r + w)-th of them,
-//      cyclically, item by item. So in each round the passing groups differ, and each group that
-//      stays is passed by each of the others.
-//   2. Those that stayed meet each other by halves: the first half of a block stays where it is,
-//      the workers of the other half drop theirs and stand idle, and the other half passes the
-//      first, one group at each in turn; then the same with both halves. Blocks begin at multiples
-//      of their size, a power of two.
-//   3. They are dropped for good.
-// A pair in a group meets when the group is loaded to stay.
+//   1. All later groups pass: in round r the (r + w)-th of them (cyclically) passes worker w, item
+//      by item. So the passing groups of a round are different, and each group that stays is passed
+//      by each of the others.
+//   2. The groups that stayed meet each other by halves. The first half of a block stays; the
+//      workers of the other half drop their groups and are idle; the groups of the other half pass
+//      those of the first, one group at each worker in turn. The same is then done in both halves.
+//      Blocks begin at multiples of their size, a power of two.
+//   3. The groups that stayed are finished.
+//
+// A pair within a group meets when the group is loaded to stay.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +27,7 @@ struct EraShape {
   std::uint64_t groups = 0;
 };
 
-/// Steps and loads of all rounds: the span of the order and the loads of all workers.
+/// Steps and loads of all rounds: the span of the order, and the loads of all workers.
 struct EraCost {
   std::uint64_t span = 0;
   std::uint64_t loads = 0;
@@ -35,10 +36,10 @@ struct EraCost {
 
 [[nodiscard]] EraCost cost_of_eras(const EraShape& shape);
 
-/// The numbers of groups with the least span, by C − 1 items a group or a few less.
+/// The grouping with the least span, with C − 1 items per group or a few less.
 [[nodiscard]] EraShape best_eras(std::uint64_t items, std::uint64_t room, std::uint64_t workers);
 
-/// The steps of a worker.
+/// The steps of one worker.
 [[nodiscard]] std::unique_ptr<StepSource> era_steps(const EraShape& shape, std::uint64_t worker);
 
 }  // namespace changeover

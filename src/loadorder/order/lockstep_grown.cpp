@@ -107,7 +107,8 @@ class Growth {
     moved_[w] = true;
   }
 
-  // Of what no worker holds, one that brings most pairs to a worker; nothing if all are held.
+  // Of the items that no worker holds, one that brings most pairs to worker w; nullopt if all are
+  // held.
   std::optional<Element> best_to_come(std::uint32_t w) {
     std::optional<Element> best;
     std::uint64_t best_key = 0;
@@ -129,7 +130,7 @@ class Growth {
     return best;
   }
 
-  // The most pairs that any item would bring to w after `out` has gone for `in`.
+  // The most pairs that any item would bring to w after `in` has replaced `out`.
   [[nodiscard]] std::uint64_t gain_afterwards(std::uint32_t w, Element out, Element in) const {
     std::uint32_t most = 0;
     const std::uint8_t* gone = &open_[out * items_];
@@ -179,7 +180,7 @@ class Growth {
     std::uint64_t pairs = 0;
   };
 
-  // The exchange with a worker that has not moved that brings most pairs to both.
+  // The exchange with a worker that has not moved yet that brings most pairs to both.
   [[nodiscard]] Exchange best_exchange(std::uint32_t w) const {
     Exchange best;
     for (std::uint32_t v = 0; v < memory_.size(); ++v) {
@@ -190,7 +191,7 @@ class Growth {
           *std::max_element(memory_[v].begin(), memory_[v].end(),
                             [&](Element a, Element b) { return gain_[w][a] < gain_[w][b]; });
       for (const Element mine : memory_[w]) {
-        // Each counts the pair of the two, which does not meet.
+        // Each side counts the pair of the two exchanged items, which does not meet.
         const std::uint64_t pairs =
             gain_[w][theirs] + gain_[v][mine] - (is_open(mine, theirs) ? 2U : 0U);
         if (pairs > best.pairs) {
@@ -224,8 +225,8 @@ class Growth {
     }
   }
 
-  // Nothing brings a new pair: what has most open pairs comes, if that pays or nothing else has
-  // happened in this step.
+  // No item brings a new pair: the item with the most open pairs is loaded, if it helps or nothing
+  // else has happened in this step.
   void begin_anew(std::uint32_t w, bool must) {
     std::optional<Element> in;
     for (Element y = 0; y < items_; ++y) {
@@ -245,13 +246,13 @@ class Growth {
   std::size_t room_;
   GrowthRule rule_;
   Random& random_;
-  std::vector<std::uint8_t> open_;         // P × P: pairs that have not met
+  std::vector<std::uint8_t> open_;         // P × P: whether the pair has not met
   std::vector<std::uint32_t> open_pairs_;  // by item
   std::vector<std::uint32_t> holder_;
   std::vector<std::uint64_t> arrival_;
   std::vector<std::vector<Element>> memory_;
   std::vector<std::vector<std::uint32_t>>
-      gain_;  // by worker and item: open pairs with what it holds
+      gain_;  // by worker and item: open pairs with the worker's items
   std::vector<bool> moved_;
   std::uint64_t left_;
   std::uint64_t clock_ = 0;
@@ -284,7 +285,7 @@ std::optional<GrownOrder> grow_order(std::uint64_t items, std::uint64_t room, st
 
 GrownOrder round_robin_order(std::uint64_t workers) {
   const auto count = static_cast<std::size_t>(2 * workers);
-  // Round r of the circle method, by player: the last one meets r, and r + i meets r − i.
+  // Round r of the circle method, by player: the last player meets r, and r + i meets r − i.
   const auto partners_in = [&](std::size_t r) {
     std::vector<std::size_t> partner(count);
     const std::size_t odd = count - 1;
@@ -297,7 +298,7 @@ GrownOrder round_robin_order(std::uint64_t workers) {
     return partner;
   };
   std::vector<std::size_t> now = partners_in(0);
-  // Worker w begins with the items 2w and 2w + 1.
+  // Worker w starts with the items 2w and 2w + 1.
   std::vector<Element> item_of(count);
   std::vector<std::uint32_t> worker_of(count);
   std::uint32_t next_worker = 0;
@@ -316,8 +317,8 @@ GrownOrder round_robin_order(std::uint64_t workers) {
     std::vector<bool> seen(count, false);
     std::vector<std::uint32_t> moved = worker_of;
     for (std::size_t start = 0; start < count; ++start) {
-      // The worker of `keeps` goes on with it; its other item is the one that the next worker along
-      // the cycle drops for.
+      // The worker that keeps `keeps` continues with it; it drops its other item for the next
+      // worker along the cycle.
       for (std::size_t keeps = start; !seen[keeps];) {
         const std::size_t goes = now[keeps];
         const std::size_t comes = then[keeps];

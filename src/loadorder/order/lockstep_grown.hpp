@@ -1,9 +1,9 @@
-// Internal: lockstep orders that are grown a step at a time.
+// Internal: lockstep orders that are grown step by step.
 //
-// In a step each worker changes one item, or two workers exchange one: what brings most new pairs
-// together. What is evicted is chosen by a rule, of which there are several, and none is the best
-// for all parameters. An order is a list of changes, so it can be cut at any step and grown anew
-// from there.
+// In a step each worker changes one item, or two workers exchange one: the change that brings most
+// new pairs together. There are several rules for what is evicted, and none is best for all
+// parameters. An order is a list of changes, so it can be cut at any step and grown again from
+// there.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,15 @@
 
 namespace changeover {
 
-/// A worker loads `in` in place of `out`.
+/// A worker loads `in` and evicts `out`.
 struct LockstepChange {
   std::uint32_t worker = 0;
   Element out = 0;
   Element in = 0;
 };
 
-/// Worker w begins with items wC, …, wC + C − 1; then a list of changes for each step, at most one
-/// a worker.
+/// Worker w starts with items wC, …, wC + C − 1. Then follows a list of changes for each step, at
+/// most one per worker.
 struct GrownOrder {
   std::vector<std::vector<LockstepChange>> steps;
   std::uint64_t changes = 0;
@@ -34,7 +34,7 @@ struct GrownOrder {
   }
 };
 
-/// Which of the items a worker holds goes, and which of those that bring most pairs comes.
+/// Which item of a worker is evicted, and which of the items with the most pairs is loaded.
 struct GrowthRule {
   enum class Goes { fewest_open_pairs, last_come, first_come, best_afterwards } goes;
   enum class Comes { any, fewest_open_pairs, most_open_pairs } comes;
@@ -43,16 +43,16 @@ struct GrowthRule {
 inline constexpr std::size_t growth_rules = 12;
 [[nodiscard]] GrowthRule growth_rule(std::size_t number);
 
-/// Goes on after the first `keep` steps of `start`. Nothing if it would have more than
+/// Grows an order from the first `keep` steps of `start`. Nullopt if it would have more than
 /// `most_steps`. W·C ≤ P, C ≥ 2.
 [[nodiscard]] std::optional<GrownOrder> grow_order(std::uint64_t items, std::uint64_t room,
                                                    std::uint64_t workers, const GrownOrder& start,
                                                    std::size_t keep, GrowthRule rule,
                                                    std::uint64_t most_steps, Random& random);
 
-/// 2W items, room for 2: the rounds of a tournament. Any two perfect matchings in turn make up even
-/// cycles, along which each worker keeps one of its items and takes the other from its neighbour:
-/// 2W + (2W − 2)W loads, the span is 2W.
+/// 2W items, room for 2: the rounds of a tournament. Two successive perfect matchings form even
+/// cycles, along which each worker keeps one item and takes the other from its neighbour: 2W + (2W
+/// − 2)W loads, and the span is 2W.
 [[nodiscard]] GrownOrder round_robin_order(std::uint64_t workers);
 
 }  // namespace changeover

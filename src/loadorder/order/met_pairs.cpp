@@ -158,7 +158,7 @@ MetPairs::MetPairs(const ScheduleRules& rules, const CheckOptions& options)
     } else {
       leave_out_unwanted();
     }
-    // Of few items a word holds one or two.
+    // With few items a word contains only one or two of them.
     constexpr std::uint64_t room_for_words = 32;
     const std::uint64_t room = std::min(rules.fast_room.value_or(rules.room), items_);
     if (room >= room_for_words) {
@@ -182,7 +182,7 @@ void MetPairs::watch(const CheckOptions& options) {
       row_[x] = static_cast<std::uint32_t>(watched_.size());
     }
   };
-  // The ends are where a construction would go wrong.
+  // Constructions are most likely to be wrong at the ends.
   watch(0);
   watch(static_cast<Element>(items_ - 1));
   const std::uint64_t wanted = std::min(options.watched, items_);
@@ -192,8 +192,8 @@ void MetPairs::watch(const CheckOptions& options) {
   met_.assign(watched_.size(), std::vector<bool>(static_cast<std::size_t>(items_), false));
 }
 
-// Pairs that are not wanted are not missed. Where sets are wanted, an item has at most two runs of
-// others.
+// Pairs that are not wanted are not missing. Where sets are wanted, an item has at most two runs of
+// unwanted partners.
 void MetPairs::leave_out_unwanted() {
   for (Element x = 1; x < items_; ++x) {
     for (Element first = 0; first < x; first += 64) {
@@ -336,7 +336,7 @@ void MetPairs::report(ScheduleVerdict& verdict) {
     if (const auto pair = some_->example()) {
       say(pair->first, pair->second);
     }
-    // An item without a partner is missed like a pair.
+    // An item without a partner counts as missing like a pair.
     for (Element x = 0; x < loaded_.size(); ++x) {
       if (wanted_.needs(x) && !loaded_[x] && wanted_.graph()->partners(x).empty()) {
         ++verdict.missing;

@@ -1,4 +1,4 @@
-// Internal, of the check alone: which pairs were seen, and which met.
+// Internal, for the check only: which pairs were seen, and which have met.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +12,12 @@
 
 namespace changeover {
 
-/// Wanted pairs that were seen: a bit a pair, of listed ones two.
+/// The wanted pairs that were seen: one bit per pair, two for listed ones.
 class SeenPairs {
  public:
   SeenPairs(const WantedPairs& wanted, std::uint64_t items);
 
-  /// {x,y} is wanted. Whether it was seen for the first time.
+  /// Needs a wanted pair {x,y}. Returns whether it is new.
   bool insert(Element x, Element y) {
     const std::uint64_t bit =
         wanted_.graph() != nullptr ? *wanted_.graph()->place(x, y) : PairSet::rank(x, y);
@@ -30,7 +30,7 @@ class SeenPairs {
   }
 
   [[nodiscard]] std::uint64_t missing() const { return wanted_count_ - size_; }
-  /// A pair that is wanted and was not seen.
+  /// A wanted pair that was not seen.
   [[nodiscard]] std::optional<ItemPair> example() const;
 
  private:
@@ -41,23 +41,24 @@ class SeenPairs {
   std::uint64_t size_ = 0;
 };
 
-/// What has been in one memory, in words: for rooms of many items. A pair belongs to the row of the
-/// one that came later as far as that has the larger name; when a name leaves, its row takes what
-/// came in the meantime, which is kept as a set for each so many arrivals.
+/// The pairs that met in one memory, stored in words of bits: for rooms of many items. A pair
+/// belongs to the row of the later item, as far as that has the larger name. When a name leaves,
+/// its row is updated with the items that arrived in the meantime, which are kept as one set for
+/// each fixed number of arrivals.
 class MetInWords {
  public:
-  /// since[x], shared by memories that never hold the same item: so many arrivals of its memory
-  /// were before x left out.
+  /// since[x] is the number of arrivals at its memory before x, less the left-out ones; shared by
+  /// memories that never hold the same item.
   MetInWords(std::uint64_t room, std::vector<std::uint32_t>& since);
 
-  /// From now on the pairs that met for the first time are counted.
+  /// From now on pairs that meet for the first time are counted.
   void count_in(std::uint64_t& count) { count_ = &count; }
 
   void arrive(Element name, PairSet& pairs);
   void leave(Element name, PairSet& pairs);
-  /// Adds what those that are there met.
+  /// Adds the pairs of the items in memory.
   void settle(PairSet& pairs);
-  /// Memory is empty; what met has met.
+  /// Empties the memory; pairs that met are kept.
   void clear(PairSet& pairs);
 
  private:
@@ -71,41 +72,41 @@ class MetInWords {
   std::vector<std::uint32_t>* since_;
   std::uint64_t* count_ = nullptr;
   WordSet held_;
-  std::vector<Element> arrivals_;  // since it was empty, or settled
-  std::vector<WordSet> sets_;      // of each full run of them
+  std::vector<Element> arrivals_;  // since the memory was empty, or settled
+  std::vector<WordSet> sets_;      // one per full run of arrivals
   std::vector<WordSet> large_sets_;
 };
 
-/// Pairs that have been in one memory: all of them, those that are wanted, or those of a few
-/// watched items.
+/// The pairs that have met in one memory: all pairs, the wanted ones, or those of a few watched
+/// items.
 class MetPairs {
  public:
   MetPairs(const ScheduleRules& rules, const CheckOptions& options);
   MetPairs(const MetPairs&) = delete;
   MetPairs& operator=(const MetPairs&) = delete;
 
-  /// x comes to what is in the `memory` of a worker; place[y] is not 0 for what is there, or in
-  /// lockstep at any worker.
+  /// x joins the items in the `memory` of a worker. place[y] is not 0 for items there or, in
+  /// lockstep, at any worker.
   void arrive(std::size_t worker, Element x, const std::vector<Element>& memory,
               const std::vector<std::uint32_t>& place);
-  /// x leaves its place in the list of what is there, which the last one takes.
+  /// x leaves its place in the list of items in memory, which the last item takes.
   void leave(std::size_t worker, Element x, std::size_t place);
-  /// The memory is empty; what met has met.
+  /// Empties the memory; pairs that met are kept.
   void clear(std::size_t worker);
 
-  /// Pairs that met for the first time since the memory was empty, and now is again; 0 if they are
-  /// not counted.
+  /// The number of pairs that met for the first time since the last call, when memory is empty; 0
+  /// if they are not counted.
   [[nodiscard]] std::uint64_t take_count();
 
-  /// Fills in what is missing, an example and how many are watched.
+  /// Reports missing pairs, an example, and the number of watched items.
   void report(ScheduleVerdict& verdict);
 
  private:
-  /// What one worker holds, as far as it is followed.
+  /// The memory of one worker, as far as it is tracked.
   struct Memory {
-    std::vector<Element> kept;        // names of what is there, in the same places; or
-    std::optional<MetInWords> words;  // that, if there is much room
-    std::vector<Element> watched;     // watched items that are there
+    std::vector<Element> kept;        // names of the items in memory, in the same places; or
+    std::optional<MetInWords> words;  // the same in words, for large rooms
+    std::vector<Element> watched;     // watched items in memory
   };
 
   void leave_out_unwanted();
@@ -118,14 +119,14 @@ class MetPairs {
   WantedPairs wanted_;
   bool lockstep_;
   bool by_worker_;
-  std::uint64_t count_ = 0;           // of pairs that are followed one by one
+  std::uint64_t count_ = 0;           // of pairs that are tracked one by one
   std::vector<Memory> memories_;      // by worker
-  std::optional<PairSet> pairs_;      // all of them, under the names kept_as_, or
+  std::optional<PairSet> pairs_;      // all pairs, under the names kept_as_, or
   std::vector<std::uint32_t> since_;  // by name, of memories in words
-  std::optional<SeenPairs> some_;     // those that are wanted, or
-  std::vector<bool> loaded_;          // by item, of listed pairs
-  std::vector<Element> kept_as_;      // by item; empty: their own
-  std::vector<Element> watched_;      // a few rows
+  std::optional<SeenPairs> some_;     // the wanted pairs, or
+  std::vector<bool> loaded_;          // by item, for listed pairs
+  std::vector<Element> kept_as_;      // by item; empty: the item itself
+  std::vector<Element> watched_;      // watched items
   std::vector<std::uint32_t> row_;    // by item: its row plus one, 0 if it is not watched
   std::vector<std::vector<bool>> met_;
 };

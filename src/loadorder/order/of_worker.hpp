@@ -1,4 +1,4 @@
-// Internal: the steps of one worker out of those of all.
+// Internal: the steps of one worker, selected from those of all.
 #pragma once
 
 #include <cstdint>

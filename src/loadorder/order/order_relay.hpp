@@ -1,6 +1,6 @@
-// Internal: a place in an order that one reader leaves and the next one takes, so that stretches
-// that are read one after another cost one reading of the order, and not one each of all that comes
-// before.
+// Internal: a place in an order that one reader leaves and the next one takes over. Reading
+// stretches one after another then costs one pass over the order, instead of one pass from the
+// beginning for each.
 #pragma once
 
 #include <cstdint>
@@ -14,19 +14,19 @@ namespace changeover {
 
 class OrderRelay {
  public:
-  /// Behind so many steps of the order.
+  /// A place after a number of steps of the order.
   struct Place {
     std::unique_ptr<StepSource> order;
     std::uint64_t step = 0;
-    std::vector<std::uint64_t> present;  // what is in memory, a bit each
-    std::vector<std::uint64_t> fast;     // what is on the accelerator
+    std::vector<std::uint64_t> present;  // items in memory, one bit each
+    std::vector<std::uint64_t> fast;     // items on the accelerator
 
     bool next(Step& next_step);
   };
 
-  /// The place that was left, if it is before step `before`; otherwise the beginning.
+  /// The stored place, if it is before step `before`; otherwise the beginning.
   [[nodiscard]] Place take(const LoadOrder& order, std::uint64_t before);
-  /// For any thread.
+  /// Stores a place. Thread-safe.
   void give(Place place);
 
  private:

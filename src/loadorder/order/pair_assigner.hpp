@@ -1,11 +1,11 @@
-// Internal: which step computes which pair.
+// Internal: assigns each pair to the step that computes it.
 //
 // A pair belongs to the first step that has both items in memory, or on the accelerator; workers
-// come one after another, or step together. If workers have owners of pairs, it is the first step
-// of its owner. Within a step pairs are listed by the arrival of the later item, and those with
-// an item that goes next come before the others of the last arrival. What goes next goes first only
-// as far as the next loads need its place. In each epoch pairs are new, those of what is there when
-// it begins first of all.
+// follow one another, or step together. If pairs have owners, it is the first such step of its
+// owner. Within a step, pairs are sorted by the arrival of the later item; of the last arrival,
+// pairs with an item that is evicted next come first. An item that is evicted next is evicted early
+// only if the next loads need its place. In each epoch all pairs are computed again, those in
+// memory at its beginning first.
 #pragma once
 
 #include <algorithm>
@@ -23,22 +23,22 @@ namespace changeover {
 
 struct AssignedStep {
   Step step;
-  std::vector<Element> stayed;         ///< at the beginning of an epoch: computed alone now
-  std::size_t stayed_end = 0;          ///< so many pairs, the first ones, are of what stayed
-  std::vector<Element> evicted_first;  ///< by the next step, before its loads start
-  std::vector<Element> evicted_late;   ///< by the next step, when this one is over
-  std::vector<bool>
-      is_new;  ///< by place in what comes: computed alone now, never before at any worker
-  std::vector<ItemPair> pairs;           ///< later item's arrival by arrival
-  std::vector<std::size_t> arrival_end;  ///< by place in what comes: end of its pairs
-  std::size_t before = 0;                ///< so many pairs come before the next evictions
+  std::vector<Element>
+      stayed;                  ///< items in memory at the beginning of an epoch: computed alone now
+  std::size_t stayed_end = 0;  ///< number of pairs, the first ones, of such items
+  std::vector<Element> evicted_first;  ///< evicted by the next step, before its loads start
+  std::vector<Element> evicted_late;   ///< evicted by the next step, when this one is over
+  std::vector<bool> is_new;  ///< by loaded item: computed alone now, and never before at any worker
+  std::vector<ItemPair> pairs;           ///< sorted by the arrival of the later item
+  std::vector<std::size_t> arrival_end;  ///< by loaded item: end of its pairs
+  std::size_t before = 0;                ///< number of pairs computed before the next evictions
 };
 
 class PairAssigner {
  public:
-  /// `lockstep`: so many workers step together; 0: one comes after another. Pairs meet in memory,
-  /// or where the room is, on the `accelerator`. Pairs are of `owners`, if there are any; of one
-  /// worker at a time.
+  /// `lockstep`: number of workers that step together; 0 if they follow one another. Pairs meet in
+  /// memory, or on the `accelerator`, where `room` is counted. `owners`, if given, assigns the
+  /// pairs, for one worker at a time.
   PairAssigner(std::uint64_t items, std::uint64_t room, const WantedPairs& wanted = {},
                std::size_t lockstep = 0, bool accelerator = false,
                std::shared_ptr<const PairOwners> owners = nullptr)
@@ -54,7 +54,7 @@ class PairAssigner {
     begin_epoch(1);
   }
 
-  /// The steps to come; memory is empty, what was computed stays computed.
+  /// Starts with other steps: memory is empty, and pairs that were computed stay computed.
   void start(std::unique_ptr<StepSource> steps) {
     forget();
     steps_ = std::move(steps);
@@ -65,7 +65,7 @@ class PairAssigner {
     }
   }
 
-  /// The next step of one worker at a time; the next worker's memory is empty.
+  /// The next step, for one worker at a time; a new worker starts with an empty memory.
   bool next(AssignedStep& out) {
     if (!has_ahead_) {
       return false;
@@ -85,7 +85,7 @@ class PairAssigner {
     const std::size_t last_arrival = arrive(out, memories_[0], begins);
     choose_first(out);
     for (const Element x : out.evicted_first) {
-      there_[x] = false;  // for a moment: marks what goes
+      there_[x] = false;  // temporarily: marks evicted items
     }
     const auto middle = std::stable_partition(
         out.pairs.begin() + static_cast<std::ptrdiff_t>(last_arrival), out.pairs.end(),
@@ -97,7 +97,7 @@ class PairAssigner {
     return true;
   }
 
-  /// The next step of all workers, which evict before anyone loads.
+  /// The next step of all workers, which all evict before any loads.
   bool next_round(std::vector<AssignedStep>& out) {
     for (std::size_t w = 0; w < out.size(); ++w) {
       if (!steps_->next(out[w].step)) {
@@ -115,16 +115,16 @@ class PairAssigner {
     return true;
   }
 
-  /// What the step after the last one loads; nothing at the end.
+  /// The items that the step after the last one loads; empty at the end.
   [[nodiscard]] const std::vector<Element>& loaded_next() const {
     return goes_on() ? ahead_.load : nothing_;
   }
 
-  /// What is in memory after the last step, in order of arrival.
+  /// The items in memory after the last step, in order of arrival.
   [[nodiscard]] const std::vector<Element>& memory() const { return memories_[0]; }
 
  private:
-  // What was computed before is to be computed again.
+  // All pairs are computed again.
   void begin_epoch(std::uint64_t epoch) {
     epoch_ = epoch;
     loaded_.assign(loaded_.size(), false);
@@ -144,7 +144,7 @@ class PairAssigner {
     }
   }
 
-  // Whether the worker computes the pair, or the item alone, that its step brings together.
+  // Whether the worker computes the pair, or the item alone, in its step.
   [[nodiscard]] bool is_due(std::uint64_t step, Element x, Element y) const {
     return rule_ == nullptr || rule_->computes(step, x, y);
   }
@@ -162,7 +162,8 @@ class PairAssigner {
     std::erase_if(memory, [&](Element x) { return !there_[x]; });
   }
 
-  // Where the pairs of the last one begin. When an epoch begins, what is there comes, too.
+  // Returns the index of the first pair of the last arrival. At the beginning of an epoch, items in
+  // memory arrive, too.
   std::size_t arrive(AssignedStep& out, std::vector<Element>& memory, bool begins) {
     out.pairs.clear();
     out.arrival_end.clear();
@@ -188,7 +189,7 @@ class PairAssigner {
     return last_arrival;
   }
 
-  // Whether it is computed alone now.
+  // Whether the item is computed alone now.
   bool come(AssignedStep& out, Element x, std::vector<Element>& memory) {
     const auto add = [&](Element y) { out.pairs.emplace_back(std::min(x, y), std::max(x, y)); };
     const std::uint64_t number = out.step.number;
@@ -210,7 +211,8 @@ class PairAssigner {
     return is_new;
   }
 
-  // Of what goes next, what came in this step goes last: all its pairs are still to be computed.
+  // Of the items evicted next, those that arrived in this step are evicted last: their pairs are
+  // not computed yet.
   void choose_first(AssignedStep& out) const {
     out.evicted_first.clear();
     out.evicted_late.clear();
@@ -236,7 +238,7 @@ class PairAssigner {
   WantedPairs wanted_;
   bool in_lockstep_;
   std::shared_ptr<const PairOwners> owners_;
-  std::unique_ptr<const PairRule> rule_;  // of the worker whose step it is
+  std::unique_ptr<const PairRule> rule_;  // of the current worker
   std::unique_ptr<StepSource> steps_;
   Step ahead_;
   std::vector<Element> nothing_;

@@ -10,7 +10,7 @@ namespace {
 std::shared_ptr<const PairOwners> owners_in(const LoadOrder& /*order*/) { return nullptr; }
 std::shared_ptr<const PairOwners> owners_in(const WorkerSplit& split) { return split.owners(); }
 
-// In pairs: what the model of the summary says, of the worker that takes longest.
+// The time of the busiest worker in the model of loadorder/workers.hpp, in pairs.
 template <typename Order>
 std::uint64_t time_of(const Order& order, std::uint64_t room, const WantedPairs& wanted) {
   StepWork schedule(order.stream(),
@@ -34,7 +34,7 @@ std::uint64_t time_of(const Order& order, std::uint64_t room, const WantedPairs&
   return std::max(longest, total + overlap);
 }
 
-// `plan` makes an order for a room.
+// `plan` makes an order for a given room.
 template <typename Plan>
 auto better_way(const WantedPairs& wanted, std::uint64_t room, Plan&& plan)
     -> Prefetched<decltype(plan(room))> {

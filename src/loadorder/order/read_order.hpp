@@ -1,4 +1,4 @@
-// Internal: an order is read before it is handed out.
+// Internal: verifies an order before it is returned.
 #pragma once
 
 #include <string>
@@ -7,13 +7,12 @@
 
 namespace changeover {
 
-/// More loads are not read: that would take longer than a minute.
+/// Longer orders are not read, since that would take longer than a minute.
 inline constexpr std::uint64_t most_loads_read = 200'000'000;
 
-/// Where all pairs meet; of few items also what StepWork says is computed there, each pair once,
-/// which costs more than all else. Orders that are read anew with their pairs when these are shown
-/// need no more, and neither do those that ask not to `compute`. @throws InternalError if the steps
-/// are wrong; `what` says whose.
+/// Checks that all pairs meet; for few items also that StepWork computes each pair once, which
+/// takes most of the time. `compute` leaves that out, as for orders whose pairs are checked when
+/// they are written. @throws InternalError if the steps are wrong; `what` names the order.
 [[nodiscard]] ScheduleVerdict read_order(const LoadOrder::Maker& maker, ScheduleRules rules,
                                          const std::string& what, bool compute = true);
 

@@ -1,4 +1,4 @@
-// Plays a schedule. It shares no code with what makes one.
+// Replays a schedule. It shares no code with what makes schedules.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,13 +13,13 @@
 namespace changeover {
 namespace {
 
-constexpr std::uint64_t most_followed = 65'536;  // workers
+constexpr std::uint64_t most_followed = 65'536;  // workers that can be tracked
 constexpr std::uint64_t most_epochs_followed = 1'000'000;
 constexpr std::uint64_t absent = ~std::uint64_t{0};
 
-/// Items that are somewhere: in memory, or on the accelerator.
+/// The items in memory, or on the accelerator.
 struct Held {
-  // Their place in the list of what is there.
+  // Adds an item and returns its place in the list.
   std::uint32_t take(Element x, std::vector<Element>& list) {
     const std::uint32_t at = place[x] - 1;
     const Element moved = list.back();
@@ -35,10 +35,10 @@ struct Held {
   }
   [[nodiscard]] bool has(Element x) const { return place[x] != 0; }
 
-  std::vector<std::uint32_t> place;  // by item: index in its list plus one, 0 if it is in none
+  std::vector<std::uint32_t> place;  // by item: index in the list plus one, 0 if it is not in it
 };
 
-/// Which pairs were computed, each way, and which items alone.
+/// The pairs that were computed, in each direction, and the items computed alone.
 struct Computed {
   Computed(const ScheduleRules& rules, bool all_pairs)
       : alone(static_cast<std::size_t>(rules.items), false), loaded(alone) {
@@ -50,7 +50,7 @@ struct Computed {
     }
   }
 
-  // {x,y}, in this order. Whether it is new, as far as pairs are followed.
+  // Adds (x,y), in this order. Returns whether it is new, as far as pairs are tracked.
   bool insert(Element x, Element y) {
     std::optional<SeenPairs>& pairs = x < y ? upward : downward;
     return !pairs || pairs->insert(x, y);
@@ -62,13 +62,13 @@ struct Computed {
   std::vector<bool> loaded;
 };
 
-/// Pairs of an epoch.
+/// The pairs of one epoch.
 struct Epoch {
   std::optional<MetPairs> met;
   std::optional<Computed> computed;
 };
 
-/// Items that change: how often, and how much of that is where.
+/// For items that change: the number of changes, and which version is where.
 struct Changes {
   explicit Changes(std::size_t items)
       : all(items, 0), on_disk(items, 0), in_memory(items, absent) {}
@@ -165,7 +165,7 @@ class ScheduleCheck::State {
   }
 
  private:
-  // The epoch whose pairs are meant from now on.
+  // Pairs belong to this epoch from now on.
   void open(std::uint64_t epoch) {
     epoch_ = epoch;
     std::unique_ptr<Epoch>& its = epochs_[static_cast<std::size_t>(epoch - 1)];
@@ -187,7 +187,7 @@ class ScheduleCheck::State {
     return computed ? &*computed : nullptr;
   }
 
-  // What is missing of an epoch.
+  // Adds the missing pairs of an epoch.
   void account(ScheduleVerdict& verdict) const {
     if (met() != nullptr) {
       ScheduleVerdict its;
@@ -206,7 +206,7 @@ class ScheduleCheck::State {
     }
   }
 
-  // What is there when an epoch begins is together in it.
+  // Items in memory when an epoch begins are together in it.
   void enter(std::uint64_t epoch) {
     count_met();
     for (std::size_t w = 0; met() != nullptr && w < workers_.size(); ++w) {
@@ -237,9 +237,9 @@ class ScheduleCheck::State {
   struct Worker {
     std::uint64_t number = 0;  // of its last step
     std::vector<Element> memory;
-    std::uint64_t bytes = 0;  // in it, if items have sizes
+    std::uint64_t bytes = 0;  // in memory, if items have sizes
     std::vector<Element> accelerator;
-    std::vector<ItemPair> overlap;  // what is still to be computed of its last step
+    std::vector<ItemPair> overlap;  // pairs of its last step that are not computed yet
   };
 
   void fail(const Step& step, const std::string& what) {
@@ -260,7 +260,7 @@ class ScheduleCheck::State {
   }
   [[nodiscard]] bool on_accelerator(Element x) const { return rules_.fast_room && fast_.has(x); }
 
-  // The list of those that meet x when it comes, for pairs that have to meet.
+  // The list of items that x meets when it arrives, for pairs that have to meet.
   void meet(const Step& step, Element x, const Held& held, const std::vector<Element>& list) {
     if (met() != nullptr) {
       met()->arrive(place_of(step), x, list, held.place);
@@ -334,7 +334,7 @@ class ScheduleCheck::State {
     }
   }
 
-  // What is stored has its place among what is evicted.
+  // Stored items are in the order of the evicted ones.
   void evict(const Step& step, std::span<const Element> items) {
     std::vector<Element>& memory = of(step).memory;
     for (const Element x : items) {
@@ -426,7 +426,7 @@ class ScheduleCheck::State {
     verdict_.transfers += step.fast_load.size();
   }
 
-  // No sum exceeds 64 bits: each is compared before the next.
+  // No sum exceeds 64 bits: each value is compared before it is added.
   bool take_bytes(const Step& step, Element x) {
     Worker& worker = of(step);
     const std::uint64_t size = rules_.sizes->bytes[x];
@@ -490,7 +490,7 @@ class ScheduleCheck::State {
     }
   }
 
-  // The next worker, from an empty memory.
+  // Starts the next worker with an empty memory.
   void begin(std::uint64_t worker) {
     end();
     for (const Element x : workers_[0].memory) {
@@ -508,7 +508,7 @@ class ScheduleCheck::State {
     worker_ = worker;
   }
 
-  // What met at the worker whose memory is left.
+  // Counts the pairs that met at the worker that ends.
   void count_met() {
     if (met() != nullptr && by_worker_) {
       at_worker(worker_) += met()->take_count();
@@ -524,18 +524,18 @@ class ScheduleCheck::State {
 
   ScheduleRules rules_;
   CheckOptions options_;
-  bool by_worker_;  // pairs are counted where they meet
+  bool by_worker_;  // pairs are counted by the worker where they meet
   ScheduleVerdict verdict_;
-  std::vector<Worker> workers_;  // one if they come one after another
-  std::uint64_t worker_ = 0;     // which one it is then
+  std::vector<Worker> workers_;  // one, if workers follow one another
+  std::uint64_t worker_ = 0;     // the current one then
   Held memory_;
-  Held fast_;                         // on the accelerator, if there is one
-  std::vector<std::uint32_t> owner_;  // by item: its worker; empty if there is one at a time
-  std::vector<std::unique_ptr<Epoch>> epochs_;  // those whose pairs are followed now
+  Held fast_;                                   // on the accelerator, if there is one
+  std::vector<std::uint32_t> owner_;            // by item: its worker; empty unless in lockstep
+  std::vector<std::unique_ptr<Epoch>> epochs_;  // those whose pairs are tracked now
   std::uint64_t epoch_ = 1;
   std::optional<Changes> changes_;
-  std::size_t stored_ = 0;   // so many of a step's stores were made
-  std::vector<Step> round_;  // the step of all workers that comes in
+  std::size_t stored_ = 0;   // number of stores of the step so far
+  std::vector<Step> round_;  // steps of all workers, as they arrive
   std::size_t in_round_ = 0;
 };
 

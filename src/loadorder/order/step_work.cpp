@@ -20,7 +20,7 @@ std::size_t workers_in_lockstep(const ScheduleRules& rules) {
   return static_cast<std::size_t>(std::max<std::uint64_t>(1, rules.lockstep));
 }
 
-/// What each step computes, in the first step that can.
+/// Adds what each step computes: each pair in the first step that can.
 class ComputedSteps final : public StepSource {
  public:
   ComputedSteps(std::unique_ptr<StepSource> steps, const ScheduleRules& rules,
@@ -81,8 +81,8 @@ class ComputedSteps final : public StepSource {
     for (std::size_t i = 0; i < from.stayed.size() && compute_.self; ++i) {
       add_alone(from, from.stayed[i], to);
     }
-    // In lockstep an item alone comes with its arrival, otherwise before all pairs: journals rely
-    // on it.
+    // In lockstep an item is computed alone when it arrives, otherwise before all pairs of the
+    // step: journals depend on this order.
     std::size_t done = 0;
     if (rules_.lockstep > 0) {
       add(from.pairs, 0, from.stayed_end, to.compute);
@@ -127,7 +127,7 @@ class ComputedSteps final : public StepSource {
   PairAssigner assigner_;
   struct {
     std::vector<Element> first, late;
-  } before_;  // what the step before has chosen to go
+  } before_;  // what the step before will evict
 };
 
 /// The pairs of each step in random order.
@@ -150,7 +150,8 @@ class ShuffledSteps final : public StepSource {
   Random random_;
 };
 
-/// What was changed is stored when it goes, before any worker loads; a last step in which all goes.
+/// A changed item is stored when it is evicted, before any worker loads; in a last step all items
+/// are evicted.
 class StoredSteps final : public StepSource {
  public:
   StoredSteps(std::unique_ptr<StepSource> steps, const ScheduleRules& rules)
@@ -219,7 +220,7 @@ class StoredSteps final : public StepSource {
     }
   }
 
-  // A last step.
+  // The last step, in which all items are evicted.
   void leave_all() {
     for (std::size_t w = 0; w < made_.size(); ++w) {
       made_[w] = {};
@@ -251,7 +252,7 @@ class StoredSteps final : public StepSource {
   std::vector<bool> fast_;              // by item: on the accelerator now
   struct {
     std::uint64_t number = 0, worker = 0, epoch = 1;
-  } last_;  // of the last step, in lockstep of the first worker's
+  } last_;  // the last step; in lockstep, that of the first worker
 };
 
 }  // namespace
@@ -284,7 +285,7 @@ LoadBound store_lower_bound(const LoadBound& loads, const WantedPairs& wanted, s
       without_pair += wanted.needs(x) && wanted.graph()->partners(x).empty() ? 1U : 0U;
     }
   }
-  // A bound on loads counts each of them once.
+  // The bound on loads counts each of these items once.
   const std::uint64_t least = loads.loads > without_pair ? loads.loads - without_pair : 0;
   return {least,
           "a stay in memory in which an item changes has a load and a store, and the other "

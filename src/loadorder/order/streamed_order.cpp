@@ -32,7 +32,7 @@ class StreamedSteps final : public StepSource {
     return true;
   }
 
-  /// So many steps are made at once; there are so many, and one was made.
+  /// Skips `steps` steps at once, after at least one was made, if there are as many.
   void skip(std::uint64_t steps) {
     number_ += steps;
     while (steps > 0) {
@@ -44,7 +44,7 @@ class StreamedSteps final : public StepSource {
     }
   }
 
-  /// What is in memory after the steps that were made.
+  /// The items in memory after the steps so far.
   void hold(std::vector<Element>& held) const {
     held.clear();
     if (number_ == 0) {
@@ -159,7 +159,7 @@ class StreamedSteps final : public StepSource {
     into_windows_ = false;
   }
 
-  // Of rounds: what stays, or what is exchanged for it, and what passed last.
+  // In hold rounds: the items that stay or replace them, and the one that passed last.
   void hold_round(std::vector<Element>& held) const {
     const auto put = [&](std::uint64_t item) { held.push_back(static_cast<Element>(item)); };
     if (shape_.items <= shape_.room) {
@@ -175,8 +175,8 @@ class StreamedSteps final : public StepSource {
       put(slot_);
       return;
     }
-    // Windows begin with 0, which is there as zero_, and 1, …, n−1 and the first that passes in
-    // place of what stayed.
+    // Windows begin with 0, which is in memory as zero_, and with 1, …, n−1 and the first item that
+    // passes, which replace the items that stayed.
     for (std::uint64_t i = 0; i < swapped_; ++i) {
       put(into_windows_ ? (i + 1 < n_ ? numbered(i + 1) : passing(0, 0)) : in_round(i));
     }
@@ -218,7 +218,7 @@ class StreamedSteps final : public StepSource {
   }
 
   std::uint64_t skip_windows(std::uint64_t steps) {
-    // So many were made in windows; the one that comes after is found by halving.
+    // Number of passes in windows so far; the window after them is found by bisection.
     const std::uint64_t to = passes_before(window_) + passed_ + steps;
     const std::uint64_t end = passes_before(v_);
     if (to >= end) {
@@ -244,7 +244,7 @@ class StreamedSteps final : public StepSource {
     return steps;
   }
 
-  // In all windows before.
+  // Passes in all windows before.
   [[nodiscard]] std::uint64_t passes_before(std::uint64_t window) const {
     return window * shape_.c + shape_.w * std::min(ceil_div(window, n_), 2 * shape_.c);
   }
@@ -259,8 +259,8 @@ class StreamedSteps final : public StepSource {
     return true;
   }
 
-  // The items below first_ are dropped; n of them are still in memory, with the one that passed
-  // last.
+  // Ends a round: the items below first_ are finished, and n of them are still in memory, with the
+  // item that passed last.
   void end_round() {
     first_ += n_;
     ++rounds_;
@@ -288,7 +288,7 @@ class StreamedSteps final : public StepSource {
   void swap(Step& step) {
     const std::uint64_t out = first_ - n_ + swapped_;
     std::uint64_t in = first_ + swapped_;
-    if (into_windows_) {  // 1, …, n−1 and the first that passes; 0 is there
+    if (into_windows_) {  // 1, …, n−1 and the first item that passes; 0 is in memory
       in = swapped_ + 1 < n_ ? numbered(swapped_ + 1) : passing(0, 0);
       slot_ = in;
     } else if (in >= skipped_) {
@@ -332,9 +332,9 @@ class StreamedSteps final : public StepSource {
     return numbered(number < v_ ? number : number - v_);
   }
 
-  // Items by number: number x is item 2cx modulo v, so that x−n is the item after x, since −n·2c =
-  // 1: what passes one after another is together on the disk. The item in memory is 0 and changes
-  // places with the first.
+  // Items by number: number x is item 2cx modulo v, so x−n is the item after x, since −n·2c = 1.
+  // Items that pass one after another are then consecutive on the disk. The item in memory is 0 and
+  // is exchanged with the first.
   [[nodiscard]] std::uint64_t renamed(std::uint64_t item) const {
     return item == first_ ? zero_ : item == zero_ ? first_ : item;
   }
@@ -346,16 +346,16 @@ class StreamedSteps final : public StepSource {
   }
 
   StreamedShape shape_;
-  std::uint64_t n_;  // items that stay
-  std::uint64_t v_;  // of the windows
+  std::uint64_t n_;  // number of items that stay
+  std::uint64_t v_;  // number of items in the windows
   Stage stage_ = Stage::end;
   Stage after_swap_ = Stage::end;
   std::uint64_t number_ = 0;
-  std::uint64_t first_ = 0;  // items from here on are not dropped
+  std::uint64_t first_ = 0;  // items below it are finished
   std::uint64_t rounds_ = 0;
   std::uint64_t slot_ = 0;     // the item that passed last
   std::uint64_t next_ = 0;     // the next to pass
-  std::uint64_t skipped_ = 0;  // which is in memory already
+  std::uint64_t skipped_ = 0;  // in memory already
   std::uint64_t swapped_ = 0;
   std::uint64_t to_swap_ = 0;
   bool into_windows_ = false;
@@ -365,8 +365,7 @@ class StreamedSteps final : public StepSource {
   std::uint64_t joined_ = 0;
 };
 
-// Loads of a hold round on `rest` items, the first one or a later one: a later one finds one item
-// in memory.
+// Loads of a hold round on `rest` items. Later rounds find one item in memory.
 std::uint64_t round_loads(std::uint64_t rest, bool is_first) { return is_first ? rest : rest - 1; }
 
 }  // namespace
@@ -408,7 +407,7 @@ StreamedShape hold_and_stream_shape(std::uint64_t items, std::uint64_t room) {
 
 StreamedShape best_streamed_shape(std::uint64_t items, std::uint64_t room) {
   constexpr std::uint64_t most_rounds = 64;
-  constexpr std::uint64_t most_held = 1'000'000;  // beyond so many rounds windows are better
+  constexpr std::uint64_t most_held = 1'000'000;  // with more rounds, windows are better
   const std::uint64_t n = room - 1;
   StreamedShape best{.items = items, .room = room, .loads = items};
   if (items <= room) {
@@ -419,7 +418,7 @@ StreamedShape best_streamed_shape(std::uint64_t items, std::uint64_t room) {
     best = hold_and_stream_shape(items, room);
   }
   std::uint64_t rest = items;
-  std::uint64_t held = 0;  // loads of the rounds so far
+  std::uint64_t held = 0;  // in the rounds so far
   for (std::uint64_t rounds = 0; rounds <= most_rounds && rest >= 2 * n + 1; ++rounds) {
     const std::uint64_t c = (rest - 1) / (2 * n);
     const std::uint64_t w = (rest - 1) % (2 * n);
@@ -442,7 +441,7 @@ StreamedPairs::StreamedPairs(const StreamedShape& shape)
       n_(shape.room - 1),
       v_(2 * shape.c * n_ + 1),
       first_(shape.c > 0 ? shape.rounds * n_ : 0),
-      // Two items pass last by turns: each is skipped in the round after.
+      // Two items take turns to pass last: each is skipped in the next round.
       zero_(shape.rounds == 0 ? 0 : shape.items - (shape.rounds % 2 == 1 ? 1 : 2)) {
   if (shape.c > 0 && shape.items > shape.room) {
     joins_after_ = shape.steps() - shape.w;
@@ -450,8 +449,8 @@ StreamedPairs::StreamedPairs(const StreamedShape& shape)
   }
 }
 
-// Step 1, P − C passes; then in each round n exchanges, and all that are left pass but those that
-// stay and one that is there.
+// Step 1 and P − C passes; then each round has n exchanges, and all remaining items pass, except
+// those that stay and one that is in memory.
 std::uint64_t StreamedPairs::end_of_round(std::uint64_t round) const {
   return 1 + shape_.items - shape_.room + round * (shape_.items - 1) -
          n_ * (round * (round + 1) / 2);
@@ -511,7 +510,7 @@ std::uint64_t StreamedPairs::met_after(std::uint64_t steps) const {
     left -= taken;
     return taken;
   };
-  // The i-th exchange of a round meets those before it and what passed last.
+  // The i-th exchange of a round meets those before it and the item that passed last.
   const auto exchanges = [](std::uint64_t count) { return count * (count + 1) / 2; };
   std::uint64_t rest = shape_.items;
   for (std::uint64_t round = 0; left > 0 && rest > shape_.room; ++round) {
@@ -528,8 +527,8 @@ std::uint64_t StreamedPairs::met_after(std::uint64_t steps) const {
   }
   const std::uint64_t passes = take(joins_after_ - windows_after_);
   met += n_ * passes;
-  // The last to pass window v−n+a is a, for a = 1, …, n−1, which has met a of its items in the
-  // first window.
+  // The last item to pass window v−n+a is a, for a = 1, …, n−1; it has met a items of that window
+  // in the first window.
   const std::uint64_t all = passes + 1;
   const std::uint64_t extras = 2 * shape_.c * shape_.w;
   const std::uint64_t windows = all > extras ? (all - extras) / shape_.c : 0;
@@ -546,8 +545,8 @@ std::vector<Element> names_by_window(const StreamedShape& shape) {
   if (shape.items <= shape.room || shape.c == 0) {
     return names;
   }
-  // As StreamedSteps::numbered(), but for the item that is in memory before: it makes no difference
-  // in time.
+  // Like StreamedSteps::numbered(), except for the item that is in memory before, which does not
+  // matter here.
   const std::uint64_t v = 2 * shape.c * (shape.room - 1) + 1;
   const std::uint64_t first = shape.rounds * (shape.room - 1);
   names.resize(static_cast<std::size_t>(shape.items));

@@ -20,7 +20,7 @@ namespace changeover {
 namespace {
 
 /// The orders for the accelerator, each made once: `fresh` items with each other and with `others`,
-/// or with the others alone. For any thread.
+/// or with the others only. Thread-safe.
 class InnerOrders {
  public:
   explicit InnerOrders(std::uint64_t room) : room_(room) {}
@@ -64,7 +64,7 @@ struct Shape {
   }
 };
 
-/// Groups are loaded as an order of groups says; then what is new is done on the accelerator.
+/// Loads groups by an order of groups; after each load computes the new pairs on the accelerator.
 class Steps final : public StepSource {
  public:
   Steps(const Shape& shape, std::unique_ptr<StepSource> groups, std::uint64_t group_room,
@@ -96,7 +96,7 @@ class Steps final : public StepSource {
         begin(tasks_[next_task_++]);
         continue;
       }
-      // Loads that nothing has followed are a step of their own.
+      // Loads without transfers after them are a step of their own.
       if (!step.load.empty()) {
         ++number_;
         return true;
@@ -110,12 +110,12 @@ class Steps final : public StepSource {
 
  private:
   struct Task {
-    std::vector<Element> items;  // others, then those that are fresh
+    std::vector<Element> items;  // others, then the fresh ones
     std::size_t fresh = 0;
     bool each_other = false;
   };
 
-  // What follows the loads of some groups: for each of them what it meets for the first time.
+  // The tasks after the loads of some groups: for each group, what it meets for the first time.
   void load_groups(Step& step) {
     for (const Element group : groups_.step.evict) {
       shape_.put(group, step.evict);
@@ -131,7 +131,7 @@ class Steps final : public StepSource {
     tasks_.clear();
     next_task_ = 0;
     const std::size_t loaded = groups_.step.load.size();
-    if (groups_.step.number == 1) {  // all that was loaded is new to each other
+    if (groups_.step.number == 1) {  // all loaded items are new to each other
       tasks_.push_back({step.load, step.load.size(), true});
       return;
     }
@@ -144,7 +144,7 @@ class Steps final : public StepSource {
         shape_.put(x == group ? y : x, task.items);
       }
       begin = groups_.arrival_end[i];
-      // What is on the accelerator already comes first.
+      // Items on the accelerator already come first.
       std::stable_partition(task.items.begin(), task.items.end(),
                             [&](Element x) { return at_[x].fast; });
       const std::size_t others = task.items.size();
@@ -165,8 +165,8 @@ class Steps final : public StepSource {
     inner_ = inner_orders_->get(names_.size() - task.fresh, task.fresh, task.each_other).stream();
   }
 
-  // A step of the order for the accelerator; what is still there is not transferred again, and
-  // nothing leaves before it has to.
+  // A step of the order for the accelerator. Items that are still there are not transferred again,
+  // and items are only removed when their place is needed.
   void follow(Step& step) {
     for (const Element i : inner_step_.evict) {
       unwant(names_[i]);
@@ -196,7 +196,7 @@ class Steps final : public StepSource {
     }
   }
 
-  // The order that is followed has done with it.
+  // The order that is followed needs the item no more.
   void unwant(Element x) {
     if (at_[x].wanted && at_[x].fast) {
       idle_.insert(place_of(x), x);
@@ -204,7 +204,7 @@ class Steps final : public StepSource {
     at_[x].wanted = false;
   }
 
-  // By value: it is erased from where it may stand.
+  // By value, since it is erased from the list.
   void take_off(Element x, Step& step) {
     if (!at_[x].wanted) {
       idle_.erase(place_of(x));
@@ -220,9 +220,9 @@ class Steps final : public StepSource {
   }
 
   struct Item {
-    bool wanted = false;     // in the memory of the order that is followed
+    bool wanted = false;     // needed by the order that is followed
     bool fast = false;       // on the accelerator
-    std::uint64_t used = 0;  // by which use
+    std::uint64_t used = 0;  // time of the last use
   };
 
   Shape shape_;
@@ -233,16 +233,16 @@ class Steps final : public StepSource {
   std::size_t next_task_ = 0;
   std::unique_ptr<StepSource> inner_;
   Step inner_step_;
-  std::vector<Element> names_;  // of the items of that order
+  std::vector<Element> names_;  // of the items in the order that is followed
   std::vector<Item> at_;        // by item
   std::uint64_t uses_ = 0;
   std::uint64_t on_accelerator_ = 0;
-  std::vector<Element> idle_;  // there, but not wanted; what was used last comes last
+  std::vector<Element> idle_;  // on the accelerator but not wanted, most recently used last
   std::vector<Element> coming_;
   std::uint64_t number_ = 0;
 };
 
-/// The order with groups of a size.
+/// The order for groups of a given size.
 LoadOrder::Maker with_groups(const Shape& shape) {
   const std::uint64_t group_room = shape.room / shape.group_items;
   LoadOrderOptions quick;
@@ -255,8 +255,8 @@ LoadOrder::Maker with_groups(const Shape& shape) {
   };
 }
 
-/// The order for the accelerator alone; what leaves it stays in memory, and what is needed last
-/// leaves memory.
+/// The order for the accelerator alone. Items that leave it stay in memory; memory evicts the item
+/// that is needed last.
 class Cache {
  public:
   explicit Cache(const Shape& shape)
@@ -314,7 +314,7 @@ class Cache {
     return out;
   }
 
-  // What is on the accelerator is needed now.
+  // Items on the accelerator are needed now.
   [[nodiscard]] std::uint64_t needed_at(Element x) const {
     return place_[x] == Place::accelerator ? 0
            : uses_[x].empty()              ? ~std::uint64_t{0}
@@ -323,12 +323,12 @@ class Cache {
 
   Shape shape_;
   std::vector<Step> steps_;
-  std::vector<std::vector<std::uint64_t>> uses_;  // by item: numbers of steps that transfer it
+  std::vector<std::vector<std::uint64_t>> uses_;  // by item: the steps that transfer it
   std::vector<Place> place_;
-  std::vector<Element> memory_;  // what is on the accelerator included
+  std::vector<Element> memory_;  // including items on the accelerator
 };
 
-// Sizes around the most promising ones, the most promising first.
+// Sizes around the most promising ones, those first.
 std::vector<std::uint64_t> sizes_to_try(std::uint64_t items, std::uint64_t room,
                                         std::uint64_t fast_room) {
   const std::uint64_t most = std::min(items, std::max<std::uint64_t>(1, room / 2));
@@ -352,12 +352,11 @@ std::vector<std::uint64_t> sizes_to_try(std::uint64_t items, std::uint64_t room,
 }
 
 struct Offer {
-  std::uint64_t group_items = 0;  // 0: not in groups
+  std::uint64_t group_items = 0;  // 0 if items are not grouped
   LoadOrder::Maker maker;
 };
 
-// The first of those that cost least, loads and transfers being measured by the fewest there can
-// be.
+// The first of the cheapest offers; loads and transfers are each divided by their lower bounds.
 Offer best_of(std::vector<Offer> offers, const LoadOrderFacts& bounds) {
   const auto cost = [&](const Offer& offer) {
     std::uint64_t loads = 0;
@@ -401,7 +400,7 @@ LoadOrder plan_two_levels(std::uint64_t items, std::uint64_t room, std::uint64_t
         fmt::format("{} items: two levels have at most {}; group items into larger ones", items,
                     max_elements_in_memory));
   }
-  // As many as take no more than some seconds.
+  // Limits the time to some seconds.
   constexpr std::uint64_t most_work = 30'000'000;
   const std::uint64_t most_tried =
       std::max<std::uint64_t>(1, most_work / (4 * (binomial(items, 2) + items)));

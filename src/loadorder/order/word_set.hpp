@@ -1,4 +1,4 @@
-// Internal: sets of items whose names are close to each other, in words.
+// Internal: sets of items with close numbers, stored in words.
 #pragma once
 
 #include <algorithm>
@@ -11,11 +11,11 @@
 
 namespace changeover {
 
-/// Elements, in words of 64: of those that are close to each other many in one word. Only words
-/// that hold some are kept, in order. O(words) a change, O(log words) if the word is there already.
+/// A set in words of 64 bits, so that many close elements share a word. Only non-empty words are
+/// kept, sorted. O(words) to add a word, O(log words) if it exists.
 class WordSet {
  public:
-  using Word = std::pair<std::uint32_t, std::uint64_t>;  // elements from 64 · first, a bit each
+  using Word = std::pair<std::uint32_t, std::uint64_t>;  // the elements 64 · first + bit
 
   void insert(Element x) { insert(Word(x / 64, std::uint64_t{1} << x % 64)); }
   void insert(const Word& word);

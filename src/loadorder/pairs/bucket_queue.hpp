@@ -1,11 +1,11 @@
-// Internal: items by a small number each, for orders that always take one with the lowest.
+// Internal: a queue of items by small numbers, which returns an item with the lowest one.
 //
 //     BucketQueue queue(items, BucketQueue::Ties::newest);
 //     queue.put(x, degree);                     // or again, with another number
 //     while (const auto x = queue.take_lowest()) { … }
 //
-// Of equal numbers the one that was put last is taken, or the one that has waited longest. O(1) a
-// change, 12 bytes an item, however often they change.
+// Of items with equal numbers it returns the newest or the oldest one. O(1) per change, 12 bytes
+// per item, for any number of changes.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ class BucketQueue {
   explicit BucketQueue(std::size_t items, Ties ties = Ties::newest)
       : ties_(ties), next_(items, none), before_(items, none), number_(items, none) {}
 
-  /// Puts the item in, or elsewhere if it is in.
+  /// Adds the item, or changes its number.
   void put(Element x, std::uint32_t number) {
     remove(x);
     if (number >= first_.size()) {
@@ -64,7 +64,7 @@ class BucketQueue {
 
   [[nodiscard]] bool holds(Element x) const { return number_[x] != none; }
 
-  /// Takes it out; nothing if all are.
+  /// Removes and returns an item with the lowest number; nullopt if the queue is empty.
   std::optional<Element> take_lowest() {
     for (; lowest_ < first_.size(); ++lowest_) {
       if (const Element x = first_[lowest_]; x != none) {
@@ -78,7 +78,7 @@ class BucketQueue {
  private:
   static constexpr Element none = ~Element{0};
 
-  // Makes b what follows a; one of them may be none.
+  // Makes b the successor of a; one of them may be none.
   void link(Element a, Element b) {
     if (a != none) {
       next_[a] = b;

@@ -30,7 +30,7 @@ Closing::Closing(const PairGraph& graph, std::uint64_t room, const std::vector<E
     alone_[i] = begin_[i + 1] == begin_[i] && graph.is_needed(order[i]);
   }
   partners_.resize(static_cast<std::size_t>(begin_[n]));
-  // Every item writes itself to its partners, in order: so they come sorted.
+  // Every item, in order, is appended to its partners' lists, which are therefore sorted.
   front_.assign(begin_.begin(), begin_.end() - 1);
   for (std::size_t i = 0; i < n; ++i) {
     for (const Element y : graph.partners(order[i])) {
@@ -125,7 +125,7 @@ void Closing::make_room(Element keep) {
   evict(last);
 }
 
-// at_x: where y is among the partners of x.
+// At_x is the index of y among the partners of x.
 void Closing::meet(Element x, std::uint64_t at_x, Element y) {
   const auto begin = partners_.begin() + static_cast<std::ptrdiff_t>(front_[y]);
   const auto end = partners_.begin() + static_cast<std::ptrdiff_t>(begin_[y + 1]);
@@ -167,7 +167,7 @@ void Closing::load(Element x) {
   needed_[x] = 0;
   if (open_[x] == 0) {
     closed_.push_back(x);
-    place_[x] = LoadMove::nothing;  // there; its place is of no use
+    place_[x] = LoadMove::nothing;  // in memory; the place is not needed any more
   } else {
     memory_.push_back(x);
     place_[x] = static_cast<std::uint32_t>(memory_.size());
@@ -202,7 +202,7 @@ std::uint64_t Closing::close(Element x, std::uint64_t limit) {
       missing_.push_back(partners_[i]);
     }
   }
-  // What is needed for this pair only passes first.
+  // Items that are needed for this pair only pass first.
   std::stable_partition(missing_.begin(), missing_.end(), [&](Element y) { return open_[y] == 1; });
   work_ += missing_.size();
   for (std::size_t i = 0; i < missing_.size() && loads <= limit; ++i) {
@@ -267,7 +267,7 @@ std::uint64_t Closing::trial(const Window& window, std::uint64_t limit) {
   std::uint64_t loads = 0;
   trying_ = true;
   for (std::size_t i = window.begin; i < window.sight && loads <= limit; ++i) {
-    ++work_;  // What is closed already costs a look.
+    ++work_;  // an item that is closed already takes a step, too
     loads += close(order_[i], limit - loads);
   }
   trying_ = false;
@@ -285,7 +285,7 @@ void Closing::anneal(const Window& window, std::uint64_t work, Random& random,
   std::uint64_t now = trial(window, no_limit);
   take_back(before);
   if (now == 0) {
-    return;  // All of it is closed.
+    return;  // all of it is closed
   }
   std::uint64_t best = now;
   std::vector<Element> best_order(order_.begin() + static_cast<std::ptrdiff_t>(window.begin),
@@ -296,7 +296,7 @@ void Closing::anneal(const Window& window, std::uint64_t work, Random& random,
     }
   };
   while (work_ - start < work && !stop_wanted()) {
-    // A run of items moves elsewhere in the window, or near a partner of its first.
+    // Moves a run of items elsewhere in the window, or near a partner of its first item.
     const std::uint32_t length =
         1 + (random.one_in_two() ? 0 : random.below(std::min(8U, size / 2)));
     std::size_t from = window.begin + random.below(size - length + 1);

@@ -1,21 +1,22 @@
-// Internal: loads for a list of pairs, from an order in which items are *closed*.
+// Internal: loads for a list of pairs, by an order in which items are *closed*.
 //
 //     Closing closing(graph, room, order);      // order: every item once
 //     closing.run();                            // closes all of them
 //     closing.take_moves();                     // what was loaded, and what went for it
 //
-// An item is open while a pair of it has not met. To close it is to load it, unless it is there,
-// and then all partners that it still lacks, one after another; afterwards it may go. Where memory
-// is full, what is closed goes first, and then what is needed last: an open pair is needed when the
-// first of its two items is closed. For given pairs in a given order this is the rule of Belady for
-// caches. Every order of the items leads to an order of loads, so orders can be searched: improve()
-// moves items about within windows of the order and keeps what needs fewer loads.
+// An item is open while one of its pairs has not met. To close it, it is loaded (unless it is in
+// memory), then all partners that it still lacks, one after another. Afterwards it can be evicted.
+// If memory is full, closed items are evicted first, and then the item that is needed last: an open
+// pair is needed when the first of its items is closed. For a given sequence of pairs this is
+// Belady's rule for caches. Every order of the items gives an order of loads, so orders can be
+// searched: improve() moves items within windows of the order and keeps changes that reduce the
+// loads.
 //
-// Items are renamed by the order at the start, so partners are sorted by when they are closed.
-// Looking for when an item is needed next ends after some partners, and looking for what goes after
-// some items of a large memory: that makes results worse now and then, never wrong.
+// At the start items are renamed by the order, so partners are sorted by when they are closed. The
+// search for the next use of an item, and for the item to evict in a large memory, stops after a
+// limited number of candidates: results may be slightly worse, but never wrong.
 //
-// Memory: 8 bytes a pair, some 40 an item and 8 a load.
+// Memory: 8 bytes per pair, some 40 per item and 8 per load.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +28,7 @@
 
 namespace changeover {
 
-/// One load, and what was evicted for it.
+/// One load, and the item that was evicted for it.
 struct LoadMove {
   static constexpr Element nothing = ~Element{0};
   Element load = 0;
@@ -40,32 +41,32 @@ class Closing {
 
   static constexpr std::uint64_t no_limit = ~std::uint64_t{0};
 
-  /// Loads that closing all items in order takes; gives up where they are more than `limit`, and
-  /// says so by what it returns. Once in_a_hurry() says yes it gives up, too, if there is a limit;
-  /// otherwise it goes on to the end without care for what is evicted. It may throw; then nothing
-  /// is left but to destroy this.
+  /// Closes all items in order and returns the number of loads. Stops early if there are more than
+  /// `limit` loads, which the result then exceeds. When in_a_hurry() returns true it also stops
+  /// early, if there is a limit; otherwise it continues to the end with any eviction. After an
+  /// exception the object can only be destroyed.
   std::uint64_t run(std::uint64_t limit = no_limit, const std::function<bool()>& in_a_hurry = {});
 
-  /// Of the last run() that did not give up; in the names of the graph. They are gone from here.
+  /// The moves of the last completed run(), in the names of the graph; they are moved out.
   [[nodiscard]] std::vector<LoadMove> take_moves() { return std::move(moves_); }
 
-  /// How much the last run() looked at, in the unit of improve().
+  /// The work of the last run(), in the unit of improve().
   [[nodiscard]] std::uint64_t work_of_run() const { return work_of_run_; }
 
-  /// The order now, in names of its own.
+  /// The current order, in internal names.
   [[nodiscard]] const std::vector<Element>& closing_order() const { return order_; }
 
-  /// Back to what closing_order() was.
+  /// Restores an order from closing_order().
   void take_order(std::vector<Element> order);
 
-  /// Looks for a better order for `work` steps of looking at a pair, window by window from the
-  /// first to the last. Orders are judged by loads within the window and somewhat beyond.
+  /// Looks for a better order, for `work` steps of examining a pair, window by window from first to
+  /// last. Orders are compared by their loads within the window and somewhat beyond.
   void improve(std::uint64_t work, Random& random, const std::function<bool()>& stop_wanted);
 
  private:
   static constexpr Element met = Element{1} << 31;
 
-  // What closing a stretch of the order leaves, to be taken back.
+  // The state after closing a stretch of the order, to be restored.
   struct Memory {
     std::vector<Element> items;
     std::vector<Element> closed;
@@ -73,8 +74,8 @@ class Closing {
 
   struct Window {
     std::size_t begin = 0;
-    std::size_t end = 0;    // moves are within
-    std::size_t sight = 0;  // judged up to here
+    std::size_t end = 0;    // end of the window for moves
+    std::size_t sight = 0;  // loads are counted up to here
   };
 
   void reset();
@@ -90,19 +91,19 @@ class Closing {
               const std::function<bool()>& stop_wanted);
 
   std::uint64_t room_;
-  std::vector<Element> names_;        // of the graph, by ours
+  std::vector<Element> names_;        // of the graph, by internal name
   std::vector<std::uint64_t> begin_;  // of an item's partners
   std::vector<Element> partners_;     // sorted; with the bit `met`
   std::vector<std::uint64_t> front_;  // partners before it have been met for good
-  std::vector<std::uint32_t> open_;   // pairs not met
+  std::vector<std::uint32_t> open_;   // number of pairs not met
   std::vector<bool> alone_;           // wanted without a pair
-  std::vector<Element> order_;        // our names
+  std::vector<Element> order_;        // internal names
   std::vector<std::uint32_t> position_;
   std::vector<Element> memory_;        // open items
-  std::vector<std::uint32_t> place_;   // by item: in memory_ plus one
-  std::vector<Element> closed_;        // items in memory that no other needs
-  std::vector<std::uint32_t> needed_;  // by item in memory, 0: to be found
-  std::vector<std::uint64_t> log_;     // pairs met in a trial, by place in partners_
+  std::vector<std::uint32_t> place_;   // by item: place in memory_ plus one
+  std::vector<Element> closed_;        // items in memory that no other item needs
+  std::vector<std::uint32_t> needed_;  // by item in memory; 0 if not computed yet
+  std::vector<std::uint64_t> log_;     // pairs met in a trial, as places in partners_
   std::vector<Element> log_owner_;
   std::vector<LoadMove> moves_;
   Element went_ = LoadMove::nothing;

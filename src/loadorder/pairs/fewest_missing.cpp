@@ -74,7 +74,7 @@ class FewestMissing {
         missing_.push_back(partners[i]);
       }
     }
-    // What will be closed soon comes last, and so stays longest.
+    // Items that will be closed soon come last, so they stay longest.
     std::sort(missing_.begin(), missing_.end(), [&](Element a, Element b) {
       return lacks_[a] != lacks_[b] ? lacks_[a] > lacks_[b] : a > b;
     });
@@ -106,7 +106,7 @@ class FewestMissing {
     settle(x);
   }
 
-  // After it has met a partner.
+  // Called after x has met a partner.
   void settle(Element x) {
     if (lacks_[x] == 0) {
       there_.remove(x);
@@ -141,13 +141,13 @@ class FewestMissing {
 
   const PairGraph& graph_;
   std::uint64_t room_;
-  std::vector<std::uint64_t> begin_;  // of an item's places in met_
+  std::vector<std::uint64_t> begin_;  // start of an item's places in met_
   std::vector<bool> met_;
   std::vector<std::uint32_t> lacks_;
   std::vector<bool> closed_;
-  BucketQueue there_;    // in memory, by what they lack
-  BucketQueue gone_;     // evicted, by what they lack
-  BucketQueue resting_;  // in memory, the one first whose last meeting is longest ago
+  BucketQueue there_;    // in memory, by missing partners
+  BucketQueue gone_;     // evicted, by missing partners
+  BucketQueue resting_;  // in memory, least recently met first
   std::uint64_t in_memory_ = 0;
   std::uint64_t held_ = 0;
   std::vector<Element> missing_;

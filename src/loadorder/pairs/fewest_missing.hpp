@@ -1,9 +1,9 @@
-// Internal: an order of closing items that knows how much fits into memory.
+// Internal: an order of closing items that takes the size of memory into account.
 //
-// What is in memory and lacks the fewest partners is closed next: they are loaded, one after
-// another. What has not met anything for longest goes. If nothing in memory lacks a partner, what
-// lacks the fewest of what went goes on, and at last the next one of `roots`. The loads themselves
-// are of no use: with the order known, Closing evicts better.
+// The next item to be closed is the one in memory that lacks the fewest partners, which are loaded
+// one after another. The item that has not met a partner for longest is evicted. If no item in
+// memory lacks a partner, the evicted item that lacks the fewest is next, and at last the next one
+// of `roots`. The loads are discarded: given the order, Closing evicts better.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@
 
 namespace changeover {
 
-/// `ties` says which of those that lack equally many. Empty once give_up() says yes. `roots` are
-/// all items.
+/// `ties` decides between items that lack equally many partners. Empty once give_up() returns true.
+/// `roots` contains all items.
 [[nodiscard]] std::vector<Element> fewest_missing_order(const PairGraph& graph, std::uint64_t room,
                                                         const std::vector<Element>& roots,
                                                         BucketQueue::Ties ties,

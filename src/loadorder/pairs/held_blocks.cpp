@@ -8,8 +8,8 @@
 namespace changeover {
 namespace {
 
-// Loads of a items with b others, groups of one of them staying: to within the items that stay at a
-// turn.
+// Estimates the loads of a items with b others, where groups of one set stay; exact up to the
+// number of items that stay at a time.
 std::uint64_t estimate(std::uint64_t a, std::uint64_t b, std::uint64_t room) {
   const auto held = [&](std::uint64_t x, std::uint64_t y) {
     return checked_add(x, checked_multiply(ceil_div(x, room - 1), y));
@@ -17,7 +17,7 @@ std::uint64_t estimate(std::uint64_t a, std::uint64_t b, std::uint64_t room) {
   return std::min(held(a, b), held(b, a));
 }
 
-// The i-th of so many parts of a range, sizes differing by one, the larger ones first.
+// Part i of a range cut into `parts`; sizes differ by at most one, larger parts first.
 ItemRange part_of(const ItemRange& range, std::uint64_t i, std::uint64_t parts) {
   const std::uint64_t size = range.size() / parts;
   const std::uint64_t larger = range.size() % parts;
@@ -56,7 +56,8 @@ class BlockedSteps final : public StepSource {
       there_[x] = true;
       loaded_.push_back(x);
     }
-    // What was evicted is forgotten now and then, so that no more than twice what is there is kept.
+    // Evicted items are removed now and then, so that the list has at most twice the items in
+    // memory.
     if (loaded_.size() > most_) {
       std::sort(loaded_.begin(), loaded_.end());
       loaded_.erase(std::unique(loaded_.begin(), loaded_.end()), loaded_.end());
@@ -72,7 +73,7 @@ class BlockedSteps final : public StepSource {
   std::unique_ptr<StepSource> steps_;
   bool begins_ = false;
   std::vector<bool> there_;
-  std::vector<Element> loaded_;  // all that is there, and more
+  std::vector<Element> loaded_;  // all items in memory, and some evicted ones
   std::size_t most_ = 1024;
   std::uint64_t number_ = 0;
 };

@@ -1,8 +1,8 @@
-// Internal: two sets for several workers: both are cut, and each worker has a part of the one with
-// a part of the other.
+// Internal: two sets for several workers: both are cut into parts, and each worker has a part of
+// one set with a part of the other.
 //
-// One worker after another, as one order: where the next one begins, all that is in memory is
-// evicted, even what it loads again. So cut there, the order is one of each worker alone.
+// The workers, one after another, form one order: where the next one begins, all of memory is
+// evicted, even items that are loaded again. Cut there, it gives an order for each worker alone.
 #pragma once
 
 #include <cstdint>
@@ -19,13 +19,13 @@ struct HeldBlocks {
   std::uint64_t first_parts = 0;  ///< of the first set
   std::uint64_t other_parts = 0;
   std::vector<HeldShape>
-      shapes;  ///< one a worker; workers without any come last and are not listed
+      shapes;  ///< one per worker; workers without any come last and are not listed
 
   [[nodiscard]] std::uint64_t makespan() const;
 };
 
-/// The parts with the smallest makespan of all p·q ≤ workers, as far as estimates tell; nothing
-/// where there would be more than a million groups.
+/// The parts with the smallest estimated makespan, for all p·q ≤ workers; nullopt if there would be
+/// more than a million groups.
 [[nodiscard]] std::optional<HeldBlocks> best_held_blocks(const WantedPairs& between,
                                                          std::uint64_t room, std::uint64_t workers);
 

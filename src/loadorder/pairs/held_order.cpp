@@ -18,7 +18,7 @@ ItemRange common(const ItemRange& a, const ItemRange& b) {
   return {first, std::max(first, std::min(a.end, b.end))};
 }
 
-/// One group and what passes, in ranges. Walk::next() is the only place that says what a step is.
+/// One group and the items that pass it, in ranges. Only Walk::next() knows what a step is.
 class Walk {
  public:
   explicit Walk(const HeldShape& shape) : shape_(&shape) {}
@@ -29,7 +29,7 @@ class Walk {
     std::uint64_t times = 1;         // so many steps of the same size follow each other
   };
 
-  /// The next step; with `all_alike`, as many steps at once as load equally many and evict as many.
+  /// The next step; with `all_alike`, as many steps at once as load and evict equally many items.
   /// False at the end.
   bool next(Change& change, bool all_alike) {
     change = {};
@@ -62,17 +62,17 @@ class Walk {
     return up_ ? others.end - next_ : next_ - others.first;
   }
 
-  // The old group goes, the new one comes, and others as far as there are places.
+  // Evicts the old group and loads the new one, and others as far as there is room.
   void begin_round(Change& change, const ItemRange& group, const ItemRange& others,
                    std::uint64_t places) {
     begun_ = true;
     if (round_ > 0) {
       change.group_out = shape_->groups[round_ - 1];
     }
-    // Of what passed last some may belong to the group, and some are kept.
+    // Items that passed last may belong to the group, and some are kept.
     const ItemRange joined = common(passing_, group);
     ItemRange kept = common(passing_, others);
-    if (kept.size() > places) {  // those where the next way begins
+    if (kept.size() > places) {  // keep those where the next pass begins
       kept =
           up_ ? ItemRange{kept.first, kept.first + places} : ItemRange{kept.end - places, kept.end};
     }
@@ -132,8 +132,8 @@ class Walk {
   std::size_t round_ = 0;
   bool begun_ = false;
   bool up_ = true;
-  std::uint64_t next_ = 0;  // the way up loads it next; the way down has loaded it
-  ItemRange passing_;       // of the others, what is in memory
+  std::uint64_t next_ = 0;  // the way up loads it next; the way down has just loaded it
+  ItemRange passing_;       // the other items in memory
 };
 
 class HeldSteps final : public StepSource {
@@ -183,7 +183,8 @@ void count_loads(HeldShape& shape) {
   }
 }
 
-// `held` in so many groups from the top; sizes differ by one, or all are full but the last.
+// Cuts `held` into groups from the top; sizes differ by one or, if not balanced, all groups but the
+// last are full.
 HeldShape shape_of(const ItemRange& held, std::uint64_t groups, bool balanced,
                    const ItemRange& others, bool others_grow_less, std::uint64_t room) {
   HeldShape shape;
@@ -214,7 +215,7 @@ std::string HeldShape::explain() const {
 
 namespace {
 
-/// Keeps the best of the shapes that it is shown.
+/// Keeps the best of the shapes considered.
 class BestShape {
  public:
   explicit BestShape(std::uint64_t room) : room_(room) {}

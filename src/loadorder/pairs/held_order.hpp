@@ -1,13 +1,13 @@
-// Internal: groups that are held while others pass, for pairs between two sets and for items that
-// are new.
+// Internal: groups that are held while other items pass, for pairs between two sets and for new
+// items.
 //
-// A range of items is cut into groups. Each group in turn stays in memory while the others that it
-// must meet pass through the places left: one whole range, up and down in turn, so that the last to
-// pass are the first of the next time. For between() these others are the other set. For beyond()
-// they are the old items and those new ones that no group had yet: the groups are taken from the
-// top of the range, 0 being the bottom.
+// A range of items is cut into groups. Each group in turn stays in memory while the items that it
+// must meet pass through the other places: one whole range, up and down in turn, so the last items
+// to pass are the first ones of the next pass. For between() these are the items of the other set.
+// For beyond() they are the old items and the new ones that no group had yet: groups are taken from
+// the top of the range, with 0 at the bottom.
 //
-// Memory holds a group and the range that passed last, so nothing is remembered but ranges.
+// Memory contains a group and the range that passed last, so only ranges are stored.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace changeover {
 
-/// Items first, …, end−1.
+/// The items first, …, end−1.
 struct ItemRange {
   std::uint64_t first = 0;
   std::uint64_t end = 0;
@@ -31,18 +31,18 @@ struct ItemRange {
 struct HeldShape {
   std::uint64_t room = 0;
   std::vector<ItemRange> groups;
-  std::vector<ItemRange> others;  ///< that pass while the group of the same number stays
+  std::vector<ItemRange> others;  ///< items that pass while the group with the same number stays
   std::uint64_t loads = 0;
   std::uint64_t steps = 0;
 
-  /// One line.
+  /// A description in one line.
   [[nodiscard]] std::string explain() const;
 };
 
 /// The shape with the fewest loads for between() or beyond().
 [[nodiscard]] HeldShape best_held_shape(const WantedPairs& wanted, std::uint64_t room);
 
-/// The same for all items of one range with all of another one that has none of them.
+/// The same for all items of one range with all of another, disjoint one.
 [[nodiscard]] HeldShape best_held_shape(const ItemRange& some, const ItemRange& others,
                                         std::uint64_t room);
 

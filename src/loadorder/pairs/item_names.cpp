@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t longest_name = 255;
 
-/// An invisible character that makes another name of a name, as in "U+200B"; nothing if there is
-/// none. `word` is UTF-8.
+/// An invisible character in a name, as "U+200B", with which two names can look alike; nullopt if
+/// there is none. `word` is UTF-8.
 std::optional<std::string> invisible_character(std::string_view word) {
   constexpr auto ranges = std::to_array<std::pair<char32_t, char32_t>>({{0xA0, 0xA0},
                                                                         {0xAD, 0xAD},

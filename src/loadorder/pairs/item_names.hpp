@@ -1,4 +1,4 @@
-// Internal: what an item may be called, the same in every list of load orders.
+// Internal: the rules for names of items, the same in every list of load orders.
 //
 //     as_number("+01.0")                  // "1": written like a number, in another way
 //     check_item_name(rows, field)        // refuses what cannot be seen, a '|', 256 bytes
@@ -14,11 +14,11 @@
 
 namespace changeover {
 
-/// A plain decimal below most_items.
+/// The number of a plain decimal below most_items; nullopt otherwise.
 [[nodiscard]] std::optional<Element> item_number(const Field& field);
 
-/// What `word` is as a number if it is written like one: digits, perhaps with a sign, leading zeros
-/// or a point, without what makes no difference to the number. Nothing for all other words.
+/// The canonical form of a word that is written like a number: digits, possibly with a sign,
+/// leading zeros or a point. Nullopt for all other words.
 [[nodiscard]] std::optional<std::string> as_number(std::string_view word);
 
 /// @throws BadInput with the place of a name that is too long, or has an invisible character or a
@@ -28,10 +28,10 @@ void check_item_name(const RowReader& rows, const Field& field);
 /// @throws BadInput with the place of a number that is not written like the whole numbers before.
 void check_written_plainly(const RowReader& rows, const Field& field);
 
-/// Names that are numbers: each is written in one way.
+/// Names that are numbers: each number must be written in one way.
 class WrittenNumbers {
  public:
-  /// @throws BadInput with the place of a name that is a number of another name, too.
+  /// @throws BadInput with its place for a name that is the same number as another name.
   void add(const RowReader& rows, const Field& field);
   void clear() { names_.clear(); }
 

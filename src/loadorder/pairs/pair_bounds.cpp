@@ -15,15 +15,15 @@
 namespace changeover {
 namespace {
 
-/// What is known of one component, as items with few partners are taken away from it one after
-/// another.
+/// The numbers of one component while the items with the fewest partners are removed from it one by
+/// one.
 struct Component {
-  std::uint64_t items = 0;  // that are left
+  std::uint64_t items = 0;  // remaining items
   std::uint64_t pairs = 0;
   std::uint64_t all_items = 0;
   std::uint64_t all_pairs = 0;
   std::uint64_t bound = 0;
-  std::uint64_t core_items = 0;  // where the bound comes from
+  std::uint64_t core_items = 0;  // the part that gives the bound
   std::uint64_t core_pairs = 0;
 };
 
@@ -53,7 +53,7 @@ std::vector<std::uint32_t> components_of(const PairGraph& graph, std::uint32_t& 
   return component;
 }
 
-// Items in order of having fewest partners among those that are left; calls visit(x, partners).
+// Items in order of fewest remaining partners; calls visit(x, partners).
 template <typename Visit>
 void peel(const PairGraph& graph, Visit&& visit) {
   const auto n = static_cast<std::size_t>(graph.items());

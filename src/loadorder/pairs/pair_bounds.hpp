@@ -1,4 +1,4 @@
-// Internal: how many pairs loads bring together.
+// Internal: the number of pairs that loads can bring together.
 #pragma once
 
 #include <cstdint>
@@ -7,19 +7,19 @@
 
 namespace changeover {
 
-/// Most pairs that `loads` loads bring together: the i-th one meets at most min(i, room) − 1
-/// others.
+/// The most pairs that `loads` loads can bring together: the i-th load meets at most min(i, room) −
+/// 1 other items.
 [[nodiscard]] std::uint64_t most_pairs(std::uint64_t loads, std::uint64_t room);
 
-/// Fewest loads for which that is enough.
+/// The fewest loads that can bring `pairs` pairs together.
 [[nodiscard]] std::uint64_t least_loads(std::uint64_t pairs, std::uint64_t room);
 
-/// The same for pairs of one item of a set with one outside it: the first ones bring together at
-/// most what halves of the room would.
+/// The same for pairs of an item of one set with an item outside it: the first loads bring together
+/// at most the pairs between two halves of the room.
 [[nodiscard]] std::uint64_t most_between(std::uint64_t loads, std::uint64_t room);
 [[nodiscard]] std::uint64_t least_between(std::uint64_t pairs, std::uint64_t room);
 
-/// How many items have to be loaded.
+/// The number of items that have to be loaded.
 [[nodiscard]] std::uint64_t needed_items(const WantedPairs& wanted);
 
 }  // namespace changeover

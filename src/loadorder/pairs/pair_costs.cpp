@@ -18,7 +18,7 @@ namespace {
 
 using Costs = std::unordered_map<std::uint64_t, double>;
 
-// The sum of as many as there may be is a number, too.
+// A limit with which sums of costs remain finite.
 constexpr double highest_cost = 1e100;
 
 std::uint64_t key_of(Element x, Element y) {
@@ -67,7 +67,8 @@ class CostList {
     return options;
   }
 
-  // Words over columns, none of which is an item: else the cost of a pair would be lost.
+  // A header is words over columns, none of which is an item; otherwise the cost of a pair would be
+  // lost.
   [[nodiscard]] bool is_header(const Row& row) const {
     const auto is_item = [&](const Field& field) {
       return numbers_.contains(field.text) || number_in<double>(field);

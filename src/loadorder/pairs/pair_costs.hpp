@@ -1,5 +1,5 @@
-// Internal: what pairs cost to compute, from a list: two items and a number per row, with what
-// separates them in a list of pairs.
+// Internal: reads the costs of pairs from a list: two items and a number per row, with the
+// separators of a list of pairs.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace changeover {
 
-/// Items have the numbers 0, …, items − 1, or the names that the wanted pairs give them. Pairs that
-/// are not in the list cost 1. A first row of words over rows of numbers is a header. @throws
-/// BadInput with its place for an unknown item, a cost below 0, or a pair that has a cost already
+/// Items have the numbers 0, …, items − 1, or the names of the wanted pairs. Pairs that are not in
+/// the list cost 1. A first row of words over rows of numbers is a header. @throws BadInput with
+/// its place for an unknown item, a negative cost, or a pair that has a cost already.
 [[nodiscard]] std::function<double(Element, Element)> read_pair_costs(Input& input,
                                                                       const WantedPairs& wanted);
 

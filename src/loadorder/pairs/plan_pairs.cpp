@@ -25,7 +25,7 @@ namespace {
 
 using Moves = std::vector<LoadMove>;
 
-/// The loads up to the first eviction are one step, each further one is a step.
+/// The loads up to the first eviction are one step; each further load is a step.
 class MoveSteps final : public StepSource {
  public:
   explicit MoveSteps(std::shared_ptr<const Moves> moves) : moves_(std::move(moves)) {}
@@ -58,7 +58,7 @@ bool stop_wanted() {
   return control != nullptr && control->stop_wanted();
 }
 
-/// Says yes some time after a stop was wanted.
+/// Returns true some time after a stop was requested.
 class Patience {
  public:
   bool operator()() {
@@ -79,7 +79,7 @@ struct ListedOrder {
   std::string explanation;
 };
 
-// Looks for an order of a list: starts first, then changes to the best of them.
+// Searches an order for a list: first several starts, then changes to the best of them.
 class ListSearch {
  public:
   ListSearch(const PairGraph& graph, std::uint64_t room, const LoadBound& bound,
@@ -109,7 +109,7 @@ class ListSearch {
           return best_.moves.size() > bound_.loads && !in_a_hurry();
         },
         [this] { return in_a_hurry(); });
-    // An order takes as long to improve as many runs of it.
+    // Improving an order takes as long as many runs of it.
     constexpr std::uint64_t most_work = 1'000'000'000;  // some seconds
     constexpr std::uint64_t work_a_pair = 1'000'000;
     constexpr std::uint64_t runs = 50;
@@ -123,8 +123,8 @@ class ListSearch {
     }
   }
 
-  // Of a search that goes on until it is stopped: whether it is. Otherwise the caller
-  // may stop it.
+  // Whether a search that runs until it is stopped has been stopped. Other searches are stopped by
+  // the caller.
   bool in_a_hurry() const {
     if (!until_stopped_) {
       stop_if_asked();
@@ -146,7 +146,7 @@ class ListSearch {
     }
   }
 
-  // Every start for a while, and the best of them for longer.
+  // Improves every start for a while, and the best of them for longer.
   void improve_small() {
     constexpr std::uint64_t work = 1'000'000'000;  // some seconds
     constexpr std::uint64_t most_looks = 500'000;
@@ -188,8 +188,8 @@ class ListSearch {
     }
   }
 
-  // For a fixed amount of work or until it is stopped. What a round found is run once more; there
-  // must be time for that.
+  // Improves for a fixed amount of work, or until stopped. The result of a round is run once more,
+  // for which there must be time left.
   void improve(std::uint64_t work) {
     Closing closing(graph_, room_, best_start_);
     Random random(options_.seed);
@@ -229,12 +229,12 @@ class ListSearch {
   const LoadOrderOptions& options_;
   ListedOrder best_;
   std::vector<Element> best_start_;
-  std::vector<std::vector<Element>> starts_;  // of a short list
+  std::vector<std::vector<Element>> starts_;  // for a short list
   std::uint64_t work_of_run_ = 0;
   bool until_stopped_ = false;
 };
 
-// Each load with what goes for it.
+// The loads of an order, each with the item evicted for it.
 Moves moves_of(LoadOrder& order) {
   Moves moves;
   for (Step step; order.next(step);) {
@@ -245,7 +245,7 @@ Moves moves_of(LoadOrder& order) {
   return moves;
 }
 
-// Orders for all pairs serve where most pairs are listed.
+// An order for all pairs is good if most pairs are listed.
 void consider_all_pairs(const PairGraph& graph, std::uint64_t room, const LoadOrderOptions& options,
                         ListedOrder& best) {
   constexpr std::uint64_t most_considered = 2000;
@@ -292,8 +292,8 @@ void verify(const LoadOrder::Maker& maker, LoadOrderFacts& facts, const LoadOrde
                                  : fmt::format("every step read, all {} wanted pairs met", pairs);
 }
 
-// What brings all pairs together brings these together: nothing if it has as many loads, or its
-// bound.
+// An order for all pairs also serves fewer pairs: nullopt if it has as many loads as the given one,
+// or more than its bound allows.
 std::optional<LoadOrder> order_for_all_pairs(const LoadOrderFacts& facts, std::uint64_t loads,
                                              const LoadOrderOptions& options) {
   if (load_lower_bound(facts.items, facts.room).loads >= loads) {

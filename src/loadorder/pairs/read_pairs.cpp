@@ -11,7 +11,7 @@
 namespace changeover {
 namespace {
 
-// Items with anything between them. Lists are long: a row is not kept.
+// Items with any separators. Lists are long, so rows are not kept.
 RowOptions row_options() {
   RowOptions options = RowOptions::of_any_length();
   options.any_separator = options.blanks = options.percent_too = true;
@@ -22,7 +22,7 @@ RowOptions row_options() {
 
 bool separates(char c) { return c == ' ' || c == '\t' || c == ',' || c == ';'; }
 
-/// "0 1": its author meant two items, and not one of this name.
+/// "0 1": two numbers, meant as two items rather than as one name.
 bool are_numbers(std::string_view text) {
   if (text.find(' ') == std::string_view::npos) {
     return false;
@@ -37,8 +37,8 @@ bool are_numbers(std::string_view text) {
   return true;
 }
 
-/// Two items as most files write them: digits, one blank, tab or comma, digits. Nothing for every
-/// other line.
+/// Parses a line in the most common form: digits, one blank, tab or comma, digits. Nullopt for
+/// every other line.
 std::optional<std::pair<Element, Element>> plain_pair(std::string_view line) {
   constexpr std::size_t most_digits = 7;  // below most_items
   static_assert(most_items == 10'000'000);
@@ -47,8 +47,7 @@ std::optional<std::pair<Element, Element>> plain_pair(std::string_view line) {
     const std::size_t begin = at;
     value = 0;
     for (; at < line.size() && line[at] >= '0' && line[at] <= '9'; ++at) {
-      value =
-          10 * value + static_cast<Element>(line[at] - '0');  // of no use if there are more digits
+      value = 10 * value + static_cast<Element>(line[at] - '0');  // unused if there are more digits
     }
     const std::size_t digits = at - begin;
     return digits > 0 && digits <= most_digits && (digits == 1 || line[begin] != '0');
@@ -61,8 +60,8 @@ std::optional<std::pair<Element, Element>> plain_pair(std::string_view line) {
   return std::nullopt;
 }
 
-/// Pairs in pieces, so that more of them move none. A piece is so large that the system has it back
-/// at once; what is not used of it takes no memory.
+/// Pairs in pieces, so that growing moves none of them. A piece is so large that freeing it returns
+/// it to the system at once, and its unused part takes no memory.
 class Pieces {
  public:
   void add(Element x, Element y) {
@@ -129,7 +128,7 @@ class PairReader {
   }
 
  private:
-  // Leaves the two items of a row in it; false for a row without any.
+  // Reduces a row to its two items; false for a row without items.
   bool items_of_row() {
     std::erase_if(row_, [](const Field& field) { return field.text.empty(); });
     if (row_.size() == 1 && !row_.front().in_quotes) {
@@ -157,7 +156,7 @@ class PairReader {
     const auto y = item_number(row_[1]);
     const bool numbers = x && y;
     if (!seen_any_ && !as_number(row_[0].text) &&
-        !as_number(row_[1].text)) {  // perhaps names of columns
+        !as_number(row_[1].text)) {  // possibly column names
       seen_any_ = true;
       first_line_ = row_;
       for (const Field& field : first_line_) {
@@ -198,7 +197,7 @@ class PairReader {
     pairs_.add(x, y);
   }
 
-  // Words over numbers are the names of columns.
+  // Words above numbers are column names.
   void settle_first_line(bool numbers_follow) {
     if (first_line_.empty()) {
       return;
@@ -211,7 +210,7 @@ class PairReader {
     }
   }
 
-  // What were numbers are names from now on.
+  // From now on the numbers so far are names.
   void become_named() {
     if (named_) {
       return;

@@ -12,7 +12,7 @@ namespace {
 
 using Order = std::vector<Element>;
 
-/// A set of items, each called by its place in the order.
+/// A set of items, each given by its place in the order.
 template <std::size_t Words>
 class Places {
  public:
@@ -32,7 +32,7 @@ class Places {
   }
   [[nodiscard]] bool empty() const { return first() == none; }
 
-  /// Takes out what is in `others`, and says what that was.
+  /// Removes the members of `others` and returns them.
   Places take(const Places& others) {
     Places taken;
     for (std::size_t i = 0; i < Words; ++i) {
@@ -56,15 +56,15 @@ class Places {
   std::array<std::uint64_t, Words> words_{};
 };
 
-/// Plays orders.
+/// Computes the loads of orders.
 template <std::size_t Words>
 class Player {
  public:
   Player(const std::vector<std::vector<Element>>& partners, std::uint64_t room)
       : partners_(partners), room_(room), place_(partners.size()), open_(partners.size()) {}
 
-  /// Loads of this order; gives up where they are more than `limit`, which is then exceeded. With
-  /// `moves`, says them.
+  /// The number of loads of this order. Stops early if there are more than `limit`, which the
+  /// result then exceeds. Stores the moves if `moves` is given.
   std::uint64_t play(const Order& order, std::uint64_t limit, std::vector<LoadMove>* moves) {
     const auto n = static_cast<std::uint32_t>(order.size());
     order_ = &order;
@@ -106,7 +106,7 @@ class Player {
     open_[x].each([&](std::uint32_t y) {
       Places<Words> others = open_[y];
       others.erase(x);
-      // What is needed for this pair only passes first, what is needed soon stays.
+      // Items that are needed for this pair only pass first; items that are needed soon stay.
       const std::uint32_t next = others.first();
       missing_.push_back({next == nothing ? nothing : std::min(y, next), y});
     });
@@ -117,7 +117,7 @@ class Player {
     }
   }
 
-  // What goes for the next load.
+  // Chooses the item to evict for the next load.
   std::uint32_t make_room(std::uint32_t keep) {
     if (memory_.size() + closed_.size() < room_) {
       return nothing;
@@ -171,8 +171,8 @@ class Player {
   const std::vector<std::vector<Element>>& partners_;
   std::uint64_t room_;
   std::vector<std::uint32_t> place_;  // by item
-  std::vector<Places<Words>> open_;   // by place: pairs not met
-  Places<Words> there_;               // in memory and open
+  std::vector<Places<Words>> open_;   // by place: pairs that have not met
+  Places<Words> there_;               // items in memory that are open
   std::vector<std::uint32_t> memory_;
   std::vector<std::uint32_t> closed_;
   std::vector<Missing> missing_;
@@ -181,8 +181,8 @@ class Player {
   std::uint64_t loads_ = 0;
 };
 
-// A run of items goes elsewhere, mostly near a partner of its first, and perhaps the other way
-// round.
+// Moves a run of items elsewhere, mostly near a partner of its first item, and sometimes reverses
+// it.
 Order changed(const Order& order, const std::vector<std::vector<Element>>& partners,
               Random& random) {
   constexpr std::uint32_t longest = 8;

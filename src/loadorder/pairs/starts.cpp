@@ -11,7 +11,8 @@ namespace {
 
 using Order = std::vector<Element>;
 
-// Appends all items that are reached from `root`, level by level; few partners come first.
+// Appends all items that are reachable from `root`, level by level; items with few partners come
+// first.
 void append_levels(const PairGraph& graph, Element root, std::vector<bool>& seen, Order& order) {
   std::size_t next = order.size();
   seen[root] = true;
@@ -33,8 +34,8 @@ void append_levels(const PairGraph& graph, Element root, std::vector<bool>& seen
   }
 }
 
-// One item of each component, at an end of it: the last one of a search from the last one of a
-// search.
+// An end of each component: the last item of a breadth-first search that starts at the last item of
+// another one.
 Order ends(const PairGraph& graph) {
   Order roots;
   std::vector<bool> seen(static_cast<std::size_t>(graph.items()), false);
@@ -111,7 +112,7 @@ class Frontier {
   }
 
   const PairGraph& graph_;
-  std::vector<std::uint32_t> untouched_;  // partners
+  std::vector<std::uint32_t> untouched_;  // number of untouched partners
   std::vector<bool> is_touched_;
   BucketQueue touched_;  // and not closed
   Order order_;

@@ -1,4 +1,4 @@
-// Internal: orders of closing items to start from.
+// Internal: initial orders of closing items.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,19 @@
 
 namespace changeover {
 
-/// Orders of all items, each with its name:
+/// Generates orders of all items, each with its name:
 ///
-///   frontier   among the items that have been touched, the next one closed is the one that has
-///              fewest untouched partners; closing it touches them [King1970]
-///   numbered   as they are numbered
-///   lacking    among what is in memory, what lacks fewest partners is closed next, and what met no
-///              partner for longest goes: two orders, in which of equals the one is closed that
-///              met a partner last, or the other one
+///   frontier   of the items that have been touched, the one with the fewest untouched partners is
+///              closed next, which touches them [King1970]
+///   numbered   by number
+///   lacking    the item in memory that lacks the fewest partners is closed next, and the one that
+///              met no partner for longest is evicted: two orders, which break ties by the
+///              item that met a partner last, or by the other one
 ///   breadth    breadth first from an end of each component, fewest partners first, reversed
 ///              [CuthillMcKee1969]
 ///
-/// They are shown to `visit` one after another, as long as it says true; none is made before it is
-/// asked for. What give_up() interrupts is not shown.
+/// Passes them to `visit` one after another while it returns true; each is made only when it is
+/// needed. An order that give_up() interrupts is not passed on.
 void each_start(
     const PairGraph& graph, std::uint64_t room,
     const std::function<bool(const std::string& name, std::vector<Element> order)>& visit,

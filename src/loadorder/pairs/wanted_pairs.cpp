@@ -54,7 +54,7 @@ PairGraph::PairGraph(std::uint64_t items, const std::function<void(const Visit&)
       partners_[end[y]++] = x;
     }
   });
-  // Each one once.
+  // Removes repeated pairs.
   std::uint64_t kept = 0;
   for (std::size_t x = 0; x < items; ++x) {
     const auto at = [&](std::uint64_t i) {

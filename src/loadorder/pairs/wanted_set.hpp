@@ -1,6 +1,6 @@
-// Internal: wanted pairs that have met, one bit each.
+// Internal: the wanted pairs that have met.
 //
-// Of listed pairs two bits a pair; otherwise those of all pairs (core/pair_set.hpp).
+// Two bits per listed pair; otherwise one bit for each of all pairs (core/pair_set.hpp).
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ class WantedSet {
     }
   }
 
-  /// Whether {x,y} is wanted and was not in the set; now it is.
+  /// Adds {x,y}; returns whether it is wanted and new.
   bool insert(Element x, Element y) {
     if (pairs_) {
       if (!wanted_.contains(x, y) || pairs_->contains(x, y)) {
@@ -39,8 +39,9 @@ class WantedSet {
     return true;
   }
 
-  /// insert(x, y) for all y in `memory` that `is_due(y)`, in this order unless x has fewer
-  /// partners; is_there(y) says the same of an item. Calls visit(y) for what is new.
+  /// Calls insert(x, y) for all y in `memory` with is_due(y), in this order unless x has fewer
+  /// partners than that; is_there(y) tells whether an item is in memory. Calls visit(y) for new
+  /// pairs.
   template <typename IsThere, typename IsDue, typename Visit>
   void insert_all(Element x, const std::vector<Element>& memory, IsThere&& is_there, IsDue&& is_due,
                   Visit&& visit) {

@@ -1,4 +1,4 @@
-// The options of load orders, one record each, and what of a request is possible.
+// The options of load orders, one record each, and the checks of a request.
 #include "changeover/loadorder/load_request.hpp"
 
 #include <fmt/format.h>
@@ -200,7 +200,7 @@ std::vector<OptionRule> rules() {
       {Says::exclude, {"new_pairs", "prefetch"}},
       {Says::needs, {"sizes"}, {"memory"}},
       {Says::only_with, {"memory"}, {"sizes"}},
-      // Memory says what fits; orders by sizes are for one memory and one level so far.
+      // Memory limits what fits; orders by sizes support one memory and one level so far.
       {Says::never_with,
        {"sizes"},
        {"room", "workers", "fast_room", "disjoint", "prefetch", "item_bytes"}},
@@ -221,9 +221,9 @@ std::vector<OptionRule> rules() {
       {Says::never_with, {"disjoint"}, {"prefetch", "pairs", "against", "done_items"}},
       {Says::only_with, {"ordered", "self", "shuffle"}, {"new_pairs", "write_back", "prefetch"}},
       {Says::only_with, {"spread"}, {"new_pairs", "write_back"}},
-      // Prefetch decides which step has a pair.
+      // Prefetch decides which step computes a pair.
       {Says::never_with, {"spread"}, {"prefetch"}},
-      // In another direction another worker has a pair first.
+      // In the other direction another worker has a pair first.
       {Says::never_with, {"epochs"}, {"first_holder"}},
       {Says::exclude, {"pairs", "against", "done_items"}},
       {Says::never_with, {"seconds"}, {"against", "done_items"}},
@@ -279,7 +279,7 @@ void check_ranges(const LoadRequest& request, Door door) {
   }
 }
 
-// Of items with sizes.
+// For items with sizes.
 void at_least_two_fit(const LoadRequest& request, Door door) {
   if (*request.memory < 2) {
     refuse(fmt::format("{} {}: no two items could meet; give at least 2 bytes", key("memory", door),
@@ -300,7 +300,7 @@ void at_least_two_fit(const LoadRequest& request, Door door) {
   check_epochs_of(request, door);
 }
 
-// Numbers that do not go together.
+// Numbers that cannot be combined.
 void check_together(const LoadRequest& request, Door door, bool all) {
   const std::uint64_t items = request.items.value_or(0);
   if (request.done_items && *request.done_items >= items) {
@@ -383,7 +383,7 @@ std::string load_request_schema() {
 
 namespace {
 
-// Sizes of items that have names and no list of pairs say which items there are.
+// Reads item sizes; names of items without a list of pairs define the items.
 void take_sizes(const LoadRequest& request, Door door, std::shared_ptr<const PairGraph>& pairs,
                 std::shared_ptr<const ItemSizes>& sizes) {
   const auto input =

@@ -19,7 +19,7 @@
 namespace changeover {
 namespace {
 
-/// FNV-1a over all steps of the order, whatever the share.
+/// FNV-1a over all steps of the order, independent of the share.
 std::uint64_t hash_of(const LoadOrder& order) {
   std::uint64_t hash = 14695981039346656037ULL;
   const auto mix = [&](std::uint64_t value) {
@@ -40,8 +40,8 @@ std::uint64_t hash_of(const LoadOrder& order) {
   return hash;
 }
 
-/// What tells jobs apart, all shares of a job having the same but for their number: what is
-/// computed of which data, in which steps, and where results go.
+/// The fields that identify a job: the computation, its data, its steps, and the place of the
+/// results. All shares of a job have the same, except for their number.
 std::vector<JournalField> fields_of(const ItemSource& source, const LoadOrder& order,
                                     const std::string& fingerprint,
                                     const AllPairsOptions& options) {
@@ -60,7 +60,7 @@ std::vector<JournalField> fields_of(const ItemSource& source, const LoadOrder& o
 
 class Job {
  public:
-  /// Shares of the order, or those that are given.
+  /// Shares of the order, or the given ones.
   Job(ItemSource& source, const LoadOrder& order, const WorkerSplit* shares,
       const PairCompute& compute, const AllPairsOptions& options)
       : source_(source),
@@ -69,7 +69,7 @@ class Job {
         order_(order),
         items_(order.facts().items),
         room_of_order_(shares != nullptr ? shares->facts().room : order.facts().room),
-        // A sum that wraps is more than all items, too.
+        // A sum that overflows is more than all items, too.
         room_(options.read_ahead < items_ - std::min(room_of_order_, items_)
                   ? room_of_order_ + options.read_ahead
                   : items_),
@@ -132,14 +132,14 @@ class Job {
   }
 
  private:
-  // Where items have sizes all that goes does so before the next loads start.
+  // With item sizes, all evictions are made before the next loads start.
   [[nodiscard]] std::uint64_t places() const { return order_.facts().sizes != nullptr ? 0 : room_; }
 
   [[nodiscard]] bool cancelled() const {
     return options_.cancelled != nullptr && options_.cancelled->load(std::memory_order_relaxed);
   }
 
-  // First everything that can speak against the job, and only then what changes files.
+  // Makes all checks first, and only then changes files.
   void claim_results(std::optional<Journal>& journal, std::vector<JournalField> fields) {
     fields.push_back({"shares", name_of_shares(*split_, earlier_.checksum())});
     Sha256 job;
@@ -161,7 +161,7 @@ class Job {
     }
   }
 
-  // Which recorded steps have the results that were recorded.
+  // The recorded steps whose results match.
   void find_again(const std::vector<JournalRecord>& records) {
     if (records.empty()) {
       return;
@@ -183,7 +183,7 @@ class Job {
     report_.steps_done = report_.steps_resumed;
   }
 
-  // Of what is stored for the pairs of step_.
+  // The checksum of the stored results of the pairs of step_.
   std::optional<Checksum> checksum_of_step() {
     if (options_.results == nullptr) {
       return std::nullopt;
@@ -199,7 +199,7 @@ class Job {
     return options_.results->checksum({step_.step.number, step_pairs_});
   }
 
-  // Pairs of the shares before are spoken for, unless it is known whose they are.
+  // Pairs of the shares before are marked as computed, unless owners assign the pairs.
   void skip_what_others_compute(PairAssigner& assigner) {
     for (std::uint64_t w = 0; split_->owners() == nullptr && w < options_.share.index; ++w) {
       assigner.start(split_->stream(w));
@@ -209,8 +209,8 @@ class Job {
     assigner.start(split_->stream(options_.share.index));
   }
 
-  // What an earlier run recorded in another number of shares, and whose results are not found
-  // again, is computed first, each of its steps by one share.
+  // Computes first what an earlier run with another number of shares recorded and whose results do
+  // not match; each of these steps is computed by one share.
   void compute_what_was_lost() {
     if (options_.results == nullptr) {
       for (std::uint64_t i = options_.share.index; i < earlier_.steps().size();
@@ -283,8 +283,8 @@ class Job {
     }
   }
 
-  // Steps from step_ on, one after another, up to one that is done already. What is in `memory`
-  // when the first of them begins has to be loaded again.
+  // Computes steps from step_ on, up to one that is done already. Items in `memory` at its first
+  // step have to be loaded again.
   void compute_stretch(ComputePool& pool, std::optional<Journal>& journal,
                        std::vector<Element> memory) {
     Reader reader(source_, items_, room_, options_.readers, order_.facts().sizes);
@@ -301,7 +301,7 @@ class Job {
     while (true) {
       const bool goes_on = is_to_do(step_.step.number + 1);
       const bool computed = compute_step(reader, pool, goes_on);
-      // Loads under way end before their buffers do.
+      // Loads in progress end before their buffers do.
       report_.loads = before.loads + reader.requests();
       report_.bytes_read = before.bytes_read + reader.bytes_read();
       report_.most_in_memory = std::max(before.most_in_memory, reader.most_used());
@@ -328,8 +328,8 @@ class Job {
     }
   }
 
-  // Computes what the step's arrivals bring, and starts the next loads as soon as their places are
-  // free.
+  // Computes the pairs of the step's arrivals, and starts the next loads as soon as their places
+  // are free.
   bool compute_step(Reader& reader, ComputePool& pool, bool goes_on) {
     std::size_t from = 0;
     for (std::size_t i = 0; i < step_.step.load.size(); ++i) {
@@ -398,14 +398,14 @@ class Job {
   std::uint64_t items_;
   std::uint64_t room_of_order_;
   std::uint64_t room_;
-  const WorkerSplit* split_;  // own_, or those that were given
+  const WorkerSplit* split_;  // own_, or the given one
   std::optional<WorkerSplit> own_;
   EarlierShares earlier_;
-  bool lost_are_computed_ = true;  // of earlier shares
+  bool lost_are_computed_ = true;  // for earlier shares
   std::optional<PairAssigner> assigner_;
   AssignedStep step_;
   std::vector<ItemPair> step_pairs_;
-  std::vector<bool> is_done_;  // by step; empty if none is
+  std::vector<bool> is_done_;  // by step; empty if none is done
   std::uint64_t pairs_ = 0;
   AllPairsReport report_;
 };
@@ -438,8 +438,8 @@ AllPairsReport run(ItemSource& source, const LoadOrder& order, const WorkerSplit
   if (facts.every_step_read) {
     return Job(source, order, shares, compute, options).run();
   }
-  // An order that was not read before is read now, or beside the work: then what was computed
-  // counts if it was right.
+  // An unverified order is verified now, or during the work: in that case the results count only if
+  // the order was right.
   const auto read = [&] {
     const auto steps = shares != nullptr ? shares->stream() : order.stream();
     const ScheduleVerdict verdict =
@@ -476,7 +476,7 @@ AllPairsReport all_pairs(ItemSource& source, const WorkerSplit& shares, const Pa
   if (!options.earlier.empty()) {
     throw BadInput("journals of an earlier run go with an order, whose shares may be cut anew");
   }
-  // Of groups of items the order that was cut has other items.
+  // With groups of items, the order that was cut has groups as items.
   LoadOrderFacts facts = shares.order().facts();
   facts.items = shares.facts().items;
   facts.room = shares.facts().room;

@@ -32,7 +32,7 @@ void ComputePool::work(const std::function<void(std::size_t)>& task, std::size_t
       task(i);
     }
   } catch (...) {
-    next_ = count;  // the rest is left out
+    next_ = count;  // leaves out the rest
     const std::lock_guard lock(mutex_);
     if (!fault_) {
       fault_ = std::current_exception();

@@ -12,9 +12,9 @@
 
 namespace changeover {
 
-/// run(n, task) calls task(0), …, task(n−1), each once, on the caller and the other threads, and
-/// returns when all are done. The first exception is thrown to the caller; tasks not yet begun are
-/// then left out.
+/// run(n, task) calls task(0), …, task(n−1), each once, on the calling thread and the others, and
+/// returns when all are done. After an exception the remaining tasks are left out, and the first
+/// exception is rethrown to the caller.
 class ComputePool {
  public:
   /// @throws MissingResource if a thread cannot be started

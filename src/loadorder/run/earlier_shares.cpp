@@ -45,7 +45,7 @@ std::string name_of_shares(const WorkerSplit& split, const std::string& after) {
                      after.empty() ? "" : std::string(follows) + after);
 }
 
-/// One journal, by its first line.
+/// One journal, given by its first line.
 struct EarlierShares::Run {
   std::string path;
   std::string shares;
@@ -91,7 +91,7 @@ EarlierShares::EarlierShares(const std::vector<std::string>& journals,
     }
     const std::vector<Run> now(next, runs.end());
     runs.erase(next, runs.end());
-    // All of them began with what was done before.
+    // All of them started with the same earlier steps.
     const std::size_t first = steps_.size();
     Sha256 all;
     all.add(std::string_view(checksum_));

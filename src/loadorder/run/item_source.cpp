@@ -25,7 +25,7 @@ struct FileItems::State {
   std::uint64_t file_bytes = 0;
   bool bypass = false;
   int file = -1;    // ordinary
-  int direct = -1;  // without the page cache, if the file system can
+  int direct = -1;  // without the page cache, if the file system supports it
   std::atomic<bool> direct_works{false};
 
   ~State() {
@@ -38,8 +38,8 @@ struct FileItems::State {
 
   [[nodiscard]] std::uint64_t data_bytes() const { return file_bytes - header_bytes; }
 
-  // Reads until `wanted` bytes are there, the file ends, or the system refuses: then errno says
-  // why.
+  // Reads until `wanted` bytes are read, the file ends, or the system refuses; errno then has the
+  // reason.
   static std::optional<std::size_t> read_at(int descriptor, std::byte* to, std::size_t wanted,
                                             std::uint64_t offset) {
     std::size_t done = 0;
@@ -57,7 +57,7 @@ struct FileItems::State {
       }
       done += static_cast<std::size_t>(got);
       if (done % buffer_alignment != 0 && done < wanted) {
-        break;  // a direct read that met the end of the file
+        break;  // a direct read that reached the end of the file
       }
     }
     return done;
@@ -103,7 +103,7 @@ std::uint64_t FileItems::item_count() const {
 
 std::size_t FileItems::buffer_bytes() const {
   const std::uint64_t largest = std::min(state_->item_bytes, state_->data_bytes());
-  // A direct read begins and ends at multiples of the alignment.
+  // Direct reads begin and end at multiples of the alignment.
   const bool aligned =
       state_->item_bytes % buffer_alignment == 0 && state_->header_bytes % buffer_alignment == 0;
   const std::uint64_t slack = state_->bypass && !aligned ? 2 * buffer_alignment : 0;
@@ -127,8 +127,7 @@ std::string FileItems::fingerprint() const {
   const std::uint64_t pages = ceil_div(size, page);
   Sha256 hash;
   std::array<std::byte, page> bytes;
-  // The first and the last page, and one at random out of each of as many stretches between them as
-  // there are others.
+  // The first and the last page, and one random page of each of several stretches between them.
   std::uint64_t state = size;
   for (std::uint64_t i = 0; i < std::min(pages, most_pages); ++i) {
     std::uint64_t number = i;
@@ -173,14 +172,14 @@ std::span<const std::byte> FileItems::read(Element item, std::span<std::byte> bu
     if (got) {
       got = *got > skip ? std::min(*got - skip, bytes) : 0;
     } else if (errno == EINVAL) {
-      s.direct_works = false;  // the file system promised more than it can
+      s.direct_works = false;  // the file system does not support direct reads after all
     }
   }
   if (!got && !s.direct_works) {
     skip = 0;
     got = State::read_at(s.file, buffer.data(), bytes, start);
     if (s.bypass && got) {
-      // Advice only: if it is not taken, the pages stay a while.
+      // Advice only: if the system ignores it, the pages stay for a while.
       static_cast<void>(::posix_fadvise(s.file, static_cast<off_t>(start),
                                         static_cast<off_t>(bytes), POSIX_FADV_DONTNEED));
     }

@@ -27,7 +27,7 @@ constexpr std::string_view title = "changeover journal 2: ";
       fmt::format("{}: {}: {}; {}", path, what, std::strerror(errno), how_to_write(errno)));
 }
 
-// The name of a new file is in its folder, which must reach the disk too.
+// The name of a new file is in its folder, which must be synced, too.
 void sync_folder_of(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY);
@@ -43,7 +43,7 @@ std::string part_of_head(const JournalField& field) {
   return text;
 }
 
-// The record that a line holds, without its chain; nothing if it holds none.
+// The record in a line, without its chain; nullopt if there is none.
 std::optional<JournalRecord> record_in(std::string_view line, std::uint64_t steps) {
   constexpr std::string_view step = "step ";
   JournalRecord record;
@@ -113,8 +113,7 @@ Journal::~Journal() {
 }
 
 void Journal::open_locked() {
-  // Another process may remove its new journal between our opening and our locking it: then once
-  // more.
+  // Another process may remove its new journal between opening and locking: then try again.
   for (int attempt = 0; attempt < 100; ++attempt) {
     file_ = ::open(path_.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
     created_ = file_ < 0 && errno == ENOENT;
@@ -184,8 +183,8 @@ void Journal::check_head(const std::string& found, const std::vector<JournalFiel
   std::size_t at = title.size();
   for (const JournalField& field : job) {
     const std::string part = part_of_head(field);
-    // With the semicolon: "shares 4" is no beginning of "shares 4, even in loads". Behind the last
-    // one the line ends.
+    // Includes the semicolon, so that "shares 4" does not match the beginning of "shares 4, even in
+    // loads". After the last one the line ends.
     if (at > found.size() || found.compare(at, part.size() - 1, part, 0, part.size() - 1) != 0) {
       differs = field.name;
       const std::size_t value = at + field.name.size() + 1;
@@ -205,7 +204,7 @@ void Journal::check_head(const std::string& found, const std::vector<JournalFiel
 }
 
 void Journal::read(const std::vector<JournalField>& job, std::uint64_t steps) {
-  // Only the first line of what may be anything.
+  // Reads the first line only, since the file may be anything.
   const std::string found = text_up_to(head_.size());
   if (found.size() < head_.size() && head_.compare(0, found.size(), found) == 0) {
     return;  // new, or cut off in its first line
@@ -236,7 +235,7 @@ void Journal::read(const std::vector<JournalField>& job, std::uint64_t steps) {
   }
 }
 
-// Moves the chain on.
+// Updates the chain.
 std::string Journal::line_of(const JournalRecord& done) {
   std::string line =
       fmt::format("step {} {}", done.step, done.results ? to_hex(*done.results) : "-");

@@ -1,15 +1,15 @@
-// Internal: which steps of a job are done, and the checksums of their results, on the disk.
+// Internal: the finished steps of a job, with the checksums of their results, on the disk.
 //
-// A text file: a line that names the job, then a line for each step that was finished, in that
-// order:
+// A text file: a line that identifies the job, then a line for each finished step, in the order in
+// which they finished:
 //
 //     step N RESULTS CHAIN
 //
-// RESULTS is the checksum of the results of the step ("-" if the job does not say where they are).
-// CHAIN is the first half of the checksum of all lines up to this one, as far as it goes without
-// itself. So a line counts only behind the lines that it was written behind: what was edited, moved
-// or taken from another journal does not count, nor does anything after it. A step that is done
-// again gets a second line, which counts. Only whole lines count, so a line that a crash has cut
+// RESULTS is the checksum of the results of the step ("-" if the job has no place for results).
+// CHAIN is the first half of the checksum of all lines up to this one, without CHAIN itself. So a
+// line counts only after the same lines as when it was written: a line that was edited, moved or
+// taken from another journal does not count, and no line after it does. A step that is computed
+// again gets a second line, which replaces the first. A line that a crash cut off does not count.
 // off is as if it had not been begun.
 #pragma once
 
@@ -24,7 +24,7 @@
 
 namespace changeover {
 
-/// What tells one job from another.
+/// A field that identifies a job.
 struct JournalField {
   std::string name;
   std::string value;
@@ -37,27 +37,27 @@ struct JournalRecord {
 
 class Journal {
  public:
-  /// Opens, locks and reads the journal of a job with so many steps. The file is not changed before
-  /// begin(); if it is new, it goes away again without begin(). @throws BadInput if the file is the
-  /// journal of another job or none at all; MissingResource if it cannot be read or written, or
-  /// another process has it.
+  /// Opens, locks and reads the journal of a job with `steps` steps. The file is not changed before
+  /// begin(); a new file is removed again without begin(). @throws BadInput if the file is the
+  /// journal of another job, or no journal; MissingResource if it cannot be read or written, or
+  /// another process uses it.
   Journal(const std::string& path, const std::vector<JournalField>& job, std::uint64_t steps);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  /// What the first line of a journal says of "shares" and "share", behind these fields of a job.
-  /// @throws BadInput if it is another job's, MissingResource if it cannot be read
+  /// The texts for "shares" and "share" in the first line of a journal, after the given fields of
+  /// its job. @throws BadInput if it is another job's, MissingResource if it cannot be read
   [[nodiscard]] static std::pair<std::string, std::string> shares_in(
       const std::string& path, const std::vector<JournalField>& job);
 
-  /// What was there, in the order of the lines.
+  /// The recorded steps, in the order of the lines.
   [[nodiscard]] const std::vector<JournalRecord>& records() const { return records_; }
 
-  /// One line, if lines were there that do not count; else empty.
+  /// One line about lines that do not count; empty if all count.
   [[nodiscard]] const std::string& note() const { return note_; }
 
-  /// Makes the file ready for record(): cuts off what does not count.
+  /// Prepares the file for record(): removes lines that do not count.
   void begin();
 
   /// Records a step and waits for the disk.
@@ -76,7 +76,7 @@ class Journal {
   int file_ = -1;
   bool created_ = false;
   bool begun_ = false;
-  std::uint64_t good_ = 0;  // bytes of the lines that count
+  std::uint64_t good_ = 0;  // total size of the lines that count
   Checksum chain_ = {};
   std::vector<JournalRecord> records_;
   std::string note_;

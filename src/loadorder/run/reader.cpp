@@ -73,7 +73,7 @@ void Reader::serve() {
       index = queue_.front();
       queue_.pop_front();
     }
-    // No other thread touches a slot that is on its way.
+    // No other thread uses a slot while it is being loaded.
     Slot& slot = slots_[index];
     try {
       slot.bytes = source_->read(slot.item, {slot.place, slot.capacity});
@@ -98,9 +98,10 @@ void Reader::request(Element item) {
     allocate(slot, static_cast<std::size_t>(sizes_->bytes[item]));
   } else if (slot.buffer.use_count() > 1) {
     allocate(slot,
-             capacity_);  // The bytes of the item before are kept elsewhere, and stay as they are.
+             capacity_);  // the bytes of the item before are kept elsewhere, unchanged
   } else {
-    std::atomic_thread_fence(std::memory_order_acquire);  // They were read before they were let go.
+    std::atomic_thread_fence(
+        std::memory_order_acquire);  // they were read before they were released
   }
   free_.pop_back();
   slot.item = item;

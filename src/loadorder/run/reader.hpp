@@ -1,5 +1,5 @@
-// Internal: a fixed pool of buffers, or one as large as its item for each load, and the threads
-// that fill them.
+// Internal: a fixed pool of buffers (or, for items with sizes, a buffer for each load) and the
+// threads that fill them.
 #pragma once
 
 #include <chrono>
@@ -18,11 +18,11 @@
 
 namespace changeover {
 
-/// `room` buffers, each of them free, on its way or loaded. request(), wait() and release() are for
-/// one thread, the owner.
+/// `room` buffers, each of them free, loading or loaded. Only one thread, the owner, may call
+/// request(), wait() and release().
 class Reader {
  public:
-  /// With `sizes` a buffer has the size of its item, and is given back when the item is released.
+  /// With `sizes` a buffer has the size of its item, and is freed when the item is released.
   /// @throws std::bad_alloc; MissingResource if a thread cannot be started
   Reader(ItemSource& source, std::uint64_t items, std::uint64_t room, unsigned threads,
          std::shared_ptr<const ItemSizes> sizes = nullptr);
@@ -33,16 +33,16 @@ class Reader {
   /// Starts to load an item. @throws InternalError if no buffer is free.
   void request(Element item);
 
-  /// Waits until an item that was requested is there. @throws what reading it has thrown.
+  /// Waits until a requested item is loaded. @throws what reading it has thrown.
   ItemView wait(Element item);
 
-  /// An item that was waited for.
+  /// The view of an item that was waited for.
   [[nodiscard]] ItemView view(Element item) const {
     const Slot& slot = slots_[where_[item]];
     return {item, slot.bytes, &slot.buffer};
   }
 
-  /// Gives the buffer of an item back that was waited for.
+  /// Frees the buffer of an item that was waited for.
   void release(Element item);
 
   [[nodiscard]] std::uint64_t most_used() const { return most_used_; }
@@ -53,7 +53,7 @@ class Reader {
  private:
   struct Slot {
     std::shared_ptr<const std::byte> buffer;
-    std::byte* place = nullptr;  // the same memory, to be written to
+    std::byte* place = nullptr;  // the same memory, writable
     std::size_t capacity = 0;
     Element item = 0;
     bool ready = false;
@@ -79,7 +79,7 @@ class Reader {
   std::mutex mutex_;
   std::condition_variable wanted_;
   std::condition_variable arrived_;
-  std::deque<std::uint32_t> queue_;  // slots to fill
+  std::deque<std::uint32_t> queue_;  // slots to be filled
   bool closing_ = false;
   std::vector<std::thread> threads_;
 };

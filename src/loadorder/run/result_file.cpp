@@ -13,13 +13,14 @@
 #include "changeover/loadorder/all_pairs.hpp"
 #include "io/file/remedies.hpp"
 
-// *Locks.* Who has the file open holds two locks on single bytes far behind its end, where no
-// result is: one that shares of the same job share, on a byte that the checksum of the job chooses,
-// and one for itself alone, on a byte that its share chooses. Another job is seen by its lock on
-// another byte. Each locks before it looks, so of two that come at once at least one sees the
-// other; if both do, both look once more after a while. Locks on bytes belong to the open file
-// (F_OFD_SETLK), so that they end with it and not with any descriptor. Besides, all hold a shared
-// flock(), because journals are locked by flock(): no file can be both.
+// *Locks.* A process that has the file open holds two locks on single bytes far behind its end,
+// where there are no results. One is shared by the shares of the same job, on a byte given by the
+// checksum of the job. The other is exclusive, on a byte given by the share. Another job is
+// detected by its lock on another byte. Each process locks before it checks, so of two that start
+// at the same time at least one detects the other; if both do, both check again after a while. The
+// locks belong to the open file (F_OFD_SETLK), so they end with it, and not with any descriptor.
+// All processes also hold a shared flock(), because journals are locked by flock(): no file can be
+// both.
 
 namespace changeover {
 namespace {
@@ -123,7 +124,7 @@ void ResultFile::lock(const ResultsClaim& claim) const {
     }
     struct flock none = range(F_UNLCK, mine, 1);
     static_cast<void>(::fcntl(file_, F_OFD_SETLK, &none));
-    // Differently long for different jobs.
+    // Different times for different jobs.
     std::this_thread::sleep_for(std::chrono::milliseconds(1 + chosen % 16));
   }
   throw MissingResource(path_ + ": another job writes its results there; wait until it finishes");
@@ -138,7 +139,7 @@ void ResultFile::reserve(std::uint64_t bytes) const {
   if (bytes > 0 && ::fallocate(file_, 0, 0, length) != 0 && errno != EOPNOTSUPP &&
       errno != ENOSYS) {
     const int error = errno;
-    // What was added for nothing goes away again.
+    // Removes what was added in vain.
     static_cast<void>(::ftruncate(file_, status.st_size));
     errno = error;
     refuse(fmt::format("there is no space for {} bytes of results", bytes));
@@ -154,7 +155,7 @@ void ResultFile::open(std::uint64_t bytes, const ResultsClaim& claim) {
         fmt::format("{}: no file can hold {} bytes of results; compute fewer", path_, bytes));
   }
   try {
-    // A process that could not begin removes the file that it has made, perhaps just now.
+    // A process that could not start removes the file that it has made, perhaps just now.
     for (int attempt = 0; attempt < 100; ++attempt) {
       open_unlocked();
       lock(claim);
@@ -170,7 +171,7 @@ void ResultFile::open(std::uint64_t bytes, const ResultsClaim& claim) {
     reserve(bytes);
     bytes_ = bytes;
   } catch (...) {
-    // Another job may have found the file meanwhile and locked it: then it is that job's.
+    // Another job may have found and locked the file meanwhile: then it belongs to that job.
     struct flock all = range(F_WRLCK, 0, 0);
     if (created_ && file_ >= 0 && ::fcntl(file_, F_OFD_SETLK, &all) == 0 && is_named()) {
       ::unlink(path_.c_str());

@@ -22,8 +22,7 @@ std::uint64_t workers_of(const LoadOrderFacts& facts) {
   return std::max<std::uint64_t>(1, facts.lockstep);
 }
 
-/// Plays a whole order: whether it is one, and a checksum by which it is known again. @throws
-/// BadInput
+/// Replays a whole order: checks it, and returns a checksum that identifies it. @throws BadInput
 Checksum checksum_of(const LoadOrder& order, const ComputeRules& compute) {
   const LoadOrderFacts& facts = order.facts();
   const ScheduleRules rules = order.rules(compute);
@@ -50,7 +49,7 @@ Checksum checksum_of(const LoadOrder& order, const ComputeRules& compute) {
   return hash.finish();
 }
 
-/// What a worker holds.
+/// The memory of a worker.
 class Memory {
  public:
   Memory(std::uint64_t room, std::uint64_t item_bytes) {
@@ -138,9 +137,9 @@ class UpdateJob {
       return report_;
     }
     check_beside(journal);
-    // What is refused is not touched: a journal whose last lines do not count keeps them until the
-    // items are known to be those of the line before. A new one comes before its second file, which
-    // without it would belong to no job.
+    // A refused file is not changed: a journal whose last lines do not count keeps them until the
+    // items are known to match the line before. A new journal is created before its second file,
+    // which would belong to no job without it.
     const bool goes_on = !journal.records().empty();
     if (!goes_on) {
       journal.begin();
@@ -211,7 +210,7 @@ class UpdateJob {
     }
   }
 
-  // Whether the second file can be what the journal is about.
+  // Checks that the second file matches the journal.
   void check_beside(const Journal& journal) const {
     const bool there = std::filesystem::exists(beside_);
     if (journal.records().empty()) {
@@ -238,8 +237,8 @@ class UpdateJob {
     }
   }
 
-  // What the next step of each worker stores, and what is changed and held after it. False at the
-  // end.
+  // Computes what the next step of each worker stores, and which changed items are held after it.
+  // False at the end.
   bool plan_step() {
     for (Step& step : steps_) {
       if (!work_.next(step)) {
@@ -257,7 +256,7 @@ class UpdateJob {
         std::erase(held_[w], x);
       }
     }
-    // Only now, for what one has dropped another may load.
+    // Done afterwards, because another worker may load an item that one has dropped.
     for (std::size_t w = 0; w < steps_.size(); ++w) {
       const Step& loads = steps_[w];
       held_[w].insert(held_[w].end(), loads.load.begin(), loads.load.end());
@@ -269,7 +268,7 @@ class UpdateJob {
     return true;
   }
 
-  // What a checkpoint stores: what has changed and is held.
+  // The stores of a checkpoint: changed items in memory.
   void plan_checkpoint() {
     for (std::size_t w = 0; w < steps_.size(); ++w) {
       stores_[w].clear();
@@ -282,7 +281,7 @@ class UpdateJob {
     }
   }
 
-  // To the state that the journal's last line names.
+  // Restores the state of the journal's last line.
   void go_on(const Journal& journal, VersionedItems& items, ComputePool& pool) {
     std::vector<Element> stored;
     const auto note_stores = [&] {
@@ -335,7 +334,7 @@ class UpdateJob {
     }
     ++report_.steps_done;
     store(items, pool);
-    // Everybody has stored: an item may go from one worker to another.
+    // All workers have stored, so items can move between workers.
     pool.run(steps_.size(), [&](std::size_t w) {
       for (const Element x : steps_[w].evict) {
         memories_[w].drop(x);
@@ -372,8 +371,8 @@ class UpdateJob {
   std::string beside_;
   Checksum order_checksum_;
   StepWork work_;
-  std::vector<Step> steps_;                   // by worker: the step
-  std::vector<std::vector<Element>> stores_;  // by worker: what it stores now
+  std::vector<Step> steps_;                   // by worker: its step
+  std::vector<std::vector<Element>> stores_;  // by worker: items that it stores now
   std::vector<std::vector<Element>> held_;    // by worker
   std::vector<bool> changed_;                 // by item: since it was loaded or stored
   std::vector<Memory> memories_;

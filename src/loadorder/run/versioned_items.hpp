@@ -1,4 +1,4 @@
-// Internal: items with two places each, of which one is the state that was last committed.
+// Internal: items with two places each, of which one has the last committed state.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace changeover {
 
-/// Place 0 of item x is in the data file, place 1 in another, at the same offset. Nothing that was
-/// committed is written to before the next commit.
+/// Place 0 of item x is in the data file, place 1 in another file, at the same offset. Committed
+/// data are not overwritten before the next commit.
 class VersionedItems {
  public:
   /// Opens and locks the data. @throws as ResultFile::open()
@@ -22,27 +22,27 @@ class VersionedItems {
                  std::uint64_t item_bytes, const ResultsClaim& claim,
                  std::function<void()> before_write);
 
-  /// Opens the other file, or makes it. @throws as ResultFile::open()
+  /// Opens or creates the other file. @throws as ResultFile::open()
   void begin();
 
-  /// Commits that these items were stored, as an earlier run did.
+  /// Commits the stores of an earlier run.
   void replay(const std::vector<Element>& stored);
 
-  /// Reads all items as they were committed, and so knows their checksums.
+  /// Reads all committed items and computes their checksums.
   void read_all();
 
-  /// The newest version. Thread-safe for different items, as store() is.
+  /// Reads the newest version. Thread-safe for different items, like store().
   void read(Element x, std::span<std::byte> bytes) const;
   void store(Element x, std::span<const std::byte> bytes);
 
-  /// Of all items, as they would be after a commit.
+  /// The checksum of all items after a commit.
   [[nodiscard]] Checksum checksum() const;
 
-  /// Brings what was stored to the disk; commit() says that it counts from now on.
+  /// Syncs the stored items to the disk; commit() makes them count.
   void sync() const;
   void commit();
 
-  /// Copies all items to their own places, and waits for the disk.
+  /// Copies all items to their own places and syncs them.
   void copy_back();
 
  private:
@@ -53,7 +53,7 @@ class VersionedItems {
   ResultFile data_;
   ResultFile beside_;
   std::function<void()> before_write_;
-  std::vector<std::uint8_t> committed_;  // by item: 0 or 1, its place
+  std::vector<std::uint8_t> committed_;  // by item: 0 or 1, the place of its committed version
   std::vector<std::uint8_t> newest_;
   std::vector<Checksum> checksums_;
 };

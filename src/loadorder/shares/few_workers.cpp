@@ -10,8 +10,8 @@ namespace {
 
 __extension__ using Large = __int128;
 
-// Whether W workers with at most ℓ items each can have an item at k of them while none is at fewer
-// than k, or have every item at more than k.
+// Whether the counts allow W workers with at most ℓ items each to have an item at k workers and
+// none at fewer, or every item at more than k.
 bool agrees(std::uint64_t items, std::uint64_t workers, std::uint64_t k, std::uint64_t most) {
   const Large p = items;
   const Large w = workers;
@@ -27,7 +27,7 @@ bool agrees(std::uint64_t items, std::uint64_t workers, std::uint64_t k, std::ui
                             twice * ((n + 1) * p - w * l) - w * (w - 1) * (n * n - 1));
 }
 
-// The least number for which a condition holds that holds for all larger ones, `high` among them.
+// The least number for which a monotone condition holds; it holds for `high`.
 template <typename Holds>
 std::uint64_t least_number(std::uint64_t high, Holds&& holds) {
   std::uint64_t low = 1;

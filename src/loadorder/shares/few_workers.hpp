@@ -1,10 +1,10 @@
-// Internal: how many items some worker must load, however much room it has, since any two items
+// Internal: the number of items that some worker must load, with any room, because any two items
 // meet at one of few workers.
 //
-//     least_at_one_worker(1024, 13).loads      // 316: 13 workers, the lines of a plane, do with it
+//     least_at_one_worker(1024, 13).loads      // 316: 13 workers attain it, the lines of a plane
 //
-// Let E_x be the workers that load x: any two of these sets have a worker in common. Then many of
-// them are large, or many pairs have more than one worker in common [docs/theorems.md, Theorem 17].
+// Let E_x be the workers that load x: any two of these sets have a common worker. So many of them
+// are large, or many pairs have more than one common worker [docs/theorems.md, Theorem 17].
 #pragma once
 
 #include <cstdint>

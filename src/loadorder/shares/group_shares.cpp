@@ -8,13 +8,14 @@
 namespace changeover {
 namespace {
 
-/// How many items come at a time, and whether those before them stay for one step more.
+/// The number of items that are loaded at a time, and whether those before them stay for one more
+/// step.
 struct Pace {
   std::uint64_t items = 0;
   bool overlaps = false;
 };
 
-// 0 items: the share does not fit.
+// 0 items if the share does not fit.
 Pace pace_of(std::uint64_t held, std::uint64_t streamed, std::uint64_t room) {
   if (held + streamed <= room) {
     return {std::max<std::uint64_t>(1, streamed), false};
@@ -79,7 +80,7 @@ class ShareSteps final : public StepSource {
   std::vector<Element> held_;
   std::vector<Element> streamed_;
   Pace pace_;
-  std::size_t next_ = 0;  // of those that are streamed
+  std::size_t next_ = 0;  // of the streamed items
   std::uint64_t number_ = 0;
 };
 

@@ -1,10 +1,10 @@
-// Internal: shares of workers who hold some groups of items all the time and stream others past
-// them.
+// Internal: shares in which each worker holds some groups of items all the time and streams others
+// past them.
 //
 // The items are in G groups of ⌊P/G⌋ or ⌈P/G⌉. Two items meet where both groups are held, or one is
-// held and the other streamed; items of one group where it is held. Groups that are streamed come
-// item by item, or so many items at a time as half of the room beside what is held takes: the next
-// ones can be loaded while these are computed.
+// held and the other streamed; items of one group meet where it is held. Streamed groups come item
+// by item, or in batches of half of the room besides the held items: then the next batch can be
+// loaded while this one is computed.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,7 @@ struct ItemGroups {
   void put(const std::vector<Element>& of, std::vector<Element>& out) const;
 };
 
-/// What one worker has.
+/// The share of one worker.
 struct GroupShare {
   std::vector<Element> held;
   std::vector<Element> streamed;
@@ -50,13 +50,13 @@ struct GroupShares {
   std::uint64_t groups = 0;
   std::vector<GroupShare> workers;
   std::string method;
-  std::string explanation;  ///< what the groups are, and who has them
-  /// Of a plane over the field of so many elements: each two groups are together at one worker. 0:
-  /// of none.
+  std::string explanation;  ///< what the groups are, and which worker has them
+  /// The order of the field, for shares from a plane, where any two groups are together at one
+  /// worker; 0 for other shares.
   std::uint64_t plane_order = 0;
 };
 
-/// What a share costs in a room: loads and steps; no steps if it does not fit.
+/// The cost of a share in a room: loads and steps; 0 steps if it does not fit.
 struct ShareCost {
   std::uint64_t loads = 0;
   std::uint64_t steps = 0;
@@ -64,7 +64,7 @@ struct ShareCost {
 [[nodiscard]] ShareCost cost_of(const GroupShare& share, const ItemGroups& groups,
                                 std::uint64_t room);
 
-/// The steps of a worker whose share fits, O(1) a load.
+/// The steps of a worker whose share fits. O(1) per load.
 [[nodiscard]] std::unique_ptr<StepSource> share_steps(const GroupShare& share,
                                                       const ItemGroups& groups, std::uint64_t room,
                                                       std::uint64_t worker);

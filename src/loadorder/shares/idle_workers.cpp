@@ -13,7 +13,7 @@
 namespace changeover {
 namespace {
 
-// Each group becomes so many.
+// Splits each group into `parts`.
 void refine(GroupShares& shares, std::uint64_t parts) {
   for (GroupShare& share : shares.workers) {
     for (std::vector<Element>* const list : {&share.held, &share.streamed}) {
@@ -35,8 +35,8 @@ std::uint64_t pairs_of_the_fullest(const GroupShares& shares, std::uint64_t item
   return *std::max_element(owners->pairs().begin(), owners->pairs().end());
 }
 
-/// Shares of idle workers that are changed group by group. What counts is how many pairs busy
-/// workers can give away, none more than it has above the mean.
+/// Shares of idle workers, changed group by group. The objective is the number of pairs that busy
+/// workers can give away, each at most what it has above the mean.
 class IdleShares {
  public:
   IdleShares(const GroupShares& busy, const ItemGroups& groups, std::uint64_t room,
@@ -53,7 +53,7 @@ class IdleShares {
       mean += static_cast<double>(pairs);
     }
     mean /= static_cast<double>(busy.workers.size() + idle);
-    // A little more, as what is given away cannot be chosen freely.
+    // Slightly more than needed, since the pairs to give away cannot be chosen freely.
     constexpr double spare = 1.1;
     for (const std::uint64_t pairs : owners_->pairs()) {
       needed_.push_back(spare * std::max(0.0, static_cast<double>(pairs) - mean));
@@ -98,7 +98,7 @@ class IdleShares {
   }
 
  private:
-  /// What is held comes first, then what is streamed, then the rest.
+  /// Held groups come first, then streamed ones, then the rest.
   struct Share {
     std::vector<Element> order;
     std::size_t held = 0;
@@ -166,7 +166,7 @@ class IdleShares {
     }
   }
 
-  // Of one position, what meets because of it.
+  // Updates the counts of pairs that meet because of one position.
   void place(Share& share, std::size_t at, std::size_t besides, int by) {
     const std::size_t of = role(share, at);
     const std::size_t end = of == 0 ? share.held + share.streamed : of == 1 ? share.held : 0;
@@ -206,8 +206,8 @@ class IdleShares {
   std::shared_ptr<const GroupOwners> owners_;
   std::uint64_t room_, makespan_;
   Random& random_;
-  std::vector<std::uint32_t> met_;  // by pair of groups: at so many idle workers
-  std::vector<double> given_;       // by busy worker: pairs that idle ones have, too
+  std::vector<std::uint32_t> met_;  // by pair of groups: number of idle workers that have it
+  std::vector<double> given_;       // by busy worker: pairs that idle workers have, too
   std::vector<double> needed_;
   std::vector<Share> shares_;
 };

@@ -1,4 +1,4 @@
-// Internal: workers for whom known shares leave nothing take pairs from the others.
+// Internal: gives workers without a share some pairs of the others.
 #pragma once
 
 #include <cstdint>
@@ -7,13 +7,13 @@
 
 namespace changeover {
 
-/// The pairs of the fullest worker by the mean of so many.
+/// The pairs of the busiest worker divided by the mean over so many workers.
 [[nodiscard]] double unevenness(const GroupShares& shares, std::uint64_t items,
                                 std::uint64_t workers);
 
-/// The same shares, perhaps of smaller groups, and shares for as many more workers as there are:
-/// with at most `makespan` loads each, and such that pairs are as even as some tenths of a second
-/// of search make them. As they are, if that makes nothing better or there are too many groups.
+/// The same shares, perhaps of smaller groups, and shares for the additional workers with at most
+/// `makespan` loads each. A search of some tenths of a second makes the pairs even. Returns the
+/// shares unchanged if that does not help or there are too many groups.
 [[nodiscard]] GroupShares with_idle_workers(GroupShares shares, std::uint64_t items,
                                             std::uint64_t room, std::uint64_t workers,
                                             std::uint64_t makespan);

@@ -16,7 +16,7 @@
 namespace changeover {
 namespace {
 
-/// A line of the table, as it is written.
+/// A line of the table as text.
 struct Base {
   std::uint64_t groups = 0;
   std::uint64_t step = 0;
@@ -98,7 +98,7 @@ GroupShares developed(const Base& base) {
   return shares;
 }
 
-/// The best so far, and those that load hardly more.
+/// The best shares so far, and those with few more loads.
 class Choice {
  public:
   struct Candidate {
@@ -110,10 +110,11 @@ class Choice {
   Choice(std::uint64_t items, std::uint64_t room, std::uint64_t workers, std::uint64_t than)
       : items_(items), room_(room), workers_(workers), than_(than) {}
 
-  /// Whether shares of so many of so many groups, `held` of them all the time, may be good enough.
+  /// Whether shares of this many workers and groups, `held` of them all the time, may be good
+  /// enough.
   [[nodiscard]] bool is_hopeful(std::uint64_t workers, std::uint64_t groups, std::uint64_t held,
                                 std::uint64_t all) const {
-    // The average is a whole number of items less at the most.
+    // The average can be less than a whole number of items.
     return workers <= workers_ && groups <= items_ && all * items_ / groups <= most() &&
            held * (items_ / groups) <= room_;
   }
@@ -137,7 +138,7 @@ class Choice {
     candidates_.push_back(std::move(one));
   }
 
-  /// The least makespan first, then the fewest loads.
+  /// Sorted by makespan, then by loads.
   [[nodiscard]] std::vector<Candidate> take() {
     std::erase_if(candidates_, [&](const Candidate& one) { return one.makespan > most(); });
     std::stable_sort(candidates_.begin(), candidates_.end(),
@@ -148,7 +149,7 @@ class Choice {
   }
 
  private:
-  // A thirtieth more than the least is good enough if pairs are more even then.
+  // A makespan up to a thirtieth more than the least one is accepted if pairs are more even then.
   [[nodiscard]] std::uint64_t most() const {
     return std::min(than_ - 1, least_ + std::min(least_, than_) / 30);
   }
@@ -177,7 +178,7 @@ void consider_planes(Choice& choice, std::uint64_t workers) {
   }
 }
 
-// Worker i holds group i and streams the next half of them.
+// Worker i holds group i and streams the next half of the groups.
 GroupShares halves(std::uint64_t workers) {
   Base base{workers, 1, {{{0}, {}}}};
   for (std::uint64_t i = 1; i <= workers / 2; ++i) {
@@ -203,7 +204,7 @@ std::optional<GroupShares> best_group_shares(std::uint64_t items, std::uint64_t 
       choice.consider(developed(base));
     }
   }
-  // Loads come first, but for uneven pairs.
+  // Loads matter more than even pairs.
   constexpr std::size_t most_looks = 6;
   constexpr double even = 1.05;
   std::vector<Choice::Candidate> candidates = choice.take();

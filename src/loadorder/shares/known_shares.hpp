@@ -1,10 +1,10 @@
-// Internal: the best shares that are known in which workers hold some groups and stream others.
+// Internal: the best known shares in which workers hold some groups and stream others.
 //
-//     // Fewer than 342 loads for the busiest worker, if there are such.
+//     // Fewer than 342 loads for the busiest worker, if there are such shares.
 //     auto shares = best_group_shares(1024, 256, 16, 342);
 //     shares->workers.size();                                // 16
 //
-// Where they come from:
+// Sources:
 //   planes     the q+1 points of each line of a projective plane, W = q²+q+1; the q points of each
 //              line of an affine one
 //   table      found by search (docs/tools/find_shares.sh): base shares (A, S) over Z_n, of which
@@ -22,15 +22,15 @@
 
 namespace changeover {
 
-/// A line of the table: "n m | A / S | A / S …".
+/// Shares from a line of the table: "n m | A / S | A / S …".
 [[nodiscard]] GroupShares developed_shares(std::string_view line);
 
-/// All of it (share_table.inc).
+/// All lines of the table (share_table.inc).
 [[nodiscard]] std::span<const char* const> share_table();
 
-/// The fewest loads of the busiest worker, then of all, that any of them needs, if fewer than
-/// `than`; items ≥ 2, room ≥ 2. Workers that these leave without anything are given pairs of
-/// others, as far as that makes pairs more even and the busiest no busier. Nothing is verified.
+/// The shares with the fewest loads of the busiest worker, then of all workers, if the former are
+/// fewer than `than`; items ≥ 2, room ≥ 2. Workers without a share get pairs of others, if that
+/// makes pairs more even and no worker busier than the busiest. Nothing is verified.
 [[nodiscard]] std::optional<GroupShares> best_group_shares(std::uint64_t items, std::uint64_t room,
                                                            std::uint64_t workers,
                                                            std::uint64_t than);

@@ -1,4 +1,4 @@
-// How few loads the busiest worker can have.
+// A lower bound on the loads of the busiest worker.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace changeover {
 namespace {
 
-// `pairs` among all that are loaded, one worker alone needing so many loads.
+// By counting `pairs` among all loaded items, where one worker alone needs `least_items` loads.
 LoadBound bound_by_pairs(std::uint64_t pairs, bool between, std::uint64_t least_items,
                          std::uint64_t alone, std::uint64_t room, std::uint64_t workers) {
   const std::uint64_t needed = ceil_div(pairs, workers);

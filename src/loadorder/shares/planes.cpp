@@ -43,8 +43,8 @@ std::uint32_t number_of(const Digits& digits, std::uint32_t p) {
   return number;
 }
 
-// The powers of x modulo x^d = −(low coefficients): all q − 1 of them are different exactly if x
-// generates the field.
+// The powers of x modulo x^d = −(low coefficients): all q − 1 of them are different if and only if
+// x generates the field.
 std::vector<std::uint32_t> powers_of_x(const Digits& low, std::uint32_t p, std::uint32_t q) {
   Digits power(low.size(), 0);
   power[0] = 1;

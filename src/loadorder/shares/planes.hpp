@@ -1,4 +1,4 @@
-// Internal: projective and affine planes over finite fields, as shares: each two points are on one
+// Internal: projective and affine planes over finite fields as shares: any two points are on one
 // line.
 //
 //     const Plane plane(3, false);             // 13 points, 13 lines of 4 points
@@ -6,9 +6,9 @@
 //
 // Points and lines of the projective plane over GF(q) have coordinates (1,a,b), (0,1,a) or (0,0,1),
 // numbered in this order; the point (x,y,z) is on the line (u,v,w) if ux + vy + wz = 0. The affine
-// plane leaves out the line (1,0,0) and its points: what is left are the points (1,a,b), and the
-// lines from the second on. Points are then numbered anew, at random: groups of a few items differ
-// in size by their numbers, and no line should have only large ones.
+// plane leaves out the line (1,0,0) and its points: it has the points (1,a,b), and the lines from
+// the second on. Points are then renumbered at random: the sizes of groups depend on their numbers,
+// and no line should have only large groups.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace changeover {
 /// Addition and multiplication of numbers below q, a prime power up to 256.
 class FiniteField {
  public:
-  /// Nothing if q is no prime power.
+  /// Nullopt if q is not a prime power.
   [[nodiscard]] static std::optional<FiniteField> of_order(std::uint64_t q);
 
   [[nodiscard]] std::uint32_t order() const { return q_; }
@@ -40,13 +40,13 @@ class FiniteField {
   std::uint32_t q_ = 0;
   std::vector<std::uint32_t> sums_;
   std::vector<std::uint32_t> negatives_;
-  std::vector<std::uint32_t> logs_;    // to a generator
-  std::vector<std::uint32_t> powers_;  // twice around
+  std::vector<std::uint32_t> logs_;    // to the base of a generator
+  std::vector<std::uint32_t> powers_;  // two periods
 };
 
 class Plane {
  public:
-  /// @throws BadInput if q is no prime power from 2 to 256
+  /// @throws BadInput if q is not a prime power from 2 to 256
   Plane(std::uint64_t q, bool affine);
 
   [[nodiscard]] std::uint64_t points() const { return affine_ ? q_ * q_ : q_ * q_ + q_ + 1; }
@@ -54,7 +54,7 @@ class Plane {
   [[nodiscard]] std::uint64_t on_a_line() const { return affine_ ? q_ : q_ + 1; }
   [[nodiscard]] std::uint64_t through_a_point() const { return q_ + 1; }
 
-  /// In increasing order.
+  /// The points of a line, in increasing order.
   [[nodiscard]] std::vector<Element> points_of(std::uint64_t line) const;
   /// The line through two different points. O(1)
   [[nodiscard]] std::uint64_t line_of(std::uint64_t point, std::uint64_t other) const;
@@ -68,14 +68,14 @@ class Plane {
   [[nodiscard]] Triple triple(std::uint64_t number) const;
   [[nodiscard]] std::uint64_t number(const Triple& of) const;
   [[nodiscard]] Triple across(const Triple& a, const Triple& b) const;
-  // The i-th of the q+1 triples that are on it, or of those that it is on.
+  // The i-th of the q+1 points on a line, or of the lines through a point.
   [[nodiscard]] Triple beside(const Triple& of, std::uint32_t i) const;
 
   FiniteField field_;
   std::uint64_t q_;
   bool affine_;
-  std::vector<std::uint32_t> place_of_;  // of a point, among all triples
-  std::vector<std::uint32_t> point_at_;  // the other way round
+  std::vector<std::uint32_t> place_of_;  // by triple: its point
+  std::vector<std::uint32_t> point_at_;  // by point: its triple
 };
 
 /// Each worker has the points of a line. @throws as Plane

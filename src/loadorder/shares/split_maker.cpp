@@ -29,7 +29,7 @@ constexpr std::uint64_t most_pairs_computed =
     30'000'000;  // to be checked one by one in a second or so
 constexpr std::uint64_t most_groups_of_a_table = 600;
 
-/// Shares of groups as steps.
+/// The steps of shares of groups.
 class GroupSteps final : public WorkerSteps {
  public:
   GroupSteps(GroupShares shares, std::uint64_t items, std::uint64_t room)
@@ -107,7 +107,7 @@ void SplitMaker::put_in_words(WorkerSplit& split) {
   }
 }
 
-// The order that all shares are, one after another.
+// The order that consists of all shares, one after another.
 void SplitMaker::take_steps(WorkerSplit& split, std::shared_ptr<const WorkerSteps> steps) {
   SplitFacts& facts = split.facts_;
   sum_up(facts);
@@ -199,7 +199,7 @@ WorkerSplit SplitMaker::for_fewer_pairs(WorkerSplit split, const WantedPairs& wa
   return split;
 }
 
-// Items in no listed pair, which orders for all pairs load.
+// Removes items in no listed pair, which orders for all pairs load.
 void SplitMaker::leave_out_unneeded(WorkerSplit& split) {
   const PairGraph* const graph = split.order_.facts().wanted.graph();
   const auto is_needed = [&](Element x) { return graph->is_needed(x); };
@@ -227,7 +227,7 @@ void SplitMaker::leave_out_unneeded(WorkerSplit& split) {
     }
     lists->add(moves);
   }
-  split.owners_ = nullptr;  // of the steps that there were
+  split.owners_ = nullptr;  // they belonged to the former steps
   take_steps(split, std::move(lists));
 }
 
@@ -345,7 +345,7 @@ void SplitMaker::verify(WorkerSplit& split, const LoadOrderOptions& options) {
   for (const WorkerFacts& worker : facts.workers) {
     said.push_back(worker.pairs);
   }
-  // Met first and computed are the same where pairs belong to the first worker that has them.
+  // Pairs that met first are the computed ones if they belong to the first worker that has them.
   const bool are_said = facts.pairs_are_known && (computes || split.owners_ == nullptr);
   if (!verdict.valid() || verdict.loads != facts.loads ||
       (are_said && verdict.worker_pairs != said)) {
@@ -367,8 +367,8 @@ void SplitMaker::verify(WorkerSplit& split, const LoadOrderOptions& options) {
                 : fmt::format("every step read, all {} wanted pairs met", facts.all_pairs));
 }
 
-// All groups are treated alike: so shares of two items a group are right if those of any number
-// are.
+// All groups are treated alike: shares with two items per group are right if and only if those with
+// any number are.
 std::string SplitMaker::certify(const GroupShares& shares) {
   constexpr std::uint64_t each = 2;
   const std::uint64_t items = each * shares.groups;

@@ -1,4 +1,4 @@
-// Internal: makes splits, of stretches or of shares, and gives their pairs to workers.
+// Internal: makes splits, from stretches or shares, and assigns their pairs to workers.
 #pragma once
 
 #include <cstdint>
@@ -21,23 +21,22 @@ class SplitMaker {
                                std::uint64_t workers, bool even_pairs);
   static WorkerSplit shares(GroupShares shares, std::uint64_t items, std::uint64_t room,
                             std::uint64_t workers);
-  /// For two sets: as `other`, but one block per worker.
+  /// For two sets: like `other`, but one block per worker.
   static WorkerSplit blocks(HeldBlocks blocks, const WorkerSplit& other);
-  /// The same steps, of which only these pairs are wanted, and no item that is in none of them.
+  /// The same steps for these wanted pairs only, without items that are in none of them.
   static WorkerSplit for_fewer_pairs(WorkerSplit split, const WantedPairs& wanted,
                                      const LoadBound& bound, const LoadBound& makespan_bound);
 
-  /// Says who computes what, as far as that can be said without the steps of others, and leaves out
-  /// what brings nothing.
+  /// Assigns pairs to workers, as far as that is possible without the steps of other workers, and
+  /// leaves out needless loads.
   static void give_pairs(WorkerSplit& split, const LoadOrderOptions& options);
-  /// The same one by one, as far as there are few: what was `computed` before, pairs or items with
-  /// themselves, is left out. @throws BadInput if something was, and there are more than can be
-  /// given one by one
+  /// The same, pair by pair, if there are few; pairs or items that were `computed` before are left
+  /// out. @throws BadInput if some were, and there are too many pairs for that
   static void spread(WorkerSplit& split, const std::function<bool(Element, Element)>& computed = {},
                      const std::function<double(Element, Element)>& cost = {});
-  /// Epochs of the shares, of one so far.
+  /// Repeats the shares of one epoch.
   static void repeat(WorkerSplit& split, std::uint64_t epochs);
-  /// Reads all steps; of few items also what is computed. @throws InternalError
+  /// Reads all steps; for few items also what is computed. @throws InternalError
   static void verify(WorkerSplit& split, const LoadOrderOptions& options);
 
  private:

@@ -9,7 +9,7 @@ namespace changeover {
 
 std::vector<Move> lazily(std::vector<Move> moves, std::uint64_t room) {
   constexpr std::size_t never = ~std::size_t{0};
-  // When what a step evicts is loaded again.
+  // The step in which an evicted item is loaded again.
   std::unordered_map<Element, std::size_t> next;
   std::vector<std::vector<std::size_t>> again(moves.size());
   for (std::size_t i = moves.size(); i > 0; --i) {
@@ -22,10 +22,11 @@ std::vector<Move> lazily(std::vector<Move> moves, std::uint64_t room) {
       again[i - 1].push_back(found == next.end() ? never : found->second);
     }
   }
-  std::priority_queue<std::pair<std::size_t, Element>> idle;  // might go, what is needed last first
+  std::priority_queue<std::pair<std::size_t, Element>>
+      idle;  // candidates for eviction, the one needed last first
   std::unordered_map<Element, std::size_t> is_idle;
   std::vector<Move> out;
-  std::size_t held = 0;  // idle ones included
+  std::size_t held = 0;  // including idle items
   for (std::size_t i = 0; i < moves.size(); ++i) {
     Move move;
     for (std::size_t j = 0; j < moves[i].evict.size(); ++j) {
@@ -56,8 +57,8 @@ std::vector<Move> lazily(std::vector<Move> moves, std::uint64_t room) {
 }
 
 struct StepLists::Lists {
-  std::vector<Element> items;  // of each step what is evicted, then what is loaded
-  std::vector<std::pair<std::size_t, std::size_t>> ends;  // of both
+  std::vector<Element> items;  // for each step its evictions, then its loads
+  std::vector<std::pair<std::size_t, std::size_t>> ends;  // ends of both lists
 };
 
 void StepLists::add(const std::vector<Move>& moves) {

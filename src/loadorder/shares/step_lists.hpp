@@ -1,4 +1,4 @@
-// Internal: steps of workers that are kept in memory, 4 bytes a load and 4 an eviction.
+// Internal: steps of workers in memory, 4 bytes per load and 4 per eviction.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,20 @@
 
 namespace changeover {
 
-/// What a step evicts and loads.
+/// The evictions and loads of a step.
 struct Move {
   std::vector<Element> evict;
   std::vector<Element> load;
 };
 
-/// The same with fewer loads, if there is room for it: what is evicted and loaded again stays as
-/// long as its place is not needed, and what is needed last goes first. Steps that load nothing any
-/// more are left out. O(loads · log room)
+/// The same with fewer loads, if there is room: an item that is evicted and loaded again stays as
+/// long as its place is not needed; the item that is needed last is evicted first. Steps without
+/// loads are removed. O(loads · log room)
 [[nodiscard]] std::vector<Move> lazily(std::vector<Move> moves, std::uint64_t room);
 
 class StepLists final : public WorkerSteps {
  public:
-  /// The steps of the next worker; what is still there at its end is not evicted.
+  /// Adds the steps of the next worker; items left at its end are not evicted.
   void add(const std::vector<Move>& moves);
 
   [[nodiscard]] std::unique_ptr<StepSource> of(std::uint64_t worker) const override;
@@ -32,8 +32,8 @@ class StepLists final : public WorkerSteps {
   std::vector<std::shared_ptr<const Lists>> workers_;
 };
 
-/// The steps of all workers, one worker after another, as one order: where the next one begins all
-/// that is in memory is evicted, even what it loads again.
+/// The steps of all workers, one after another, as one order: where the next worker begins, all of
+/// memory is evicted, even items that are loaded again.
 [[nodiscard]] std::unique_ptr<StepSource> one_after_another(
     std::shared_ptr<const WorkerSteps> steps, std::uint64_t workers);
 

@@ -92,7 +92,7 @@ StepSizes::StepSizes(const LoadOrder& order, std::uint64_t items, std::uint64_t 
   }
 }
 
-// The most steps from `first` on with at most so many loads.
+// The most steps from `first` on with at most `most` loads.
 std::uint64_t StepSizes::fitting(std::uint64_t first, std::uint64_t most) const {
   if (held_[first] > most) {
     return 0;
@@ -102,8 +102,7 @@ std::uint64_t StepSizes::fitting(std::uint64_t first, std::uint64_t most) const 
   return static_cast<std::uint64_t>(std::upper_bound(begin, loaded_.end(), left) - begin);
 }
 
-// As many shares as needed, so that none has more than `most` loads; nothing if a step alone has
-// more.
+// As many shares as needed so that each has at most `most` loads; empty if a single step has more.
 std::vector<std::uint64_t> StepSizes::shares(std::uint64_t most) const {
   std::vector<std::uint64_t> counts;
   for (std::uint64_t first = 0; first < steps();) {

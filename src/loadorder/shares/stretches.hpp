@@ -1,5 +1,5 @@
-// Internal: stretches of an order, of groups of items perhaps: one a worker, each beginning with
-// what is in memory then.
+// Internal: stretches of an order, possibly of groups of items: one per worker, each beginning with
+// everything that is in memory then.
 #pragma once
 
 #include <cstdint>

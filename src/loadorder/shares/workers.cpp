@@ -27,7 +27,8 @@ struct Grouping {
   }
 };
 
-// What a split of b steps that load `change` groups of at most `size` items costs at most.
+// An upper bound on the cost of a split of b steps that load `change` groups of at most `size`
+// items.
 Grouping cost(std::uint64_t groups, std::uint64_t room, std::uint64_t size, std::uint64_t steps,
               std::uint64_t change, std::uint64_t workers) {
   const std::uint64_t busy = std::min(workers, steps);
@@ -47,11 +48,11 @@ LoadOrder order_to_cut(LoadOrder order, std::uint64_t items, std::uint64_t room,
   LoadOrderOptions quick = options;
   quick.improve = nullptr;
   quick.closure_rules = false;
-  quick.read_first = true;  // it is read in no time
+  quick.read_first = true;  // reading it takes almost no time
   for (std::uint64_t groups = 2; groups <= std::min(most_groups, items); ++groups) {
     const std::uint64_t size = ceil_div(items, groups);
     for (std::uint64_t r = 2; r <= std::min(room / size, groups - 1); ++r) {
-      // No order of these groups can be shorter than its bound.
+      // No order of these groups has fewer loads than its bound.
       const Parameters p{.v = groups, .k = r, .change = 1, .kind = Kind::linear};
       if (!cost(groups, r, size, counting_bound(p), 1, workers).better_than(best)) {
         continue;
@@ -69,7 +70,7 @@ LoadOrder order_to_cut(LoadOrder order, std::uint64_t items, std::uint64_t room,
   return grouped ? std::move(*grouped) : std::move(order);
 }
 
-// Unread: the shares are read.
+// Options without verification: the shares are verified instead.
 LoadOrderOptions unread(LoadOrderOptions options, std::uint64_t workers) {
   options.read_first = options.read_first && workers == 1;
   return options;
@@ -113,7 +114,7 @@ WorkerSplit split_some_pairs(const WantedPairs& wanted, std::uint64_t room, std:
     }
   }
   if (workers > 1 && wanted.items() <= max_elements_in_memory) {
-    // Who brings all pairs together brings these together.
+    // A split for all pairs brings the wanted ones together, too.
     LoadOrderOptions quick = options;
     quick.improve = nullptr;
     quick.pair_cost = nullptr;
@@ -121,7 +122,7 @@ WorkerSplit split_some_pairs(const WantedPairs& wanted, std::uint64_t room, std:
         split_all_pairs(wanted.items(), room, workers, unread(quick, workers)), wanted, bound,
         makespan_bound));
   }
-  // What is left out may make the second best the best.
+  // Leaving out needless loads may make the second best split the best one.
   const auto makespan = [](const WorkerSplit& split) { return split.facts().makespan; };
   const auto less = [&](const WorkerSplit& a, const WorkerSplit& b) {
     return makespan(a) < makespan(b);

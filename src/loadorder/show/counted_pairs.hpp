@@ -1,5 +1,5 @@
-// Internal: steps that are handed on, and how many pairs each worker computes in them: pairs of two
-// items, each once, as (i,j) with i < j. Items alone and (j,i) do not count.
+// Internal: passes steps on and counts the pairs that each worker computes: pairs of two items,
+// each once, as (i,j) with i < j. Items alone and (j,i) are not counted.
 //
 //     CountedPairs counted(order.stream(), 2);
 //     check_schedule(counted, rules);

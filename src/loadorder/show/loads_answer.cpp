@@ -8,8 +8,8 @@
 namespace changeover {
 namespace {
 
-// Steps that say more than what is loaded and which pairs are new, or that depend on those of other
-// workers, are all read before one worker's are written.
+// All steps are read before one worker's are written, if they show more than loads and new pairs,
+// or depend on those of other workers.
 bool is_worker_by_itself(const LoadRequest& request) {
   return request.worker && !(request.disjoint || request.fast_room || request.prefetch ||
                              request.write_back || request.spread);
@@ -104,7 +104,7 @@ std::unique_ptr<StepSource> with_work(const LoadOrder& order, const ScheduleRule
                                               : std::move(all);
 }
 
-// What a worker computes may depend on those before it.
+// What a worker computes may depend on the workers before it.
 std::unique_ptr<StepSource> with_work(const WorkerSplit& split, const ScheduleRules& rules,
                                       std::optional<std::uint64_t> worker) {
   const bool alone = worker && (!rules.compute || split.owners() != nullptr);
@@ -175,7 +175,7 @@ std::string LoadsAnswer::fault() const {
 void LoadsAnswer::write(const std::string& format, Sink& sink) const {
   LoadsShown how = how_;
   how.format = format;
-  if (format == "marius") {  // edge buckets
+  if (format == "marius") {  // pairs are edge buckets
     how.new_pairs = how.compute.ordered = how.compute.self = true;
     how.write_back = false;
   }
@@ -189,7 +189,7 @@ std::string LoadsAnswer::head() const {
   how.head_only = true;
   std::visit([&](const auto& loads) { show_loads(loads, how, sink); }, loads_);
   std::string line = sink.text();
-  line.pop_back();  // its end
+  line.pop_back();  // without the line end
   return line;
 }
 

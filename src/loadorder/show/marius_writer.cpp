@@ -14,7 +14,7 @@ void MariusWriter::write(const Step& step) {
     end();
     epoch_ = step.epoch;
   }
-  // What comes takes the places of what goes, as in a buffer.
+  // Loaded items take the places of the evicted ones, as in the buffer.
   if (!memory_.empty() && step.load.size() != step.evict.size()) {
     throw BadInput(fmt::format(
         "step {} evicts {} and loads {}: Marius exchanges as many partitions as it evicts; "

@@ -1,5 +1,5 @@
-// Internal: an order in the form in which Marius keeps one: what its buffer holds, state by state,
-// and the edge buckets that are trained on in each.
+// Internal: writes an order in the form of Marius: the content of its buffer, state by state, and
+// the edge buckets that are trained on in each.
 //
 //     MariusWriter writer(out, 64, 16);
 //     writer.write(step);                   // with its pairs both ways, and each item with itself
@@ -23,7 +23,7 @@ class MariusWriter {
   MariusWriter(Sink& out, std::uint64_t items, std::uint64_t room)
       : out_(out), items_(items), room_(room) {}
 
-  /// @throws BadInput if it loads more or less than it evicts, memory being full
+  /// @throws BadInput if the step loads more or less than it evicts while memory is full
   void write(const Step& step);
 
   void end();

@@ -31,8 +31,8 @@ std::string over(std::uint64_t count, const LoadBound& bound) {
                    bound.loads);
 }
 
-/// A schedule as it is said: the head by what it is about, then its steps, which are made anew for
-/// each reading.
+/// A schedule in words: a head that depends on its kind, then its steps, which are generated again
+/// for each reading.
 class Said {
  public:
   using Maker = std::function<std::unique_ptr<StepSource>()>;
@@ -54,7 +54,7 @@ class Said {
     }
   }
 
-  /// Loads overlap computation: of the room so much is left to them.
+  /// Loads overlap computation: `spare` places of the room are kept for them.
   void overlap(std::uint64_t spare) {
     spare_ = spare;
     rules_.overlap = true;
@@ -102,12 +102,12 @@ class Said {
     return rules_.compute ? std::make_unique<StepWork>(loads_(), rules_, owners_) : loads_();
   }
 
-  // Whether it is kept in mind which pairs were computed.
+  // Whether the computed pairs are tracked.
   [[nodiscard]] bool each_pair_once() const {
     return facts_.items <= max_elements_in_memory || facts_.wanted.graph() != nullptr;
   }
 
-  // What is too much to be kept in mind is not read twice.
+  // A schedule that is too large to be tracked is not read twice.
   [[nodiscard]] bool check_anew() const {
     return !how_.beside && !how_.worker_by_itself && !how_.from_step && is_more_than_loads();
   }
@@ -116,7 +116,7 @@ class Said {
     return rules_.store || (rules_.compute && (spare_ ? facts_.every_step_read : each_pair_once()));
   }
 
-  // Reads the steps that say what is computed. @throws InternalError
+  // Reads the steps with what they compute. @throws InternalError
   void check() {
     CheckOptions options;
     options.all_pairs = each_pair_once();
@@ -129,17 +129,18 @@ class Said {
                                       checked_.missing, checked_.repeated, checked_.fault));
     }
     if (facts_.lockstep > 0) {
-      facts_.worker_pairs = counted.pairs();  // at random they change workers, too
+      facts_.worker_pairs =
+          counted.pairs();  // spreading at random moves pairs between workers, too
     }
   }
 
-  // What workers compute one after another is what the head says of them.
+  // Whether the computed pairs of each worker are those of the head.
   [[nodiscard]] bool are_as_said(const std::vector<std::uint64_t>& computed) const {
     return split_ == nullptr || !split_->pairs_are_known ||
            std::ranges::equal(computed, split_->workers, {}, {}, &WorkerFacts::pairs);
   }
 
-  // One line.
+  // One line on the verification.
   [[nodiscard]] std::string how_verified() const {
     if (how_.worker_by_itself) {
       return fmt::format(
@@ -179,8 +180,7 @@ class Said {
     return !facts_.every_step_read && !spare_ && !how_.from_step;
   }
 
-  // The lines before the one that says how it was verified; what it is about has its keys in
-  // `json`.
+  // The lines before the one on the verification; adds the keys of the schedule to `json`.
   std::string about(JsonWriter& json) const {
     const std::uint64_t workers = split_ != nullptr ? split_->workers.size() : facts_.lockstep;
     const LoadBound bound = bound_of_loads(rules_, facts_.room, workers);
@@ -280,7 +280,7 @@ class Said {
            method + bounds(bound);
   }
 
-  // Forward epochs after the first have the same loads, and so have backward ones.
+  // Forward epochs after the first have equal loads, and so have backward ones.
   [[nodiscard]] std::string epochs_in_words() const {
     const std::vector<std::uint64_t>& loads = facts_.epoch_loads;
     if (facts_.epochs == 1) {
@@ -352,7 +352,7 @@ class Said {
     return facts_.epochs == 1 ? "" : fmt::format(", {} epochs", facts_.epochs);
   }
 
-  // How often items move to a level, the bytes, the fewest there can be.
+  // The number of moves to a level, with their bytes, and the lower bound.
   [[nodiscard]] std::string level(std::uint64_t count, const std::string& what,
                                   const LoadBound& bound) const {
     const std::string bytes =
@@ -361,7 +361,7 @@ class Said {
     return fmt::format("{}{}, {}", count_of(count, what), bytes, over(count, bound));
   }
 
-  // How to get fewer loads, where that may help.
+  // A hint on how to get fewer loads, where that may help.
   [[nodiscard]] std::string hint() const {
     if (facts_.sizes) {
       return facts_.bytes > facts_.byte_bound.loads && !how_.searched
@@ -429,7 +429,7 @@ class Said {
     all.push_back(Column::step);
     add(fast, {Column::fast_evict});
     add(!fast, {Column::load});
-    // In JSON the name that every order has.
+    // In JSON, the name that every order has.
     add(!rules_.overlap || how_.format == "jsonl", {Column::evict});
     add(rules_.store, {Column::store});
     add(fast, {Column::load, Column::fast_load});
@@ -438,7 +438,7 @@ class Said {
     return all;
   }
 
-  // One buffer, whose pairs were checked.
+  // For a single buffer whose pairs were checked.
   void write_for_marius(Sink& out) const {
     if (split_ != nullptr || facts_.lockstep > 0 || facts_.fast_room || spare_ || how_.from_step ||
         how_.beside || !checked_.valid() ||
@@ -461,7 +461,7 @@ class Said {
     writer.end();
   }
 
-  // The steps; an order that was not read before is followed on the way.
+  // Writes the steps; an unverified order is checked on the way.
   void write(StepWriter& writer) const {
     std::optional<ScheduleCheck> audit;
     const bool whole = how_.beside && !how_.worker_by_itself;
@@ -480,7 +480,7 @@ class Said {
     for (Step step; all->next(step);) {
       const bool of_others = how_.worker && step.worker != *how_.worker;
       if (of_others && how_.worker_by_itself) {
-        continue;  // read since they say what is left to it
+        continue;  // already read to know the rest
       }
       if (audit) {
         audit->read(step);
@@ -514,13 +514,13 @@ class Said {
   std::optional<std::uint64_t> spare_;
   const SplitFacts* split_ = nullptr;
   std::shared_ptr<const PairOwners> owners_;
-  ScheduleVerdict checked_;  // no steps if it was not checked anew
+  ScheduleVerdict checked_;  // without steps if it was not checked again
 };
 
-// With the whole room, of which the order may leave some.
+// For the whole room, of which the order may leave some.
 Said said_of(const WorkerSplit& split, std::uint64_t room, const LoadsShown& how) {
   const SplitFacts& facts = split.facts();
-  // Groups of items have small orders, which were read.
+  // Groups of items have small orders, which were verified.
   LoadOrderFacts whole = split.order().facts();
   whole.items = facts.items;
   whole.room = room;
@@ -542,7 +542,7 @@ Said said_of(const WorkerSplit& split, std::uint64_t room, const LoadsShown& how
   for (const WorkerFacts& worker : facts.workers) {
     whole.worker_loads.push_back(worker.loads);
   }
-  // Without owners it takes those before to say what one worker computes.
+  // Without owners, the steps of earlier workers are needed to know what one worker computes.
   const bool alone = how.worker_by_itself && (split.owners() != nullptr || !how.new_pairs);
   Said said(
       std::move(whole),

@@ -1,4 +1,4 @@
-// Schedules of all kinds, as they are said: the head, then the steps.
+// Writes schedules of all kinds: the head, then the steps.
 #pragma once
 
 #include <cstdint>
@@ -13,26 +13,28 @@ namespace changeover {
 struct LoadsShown {
   std::string format;
   ComputeRules compute = {};
-  bool new_pairs = false;   ///< whether it is said what is computed
-  bool write_back = false;  ///< whether it is said what is stored
-  bool searched = false;    ///< whether a search for fewer loads was asked for
+  bool new_pairs = false;   ///< whether to show what is computed
+  bool write_back = false;  ///< whether to show what is stored
+  bool searched = false;    ///< whether a search for fewer loads was requested
   std::uint64_t seed =
-      1;  ///< of the items that are followed while an order is written that was not read before
-  std::optional<std::uint64_t> item_bytes = {};  ///< of two levels
-  bool head_only = false;                        ///< without the steps
-  std::optional<std::uint64_t> worker = {};      ///< the steps of this one only
-  bool worker_by_itself = false;  ///< and they alone are checked, while they are written
-  std::optional<std::uint64_t> from_step = {};  ///< of one worker: steps from this one on
+      1;  ///< seed for choosing the items that are tracked while an unverified order is written
+  std::optional<std::uint64_t> item_bytes = {};  ///< for two levels
+  bool head_only = false;                        ///< omits the steps
+  std::optional<std::uint64_t> worker = {};      ///< only the steps of this worker
+  bool worker_by_itself = false;  ///< and only its steps are checked, while they are written
+  std::optional<std::uint64_t> from_step = {};  ///< for one worker: steps from this one on
   bool beside = false;  ///< all steps are checked while they are written, not before
 };
 
-/// No schedule with such rules has fewer loads, in epochs and of several workers, with this room.
+/// A lower bound on the loads of any schedule with these rules and this room, for its epochs and
+/// workers.
 [[nodiscard]] LoadBound bound_of_loads(const ScheduleRules& rules, std::uint64_t room,
                                        std::uint64_t workers);
 
-// What the steps compute and store is checked first, as it will be written. @throws InternalError
+// What the steps compute and store is checked first, in the form in which it is written. @throws
+// InternalError
 
-/// In lockstep the steps of all workers with the same number come after one another. @throws
+/// In lockstep, the steps of all workers with the same number are adjacent. @throws
 /// ImpossibleParameters if bytes exceed 64 bits
 void show_loads(const LoadOrder& order, const LoadsShown& how, Sink& out);
 /// One worker after another.

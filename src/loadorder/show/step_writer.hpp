@@ -1,4 +1,4 @@
-// A schedule, one step per line: what --json, --format csv and --format text say of a step.
+// Writes a schedule, one step per line, for --json, --format csv and --format text.
 //
 //     StepWriter writer(out, "jsonl", names, {Column::step, Column::load, Column::evict});
 //     writer.begin(json, text);
@@ -15,7 +15,7 @@
 
 namespace changeover {
 
-/// What is said of a step, under this name.
+/// A part of a step, with its column name.
 enum class Column : std::uint8_t {
   worker,
   epoch,
@@ -23,20 +23,20 @@ enum class Column : std::uint8_t {
   load,
   evict,
   store,
-  new_pairs,  ///< what is computed,
-  before,     ///< or, if loads overlap it, what is computed first,
-  compute,    ///< and what then
+  new_pairs,  ///< computed pairs
+  before,     ///< or, if loads overlap computation, the pairs computed first
+  compute,    ///< and those computed then
   evict_first,
   evict_late,
   fast_evict,
   fast_load
 };
 
-/// Writes a schedule in a format: a head, then a line for each step. In text an empty list is not
-/// mentioned.
+/// Writes a schedule in a format: a head, then a line for each step. Empty lists are omitted in
+/// text.
 class StepWriter {
  public:
-  /// Items are called by `names` unless there are none.
+  /// Items are written as `names`, if there are any.
   StepWriter(Sink& out, const std::string& format, const std::vector<std::string>* names,
              std::vector<Column> columns)
       : out_(out),
@@ -45,7 +45,7 @@ class StepWriter {
         names_(names != nullptr && !names->empty() ? names : nullptr),
         columns_(std::move(columns)) {}
 
-  /// The head in JSON or in text; in CSV the names of the columns.
+  /// The head in JSON or in text; in CSV the header.
   void begin(const std::string& json, const std::string& text);
 
   void write(const Step& step);
@@ -65,7 +65,7 @@ class StepWriter {
   const std::vector<std::string>* names_;
   std::vector<Column> columns_;
   std::string text_;
-  std::size_t head_ = 0;  // where the numbers of the line end, and its lists begin
+  std::size_t head_ = 0;  // end of the numbers of the line, where its lists begin
 };
 
 }  // namespace changeover

@@ -1,4 +1,5 @@
-// Internal: how many pairs the workers of a schedule compute, what they cost, and how even that is.
+// Internal: describes the pairs that the workers of a schedule compute, their costs, and how even
+// both are.
 #pragma once
 
 #include <cstdint>
@@ -11,21 +12,21 @@ namespace changeover {
 
 class WorkerWords {
  public:
-  /// Of workers in lockstep, or of those of a split. Both must outlive this.
+  /// For workers in lockstep, or for those of a split. Both must outlive this object.
   WorkerWords(const LoadOrderFacts& facts, const SplitFacts* split);
 
-  /// Keys of the head: the most of one worker, the mean, and the fewest there can be.
+  /// Writes keys of the head: the most pairs of one worker, the mean, and the lower bound.
   void say(JsonWriter& json) const;
-  /// The same of each worker.
+  /// Writes the same for each worker.
   void say_each(JsonWriter& json) const;
-  /// Lines, or nothing if it is not known.
+  /// Lines of text; empty if the numbers are unknown.
   [[nodiscard]] std::string text() const;
 
  private:
   const LoadOrderFacts& facts_;
   const SplitFacts* split_;
   std::uint64_t workers_ = 0;
-  std::uint64_t all_ = 0;  // pairs; 0 if it is not known
+  std::uint64_t all_ = 0;  // pairs; 0 if unknown
   std::uint64_t most_ = 0;
 };
 

@@ -27,14 +27,14 @@ std::uint64_t ByteClosing::run(const std::vector<Element>& order, std::uint64_t 
   for (std::uint32_t i = 0; i < order.size(); ++i) {
     position_[order[i]] = i;
   }
-  // Partners by position: items in their order are put at the end of their partners' lists.
+  // Partners by position: items, in their order, are appended to their partners' lists.
   std::copy(begin_.begin(), begin_.end() - 1, front_.begin());
   for (const Element x : order) {
     for (const Element y : graph_.partners(x)) {
       partners_[front_[y]++] = x;
     }
   }
-  // In the same sequence each item's place in the list of x is the next one of the list of y.
+  // In the same sequence, each item's place in the list of x is the next one in the list of y.
   std::copy(begin_.begin(), begin_.end() - 1, front_.begin());
   for (const Element x : order) {
     for (std::uint64_t at = begin_[x]; at < begin_[x + 1]; ++at) {
@@ -61,8 +61,8 @@ std::uint64_t ByteClosing::run(const std::vector<Element>& order, std::uint64_t 
   return bytes_;
 }
 
-// What passes goes up and down in turn, so that what passed last is there when the next one is
-// closed.
+// Items that pass go up and down in turn, so that those that passed last are in memory when the
+// next item is closed.
 void ByteClosing::close(Element x, std::uint64_t limit) {
   if (open_[x] == 0 && loaded_[x]) {
     return;
@@ -110,7 +110,7 @@ void ByteClosing::load(Element x, Element keep) {
   bytes_ += size;
 }
 
-// The first of its pairs that have not met is needed when one of its items is closed.
+// The first pair that has not met is needed when one of its items is closed.
 std::uint32_t ByteClosing::needed(Element x) {
   if (open_[x] == 0) {
     return ~std::uint32_t{0};
@@ -121,7 +121,8 @@ std::uint32_t ByteClosing::needed(Element x) {
   return std::min(position_[x], position_[partners_[front_[x]]]);
 }
 
-// Of those that are needed equally late, what came last goes: it has just met what stays.
+// Of items that are needed equally late, the last loaded one is evicted: it has just met the items
+// that stay.
 void ByteClosing::make_room(std::uint64_t bytes, Element keep) {
   while (held_ + bytes > sizes_.memory) {
     Element goes = keep;

@@ -70,12 +70,12 @@ class SizeList {
     } else if (!unit.empty() && unit != "B") {
       return std::nullopt;
     }
-    constexpr std::uint64_t most = 1'000'000'000'000'000;  // sums of them are numbers, too
+    constexpr std::uint64_t most = 1'000'000'000'000'000;  // sums of sizes still fit
     return number && *number > 0 && *number <= most / bytes ? std::optional(*number * bytes)
                                                             : std::nullopt;
   }
 
-  // "NaN", "-3" and "1e400", which are no sizes, are meant as some.
+  // Words such as "NaN", "-3" and "1e400" are wrong sizes, not names.
   static bool is_meant_as_size(std::string_view word) {
     std::string small(word);
     std::ranges::transform(small, small.begin(), [](char c) {
@@ -90,7 +90,7 @@ class SizeList {
            (unsigned_word[0] >= '0' && unsigned_word[0] <= '9');
   }
 
-  // A first line none of whose cells is meant as a size.
+  // A first line in which no cell looks like a size.
   static bool is_heading(const Row& row) {
     return row.size() <= 2 && !is_meant_as_size(row.front().text) &&
            !is_meant_as_size(row.back().text) &&
@@ -124,7 +124,7 @@ class SizeList {
     sizes_[x] = *size;
   }
 
-  // A list of names alone says which items there are.
+  // A list of names alone defines the items.
   Element item(const Field& field) {
     const auto number = item_number(field);
     const bool is_number = number.has_value();

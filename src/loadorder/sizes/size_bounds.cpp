@@ -1,4 +1,4 @@
-// How few bytes an order of items of different size can load.
+// A lower bound on the bytes that an order of items of different sizes loads.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,9 +15,9 @@
 namespace changeover {
 namespace {
 
-// Sums of products of sizes exceed 64 bits; rounded down they stay bounds.
+// Sums of products of sizes exceed 64 bits; rounded down, they remain bounds.
 using Wide = long double;
-constexpr Wide rounding = 1e-12L;  // of all sums together, relative
+constexpr Wide rounding = 1e-12L;  // relative error of all sums together
 
 std::uint64_t rounded_up(Wide bytes) {
   return bytes <= 0 ? 0 : static_cast<std::uint64_t>(std::ceil(bytes * (1 - rounding)));
@@ -25,16 +25,16 @@ std::uint64_t rounded_up(Wide bytes) {
 
 struct Weights {
   Wide pairs = 0;    // the sum of s_x s_y over all pairs
-  Wide brought = 0;  // what a load of each item once can bring at most
-  Wide capped = 0;   // the same, not more than the item's own pairs
+  Wide brought = 0;  // the most that one load of each item can add
+  Wide capped = 0;   // the same, limited by the pairs of each item
   std::uint64_t bytes = 0;
   std::uint64_t items = 0;
   std::uint64_t largest = 0;
   std::uint64_t smallest = ~std::uint64_t{0};
-  std::uint64_t best_capped = 0;  // the most that a byte can bring at most
+  std::uint64_t best_capped = 0;  // the most that a byte can add
 };
 
-// Of the items that have at least so many bytes.
+// For the items with at least `least` bytes.
 Weights weights_of(const ItemSizes& sizes, const WantedPairs& wanted, std::uint64_t least) {
   Weights w;
   const std::uint64_t memory = sizes.memory;
@@ -68,9 +68,9 @@ Weights weights_of(const ItemSizes& sizes, const WantedPairs& wanted, std::uint6
   return w;
 }
 
-// What these items need beyond each being loaded once, and what a loaded byte brings at most. A
-// load of x brings products of its size and those beside it, s_x (M - s_x) at most; what is loaded
-// before memory can be full brings M (M - s) / 2 less, s being the largest size.
+// The bytes that these items need beyond one load each, and the most that a loaded byte adds. A
+// load of x adds products of its size and those in memory, at most s_x (M - s_x); the loads before
+// memory can be full add M (M - s) / 2 less, where s is the largest size.
 std::pair<std::uint64_t, std::uint64_t> bytes_beyond(const Weights& w, std::uint64_t memory) {
   std::pair<std::uint64_t, std::uint64_t> best{0, 0};
   const auto consider = [&](Wide lacking, std::uint64_t most) {
@@ -87,7 +87,7 @@ std::pair<std::uint64_t, std::uint64_t> bytes_beyond(const Weights& w, std::uint
   return best;
 }
 
-// Items as so many units as fit into them, which move together.
+// Treats an item as the number of units that fit into it, which move together.
 LoadBound by_units(const ItemSizes& sizes, std::uint64_t bytes) {
   std::uint64_t unit = 0;
   for (const std::uint64_t size : sizes.bytes) {
@@ -118,7 +118,7 @@ LoadBound sized_lower_bound(const ItemSizes& sizes, const WantedPairs& wanted) {
   if (bytes <= sizes.memory) {
     return best;
   }
-  // Loads of some items are an order for these; all others are loaded once.
+  // The loads of some items are an order for these; all others are loaded once.
   std::vector<std::uint64_t> thresholds = sizes.bytes;
   std::sort(thresholds.begin(), thresholds.end());
   thresholds.erase(std::unique(thresholds.begin(), thresholds.end()), thresholds.end());

@@ -1,4 +1,4 @@
-// Orders for items of different size.
+// Orders for items of different sizes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 
 using SizedMoves = std::vector<SizedMove>;
 
-constexpr std::uint64_t most_closed_all = 2'000;  // items of which all pairs are wanted
+constexpr std::uint64_t most_closed_all = 2'000;  // number of items, if all pairs are wanted
 
 std::uint64_t bytes_of(const ItemSizes& sizes, const std::vector<Element>& items) {
   std::uint64_t sum = 0;
@@ -41,7 +41,7 @@ struct SizedOffer {
   std::string explanation;
 };
 
-/// Looks for an order of closing items.
+/// Searches an order of closing items.
 class ClosingSearch {
  public:
   ClosingSearch(const ItemSizes& sizes, const PairGraph& graph, std::uint64_t room,
@@ -95,7 +95,7 @@ class ClosingSearch {
     count_try();
   }
 
-  // A load looks at what is held, and the beginning at all pairs.
+  // A load examines the items in memory, and the start examines all pairs.
   void count_try() {
     looked_ += closing_.moves().size() * (4 + std::min<std::uint64_t>(room_, 64)) + graph_.pairs();
     ++tries_;
@@ -113,7 +113,7 @@ class ClosingSearch {
       try_start(name, std::move(start));
       return bytes_ > least_ && !stop_wanted(until_stopped);
     });
-    // Moves of an item to another place of the order, as long as they are of use.
+    // Moves an item to another place of the order, as long as that helps.
     constexpr std::uint64_t work = 20'000'000;  // a second or so
     constexpr std::uint64_t most_tries = 10'000;
     Random random(options_.seed);
@@ -131,7 +131,7 @@ class ClosingSearch {
       } else {
         std::rotate(order.begin() + to, order.begin() + from, order.begin() + from + 1);
       }
-      // What is as good may lead on.
+      // An equally good order is kept, since it may lead to a better one.
       const std::uint64_t bytes = closing_.run(order, bytes_);
       if (bytes <= bytes_) {
         name_ = bytes < bytes_ ? "improved" : name_;
@@ -162,7 +162,7 @@ class ClosingSearch {
   std::uint64_t tries_ = 0;
 };
 
-/// Groups of at most so many bytes: the largest items first, each into the first group that has
+/// Packs groups of at most `most` bytes: the largest items first, each into the first group with
 /// room.
 std::vector<std::vector<Element>> packed(const ItemSizes& sizes, const std::vector<Element>& items,
                                          std::uint64_t most) {
@@ -186,8 +186,9 @@ std::vector<std::vector<Element>> packed(const ItemSizes& sizes, const std::vect
   return groups;
 }
 
-/// An order of groups, item by item: what a group loads that is still there is not loaded again,
-/// and what went stays as long as there is room, what comes again last being the first to go.
+/// An order of groups, item by item. Items of a group that are still in memory are not loaded
+/// again. Evicted groups stay as long as there is room; the item that is needed last is evicted
+/// first.
 class GroupedMoves {
  public:
   GroupedMoves(const ItemSizes& sizes, const std::vector<std::vector<Element>>& groups,
@@ -210,7 +211,7 @@ class GroupedMoves {
     offer.bytes = 0;
     std::vector<bool> wanted(groups_.size(), false);
     std::vector<bool> there(sizes_.bytes.size(), false);
-    std::vector<std::pair<Element, Element>> idle;  // item and its group, that may go
+    std::vector<std::pair<Element, Element>> idle;  // item and its group; may be evicted
     std::uint64_t held = 0;
     for (const Step& step : steps_) {
       for (const Element g : step.evict) {
@@ -264,7 +265,7 @@ class GroupedMoves {
   std::vector<Step> steps_;
 };
 
-// The best for each number of groups that fit.
+// The best order for each number of groups that fit.
 void consider_packed(const ItemSizes& sizes, const std::vector<Element>& items, std::uint64_t least,
                      SizedOffer& best) {
   constexpr std::uint64_t most_room = 64;
@@ -291,7 +292,7 @@ void consider_packed(const ItemSizes& sizes, const std::vector<Element>& items, 
   }
 }
 
-// The loads up to the first eviction are one step, each further one is a step.
+// The loads up to the first eviction are one step; each further load is a step.
 std::vector<Step> steps_of_moves(const SizedMoves& moves) {
   std::vector<Step> steps;
   for (const SizedMove& move : moves) {
@@ -304,7 +305,7 @@ std::vector<Step> steps_of_moves(const SizedMoves& moves) {
   return steps;
 }
 
-// All pairs that are wanted, as a list.
+// All wanted pairs as a list.
 PairGraph graph_of(const WantedPairs& wanted, std::uint64_t items) {
   return {items,
           [&](const PairGraph::Visit& visit) {
@@ -347,7 +348,7 @@ void check_sizes(const ItemSizes& sizes, const WantedPairs& wanted) {
     }
     std::uint64_t largest = 0;
     Element with = x;
-    if (wanted.are_all()) {  // said once, of the two largest, below
+    if (wanted.are_all()) {  // reported once, for the two largest items, below
       continue;
     }
     each_partner(wanted, items, x, [&](Element y) {

@@ -1,4 +1,4 @@
-// Internal: wanted pairs of items of different size.
+// Internal: wanted pairs of items of different sizes.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,10 @@
 namespace changeover {
 
 /// @throws BadInput if a wanted item, or two that must meet, are larger than memory, an item has no
-/// byte, or there are other sizes than items
+/// bytes, or the number of sizes is wrong
 void check_sizes(const ItemSizes& sizes, const WantedPairs& wanted);
 
-/// Calls visit(y) for all that x must meet.
+/// Calls visit(y) for all items y that x must meet.
 template <typename Visit>
 void each_partner(const WantedPairs& wanted, std::uint64_t items, Element x, Visit&& visit) {
   if (wanted.graph() != nullptr) {
@@ -32,13 +32,13 @@ void each_partner(const WantedPairs& wanted, std::uint64_t items, Element x, Vis
   }
 }
 
-/// The most items that memory can hold at once.
+/// The largest number of items that fit into memory.
 [[nodiscard]] std::uint64_t most_held(const ItemSizes& sizes, const WantedPairs& wanted);
 
-/// Sizes from a list: an item and its bytes per row, or in rows of one field the bytes of items 0,
-/// 1, … in turn; bytes are whole numbers, with K, M, G or T for thousands. Items have the numbers
-/// or names of the pairs that are listed; without a list, if they have names, `names` gets them.
-/// @throws BadInput with a place
+/// Reads sizes from a list: an item and its bytes per row, or rows with the bytes of items 0, 1, …
+/// in turn. Bytes are whole numbers, with K, M, G or T for powers of 1000. Items have the numbers
+/// or names of the listed pairs; without a list, `names` receives the names. @throws BadInput with
+/// a place
 [[nodiscard]] std::vector<std::uint64_t> read_sizes(Input& input,
                                                     std::optional<std::uint64_t> items,
                                                     const PairGraph* graph,

@@ -17,7 +17,7 @@
 namespace changeover {
 
 void check_moves_kept(std::uint64_t moves, std::uint64_t steps) {
-  constexpr std::uint64_t moves_of_a_step = 8;  // take as much memory as what it says beside them
+  constexpr std::uint64_t moves_of_a_step = 8;  // memory for a step, apart from its moves
   if (moves > most_moves_kept || steps > (most_moves_kept - moves) / moves_of_a_step) {
     throw ImpossibleParameters(fmt::format(
         "to go back, the {} loads and evictions and {} steps of an epoch would be kept in mind, "
@@ -28,7 +28,7 @@ void check_moves_kept(std::uint64_t moves, std::uint64_t steps) {
 
 namespace {
 
-/// What moves, step by step.
+/// The moves of an epoch, step by step.
 class Tape {
  public:
   void add(const Step& step) {
@@ -41,13 +41,13 @@ class Tape {
 
   [[nodiscard]] std::size_t steps() const { return ends_.size() / lists.size(); }
 
-  /// Forward.
+  /// A step forward.
   void get(std::size_t step, Step& out) const {
     for (std::size_t i = 0; i < lists.size(); ++i) {
       take(step, i, out.*lists[i]);
     }
   }
-  /// What comes leaves, and the other way round.
+  /// A step backward: loads become evictions, and evictions loads.
   void get_backward(std::size_t step, Step& out) const {
     for (std::size_t i = 0; i < lists.size(); ++i) {
       take(step, i ^ 1U, out.*lists[i]);
@@ -66,7 +66,7 @@ class Tape {
   }
 
   std::vector<Element> items_;
-  std::vector<std::uint64_t> ends_;  // of a list of a step
+  std::vector<std::uint64_t> ends_;  // of the lists of a step
 };
 
 class BackAndForth final : public StepSource {
@@ -102,7 +102,7 @@ class BackAndForth final : public StepSource {
   }
 
  private:
-  // Rounds are those of all workers; one that goes backward undoes the round that comes after it.
+  // Rounds consist of the steps of all workers; a backward round undoes the round after it.
   void put(Step& step) {
     const std::size_t rounds = tape_.steps() / workers_;
     const std::size_t round = at_ / workers_;
@@ -128,7 +128,7 @@ class BackAndForth final : public StepSource {
   std::size_t workers_;
   Tape tape_;
   std::uint64_t epoch_ = 1;
-  std::size_t at_ = 0;  // steps of this epoch that were handed out
+  std::size_t at_ = 0;  // steps of this epoch so far
   std::uint64_t worker_ = 0;
 };
 
@@ -177,10 +177,11 @@ LoadBound epochs_lower_bound(const LoadBound& once, std::uint64_t pairs, std::ui
   if (epochs == 1) {
     return once;
   }
-  // With what is in memory when it begins, the loads of an epoch are an order of one epoch.
+  // The items in memory at its start, together with the loads of an epoch, are an order of one
+  // epoch.
   const std::uint64_t there = checked_multiply(room, workers);
   const std::uint64_t by_order = once.loads > there ? once.loads - there : 0;
-  // And each load brings at most C - 1 pairs to those that are there.
+  // Also, each load adds at most C - 1 pairs to those in memory.
   const std::uint64_t met = checked_multiply(binomial(room, 2), workers);
   const std::uint64_t by_pairs = pairs > met ? ceil_div(pairs - met, room - 1) : 0;
   const std::uint64_t later = std::max(by_order, by_pairs);
@@ -218,7 +219,7 @@ LoadOrder repeat_order(LoadOrder order, std::uint64_t epochs) {
     throw BadInput("an order of several epochs is not repeated");
   }
   const std::uint64_t all_workers = std::max<std::uint64_t>(1, facts.lockstep);
-  // What is there at the end is not evicted.
+  // Items in memory at the end are not evicted.
   const std::uint64_t stays = std::min(facts.loads, checked_multiply(facts.room, all_workers));
   check_moves_kept(checked_add(facts.loads, facts.loads - stays),
                    checked_multiply(facts.steps, all_workers));

@@ -1,4 +1,4 @@
-// Shares again and again, back and forth.
+// Repeats shares, alternating between forward and backward epochs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,14 +33,14 @@ class RepeatedSteps final : public WorkerSteps {
 }  // namespace
 
 void SplitMaker::repeat(WorkerSplit& split, std::uint64_t epochs) {
-  constexpr std::uint64_t most_bits = std::uint64_t{1} << 34;  // 2 GB, of pairs in all epochs
+  constexpr std::uint64_t most_bits = std::uint64_t{1} << 34;  // 2 GB, for pairs in all epochs
   constexpr std::uint64_t most_pairs = 30'000'000;
   const std::uint64_t workers = split.facts_.workers.size();
   for (const WorkerFacts& worker : split.facts_.workers) {
     const std::uint64_t stays = std::min(worker.loads, split.facts_.room);
     check_moves_kept(checked_add(worker.loads, worker.loads - stays), worker.steps);
   }
-  // Who computes a pair may be said by the step in which it meets; a table says it by the pair.
+  // Owners may assign a pair by the step in which it meets; a table assigns it by the pair.
   const bool by_table = are_few(split);
   if (workers > 1 && by_table && split.owners_ != nullptr && !split.facts_.has_costs) {
     spread(split);

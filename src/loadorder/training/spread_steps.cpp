@@ -14,7 +14,7 @@
 namespace changeover {
 namespace {
 
-/// Rounds of steps in which an item is with a worker.
+/// The rounds of steps in which an item is at a worker.
 struct Stay {
   std::uint32_t worker = 0;
   std::uint32_t begin = 0;
@@ -48,11 +48,11 @@ class SpreadSteps final : public StepSource {
   }
 
  private:
-  // All steps of an epoch, of one worker or in lockstep of all.
+  // Reads all steps of an epoch, of one worker or, in lockstep, of all.
   void read() {
     const std::uint64_t worker = ahead_.worker;
     const std::uint64_t epoch = ahead_.epoch;
-    std::vector<std::pair<Element, std::uint32_t>> stayed;  // with whom
+    std::vector<std::pair<Element, std::uint32_t>> stayed;  // with the worker
     for (std::size_t x = 0; x < stays_.size(); ++x) {
       std::vector<Stay>& its = stays_[x];
       if (!its.empty() && its.back().end == open && last_worker_ == worker && epoch > 1) {
@@ -96,7 +96,7 @@ class SpreadSteps final : public StepSource {
     step.compute.clear();
   }
 
-  // Calls visit(first step, how many rounds) for each run of rounds that hold both.
+  // Calls visit(first step, number of rounds) for each run of rounds in which both items are held.
   template <typename Visit>
   void each_run(const ItemPair& pair, Visit&& visit) const {
     const std::vector<Stay>& a = stays_[pair.first];
@@ -144,7 +144,7 @@ class SpreadSteps final : public StepSource {
     }
   }
 
-  // From steps that have more than the mean to the emptiest of some that may have it.
+  // Moves pairs from steps above the mean to the emptiest of some candidate steps.
   void even_out(std::vector<std::uint32_t>& at, std::vector<std::uint32_t>& filled) {
     constexpr int most_passes = 60;
     constexpr std::uint32_t looks = 12;
@@ -162,7 +162,8 @@ class SpreadSteps final : public StepSource {
         std::uint32_t best = at[i];
         for (std::uint32_t look = 0; look < std::min(all, looks); ++look) {
           const std::uint32_t other = choice(pairs_[i], all <= looks ? look : random_.below(all));
-          // As full as this one will be without it is good, too: the next may go on from there.
+          // A step that would then be as full as this one is accepted, too: the next move may
+          // continue from there.
           if (filled[other] + 1 <= filled[at[i]] &&
               (best == at[i] || filled[other] < filled[best])) {
             best = other;

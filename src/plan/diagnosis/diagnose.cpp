@@ -9,7 +9,7 @@
 namespace changeover {
 namespace {
 
-// Of the tests that no proven fault explains, one with the fewest suspects.
+// Of the failed tests that no proven fault explains, one with the fewest suspects.
 std::size_t easiest_failure(const Evidence& evidence, const std::vector<Suspect>& proven) {
   std::size_t best = evidence.failures().size();
   for (std::size_t i = 0; i < evidence.failures().size(); ++i) {
@@ -32,9 +32,9 @@ void explain(const Evidence& evidence, Diagnosis& found) {
   if (!found.explanations.empty() || evidence.failures().empty()) {
     return;
   }
-  // Too many faults to find all together: one test that failed is looked at by itself.
+  // Too many faults to find all together: one failed test is examined alone.
   const std::size_t one = easiest_failure(evidence, found.faults);
-  found.all_explanations = true;  // of that test
+  found.all_explanations = true;  // for that test
   found.looked_at = evidence.failures().at(one);
   for (const Suspect& suspect : evidence.suspects()[one]) {
     found.explanations.push_back({suspect});

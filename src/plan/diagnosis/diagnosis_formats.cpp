@@ -1,4 +1,4 @@
-// What a diagnosis says, for people and for programs.
+// Writes a diagnosis, for people and for programs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace changeover {
 namespace {
 
-constexpr std::size_t most_lines = 12;     // of suspects, a line each
+constexpr std::size_t most_lines = 12;     // suspects, one per line
 constexpr std::size_t most_in_a_line = 6;  // explanations
 constexpr std::size_t most_in_json = 100;
 
@@ -25,7 +25,7 @@ std::string kind_and_words(const Job& job, const Suspect& suspect) {
   return fmt::format("{} {}", suspect.other ? "pair" : "part", in_words(suspect, job.names));
 }
 
-// "part Pump", or of several "Pump, and Motor with Belt".
+// "part Pump", or for several "Pump, and Motor with Belt".
 std::string words_of(const Job& job, const Explanation& explanation) {
   if (explanation.size() == 1) {
     return kind_and_words(job, explanation.front());
@@ -50,7 +50,7 @@ std::string some_of(const Job& job, std::vector<Explanation> explanations) {
              : words;
 }
 
-// What a result leaves.
+// The explanations that remain after a result.
 std::string what_is_left(const Job& job, const std::vector<Explanation>& explanations, bool all) {
   const std::string at_least = all ? "" : "at least ";
   switch (explanations.size()) {
@@ -65,7 +65,7 @@ std::string what_is_left(const Job& job, const std::vector<Explanation>& explana
   }
 }
 
-// Why this test and no other.
+// Why this test was chosen.
 std::string why_next(const Job& job, const Diagnosis& found) {
   const NextTest& next = *found.next;
   if (next.proves) {
@@ -140,7 +140,7 @@ void add_explanations(const Job& job, const Diagnosis& found, std::vector<std::s
   }
 }
 
-// What the results leave, a line each; many suspects are in a table instead.
+// The conclusions from the results, one per line; many suspects are in a table instead.
 std::vector<std::string> what_is_suspect(const Job& job, const Diagnosis& found) {
   const std::string all = found.unread == 0 ? "all results" : "all results that are understood";
   if (found.failed == 0) {
@@ -179,7 +179,7 @@ std::vector<std::string> what_is_suspect(const Job& job, const Diagnosis& found)
   return lines;
 }
 
-// The next test in words, or that there is none.
+// The next test in words, or why there is none.
 std::vector<std::string> what_is_next(const Job& job, const Diagnosis& found) {
   if (found.next) {
     return {"Next test: " + why_next(job, found) + ".",
@@ -201,7 +201,7 @@ std::vector<std::string> what_is_next(const Job& job, const Diagnosis& found) {
                      : "No test that can be mounted tells more."};
 }
 
-// Many suspects: a row for each part, with what it may not work with.
+// For many suspects: a row for each part, with the parts that it may not work with.
 Table suspects_by_part(const Job& job, const Diagnosis& found) {
   struct OfPart {
     bool alone = false;
@@ -228,8 +228,8 @@ Table suspects_by_part(const Job& job, const Diagnosis& found) {
            {.kind = ColumnKind::list}}}};
 }
 
-// The next test as a run sheet, on the bench from which it was chosen; in a workbook, what was
-// planned comes after it.
+// The next test as a run sheet, on the bench for which it was chosen; in a workbook the planned
+// steps follow it.
 struct NextSheet {
   Job job;
   RunSheet sheet = {};
@@ -265,7 +265,7 @@ struct NextSheet {
   }
 };
 
-// A table that holds on to what it refers to.
+// A table that owns the data that it refers to.
 Table kept_with(Table table, const std::shared_ptr<const NextSheet>& owner) {
   for (TableColumn& column : table.columns) {
     column.cell = [owner, cell = std::move(column.cell)](std::size_t row) { return cell(row); };
@@ -373,7 +373,7 @@ TableDocument table_document(const DiagnosisDocument& document) {
          .table = kept_with(step_table(sheet->job, {&sheet->sheet}, money, {}), sheet),
          .in = for_people | in_csv});
   }
-  // Also without a table: it makes the sheet with the lines.
+  // Also called without a table: it makes the sheet with the lines.
   const bool many = found.suspects.size() > most_lines;
   made.sections.push_back({.heading = many ? "Suspects" : "",
                            .table = many ? suspects_by_part(job, found) : Table{},

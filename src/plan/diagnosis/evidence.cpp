@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::size_t bits_of_word = 64;
 
-// A tested set-up in its order.
+// Checks and sorts a tested set-up.
 Block tested_setup(const Job& job, Block setup) {
-  // It may have been on a bench with more room.
+  // It may come from a bench with more room.
   if (setup.empty()) {
     throw BadInput("a test that was done has no parts");
   }

@@ -1,4 +1,4 @@
-// The smallest sets of suspects that explain all tests that failed.
+// Finds the smallest sets of suspects that explain all failed tests.
 #include <algorithm>
 #include <set>
 
@@ -8,7 +8,7 @@
 namespace changeover {
 namespace {
 
-constexpr std::uint64_t most_looked_at = 30'000;  // sets to which the last suspect is sought
+constexpr std::uint64_t most_looked_at = 30'000;  // sets for which the last suspect is searched
 
 bool is_empty(const FailedBits& bits) {
   return std::ranges::all_of(bits, [](std::uint64_t word) { return word == 0; });
@@ -21,10 +21,10 @@ FailedBits without(FailedBits bits, const FailedBits& others) {
   return bits;
 }
 
-// Branches on the suspects of a test that is not explained yet, which has the fewest.
+// Branches on the suspects of the unexplained test that has the fewest.
 class Explainer {
  public:
-  // Sets of so many suspects besides those that are proven.
+  // Sets of `size` suspects besides the proven ones.
   Explainer(const Evidence& evidence, const std::vector<Suspect>& proven, std::uint64_t size)
       : evidence_(&evidence), proven_(&proven), size_(size) {}
 
@@ -53,7 +53,7 @@ class Explainer {
     for (const Suspect& suspect : evidence_->suspects()[easiest(open)]) {
       FailedBits rest = without(open, evidence_->hit_by(suspect));
       if (is_empty(rest)) {
-        continue;  // a smaller set would do
+        continue;  // a smaller set is enough
       }
       chosen.push_back(suspect);
       look(rest, chosen);
@@ -113,7 +113,7 @@ Explanations explanations_of(const Evidence& evidence, const std::vector<Suspect
       return found;
     }
     if (!found.all) {
-      break;  // it is not known whether so many are enough; fewer are not
+      break;  // unknown whether this size is enough; smaller ones are not
     }
   }
   return {.size = proven.size() + size, .sets = {}, .all = size > max_faults};

@@ -1,4 +1,4 @@
-// The test to run next: what is mounted, and what its results would mean.
+// Chooses the test to run next: its set-up, and what its results would mean.
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -34,7 +34,7 @@ Block parts_of(const std::vector<Explanation>& sets) {
   return {parts.begin(), parts.end()};
 }
 
-// Which set-ups of some parts there are, filled up where slots need it, and what they cost.
+// The possible set-ups with some parts, completed for the slots, and their costs.
 class SetUps {
  public:
   SetUps(const Evidence& evidence, const Block& wanted)
@@ -42,8 +42,7 @@ class SetUps {
     if (job_->model != nullptr) {
       values_ = std::make_unique<ChoiceSolver>(*job_);
     }
-    // What fills the slots is no suspect if possible, known to work if possible, and on the bench
-    // if possible.
+    // Parts that fill slots are, if possible, no suspects, known to work, and already mounted.
     for (const bool suspect : {false, true}) {
       for (const bool cleared : {true, false}) {
         for (const bool on_bench : {true, false}) {
@@ -58,7 +57,8 @@ class SetUps {
     }
   }
 
-  // These parts, the mounted ones and what the slots need; increasing. Nothing if that cannot be.
+  // These parts, the mounted ones and those that the slots need, increasing; nullopt if that is
+  // impossible.
   [[nodiscard]] std::optional<Block> with(const Block& chosen) const {
     stop_if_asked();
     Block setup = job_->mounted;
@@ -97,7 +97,7 @@ class SetUps {
  private:
   const Job* job_;
   Fitting fitting_;
-  std::unique_ptr<ChoiceSolver> values_;  // of a model
+  std::unique_ptr<ChoiceSolver> values_;  // for a model
   std::vector<Element> fillers_;
 };
 
@@ -131,7 +131,7 @@ bool fails_under(const Members& setup, const Explanation& faults) {
   });
 }
 
-// Enough of them to choose by.
+// A sample that is large enough to choose a test.
 std::vector<Explanation> some_of(const std::vector<Explanation>& sets) {
   const std::size_t step = (sets.size() + max_explanations - 1) / max_explanations;
   std::vector<Explanation> some;
@@ -141,7 +141,7 @@ std::vector<Explanation> some_of(const std::vector<Explanation>& sets) {
   return some;
 }
 
-// Looks for the set-up that splits the explanations best for its cost.
+// Searches for the set-up that splits the explanations best for its cost.
 class Splitter {
  public:
   Splitter(const Evidence& evidence, const std::vector<Explanation>& sets)
@@ -196,7 +196,7 @@ class Splitter {
     return worth;
   }
 
-  // What is sure to be learned, for its cost; suspects that are in no explanation make it uncertain
+  // The information that is gained for sure, per cost; suspects in no explanation make it uncertain
   // what failed.
   [[nodiscard]] double worth_of(const Block& setup) const {
     const Members members = members_of(evidence_->job(), setup);
@@ -217,7 +217,7 @@ class Splitter {
            (1.0 + static_cast<double>(others));
   }
 
-  // From some parts on, one is put in or taken out as long as that helps.
+  // Starting with some parts, adds or removes one as long as that helps.
   void climb() {
     Block chosen = some_parts();
     double worth = consider(chosen);
@@ -261,12 +261,13 @@ class Splitter {
   Block parts_;
   SetUps setups_;
   Random random_;
-  std::vector<Members> in_a_set_;  // by the first part of a suspect, by the other, or the same
+  std::vector<Members> in_a_set_;  // by suspect: its first part, or both
   Choice best_;
 };
 
-// Whether a test that fails makes it surer: nothing else in it is suspect, or, for a part, nothing
-// but pairs with parts that were in no test that failed and had only pairs of it.
+// Whether a failure would prove the fault: the test has no other suspect. For a part, the only
+// other suspects may be pairs of it, with partners that were in no failed test that has only such
+// pairs.
 bool would_prove(const Evidence& evidence, const Block& setup, const Suspect& fault) {
   const std::vector<Suspect> suspects = evidence.suspects_among(setup);
   if (suspects.size() == 1) {
@@ -307,7 +308,7 @@ std::optional<NextTest> proving_test(const Evidence& evidence,
       parts.push_back(*fault.other);
     }
     const SetUps setups(evidence, parts);
-    // Alone, and with each of what is on the bench, which may be cheaper to leave there.
+    // Alone, and with each mounted part, which may be cheaper to leave in place.
     std::vector<Block> choices{parts};
     choices.push_back(parts);
     for (const Element x : evidence.job().start) {

@@ -67,7 +67,7 @@ bool can_hold(const Job& own, const Fitting& fitting, std::initializer_list<Elem
          (!fitting.has_slots() || fitting.simplest(std::move(setup)).setup.has_value());
 }
 
-// Only what can meet on this bench.
+// Keeps only pairs that can meet on this bench.
 void keep_possible(Job& own) {
   const Fitting fitting(own);
   PairSet pairs(own.parts());
@@ -84,7 +84,7 @@ void keep_possible(Job& own) {
   });
 }
 
-// The job on a bench, with all that must meet.
+// The job of a bench, with all needed pairs.
 Job whole_job_of_bench(const Job& job, const Bench& bench) {
   Job own = job;
   own.quantities.clear();
@@ -113,7 +113,7 @@ Job whole_job_of_bench(const Job& job, const Bench& bench) {
   return own;
 }
 
-// The same without slots that are empty there and need none: a job by itself has no such slots.
+// The same without slots that are empty on this bench: a job of its own has no such slots.
 Job without_empty_slots(Job own) {
   std::vector<std::uint32_t> number(own.slots.size(), no_slot);
   std::vector<Slot> kept;
@@ -134,7 +134,7 @@ Job without_empty_slots(Job own) {
   return own;
 }
 
-// What is wrong with one bench, whatever must meet.
+// What is wrong with one bench, for any needed pairs.
 std::optional<std::string> defect_of(const Job& job, const Bench& bench) {
   for (const Block* parts : {&bench.own, &bench.without}) {
     for (const Element x : *parts) {
@@ -203,7 +203,7 @@ void find_names_twice(const std::vector<Bench>& benches, std::vector<std::string
   }
 }
 
-// More of a part mounted at the start than there are.
+// Parts that are mounted at the start on more benches than there are pieces.
 void find_overdrawn(const Job& job, const std::vector<Bench>& benches,
                     std::vector<std::string>& found) {
   for (Element x = 0; x < job.quantities.size(); ++x) {
@@ -283,7 +283,7 @@ std::vector<std::string> bench_defects(const Job& job, const std::vector<Bench>&
   if (benches.empty() || benches.size() > max_benches) {
     return {fmt::format("{} benches; give 1 to {}", benches.size(), max_benches)};
   }
-  Job any = job;  // What holds of the job on whatever bench.
+  Job any = job;  // the conditions that hold on every bench
   any.needed = PairSet(any.parts());
   any.triples.clear();
   any.slots.clear();

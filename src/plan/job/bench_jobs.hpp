@@ -1,4 +1,4 @@
-// What a bench makes of a job.
+// Derives the job of a bench.
 #pragma once
 
 #include <cstddef>
@@ -8,21 +8,21 @@
 
 namespace changeover {
 
-/// The job on this bench alone: its costs, room, slots, what is mounted and comes first. Parts that
-/// it cannot have are in a slot of their own that holds none. What must meet is what can meet
-/// there; what is mounted at the start, only parts that it can have.
-/// @throws BadInput (without the name of the bench) for a change factor by which costs have more
-/// than six decimals and for limits of slots that the job does not have.
+/// The job on this bench alone: its costs, room, slots, mounted parts and first set-ups. Parts that
+/// it cannot have are in a slot of their own with room for none. The needed pairs are those that
+/// can meet on it, and the start has only parts that it can have. @throws BadInput (without the
+/// name of the bench) for a change factor by which costs have more than six decimals, and for
+/// limits of slots that the job does not have.
 [[nodiscard]] Job job_of_bench(const Job& job, const Bench& bench);
 
-/// The same without slots that are empty there, as check(Job) wants it.
+/// The same without slots that are empty on this bench, as check(Job) requires.
 [[nodiscard]] Job job_by_itself(const Job& job, const Bench& bench);
 
-/// So many benches that are alike.
+/// `number` equal benches.
 [[nodiscard]] std::vector<Bench> benches_alike(std::uint64_t number);
 
-/// By part: whether the bench cannot have it: it says so, or there is none and it has none of its
-/// own.
+/// By part: whether the bench cannot have it, because it says so, or because there are no pieces
+/// and it has none of its own.
 [[nodiscard]] std::vector<bool> barred_parts(const Job& job, const Bench& bench);
 
 }  // namespace changeover

@@ -31,7 +31,7 @@ enum class BenchColumn : std::uint8_t {
   down
 };
 
-// Small letters, with underscores for what stands between words.
+// Lower case, with underscores between words.
 std::string plain_heading(std::string_view text) {
   std::string plain = lower(text);
   std::replace_if(

@@ -1,4 +1,4 @@
-// What changes cost by what is replaced, read from a square table.
+// Reads change costs by what is replaced from a square table.
 #include <fmt/format.h>
 
 #include <utility>
@@ -11,7 +11,7 @@
 namespace changeover {
 namespace {
 
-// The part that heads a row or a column; none may head two.
+// The part that heads a row or a column; no part may head two.
 Element head(const PartFinder& finder, const RowReader& reader, const Field& field,
              const std::string& what, std::vector<bool>& seen) {
   if (field.text.empty()) {
@@ -28,7 +28,7 @@ Element head(const PartFinder& finder, const RowReader& reader, const Field& fie
   return *part;
 }
 
-// Every part must head one.
+// Checks that every part heads one.
 void require_all(const RowReader& reader, const Field& where, const std::vector<bool>& seen,
                  const std::vector<std::string>& names, const std::string& what) {
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -54,7 +54,7 @@ std::vector<Amount> read_change_costs(Input& input, const std::vector<std::strin
     fail(input.name(), {}, "no cost is listed; write ,A,B in the first line, and A,,5 below it");
   }
   std::vector<bool> seen(v, false);
-  std::vector<std::optional<Element>> columns;  // nothing where a part is none any more
+  std::vector<std::optional<Element>> columns;  // nullopt for a part that no longer exists
   for (std::size_t i = 1; i < header->size(); ++i) {
     const Field& field = (*header)[i];
     columns.push_back(finder.some_gone({&field, 1}, reader, gone)
@@ -86,7 +86,7 @@ std::vector<Amount> read_change_costs(Input& input, const std::vector<std::strin
                                                  shown(names[in])));
         }
       } else if (!slot_of.empty() && slot_of[in] != slot_of[out]) {
-        continue;  // neither takes the place of the other
+        continue;  // they are in different slots, so neither replaces the other
       } else if (!given) {
         reader.fail(i + 1 < row->size() ? (*row)[i + 1] : row->back(),
                     fmt::format("no cost of putting in {} where {} was taken out; give one",

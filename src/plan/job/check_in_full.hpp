@@ -1,5 +1,5 @@
-// The check of a job that a search makes once more: one that is to stop still has an answer to a
-// job that is right.
+// Checks a job within a search, ignoring requests to stop: a stopped search still has an answer for
+// a correct job.
 #pragma once
 
 #include "changeover/plan/job.hpp"
@@ -7,7 +7,7 @@
 
 namespace changeover {
 
-/// check(), whatever limits this thread listens to. @throws BadInput as check() does.
+/// Like check(), but without the limits of this thread. @throws BadInput as check() does.
 inline void check_in_full(const Job& job) {
   RunControl no_limit({});
   const RunScope scope(no_limit);

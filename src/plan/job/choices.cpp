@@ -119,8 +119,7 @@ std::optional<Block> ChoiceSolver::solve(std::span<const Element> liked) {
 
 namespace {
 
-/// Set-ups that have many pairs which those before had not: of a few values of each parameter, the
-/// one with most.
+/// Generates set-ups with many new pairs: of a few values of each parameter, the one with most.
 class NewRows {
  public:
   NewRows(const Job& job, const PairSet& seen) : seen_(&seen), values_(job.slots.size()) {

@@ -1,8 +1,8 @@
-// Jobs of a model (plan/model.hpp): every set-up has one value of each parameter, and follows rules
-// of any size. Which values can be together is decided by SAT.
+// Jobs of a model (plan/model.hpp): every set-up has one value of each parameter and follows all
+// rules. A SAT solver decides which values can be together.
 //
 //     ChoiceSolver solver(job);
-//     // A set-up with both, as near to job.start as comes easily; or nothing.
+//     // A set-up with both, similar to job.start if that is easy; or nullopt.
 //     solver.completed({3, 17}, job.start);
 #pragma once
 
@@ -17,25 +17,26 @@
 
 namespace changeover {
 
-/// Which set-ups a job of a model has. The job must outlive this, unchanged.
+/// The set-ups of a job of a model. The job must outlive this, unchanged.
 class ChoiceSolver {
  public:
   explicit ChoiceSolver(const Job& job);
 
-  /// A set-up with these parts and the mounted ones, in the order of the parameters, that breaks
-  /// nothing; nothing if there is none. What is `liked` is tried first. @throws Stopped if the
-  /// scope of this thread (run/control.hpp) wants to stop.
+  /// A set-up with these parts and the mounted ones, in the order of the parameters, that breaks no
+  /// constraint; nullopt if there is none. The values of `liked` are tried first. @throws Stopped
+  /// if the scope of this thread (run/control.hpp) requests it.
   [[nodiscard]] std::optional<Block> completed(std::span<const Element> parts,
                                                std::span<const Element> liked);
-  /// The same for a set-up that tests what they have in common: if none of them is out of range,
-  /// nothing in it is.
+  /// The same for a set-up that tests these parts together: if none of them is out of range, no
+  /// value of it is.
   [[nodiscard]] std::optional<Block> testing(std::span<const Element> parts,
                                              std::span<const Element> liked);
 
   [[nodiscard]] const CompiledRules& rules() const { return rules_; }
 
  private:
-  /// The liked set-up with these parts in it if it breaks nothing; most often no solver is needed.
+  /// The `liked` set-up with these parts, if it breaks no constraint; usually this avoids calling
+  /// the solver.
   [[nodiscard]] std::optional<Block> as_liked(std::span<const Element> parts,
                                               std::span<const Element> liked, bool in_range) const;
   [[nodiscard]] std::optional<Block> solve(std::span<const Element> liked);
@@ -43,16 +44,16 @@ class ChoiceSolver {
   const Job* job_;
   CompiledRules rules_;
   IncrementalSolver solver_;
-  Literal in_range_ = 0;  // nothing is out of range
+  Literal in_range_ = 0;  // no value is out of range
   std::vector<Literal> assumed_;
   std::vector<Literal> preferred_;
 };
 
-/// cannot_meet() for jobs of a model. One call of the solver for each pair at most, and for none
-/// that a set-up found before has.
+/// cannot_meet() for jobs of a model. Calls the solver at most once per pair, and not for pairs in
+/// set-ups found before.
 [[nodiscard]] PairSet apart_in_choices(const Job& job);
 
-/// Those of the triples that can be in one set-up, likewise.
+/// Those of the triples that can be in one set-up; likewise.
 [[nodiscard]] std::vector<Triple> together_in_choices(const Job& job,
                                                       const std::vector<Triple>& triples);
 
@@ -60,12 +61,11 @@ class ChoiceSolver {
 /// the parameters.
 [[nodiscard]] std::optional<std::string> model_defect(const Job& job);
 
-/// Why there is no set-up at all, naming the first rule with which there is none; nothing if there
-/// is one.
+/// Why there is no set-up at all, naming the first rule that excludes all; nullopt if there is one.
 [[nodiscard]] std::optional<std::string> no_setup_of_model(const Job& job);
 
-/// The part of a set-up whose value is out of range: only pairs with it are tested. Nothing if
-/// there is none.
+/// The part of a set-up whose value is out of range: only its pairs are tested. Nullopt if there is
+/// none.
 [[nodiscard]] std::optional<Element> out_of_range(const Job& job, std::span<const Element> setup);
 
 }  // namespace changeover

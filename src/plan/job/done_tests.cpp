@@ -1,4 +1,4 @@
-// Tests that were done: what they leave to be tested.
+// Removes tests that were done from a job.
 #include <fmt/format.h>
 
 #include <limits>
@@ -57,7 +57,7 @@ void Meetings::add(const Job& job, const Block& setup) {
   }
 }
 
-// Only what is together with this part counts: the pairs, and the triples with it.
+// Only what is together with this part counts: its pairs and triples.
 void Meetings::add_hidden(const Block& setup, Element hiding) {
   const auto set = [&](Bits& bits, std::size_t row, Element column) {
     bits[row * words_ + column / 64] |= std::uint64_t{1} << (column % 64);

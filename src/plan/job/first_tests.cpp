@@ -1,4 +1,4 @@
-// Set-ups that must be run first.
+// Set-ups that must run first.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -68,7 +68,7 @@ std::optional<std::string> setup_defect(const Job& job, const Block& setup) {
 
 namespace {
 
-// Tests of a model may say a part of their values.
+// Tests of a model may give only some of their values.
 void complete_values(const Job& job, const std::string& name, DoneList& list) {
   ChoiceSolver solver(job);
   Block before = job.start;

@@ -11,10 +11,10 @@ using Parts = std::vector<std::vector<Element>>;
 
 constexpr std::uint64_t most_choices = 100'000;
 
-// Adds what a set lacks, slot by slot, as long as each slot still has enough parts that may join.
+// Completes a set slot by slot, as long as each slot still has enough parts that may join.
 class Completion {
  public:
-  // Of each slot the liked parts are tried first, then its members in this order.
+  // In each slot the liked parts are tried first, then its members in this order.
   Completion(const Fitting& fitting, const Parts& enemies, std::span<const Element> liked,
              const Parts& members)
       : fitting_(&fitting),
@@ -81,7 +81,7 @@ class Completion {
     return true;
   }
 
-  // What this slot lacks, from number `from` of its parts on, and what the slots after it do.
+  // Fills this slot, from number `from` of its parts on, and the slots after it.
   bool choose(std::size_t slot, std::size_t from) {
     while (slot < missing_.size() && missing_[slot] == 0) {
       ++slot;
@@ -113,8 +113,9 @@ class Completion {
   std::span<const Element> liked_;
   const Parts* members_;                // by slot
   std::vector<std::uint64_t> missing_;  // by slot
-  std::vector<std::uint64_t> free_;     // by slot: parts that may join
-  std::vector<std::uint32_t> against_;  // by part: itself and its enemies in the set-up
+  std::vector<std::uint64_t> free_;     // by slot: number of parts that may join
+  std::vector<std::uint32_t>
+      against_;  // by part: how many parts of the set-up, including itself, exclude it
   Block setup_;
   std::uint64_t choices_ = 0;
 };

@@ -1,10 +1,10 @@
-// Which sets of parts can be mounted together, and how a set that lacks parts in some slot is
-// filled up.
+// Decides which sets of parts can be mounted together, and completes a set that lacks parts in some
+// slot.
 //
 //     const Fitting fitting(job);
 //     fitting.completed({cpu, disk}, job.start);  // with a power supply too, if a set-up needs one
 //
-// This serves those who make plans. The referee (plan/run_plan.hpp) counts for itself.
+// The planners use this; run_sheet() (plan/run_plan.hpp), which checks plans, counts independently.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ class Fitting {
 
   [[nodiscard]] bool has_slots() const { return !least_.empty(); }
   [[nodiscard]] std::size_t slots() const { return least_.size(); }
-  /// The slot of a part; slots() if it has none.
+  /// The slot of a part; slots() for a part in no slot.
   [[nodiscard]] std::size_t slot(Element x) const {
     return job_->slot_of.empty() || job_->slot_of[x] == no_slot ? slots() : job_->slot_of[x];
   }
@@ -35,18 +35,19 @@ class Fitting {
     return slot < slots() ? most_[slot] : job_->room();
   }
 
-  /// The set with as few parts more as its slots need: those of `liked` first, then cheap ones.
-  /// Nothing if that cannot be, or was not found, nor by simplest(). The set must have the mounted
-  /// parts and no part twice; whether it obeys all else is found out. O(v) a choice.
+  /// Completes the set with as few further parts as its slots need: those of `liked` first, then
+  /// cheap ones. Nullopt if that is impossible, or neither this nor simplest() finds a way. The set
+  /// must have the mounted parts and no part twice; all else is checked. O(v) per choice.
   [[nodiscard]] std::optional<Block> completed(Block setup, std::span<const Element> liked) const;
 
   struct Found {
     std::optional<Block> setup;
-    bool all_tried = true;  ///< otherwise 100,000 choices were: there may be one all the same
+    bool all_tried = true;  ///< false if 100,000 choices were tried: there may still be a solution
   };
-  /// The same with the parts that come first. This depends on the slots, the forbidden pairs and
-  /// the room only, so that what is found when a job is checked is found in all that is made of it,
-  /// at other costs and when some pairs have met. Without forbidden pairs no choice is wrong.
+  /// The same with the first parts of each slot. The result depends only on the slots, the
+  /// forbidden pairs and the room. So what is found when a job is checked is also found for jobs
+  /// derived from it, with other costs or fewer needed pairs. Without forbidden pairs no choice is
+  /// wrong.
   [[nodiscard]] Found simplest(Block setup) const;
 
  private:
@@ -57,7 +58,7 @@ class Fitting {
   std::vector<std::uint64_t> least_, most_;    // by slot
   std::vector<std::vector<Element>> members_;  // by slot
   std::vector<std::vector<Element>> cheap_;    // by slot, the cheapest first
-  std::vector<std::vector<Element>> enemies_;  // by part: those that it must not meet
+  std::vector<std::vector<Element>> enemies_;  // by part: the parts that it must not meet
 };
 
 /// The mounted parts of a job and these, each once.

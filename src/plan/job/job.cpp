@@ -23,7 +23,7 @@ std::string pair_name(const Job& job, Element x, Element y) {
   return fmt::format("{} and {}", job.names[x], job.names[y]);
 }
 
-// Places that are there twice, or that hold what they cannot.
+// Places that occur twice, or that contain a part that they cannot.
 void find_malformed_places(const Job& job, std::vector<std::string>& found) {
   std::unordered_set<std::uint64_t> numbers;
   std::unordered_set<Element> parts;
@@ -48,7 +48,7 @@ void find_malformed_places(const Job& job, std::vector<std::string>& found) {
   }
 }
 
-// Malformed in a way that makes no sense of what follows.
+// Faults that make further checks meaningless.
 void find_malformed(const Job& job, std::vector<std::string>& found) {
   if (job.parts() < 2) {
     found.push_back("there are fewer than two parts; a pair needs two");
@@ -119,7 +119,7 @@ void find_malformed(const Job& job, std::vector<std::string>& found) {
   }
 }
 
-// Slots whose numbers cannot be.
+// Slots with impossible numbers.
 void find_impossible_slots(const Job& job, std::vector<std::string>& found) {
   std::uint64_t needed = job.mounted.size();
   for (std::size_t s = 0; s < job.slots.size(); ++s) {

@@ -9,7 +9,7 @@
 
 namespace changeover {
 
-/// As many pairs as there are, for PairSet::for_each().
+/// No limit, for PairSet::for_each().
 inline constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>::max();
 
 /// C(n, 2), for n below 2³².
@@ -17,7 +17,7 @@ inline constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>:
   return n < 2 ? 0 : n * (n - 1) / 2;
 }
 
-/// Puts three elements in increasing order.
+/// Sorts three elements.
 inline void sort_three(Element& x, Element& y, Element& z) {
   if (x > y) {
     std::swap(x, y);

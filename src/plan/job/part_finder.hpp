@@ -1,4 +1,4 @@
-// Parts by their names or numbers, wherever one is expected.
+// Finds parts by their names or numbers.
 #pragma once
 
 #include <fmt/format.h>
@@ -21,18 +21,18 @@
 
 namespace changeover {
 
-/// Whether a number that is no name stands for a part.
+/// Whether a number that is not a name stands for a part.
 enum class PartNumbers {
   count,  ///< it does
-  /// not if a name of a part is a number: then it would be a name that is wrong
+  /// It does not if the name of some part is a number: then it would be a wrong name.
   unless_names_are_so
 };
 
-/// How parts are called. The names, and the model, must outlive this.
+/// The names of parts. The list and the model must outlive this.
 struct PartNames {
   const std::vector<std::string>* names;
   const Model* model =
-      nullptr;  ///< its values are the parts: they have other names, too, and no numbers
+      nullptr;  ///< if set, parts are its values: they have further names, and no numbers
 
   PartNames(const std::vector<std::string>& all) : names(&all) {}
   PartNames(const Job& job) : names(&job.names), model(job.model.get()) {}
@@ -73,8 +73,7 @@ class PartFinder {
     return std::nullopt;
   }
 
-  // What stands in a cell, which says `text` if it was written by csv_cell() and not by a
-  // spreadsheet.
+  // Finds the part of a cell, which has `text` if csv_cell() wrote it and not a spreadsheet.
   [[nodiscard]] std::optional<Element> find_cell(const std::string& cell, const std::string& text,
                                                  bool names_only) const {
     if (names_only && !of_model_) {
@@ -91,7 +90,7 @@ class PartFinder {
     });
   }
 
-  /// The names of the model whose values the parts are; nothing if they are parts.
+  /// The names of the model whose values the parts are; null for other parts.
   [[nodiscard]] const ModelNames* model() const { return of_model_ ? &*of_model_ : nullptr; }
   [[nodiscard]] const std::string& name(Element part) const { return (*names_)[part]; }
   [[nodiscard]] bool is_name(const std::string& word) const { return by_name_.count(word) != 0; }
@@ -99,14 +98,14 @@ class PartFinder {
     return in_small_letters_.count(lower(word)) != 0;
   }
   [[nodiscard]] std::size_t size() const { return names_->size(); }
-  // It may be the name of a part that is none any more: no number, and none that differs in its
-  // case only.
+  // Whether it may be the name of a part that no longer exists: not a number, and no name that
+  // differs only in case.
   [[nodiscard]] bool may_be_gone(const std::string& word) const {
     return word.find_first_not_of("0123456789") != std::string::npos && !find(word) &&
            !is_name_in_any_case(word);
   }
-  // Whether one of these fields is; those that are join `gone`, each once. Nothing is gone from
-  // rows that were sent: they are no older list.
+  // Whether one of these fields is such a name; these are added to `gone`, each once. Rows that
+  // were sent are not an old list, so they have none.
   [[nodiscard]] bool some_gone(std::span<const Field> fields, const RowReader& reader,
                                std::vector<std::string>* gone) {
     if (gone == nullptr || reader.is_given()) {
@@ -124,8 +123,7 @@ class PartFinder {
     return some;
   }
 
-  // Of names that begin or end with blanks, as only quotes in a text can say, a workbook has them
-  // in full.
+  // Names that begin or end with blanks need quotes in text; in a workbook they are complete.
   void restore_blanks(Row& row) const {
     for (Field& field : row) {
       if (!field.in_full.empty() && is_name(field.in_full)) {
@@ -134,8 +132,7 @@ class PartFinder {
     }
   }
 
-  // What to say of a word that is no part: with the name that differs in its case only, if there is
-  // one.
+  // The message for an unknown part; names a part that differs only in case, if there is one.
   [[nodiscard]] std::string complaint(const std::string& word) const {
     if (of_model_) {
       return of_model_->complaint(word);
@@ -161,13 +158,14 @@ class PartFinder {
   std::unordered_set<std::string> gone_;
 };
 
-/// That for these rows: what is no file was made by a program, whose numbers may be names.
+/// The rule for these rows: rows that are not from a file come from a program, whose numbers may be
+/// names.
 [[nodiscard]] inline PartNumbers numbers_in(const RowReader& reader) {
   return reader.is_given() ? PartNumbers::unless_names_are_so : PartNumbers::count;
 }
 
-/// Parts with blanks between them and no separator ("1 2 3") come as one field; a part whose name
-/// has blanks does, too.
+/// Splits parts that are separated by blanks only ("1 2 3") and come as one field; a part name with
+/// blanks does, too.
 inline void split_at_blanks(Row& row, const PartFinder& finder, const RowReader& reader) {
   if (row.size() == 1 && (!row.front().in_quotes || reader.is_workbook()) &&
       !finder.find(row.front().text)) {
@@ -175,7 +173,7 @@ inline void split_at_blanks(Row& row, const PartFinder& finder, const RowReader&
   }
 }
 
-/// The parts of some fields, none twice; says which field is at fault. `find` takes its text.
+/// The parts of some fields, none twice; reports the field at fault. `find` is given its text.
 template <typename Find, typename Fail>
 Block find_parts(const PartFinder& finder, std::span<const Field> row, Find&& find, Fail&& fail) {
   Block parts;

@@ -11,7 +11,7 @@
 namespace changeover {
 namespace {
 
-// The same pairs of more parts.
+// The same pairs, for more parts.
 PairSet of_more_parts(const PairSet& pairs, std::uint64_t parts) {
   PairSet more(parts);
   pairs.for_each(all_of_them, [&](Element x, Element y) { more.insert(x, y); });
@@ -43,7 +43,7 @@ void add_names(Job& job, const std::vector<std::uint64_t>& quantities) {
   }
 }
 
-// What there is of a part is shared among the pieces that a set-up can have.
+// Distributes the quantity of a part over the pieces that a set-up can have.
 void share_quantities(Job& job, const std::vector<std::uint64_t>& quantities) {
   std::vector<std::uint64_t> pieces(quantities.size(), 0);
   for (const Element part : job.piece_of) {

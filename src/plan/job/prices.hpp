@@ -1,4 +1,4 @@
-// One price a part, in place of costs that depend on what is replaced.
+// One price per part, instead of costs that depend on what is replaced.
 #pragma once
 
 #include <string>
@@ -7,22 +7,22 @@
 
 namespace changeover {
 
-/// Of what putting in a part may cost: at its own change cost, or in place of any other part of its
-/// slot that does not stay mounted.
+/// Which cost to take of those for putting in a part: its own change cost, and the costs in place
+/// of any other part of its slot that does not stay mounted.
 enum class Price {
-  least,    ///< of all of them
-  mean,     ///< of those in place of another part, rounded
-  dearest,  ///< of all of them
+  least,    ///< the least of all
+  mean,     ///< the mean of those in place of another part, rounded
+  dearest,  ///< the largest of all
 };
 
-/// The same job with a price for each part, whatever it replaces; the job itself if it does not
-/// ask. No list costs less than at the least prices, and none more than at the dearest, since what
-/// stays mounted is never taken out. O(v²).
+/// The same job with one price per part, whatever it replaces; the job itself if its costs do not
+/// depend on that. A list costs at least as much as at the least prices, and at most as much as at
+/// the dearest, since parts that stay mounted are never taken out. O(v²).
 [[nodiscard]] Job at_prices(const Job& job, Price price);
 
-/// @throws BadInput for a job with replace_costs: `what` is not done for it.
+/// @throws BadInput for a job with replace_costs, since `what` does not support them.
 void refuse_replacing(const Job& job, const std::string& what);
-/// @throws BadInput for a job with triples: `what` is not done for it.
+/// @throws BadInput for a job with triples, since `what` does not support them.
 void refuse_triples(const Job& job, const std::string& what);
 
 }  // namespace changeover

@@ -20,15 +20,15 @@
 namespace changeover {
 namespace {
 
-// Which fields of the rows hold a set-up.
+// The fields of a row that hold a set-up.
 struct SetupColumns {
   std::optional<std::size_t> list;      // all parts in one field
-  std::vector<std::size_t> slots;       // a part in each; increasing
-  std::vector<std::size_t> parameters;  // of a model, by slot: whose values stand there
+  std::vector<std::size_t> slots;       // one part in each; increasing
+  std::vector<std::size_t> parameters;  // for a model, by slot: the fields with its values
   std::optional<std::size_t> result;
   std::optional<std::size_t> notes;
   std::optional<std::size_t> bench;
-  bool header = false;  // the first row is one
+  bool header = false;  // the first row is a header
 };
 
 // The place of "slot_7", or of "slot_7 CPU".
@@ -48,8 +48,8 @@ std::optional<DonePlace> place_in(std::string_view head) {
   return place;
 }
 
-// The parameter that a column is headed by, as sheets write it: "slot_3 cost" if its name alone
-// would be that of another column.
+// The parameter of a column, with the heading that sheets give it: "slot_3 cost" if another column
+// has its name.
 struct HeadedParameter {
   std::size_t parameter = 0;
   bool by_slot = false;
@@ -66,7 +66,7 @@ std::optional<HeadedParameter> headed_parameter(const ModelNames& model, const s
   return found ? std::optional(HeadedParameter{*found, false}) : std::nullopt;
 }
 
-// A first row that names parameters of a model, and not as many values.
+// A first row that has more names of parameters than values.
 SetupColumns parameter_columns(const Row& first, const PartFinder& finder) {
   struct Column {
     std::size_t at = 0;
@@ -109,7 +109,7 @@ SetupColumns parameter_columns(const Row& first, const PartFinder& finder) {
 }
 
 // A first row with such words is the header of a sheet, unless they are names of parts; then only
-// if it is one beyond doubt.
+// if it is certainly a header.
 SetupColumns setup_columns(const Row& first, const PartFinder& finder, bool is_given) {
   if (finder.model() != nullptr && !is_given) {
     SetupColumns columns = parameter_columns(first, finder);
@@ -145,7 +145,7 @@ SetupColumns setup_columns(const Row& first, const PartFinder& finder, bool is_g
   return columns;
 }
 
-// Where the parts of a row stand: a parameter is the place of its values.
+// The places of a row: for a model, each parameter is a place.
 std::vector<DonePlace> places_of(const SetupColumns& columns, const Row& header,
                                  const PartFinder& finder) {
   std::vector<DonePlace> places;
@@ -160,7 +160,7 @@ std::vector<DonePlace> places_of(const SetupColumns& columns, const Row& header,
   return places;
 }
 
-// Nothing can be told of two columns of one name.
+// Two columns with the same name cannot be told apart.
 void check_header(const Row& header, const RowReader& reader) {
   std::set<std::string> seen;
   for (const Field& field : header) {
@@ -171,8 +171,8 @@ void check_header(const Row& header, const RowReader& reader) {
   }
 }
 
-// A row under a header: not the header again, nor cut off before its last part, nor with more than
-// was headed.
+// Checks a row below a header: not the header again, not cut off before its last part, and no more
+// fields than the header.
 void check_shape(const Row& row, const Row& header, const SetupColumns& columns,
                  const RowReader& reader) {
   const auto same = [](const Field& a, const Field& b) { return a.text == b.text; };
@@ -183,7 +183,8 @@ void check_shape(const Row& row, const Row& header, const SetupColumns& columns,
     reader.fail(row.back(), "the row ends before its last slot; it is cut off, complete it");
   }
   for (std::size_t i = header.size(); i < row.size(); ++i) {
-    if (!row[i].text.empty() && !reader.is_workbook()) {  // there it is a note beside the table
+    if (!row[i].text.empty() &&
+        !reader.is_workbook()) {  // in a workbook that is a note beside the table
       reader.fail(row[i],
                   fmt::format("more fields than the {} of the header; quote those with a comma",
                               header.size()));
@@ -191,8 +192,8 @@ void check_shape(const Row& row, const Row& header, const SetupColumns& columns,
   }
 }
 
-// What stands in the column of a parameter, as the part is called; what is no value of it, as it
-// would be called.
+// Replaces a value in the column of a parameter by the name of its part; an unknown value by what
+// its name would be.
 void name_value(const PartFinder& finder, std::size_t parameter, const std::string& text,
                 Field& field) {
   if (const auto part = finder.model()->value(parameter, text)) {
@@ -215,7 +216,7 @@ DoneList read_list(Input& input, const PartNames& names, std::uint64_t at_once, 
   std::unordered_set<std::string> gone;
   bool first = true;
   const auto find = [&](const std::string& word) { return finder.find(word); };
-  // A text may have the apostrophe of csv_cell(); a cell of a workbook is what it says.
+  // A text may have the apostrophe of csv_cell(); a workbook cell is taken as it is.
   const auto text_of = [&](const std::string& cell) {
     return reader.is_workbook() ? cell : std::string(csv_text(cell));
   };
@@ -256,7 +257,7 @@ DoneList read_list(Input& input, const PartNames& names, std::uint64_t at_once, 
       check_shape(row, header, columns, reader);
     }
     const std::size_t place = row.front().offset;
-    bool is_empty = false;  // of any parts, and not only of those that are still there
+    bool is_empty = false;  // without any parts, also removed ones
     list.results.emplace_back();
     list.lacks.push_back(false);
     list.lines.push_back(row.front().line);

@@ -1,5 +1,5 @@
-// What people write into the column `result`. Whatever is not sure is unread: a pass that is none
-// hides a fault.
+// Interprets the column `result`. A doubtful result is unread, because a wrong pass would hide a
+// fault.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -16,11 +16,11 @@ namespace {
 using ResultWords = std::vector<std::string>;
 
 bool is_small_letter(char c) { return c >= 'a' && c <= 'z'; }
-// U+00C0 to U+00FF without accents; × and ÷ are signs.
+// U+00C0 to U+00FF without accents; × and ÷ become blanks.
 constexpr std::string_view latin =
     "aaaaaaaceeeeiiiidnooooo ouuuuytsaaaaaaaceeeeiiiidnooooo ouuuuyty";
 
-// Small letters without accents, wide forms as usual ones, signs as words, other punctuation as
+// Lower case without accents, wide forms as normal ones, signs as words, other punctuation as
 // blanks.
 std::string folded(std::string_view text) {
   std::string result;
@@ -34,7 +34,7 @@ std::string folded(std::string_view text) {
       c -= 0xfee0;
     }
     if (within(0x300, 0x36f) || within(0xfe00, 0xfe0f)) {
-      continue;  // an accent, or a choice of shape
+      continue;  // an accent, or a variation selector
     }
     if (c == 0xd7 || within(0x2190, 0x2bff) || within(0x1f300, 0x1faff)) {
       result += " " + std::string(bytes) + " ";
@@ -53,7 +53,7 @@ std::string folded(std::string_view text) {
   return result;
 }
 
-// Split at all but letters; initials at the beginning are one word: "n.i.O." is "nio".
+// Splits at all characters but letters; initials at the beginning are one word: "n.i.O." is "nio".
 ResultWords result_words_of(std::string_view text) {
   ResultWords words;
   bool within = false;
@@ -198,7 +198,7 @@ bool is_not_run(const std::string& word) {
   return is_one_of(word, all) || begins_with(word, beginnings);
 }
 
-// A result that is this word and nothing else.
+// The result if it is only this word.
 TestResult of_one_word(const std::string& word) {
   constexpr auto pass = std::to_array<std::string_view>(
       {"p", "yes", "good", "ja", "oui", "si", "sim", "bon", "bien", "gut", "goed", "bom", "buono"});
@@ -221,7 +221,7 @@ bool negates(const std::string& word) {
   return is_one_of(word, all);
 }
 
-// "not ok", "not run", "nicht bestanden"; "no error" may be good news or the beginning of bad ones.
+// "not ok", "not run", "nicht bestanden"; "no error" may mean success or introduce a failure.
 TestResult of_negated(const ResultWords& words) {
   constexpr auto was_run = std::to_array<std::string_view>(
       {"run",      "tested",       "done",       "executed", "performed", "started",   "applicable",
@@ -238,7 +238,7 @@ TestResult of_negated(const ResultWords& words) {
   return TestResult::unread;
 }
 
-// Whether what follows a word of success takes it back.
+// Whether the words after a success qualify it.
 bool takes_back(const ResultWords& words, std::string_view text) {
   constexpr auto hedges = std::to_array<std::string_view>(
       {"but", "until", "till", "then", "except", "aber", "bis", "dann", "ausser", "mais", "sauf",
@@ -268,7 +268,7 @@ TestResult result_of(std::string_view result) {
   }
   const std::size_t first = text.find_first_not_of(" \"'([{<*#.:;=>|/\\_");
   if (first == std::string::npos || is_digit(text[first])) {
-    return TestResult::unread;  // a measurement, a number of a fault, "0 errors"
+    return TestResult::unread;  // a measurement, the number of a fault, "0 errors"
   }
   ResultWords words = result_words_of(text);
   if (words.size() > 1 && (words.front() == "did" || words.front() == "does")) {

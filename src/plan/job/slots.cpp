@@ -1,4 +1,4 @@
-// Slots: which there are, how many parts of each a set-up has, and what that forbids.
+// Slots and their limits, and which pairs they exclude.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> range_of(std::string_view
                                                         : std::nullopt;
 }
 
-// Which columns of a list of slots say what.
+// The columns of a list of slots.
 struct SlotTable {
   bool header = false;
   std::optional<std::size_t> name = 0;
@@ -54,7 +54,7 @@ struct SlotTable {
   std::optional<std::size_t> exactly = {};
 };
 
-// A header has no numbers, but a word for how many parts a slot has; other columns say nothing.
+// A header has no numbers, but a word for a limit; other columns are ignored.
 SlotTable slot_table(const Row& first, const RowReader& reader) {
   const auto find = [&](auto&& heads) -> std::optional<std::size_t> {
     for (std::size_t i = 0; i < first.size(); ++i) {

@@ -26,7 +26,7 @@ bool may_meet(const Job& job, const Fitting& fitting, const Triple& triple) {
          (!fitting.has_slots() || fitting.simplest(std::move(setup)).setup.has_value());
 }
 
-// No two of them belong to one parameter, and at most one is out of range.
+// Whether the parts belong to three parameters and at most one is out of range.
 bool is_of_three_parameters(const Job& job, const Triple& t) {
   const bool different = job.slot_of[t[0]] != job.slot_of[t[1]] &&
                          job.slot_of[t[0]] != job.slot_of[t[2]] &&

@@ -59,10 +59,10 @@ CompiledRules::CompiledRules(const Model& model)
   }
 }
 
-// Of at most two parameters: each case that does not hold is out.
+// For at most two parameters: every case that does not hold is excluded.
 void CompiledRules::forbid_cases(const RuleCondition& condition) {
   const std::vector<std::size_t>& parameters = condition.parameters;
-  if (parameters.empty()) {  // never
+  if (parameters.empty()) {  // it can never hold
     if (!holds(condition, {})) {
       banned_.assign(banned_.size(), true);
     }
@@ -171,7 +171,7 @@ void CompiledRules::add_to(Cnf& cnf) const {
   }
 }
 
-// Adds literals, one of which holds if the condition does, and only then.
+// Adds literals of which one holds if and only if the condition does.
 void CompiledRules::literals_of(const RuleCondition& condition, Cnf& cnf,
                                 std::vector<Literal>& clause) const {
   const auto literal = [this](std::size_t parameter, std::size_t i) {
@@ -232,7 +232,7 @@ void CompiledRules::literals_of(const RuleCondition& condition, Cnf& cnf,
   }
 }
 
-// Each case that does not hold is out; with a literal, unless that holds.
+// Excludes every case that does not hold; with a literal, only if that does not hold.
 void CompiledRules::add_cases(const RuleCondition& condition, Literal unless, Cnf& cnf) const {
   std::vector<Literal> clause;
   for (std::size_t i = 0; i < condition.values.size(); ++i) {

@@ -1,8 +1,8 @@
-// The rules of a model as those who make tests need them: which value may come into a test, and as
-// a formula. What comes of it is judged by follow_rules.cpp, which reads the rules as they stand.
+// The rules of a model for generating tests: which value may be in a test, and the rules as a
+// formula. The tests are judged by follow_rules.cpp, which evaluates the original rules.
 //
-// Conditions of one or two parameters become values and pairs that are out; the others are looked
-// at one by one.
+// Conditions on one or two parameters are converted to excluded values and pairs; the others are
+// evaluated one by one.
 //
 //     const CompiledRules rules(model);
 //     rules.apart(x, y);              // no test has both, by a rule of two parameters
@@ -26,18 +26,17 @@ class CompiledRules {
   explicit CompiledRules(const Model& model);
 
   [[nodiscard]] std::size_t values() const { return banned_.size(); }
-  /// A value that is in no test.
+  /// Whether the value is in no test.
   [[nodiscard]] bool banned(Element x) const { return banned_[x]; }
-  /// Two values of different parameters that one rule, or that both are out of range, keeps apart.
+  /// Whether a rule, or being out of range both, excludes two values of different parameters.
   [[nodiscard]] bool apart(Element x, Element y) const { return apart_[x * values() + y]; }
   [[nodiscard]] bool any_apart() const { return any_apart_; }
-  /// Whether a row, one value a parameter, that has x as its value of a parameter follows the rules
-  /// of three parameters and more with this one.
+  /// Whether a row, one value per parameter, with x as its value of `parameter`, follows the rules
+  /// on this parameter and at least two others.
   [[nodiscard]] bool allows(std::span<const Element> row, std::size_t parameter, Element x) const;
 
-  /// One value of each parameter, and the rules. The formula has no variables yet, and has those of
-  /// the values first.
-  /// @throws MissingResource if it grows beyond all measure.
+  /// Adds "one value of each parameter" and the rules. The formula must be empty; its first
+  /// variables become the values. @throws MissingResource if it becomes too large.
   void add_to(Cnf& cnf) const;
 
  private:
@@ -46,12 +45,12 @@ class CompiledRules {
   void literals_of(const RuleCondition& condition, Cnf& cnf, std::vector<Literal>& clause) const;
   void add_cases(const RuleCondition& condition, Literal unless, Cnf& cnf) const;
 
-  std::vector<Element> first_;  // by parameter, and one more
+  std::vector<Element> first_;  // by parameter, and the end
   std::vector<bool> banned_;    // by value
-  std::vector<bool> apart_;     // by two values
+  std::vector<bool> apart_;     // by pair of values
   bool any_apart_ = false;
-  std::vector<RuleCondition> conditions_;         // of three parameters and more
-  std::vector<std::vector<std::uint32_t>> with_;  // by parameter: those of them that have it
+  std::vector<RuleCondition> conditions_;         // on three parameters or more
+  std::vector<std::vector<std::uint32_t>> with_;  // by parameter: those of them that contain it
 };
 
 }  // namespace changeover

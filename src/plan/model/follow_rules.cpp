@@ -1,6 +1,6 @@
-// Whether a test follows the rules of a model, read as they stand with the values of the test. What
-// makes tests has rules of its own (compiled_rules.hpp) and shares nothing with this but the words
-// of a model.
+// Checks whether a test follows the original rules of a model. The generator of tests has its own
+// form of the rules (compiled_rules.hpp) and shares no code with this, except for reading words of
+// a model.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ unsigned char without_case(char c) {
   return static_cast<unsigned char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
 }
 
-// The length of the character of UTF-8 at the front.
+// The length of the first UTF-8 character.
 std::size_t character(std::string_view text) {
   std::size_t length = 1;
   while (length < text.size() && (static_cast<unsigned char>(text[length]) & 0xc0U) == 0x80U) {
@@ -32,7 +32,7 @@ bool same_character(std::string_view a, std::string_view b) {
          (a == b || (a.size() == 1 && without_case(a[0]) == without_case(b[0])));
 }
 
-// '*' is any text, '?' any character. O(text · pattern).
+// '*' matches any text, '?' any character. O(text · pattern).
 bool matches_pattern(std::string_view text, std::string_view pattern) {
   std::size_t t = 0;
   std::size_t p = 0;
@@ -121,7 +121,7 @@ class Referee {
                                                   !model_.parameters.at(term.parameter).numeric);
   }
 
-  // What has no value, as 1/0, is in no relation to anything.
+  // An expression without a value, such as 1/0, has no relation to anything.
   [[nodiscard]] bool compared(Relation relation, const ModelTerm& a, const ModelTerm& b) const {
     if (is_text(a) && is_text(b)) {
       return has_order(relation, order_of_texts(text(a), text(b)));
@@ -163,7 +163,7 @@ class Referee {
       case ModelTerm::Kind::product:
         value = *a * *b;
         break;
-      case ModelTerm::Kind::quotient:  // of whole numbers it is a whole number
+      case ModelTerm::Kind::quotient:  // of whole numbers, rounded to a whole number
         value = *a / *b;
         value = *a == std::trunc(*a) && *b == std::trunc(*b) ? std::trunc(value) : value;
         break;

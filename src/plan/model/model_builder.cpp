@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t longest_model_name = 255;
 constexpr std::size_t most_notes = 10;
 
-// Two labels that look alike are one to a reader.
+// Two labels that look alike count as the same.
 std::string look_of(std::string_view label) { return in_capitals(visible(label)); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A model in work: what its readers share.
+// Builds a model; shared by its readers.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace changeover {
 /// A text with a name, and the places in it.
 class ModelText {
  public:
-  /// @throws BadInput for what is no plain text.
+  /// @throws BadInput for a text that is not plain text.
   ModelText(std::string text, std::string name);
 
   [[nodiscard]] std::string_view text() const { return text_; }
@@ -24,7 +24,7 @@ class ModelText {
   [[nodiscard]] std::size_t at(std::string_view part) const {
     return static_cast<std::size_t>(part.data() - text_.data());
   }
-  /// The line of this offset; offsets that rise cost nothing twice.
+  /// The line of an offset; fast for increasing offsets.
   [[nodiscard]] std::uint64_t line(std::size_t offset);
   [[nodiscard]] std::string place(std::size_t offset) const;
   [[noreturn]] void refuse(std::size_t offset, std::string_view what) const;
@@ -36,12 +36,12 @@ class ModelText {
   std::uint64_t line_ = 1;
 };
 
-/// Adds parameters, values and conditions, and refuses those that are none.
+/// Adds parameters, values and conditions, and refuses malformed ones.
 class ModelBuilder {
  public:
   explicit ModelBuilder(ModelText& text) : text_(text) { model_.name = text.name(); }
 
-  /// The number of the parameter of this name, in any case.
+  /// The number of the parameter with this name, in any case.
   [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
   /// The same. @throws BadInput if there is none.
   [[nodiscard]] std::size_t parameter(std::string_view name, std::size_t at) const;
@@ -50,20 +50,20 @@ class ModelBuilder {
   }
   [[nodiscard]] std::size_t size() const { return model_.parameters.size(); }
 
-  /// Its values are texts in rules, also if all of them are numbers, where that is said.
+  /// Adds a parameter. With `of_texts`, rules treat its values as texts, even if all are numbers.
   void add_parameter(std::string_view name, std::size_t at, bool of_texts = false);
-  /// A value of the last parameter.
+  /// Adds a value to the last parameter.
   void add_value(std::vector<std::string> names, bool negative, std::size_t at);
-  /// Those of another one.
+  /// Adds the values of another parameter.
   void add_values_of(std::size_t parameter, std::size_t at);
-  /// No parameter comes any more. @throws BadInput if there are too few.
+  /// Ends the parameters. @throws BadInput if there are too few.
   void finish_parameters();
 
   void add_relation(ModelRelation relation) { model_.relations.push_back(std::move(relation)); }
   void add_constraint(ModelRule rule, std::size_t begin, std::size_t end);
   /// Counts conditions of rules. @throws BadInput beyond max_model_conditions.
   void count_condition(std::size_t at, std::size_t conditions = 1);
-  /// A line that says where it comes from; more than a few are counted only.
+  /// Adds a note with its line; beyond a few, notes are only counted.
   void note(std::size_t at, const std::string& what);
   void note(std::string line) { model_.notes.push_back(std::move(line)); }
 
@@ -80,14 +80,14 @@ class ModelBuilder {
   std::size_t more_notes_ = 0;
 };
 
-/// The languages. @throws BadInput with a place.
+/// Reads a model. @throws BadInput with a place.
 [[nodiscard]] Model read_pict_model(ModelText& text);
 [[nodiscard]] Model read_acts_model(ModelText& text);
 
-/// Reads rules as PICT has them from this offset on. @throws BadInput with a place.
+/// Reads the rules of PICT from this offset on. @throws BadInput with a place.
 void read_pict_rules(ModelBuilder& model, std::size_t offset);
 
-/// One rule of any or all, without rules of the same kind right within it.
+/// A rule that combines two by `any` or `all`, and merges nested rules of the same kind.
 [[nodiscard]] ModelRule joined_rule(ModelRule::Kind kind, ModelRule a, ModelRule b);
 [[nodiscard]] ModelRule negated_rule(ModelRule rule);
 

@@ -1,4 +1,4 @@
-// What setting values of a model costs.
+// Reads the costs of setting values of a model.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ class ValueCosts {
       is_table(*parameter) ? read_table(*parameter) : read_row(*parameter);
     }
     for (const Replaced& each : replaced_) {
-      if (each.row < given_by_[each.in]) {  // A later row says what setting the value costs.
+      if (each.row < given_by_[each.in]) {  // a later row gives the cost of the value
         continue;
       }
       if (job_.replace_costs.empty()) {
@@ -64,7 +64,7 @@ class ValueCosts {
     std::size_t row;
   };
 
-  // A first row of words: "parameter,value,cost".
+  // Whether the first row is a header, "parameter,value,cost".
   [[nodiscard]] bool heads() const {
     const Row& row = rows_.front();
     return same_word(row.front().text, "parameter") && !names_.parameter(row.front().text) &&
@@ -123,7 +123,7 @@ class ValueCosts {
     }
   }
 
-  // "OS,12.50", "OS,Debian,12.50", "OS,Debian,Fedora,4".
+  // Rows such as "OS,12.50", "OS,Debian,12.50", "OS,Debian,Fedora,4".
   void read_row(std::size_t parameter) {
     const Row& row = rows_[at_];
     switch (width(row)) {
@@ -190,7 +190,7 @@ class ValueCosts {
     }
   }
 
-  // What is not said costs what the value costs anyway.
+  // The default for replacing a value is the cost of setting the new one.
   void start_replacing() {
     const std::size_t v = job_.names.size();
     job_.replace_costs.resize(v * v);
@@ -208,7 +208,7 @@ class ValueCosts {
   std::vector<Row> rows_;
   std::vector<Replaced> replaced_;
   std::vector<bool> given_;            // by part
-  std::vector<std::size_t> given_by_;  // by part: the last row that said so
+  std::vector<std::size_t> given_by_;  // by part: the last row that gave a cost
   std::size_t at_ = 0;
 };
 

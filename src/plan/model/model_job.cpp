@@ -1,4 +1,4 @@
-// A model as a job.
+// Converts a model to a job.
 #include <fmt/format.h>
 
 #include <map>
@@ -19,7 +19,7 @@ std::string qualified(const ModelParameter& parameter, const ModelValue& value) 
   return fmt::format("{}: {}", parameter.name, value.label);
 }
 
-// Values are called by their labels; where several look the same, by their parameters as well.
+// Values are named by their labels; if several look the same, by their parameters, too.
 std::vector<std::string> part_names(const Model& model) {
   std::map<std::string, std::size_t> uses;
   for (const ModelParameter& parameter : model.parameters) {

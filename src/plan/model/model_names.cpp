@@ -12,7 +12,7 @@ ModelNames::ModelNames(const Model& model) : model_(&model), values_(model.param
   for (std::size_t p = 0; p < model.parameters.size(); ++p) {
     const ModelParameter& parameter = model.parameters[p];
     parameters_.emplace(in_capitals(parameter.name), p);
-    // Labels first: they tell values apart.
+    // Labels first, since they identify values.
     for (std::size_t i = 0; i < parameter.values.size(); ++i) {
       values_[p].emplace(in_capitals(parameter.values[i].label),
                          parameter.first + static_cast<Element>(i));

@@ -1,4 +1,4 @@
-// Parameters and values by what people write.
+// Finds parameters and values by the names that people write.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace changeover {
 
-/// Upper and lower case of A to Z are the same. The model must outlive this.
+/// The case of A to Z is ignored. The model must outlive this.
 class ModelNames {
  public:
   explicit ModelNames(const Model& model);
@@ -20,9 +20,9 @@ class ModelNames {
   [[nodiscard]] std::optional<std::size_t> parameter(std::string_view name) const;
   /// A value of this parameter by its label or any of its names, with or without ~.
   [[nodiscard]] std::optional<Element> value(std::size_t parameter, std::string_view name) const;
-  /// "OS: Debian" or "OS=Debian", or "Debian" if one parameter only has a value that is called so.
+  /// "OS: Debian" or "OS=Debian", or "Debian" if only one parameter has such a value.
   [[nodiscard]] std::optional<Element> part(std::string_view word) const;
-  /// Why part() finds nothing.
+  /// The message for a word that part() does not find.
   [[nodiscard]] std::string complaint(std::string_view word) const;
 
  private:

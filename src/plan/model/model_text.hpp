@@ -1,4 +1,4 @@
-// Words of models: what their readers and all that compares values share.
+// Words of models, shared by their readers and by all code that compares values.
 #pragma once
 
 #include <optional>
@@ -7,17 +7,16 @@
 
 namespace changeover {
 
-/// Without blanks, tabs and line ends around it.
+/// The text without surrounding blanks, tabs and line ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-/// With A to Z for a to z.
+/// The text with a to z replaced by A to Z.
 [[nodiscard]] std::string in_capitals(std::string_view text);
 
-/// Equal but for upper and lower case of A to Z.
+/// Whether the words are equal, ignoring the case of A to Z.
 [[nodiscard]] bool same_word(std::string_view a, std::string_view b);
 
-/// The number that a text is: decimal, perhaps with a sign, a point and an exponent, or hexadecimal
-/// after 0x.
+/// Parses a number: decimal, with an optional sign, point and exponent, or hexadecimal after 0x.
 [[nodiscard]] std::optional<double> number_in(std::string_view text);
 
 }  // namespace changeover

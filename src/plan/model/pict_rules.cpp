@@ -1,4 +1,4 @@
-// The rules of a model as PICT has them.
+// Reads the rules of PICT.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ class PictRules {
     return token_.what == What::end ? "the end" : shown(token_.text);
   }
 
-  // Blanks and lines that begin with #.
+  // Skips blanks and lines that begin with #.
   void skip() {
     bool line_begins = at_ == 0 || whole_[at_ - 1] == '\n';
     while (at_ < whole_.size()) {
@@ -63,7 +63,7 @@ class PictRules {
     }
   }
 
-  // What stands up to the sign that closes it; a backslash takes the meaning from \, " and ].
+  // The text up to the closing sign; a backslash escapes \, " and ].
   std::string up_to(char close, const std::string& how) {
     const std::size_t open = at_;
     std::string text;
@@ -149,7 +149,7 @@ class PictRules {
     if (!take_word("else")) {
       return then;
     }
-    count(in_condition);  // It stands there twice.
+    count(in_condition);  // it occurs twice
     return joined_rule(ModelRule::Kind::all, std::move(then),
                        joined_rule(ModelRule::Kind::any, std::move(condition), read_any()));
   }
@@ -191,7 +191,7 @@ class PictRules {
     return rule;
   }
 
-  // IsNegative(), IsNegative(P), and the same with IsPositive.
+  // IsNegative(), IsNegative(P), and likewise IsPositive.
   ModelRule read_range() {
     const bool positive = is_word("ispositive");
     next();
@@ -316,7 +316,7 @@ class PictRules {
       refuse(fmt::format("all values of {} are numbers; write a number without quotes",
                          shown(of.name)));
     }
-    // A word that no value has is often misspelt.
+    // A word that is no value is often misspelt.
     const bool known = std::ranges::any_of(of.values, [&](const ModelValue& value) {
       return of.numeric ? *value.number == constant.number
                         : same_word(value.names.front(), constant.text);
@@ -339,7 +339,7 @@ class PictRules {
   std::size_t at_;
   PictToken token_;
   unsigned depth_ = 0;
-  std::size_t counted_ = 0;  // conditions of this rule
+  std::size_t counted_ = 0;  // in this rule
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A model as ACTS has it: sections, and in them one parameter, relation or rule per line.
+// Reads a model of ACTS: sections with one parameter, relation or rule per line.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct ActsToken {
   std::size_t at = 0;
 };
 
-// What an expression is: a condition, or something to compare.
+// The value of an expression: a condition, or an operand.
 struct ActsValue {
   std::optional<ModelRule> rule = {};
   ModelTerm term = {};
@@ -92,7 +92,7 @@ class ActsRule {
     at_ += token_.text.size();
   }
 
-  // The longest beginning that is a parameter, if another one follows a minus.
+  // The longest prefix that is a parameter, if another one follows a minus.
   [[nodiscard]] std::size_t cut_at_minus(std::string_view name) const {
     for (std::size_t at = name.rfind('-'); at != std::string_view::npos && at > 0;
          at = name.rfind('-', at - 1)) {
@@ -121,7 +121,7 @@ class ActsRule {
     return term.kind == ModelTerm::Kind::text && (is_true(term.text) || is_false(term.text));
   }
 
-  // A condition that something is: a parameter of true and false, or one of these words.
+  // Converts an operand to a condition: a boolean parameter, or the word true or false.
   ModelRule as_rule(ActsValue value) {
     if (value.rule) {
       return std::move(*value.rule);
@@ -196,7 +196,7 @@ class ActsRule {
       ModelRule a = as_rule(std::move(left));
       ModelRule b = as_rule(std::move(right));
       model_.count_condition(token_.at,
-                             conditions_in(a) + conditions_in(b));  // They stand there twice.
+                             conditions_in(a) + conditions_in(b));  // both conditions occur twice
       ModelRule both = joined_rule(Kind::all, a, b);
       ModelRule none =
           joined_rule(Kind::all, negated_rule(std::move(a)), negated_rule(std::move(b)));
@@ -210,7 +210,7 @@ class ActsRule {
       if (!could_be) {
         text_.refuse(left.at, "a number and a text cannot be compared; compare each with a value");
       }
-      // A constant is what it is compared with.
+      // A constant takes the type of the other side.
       ModelTerm& constant = is_constant(right.term) ? right.term : left.term;
       if (constant.kind == ModelTerm::Kind::text) {
         const auto number = number_in(constant.text);
@@ -239,7 +239,7 @@ class ActsRule {
     return all;
   }
 
-  // A number as it was written.
+  // A number as written.
   [[nodiscard]] std::string written_of(const ModelTerm& constant, std::size_t at) const {
     const std::string_view rest = text_.text().substr(at);
     const std::string_view word = rest.substr(0, rest.find_first_of(" \t\r\n()=!<>&|*/%,\""));
@@ -442,7 +442,7 @@ class ActsReader {
     }
   }
 
-  // "OS (enum) : Debian, Windows".
+  // Lines such as "OS (enum) : Debian, Windows".
   void take_parameter(std::string_view line) {
     const std::size_t at = text_.at(line);
     const std::size_t colon = line.find(':');
@@ -487,7 +487,7 @@ class ActsReader {
     }
   }
 
-  // "R1 : (OS, Browser, 2)".
+  // Lines such as "R1 : (OS, Browser, 2)".
   void take_relation(std::string_view line) {
     const std::size_t at = text_.at(line);
     const std::size_t open = line.find('(');

@@ -1,4 +1,4 @@
-// The parameters of a model as PICT has them.
+// Reads the parameters of a PICT model.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,8 +29,8 @@ bool has_word(std::string_view line, std::string_view word) {
   return in_capitals(line).find(word) != std::string::npos;
 }
 
-// A line that rules begin with: "IF [", "[P] =", "(", "NOT (", "IsNegative(". A parameter may be
-// called If, too.
+// Whether a line begins the rules: "IF [", "[P] =", "(", "NOT (", "IsNegative(". A parameter may
+// also be named If.
 bool begins_rules(std::string_view line) {
   if (line.front() == '[' || line.front() == '(') {
     return true;
@@ -136,7 +136,7 @@ class PictReader {
     model_.add_value(std::move(names), negative, at);
   }
 
-  // "NTFS (10)": the weight goes.
+  // Removes a weight: "NTFS (10)".
   std::string_view without_weight(std::string_view value) {
     const std::size_t open = value.rfind('(');
     if (!value.ends_with(')') || open == std::string_view::npos) {
@@ -163,7 +163,7 @@ class PictReader {
     return strength;
   }
 
-  // "{ OS, Browser } @ 2".
+  // Lines such as "{ OS, Browser } @ 2".
   void take_sub_model(std::string_view line) {
     const std::size_t at = text_.at(line);
     const std::size_t close = line.find('}');

@@ -16,7 +16,7 @@
 namespace changeover {
 namespace {
 
-constexpr std::size_t most_cases = 2'000'000;  // of arithmetic
+constexpr std::size_t most_cases = 2'000'000;  // for arithmetic
 
 bool is_like(const char* text, const char* pattern) {
   const auto rest = [](const char* at) {
@@ -25,7 +25,7 @@ bool is_like(const char* text, const char* pattern) {
     } while ((static_cast<unsigned char>(*at) & 0xc0U) == 0x80U);
     return at;
   };
-  // Where the last star was, and what it has to take more.
+  // The last star, and the text that it matches next.
   const char* star = nullptr;
   const char* taken = nullptr;
   while (*text != '\0') {
@@ -85,7 +85,7 @@ class RuleCompiler {
     }
   }
 
-  // NOT goes down to the comparisons.
+  // NOT is moved down to the comparisons.
   Condition compiled(const ModelConstraint& constraint) {
     line_ = constraint.line;
     return simpler(condition(constraint.rule, false));
@@ -160,7 +160,7 @@ class RuleCompiler {
 
   Condition comparison(ModelRule::Relation relation, const ModelTerm& a, const ModelTerm& b,
                        bool negated) {
-    if (is_words(a) != is_words(b)) {  // a number and a text: in no relation
+    if (is_words(a) != is_words(b)) {  // a number and a text: no relation holds
       return {.what = negated ? What::all : What::any};
     }
     const bool left = a.kind == ModelTerm::Kind::parameter;
@@ -219,7 +219,7 @@ class RuleCompiler {
     }
   }
 
-  // Arithmetic: all cases are tried.
+  // Arithmetic: evaluates all cases.
   Condition of_cases(ModelRule::Relation relation, const ModelTerm& a, const ModelTerm& b,
                      bool negated) {
     Condition some{.what = What::some};
@@ -263,7 +263,7 @@ class RuleCompiler {
     return some;
   }
 
-  // Not a number where there is none.
+  // NaN where there is no number.
   static double computed(const ModelTerm& term, const std::vector<double>& number) {
     if (term.kind == ModelTerm::Kind::number) {
       return term.number;
@@ -294,12 +294,12 @@ class RuleCompiler {
     return condition.of.empty() && condition.what == (value ? What::all : What::any);
   }
 
-  // Without what is always true or false, and with one table a parameter.
+  // Removes parts that are always true or false, and merges tables of the same parameter.
   static Condition simpler(Condition condition) {
     if (condition.what != What::all && condition.what != What::any) {
       return condition;
     }
-    const bool decides = condition.what == What::any;  // a part that is so makes the whole so
+    const bool decides = condition.what == What::any;  // a part that is so decides the whole
     Condition joined{.what = condition.what};
     std::map<std::size_t, std::size_t> tables;  // by parameter
     const auto add = [&](Condition part) {
@@ -339,7 +339,7 @@ class RuleCompiler {
   }
 
   const Model& model_;
-  std::vector<std::string> names_;  // by value: what is compared
+  std::vector<std::string> names_;  // by value: the text that is compared
   std::map<std::tuple<std::size_t, std::size_t, ModelRule::Relation, bool>,
            std::shared_ptr<const RuleTable>>
       tables_;

@@ -1,5 +1,5 @@
-// The rules of a model as conditions without NOT, of tables: which values, or pairs of values, make
-// a comparison true.
+// Converts the rules of a model to conditions without NOT, made of tables: the values, or pairs of
+// values, that make a comparison true.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace changeover {
 
-/// Which pairs of values of two parameters make a comparison true: by the first value and the
-/// second.
+/// The pairs of values of two parameters that make a comparison true: by the first value, then by
+/// the second.
 struct RuleTable {
   std::size_t width = 0;
   std::vector<bool> holds;
@@ -21,18 +21,19 @@ struct RuleCondition {
   enum class What { all, any, one, two, some };
   What what = What::all;
   std::vector<RuleCondition> of = {};
-  /// Of one, two and some: those of the table; of a whole rule: all, increasing.
+  /// For kinds one, two and some: the parameters of the table; for a whole rule: all, increasing.
   std::vector<std::size_t> parameters = {};
-  /// Of one: which values make it true; of some: which cases do, the last parameter first.
+  /// For kind one: the values that make it true; for some: the cases that do, with the last
+  /// parameter varying first.
   std::vector<bool> values = {};
-  std::shared_ptr<const RuleTable> table = {};  ///< of two
+  std::shared_ptr<const RuleTable> table = {};  ///< for kind two
 };
 
-/// The parameters that a condition is about, increasing.
+/// The parameters of a condition, increasing.
 [[nodiscard]] std::vector<std::size_t> parameters_of(const RuleCondition& condition);
 
 /// A condition for each rule. @throws BadInput for a rule whose arithmetic has too many cases;
-/// Stopped if the scope of this thread wants to stop. O(conditions · values of their parameters).
+/// Stopped if the scope of this thread requests it. O(conditions · values of their parameters).
 [[nodiscard]] std::vector<RuleCondition> conditions_of(const Model& model);
 
 }  // namespace changeover

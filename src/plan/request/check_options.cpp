@@ -1,4 +1,4 @@
-// What two keys cannot mean together, and what is out of range.
+// Checks ranges and combinations of keys.
 #include <fmt/format.h>
 
 #include <utility>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t strength_of_triples = 3;
 
-// What the objective and a model ask of costs.
+// Costs that the objective and a model require.
 void check_objective(const JobRequest& request, const Question& question) {
   const bool of_model = request.model.is_given();
   if (of_model ? request.objective == "makespan" : request.objective == "tests") {

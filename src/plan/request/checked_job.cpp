@@ -1,4 +1,4 @@
-// From a request to a job.
+// Converts a request to a job.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,11 +27,11 @@
 namespace changeover {
 namespace {
 
-constexpr std::uint64_t triples = 3;  // the strength that asks for them
+constexpr std::uint64_t triples = 3;  // the strength at which triples must meet
 
 }  // namespace
 
-// Makes a checked job step by step.
+// Builds a checked job step by step.
 class JobMaker {
  public:
   JobMaker(const JobRequest& request, Door door) : question_(request, door) {}
@@ -62,8 +62,8 @@ class JobMaker {
  private:
   [[nodiscard]] bool has_benches() const { return question_->benches.is_given(); }
 
-  // A list that may be older than the parts list: names that are no parts are left out, with a
-  // note. It names parts that broke, too.
+  // Reads a list that may be older than the parts list: unknown names are left out, with a note.
+  // Parts that broke may be named, too.
   template <typename Read>
   auto read_old(Input& input, Read&& read) {
     std::vector<std::string> gone;
@@ -74,7 +74,7 @@ class JobMaker {
     return found;
   }
 
-  // A model is no list, and knows its values by more than one name.
+  // A model is not a list, and knows its values by several names.
   [[nodiscard]] Block named(std::string_view key, const std::vector<std::string>& words) const {
     return left_(question_.value_of(key, [&] {
       return job_.model != nullptr ? parts_named(words, job_) : parts_named(words, names_);
@@ -88,7 +88,7 @@ class JobMaker {
                  });
   }
 
-  // Which parts of the list broke.
+  // The parts of the list that broke.
   void take_parts_left(const std::vector<std::string>& names) {
     names_ = names;
     const Block without =
@@ -104,7 +104,7 @@ class JobMaker {
     notes_.push_back(fmt::format("without: left out from now on: {}", parts_text(without, names_)));
   }
 
-  // The parts and what they cost.
+  // The parts and their costs.
   void take_parts() {
     const JobRequest& asked = *question_;
     if (asked.model.is_given()) {
@@ -199,7 +199,8 @@ class JobMaker {
     }
   }
 
-  // With benches these are checked instead; what cannot meet on any need not, and is said later.
+  // With benches, these are checked instead; pairs that cannot meet on any are dropped later, with
+  // a note.
   void check_job(const Job& job) const {
     if (!has_benches()) {
       check(job);
@@ -213,7 +214,7 @@ class JobMaker {
     check_benches(any, benches_, question_->benches.file);
   }
 
-  // What costs are: as is asked, or as the list says.
+  // The unit of costs: as requested, or as in the list.
   void take_unit(CostUnit said) {
     const std::string& word = question_->cost_unit;
     constexpr std::array units{CostUnit::seconds, CostUnit::minutes, CostUnit::hours};
@@ -229,7 +230,7 @@ class JobMaker {
     }
   }
 
-  // The values of a model and what they cost. Where the fewest tests are asked for and no costs are
+  // The values of a model and their costs. If the fewest tests are requested and no costs are
   // given, changes are counted.
   void take_model() {
     const JobRequest& asked = *question_;
@@ -287,8 +288,8 @@ class JobMaker {
     whole_.slot.clear();
   }
 
-  // Pieces of parts that a set-up may need several of, and how many parts fit if only the slots say
-  // so.
+  // Adds pieces of parts that a set-up may need several of, and sets the room if only the slots
+  // limit it.
   void take_pieces_and_room() {
     if (job_.model != nullptr) {
       return;
@@ -329,7 +330,7 @@ class JobMaker {
     return names + (job_.names.end() - first > std::ptrdiff_t{few} ? ", …" : "");
   }
 
-  // The most parts that the slots hold together: of a slot without a limit, all of its parts.
+  // The most parts that the slots hold together; a slot without a limit holds all of its parts.
   [[nodiscard]] std::uint64_t room_of_slots() const {
     const std::string give =
         fmt::format("give {}, how many parts fit at once", question_.with_value("at_once"));
@@ -350,14 +351,14 @@ class JobMaker {
     return room;
   }
 
-  // What the answer keeps of the question, so that it stands by itself.
+  // The request that the answer keeps, which needs no files.
   void finish_question() {
     whole_.header = whole_.no_header = false;
     whole_.cost_column.clear();
     whole_.done = {};
     whole_.done_first.reset();
     whole_.diagnose = whole_.what_if = false;
-    if (!left_.all()) {  // The lists are of what is left.
+    if (!left_.all()) {  // the lists are of the remaining parts
       whole_.without.clear();
       whole_.mounted = names_in(job_.mounted);
       whole_.start = names_in(job_.start);
@@ -375,7 +376,7 @@ class JobMaker {
     }
   }
 
-  // The slots of all parts of the list; what broke takes no place of another part.
+  // The slots of all parts of the list; parts that broke are counted, too.
   [[nodiscard]] std::vector<std::uint32_t> slots_of_names() const {
     std::vector<std::uint32_t> slots;
     for (Element x = 0; x < names_.size() && !job_.slots.empty(); ++x) {
@@ -392,7 +393,7 @@ class JobMaker {
     return names;
   }
 
-  // What cannot be at all.
+  // Forbidden pairs and other constraints.
   void take_constraints() {
     const JobRequest& asked = *question_;
     if (asked.change_costs.is_given() && !asked.model.is_given()) {
@@ -434,7 +435,7 @@ class JobMaker {
     check_job(any);
   }
 
-  // Pairs and triples that cannot meet need not, and this is said.
+  // Drops pairs and triples that cannot meet, with a note.
   void take_needs() {
     if (question_->strength == triples) {
       std::uint64_t apart = need_triples(job_);
@@ -497,7 +498,7 @@ class JobMaker {
     }
   }
 
-  // A weight of a pair that need not meet says nothing.
+  // Weights of pairs that need not meet have no effect.
   void take_weights() {
     const auto input = question_.open("weights", question_->weights);
     job_.weights = left_(read_old(*input, read_priorities));
@@ -545,12 +546,12 @@ class JobMaker {
   }
 
   Question question_;
-  JobRequest whole_;  // the question with its lists as rows
+  JobRequest whole_;  // the request with its lists as rows
   Job job_;
   std::vector<std::string> names_;  // of all parts of the list, and further pieces
-  PartsLeft left_;                  // of them
+  PartsLeft left_;                  // which of them remain
   std::vector<Bench> benches_;
-  std::vector<std::uint64_t> quantities_;  // of the parts of the list, if it says so
+  std::vector<std::uint64_t> quantities_;  // of the parts of the list, if it has them
   std::vector<std::string> notes_;
   std::string first_tests_;
 };
@@ -560,7 +561,7 @@ ParsedJob checked_job(const JobRequest& request, Door door) {
   if (Question(request, door).has_file()) {
     return JobMaker(request, door).make();
   }
-  // Where no file says anything, the options are wrong.
+  // Without a file, the options are at fault.
   try {
     return JobMaker(request, door).make();
   } catch (const BadOption&) {

@@ -42,7 +42,7 @@ void note_unread(const DoneOptions& options, const DoneWords& words, ParsedJob& 
                               words.trust_failed)));
 }
 
-// Those of the first tests that were done are not to be run again.
+// Removes first set-ups that are already done.
 void drop_first(const std::vector<Block>& done, std::vector<Block>& first) {
   std::map<Block, std::vector<std::size_t>> places;  // of each set-up, the last one first
   for (std::size_t i = first.size(); i-- > 0;) {
@@ -60,7 +60,7 @@ void drop_first(const std::vector<Block>& done, std::vector<Block>& first) {
   std::erase_if(first, [&](const Block&) { return is_done[next++]; });
 }
 
-// The set-ups of a list as the parts are numbered now.
+// Renumbers the parts of the set-ups in a list.
 void leave_out(const PartsLeft& left, DoneList& list) {
   for (std::size_t i = 0; i < list.setups.size(); ++i) {
     Block setup = left(list.setups[i]);
@@ -73,7 +73,7 @@ void leave_out(const PartsLeft& left, DoneList& list) {
   }
 }
 
-// Where a place of this number is in a list, or is put now.
+// The index of the place with this number in a list, added if necessary.
 std::size_t index_of(std::vector<DonePlace>& places, const DonePlace& place) {
   const auto found = std::ranges::find_if(places, [&](const DonePlace& each) {
     return each.number == place.number && each.slot == place.slot;
@@ -85,7 +85,7 @@ std::size_t index_of(std::vector<DonePlace>& places, const DonePlace& place) {
   return index;
 }
 
-// A list goes on with another: places with the same heads are the same.
+// Appends a list: places with the same headings are the same.
 void append(DoneList& list, DoneList more) {
   std::vector<std::size_t> indices;
   for (const DonePlace& place : more.places) {
@@ -129,8 +129,8 @@ void append(DoneList& list, DoneList more) {
   add(list.notes, more.notes);
 }
 
-// Keeps a test for the sheet of those that were done; without places, in the order in which its
-// parts are written.
+// Records a test for the sheet of earlier tests; without places, in the order in which its parts
+// are written.
 void record_test(DoneRecord& record, const DoneList& list, std::size_t test, const Job& job) {
   std::vector<DonePlace> places = list.places;
   std::vector<std::string> parts = list.written[test];
@@ -150,7 +150,7 @@ void record_test(DoneRecord& record, const DoneList& list, std::size_t test, con
   kept.notes = list.notes[test];
 }
 
-// The places of the bench as the test says after which the plan goes on, with what is in them.
+// The places of the bench after the test from which the plan continues, with their parts.
 std::vector<MountedPlace> places_after(const DoneList& list, std::size_t test, const Job& job) {
   const bool slots_are_named =
       std::ranges::any_of(list.places, [](const DonePlace& place) { return !place.slot.empty(); });
@@ -165,7 +165,7 @@ std::vector<MountedPlace> places_after(const DoneList& list, std::size_t test, c
     const bool is_there =
         std::ranges::find(places, column.number, &MountedPlace::number) != places.end();
     if (!is_known || is_there || column.number == 0) {
-      continue;  // of a slot that there is no more
+      continue;  // of a slot that no longer exists
     }
     MountedPlace place{.number = column.number};
     if (!column.slot.empty() && named != job.slots.end()) {
@@ -182,7 +182,7 @@ std::vector<MountedPlace> places_after(const DoneList& list, std::size_t test, c
   return places;
 }
 
-// Takes tests off a job, list by list.
+// Removes tests from a job, list by list.
 class DoneTaker {
  public:
   DoneTaker(const DoneOptions& options, const DoneWords& words, Job& job,
@@ -226,7 +226,7 @@ class DoneTaker {
     }
   }
 
-  // On which bench a test was; nothing if that is not known.
+  // The bench of a test; nullopt if unknown.
   std::optional<std::size_t> bench_of(const std::string& word) {
     if (word.empty() && benches_->size() == 1) {
       return 0;
@@ -265,7 +265,7 @@ class DoneTaker {
       ++on_none_;
     }
     if (result == TestResult::fail && list.lacks[i]) {
-      ++failed_with_gone_;  // what is gone may be to blame: nothing else is
+      ++failed_with_gone_;  // a removed part may be at fault
     } else if (result == TestResult::pass || result == TestResult::fail) {
       answer_.results.push_back({setup, result == TestResult::fail});
     } else if (result == TestResult::unread && answer_.unread++ < unread_shown) {
@@ -306,7 +306,7 @@ class DoneTaker {
     }
   }
 
-  // The job, and each bench, after the tests that were done.
+  // Sets the start of the job, and of each bench, after the tests that were done.
   void go_on() {
     if (benches_->empty()) {
       std::vector<Block> setups;
@@ -342,7 +342,7 @@ class DoneTaker {
       const std::vector<bool> barred = barred_parts(*job_, bench);
       Block start = setups.back();
       std::erase_if(start, [&](Element x) { return barred[x]; });
-      // Less may fit than did.
+      // The room may have become smaller.
       start.resize(std::min<std::size_t>(start.size(), bench.at_once.value_or(job_->at_once)));
       bench.start = std::move(start);
     }
@@ -372,8 +372,8 @@ class DoneTaker {
   std::vector<Bench>* benches_;
   std::string name_;
   DoneList list_;
-  std::vector<std::string> no_benches_;             // that tests name, "" for none
-  std::vector<std::vector<std::size_t>> on_bench_;  // by bench: what was tested there
+  std::vector<std::string> no_benches_;             // named by tests; "" for none
+  std::vector<std::vector<std::size_t>> on_bench_;  // by bench: its tests
   std::optional<std::size_t> last_;
   std::uint64_t on_none_ = 0;
   std::uint64_t all_ = 0;
@@ -386,7 +386,7 @@ class DoneTaker {
 }  // namespace
 
 std::vector<std::string> bench_sheets(const std::string& path) {
-  constexpr std::size_t most_bytes = std::size_t{1} << 26;  // of a workbook
+  constexpr std::size_t most_bytes = std::size_t{1} << 26;  // limit for a workbook
   std::error_code ignored;
   std::vector<std::string> found;
   if (path.empty() || list_file(path) != path || !std::filesystem::is_regular_file(path, ignored) ||

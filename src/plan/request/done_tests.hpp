@@ -1,4 +1,4 @@
-// The list of tests that were done: what it leaves to be planned, and what its results say.
+// Reads the list of tests that were done: what remains to be planned, and what the results mean.
 #pragma once
 
 #include <cstdint>
@@ -12,34 +12,34 @@
 
 namespace changeover {
 
-/// How such a list is to be read.
+/// Options for reading the list.
 struct DoneOptions {
   const std::vector<std::string>* names = nullptr;  ///< of all parts of the list
-  const PartsLeft* left = nullptr;                  ///< what is left of them
-  std::optional<std::uint64_t> first;  ///< how many of its tests were done, if that was said
+  const PartsLeft* left = nullptr;                  ///< which of them remain
+  std::optional<std::uint64_t> first;  ///< number of its tests that were done, if given
   FailedTests failed = FailedTests::again;
-  bool for_diagnosis = false;    ///< no note says what is planned
-  bool all_parts_known = false;  ///< a name that is no part is a fault: the list is no older sheet
+  bool for_diagnosis = false;    ///< omits notes on planning
+  bool all_parts_known = false;  ///< unknown names are faults: the list is no older sheet
 };
 
-/// How the door spells what notes mention.
+/// The door's spelling of words in notes.
 struct DoneWords {
   std::string done_first;
   std::string trust_failed;
-  std::string first_tests;  ///< what the set-ups that come first were read from
+  std::string first_tests;  ///< where the set-ups that come first were read from
 };
 
-/// The sheets of a workbook that are run sheets of benches, in their order; none of another file,
-/// nor if the path names a sheet.
+/// The sheets of a workbook that are run sheets of benches, in order; empty for other files, or if
+/// the path names a sheet.
 [[nodiscard]] std::vector<std::string> bench_sheets(const std::string& path);
 
-/// Takes the tests that were done off the job: the first ones if their number is given, else those
-/// with a result if any has one, else all; without those whose result says that they were not run.
-/// Those of the job's first tests among them are not to be run again. Several inputs are sheets of
-/// one workbook. A test says by name or number on which bench it was; a bench then goes on after
-/// its last test, with what was mounted there and the rest of its sheet. Tests of a bench that is
-/// none any more, or of none, count all the same. Fills all of the answer but its job and its
-/// benches. O(size of the lists), besides mark_tested(). @throws BadOption, BadInput,
+/// Removes the tests that were done from the job: the first ones if their number is given;
+/// otherwise those with a result, if any test has one; otherwise all. Tests whose result says that
+/// they were not run are ignored. First set-ups of the job that are among them need not run again.
+/// Several inputs are the sheets of one workbook. A test may give its bench by name or number; the
+/// bench then continues after its last test, with what was mounted there and the rest of its sheet.
+/// Tests with an unknown bench, or none, still count. Fills all members of the result except its
+/// job and its benches. O(size of the lists), besides mark_tested(). @throws BadOption, BadInput,
 /// MissingResource
 [[nodiscard]] ParsedJob take_done(const std::vector<std::unique_ptr<Input>>& inputs,
                                   const DoneOptions& options, const DoneWords& words, Job& job,

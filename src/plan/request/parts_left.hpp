@@ -1,8 +1,8 @@
-// A parts list without the parts that broke. Lists are read with all names, since they may be
-// older, and then hold what is left.
+// A parts list without the parts that broke. Lists may be older, so they are read with all names
+// and then reduced to the remaining parts.
 //
 //     const PartsLeft left(4, {1});         // of parts 0 to 3 without part 1
-//     left(Block{0, 1, 3});                 // 0 and 2, as the parts are numbered now
+//     left(Block{0, 1, 3});                 // 0 and 2, the current numbers of 0 and 3
 #pragma once
 
 #include <cstddef>
@@ -20,10 +20,10 @@ class PartsLeft {
   PartsLeft() = default;
   PartsLeft(std::size_t parts, const Block& without);
 
-  /// There are so many more, at the end of the list; all of them are left.
+  /// Adds `more` parts at the end of the list; none of them broke.
   void add(std::uint64_t more);
 
-  /// How many parts are left.
+  /// The number of remaining parts.
   [[nodiscard]] std::size_t size() const { return left_; }
   [[nodiscard]] bool all() const { return left_ == number_.size(); }
 
@@ -31,14 +31,14 @@ class PartsLeft {
   [[nodiscard]] PairSet operator()(const PairSet& pairs) const;
   [[nodiscard]] PairWeights operator()(const PairWeights& weights) const;
   [[nodiscard]] PairReasons operator()(const PairReasons& reasons) const;
-  /// Something said of each part, or of none.
+  /// Reduces a list with one entry per part, or an empty one.
   template <typename T>
   [[nodiscard]] std::vector<T> operator()(std::vector<T> by_part) const {
     std::size_t next = 0;
     std::erase_if(by_part, [&](const T&) { return !number_[next++]; });
     return by_part;
   }
-  /// A square table, row by row.
+  /// Reduces a square table, row by row.
   template <typename T>
   [[nodiscard]] std::vector<T> square(std::vector<T> by_pair) const {
     std::size_t next = 0;
@@ -50,11 +50,12 @@ class PartsLeft {
   }
 
  private:
-  std::vector<std::optional<Element>> number_;  // by part of the list
+  std::vector<std::optional<Element>> number_;  // by part of the list: its current number
   std::size_t left_ = 0;
 };
 
-/// "sheet.csv: no longer in the parts list, and left out: A, B", of at least one name.
+/// A note on removed parts (at least one): "sheet.csv: no longer in the parts list, and left out:
+/// A, B".
 [[nodiscard]] std::string gone_note(const std::string& name, const std::vector<std::string>& gone);
 
 }  // namespace changeover

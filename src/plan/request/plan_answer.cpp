@@ -1,4 +1,4 @@
-// From a checked job to its answer.
+// Answers a checked job.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 namespace changeover {
 namespace {
 
-// The next test is on the first bench that works and can have the most parts.
+// The next test runs on the first working bench with the most room.
 std::size_t bench_to_diagnose_on(const ParsedJob& asked) {
   std::size_t best = 0;
   std::ptrdiff_t fewest = std::numeric_limits<std::ptrdiff_t>::max();
@@ -34,14 +34,14 @@ std::size_t bench_to_diagnose_on(const ParsedJob& asked) {
   return best;
 }
 
-// The job of the bench that the next test is for.
+// The job of the bench for the next test.
 Job diagnosed_job(const ParsedJob& asked) {
   return asked.benches.empty()
              ? *asked.job
              : job_by_itself(*asked.job, asked.benches[bench_to_diagnose_on(asked)]);
 }
 
-// Which faults the results leave, and what to test next.
+// The faults that explain the results, and the next test.
 Diagnosis diagnosis_of(const ParsedJob& asked) {
   if (asked.results.empty()) {
     throw BadInput(
@@ -62,10 +62,10 @@ Diagnosis diagnosis_of(const ParsedJob& asked) {
   return found;
 }
 
-// The question for a workbook, below its head.
+// The request for a workbook, below its head.
 std::vector<std::string> question_in_pieces(const ParsedJob& asked) {
   std::string document = to_json(asked.question);
-  document.pop_back();  // its end of line
+  document.pop_back();  // its line end
   std::vector<std::string> pieces = question_pieces(document);
   pieces.insert(pieces.begin(), std::string(job_table().format));
   return pieces;

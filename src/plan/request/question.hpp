@@ -1,4 +1,4 @@
-// A request with the words of the door that it came through.
+// A request with the words of its door.
 #pragma once
 
 #include <fmt/format.h>
@@ -34,8 +34,8 @@ class Question {
     return door_ == Door::command_line ? fmt::format("{} {}", this->key(key), record.value)
                                        : this->key(key);
   }
-  // A list that is no file stands in a document, at every door, and notes on it are the same at all
-  // of them.
+  // A list that is not a file is read as part of a document, at every door, so that notes on it are
+  // the same at all of them.
   [[nodiscard]] std::unique_ptr<Input> open(std::string_view key, const RequestList& list) const {
     return changeover::open(list, option_of(job_table(), key).record, std::string(key));
   }
@@ -46,7 +46,7 @@ class Question {
     });
   }
 
-  // What is wrong with the value of a key is the key's fault.
+  // Attributes a wrong value to its key.
   template <typename Read>
   auto value_of(std::string_view key, Read&& read) const {
     try {

@@ -1,5 +1,4 @@
-// The lists of a request as rows, so that a question stands by itself, without the files that it
-// was made of.
+// Writes the lists of a request as rows, so that it needs no files.
 #pragma once
 
 #include <string>
@@ -9,19 +8,17 @@
 
 namespace changeover {
 
-/// The parts of a list with the costs that they have in the job; its first parts are those of the
-/// list.
+/// The parts of a list with their costs in the job, whose first parts are those of the list.
 [[nodiscard]] RequestList part_rows(const PartList& list, const Job& job);
 [[nodiscard]] RequestList slot_rows(const std::vector<Slot>& slots);
-/// Pairs by name, with why where that is said.
+/// Pairs by name, with reasons if there are any.
 [[nodiscard]] RequestList pair_rows(const PairSet& pairs, const Job& job,
                                     const PairReasons& why = {});
 [[nodiscard]] RequestList weight_rows(const Job& job);
 [[nodiscard]] RequestList setup_rows(const std::vector<Block>& setups, const Job& job);
-/// The square table of what changes cost by what is replaced, of the parts that are no further
-/// pieces of others.
+/// The square table of costs by what is replaced, without further pieces of parts.
 [[nodiscard]] RequestList change_cost_rows(const Job& job);
-/// What setting each value of a model costs, and where that depends on what is replaced.
+/// The costs of setting values of a model, including those that depend on what is replaced.
 [[nodiscard]] RequestList value_cost_rows(const Job& job);
 
 }  // namespace changeover

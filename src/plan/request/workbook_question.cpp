@@ -28,12 +28,12 @@ constexpr std::size_t most_bytes_of_a_workbook = std::size_t{1} << 26;
 constexpr std::string_view how_to_mend = "save only the sheets that are needed";
 constexpr std::string_view marker = "changeover-";
 
-// A workbook in memory, and how lists on its sheets are named.
+// A workbook in memory, and the names of lists on its sheets.
 struct Book {
   std::string bytes;
-  std::string name;  // in messages
+  std::string name;  // for messages
   std::vector<SheetName> sheets;
-  RequestList list;  // that it came as
+  RequestList list;  // as it was given
 
   [[nodiscard]] const SheetName* sheet(std::string_view wanted) const {
     const auto found = std::ranges::find_if(
@@ -47,8 +47,8 @@ struct Book {
   }
 };
 
-// The workbook that a list is, if no sheet of it is named. A file that can be read once only is
-// left alone.
+// The workbook of a list, if no sheet of it is named. A file that can be read only once is not
+// opened.
 std::optional<Book> book_of(const RequestList& list, const std::string& spelled) {
   Book book{.bytes = {}, .name = spelled, .sheets = {}, .list = list};
   if (list.workbook && list.sheet.empty()) {
@@ -71,7 +71,7 @@ std::optional<Book> book_of(const RequestList& list, const std::string& spelled)
   return book;
 }
 
-// What the hidden sheet says, in one piece.
+// The content of the hidden sheet, in one piece.
 std::string document_in(const Book& book) {
   WorkbookSheet sheet(book.bytes, book.name, std::string(question_sheet));
   const auto fail = [&](std::uint64_t row, const std::string& what) {
@@ -114,7 +114,7 @@ JobRequest question_in(const Book& book) {
                                      "give the options",
                                      where, what, question_sheet));
   }
-  // A workbook from anywhere must not have files of this machine read.
+  // A workbook from elsewhere must not cause files of this machine to be read.
   for (const auto& option : job_table().options) {
     const auto* const field = std::get_if<RequestList JobRequest::*>(&option.field);
     if (field != nullptr && (!(question.**field).file.empty() || (question.**field).workbook)) {
@@ -134,7 +134,7 @@ JobRequest question_in(const Book& book) {
   return question;
 }
 
-// Keys of a question that mean nothing beside a mode that is asked for now.
+// Removes keys of the stored request that do not fit the requested mode.
 void drop_what_does_not_fit(JobRequest& question, const JobRequest& request) {
   if (!request.slot.empty() || request.slots.is_given()) {
     question.slot.clear();
@@ -155,7 +155,7 @@ void drop_what_does_not_fit(JobRequest& question, const JobRequest& request) {
   }
 }
 
-// What tests on the run sheet cost that have a result: so much of the budget is gone.
+// Deducts the cost of tests on the run sheet that have a result from the budget.
 void take_off_budget(JobRequest& question, const Book& book, const ParsedJob& before,
                      std::vector<std::string>& notes) {
   SheetInput sheet(input_from_text(book.bytes, book.name), std::string(steps_sheet));
@@ -186,7 +186,7 @@ bool has_parts(const std::string& name) {
                           "bestand", "materials", "reagents", "hardware"});
 }
 
-// Lists that a sheet is known by, its name in small letters.
+// A list and the sheet names (in lower case) by which it is recognised.
 struct KnownSheet {
   std::string_view key;
   RequestList JobRequest::*list;
@@ -215,24 +215,24 @@ const std::array<KnownSheet, 4>& known_sheets() {
   return known;
 }
 
-// The list that a sheet has by its name; null if it is not known.
+// The list of a sheet, by its name; null if unknown.
 const KnownSheet* known_as(const SheetName& sheet) {
   const auto found = std::ranges::find_if(
       known_sheets(), [&](const KnownSheet& known) { return is_one_of(sheet.name, known.names); });
   return found == known_sheets().end() ? nullptr : &*found;
 }
 
-// Whether a request has what such a sheet would say.
+// Whether a request already has the list of such a sheet.
 bool says(const JobRequest& request, const KnownSheet& known) {
   return (request.*known.list).is_given() || (known.key == "slots" && !request.slot.empty());
 }
 
-// "slots from 'Slots', forbidden pairs from 'Never'".
+// Text such as "slots from 'Slots', forbidden pairs from 'Never'".
 void add_taken(std::string& taken, std::string_view what, const std::string& sheet) {
   taken += fmt::format("{}{} from {}", taken.empty() ? "" : ", ", what, shown(sheet));
 }
 
-// The same text, or the same number: spreadsheets write them in their own way.
+// Whether two cells have the same text or number: spreadsheets format them differently.
 bool is_same(const std::string& one, const std::string& other) {
   if (one == other) {
     return true;
@@ -244,7 +244,7 @@ bool is_same(const std::string& one, const std::string& other) {
   }
 }
 
-// Whether a sheet says what this table said when the workbook was written.
+// Whether a sheet still has the content of this table, which was written into the workbook.
 bool is_as_written(const Book& book, const std::string& name, const Table& table) {
   WorkbookSheet sheet(book.bytes, book.name, name);
   const auto is_row = [&](const SheetRow& row, auto&& text_of) {
@@ -273,7 +273,7 @@ bool is_as_written(const Book& book, const std::string& name, const Table& table
   return !sheet.next();
 }
 
-// Takes the lists that the user changed on the sheets of a workbook since it was written for a job.
+// Takes lists that the user changed on the sheets of a workbook since it was written for a job.
 void take_changed_sheets(JobRequest& request, JobRequest& question, const Book& book,
                          const Job& job, std::vector<std::string>& notes) {
   if (job.model != nullptr) {
@@ -303,7 +303,7 @@ void take_changed_sheets(JobRequest& request, JobRequest& question, const Book& 
       continue;
     }
     const TableSection* const written = section(sheet);
-    // Of parts that are gone, the sheet says so with its place.
+    // If parts were removed, reading the sheet reports them with their place.
     if (written == nullptr || parts_changed || !is_as_written(book, sheet.name, written->table)) {
       add_taken(taken, known->what, sheet.name);
       request.*known->list = book.on_sheet(sheet.name);
@@ -314,7 +314,7 @@ void take_changed_sheets(JobRequest& request, JobRequest& question, const Book& 
   }
 }
 
-// The question of the workbook comes first, then what was filled in.
+// Completes the request from the workbook, and takes what was filled in.
 JobRequest with_question(JobRequest request, const Book& book, std::vector<std::string>& notes) {
   JobRequest question = question_in(book);
   JobRequest plain = request;
@@ -343,7 +343,7 @@ JobRequest with_question(JobRequest request, const Book& book, std::vector<std::
       if (!question.budget.empty() && request.budget.empty() && !request.diagnose) {
         take_off_budget(question, book, asked, notes);
       }
-      question.start.clear();  // that was before the first of them
+      question.start.clear();  // it was mounted before the first of these tests
     }
   }
   const ParsedJob as_made = checked_job(question, Door::document);
@@ -379,7 +379,7 @@ JobRequest with_other_sheets(JobRequest request, const Book& book,
   if (!taken.empty()) {
     notes.push_back(fmt::format("{}: {}, by the names of its sheets", book.name, taken));
   }
-  // Without results they count as a plan and not as tests, so they are not taken unasked.
+  // Without results they are a plan and no tests, so they are only taken on request.
   const std::vector<std::string> benches =
       request.done.is_given() ? std::vector<std::string>() : bench_sheets(book.list.file);
   if (!benches.empty()) {

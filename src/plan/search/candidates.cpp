@@ -38,7 +38,7 @@ void verify_as_design(const Job& job, const RunSheet& sheet) {
   }
 }
 
-// Whether a list may hold this set-up.
+// Whether a list may contain this set-up.
 bool is_sound(const Job& job, const Block& setup) {
   std::vector<bool> seen(job.names.size());
   for (const Element x : setup) {
@@ -98,8 +98,8 @@ std::vector<Block> sound_rest(const Job& job, const PlanOptions& options) {
       rest.push_back(setup);
     }
   }
-  // With more tests than there is to meet, some bring nothing. Without them a list costs no more,
-  // unless costs depend on what is replaced.
+  // With more tests than pairs, some test nothing new. Without them a list costs no more, unless
+  // costs depend on what is replaced.
   const std::uint64_t most = job.triples.empty() ? job.needed.size() : job.triples.size();
   if (rest.size() <= most || job.replaces()) {
     return rest;

@@ -1,4 +1,4 @@
-// Lists of set-ups counted and compared.
+// Counts and compares lists of set-ups.
 #pragma once
 
 #include <functional>
@@ -10,17 +10,17 @@
 
 namespace changeover {
 
-/// A list as the referee counts it; one that is a change covering design must pass the verifier
-/// too. Counting is short, and is not stopped: nothing is shown without it. @throws InternalError
-/// if it breaks a constraint.
+/// Counts a list by run_sheet(); a list that is a change covering design must also pass the
+/// verifier. Counting takes little time and is not stopped, since no list is shown without it.
+/// @throws InternalError if the list breaks a constraint.
 [[nodiscard]] Candidate counted(const Job& job, const Start& start);
 
 /// The same for a list that must do the job. @throws InternalError if it leaves anything untested.
 [[nodiscard]] Candidate counted_complete(const Job& job, const Start& start);
 
-/// The set-ups of the plan under way (PlanOptions::rest) that break no constraint; of more than
-/// there is to meet, those that bring something new. O(tests · at_once²), besides one count of the
-/// list.
+/// The remaining set-ups of the current plan (PlanOptions::rest) that break no constraint; if there
+/// are more than pairs to meet, only those that test something new. O(tests · at_once²), and one
+/// count of the list.
 [[nodiscard]] std::vector<Block> sound_rest(const Job& job, const PlanOptions& options);
 
 /// A list made of them: nothing changed, or with what it lacked and without what is too much.
@@ -32,7 +32,7 @@ namespace changeover {
 [[nodiscard]] bool cheaper(const Candidate& a, const Candidate& b);
 [[nodiscard]] bool tests_more(const Candidate& a, const Candidate& b);
 
-/// Tells PlanOptions::on_better of the last candidate, if it is the first one or comes before all
+/// Passes the last candidate to PlanOptions::on_better, if it is the first one or better than all
 /// others in this order.
 void tell_if_best(const RunPlan& plan, const PlanOptions& options,
                   const std::function<bool(const Candidate&, const Candidate&)>& before);
@@ -42,15 +42,15 @@ void tell_if_best(const RunPlan& plan, const PlanOptions& options,
 [[nodiscard]] std::vector<Candidate> affordable(const Job& job, const std::vector<Candidate>& plans,
                                                 Amount budget, RunControl& control);
 
-/// @throws InternalError if a plan costs more than the budget, or tests more than can be.
+/// @throws InternalError if a plan costs more than the budget, or tests more than is possible.
 void check_within(const std::vector<Candidate>& plans, Amount budget,
                   std::optional<Amount> most_weight);
 
-/// Does what may go on for long, or want more than there is: what the plan has by then stays, and
-/// it says what was missing.
+/// Runs work that may be stopped, or may lack memory: the plan keeps its results so far, and
+/// records what was missing.
 void keep_what_there_is(RunPlan& plan, const std::function<void()>& work);
 
-/// The sheet of the first candidate, and why the search ended.
+/// Sets the sheet of the first candidate, and why the search ended.
 void settle(const Job& job, RunPlan& plan, const RunControl& control);
 
 }  // namespace changeover

@@ -26,10 +26,10 @@ constexpr std::uint64_t most_small_pairs = 64;
 constexpr std::uint64_t endless = all_of_them / 4;
 
 using Mask = std::uint64_t;   // of needed pairs
-using Parts = std::uint16_t;  // of parts that matter
+using Parts = std::uint16_t;  // of relevant parts
 using Labels = std::array<std::uint8_t, most_small_parts>;
 
-// Parts that can be of use: with a needed pair, mounted, or of a slot that must not be empty.
+// Parts that can be useful: with a needed pair, mounted, or of a slot that must not be empty.
 std::vector<Element> useful_parts(const Job& job) {
   std::vector<bool> useful(job.names.size());
   job.needed.for_each(all_of_them, [&](Element x, Element y) { useful[x] = useful[y] = true; });
@@ -125,7 +125,7 @@ class Exact {
       }
       open_.pop();
       if (next.cost != nodes_[next.node].cost) {
-        continue;  // Reached at less since.
+        continue;  // reached at a lower cost since
       }
       if (nodes_[next.node].met == whole_) {
         return {list_to(next.node), Amount{next.cost}, nodes_.size()};
@@ -137,7 +137,7 @@ class Exact {
 
  private:
   struct Open {
-    std::uint64_t least = 0;  // of a list through this node
+    std::uint64_t least = 0;  // for a list through this node
     std::uint64_t cost = 0;
     std::uint32_t node = 0;
 
@@ -211,8 +211,7 @@ class Exact {
     return choices_->allows(row);
   }
 
-  // Parts whose exchange changes nothing in the job, but for the start, which only the first step
-  // knows.
+  // Classes of interchangeable parts, ignoring the start, which only the first step uses.
   void find_classes() {
     const bool has_rules = job_->model != nullptr && !job_->model->constraints.empty();
     const auto alike = [&](std::size_t i, std::size_t j) {
@@ -251,8 +250,8 @@ class Exact {
     }
   }
 
-  // By number of steps and of pairs left: the fewest introductions by which so many steps can meet
-  // so many.
+  // By number of steps and of pairs left: the fewest introductions with which that many steps can
+  // meet that many pairs.
   void find_introductions() {
     const std::uint64_t k = job_->room();
     const auto most_new = [&](std::uint64_t j) {
@@ -272,7 +271,7 @@ class Exact {
     }
   }
 
-  // The most that parts can meet by staying, over t steps with so many introductions.
+  // The most meetings of parts that stay, in t steps with this many introductions.
   [[nodiscard]] std::uint64_t met_by_staying(std::uint64_t t, std::uint64_t introductions) const {
     const std::uint64_t k = job_->room();
     const std::uint64_t each = introductions / t;
@@ -280,7 +279,7 @@ class Exact {
     return (t - more) * each * (k - each) + (more == 0 ? 0 : more * (each + 1) * (k - each - 1));
   }
 
-  // What introductions cost at least that bring so much, of each part no more than it lacks.
+  // The least cost of introductions that gain this much, for each part at most what it lacks.
   [[nodiscard]] std::uint64_t price_of(
       std::uint64_t needed, const std::array<std::uint64_t, most_small_parts>& lacks) const {
     std::uint64_t total = 0;
@@ -292,7 +291,7 @@ class Exact {
     return total / (job_->room() - 1);
   }
 
-  // What all that is left costs at least.
+  // The least cost of everything that is left.
   [[nodiscard]] std::uint64_t rest(Mask met, Parts setup) const {
     std::array<std::uint8_t, most_small_parts> degree{};
     std::size_t left = 0;
@@ -319,7 +318,7 @@ class Exact {
         prices += outside ? price_[i] : 0;
       }
     }
-    std::uint64_t lacking = 0;  // what further introductions and stays must bring
+    std::uint64_t lacking = 0;  // what further introductions and stays must gain
     std::array<std::uint64_t, most_small_parts> lacks{};
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       const std::uint64_t brought = (setup >> i & 1) == 0 ? k - 1 : 0;
@@ -345,8 +344,8 @@ class Exact {
     return least;
   }
 
-  // New labels for the parts: within a class by whether they are on the bench and whom they have
-  // yet to meet.
+  // New labels for the parts: within a class, sorted by whether they are mounted and which parts
+  // they still have to meet.
   [[nodiscard]] Labels labels(Mask met, Parts setup) const {
     std::array<std::uint32_t, most_small_parts> key{};
     for (unsigned round = 0; round < 2; ++round) {
@@ -378,7 +377,7 @@ class Exact {
     for (std::size_t s = 0; s < setups_.size(); ++s) {
       const Mask met = node.met | met_[s];
       if (met == node.met) {
-        continue;  // Going straight to the next set-up introduces no more.
+        continue;  // going straight to the next set-up introduces no more
       }
       std::uint64_t cost = node.cost + job_->test_cost.millionths;
       for (Parts coming = setups_[s] & static_cast<Parts>(~node.setup); coming != 0;
@@ -438,7 +437,7 @@ class Exact {
   std::vector<Element> parts_;
   std::uint64_t unit_ = 1;                        // divides all costs
   std::vector<std::uint64_t> price_;              // by part
-  std::vector<std::size_t> by_price_;             // the parts, the cheapest first
+  std::vector<std::size_t> by_price_;             // the parts, cheapest first
   std::vector<int> pair_;                         // by two parts: the number of their pair, or −1
   std::vector<std::array<std::size_t, 2>> ends_;  // by pair
   Mask whole_ = 0;

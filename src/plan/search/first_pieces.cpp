@@ -9,7 +9,7 @@ RunPlan with_first_pieces(const Job& job, RunPlan plan) {
   if (job.piece_of.empty() || plan.candidates.empty()) {
     return plan;
   }
-  std::vector<Block> pieces(job.names.size());  // by part, the first one first
+  std::vector<Block> pieces(job.names.size());  // by part, the first piece first
   for (Element x = 0; x < job.parts(); ++x) {
     pieces[job.piece_of[x]].push_back(x);
   }

@@ -13,7 +13,7 @@
 namespace changeover {
 namespace {
 
-// The list counted for this job; its name and how it came about stay.
+// The list counted for this job, with the same name and description.
 Candidate counted_for(const Job& job, Candidate candidate) {
   RunControl undisturbed({});
   const RunScope scope(undisturbed);
@@ -40,7 +40,7 @@ Candidate without_first(const Job& job, const Job& rest, Candidate candidate) {
   return counted_for(rest, std::move(candidate));
 }
 
-// What is left of a plan, sheet and candidates, when the first set-ups have been run.
+// The rest of a plan, its sheet and candidates, after the first set-ups.
 RunPlan rest_of(const Job& job, const Job& rest, const RunPlan& plan) {
   RunPlan left = plan;
   for (Candidate& candidate : left.candidates) {
@@ -53,8 +53,7 @@ RunPlan rest_of(const Job& job, const Job& rest, const RunPlan& plan) {
   return left;
 }
 
-// The set-ups of a list, each of which may go to a place of its own: equal ones are the same parts
-// in any order.
+// A set-up with its parts sorted, since equal set-ups may list them in any order.
 Block in_order(Block setup) {
   std::sort(setup.begin(), setup.end());
   return setup;
@@ -99,7 +98,8 @@ RunPlan plan_with_first(const Job& job, const PlanOptions& options, RunControl& 
       options.on_better(news);
     };
   }
-  std::map<Block, std::uint64_t> first;  // Going on with a sheet, they are the first of its rest.
+  std::map<Block, std::uint64_t>
+      first;  // when a sheet is continued, they are the first of its rest
   for (const Block& setup : job.first) {
     ++first[in_order(setup)];
   }
@@ -134,7 +134,7 @@ RunPlan shuffled_with_first(const Job& job, RunPlan plan, std::uint64_t seed,
 WhatIf what_if_with_first(const Job& job, const RunPlan& plan, const PlanOptions& options,
                           RunControl& control) {
   const Job rest = after_first(job);
-  // All lists begin with the same set-ups: which is cheapest does not depend on what these cost.
+  // All lists begin with the same set-ups, whose cost does not influence which one is cheapest.
   WhatIf answer = what_if(rest, rest_of(job, rest, plan), options, control);
   for (WhatIf::Range& range : answer.ranges) {
     range.plan = with_first(job, std::move(range.plan));

@@ -1,8 +1,8 @@
-// Plans that begin with given set-ups: the rest is planned as a job of its own, and they are put
+// Plans that begin with given set-ups: the rest is planned as a separate job, and they are put
 // before it.
 //
-// A list that begins with the first set-ups costs what these cost, and what a list for
-// after_first(job) costs: a bound for that job, and its cheapest list, are those of the whole.
+// A list that begins with the first set-ups costs as much as these and a list for after_first(job):
+// a bound and a cheapest list for that job give those of the whole.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace changeover {
 
-/// make_run_plan(), cost_bound(), shuffled() and what_if() of a job with first set-ups and without
+/// make_run_plan(), cost_bound(), shuffled() and what_if() for a job with first set-ups and without
 /// defects.
 [[nodiscard]] RunPlan plan_with_first(const Job& job, const PlanOptions& options,
                                       RunControl& control);

@@ -1,4 +1,4 @@
-// Parts that nothing in a job tells apart, but weights of pairs and triples.
+// Finds parts that are interchangeable, except for weights of pairs and triples.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace changeover {
 
-/// The parts by classes within which any exchange leaves costs, slots, pairs, what is mounted and
-/// what is at the start as they are. O(v³/64).
+/// The parts in classes: any exchange within a class keeps costs, slots, pairs, mounted parts and
+/// the start. O(v³/64).
 [[nodiscard]] std::vector<std::vector<Element>> interchangeable_parts(const Job& job);
 
 }  // namespace changeover

@@ -1,4 +1,4 @@
-// Asking a control whether to stop, in loops whose turns are short.
+// Checks whether to stop in loops with short iterations.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,12 @@
 
 namespace changeover {
 
-/// Looks at the clock once enough work was done, since a look costs as much as dozens of steps.
+/// Reads the clock once enough work was done, since reading it costs as much as dozens of steps.
 class Listener {
  public:
   explicit Listener(RunControl& control) : control_(&control) {}
 
-  /// Whether to stop, after so much work: about as many nanoseconds, give or take a factor of ten.
+  /// Whether to stop, after this much more work: roughly in nanoseconds, within a factor of ten.
   /// Once true, always true.
   [[nodiscard]] bool stop_wanted(std::uint64_t work) {
     constexpr std::uint64_t enough = 10'000;

@@ -27,7 +27,7 @@ class PairsPlanner {
     const RunScope scope(*control_);
     RunPlan plan;
     plan.bound = bound_of_valid_job(*job_);
-    if (options_->budget && work_->most_weight) {  // Before time is up.
+    if (options_->budget && work_->most_weight) {  // before the time is up
       most_weight_ = work_->most_weight(*options_->budget);
     }
     require_memory(bytes_of_plans(plan.bound.tests),
@@ -51,7 +51,7 @@ class PairsPlanner {
   }
 
  private:
-  // Candidates and sheets of so many tests, about.
+  // The approximate memory of candidates and sheets with this many tests.
   [[nodiscard]] std::uint64_t bytes_of_plans(std::uint64_t tests) const {
     constexpr std::uint64_t a_test = 500;
     constexpr std::uint64_t a_part = 40;
@@ -60,7 +60,7 @@ class PairsPlanner {
            a_pair * job_->parts() * job_->parts();
   }
 
-  // The slots, counts and copies of all local searches, about.
+  // The approximate memory of all local searches: slots, counts and copies.
   [[nodiscard]] std::uint64_t bytes_of_search(const Candidate& like) const {
     constexpr std::uint64_t a_test = 300;
     constexpr std::uint64_t a_part = 12;
@@ -76,8 +76,8 @@ class PairsPlanner {
     keep_what_there_is(plan, [&] { search(plan); });
   }
 
-  // The set-ups of the plan under way that break no constraint, as they are if they do the job, and
-  // with what they lack and without what is too much.
+  // The remaining set-ups of the current plan that break no constraint: unchanged if they do the
+  // job; and with missing tests added and needless ones removed.
   void add_rest(RunPlan& plan) const {
     const std::vector<Block> rest = sound_rest(*job_, *options_);
     if (rest.empty()) {
@@ -102,7 +102,7 @@ class PairsPlanner {
       if (all.empty()) {
         throw;
       }
-      return;  // It costs more than can be counted, and others do not.
+      return;  // its cost overflows, that of others does not
     }
     if (all.back().cost < plan.bound.cost) {
       throw InternalError(fmt::format("{} costs less than the lower bound", start.name));
@@ -153,7 +153,7 @@ class PairsPlanner {
     plan.steps += attempts.steps();
   }
 
-  // Designs have an eighth of the time: other lists need it more.
+  // Designs get an eighth of the time: other lists need it more.
   void add_designs(RunPlan& plan) const {
     constexpr double share = 0.125;
     ShareOfTime part(*control_, share);
@@ -167,8 +167,8 @@ class PairsPlanner {
     unsigned attempts = 0;
   };
 
-  // The next round of so many steps; if there is a time to use and not much would be left after it,
-  // one that uses it up. Few long annealings find more than many short ones where lists are long.
+  // The next round with this many steps; or one that uses up the time, if little would be left
+  // after it. For long lists, few long annealing runs find more than many short ones.
   [[nodiscard]] Round round_of(const Attempts& attempts, std::uint64_t steps, bool many) const {
     if (options_->steps != 0) {
       return {steps, options_->attempts};
@@ -181,7 +181,7 @@ class PairsPlanner {
     const unsigned each_thread_one = std::min(control_->threads(), options_->attempts);
     const std::uint64_t all = attempts.steps_until(*left);
     const std::uint64_t much = many ? 2 : 8;
-    // The clock ends a schedule of more steps than there will be.
+    // The time limit ends a schedule with more steps than there is time for.
     return {all / much < steps ? 4 * all : steps, each_thread_one};
   }
 
@@ -199,8 +199,8 @@ class PairsPlanner {
            (now - plan.bound.cost).millionths < plan.bound.cost.millionths / small_gap;
   }
 
-  // A small job is done: its cheapest list is found, or the best so far is proved to be one. Where
-  // that takes too long, the bound is better.
+  // Finishes a small job: finds its cheapest list, or proves that the best so far is one. If that
+  // takes too long, the bound improves.
   void look_at_all(RunPlan& plan, Amount best) const {
     constexpr std::uint64_t bytes_a_state = 128;
     require_memory(options_->states * bytes_a_state, "looking at all lists of a small job");
@@ -222,7 +222,7 @@ class PairsPlanner {
     candidate = std::move(other);
   }
 
-  // The cheapest few that are no results of the search, but for the cheapest of all.
+  // The cheapest few candidates from other methods, and the cheapest of all.
   static std::vector<Candidate> next_best(std::vector<Candidate> all) {
     constexpr std::size_t few = 3;
     std::stable_sort(all.begin(), all.end(), cheaper);
@@ -232,7 +232,7 @@ class PairsPlanner {
     return all;
   }
 
-  // The search is listed once, and only if it found something better than the others.
+  // Lists the search once, and only if it found a better list than the others.
   static void drop_repeated(std::vector<Candidate>& all) {
     bool seen = false;
     std::size_t others_best = 0;

@@ -21,13 +21,13 @@ enum class Fewest { cost, cost_or_tests };
 // A way to plan jobs without defects.
 struct Strategy {
   bool (*serves)(const Job&);
-  Fewest fewest;  // what it can look for
+  Fewest fewest;  // the objectives that it supports
   RunPlan (*plan)(const Job&, const PlanOptions&, RunControl&);
 };
 
-// The first that serves a job plans it. `first` and `replacing` plan a simpler job by this list,
-// one that they do not serve. Plans for several benches (benches.hpp) are no strategy: they have
-// another answer, and ask this list for each bench.
+// The first strategy that supports a job plans it. `first` and `replacing` derive a simpler job,
+// which they do not support, and plan it by this list. Plans for several benches (benches.hpp) are
+// not a strategy: they have another kind of answer, and use this list for each bench.
 constexpr std::array strategies{
     Strategy{[](const Job& job) { return !job.first.empty(); }, Fewest::cost_or_tests,
              plan_with_first},

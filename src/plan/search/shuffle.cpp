@@ -24,7 +24,7 @@ class Rows {
     });
   }
 
-  // Whether x and y have the same partners but for each other.
+  // Whether x and y have the same partners, except for each other.
   [[nodiscard]] bool alike(Element x, Element y) const {
     for (std::size_t w = 0; w < words_; ++w) {
       std::uint64_t others = ~std::uint64_t{0};
@@ -74,7 +74,7 @@ RunPlan shuffled(const Job& job, RunPlan plan, std::uint64_t seed, std::uint64_t
   if (!job.first.empty()) {
     return shuffled_with_first(job, std::move(plan), seed, exchanged);
   }
-  std::vector<Element> now(job.names.size());  // by part: who stands in its place
+  std::vector<Element> now(job.names.size());  // by part: its replacement
   Random random(seed, 3'000'000);
   exchanged = 0;
   for (const std::vector<Element>& members : interchangeable_parts(job)) {

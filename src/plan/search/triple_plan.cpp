@@ -60,7 +60,7 @@ class GreedyForTriples {
       if (t[1] < t[2]) {
         by(left_[t[0]]);
       }
-      by(pairs_[t[0] * v_ + t[1]]);  // each ordered pair stands first once
+      by(pairs_[t[0] * v_ + t[1]]);  // counts each ordered pair once
     } while (std::next_permutation(t.begin(), t.end()));
   }
 
@@ -81,7 +81,7 @@ class GreedyForTriples {
                         [&](Element z) { return z == y || job_->never.contains(y, z); });
   }
 
-  // Triples that y would bring, and what could come of it after that.
+  // The triples that y would add, and those that become possible.
   [[nodiscard]] std::uint64_t worth(const Block& setup, Element y) const {
     std::uint64_t triples = 0;
     std::uint64_t hope = left_[y];
@@ -152,11 +152,12 @@ class GreedyForTriples {
     return best;
   }
 
-  // A set-up with these three, and what else fits.
+  // A set-up with these three parts, completed.
   [[nodiscard]] Block around(const Triple& t) const {
     Block setup = with_mounted(*job_, {t[0], t[1], t[2]});
     if (fitting_.has_slots()) {
-      return fitting_.completed(setup, bench_).value_or(setup);  // There is one: no defects.
+      return fitting_.completed(setup, bench_)
+          .value_or(setup);  // there is one, since the job has no defects
     }
     for (const Element y : bench_) {
       if (setup.size() < job_->room() && left_[y] > 0 && joins(setup, y)) {
@@ -171,8 +172,8 @@ class GreedyForTriples {
   Fitting fitting_;
   std::size_t v_;
   std::vector<std::uint8_t> missing_;  // by three parts, in any order
-  std::vector<std::uint32_t> pairs_;   // by two parts: missing triples with both
-  std::vector<std::uint32_t> left_;    // by part: missing triples with it
+  std::vector<std::uint32_t> pairs_;   // by two parts: number of missing triples with both
+  std::vector<std::uint32_t> left_;    // by part: number of missing triples with it
   Block bench_;
 };
 

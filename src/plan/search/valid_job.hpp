@@ -1,16 +1,16 @@
-// Plans and bounds of jobs that were checked: the public doors check, and what is made of their
-// jobs on the way to a plan has no defects either.
+// Plans and bounds of checked jobs: the public functions check, and jobs derived from theirs have
+// no defects either.
 #pragma once
 
 #include "changeover/plan/run_plan.hpp"
 
 namespace changeover {
 
-/// make_run_plan() of a job without defects.
+/// make_run_plan() for a job without defects.
 [[nodiscard]] RunPlan plan_of_valid_job(const Job& job, const PlanOptions& options,
                                         RunControl& control);
 
-/// cost_bound() of a job without defects.
+/// cost_bound() for a job without defects.
 [[nodiscard]] CostBound bound_of_valid_job(const Job& job);
 
 }  // namespace changeover

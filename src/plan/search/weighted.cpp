@@ -12,7 +12,7 @@
 namespace changeover {
 namespace {
 
-// A list with what it costs and how long its weight waits.
+// A list with its cost and the time that its weight waits.
 class Waiting {
  public:
   explicit Waiting(const Job& job)
@@ -21,7 +21,7 @@ class Waiting {
         weight_(parts_ * parts_, 0.0),
         seen_(parts_ * parts_, 0),
         on_bench_(parts_, 0) {
-    double typical = 0;  // so that tests count where nothing costs anything
+    double typical = 0;  // so that tests count if nothing has a cost
     for (const Amount cost : job.change_costs) {
       typical = std::max(typical, static_cast<double>(cost.millionths));
     }
@@ -41,7 +41,7 @@ class Waiting {
     Figures figures;
     ++round_;
     double time = 0;
-    // A part is on the bench if its number is that of the set-up before.
+    // A part is mounted if its stamp is that of the set-up before.
     std::uint64_t stamp = ++stamp_;
     for (const Element x : job_->start) {
       on_bench_[x] = stamp;
@@ -102,7 +102,7 @@ std::vector<Block> heavy_first(const Job& job, const std::vector<Block>& setups,
   }
   constexpr std::uint64_t work = 200'000'000;
   constexpr std::uint64_t most = 200'000;
-  constexpr std::uint64_t each = 4;  // about, for each part of each set-up
+  constexpr std::uint64_t each = 4;  // approximately, for each part of each set-up
   const std::uint64_t tries = std::min(most, work / (each * places * job.room()) + 1);
   Random random(control.seed(), 5'000'000);
   const auto below = [&](std::size_t n) { return random.below(static_cast<std::uint32_t>(n)); };
@@ -154,7 +154,7 @@ RunPlan plan_for_weights(const Job& job, const PlanOptions& options, RunControl&
            [&](RunPlan& plan, Amount budget, const Candidate& best) {
              Weights weights = Weights::of(job, best.tests() + job.needed.size());
              for (Element x = 0; x < job.parts(); ++x) {
-               // What costs nothing must not break the budget.
+               // rounding up free changes must not exceed the budget
                weights.change[x] = job.change_costs[x].millionths == 0 ? 0 : weights.change[x];
              }
              return Start{search_name, "the heaviest pairs within the budget",

@@ -20,7 +20,7 @@
 namespace changeover {
 namespace {
 
-// A candidate's cost at ratio r is tests + r·slope, in units that both share.
+// The cost of a candidate at ratio r is tests + r·slope, in common units.
 struct Line {
   std::uint64_t tests = 0;
   std::uint64_t slope = 0;
@@ -29,7 +29,7 @@ struct Line {
 
 __extension__ using Wide = unsigned __int128;
 
-// Where the steeper line, which has fewer tests, meets the other.
+// The ratio where the steeper line, which has fewer tests, meets the other.
 Ratio meeting(const Line& steep, const Line& flat) {
   return {flat.tests - steep.tests, steep.slope - flat.slope};
 }
@@ -65,7 +65,7 @@ Job at_ratio(const Job& job, const Ratio& ratio) {
     other.test_cost = under * 1000;
     other.change_costs.assign(job.names.size(), over * 1000);
   } else {
-    // Keeps the numbers small: no cost needs more than so many digits to be compared.
+    // Keeps the numbers small: comparing costs needs no more digits.
     constexpr double scale = 1e6;
     const double factor =
         static_cast<double>(over.millionths) / static_cast<double>(under.millionths);
@@ -113,7 +113,7 @@ WhatIf envelope(const Job& job, const std::vector<Candidate>& candidates) {
     answer.asked = Ratio{job.change_costs.front().millionths, job.test_cost.millionths};
   }
   const std::vector<Line> lines = lines_of(job, candidates);
-  std::vector<Line> hull;  // from r = 0 on: more and more tests, fewer and fewer changes
+  std::vector<Line> hull;  // from r = 0 on: increasing tests, decreasing changes
   for (const Line& line : lines) {
     if (!hull.empty() && line.slope >= hull.back().slope) {
       continue;
@@ -155,7 +155,7 @@ WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
         options.steps == 0 ? attempts.suitable_steps(best) / 2 : options.steps;
     return attempts.cheaper_than(best, candidates, steps, std::min(options.attempts, 2U), 0);
   };
-  // Finds whether any list is cheaper at this ratio than those that are known.
+  // Searches for a list that is cheaper at this ratio than the known ones.
   const auto search = [&](Ratio ratio) {
     const std::uint64_t divisor = std::max<std::uint64_t>(1, std::gcd(ratio.over, ratio.under));
     if (!searched.emplace(ratio.over / divisor, ratio.under / divisor).second ||

@@ -22,7 +22,7 @@ Clock::Clock(const Job& job) {
   }
   const std::uint64_t seconds = seconds_in(job.cost_unit);
   const auto is_whole = [&](Amount cost) {
-    // The rest of a unit in seconds, and whole units of seconds, are minutes.
+    // If fractions of a unit in seconds, and whole units of seconds, are minutes.
     return cost.millionths % whole_unit * seconds % (whole_unit * sixty) == 0 &&
            cost.millionths / whole_unit % sixty * seconds % sixty == 0;
   };

@@ -1,4 +1,4 @@
-// A clock that runs along with a sheet whose costs are times.
+// A clock for sheets whose costs are times.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +9,19 @@
 
 namespace changeover {
 
-/// How long tests and changes of a job take together: "1:35" for an hour and 35 minutes, "1:35:20"
-/// if some cost is not whole minutes.
+/// The total duration of tests and changes: "1:35" for an hour and 35 minutes, "1:35:20" if some
+/// cost is not whole minutes.
 class Clock {
  public:
   explicit Clock(const Job& job);
 
-  /// The costs are times.
+  /// Whether the costs are times.
   [[nodiscard]] bool runs() const { return ticks_ > 0; }
-  /// What is no whole tick is rounded up, so that a step is over when its clock says so.
+  /// Rounds up to a whole tick, so that a step is over at the time shown.
   [[nodiscard]] std::string operator()(Amount so_far) const;
 
  private:
-  std::uint64_t ticks_ = 0;  // seconds in a unit of the costs; 0: it stands still
+  std::uint64_t ticks_ = 0;  // seconds per unit of cost; 0: no clock
   bool shows_seconds_ = false;
 };
 

@@ -1,11 +1,11 @@
-// How a run sheet looks on a page: black on white, boxes to tick, each bench on paper of its own.
+// The style of a run sheet as a page: black on white, boxes to tick, each bench on its own paper.
 #pragma once
 
 #include <string_view>
 
 namespace changeover {
 
-/// After the other style: for sheets with a column for each of many slots.
+/// Added to the other style for sheets with a column for each of many slots.
 inline constexpr std::string_view wide_page_style = R"(
   @page { size: A4 landscape; }
   body { max-width: 80rem; }

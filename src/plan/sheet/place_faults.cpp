@@ -1,4 +1,4 @@
-// The count that checks where parts are mounted.
+// The independent check of the places of parts.
 #include <fmt/format.h>
 
 #include <map>
@@ -9,7 +9,7 @@
 namespace changeover {
 namespace {
 
-// Which place each part is in, by its number.
+// The place of each part, by number.
 using PlaceOfPart = std::map<Element, std::uint64_t>;
 
 class PlaceCheck {
@@ -23,7 +23,7 @@ class PlaceCheck {
     }
   }
 
-  // The parts of a set-up are mounted, each once and where parts of its slot belong.
+  // Checks that the parts of a set-up are mounted, each once and in a place of its slot.
   PlaceOfPart mounted(const std::string& where, const MountedParts& parts, const Block& setup) {
     PlaceOfPart places;
     if (parts.size() != placed_->places.size()) {

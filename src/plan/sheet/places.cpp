@@ -17,7 +17,7 @@ std::uint32_t slot_of(const Job& job, Element x) {
   return job.slot_of.empty() ? no_slot : job.slot_of[x];
 }
 
-// Slots in their order, what is in none last.
+// Slots in their order, then no slot.
 std::vector<std::uint32_t> slots_of(const Job& job) {
   std::vector<std::uint32_t> slots(job.slots.size() + 1, no_slot);
   for (std::uint32_t s = 0; s < job.slots.size(); ++s) {
@@ -26,14 +26,14 @@ std::vector<std::uint32_t> slots_of(const Job& job) {
   return slots;
 }
 
-// How many places of a slot some parts need.
+// The number of places of a slot that some parts need.
 std::size_t count_in(const Job& job, const Block& parts, std::uint32_t slot) {
   return static_cast<std::size_t>(
       std::ranges::count_if(parts, [&](Element x) { return slot_of(job, x) == slot; }));
 }
 
-// The places that are known and those that the sheets need besides, each new one with the least
-// number that is free.
+// The known places and further ones that the sheets need; each new one gets the smallest free
+// number.
 std::vector<MountedPlace> all_places(const std::vector<const Job*>& jobs,
                                      const std::vector<const RunSheet*>& sheets) {
   std::map<std::uint64_t, std::uint32_t> known;  // slots by number
@@ -72,7 +72,7 @@ std::vector<MountedPlace> all_places(const std::vector<const Job*>& jobs,
   return places;
 }
 
-// One bench while its steps go by.
+// One bench during its steps.
 class BenchPlaces {
  public:
   BenchPlaces(const Job& job, const std::vector<MountedPlace>& places)
@@ -92,7 +92,7 @@ class BenchPlaces {
   [[nodiscard]] const MountedParts& now() const { return now_; }
 
   void take(const RunStep& step) {
-    MountedParts emptied(now_.size());  // by place: what went
+    MountedParts emptied(now_.size());  // by place: the removed part
     for (const Element x : step.take_out) {
       emptied[*last_[x]] = x;
       now_[*last_[x]].reset();
@@ -119,7 +119,7 @@ class BenchPlaces {
   [[nodiscard]] bool takes(std::size_t place, Element x) const {
     return !now_[place] && places_->at(place).slot == slot_of(*job_, x);
   }
-  // A free place of the slot, one that was emptied if possible.
+  // A free place of the slot, preferably one that was just emptied.
   [[nodiscard]] std::size_t free_place(Element x, const MountedParts& emptied) const {
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < now_.size(); ++i) {
@@ -144,7 +144,7 @@ class BenchPlaces {
   const Job* job_;
   const std::vector<MountedPlace>* places_;
   MountedParts now_;
-  std::vector<std::optional<std::size_t>> last_;  // by part: where it is or was
+  std::vector<std::optional<std::size_t>> last_;  // by part: its current or last place
 };
 
 }  // namespace

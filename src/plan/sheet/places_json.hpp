@@ -1,4 +1,4 @@
-// Places of parts for programs.
+// Writes places of parts as JSON.
 #pragma once
 
 #include <algorithm>
@@ -12,12 +12,12 @@
 
 namespace changeover {
 
-/// Places by their numbers, and what is in them.
+/// The places by number, with their parts.
 class PlacesInJson {
  public:
   PlacesInJson(const Job& job, const std::vector<const RunSheet*>& sheets)
       : PlacesInJson(std::vector<const Job*>(sheets.size(), &job), sheets, job) {}
-  /// With a job for each sheet, and that of all.
+  /// With a job for each sheet, and the common job.
   PlacesInJson(const std::vector<const Job*>& jobs, const std::vector<const RunSheet*>& sheets,
                const Job& all)
       : job_(&all), placed_(placed(jobs, sheets)), order_(placed_.places.size()) {

@@ -15,7 +15,7 @@ __extension__ using Wide = unsigned __int128;
 
 using CostMatrix = std::vector<std::vector<std::uint64_t>>;
 
-// Rows that can go around so that it costs less: each takes the place of the next, the last that of
+// A cycle of rows that reduces the cost: each takes the place of the next one, and the last that of
 // the first.
 std::optional<std::vector<std::size_t>> circle(const CostMatrix& costs,
                                                const std::vector<std::size_t>& place) {
@@ -27,7 +27,7 @@ std::optional<std::vector<std::size_t>> circle(const CostMatrix& costs,
     last = n;
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < n; ++j) {
-        // Wide has no sign: compare saved[i] + what i pays now with what it would pay.
+        // Wide is unsigned: compare saved[i] + the current cost of i with its new cost.
         const Wide gain = saved[i] + costs[i][place[i]];
         if (i != j && gain > saved[j] + costs[i][place[j]]) {
           saved[j] = gain - costs[i][place[j]];
@@ -56,7 +56,7 @@ std::optional<std::vector<std::size_t>> circle(const CostMatrix& costs,
 std::vector<std::size_t> best_by_trying(const CostMatrix& costs) {
   const std::size_t n = costs.size();
   const std::size_t all = (std::size_t{1} << n) - 1;
-  // By set of places: the least that the first rows cost there, as many as there are places in it.
+  // By set of places: the least cost of the first rows in them, as many rows as places.
   std::vector<Wide> least(all + 1, 0);
   std::vector<std::size_t> last(all + 1, n);
   for (std::size_t set = 1; set <= all; ++set) {
@@ -99,12 +99,12 @@ std::vector<std::size_t> best_by_circles(const CostMatrix& costs) {
 
 namespace {
 
-// Of parts that may all take each other's place.
+// For parts that may all replace each other.
 Replacement cheapest_among(const Job& job, const Block& out, const Block& in) {
   constexpr std::size_t few = 10;
   const std::size_t places = std::max(out.size(), in.size());
-  // A row for each part that is put in, and for each place that stays empty; a place for each part
-  // that was taken out, and for each that was empty.
+  // A row for each part put in and for each place that becomes empty; a place for each part taken
+  // out and for each place that was empty.
   CostMatrix costs(places, std::vector<std::uint64_t>(places, 0));
   for (std::size_t i = 0; i < in.size(); ++i) {
     for (std::size_t p = 0; p < places; ++p) {

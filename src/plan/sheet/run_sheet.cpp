@@ -15,7 +15,7 @@
 namespace changeover {
 namespace {
 
-// Deliberately plain: a table of pairs and set differences, nothing that a search would use.
+// Plain on purpose: a table of pairs and set differences, nothing that a search would use.
 class PairTable {
  public:
   explicit PairTable(const PairSet& pairs) {
@@ -40,7 +40,7 @@ class PairTable {
   std::uint64_t size_ = 0;
 };
 
-// Which needed triples are missing, as a plain list of flags.
+// The missing needed triples, as a plain list of flags.
 class TripleTable {
  public:
   TripleTable(const Job& job) : v_(job.triples.empty() ? 0 : job.names.size()) {
@@ -54,8 +54,7 @@ class TripleTable {
   }
 
   [[nodiscard]] std::uint64_t size() const { return size_; }
-  // Takes out the triples of a set-up, which is increasing, that count, and returns those that were
-  // there.
+  // Removes the triples of an increasing set-up that count, and returns those that were missing.
   template <typename Counts>
   std::vector<Triple> met(const Block& setup, Counts&& counts) {
     std::vector<Triple> found;
@@ -160,7 +159,7 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
         sheet.faults.push_back(fmt::format("{} is no test of the model: {}", where(), *broken));
       }
     }
-    // A value that is out of range hides what the others would show.
+    // A value out of range hides what the others would show.
     const auto hides = [&](Element x) {
       return job.model != nullptr && x < job.model->values() && job.model->value(x).negative;
     };
@@ -171,8 +170,8 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
     }
     step.take_out = without(before, step.setup);
     step.put_in = without(step.setup, before);
-    // A pair that meets here first has a part that was put in; in the first set-up, and where
-    // something was hidden in the one before, any pair may be it.
+    // A pair that meets here first includes a part that was put in; but in the first set-up, and
+    // after one that hid something, any pair may be new.
     const bool look_at_all = sheet.steps.empty() || was_hidden;
     was_hidden = any_hides;
     for (const Element x : look_at_all ? step.setup : step.put_in) {

@@ -18,7 +18,7 @@
 namespace changeover {
 namespace {
 
-// The lists of parts that matter to a whole sheet.
+// The lists of parts that concern a whole sheet.
 void add_lists(TableDocument& document, const Job& job) {
   if (!job.mounted.empty()) {
     document.lists.push_back("mounted all the time: " + joined(names_of(job, job.mounted)));
@@ -113,7 +113,7 @@ Table compared(const SheetDocument& document) {
                   std::move(rows));
 }
 
-// What setting each value costs, as --change-costs reads it.
+// The cost of setting each value, in the format of --change-costs.
 Table value_costs(const Job& job, const Money& money) {
   std::vector<std::vector<std::string>> rows;
   for (const ModelParameter& parameter : job.model->parameters) {
@@ -161,7 +161,7 @@ Table parts(const Job& job, const Money& money) {
   return table_of(std::move(heads), std::move(rows));
 }
 
-// The limits of slots, as read_slots() reads them.
+// The limits of slots, in the format of read_slots().
 Table slot_limits(const Job& job) {
   std::vector<std::vector<std::string>> rows;
   for (const Slot& slot : job.slots) {
@@ -171,7 +171,7 @@ Table slot_limits(const Job& job) {
                   std::move(rows));
 }
 
-// Pairs that must not meet, and why; further pieces of a part say nothing new.
+// Forbidden pairs with reasons; further pieces of a part are left out.
 Table forbidden_pairs(const Job& job) {
   std::vector<std::vector<std::string>> rows;
   job.never.for_each(all_of_them, [&](Element a, Element b) {
@@ -185,7 +185,7 @@ Table forbidden_pairs(const Job& job) {
                   std::move(rows));
 }
 
-// Tests that were done before, in the columns of the run sheet.
+// Earlier tests, in the columns of the run sheet.
 Table tests_done(const DoneRecord& done) {
   std::vector<std::pair<std::string, ColumnStyle>> heads{{"step", number_column}};
   for (const DonePlace& place : done.places) {
@@ -295,7 +295,7 @@ TableDocument table_document(const Job& job, const WhatIf& answer) {
                     text(range.plan.tests()), text(range.plan.changes),
                     money(range.plan.change_cost), range.plan.name});
   }
-  // A file for programs leaves an end empty where there is none.
+  // In files for programs an open end is empty.
   const ColumnStyle shown{.kind = ColumnKind::number, .in = for_people};
   const ColumnStyle in_file{.kind = ColumnKind::number, .in = for_programs};
   TableSection section{
@@ -329,7 +329,7 @@ TableDocument table_document(const Job& job, const WhatIf& answer) {
 
 namespace {
 
-// In one of some formats, with words by which the refusal of another calls it.
+// Written in one of these formats; `what` names the document in the message for other formats.
 std::string written_as(std::string_view format, std::initializer_list<std::string_view> formats,
                        std::string_view what, const TableDocument& document, std::size_t width) {
   const bool known = std::find(formats.begin(), formats.end(), format) != formats.end();

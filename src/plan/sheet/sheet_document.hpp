@@ -12,35 +12,35 @@
 
 namespace changeover {
 
-/// What these refer to must outlive the document.
+/// The data that these refer to must outlive the document.
 [[nodiscard]] TableDocument table_document(const SheetDocument& document);
 [[nodiscard]] TableDocument table_document(const BenchDocument& document);
 [[nodiscard]] TableDocument table_document(const Job& job, const WhatIf& answer);
 [[nodiscard]] TableDocument table_document(const DiagnosisDocument& document);
 
-/// How the pages of a job look: on their side if there are many slots, which have a column each.
+/// The page style of a job: landscape if there are many slots, which have a column each.
 [[nodiscard]] std::string style_of(const Job& job, bool compact = false);
 
 /// Adds the sheets of a workbook from which the lists of a job can be read again: `Parts`, `Slots`
 /// and `Never`. The job must outlive the document.
 void add_lists_of_job(TableDocument& document, const Job& job, const Money& money);
 
-/// Adds what a workbook must have besides so that it is all that is needed to go on: the lists of
-/// the job, the tests that were done, and the question. `done` may be null, `question` empty.
+/// Adds everything else that a workbook needs so that it is enough for continuing: the lists of the
+/// job, the earlier tests, and the request. `done` may be null, `question` empty.
 void add_what_goes_on(TableDocument& document, const Job& job, const Money& money,
                       const DoneRecord* done, const std::vector<std::string>& question);
 
-/// "Stay mounted: A · B", for a page; nothing if no part does.
+/// "Stay mounted: A · B", for a page; empty if no part does.
 [[nodiscard]] std::vector<std::string> mounted_on_page(const Job& job);
 
-/// The first of these lines is the headline.
+/// Sets the lines; the first one is the headline.
 void set_lines(TableDocument& document, std::vector<std::string> lines);
 
-/// The job as the sheet of each bench shows it: with what is mounted there at the start, and with
-/// the same places on all sheets.
+/// The job as shown on the sheet of each bench: with its own start, and with the same places on all
+/// sheets.
 [[nodiscard]] std::vector<Job> jobs_on_sheets(const BenchDocument& document);
 
-/// One line for programs.
+/// JSON in one line.
 [[nodiscard]] std::string json_of(const SheetDocument& document);
 [[nodiscard]] std::string json_of(const BenchDocument& document);
 [[nodiscard]] std::string json_of(const Job& job, const WhatIf& answer);

@@ -1,4 +1,4 @@
-// Run sheets for programs.
+// Writes run sheets as JSON.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ void write_candidate(JsonWriter& json, const Money& money, const Candidate& cand
   json.key("weight").raw(to_string(candidate.weight)).end_object();
 }
 
-// The parameters of a model, and which part each value is.
+// The parameters of a model, and the part of each value.
 void write_parameters(JsonWriter& json, const Job& job) {
   json.key("parameters").begin_array();
   for (const ModelParameter& parameter : job.model->parameters) {

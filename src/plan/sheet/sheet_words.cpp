@@ -10,8 +10,8 @@
 namespace changeover {
 namespace {
 
-// How many changes the same tests need in a random order, on average, to the nearest number: each
-// ordered pair of tests follows each other with the same probability.
+// The average number of changes of the same tests in a random order, rounded: each ordered pair of
+// tests is adjacent with the same probability.
 std::uint64_t changes_in_random_order(const Job& job, const RunSheet& sheet) {
   const std::uint64_t tests = sheet.steps.size();
   std::vector<std::uint64_t> times(job.names.size(), 0);
@@ -66,7 +66,7 @@ std::string weight_line(const Job& job, const RunPlan& plan, const Money& money)
   return fmt::format("{}; half of it {}, nine tenths {}", met, reached(half), reached(most));
 }
 
-// "9 parts, 3 at a time", or what stands for them in a model.
+// "9 parts, 3 at a time", or the parameters and values of a model.
 std::string what_there_is(const Job& job) {
   return job.model == nullptr
              ? fmt::format("{}, {} at a time", count_of(parts_listed(job), "part"), job.at_once)
@@ -74,7 +74,7 @@ std::string what_there_is(const Job& job) {
                            count_of(job.parts(), "value"));
 }
 
-// How far the tests are above the fewest that there can be.
+// How far the number of tests is above the lower bound.
 std::string tests_line(const RunPlan& plan, const std::string& all) {
   const std::uint64_t tests = plan.sheet.steps.size();
   if (plan.proved_fewest()) {

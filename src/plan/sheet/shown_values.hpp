@@ -1,4 +1,4 @@
-// What the tests of a model say on a sheet: a value for each parameter.
+// The values of parameters on the sheet of a model.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace changeover {
 
-/// The values of a sheet by step and parameter, as they are written there: a value with several
-/// names has another of them each time that it is set, and keeps it while it stays.
+/// The values of a sheet by step and parameter, as written there: a value with several names uses
+/// the next one each time it is set, and keeps it while it stays.
 class ShownValues {
  public:
-  /// For a job with a model, which must outlive this.
+  /// Needs a job with a model, which must outlive this.
   ShownValues(const Job& job, const RunSheet& sheet);
 
   [[nodiscard]] const std::string& value(std::size_t step, std::size_t parameter) const {
@@ -33,10 +33,11 @@ class ShownValues {
   std::vector<bool> set_;
 };
 
-/// What heads the column of a parameter: its name, or "slot_3 step" if another column is called so.
+/// The heading of the column of a parameter: its name, or "slot_3 step" if another column has that
+/// name.
 [[nodiscard]] std::string value_head(const Model& model, std::size_t parameter);
 
-/// A value under one of its names, the first one for 0.
+/// The name of a value for its `turn`-th use, from 0.
 [[nodiscard]] std::string name_of_value(const ModelValue& value, std::size_t turn);
 
 }  // namespace changeover

@@ -1,4 +1,4 @@
-// The table of the steps of a sheet, in the columns that each format has.
+// The table of the steps of a sheet, with the columns of each format.
 #include "plan/sheet/step_table.hpp"
 
 #include <fmt/format.h>
@@ -23,10 +23,10 @@ struct Line {
   const StepTime* time = nullptr;
   const MountedParts* before = nullptr;
   const MountedParts* now = nullptr;
-  std::size_t at = 0;  // in its list
+  std::size_t at = 0;  // index in its list
 };
 
-// The lines with what they refer to.
+// The lines with the data that they refer to.
 struct Steps {
   PlacedSheets placed;
   std::vector<Line> lines;
@@ -54,8 +54,8 @@ bool is_in(const Block& parts, Element x) { return std::ranges::find(parts, x) !
 
 TableCell number_cell(std::uint64_t number) { return std::to_string(number); }
 
-// Some places: what is in them after a step, in their order; a place that is empty to the end of
-// the row says nothing. What stays mounted all the time is said once, above the table.
+// Some places with their parts after a step, in order; places that are empty to the end of the row
+// are left out. Permanently mounted parts are shown once, above the table.
 struct SeenPlace {
   std::optional<Element> part;
   std::optional<Element> was;  // before the step, if that changed
@@ -79,8 +79,8 @@ std::vector<SeenPlace> seen(const Job& job, const Steps& steps, const Line& line
   return found;
 }
 
-// By place, what was put in bold; with what it replaces if that is wanted: "Motor for Pump", "–
-// Pump out".
+// The parts by place, with new ones in bold; on request with what they replace: "Motor for Pump",
+// "– Pump out".
 TableCell place_cell(const Job& job, const std::vector<SeenPlace>& places, bool says_what_went) {
   TableCell cell;
   for (const SeenPlace& place : places) {
@@ -95,7 +95,7 @@ TableCell place_cell(const Job& job, const std::vector<SeenPlace>& places, bool 
   return cell;
 }
 
-// The same on a terminal, with a + before what was put in; each slot on lines of its own.
+// The same on a terminal, with a + before new parts; each slot on lines of its own.
 TableCell terminal_cell(const Job& job, const Steps& steps, const Line& line) {
   TableCell cell;
   for (std::size_t s = 0; s <= job.slots.size(); ++s) {
@@ -116,7 +116,7 @@ TableCell terminal_cell(const Job& job, const Steps& steps, const Line& line) {
   return cell;
 }
 
-// Long names stand one a line of a page, short ones side by side.
+// Long names are shown one per line of a page, short ones side by side.
 bool has_long_names(const Job& job) {
   constexpr std::size_t long_name = 8;
   return std::ranges::any_of(
@@ -129,7 +129,7 @@ bool has_free_places(const Steps& steps) {
                              [](const MountedPlace& place) { return place.slot == no_slot; });
 }
 
-// More columns than that make no line that can be read.
+// With more columns a line becomes unreadable.
 constexpr std::size_t most_value_columns = 10;
 
 // Whether a column of this parameter is shown to people.
@@ -138,7 +138,7 @@ bool is_column(const Job& job, std::size_t p, bool compact) {
          std::ranges::none_of(job.mounted, [&](Element x) { return job.slot_of[x] == p; });
 }
 
-// A text within quotes of a style sheet: no sign in it ends them, or the style.
+// A text within quotes of a style sheet, escaped.
 std::string css_text(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
@@ -155,7 +155,7 @@ class StepTable {
             const StepTableOptions& options)
       : job_(&job), money_(money), options_(options), steps_(steps_of(job, sheets, options)) {
     const bool long_names = has_long_names(job);
-    // One name a line would make a step as high as a third of a page.
+    // One name per line would make a step as high as a third of a page.
     constexpr std::uint64_t most_lines = 6;
     flows_ = !options.compact && long_names && job.slots.empty() && job.room() > most_lines;
     table_.rows = steps_->lines.size();
@@ -189,7 +189,7 @@ class StepTable {
   }
 
  private:
-  // A column that is made of the steps.
+  // A column that is computed from the steps.
   template <typename Cell>
   void add(std::string head, Cell&& cell, ColumnStyle style) {
     table_.columns.push_back({std::move(head),
@@ -214,7 +214,7 @@ class StepTable {
     }
   }
 
-  // From when to when a step is.
+  // Begin and end of a step.
   void add_times() {
     add("from", [money = money_](const Line& line) { return TableCell(money(line.time->begin)); },
         {.kind = ColumnKind::number, .name = "begin"});
@@ -249,7 +249,7 @@ class StepTable {
         {.kind = ColumnKind::number, .name = "to_" + days.unit()});
   }
 
-  // Where each slot has a column, or each place, that says what comes and goes.
+  // Columns of changes, if each slot or place has a column.
   void add_changes() {
     const Job* const job = job_;
     const bool by_slot = !job->slots.empty() && !options_.compact;
@@ -271,7 +271,7 @@ class StepTable {
 
   void add_setups() {
     const Job* const job = job_;
-    const auto& steps = *steps_;  // the cells hold on to it
+    const auto& steps = *steps_;  // the cells refer to it
     if (!options_.compact) {
       add("set-up", [job, &steps](const Line& line) { return terminal_cell(*job, steps, line); },
           {.kind = ColumnKind::list, .in = in_text});
@@ -319,7 +319,7 @@ class StepTable {
     }
   }
 
-  // Of a model: what is set, and the whole test, a column for each parameter or, where these are
+  // For a model: what is set, and the whole test, with a column for each parameter or, if there are
   // many, a list for people.
   void add_values() {
     const auto shown = std::make_shared<const std::vector<ShownValues>>(std::move(values_));
@@ -403,7 +403,7 @@ class StepTable {
   Money money_;
   StepTableOptions options_;
   std::shared_ptr<const Steps> steps_;
-  std::vector<ShownValues> values_;  // of a model, by sheet
+  std::vector<ShownValues> values_;  // for a model, by sheet
   bool flows_ = false;
   Table table_;
 };

@@ -12,19 +12,19 @@ namespace changeover {
 
 struct StepTableOptions {
   bool compact = false;                   ///< as in SheetDocument
-  std::vector<std::string> benches = {};  ///< by sheet: the bench of each step stands first
-  std::vector<const Job*> jobs = {};      ///< by sheet: the job as it shows it; empty: that of all
+  std::vector<std::string> benches = {};  ///< by sheet: the bench of each step, in the first column
+  std::vector<const Job*> jobs = {};  ///< by sheet: the job as shown on it; empty: the common one
   std::vector<const std::vector<StepTime>*> times =
-      {};                                   ///< by sheet: when steps are; empty: as the costs say
-  const BenchCalendar* calendar = nullptr;  ///< times are days and hours
+      {};                                   ///< by sheet: times of steps; empty: sums of costs
+  const BenchCalendar* calendar = nullptr;  ///< if set, times are days and hours
 };
 
 /// The jobs, the sheets, the times and the calendar must outlive the table.
 [[nodiscard]] Table step_table(const Job& job, const std::vector<const RunSheet*>& sheets,
                                const Money& money, const StepTableOptions& options);
 
-/// What a page needs besides page_style for the steps of a model: on a phone each value stands
-/// behind the name of its parameter. Empty for other jobs.
+/// Additional style for the steps of a model: on a phone each value follows the name of its
+/// parameter. Empty for other jobs.
 [[nodiscard]] std::string value_style(const Job& job, bool compact);
 
 }  // namespace changeover

@@ -36,7 +36,7 @@ std::optional<Design> single_block(const Parameters& p, std::uint64_t b) {
 }
 
 EnumerationRun explore(const EnumerationTask& task, std::uint64_t b, RunControl& control) {
-  // Other shares must not find the single block again.
+  // Only one share finds the single block.
   const auto single = single_block(task.parameters, b);
   if (!single || control.settings().share.index != 0) {
     return explore_together(task, control);
@@ -57,8 +57,7 @@ EnumerationRun enumerate_designs(const Parameters& p, std::uint64_t b, RunContro
   task.parameters = p;
   task.cases = enumeration_cases(p, b, false);
   task.judge = [&](const Design& design) -> std::optional<DesignClass> {
-    // Linear designs are found in standard form; circular ones are numbered by where they end as
-    // well.
+    // Linear designs come in standard form; circular ones also depend on where the list ends.
     DesignClass found{
         .representative = p.kind == Kind::linear ? design : standard_form(design).design,
         .group_order = {}};
@@ -79,8 +78,8 @@ Classification classify_designs(const Parameters& p, std::uint64_t b,
   EnumerationTask task;
   task.parameters = p;
   task.cases = enumeration_cases(p, b, true);
-  // A class is found from several of its sequences, but only one of them is its canonical form,
-  // which begins a longest run and so is found.
+  // Several sequences of a class are found. Only one of them is its canonical form, which begins
+  // with a longest run and so is always among them.
   task.judge = [&](const Design& design) -> std::optional<DesignClass> {
     CanonicalForm own = standard_form(design);
     CanonicalForm least = canonical_form(own.design, same);

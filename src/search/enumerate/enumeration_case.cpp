@@ -25,7 +25,7 @@ void check_supported(const Parameters& p, std::uint64_t b) {
   }
 }
 
-// Pairs that the blocks cover, with repetition, less the pairs there are.
+// Covered pairs, counted with repetition, less the number of pairs.
 std::int64_t excess(const Parameters& p, std::uint64_t b) {
   const std::uint64_t each = newly_covered_at_most(p);
   const std::uint64_t covered =
@@ -40,12 +40,12 @@ std::vector<EnumerationCase> enumeration_cases(const Parameters& p, std::uint64_
   check_supported(p, b);
   std::vector<EnumerationCase> cases;
   const bool circular = p.kind == Kind::circular;
-  // With two blocks an element that left and one that came never meet.
+  // With two blocks, an element that left and one that was introduced never meet.
   if (b < 3 || p.v < p.k + p.change) {
     return cases;
   }
-  // At most one fixed element: every pair is newly covered. f ≥ 2 of them: taken away, the others
-  // form a design without any.
+  // With at most one fixed element every pair is newly covered. If f ≥ 2 are removed, the others
+  // form a design without fixed elements.
   const std::uint64_t most_fixed =
       circular ? p.k - std::min(p.k, std::max<std::uint64_t>(p.change, 2)) : 0;
   for (std::uint64_t f = 0; f <= most_fixed; f = f == 0 ? 2 : f + 1) {
@@ -67,7 +67,7 @@ std::vector<EnumerationCase> enumeration_cases(const Parameters& p, std::uint64_
       cases.push_back(base);
       continue;
     }
-    // Runs that are not for ever hold at least (k−1)·b of the places, and m·b of them begin.
+    // Runs of limited length take at least (k−1)·b of the places, and m·b of them begin.
     for (std::size_t run = ceil_div(rest.k - 1, rest.change); run < b; ++run) {
       cases.push_back(base);
       cases.back().longest_run = run;

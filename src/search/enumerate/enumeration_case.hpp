@@ -1,4 +1,4 @@
-// The cases into which an enumeration falls apart; each is one search tree.
+// The cases of an enumeration; each is one search tree.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +8,21 @@
 
 namespace changeover {
 
-/// Designs on v elements that are found in one tree. Masks are of elements, bit x for element x.
+/// Designs on v elements that one tree contains. Masks are sets of elements, bit x for element x.
 struct EnumerationCase {
   std::size_t v = 0;
   std::size_t k = 0;
   std::size_t change = 0;
   std::size_t b = 0;
   bool circular = false;
-  std::int64_t excess = 0;      ///< how often pairs are covered again, exactly
-  std::size_t fixed = 0;        ///< elements of every block that were taken away; no others then
-  std::size_t longest_run = 0;  ///< circular: a run of this length begins the design; 0: no matter
+  std::int64_t excess = 0;  ///< exact number of repeated coverings
+  std::size_t fixed = 0;  ///< elements of every block, which are removed; no others are fixed then
+  std::size_t longest_run = 0;  ///< circular: the design begins with a run of this length; 0: any
 
   [[nodiscard]] std::uint64_t all() const { return first_elements(v); }
   [[nodiscard]] std::uint64_t first_block() const { return first_elements(k); }
-  /// Circular: what is introduced in the first block, and what stays there from the last block.
+  /// Circular: the elements introduced in the first block, and those that stay there from the last
+  /// one.
   [[nodiscard]] std::uint64_t first_introduced() const { return first_elements(change); }
   [[nodiscard]] std::uint64_t last_unchanged() const { return first_block() & ~first_introduced(); }
 
@@ -32,10 +33,10 @@ struct EnumerationCase {
   }
 };
 
-/// Every design with b blocks, in standard form up to names, belongs to exactly one case and is
-/// found once there; with `one_rotation` at least one rotation of every circular design is, namely
-/// each that begins a longest run. Trivial parameters (v = k, or none by counting) have no case.
-/// @throws ImpossibleParameters as enumerate_designs().
+/// Every design with b blocks in standard form belongs to exactly one case and is found once there.
+/// With `one_rotation` this holds for at least one rotation of every circular design: each one that
+/// begins with a longest run. Trivial parameters (v = k, or none by counting) have no case. @throws
+/// ImpossibleParameters as enumerate_designs().
 [[nodiscard]] std::vector<EnumerationCase> enumeration_cases(const Parameters& p, std::uint64_t b,
                                                              bool one_rotation);
 

@@ -1,13 +1,12 @@
-// What an element must cost, from how many pairs are missing at it and how many blocks are left.
+// The least excess that an element causes, given its missing pairs and the blocks left.
 //
-// Each time x is introduced it covers k−1 pairs at x, each time it stays it covers m, so the
-// missing pairs at x and the blocks left decide how much excess e_x is unavoidable; Σe_x is twice
-// the total excess. The total number a of introductions in the blocks left is known too, so for
-// every price λ
+// Each introduction of x covers k−1 pairs at x, and each stay covers m. So the missing pairs at x
+// and the blocks left determine an unavoidable excess e_x; Σe_x is twice the total excess. The
+// total number a of introductions in the blocks left is also known, so for every price λ
 //     Σ_x min (e_x + λ a_x) ≤ 2·excess + λ·a,
-// with the minimum over the ways to be in or out of each block that is left. Four prices λ = 0, 1,
-// 2, 3 share one word, 16 bits each; values are cut at 511, so that no sum over 64 elements reaches
-// 2¹⁵.
+// where the minimum is over the ways to be in or out of each remaining block. Four prices λ = 0, 1,
+// 2, 3 share one word, 16 bits each. Values are capped at 511, so that no sum over 64 elements
+// reaches 2¹⁵.
 #pragma once
 
 #include <array>
@@ -18,15 +17,15 @@
 
 namespace changeover {
 
-/// Where an element has to be after the last block: in a circular design what is introduced in the
-/// first block must be out then, and what stays there must be in.
+/// Where an element must be after the last block of a circular design: outside, if the first block
+/// introduces it; inside, if it stays there.
 enum class EndRole : std::uint8_t { anywhere, in, out };
 
 class DegreeTable {
  public:
   explicit DegreeTable(const EnumerationCase& own);
 
-  /// What a table for b blocks takes.
+  /// The memory of a table for b blocks.
   [[nodiscard]] static std::uint64_t bytes(std::uint64_t b) { return b * sizeof(Row); }
 
   /// The costs for one number of blocks left: 64 words for each of (role, in or out now), by
@@ -39,7 +38,7 @@ class DegreeTable {
     return (static_cast<std::size_t>(role) * 2 + (in ? 1 : 0)) * 64;
   }
 
-  /// The right side of the inequality, one lane for each price.
+  /// The right side of the inequality, one lane per price.
   [[nodiscard]] std::uint64_t allowance(std::int64_t excess, std::size_t blocks_left) const;
 
   /// Whether no lane of `sum` exceeds that of `allowance`; all lanes below 2¹⁵.

@@ -23,8 +23,7 @@ class Reach {
     }
   }
 
-  // Whether the set can grow by `more` elements from `from` with at most `budget` dead pairs among
-  // them.
+  // Whether the set can grow by `more` elements, from `from` on, with at most `budget` dead pairs.
   bool grows(Mask set, Mask from, std::size_t more, std::int64_t budget) {
     if (budget == 0) {
       Mask common = from;
@@ -85,8 +84,7 @@ bool all_within_reach(const EnumerationCase& own, const Position& position) {
     return false;
   }
   const Mask all = own.all();
-  // First whole blocks around each element that has to come back: fewer questions, and most
-  // answers.
+  // Start with whole blocks around each element that has to return: fewer cases, which decide most.
   for (Mask out = all & ~position.block; out != 0; out &= out - 1) {
     const std::size_t x = lowest(out);
     if (position.missing[x] != 0 &&

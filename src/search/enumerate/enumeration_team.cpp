@@ -15,9 +15,9 @@
 namespace changeover {
 namespace {
 
-constexpr std::size_t prefixes_wanted = 512;  // for each case, if it has so many
+constexpr std::size_t prefixes_wanted = 512;  // per case, if it has that many
 constexpr std::size_t prefixes_at_most = 1'000'000;
-constexpr std::size_t found_at_once = 64;  // handed out together when it is one's turn
+constexpr std::size_t found_at_once = 64;  // passed on together
 
 struct Prefix {
   std::size_t own_case = 0;
@@ -76,7 +76,7 @@ class Team {
     slots_.resize(mine_.size());
     const std::size_t threads = std::min<std::size_t>(control_.threads(), mine_.size());
     run_together(control_, static_cast<unsigned>(threads), [this](unsigned) { work(); });
-    // A limit may have left gaps; what lies behind them is still good.
+    // A limit may have left gaps; results behind them are still valid.
     for (Slot& slot : slots_) {
       hand_out(slot.found);
     }
@@ -88,7 +88,7 @@ class Team {
   }
 
  private:
-  // What one prefix led to and has not been handed out.
+  // The results of one prefix that were not passed on yet.
   struct Slot {
     std::vector<DesignClass> found;
     bool done = false;
@@ -124,7 +124,7 @@ class Team {
     std::size_t turn_;
   };
 
-  // Tables by the number of fixed elements, and a tree for each thread.
+  // Tables by the number of fixed elements, and one tree per thread.
   void require_memory() const {
     std::uint64_t bytes = 0;
     for (std::size_t c = 0; c < task_.cases.size(); ++c) {
@@ -155,7 +155,7 @@ class Team {
         PrefixCollector collector(control_);
         tree.explore(root, depth, collector);
         if (collector.too_many()) {
-          break;  // a level up there were few, and so they stay
+          break;  // one level up there were few, and so they stay
         }
         cut = std::move(collector.found);
         nodes = collector.nodes;

@@ -1,9 +1,8 @@
 // Threads and processes that explore the trees of an enumeration together.
 //
-// The trees are cut into prefixes, some hundreds a case however many threads there are. A thread
-// takes one prefix after another, judges what it finds, and hands it out when its turn comes:
-// prefix by prefix from left to right, so that the outcome does not depend on the number of
-// threads.
+// The trees are cut into prefixes, some hundreds per case, whatever the number of threads. A thread
+// takes one prefix after another, judges the designs that it finds, and passes them on in the order
+// of the prefixes, from left to right. So the result does not depend on the number of threads.
 #pragma once
 
 #include <functional>
@@ -16,16 +15,16 @@
 namespace changeover {
 
 struct EnumerationTask {
-  Parameters parameters;  ///< as they were asked for
+  Parameters parameters;  ///< as requested
   std::vector<EnumerationCase> cases;
-  /// What to hand out for a design, if anything. Called by many threads at once.
+  /// Returns what to pass on for a design, if anything. Called from many threads at once.
   std::function<std::optional<DesignClass>(const Design&)> judge;
-  /// Called in order, never by two threads at once.
+  /// Called in order, never from two threads at once.
   std::function<void(DesignClass&)> hand_out;
 };
 
-/// Explores all cases. `forms` of the answer counts what was handed out. @throws what judge and
-/// hand_out do.
+/// Explores all cases. `forms` of the result counts the designs passed on. @throws as judge and
+/// hand_out.
 EnumerationRun explore_together(const EnumerationTask& task, RunControl& control);
 
 }  // namespace changeover

@@ -48,8 +48,8 @@ EnumerationTree::EnumerationTree(const EnumerationCase& own, const DegreeTable& 
   first.block = path_.front() = own.first_block();
   first.first_run = first.block;
   first.excess = own.excess;
-  // The first block, and the elements that have not been introduced, are twins; in a circular
-  // design what is introduced in the first block is told from what stays there.
+  // The elements of the first block are twins, and so are those not introduced yet. In a circular
+  // design, elements introduced in the first block differ from those that stay there.
   first.twins = own.all() & ~bit(0) & ~(own.k < 64 ? bit(own.k) : 0);
   if (own.circular && own.change < own.k) {
     first.twins &= ~bit(own.change);
@@ -90,7 +90,7 @@ bool EnumerationTree::expand(std::size_t depth) {
     return visitor_->reached(std::span(path_).first(depth + 1));
   }
   const Level& here = levels_[depth];
-  const std::size_t blocks_left = own_.b - 2 - depth;  // after the one that is chosen now
+  const std::size_t blocks_left = own_.b - 2 - depth;  // after the block that is chosen now
   Choice choice{.depth = depth, .row = &degrees_.row(blocks_left)};
   choice.allowance = degrees_.allowance(here.excess, blocks_left);
   choice.lanes_full = !DegreeTable::within(choice.allowance, 0x7ffe'7ffe'7ffe'7ffeU);
@@ -108,7 +108,7 @@ bool EnumerationTree::expand(std::size_t depth) {
   return choose_leaving(choice, free, choice.must_leave, own_.change - count(choice.must_leave));
 }
 
-// Where many choices lead to no node, the visitor is asked as well.
+// Where many choices lead to no node, the visitor is called, too.
 bool EnumerationTree::may_go_on() {
   constexpr unsigned choices_between_questions = 1U << 16;
   return ++choices_ % choices_between_questions != 0 || visitor_->go_on(0);
@@ -161,7 +161,7 @@ bool EnumerationTree::introduce(const Choice& choice, Mask from, Mask introduced
     if ((here.twins & bit(x)) != 0 && (introduced & (bit(x) >> 1)) == 0) {
       continue;  // Of twins, the lowest come first.
     }
-    // Without any excess the candidates miss all that stay.
+    // Without excess, candidates must not miss any element that stays.
     const auto repeated =
         static_cast<std::int64_t>(here.excess == 0 ? count_few(introduced & ~here.missing[x])
                                                    : count(with & ~here.missing[x]));
@@ -260,7 +260,7 @@ void EnumerationTree::follow_runs(std::size_t depth) {
   }
 }
 
-// A run of full length ends now. One that began before the first block and lasts longer never ends.
+// A run of full length ends now. A longer one that began before the first block never ends.
 void EnumerationTree::limit_runs(Choice& choice) const {
   const Level& here = levels_[choice.depth];
   for (Mask rest = here.block; rest != 0; rest &= rest - 1) {
@@ -275,8 +275,8 @@ void EnumerationTree::limit_runs(Choice& choice) const {
   }
 }
 
-// The run that begins the design has full length, at most one element is in every block, and no run
-// across the end of the list is longer.
+// Whether the run that begins the design has full length, at most one element is in every block,
+// and no run across the end of the list is longer.
 bool EnumerationTree::runs_begin_well(std::size_t depth) const {
   const Level& here = levels_[depth];
   if (depth < own_.longest_run && (here.first_run & own_.first_introduced()) == 0) {
@@ -300,7 +300,7 @@ bool EnumerationTree::runs_begin_well(std::size_t depth) const {
   return true;
 }
 
-// Everything is covered and the circle closes; nothing is taken from the tables here.
+// Everything is covered and the cycle closes; this does not use the tables.
 bool EnumerationTree::is_design() const {
   const Level& last = levels_.back();
   for (std::size_t x = 0; x < own_.v; ++x) {

@@ -13,7 +13,7 @@ using Mask = std::uint64_t;
 inline Mask bit(std::size_t x) { return Mask{1} << x; }
 /// The least element; 64 of the empty set.
 inline std::size_t lowest(Mask mask) { return static_cast<std::size_t>(std::countr_zero(mask)); }
-/// How many there are.
+/// The number of elements.
 inline std::size_t count(Mask mask) { return static_cast<std::size_t>(std::popcount(mask)); }
 
 }  // namespace changeover

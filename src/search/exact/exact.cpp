@@ -32,7 +32,7 @@ using Seconds = std::chrono::duration<double>;
 
 constexpr Seconds no_limit = std::chrono::hours(24 * 365 * 100);
 
-/// Of this thread's processor time, so that figures do not depend on what else runs.
+/// Processor time of this thread, which does not depend on other programs.
 class Stopwatch {
  public:
   [[nodiscard]] Seconds elapsed() const { return now() - begin_; }
@@ -65,7 +65,7 @@ std::string proof_folder(const ExactOptions& options) {
   return options.proof_directory;
 }
 
-// Threads and processes that share a question each need a part of it.
+// Each of several threads or processes needs its own part of a question.
 bool must_split(const ExactOptions& options, const RunControl& control) {
   return options.cubes > 1 || control.threads() > 1 || control.settings().share.of > 1;
 }
@@ -95,7 +95,7 @@ class Question {
       solve(share);
     } catch (const MissingResource&) {
       if (!decision_.design) {
-        throw;  // else one thread found a design while another ran out of disk, say
+        throw;  // With a design, the fault of another thread does not matter.
       }
     } catch (const std::bad_alloc&) {
       throw MissingResource(fmt::format("not enough memory for {}; ask for something smaller",
@@ -120,11 +120,11 @@ class Question {
       mine_ = (cubes_.size() - share.index + share.of - 1) / share.of;
       work(share, static_cast<unsigned>(std::min<std::uint64_t>(threads, mine_)));
     } catch (const Stopped&) {
-      // The control knows why, and mine_ whether there was work yet.
+      // The control knows the reason, and mine_ whether there was work yet.
     }
   }
 
-  // About 16 cubes for each process, or 8 for each thread: enough to even out their times.
+  // About 16 cubes per process, or 8 per thread: enough to balance their times.
   void split(const WorkShare& share) {
     const std::uint64_t wanted = options_.cubes > 0 ? options_.cubes
                                  : share.of > 1
@@ -158,7 +158,7 @@ class Question {
   [[nodiscard]] std::string path_of(std::uint64_t index, const char* ending) const {
     const std::string part =
         cubes_.size() == 1 ? "" : fmt::format("-part{}of{}", index + 1, cubes_.size());
-    // Temporary files are of this process alone.
+    // Temporary files belong to this process alone.
     const std::string front =
         options_.proof_directory.empty() ? fmt::format("changeover-{}-", ::getpid()) : "";
     return (fs::path(folder_) / (front + stem_ + part + ending)).string();
@@ -214,7 +214,7 @@ class Question {
     decision_.parts.push_back(std::move(part));
   }
 
-  // What our solver wrote and the disk took whole cannot be malformed.
+  // A proof that the solver wrote, and that is completely on the disk, cannot be malformed.
   [[nodiscard]] ProofVerdict read_back(const std::string& cnf, const std::string& proof,
                                        const ProofOptions& limits) const {
     try {
@@ -265,7 +265,7 @@ class Question {
   }
 
   void found(const SatResult& result) {
-    // The time may be up: what was found is verified all the same.
+    // The time may be over, but a design that was found is verified anyway.
     RunControl unhurried({});
     const RunScope scope(unhurried);
     Design design = formula_->decode([&](Literal x) { return result.is_true(x); });
@@ -301,7 +301,7 @@ class Question {
     }
   }
 
-  // Parts were excluded, but not the whole.
+  // Only parts were excluded, not the whole.
   void discard_proofs() {
     std::error_code ignored;
     for (const CheckedPart& part : decision_.parts) {
@@ -333,7 +333,7 @@ class Question {
   std::mutex mutex_;
   Decision decision_;
   std::uint64_t unproved_ = 0;
-  std::uint64_t mine_ = 0;  // of the cubes, once there are any
+  std::uint64_t mine_ = 0;  // number of cubes of this process
 };
 
 }  // namespace

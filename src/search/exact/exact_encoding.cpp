@@ -38,8 +38,8 @@ using Literals = std::vector<Literal>;
 Number floor_div(Number a, Number n) { return a >= 0 ? a / n : -((-a + n - 1) / n); }
 Number ceil_div_signed(Number a, Number n) { return -floor_div(-a, n); }
 
-// Whether counting leaves room for f ≥ 1 elements in every block: without them there must be a
-// circular design with blocks of k − f elements, in which every pair is newly covered.
+// Whether counting allows f ≥ 1 elements in every block: without them there must be a circular
+// design with blocks of k − f elements, in which every pair is newly covered.
 bool may_have_fixed(const Parameters& p, std::uint64_t b, std::uint64_t f) {
   if (p.kind != Kind::circular || f + p.change > p.k || f >= p.v || p.change * b < p.v - f) {
     return false;
@@ -58,7 +58,7 @@ bool may_have_two_fixed(const Parameters& p, std::uint64_t b) {
   return false;
 }
 
-// Newly covered t-subsets less C(v,t): the repetitions, if there are less than t fixed elements.
+// Newly covered t-subsets less C(v,t): the number of repetitions, with fewer than t fixed elements.
 Number repetitions(const Parameters& p, std::uint64_t b) {
   const std::uint64_t a_block = newly_covered_at_most(p);
   const std::uint64_t covered =
@@ -74,8 +74,7 @@ Number repetitions(const Parameters& p, std::uint64_t b) {
   return static_cast<Number>(covered) - static_cast<Number>(wanted);
 }
 
-/// What decides which clauses there are: the encoder builds by it, and their number is counted by
-/// it.
+/// The numbers that decide which clauses exist. The encoder and the count of clauses both use them.
 struct EncodingPlan {
   EncodingPlan(const Parameters& parameters, std::uint64_t blocks, const EncodingOptions& options)
       : p(parameters),
@@ -88,10 +87,10 @@ struct EncodingPlan {
         counted(p.strength == 2 && !two_fixed && b > 1 &&
                 repetitions <= static_cast<Number>(options.budget)) {}
 
-  /// Blocks that have one before them.
+  /// Number of blocks with a predecessor.
   [[nodiscard]] std::uint64_t steps() const { return wraps ? b : b - 1; }
 
-  /// Newly covered t-subsets at an element that is introduced, and at one that stays.
+  /// Newly covered t-subsets at an introduced element, and at one that stays.
   [[nodiscard]] Number met() const {
     return static_cast<Number>(binomial(p.k - 1, p.strength - 1));
   }
@@ -99,7 +98,7 @@ struct EncodingPlan {
     return met() - static_cast<Number>(binomial(p.k - 1 - p.change, p.strength - 1));
   }
 
-  /// The most repetitions at one element, if that is limited: all e_x together are twice the
+  /// The limit for repetitions at one element, if there is one: all e_x together are twice the
   /// repetitions, and each is at least the least residue of −(v−1) modulo gcd(k−1, m).
   [[nodiscard]] std::optional<Number> most_excess() const {
     if (two_fixed || p.strength > 2) {
@@ -116,13 +115,13 @@ struct EncodingPlan {
   bool order;
   bool wraps;
   bool two_fixed;      // there may be two or more elements that are in every block
-  Number repetitions;  // that are possible, if there are less than t fixed elements
+  Number repetitions;  // possible ones, with fewer than t fixed elements
   bool degrees;
-  bool counted;  // repetitions are counted: the budget
+  bool counted;  // whether repetitions are counted (the budget)
 };
 
-// Calls each(i, least, largest) for i = 0 … b introductions of an element: it must then be in
-// `least` blocks or more (if that is positive) and in `largest` or fewer (if that is below b).
+// Calls each(i, least, largest) for i = 0 … b introductions of an element, which must then be in at
+// least `least` blocks (if that is positive) and at most `largest` (if that is below b).
 template <typename Each>
 void for_each_degree(const EncodingPlan& plan, const Each& each) {
   const Number met = plan.met();
@@ -172,7 +171,7 @@ class Encoder {
     return has_previous(i) ? introduced_[i * p_.v + e] : x(i, e);
   }
 
-  // A new literal that holds if and only if both do.
+  // A new literal that is equivalent to both.
   Literal both(Literal a, Literal b) {
     const Literal c = cnf_.new_variable();
     cnf_.add({-c, a});
@@ -191,8 +190,8 @@ class Encoder {
     }
   }
 
-  // That m leave follows, but saying so lets unit propagation see it: without, it was ten times
-  // slower.
+  // That m elements leave is implied, but the clauses allow unit propagation to use it: without
+  // them, solving took ten times as long.
   void steps() {
     introduced_.assign(b_ * p_.v, 0);
     Literals in(p_.v);
@@ -209,8 +208,8 @@ class Encoder {
     }
   }
 
-  // Column e is not below column e + 1. `same` holds if they agree in the blocks before i; of the
-  // two ways to agree it needs only what the order leaves open.
+  // Column e is not below column e + 1. `same` holds if they agree in the blocks before i; only the
+  // implications that the order needs are encoded.
   void order() {
     for (std::uint64_t e = 0; e + 1 < p_.v; ++e) {
       stop_if_asked();
@@ -224,8 +223,8 @@ class Encoder {
         add({x(i, e), -x(i, e + 1)});
         if (i + 1 < b_) {
           const Literal same = cnf_.new_variable();
-          add({same, -x(i, e + 1)});  // both are there
-          add({same, x(i, e)});       // neither is
+          add({same, -x(i, e + 1)});  // both blocks have the element
+          add({same, x(i, e)});       // neither has it
           unless.assign(1, -same);
         }
       }
@@ -253,7 +252,7 @@ class Encoder {
   }
 
   // i·met + (r − i)·met_staying is at least C(v−1,t−1), and at most that and most_excess().
-  // in and at are the counts i and r in unary.
+  // `in` and `at` are the counts i and r in unary.
   void degree(const Literals& in, const Literals& at, const Literals& unless) {
     const auto b = static_cast<Number>(b_);
     // "count ≥ number" in a clause that may have literals already.
@@ -327,8 +326,8 @@ class Encoder {
     cnf_.add(somewhere);
   }
 
-  // A literal for each block, which holds if and only if the pair is newly covered there. Those
-  // that say "a second time", "a third time" … are added to `repeated`.
+  // A literal for each block, which holds if and only if the pair is newly covered there. Literals
+  // for "a second time", "a third time", … are added to `repeated`.
   void newly_covered(std::uint64_t e, std::uint64_t f, Literals& repeated) {
     Literals newly;
     for (std::uint64_t i = 0; i < b_; ++i) {
@@ -354,7 +353,7 @@ class Encoder {
     }
   }
 
-  // In order of time, so that "before" means something to the solver.
+  // In the order of the blocks, so that "before" is meaningful to the solver.
   void at_most_one(const Literals& newly) {
     Literal before = newly.front();
     for (std::size_t i = 1; i < newly.size(); ++i) {
@@ -443,7 +442,7 @@ CnfSize size_of(const EncodingPlan& plan) {
     size += order_size(plan);
   }
   size += coverage_size(plan);
-  // Only now, for that takes O(b).
+  // Only now, because it takes O(b).
   require_representable(size, formula_name(p, plan.b));
   if (plan.degrees) {
     size += degrees_size(plan);
@@ -457,7 +456,7 @@ CnfSize size_of(const EncodingPlan& plan) {
                         "smaller");
 }
 
-/// The plan of a question and the size of its formula.
+/// The numbers of a question and the size of its formula.
 struct Counted {
   EncodingPlan plan;
   CnfSize size;

@@ -7,17 +7,17 @@
 // Variables x(i,e): block i holds element e. Clauses, for any m, both kinds and strength t:
 //   - every block has k elements; m are introduced and m leave at every step, the one from the last
 //     block to the first included if the design is circular and b > 1;
-//   - every t-subset is in some block: one variable for each block and t-subset, which implies the
+//   - every t-subset is in some block: one variable for each block and t-subset, which implies its
 //     elements, and one clause for each t-subset.
-// These alone are the definition. What follows leaves a design if there was one:
-//   - *order*: the columns x(·,0), x(·,1), … are in decreasing lexicographic order. Elements can be
-//     renamed so that they are, whatever the design; the first two blocks are thereby fixed.
-//   - *degrees*: an element x that is introduced i times and is in r blocks meets i·C(k−1,t−1) + (r
-//     − i)·(C(k−1,t−1) − C(k−1−m,t−1)) t-subsets newly, and each of the C(v−1,t−1) at least once,
-//     unless it is of fixed elements of a circular design only. So i and r are counted, and r is at
-//     least what i leaves. In total the newly covered t-subsets are as many as the blocks cover, so
-//     that no element can have more repetitions than all have together less what the others are
-//     forced to.
+// These clauses are the definition. The following ones keep at least one design, if there is any:
+//   - *order*: the columns x(·,0), x(·,1), … are in decreasing lexicographic order. Elements of any
+//     design can be renamed so; this fixes the first two blocks.
+//   - *degrees*: an element x that is introduced i times and is in r blocks newly meets
+//     i·C(k−1,t−1) + (r − i)·(C(k−1,t−1) − C(k−1−m,t−1)) t-subsets. Each of the C(v−1,t−1) must be
+//     met at least once, except those that consist of fixed elements of a circular design. So i and
+//     r are counted, and r is at least what i leaves. The total of newly covered t-subsets is
+//     known, so no element can have more repetitions than all have together, less those that the
+//     others must have.
 //   - *budget*: for pairs, if few repetitions are possible, each newly covered pair has a variable
 //     and the repetitions are counted.
 // A pair of elements that are in every block of a circular design is never newly covered; where
@@ -41,7 +41,7 @@ namespace changeover {
 
 class DesignFormula {
  public:
-  /// Without clauses yet; encode_design() adds them.
+  /// Has no clauses yet; encode_design() adds them.
   DesignFormula(const Parameters& p, std::uint64_t b) : parameters_(p), b_(b) {}
 
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
@@ -49,12 +49,13 @@ class DesignFormula {
   [[nodiscard]] const Cnf& cnf() const { return cnf_; }
   [[nodiscard]] Cnf& cnf() { return cnf_; }
 
-  /// Block `block` holds `element`, both from 0.
+  /// The literal for "block `block` contains `element`", both from 0.
   [[nodiscard]] Literal holds(std::uint64_t block, std::uint64_t element) const {
     return static_cast<Literal>(block * parameters_.v + element + 1);
   }
 
-  /// The design of a solution; nothing is verified. @throws BadInput if a block has not k elements.
+  /// The design of a solution; nothing is verified. @throws BadInput if a block does not have k
+  /// elements.
   [[nodiscard]] Design decode(const std::function<bool(Literal)>& is_true) const;
 
  private:
@@ -63,17 +64,17 @@ class DesignFormula {
   Cnf cnf_;
 };
 
-/// How large encode_design() makes the formula, exactly, without building it. @throws
-/// ImpossibleParameters as check(); MissingResource if it is more than Cnf holds. O(b) at worst,
-/// and then b is below 10⁸.
+/// The exact size of the formula of encode_design(), without building it. @throws
+/// ImpossibleParameters as check(); MissingResource if Cnf cannot hold it. O(b) at worst, and then
+/// b is below 10⁸.
 [[nodiscard]] CnfSize design_formula_size(const Parameters& p, std::uint64_t b,
                                           const EncodingOptions& options = {});
 
-/// "the formula of DCCD(60,5) with 253 blocks", for messages.
+/// A name for messages: "the formula of DCCD(60,5) with 253 blocks".
 [[nodiscard]] std::string formula_name(const Parameters& p, std::uint64_t b);
 
-/// The formula for exactly b ≥ 1 blocks, of O(b·C(v,t)) clauses and those of the counts.
-/// @throws as design_formula_size(), and Stopped as stop_if_asked().
+/// The formula for exactly b ≥ 1 blocks, with O(b·C(v,t)) clauses and those of the counts. @throws
+/// as design_formula_size(), and Stopped as stop_if_asked().
 [[nodiscard]] DesignFormula encode_design(const Parameters& p, std::uint64_t b,
                                           const EncodingOptions& options = {});
 

@@ -53,7 +53,7 @@ MinimaRow settle(const Parameters& p, const MinimumOptions& options, RunControl&
   return row;
 }
 
-// Constructions may have become better since the row was made. Returns whether they have.
+// Constructions may have improved since the row was made. Returns whether they have.
 bool lower_upper_end(MinimaRow& row) {
   const auto best = best_known(Registry::standard(), row.parameters);
   if (!best || (row.upper && *row.upper <= best->b)) {
@@ -91,7 +91,7 @@ void fill(const MinimaRange& range, std::vector<MinimaRow>& rows, const MinimumO
           }
           MinimaRow row = settle(p, options, control);
           if (!row.settled() && control.stop_wanted()) {
-            continue;  // not tried for as long as it should be
+            continue;  // not tried with as many conflicts
           }
           at = there ? at : rows.insert(at, MinimaRow{});
           *at = std::move(row);
@@ -110,7 +110,7 @@ void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
   try {
     fill(range, rows, options, control, on_row);
   } catch (const Stopped&) {
-    // What is filled in stays.
+    // Rows that were filled in stay.
   }
 }
 

@@ -95,7 +95,7 @@ MinimaRow row_from(MinimaCells& reader) {
   return row;
 }
 
-// Why no table has such a row; empty if one may.
+// Why a row is impossible; empty if it is possible.
 std::string defect(const MinimaRow& row) {
   try {
     check(row.parameters);
@@ -142,7 +142,7 @@ std::string title(const Parameters& p) {
 
 using Rows = std::vector<const MinimaRow*>;
 
-// How headings, sentences and tables are written.
+// The style of headings, sentences and tables.
 struct Style {
   std::string (*heading)(const std::string& words, unsigned level);
   std::string (*prose)(const std::string& words);

@@ -21,7 +21,7 @@ Bound lower_bound_on_paper(const Parameters& p) {
       }
     }
   } catch (const Stopped&) {
-    // There was no time for more.
+    // There was no time for a better bound.
   }
   return {1, "trivial", "a design has at least one block"};
 }
@@ -33,7 +33,7 @@ Decision decide_by(const MinimumOptions& options, const ExactOptions& exact, con
   return options.decider ? options.decider(b, exact) : decide(p, b, exact, control);
 }
 
-// From the lower bound up: the first design ends the walk, the first number that stays open too.
+// Goes up from the lower bound, to the first design or the first number that stays open.
 void walk(MinimumResult& result, const MinimumOptions& options, RunControl& control) {
   while (!result.settled()) {
     if (control.stop_wanted()) {
@@ -70,7 +70,7 @@ void walk(MinimumResult& result, const MinimumOptions& options, RunControl& cont
   }
 }
 
-// A better design, with more blocks than the number that stayed open.
+// Searches for a better design with more blocks than the number that stayed open.
 void look_above(MinimumResult& result, const MinimumOptions& options, RunControl& control) {
   ExactOptions quick = options.exact;
   quick.prove = false;
@@ -82,7 +82,7 @@ void look_above(MinimumResult& result, const MinimumOptions& options, RunControl
     try {
       result.steps.push_back(decide_by(options, quick, result.parameters, b, control));
     } catch (const MissingResource&) {
-      return;  // this number was not asked for
+      return;  // this number is not requested
     }
     if (result.steps.back().outcome == Outcome::found) {
       result.best = result.steps.back().design;
@@ -91,7 +91,7 @@ void look_above(MinimumResult& result, const MinimumOptions& options, RunControl
   }
 }
 
-// A design from elsewhere, if there is time to verify it.
+// Verifies a given design, if there is time.
 std::optional<VerifiedDesign> checked(const Parameters& p, const std::optional<Design>& known) {
   if (!known) {
     return std::nullopt;

@@ -4,13 +4,13 @@
 //     AnnealOutcome outcome = anneal(state, {.moves = 50'000'000}, random, control);
 //     outcome.missing;                      // 0: the state is a design now
 //
-// Half of the moves are aimed at something uncovered. A move that leaves `change` more uncovered is
-// accepted with probability exp(−change/T), and T falls geometrically from `hot` to `cold`, in
-// units of what missing() counts: for segment swaps one long run is worth more than many short
-// ones. At T = 0.38 one move in 14 that uncovers one more is accepted, at 0.15 one in 800.
+// Half of the moves are aimed at something uncovered. A move that uncovers `change` more is
+// accepted with probability exp(−change/T). T falls geometrically from `hot` to `cold`, in units of
+// missing(). For segment swaps one long run is better than many short ones. At T = 0.38 one move in
+// 14 that uncovers one more is accepted, at 0.15 one in 800.
 //
-// The same state, schedule and random numbers give the same moves everywhere: the probabilities
-// come from additions, products and square roots in a fixed order, not from the mathematics
+// The same state, schedule and random numbers give the same moves on every machine: probabilities
+// are computed by additions, products and square roots in a fixed order, without the mathematics
 // library.
 #pragma once
 
@@ -29,9 +29,9 @@
 
 namespace changeover {
 
-/// How long and how hot.
+/// Length and temperatures of an annealing run.
 struct AnnealSchedule {
-  std::uint64_t moves = 0;  ///< proposals, at most
+  std::uint64_t moves = 0;  ///< limit for proposals
   double hot = 0.38;
   double cold = 0.15;
 };
@@ -39,9 +39,9 @@ struct AnnealSchedule {
 struct AnnealOutcome {
   std::uint64_t moves = 0;     ///< proposals made
   std::uint64_t accepted = 0;  ///< of them
-  std::uint64_t missing = 0;   ///< in the state as it is left
-  std::uint64_t least = 0;     ///< of missing() on the way
-  bool stopped = false;        ///< by the control or the watch, before the schedule was through
+  std::uint64_t missing = 0;   ///< in the final state
+  std::uint64_t least = 0;     ///< least value of missing() during the run
+  bool stopped = false;        ///< by the control or the watch, before the end of the schedule
 };
 
 /// exp(−change/T) for change = 0, 1, …, as thresholds for 32 random bits.
@@ -63,7 +63,7 @@ class AcceptanceTable {
     }
   }
 
-  /// Whether to accept; draws only if `change` > 0.
+  /// Whether to accept the change; draws a random number only if `change` > 0.
   [[nodiscard]] bool accepts(std::int32_t change, Random& random) const {
     return change <= 0 || (static_cast<std::size_t>(change) < thresholds_.size() &&
                            random.next32() < thresholds_[static_cast<std::size_t>(change)]);
@@ -73,12 +73,12 @@ class AcceptanceTable {
   std::array<std::uint32_t, 16> thresholds_{};
 };
 
-/// How often control and watch are asked, at least; more often where moves are slow.
+/// The control and the watch are called at least this often; more often where moves are slow.
 inline constexpr std::uint64_t anneal_moves_between_questions = 2048;
 
-/// How many moves may pass before the next question: twice as many as before if they took no time
-/// to speak of, for a move may cost 50 ns or, with long blocks and strength 4, a second. Asking
-/// changes no move.
+/// The number of moves until the next call. It doubles if the last moves took little time, since a
+/// move may cost 50 ns or, with long blocks and strength 4, a second. Calls do not influence the
+/// moves.
 class QuestionPace {
  public:
   [[nodiscard]] std::uint64_t next() {
@@ -98,11 +98,10 @@ class QuestionPace {
   RunControl::Clock::time_point last_ = RunControl::Clock::now();
 };
 
-/// Asked now and then with the moves so far and what is uncovered; false stops.
+/// Called now and then with the moves so far and the number of uncovered things; false stops.
 using AnnealWatch = std::function<bool(std::uint64_t moves, std::uint64_t missing)>;
 
-/// Tells the control what `progress` says, with the moves besides those in it and what is missing
-/// now.
+/// Reports `progress` to the control, with the moves added and the number missing now.
 [[nodiscard]] inline AnnealWatch telling(RunControl& control, Progress progress) {
   return [&control, progress = std::move(progress)](std::uint64_t moves, std::uint64_t missing) {
     if (control.progress_due()) {
@@ -115,8 +114,8 @@ using AnnealWatch = std::function<bool(std::uint64_t moves, std::uint64_t missin
   };
 }
 
-/// Anneals until nothing is missing, the schedule is through, or control or watch say stop; both
-/// are asked every anneal_moves_between_questions moves, or more often. O(moves · cost of a move).
+/// Anneals until nothing is missing, the schedule ends, or the control or the watch stops it; both
+/// are called every anneal_moves_between_questions moves, or more often. O(moves · cost of a move).
 template <typename State>
 AnnealOutcome anneal(State& state, const AnnealSchedule& schedule, Random& random,
                      RunControl& control, const AnnealWatch& watch = {}) {

@@ -39,7 +39,7 @@ std::uint64_t fnv1a(std::string_view bytes) {
   return hash;
 }
 
-// One line after another, and one word of a line after another.
+// Reads one line after another, and one word of a line after another.
 class CheckpointLines {
  public:
   CheckpointLines(std::string_view text, std::string path) : lines_(text), path_(std::move(path)) {}
@@ -72,7 +72,7 @@ class CheckpointLines {
     return value;
   }
 
-  /// No word may be left.
+  /// Checks that the line has no further words.
   void end() const {
     if (!line_.empty()) {
       damaged();
@@ -86,7 +86,7 @@ class CheckpointLines {
 
  private:
   Lines lines_;
-  std::string_view line_;  // what is left of it
+  std::string_view line_;  // unread part of it
   std::string path_;
 };
 
@@ -110,7 +110,7 @@ SearchArm read_arm(CheckpointLines& lines, const Parameters& p) {
   return arm;
 }
 
-// It is shown to the user: words, nothing that a terminal would obey.
+// The text is shown to the user: it must not contain control characters.
 std::string read_how(CheckpointLines& lines) {
   const std::string_view how = lines.line();
   const bool words =
@@ -163,7 +163,7 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, const Paramet
   if (!std::filesystem::exists(status)) {
     return std::nullopt;
   }
-  // A pipe would keep us waiting, a device might never end.
+  // A pipe would block, and a device might never end.
   if (!std::filesystem::is_regular_file(status)) {
     throw BadInput(fmt::format("{}: a checkpoint must be a regular file; name another one", path));
   }
@@ -236,7 +236,7 @@ CheckpointFile::CheckpointFile(std::string path, const Parameters& p)
   std::error_code ignored;
   const auto status = std::filesystem::status(path_, ignored);
   if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) {
-    const OutputFile trial(path_);  // goes away without a trace
+    const OutputFile trial(path_);  // is removed without a trace
   }
 }
 
@@ -254,7 +254,7 @@ std::optional<CheckpointFile::Identity> CheckpointFile::identity() const {
 std::optional<Checkpoint> CheckpointFile::read() {
   const auto there = identity();
   auto checkpoint = read_checkpoint(path_, parameters_);
-  known_ = there;  // what cannot be read stays unknown, and is not replaced
+  known_ = there;  // a file that cannot be read stays unknown, and is not replaced
   return checkpoint;
 }
 

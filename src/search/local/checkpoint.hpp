@@ -1,4 +1,4 @@
-// The state of a local search in a file, so that it goes on after it was killed.
+// The state of a local search in a file, so that it can continue after it was killed.
 //
 //     changeover-checkpoint 1
 //     # changeover design v=30 k=6 change=2 kind=linear
@@ -11,15 +11,15 @@
 //     …
 //     check 9ae16a3b2f90404f
 //
-// Files are replaced as a whole (io/output.hpp), so that a process killed at any moment leaves the
-// old one or the new one. The last line is the FNV-1a hash of all before it: a damaged file is
-// refused, as is one of other parameters, with one line, and never overwritten. Reading needs no
-// trust beyond that: the design is verified before it is used, and every number must be one that a
-// search with these parameters can have.
+// Files are replaced as a whole (io/output.hpp), so a process killed at any moment leaves the old
+// or the new one. The last line is the FNV-1a hash of all before it. A file that is damaged or has
+// other parameters is refused with one line, and never overwritten. A file need not be trusted
+// beyond that: the design is verified before it is used, and every number must be possible for a
+// search with these parameters.
 //
-// One search at a time works with a file: CheckpointFile locks it as long as it lives, by the lock
-// of the system on FILE.lock, which ends with the process however that ends. What another process
-// puts into the place of the file meanwhile is read before it would be replaced.
+// One search at a time uses a file: CheckpointFile locks FILE.lock as long as it lives, with a lock
+// of the operating system that ends with the process. If another process replaces the file, its
+// content is read before it is replaced again.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@
 
 namespace changeover {
 
-/// One kind of attempt of local_search.hpp and what it has cost so far.
+/// One kind of attempt of local_search.hpp, and its cost so far.
 struct SearchArm {
   enum class Method : std::uint8_t { free, reheated, imposed };
   Method method = Method::free;
@@ -46,7 +46,7 @@ struct SearchArm {
   std::uint64_t budget = 0;  ///< moves of the next attempt
   std::uint64_t spent = 0;   ///< moves so far
   std::uint64_t step = 1;    ///< how far below the best design it aims
-  std::uint64_t missed = 0;  ///< what the last attempt at the nearest aim lacked
+  std::uint64_t missed = 0;  ///< what the last attempt at the nearest aim missed
 
   /// The imposed automorphism of designs on v elements; nullopt if there is none.
   [[nodiscard]] std::optional<Automorphism> automorphism(std::uint64_t v) const {
@@ -55,7 +55,8 @@ struct SearchArm {
 
   static constexpr std::uint32_t most_fixed = 2;
   static constexpr std::uint64_t most_extra = 3;
-  static constexpr std::uint64_t most_moves = std::uint64_t{1} << 60;  ///< of budget, and of spent
+  static constexpr std::uint64_t most_moves = std::uint64_t{1}
+                                              << 60;  ///< limit for budget and for spent
   static constexpr std::uint64_t most_step = std::uint64_t{1} << 40;
   static constexpr std::uint64_t most_missed = std::uint64_t{1} << 60;
 
@@ -72,21 +73,21 @@ struct Checkpoint {
   std::optional<VerifiedDesign> best;  ///< without labels and recipe
 };
 
-/// Writes it, replacing the file. @throws MissingResource if it cannot be written; the old file is
-/// then intact.
+/// Writes the file, replacing an old one. @throws MissingResource if it cannot be written; the old
+/// file is then intact.
 void write_checkpoint(const Checkpoint& checkpoint, const std::string& path);
 
-/// Reads it; nullopt if there is no such file.
-/// @throws BadInput with one line if the file is damaged, of another version, of other parameters
-/// than p, or no regular file; MissingResource if it cannot be read.
+/// Reads the file; nullopt if it does not exist. @throws BadInput with one line if the file is
+/// damaged, of another version, of other parameters than p, or not a regular file; MissingResource
+/// if it cannot be read.
 [[nodiscard]] std::optional<Checkpoint> read_checkpoint(const std::string& path,
                                                         const Parameters& p);
 
 /// The checkpoint of a running search, locked. Not shared between threads.
 class CheckpointFile {
  public:
-  /// Locks it (io/file/file_lock.hpp). @throws as FileLock, and MissingResource with one line if it
-  /// cannot be written: better now than after hours.
+  /// Locks the file (io/file/file_lock.hpp). @throws as FileLock, and MissingResource with one line
+  /// if it cannot be written, so that this is known at the start and not after hours.
   CheckpointFile(std::string path, const Parameters& p);
   CheckpointFile(const CheckpointFile&) = delete;
   CheckpointFile& operator=(const CheckpointFile&) = delete;
@@ -97,7 +98,7 @@ class CheckpointFile {
   /// As write_checkpoint().
   void write(const Checkpoint& checkpoint);
 
-  /// Whether there is another file than the one that was read or written last.
+  /// Whether the file is another one than was read or written last.
   [[nodiscard]] bool was_replaced() const;
 
  private:

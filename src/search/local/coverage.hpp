@@ -1,4 +1,4 @@
-// How often each of many things is covered, and those that are not, to draw one of them at random.
+// Counts how often each thing is covered, and lists the uncovered ones, to draw one at random.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace changeover {
 class Coverage {
  public:
   Coverage() = default;
-  /// Covered as often as `times` says. Listens to the scope of this thread (run/control.hpp).
+  /// Starts with the numbers in `times`. Stops with the scope of this thread (run/control.hpp).
   explicit Coverage(std::vector<std::uint32_t> times)
       : times_(std::move(times)), place_(times_.size()) {
     constexpr std::uint32_t between_questions = 1 << 16;
@@ -29,12 +29,12 @@ class Coverage {
   }
 
   [[nodiscard]] std::uint32_t times(std::size_t thing) const { return times_[thing]; }
-  /// To count something that is taken back at once: the list does not hear of it.
+  /// For a change that is undone at once: the list of uncovered things is not updated.
   [[nodiscard]] std::uint32_t& times(std::size_t thing) { return times_[thing]; }
   [[nodiscard]] std::uint32_t missing() const {
     return static_cast<std::uint32_t>(uncovered_.size());
   }
-  /// One of the missing() things that are uncovered.
+  /// One of the missing() uncovered things.
   [[nodiscard]] std::uint32_t uncovered(std::size_t which) const { return uncovered_[which]; }
 
   void add(std::size_t thing) {
@@ -59,8 +59,8 @@ class Coverage {
   }
 
   std::vector<std::uint32_t> times_;
-  std::vector<std::uint32_t> uncovered_;  // without order
-  std::vector<std::uint32_t> place_;      // in uncovered_, of those that are there
+  std::vector<std::uint32_t> uncovered_;  // in any order
+  std::vector<std::uint32_t> place_;      // in uncovered_, for uncovered things
 };
 
 }  // namespace changeover

@@ -15,7 +15,7 @@ namespace {
 constexpr int most_starts = 400;
 constexpr std::uint64_t largest_imposed_v = 4096;
 
-// A block of about `pieces` pieces of cycles, so that π moves at most so many of its elements out.
+// A block of about `pieces` pieces of cycles, so that π moves at most that many elements out of it.
 Block block_of_pieces(const Parameters& p, const Automorphism& pi, std::uint32_t pieces,
                       Random& random) {
   const auto v = static_cast<std::uint32_t>(p.v);

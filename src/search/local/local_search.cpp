@@ -33,18 +33,18 @@ namespace {
 using Method = SearchArm::Method;
 
 constexpr std::uint64_t largest_v = 4096;
-// In turn. The coldest leaves what constructions made as it is but for a few places.
+// Used in turn. The coldest one changes only a few places of a design from a construction.
 constexpr std::array<double, 4> reheated_to = {0.28, 0.14, 0.22, 0.33};
 constexpr std::size_t blocks_between_cuts = 8;
 constexpr int tries_to_leave_out = 60;
-constexpr int most_fruitless = 64;  // attempts in a row that could not even begin
+constexpr int most_fruitless = 64;  // attempts in a row that could not start
 
-/// What an attempt came to.
+/// The result of an attempt.
 struct Attempted {
-  std::optional<Design> design;  // with the parameters asked for
+  std::optional<Design> design;  // with the requested parameters
   std::uint64_t missed = 0;
   std::uint64_t moves = 0;
-  std::uint64_t counted = 0;  // of them, in the sum already
+  std::uint64_t counted = 0;  // of the moves, already in the sum
   bool started = false;
   bool stopped = false;
   std::string how;
@@ -62,7 +62,7 @@ class Improver {
               bytes_of_an_attempt(control)),
         seed_(control.seed()) {}
 
-  // Everything but the search. @throws Stopped; what there is until then is kept.
+  // Everything but the search. @throws Stopped; results so far are kept.
   void begin() {
     if (!options_.checkpoint.empty()) {
       file_.emplace(options_.checkpoint, parameters_);
@@ -105,7 +105,7 @@ class Improver {
   }
 
  private:
-  // Both counts of a checkpoint are of a search that is the same but for being cut into runs.
+  // Both counts of a checkpoint are for one search that was interrupted between runs.
   void go_on(Checkpoint checkpoint) {
     seed_ = checkpoint.seed;
     attempts_ = checkpoint.attempts;
@@ -116,11 +116,11 @@ class Improver {
     }
   }
 
-  // Without memory for it what the checkpoint has will do.
+  // Without memory for the best recipe, the design of the checkpoint is enough.
   void take_known() {
     try {
-      // Looking for the best recipe may take longer than there is time; what constructions offer is
-      // there at once.
+      // Finding the best recipe may take longer than the remaining time; the offers of
+      // constructions are available at once.
       if (const auto offer = Registry::standard().best(parameters_)) {
         take(built_design(*offer), "best recipe");
       }
@@ -143,7 +143,7 @@ class Improver {
     return best_ ? std::optional<std::uint64_t>(best_->block_count()) : std::nullopt;
   }
 
-  // Keeps what an attempt found if it is better, stopped or not.
+  // Keeps the design of an attempt if it is better, whether the search was stopped or not.
   bool take_found(Design design, const std::string& how) {
     if (best_ && design.block_count() >= best_->block_count()) {
       return false;
@@ -153,7 +153,7 @@ class Improver {
         surely_verified(std::move(design), fmt::format("a {} by {}", name(parameters_), how)), how);
   }
 
-  // Keeps a design if it is better. Under the lock, or before there are threads.
+  // Keeps a design if it is better. Called under the lock, or before there are threads.
   bool take(VerifiedDesign design, const std::string& how) {
     if (design.parameters() != parameters_) {
       throw InternalError(fmt::format("a {} is not what was searched: {}",
@@ -225,7 +225,8 @@ class Improver {
     return attempt;
   }
 
-  // A schedule that the clock would cut off is worth less than a shorter one that gets cold.
+  // A shorter schedule that reaches its lowest temperature is better than a long one that the time
+  // limit interrupts.
   void fit_to_time(Attempt& attempt) const {
     const auto left = control_.time_left();
     const double elapsed = control_.elapsed().count() * control_.threads();
@@ -314,8 +315,7 @@ class Improver {
     return attempted;
   }
 
-  // A circular design that is not cut shorter than the best may still be a good place to start
-  // from.
+  // A circular design whose cut is no shorter than the best design may still be a good start.
   void shorten(const Attempt& attempt, const Design& circular, Attempted& attempted,
                Random& random) {
     const std::uint64_t blocks = best_blocks_ - 1;
@@ -334,7 +334,7 @@ class Improver {
     }
   }
 
-  // nullopt if no element can go, or there is no time left.
+  // Nullopt if no element can be removed, or no time is left.
   std::optional<Design> without_extra(const Design& design, std::uint64_t extra) const {
     const RunGrace grace(control_, usual_grace);
     try {
@@ -344,8 +344,8 @@ class Improver {
     }
   }
 
-  // As linear as asked, without what is not needed; as it is if there is no time or memory for
-  // that.
+  // Makes the design linear if requested, and removes needless blocks; returns it unchanged if time
+  // or memory is short.
   Design shorter(Design design) const {
     const RunGrace grace(control_, usual_grace);
     try {
@@ -359,8 +359,8 @@ class Improver {
     return design;
   }
 
-  // The design without a block from which as many elements change to the next one as to the one
-  // before; nullopt if no such block is soon found.
+  // Removes a block between whose neighbours exactly m elements change; nullopt if no such block is
+  // found soon.
   static std::optional<Design> without_a_block(const Design& best, Random& random) {
     const std::size_t b = best.block_count();
     const bool circular = best.parameters().kind == Kind::circular;
@@ -383,8 +383,8 @@ class Improver {
     return std::nullopt;
   }
 
-  // A linear design loses an end or a block inside; in a circular one that has none to lose a piece
-  // is replaced by a random way of a block less.
+  // A linear design loses an end block or an inner block. In a circular one without a removable
+  // block, a piece is replaced by a random walk that is one block shorter.
   std::optional<Design> one_block_less(const Design& best, std::size_t blocks,
                                        Random& random) const {
     if (best.block_count() == blocks + 1 && random.below(2) == 0) {
@@ -398,7 +398,7 @@ class Improver {
     const std::size_t b = best.block_count();
     const std::size_t begin = random.below(static_cast<std::uint32_t>(b));
     const std::size_t steps = std::min(blocks_between_cuts, b - 1);
-    // Another thread may have made the best design shorter than the aim.
+    // Another thread may have found a design with fewer blocks than the aim.
     if (blocks > b || steps <= b - blocks) {
       return random_list(parameters_, blocks, random);
     }
@@ -420,8 +420,8 @@ class Improver {
     return list;
   }
 
-  // Counts moves, after those before, into `counted` and in all, tells, writes the checkpoint;
-  // stops an attempt that another has overtaken.
+  // Counts moves in `counted` and in total, reports progress, and writes the checkpoint. Stops an
+  // attempt whose aim another one has reached.
   AnnealWatch watch(const Attempt& attempt, Attempted& attempted, std::string phase,
                     std::uint64_t pairs_a_unit, std::uint64_t moves_before = 0) {
     return [this, &attempted, promise = attempt.promise, phase = std::move(phase), pairs_a_unit,
@@ -475,8 +475,8 @@ class Improver {
     }
   }
 
-  // A checkpoint that cannot be written does not end the search: it is tried again, and said at the
-  // end.
+  // A checkpoint that cannot be written does not end the search: writing is tried again, and a
+  // failure is reported at the end.
   void save() {
     if (!file_) {
       return;
@@ -501,8 +501,8 @@ class Improver {
                                                 options_.checkpoint_interval);
   }
 
-  // Another process may have put another checkpoint there, a better one: it is not lost. What is
-  // none is not replaced.
+  // Another process may have written a better checkpoint; its design is taken over. A file that is
+  // no checkpoint is not replaced.
   void keep_what_others_found() {
     if (!file_->was_replaced()) {
       return;
@@ -544,7 +544,7 @@ class Improver {
   std::string unsearched_;
   std::uint64_t attempts_ = 0;
   std::uint64_t moves_before_ = 0;  // of earlier runs
-  std::uint64_t reserved_ = 0;      // moves of attempts that were given out
+  std::uint64_t reserved_ = 0;      // moves of attempts that were started
   int fruitless_ = 0;
   std::atomic<std::uint64_t> moves_ = 0;
   std::atomic<std::uint64_t> best_blocks_ = std::numeric_limits<std::uint32_t>::max();
@@ -568,7 +568,7 @@ ImproveResult improve(const Parameters& p, const ImproveOptions& options, RunCon
     improver.emplace(p, options, control);
     improver->begin();
   } catch (const Stopped&) {
-    // What is known by now is the result.
+    // The results so far are returned.
   }
   if (improver) {
     return improver->run();

@@ -20,8 +20,9 @@ constexpr std::uint64_t first_budget_free = std::uint64_t{1} << 20;
 constexpr std::uint64_t first_budget_reheated = std::uint64_t{1} << 19;
 constexpr std::uint64_t first_budget_imposed = std::uint64_t{1} << 18;
 constexpr std::uint64_t largest_budget = std::uint64_t{1} << 40;
-constexpr std::uint64_t most_missed = 30;     // that count
-constexpr std::uint64_t cost_of_imposed = 4;  // of a move, against one of blocks without symmetry
+constexpr std::uint64_t most_missed = 30;  // limit for counting
+constexpr std::uint64_t cost_of_imposed =
+    4;  // of a move, relative to one of blocks without symmetry
 constexpr std::uint64_t fewest_blocks_of_a_circle = 3;
 
 // a · b, or the largest number.
@@ -53,7 +54,7 @@ SearchArms::SearchArms(const Parameters& p, std::uint64_t goal, bool imposed,
     }
   }
   if (p.kind == Kind::linear) {
-    // A circular design has at least so many blocks.
+    // A circular design has at least this many blocks.
     allowance_ = binomial(p.k, p.strength) / newly_covered_at_most(p);
   }
   if (share.of > 1) {
@@ -145,7 +146,7 @@ std::optional<Attempt> SearchArms::next(std::uint64_t best) {
       continue;
     }
     if (arm.spent == 0 && arm.method != Method::reheated) {
-      // First half way down.
+      // Try first half way down.
       const auto farthest = aim(arm, best, best).value_or(*nearest);
       arm.step = std::max<std::uint64_t>(1, (*nearest - farthest) / 2);
     }
@@ -171,7 +172,7 @@ std::optional<Attempt> SearchArms::next(std::uint64_t best) {
 
 void SearchArms::report(const Attempt& attempt, std::uint64_t missed, bool improved) {
   SearchArm& arm = arms_[attempt.arm];
-  // A few base blocks have been seen through soon: more of the same would be wasted.
+  // A few base blocks are soon searched through; further moves would be wasted.
   const std::uint64_t largest =
       arm.method == Method::imposed
           ? std::min(saturated(first_budget_imposed / 2, saturated(attempt.aim, attempt.aim)),
@@ -179,11 +180,12 @@ void SearchArms::report(const Attempt& attempt, std::uint64_t missed, bool impro
           : largest_budget;
   const std::uint64_t doubled = std::max(arm.budget, std::min(arm.budget * 2, largest));
   if (missed == 0) {
-    // Another design of the same symmetry may be cut shorter: worth as much again, no more.
+    // Another design with the same symmetry may have a shorter cut: it gets as many moves again, no
+    // more.
     arm.step = improved ? std::min(arm.step * 2, SearchArm::most_step) : 1;
     arm.missed = improved ? 0 : arm.missed + 1;
   } else if (attempt.nearest) {
-    // What cannot take longer can only be tried again, with less and less hope.
+    // An attempt that cannot take more moves can only be repeated, with decreasing priority.
     arm.missed = doubled > arm.budget ? missed : std::max(missed, arm.missed + 1);
     arm.budget = doubled;
     arm.step = 1;

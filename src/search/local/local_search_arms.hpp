@@ -1,9 +1,10 @@
-// Which attempt of local search comes next.
+// Chooses the next attempt of local search.
 //
-// An arm is one kind of attempt; it aims at a number of blocks below the best so far, by `step` in
+// An arm is one kind of attempt. It aims at a number of blocks below the best so far, by `step` in
 // its own units, and doubles its budget whenever it fails at the nearest aim. The arm of least cost
-// comes next: moves spent and about to be spent, in the time that they take, times (1 + what the
-// last attempt missed)². An arm is left out while its counters would take more memory than an
+// comes next. The cost is the time for the moves made so far and those of the next attempt, times
+// (1 + the number missed by the last attempt)². An arm is left out while its counters would take
+// more memory than an attempt may.
 // attempt may.
 #pragma once
 
@@ -18,45 +19,45 @@
 
 namespace changeover {
 
-/// What one attempt is to do.
+/// The task of one attempt.
 struct Attempt {
   std::size_t arm = 0;
   std::uint64_t number = 0;   ///< of the attempt, from 0
   std::uint64_t aim = 0;      ///< blocks; base blocks of an imposed automorphism
-  std::uint64_t promise = 0;  ///< blocks of the design that may come of it, at least
+  std::uint64_t promise = 0;  ///< the most blocks of a design from a successful attempt
   std::uint64_t moves = 0;
   bool nearest = false;  ///< the aim is the nearest one
 };
 
 class SearchArms {
  public:
-  /// Arms for p; `goal` blocks are enough. An attempt may take so many bytes; nothing: any.
+  /// Arms for p; `goal` blocks are enough. `bytes` limits the memory of an attempt; nullopt: no
+  /// limit.
   SearchArms(const Parameters& p, std::uint64_t goal, bool imposed, const WorkShare& share,
              std::optional<std::uint64_t> most_bytes = {});
 
   [[nodiscard]] const std::vector<SearchArm>& arms() const { return arms_; }
-  /// Goes on with what arms of the same kinds, from a checkpoint, have cost and promise.
+  /// Continues with the costs and results of arms of the same kinds from a checkpoint.
   void restore(const std::vector<SearchArm>& arms);
 
-  /// There was no memory for this arm after all: it is left out from now on.
+  /// Leaves out an arm for which memory was too small.
   void leave_out(std::size_t arm) { no_memory_[arm] = true; }
 
-  /// If arms with an aim are left out, the bytes that the least of them would take; 0 if none is.
+  /// If arms with an aim are left out, the least memory that one of them needs; 0 if none is.
   [[nodiscard]] std::uint64_t bytes_left_out(std::uint64_t best) const;
 
   /// The next attempt to find a design of fewer than `best` blocks; nullopt if no arm has an aim.
-  /// Its moves are taken for spent.
+  /// Its moves count as made.
   [[nodiscard]] std::optional<Attempt> next(std::uint64_t best);
 
-  /// Tells how an attempt ended: with `missed` uncovered, 0 if it succeeded. `improved`: a better
-  /// design came of it.
+  /// Reports the end of an attempt: the number of things missed, 0 if it succeeded, and whether it
+  /// gave a better design (`improved`).
   void report(const Attempt& attempt, std::uint64_t missed, bool improved);
 
   [[nodiscard]] Parameters parameters_of(const SearchArm& arm) const;
 
  private:
-  // The number of blocks or base blocks that an arm is to try, the nearest to `best` first if step
-  // is 1.
+  // The number of blocks or base blocks that an arm tries next; the nearest to `best` if step is 1.
   [[nodiscard]] std::optional<std::uint64_t> aim(const SearchArm& arm, std::uint64_t best,
                                                  std::uint64_t step) const;
 
@@ -68,7 +69,7 @@ class SearchArms {
   Parameters parameters_;
   std::uint64_t goal_;
   std::optional<std::uint64_t> most_bytes_;
-  std::uint64_t allowance_ = 0;  // blocks that a cut may save
+  std::uint64_t allowance_ = 0;  // number of blocks that a cut may save
   std::vector<SearchArm> arms_;
   std::vector<std::uint64_t> fewest_;  // base blocks of each arm, by counting
   std::vector<bool> no_memory_;        // by arm

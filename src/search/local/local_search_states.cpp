@@ -34,7 +34,7 @@ std::uint64_t annealing_bytes(const Parameters& p, std::uint64_t blocks) {
     return too_many;
   }
   if (p.strength == 2) {
-    // An element may be in more blocks than the others.
+    // Some element may be in more blocks than the average.
     return blocks * p.k / p.v < most_occurrences ? Bytes::bytes(p.v, p.k, blocks)
                                                  : Words::bytes(p.v, p.k, blocks);
   }

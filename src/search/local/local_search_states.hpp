@@ -1,4 +1,4 @@
-// Annealing a list of blocks with the counters that fit it.
+// Anneals a list of blocks with counters of the right type.
 #pragma once
 
 #include <cstddef>
@@ -17,13 +17,12 @@ struct Annealed {
   AnnealOutcome outcome;
 };
 
-/// The memory that annealing so many blocks takes, at most; the largest number if that exceeds 64
-/// bits.
+/// The memory for annealing so many blocks, at most; the largest number if that exceeds 64 bits.
 [[nodiscard]] std::uint64_t annealing_bytes(const Parameters& p, std::uint64_t blocks);
 
 /// Anneals all blocks but the first `frozen`; elements in locked cells stay there (strength 2).
-/// Listens to the scope of this thread while it begins.
-/// @throws MissingResource if the counters would need more memory than `control` allows.
+/// While it starts, the scope of this thread can stop it. @throws MissingResource if the counters
+/// would need more memory than `control` allows.
 [[nodiscard]] Annealed anneal_blocks(const Design& start, std::size_t frozen,
                                      const AnnealSchedule& schedule, Random& random,
                                      RunControl& control, const AnnealWatch& watch = {},

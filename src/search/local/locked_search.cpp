@@ -23,14 +23,14 @@ namespace {
 constexpr std::uint64_t largest_locked_v = 4096;
 constexpr std::uint64_t first_moves = std::uint64_t{1} << 22;
 constexpr std::uint64_t most_doublings = 12;
-constexpr int most_drawings = 200;  // of places, before an attempt counts as failed
+constexpr int most_drawings = 200;  // of places, before an attempt has failed
 
 bool has_twice(const Block& block) {
   const Block in_order = sorted(block);
   return std::ranges::adjacent_find(in_order) != in_order.end();
 }
 
-// All elements that are to be in parts.
+// All elements that must be in parts.
 Block in_parts(const Parameters& p, const Wanted& wanted) {
   std::vector<bool> out(static_cast<std::size_t>(p.v));
   for (const Block* block : {&wanted.first, &wanted.last}) {
@@ -47,14 +47,14 @@ Block in_parts(const Parameters& p, const Wanted& wanted) {
   return rest;
 }
 
-/// A list to start from, the cells that stay, and where the parts are.
+/// A list to start from, the locked cells, and the places of the parts.
 struct Draft {
   Design list;
   std::vector<LockedCell> locked;
   std::vector<std::size_t> positions;
 };
 
-/// Draws places for what is wanted, and blocks that have it.
+/// Draws places for the required properties, and blocks that have them.
 class Drawing {
  public:
   Drawing(const Parameters& p, const Wanted& wanted, std::size_t blocks, Random& random)
@@ -79,8 +79,8 @@ class Drawing {
  private:
   struct Place {
     std::size_t block;
-    Block whole;   // the block there, to begin with
-    Block locked;  // what of it stays
+    Block whole;   // the block at this place at the start
+    Block locked;  // the elements of it that stay
   };
 
   std::optional<Draft> free_list() {
@@ -88,7 +88,7 @@ class Drawing {
     return list ? std::optional(Draft{*std::move(list), {}, {}}) : std::nullopt;
   }
 
-  // Any block that has these elements and lacks those.
+  // A random block that contains `elements` and none of `without`.
   Block filled(Block elements, const Block& without) {
     while (elements.size() < p_.k) {
       const Element x = random_.below(static_cast<std::uint32_t>(p_.v));
@@ -100,7 +100,7 @@ class Drawing {
     return sorted(elements);
   }
 
-  // The same beside a block from which m elements change.
+  // The same after a block from which m elements change.
   Block filled_after(Block elements, const Block& before) {
     Block stays = difference(before, elements);
     std::size_t needed = part_size_ - std::min(part_size_, before.size() - stays.size());
@@ -149,7 +149,7 @@ class Drawing {
 
   std::size_t below(std::size_t limit) { return random_.below(static_cast<std::uint32_t>(limit)); }
 
-  // Parts at random, with room between them to change all elements where there is any.
+  // Parts at random places, with room between them to change all elements where possible.
   bool place_parts() {
     if (!wanted_.expansion_set) {
       return true;
@@ -162,7 +162,7 @@ class Drawing {
     if (count == 0) {
       return true;
     }
-    // Any places with room between them to change all elements, where there is that much room.
+    // Any places with room between them to change all elements, if there is that much room.
     const bool circular = p_.kind == Kind::circular;
     const std::size_t steps = circular ? blocks_ : blocks_ - 1;
     const std::size_t wanted_gap = ceil_div(p_.k, p_.change) + 1;
@@ -278,7 +278,7 @@ class LockedSearch {
   }
 
  private:
-  // A little above the bound, and no more than what is enough.
+  // Slightly above the bound, and at most the number that is enough.
   [[nodiscard]] std::uint64_t usual_aim() const {
     const std::uint64_t usual = bound_ + std::max<std::uint64_t>(2, bound_ / 8);
     return options_.blocks ? std::min(goal_, usual) : usual;
@@ -355,7 +355,7 @@ class LockedSearch {
     aim_ = best_blocks_ - step_;
   }
 
-  // Nearer to what is there, else longer.
+  // Aims closer to the best design, or else runs longer.
   void failed() {
     if (best_blocks_ > 0 && step_ > 1) {
       step_ /= 2;
@@ -383,9 +383,9 @@ class LockedSearch {
   std::uint64_t budget_ = first_moves;
   std::uint64_t doublings_ = 0;
   std::uint64_t fails_ = 0;
-  std::uint64_t reserved_ = 0;  // moves of attempts that were given out
+  std::uint64_t reserved_ = 0;  // moves of attempts that were started
   std::atomic<std::uint64_t> moves_ = 0;
-  std::atomic<std::uint64_t> best_blocks_ = 0;  // 0: none yet
+  std::atomic<std::uint64_t> best_blocks_ = 0;  // 0 for none yet
   LockedResult result_;
   std::mutex mutex_;
 };

@@ -12,7 +12,7 @@
 namespace changeover {
 namespace {
 
-// Brings `count` random members of `list` to its front.
+// Moves `count` random members of `list` to its front.
 void choose(Block& list, std::size_t count, Random& random) {
   for (std::size_t i = 0; i < count; ++i) {
     const auto left = static_cast<std::uint32_t>(list.size() - i);
@@ -20,8 +20,7 @@ void choose(Block& list, std::size_t count, Random& random) {
   }
 }
 
-// The elements below v that are in neither block, increasing, without a list of them: there are
-// many.
+// The elements below v that are in neither block, increasing, without listing them all.
 class Outside {
  public:
   Outside(const Block& one, const Block& other, std::uint64_t v) : taken_(one) {
@@ -49,7 +48,7 @@ class Outside {
     return all;
   }
 
-  // Where `below` elements are taken before it, the element at `place` is place + below.
+  // If `below` elements of the blocks are smaller, the element at `place` is place + below.
   [[nodiscard]] Element at(std::size_t place) const {
     std::size_t below = 0;
     for (std::size_t above = taken_.size(); below < above;) {
@@ -68,8 +67,8 @@ class Outside {
   std::size_t count_ = 0;
 };
 
-// `count` random elements outside both blocks: as choose() would bring them to the front of their
-// list. A few swaps are remembered; many are made.
+// `count` random elements outside both blocks, the same ones as choose() would select from their
+// list. A few swaps are remembered; for many the list is made.
 Block choose_outside(const Block& one, const Block& other, std::uint64_t v, std::size_t count,
                      Random& random) {
   constexpr std::size_t few = 16;
@@ -82,7 +81,7 @@ Block choose_outside(const Block& one, const Block& other, std::uint64_t v, std:
   }
   Block chosen;
   std::vector<std::pair<std::size_t, Element>>
-      moved;  // what stands at a place now; the last one counts
+      moved;  // the element at a place now; the last entry counts
   const auto at = [&](std::size_t place) {
     const auto last = std::find_if(moved.rbegin(), moved.rend(),
                                    [place](const auto& each) { return each.first == place; });
@@ -102,9 +101,9 @@ struct Range {
   std::uint64_t most = 0;
 };
 
-// One step at distance d: of the m that go, `wrong` are not in the goal; of the m that come,
-// `strange` are in neither block. The distance becomes d − wrong + strange; both are chosen freely
-// in their ranges.
+// One step at distance d: `wrong` of the m leaving elements are not in the goal, and `strange` of
+// the m new elements are in neither block. The distance becomes d − wrong + strange; both are
+// chosen independently in their ranges.
 struct Steps {
   Range wrong;
   Range strange;
@@ -118,7 +117,7 @@ struct Steps {
   }
 };
 
-// From which distances the goal can be reached in exactly r steps, for all r up to some number.
+// The distances from which the goal can be reached in exactly r steps, for all r up to a limit.
 class Arrivals {
  public:
   Arrivals(std::size_t steps, const Parameters& p)
@@ -146,7 +145,7 @@ class Arrivals {
     return arrives_[steps * distances_ + distance];
   }
 
-  // counts[d]: how many distances below d are good for r steps.
+  // counts[d]: the number of distances below d from which r steps can reach the goal.
   void counts(std::size_t r, std::vector<std::uint32_t>& counts) const {
     counts.assign(1, 0);
     for (std::size_t d = 0; d < distances_; ++d) {
@@ -154,7 +153,7 @@ class Arrivals {
     }
   }
 
-  // Of the distances from `least` to `most`.
+  // The number of such distances from `least` to `most`.
   [[nodiscard]] static std::uint32_t number(const std::vector<std::uint32_t>& counts,
                                             std::uint64_t least, std::uint64_t most) {
     const std::uint64_t end = std::min<std::uint64_t>(most + 1, counts.size() - 1);
@@ -168,8 +167,9 @@ class Arrivals {
   std::vector<bool> arrives_;
 };
 
-// One of the steps at distance d after which the goal can be reached in r steps, each as likely:
-// how many wrong elements go, and how many strange ones come. There must be one.
+// Draws a step at distance d after which r steps can reach the goal, each with the same
+// probability: the numbers of wrong elements that leave and of strange ones that come. There must
+// be one.
 std::pair<std::uint64_t, std::uint64_t> random_choice(const Arrivals& arrives, std::size_t r,
                                                       std::uint64_t d, const Parameters& p,
                                                       std::vector<std::uint32_t>& counts,

@@ -16,7 +16,7 @@ constexpr std::uint32_t most_tries = 200;
 std::uint64_t SegmentOrbits::bytes(const Parameters& p, const Automorphism& pi, std::uint64_t c) {
   const std::uint64_t pairs = checked_multiply(p.v, p.v);
   const std::uint64_t images = checked_multiply(2 * p.v, pi.n);
-  // At worst every pair is an orbit; lists double when they grow.
+  // In the worst case every pair is an orbit; lists double when they grow.
   const std::uint64_t orbits = pairs / 2 / pi.n + 2 * p.v;
   const std::uint64_t blocks = checked_multiply(c, checked_add(p.v, checked_multiply(2, p.k)));
   return checked_add(checked_add(checked_multiply(4, pairs), images),
@@ -142,8 +142,8 @@ SegmentSwap SegmentOrbits::propose_aimed(Random& random) const {
   return propose(random);
 }
 
-// The counters are changed, block by block, and changed back; nothing else is touched. A base block
-// that a segment reaches twice would have to change in between: such moves are made and taken back.
+// Changes the counters, block by block, and changes them back. A base block that a segment reaches
+// twice would have to change in between; such moves are made and undone.
 std::int32_t SegmentOrbits::look(const SegmentSwap& move) {
   if (move.length > c_) {
     const auto before = static_cast<std::int32_t>(coverage_.missing());

@@ -6,12 +6,12 @@
 //     state.design();                                           // all c·7 blocks
 //
 // π has cycles of one length n and fixed elements (core/developed.hpp). The list is circular with b
-// = cn blocks and B_{i+c} = π(Bᵢ), so c blocks say all: a pair is covered if some pair of its orbit
-// is in one of them. A segment swap of {x,y} is made together with its n images. Images that reach
-// the same blocks, or follow one another, must have no element in common with the move itself (then
-// they do not disturb each other); a segment that is too long for that is no move.
+// = cn blocks and B_{i+c} = π(Bᵢ), so c blocks determine it: a pair is covered if some pair of its
+// orbit is in one of them. A segment swap of {x,y} is made together with its n images. Images that
+// reach the same or consecutive blocks must have no element in common with the swap itself, so that
+// they do not interfere; a segment that is too long for that is not a move.
 //
-// Looking at a move costs O(segment · k): its counters are changed and changed back.
+// Evaluating a move costs O(segment · k): its counters are changed and changed back.
 #pragma once
 
 #include <cstddef>
@@ -30,15 +30,14 @@
 
 namespace changeover {
 
-/// Base blocks under search; see above.
+/// Base blocks during a search; see above.
 class SegmentOrbits {
  public:
-  /// The memory that c base blocks need, at most. @throws ImpossibleParameters if that exceeds 64
-  /// bits.
+  /// The memory for c base blocks, at most. @throws ImpossibleParameters if that exceeds 64 bits.
   [[nodiscard]] static std::uint64_t bytes(const Parameters& p, const Automorphism& pi,
                                            std::uint64_t c);
 
-  /// c ≥ 1 base blocks of k elements whose steps, the one from the last to π(first) included,
+  /// c ≥ 1 base blocks of k elements whose steps, including the one from the last to π(first),
   /// change m elements. v = pi.v() ≤ 65,535.
   SegmentOrbits(const Parameters& p, const Automorphism& pi, std::span<const Block> base_blocks);
 
@@ -48,7 +47,7 @@ class SegmentOrbits {
   [[nodiscard]] std::uint32_t count(Element x, Element y) const {
     return coverage_.times(orbits_.of(x, y));
   }
-  /// The k elements of a base block, in no order.
+  /// The k elements of a base block, in any order.
   [[nodiscard]] std::span<const std::uint16_t> block(std::uint32_t index) const {
     return std::span(elements_).subspan(std::size_t{index} * k_, k_);
   }
@@ -56,8 +55,8 @@ class SegmentOrbits {
   /// All blocks, circular.
   [[nodiscard]] Design design() const;
 
-  /// The move that exchanges x in base block i and y outside it. `first` may stand for a block
-  /// before the base blocks: it is counted from block −n·c.
+  /// The move that exchanges x in base block i and y outside it. `first` may be a block before the
+  /// base blocks: it is counted from block −n·c.
   [[nodiscard]] SegmentSwap segment(std::uint32_t i, Element x, Element y) const;
 
   /// A move at a random place.

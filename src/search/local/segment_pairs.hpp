@@ -1,4 +1,5 @@
-// The state of a local search for strength 2: blocks, and how often each pair occurs in them.
+// The state of a local search for strength 2: blocks, and the number of blocks that contain each
+// pair.
 //
 //     SegmentPairs<std::uint8_t> state(design);            // any list with the change property
 //     const SegmentSwap move = state.propose(random);
@@ -7,14 +8,14 @@
 //     }
 //     state.missing();                                     // pairs that are in no block
 //
-// A move on a run of n blocks looks at rows of v counters: for every z, d(z) is how often z is in
-// the run beside y less how often beside x, so the pair {x,z} gains d(z) and {y,z} loses it, and
-// all that matters is which counters become or cease to be 0. Counters are bytes (or 16 bits) and
-// rows are added 16 bytes at a time, so looking costs O((n + 1)·v/16) whatever k is, and about 50
+// A move on a run of n blocks uses rows of v counters. For every z, d(z) is how often z is in the
+// run together with y, less how often together with x. The pair {x,z} gains d(z) and {y,z} loses
+// it; only counters that become 0, or cease to be 0, matter. Counters are bytes (or 16 bits) and
+// rows are added 16 bytes at a time, so evaluating a move costs O((n + 1)·v/16) for any k, about 50
 // ns at (30,6).
 //
-// Memory: bytes(v, k, b), about (2v² + bv)·sizeof(Count) + 4v² + 2bk. Making it listens
-// (run/control.hpp).
+// Memory: bytes(v, k, b), about (2v² + bv)·sizeof(Count) + 4v² + 2bk. The scope of the thread
+// (run/control.hpp) can stop the constructor.
 #pragma once
 
 #include <algorithm>
@@ -35,12 +36,12 @@
 
 namespace changeover {
 
-/// Blocks under search; see above. Count must hold the number of blocks that contain an element:
-/// 8 bits if that is at most 255 in the beginning (moves that would exceed it are not possible).
+/// Blocks during a search; see above. Count must hold the number of blocks that contain an element:
+/// 8 bits if that is at most 255 at the start (moves that would exceed it are excluded).
 template <typename Count>
 class SegmentPairs {
  public:
-  /// Whether this design can be searched with such counters. O(bk).
+  /// Whether counters of this type can hold this design. O(bk).
   [[nodiscard]] static bool fits(const Design& design) {
     std::vector<std::size_t> blocks(static_cast<std::size_t>(design.v()), 0);
     for (const Element x : design.elements()) {
@@ -49,8 +50,8 @@ class SegmentPairs {
     return *std::max_element(blocks.begin(), blocks.end()) <= most;
   }
 
-  /// The memory that b < 2³² blocks of k of v ≤ 65,535 elements need, at most: while most pairs are
-  /// uncovered their list is as long as all pairs.
+  /// The memory for b < 2³² blocks of k of v ≤ 65,535 elements, at most: the list of uncovered
+  /// pairs may be as long as all pairs.
   [[nodiscard]] static constexpr std::uint64_t bytes(std::uint64_t v, std::uint64_t k,
                                                      std::uint64_t b) {
     const std::uint64_t row = 16 * vectors_of_a_row(v);
@@ -58,8 +59,8 @@ class SegmentPairs {
            b * k * sizeof(std::uint16_t);
   }
 
-  /// A list of one or more blocks that fits(), v ≤ 65,535. The first `frozen` < b blocks never
-  /// change, nor do locked cells.
+  /// Starts with one or more blocks; needs fits() and v ≤ 65,535. The first `frozen` < b blocks and
+  /// the locked cells never change.
   explicit SegmentPairs(const Design& design, std::size_t frozen = 0,
                         std::span<const LockedCell> locked = {})
       : parameters_(design.parameters()),
@@ -112,19 +113,19 @@ class SegmentPairs {
   }
 
   [[nodiscard]] std::uint32_t block_count() const { return b_; }
-  /// How many pairs are in no block. O(1).
+  /// The number of pairs that are in no block. O(1).
   [[nodiscard]] std::uint64_t missing() const { return uncovered_.size(); }
   [[nodiscard]] bool contains(std::uint32_t block, Element x) const {
     return lane(members_, block)[x] != 0;
   }
-  /// In how many blocks both are; x ≠ y.
+  /// The number of blocks that contain both; x ≠ y.
   [[nodiscard]] std::uint32_t count(Element x, Element y) const { return lane(counts_, x)[y]; }
-  /// The k elements of a block, in no order.
+  /// The k elements of a block, in any order.
   [[nodiscard]] std::span<const std::uint16_t> block(std::uint32_t index) const {
     return std::span(elements_).subspan(std::size_t{index} * k_, k_);
   }
 
-  /// The blocks as they are now.
+  /// The current blocks.
   [[nodiscard]] Design design() const {
     Design design(parameters_);
     design.reserve(b_);
@@ -136,8 +137,8 @@ class SegmentPairs {
     return design;
   }
 
-  /// The move that exchanges x in block i and y outside it; of length 0 if it would touch a frozen
-  /// block, relabel a whole circular list or exceed a counter.
+  /// The move that exchanges x in block i and y outside it; of length 0 if it would change a frozen
+  /// block, relabel a whole circular list or overflow a counter.
   [[nodiscard]] SegmentSwap segment(std::uint32_t i, Element x, Element y) const {
     return segment(i, x, y, b_);
   }
@@ -189,8 +190,8 @@ class SegmentPairs {
     return propose(random);
   }
 
-  /// Computes by how much missing() would change and makes the move if accept(change) says so.
-  /// Returns whether it was made. The move must come from segment() in this state.
+  /// Computes the change of missing() and makes the move if accept(change) returns true. Returns
+  /// whether it was made. The move must come from segment() in this state.
   template <typename Accept>
   bool attempt(const SegmentSwap& move, Accept&& accept) {
     if (!accept(look(move))) {
@@ -200,7 +201,7 @@ class SegmentPairs {
     return true;
   }
 
-  /// Makes the move. Twice the same move is none.
+  /// Makes the move. Making it twice restores the state.
   void apply(const SegmentSwap& move) {
     attempt(move, [](std::int32_t) { return true; });
   }
@@ -209,7 +210,7 @@ class SegmentPairs {
   using Lanes __attribute__((vector_size(16))) = Count;
   using Words __attribute__((vector_size(16))) = std::uint64_t;
   static constexpr std::uint32_t lanes = 16 / sizeof(Count);
-  static constexpr std::uint32_t chunk = 4;  // vectors of a row that are held in registers
+  static constexpr std::uint32_t chunk = 4;  // vectors of a row that are kept in registers
   static constexpr std::uint32_t most = std::numeric_limits<Count>::max();
   static constexpr std::uint32_t absent = 0xffffffff;
   static constexpr std::uint32_t most_tries = 1000;
@@ -224,13 +225,13 @@ class SegmentPairs {
     std::uint16_t y = 0;
   };
 
-  // Whole registers' worth, if it is more than one.
+  // Rounded up to whole registers, if a row has more than one vector.
   [[nodiscard]] static constexpr std::uint64_t vectors_of_a_row(std::uint64_t v) {
     const std::uint64_t vectors = (v + lanes - 1) / lanes;
     return vectors > chunk ? (vectors + chunk - 1) / chunk * chunk : vectors;
   }
 
-  // The system takes its time to hand out much memory: it is touched piece by piece.
+  // Allocating much memory is slow: it is touched in pieces, so that it can be stopped.
   template <typename Value>
   static void grow(std::vector<Value>& values, std::size_t size, const Value& value) {
     constexpr std::size_t piece = std::size_t{1} << 20;
@@ -285,7 +286,7 @@ class SegmentPairs {
     uncovered_.pop_back();
   }
 
-  // The sum of signed lanes. They are made positive first, then added in pairs.
+  // The sum of signed lanes: they are made positive first, then added in pairs.
   [[nodiscard]] static std::int32_t sum(const Lanes& signed_lanes) {
     if constexpr (sizeof(Count) == 1) {
       constexpr std::uint64_t even = 0x00ff00ff00ff00ffULL;
@@ -304,7 +305,7 @@ class SegmentPairs {
     }
   }
 
-  // N vectors from vector w on: d into gained_, the change into `change`.
+  // N vectors from vector w on: writes d to gained_ and adds the change to `change`.
   template <std::uint32_t N>
   void look_at(const SegmentSwap& move, std::uint32_t w, Lanes& change) {
     std::array<Sixteen, N> d{};
@@ -312,7 +313,7 @@ class SegmentPairs {
     for (std::uint32_t n = 0; n < move.length; ++n) {
       const Sixteen* row = members_.data() + std::size_t{j} * row_;
       const Count holds_x = reinterpret_cast<const Count*>(row)[move.x];
-      const Lanes sign = Lanes{} - holds_x;  // all bits if x is there: its pairs go
+      const Lanes sign = Lanes{} - holds_x;  // all bits if x is in the block: its pairs lose
       for (std::uint32_t i = 0; i < N; ++i) {
         d[i].of += (row[w + i].of ^ sign) - sign;
       }
@@ -349,7 +350,7 @@ class SegmentPairs {
       default:
         break;
     }
-    // Each chunk is summed at once: a lane of 8 bits could not hold many.
+    // Each chunk is summed at once, since a lane of 8 bits could overflow.
     std::int32_t total = 0;
     for (std::uint32_t w = 0; w < row_; w += chunk) {
       Lanes part{};
@@ -359,7 +360,7 @@ class SegmentPairs {
     return total;
   }
 
-  // Needs gained_ of look().
+  // Needs gained_ from look().
   void make(const SegmentSwap& move) {
     const auto [first, length, x, y] = move;
     std::uint32_t j = first;
@@ -409,16 +410,16 @@ class SegmentPairs {
   Parameters parameters_;
   std::uint32_t v_, k_, b_, frozen_;
   bool circular_;
-  std::uint32_t usual_;                   // length of a segment
-  std::uint32_t row_;                     // vectors of a row
+  std::uint32_t usual_;                   // usual length of a segment
+  std::uint32_t row_;                     // number of vectors in a row
   std::vector<Sixteen> counts_;           // v rows: in how many blocks {x,z} is
   std::vector<Sixteen> members_;          // b rows: 1 where the block has the element
   std::vector<Sixteen> keep_;             // v rows: all bits except at the row's own element
-  std::vector<Sixteen> gained_;           // of the move that was looked at
+  std::vector<Sixteen> gained_;           // of the move that was evaluated last
   std::vector<std::uint16_t> elements_;   // k of each block
   std::vector<std::uint32_t> blocks_of_;  // by element
-  std::vector<bool> locked_;              // b rows of v cells; empty: none is
-  std::vector<Pair> uncovered_;           // without order
+  std::vector<bool> locked_;              // b rows of v cells; empty for none
+  std::vector<Pair> uncovered_;           // in any order
   std::vector<std::uint32_t> place_;      // of a pair in uncovered_
 };
 

@@ -18,7 +18,7 @@ constexpr std::uint32_t samples = 8;
 }  // namespace
 
 std::uint64_t SegmentSubsets::bytes(const Parameters& p, std::uint64_t b) {
-  // Counters, places and the list of the uncovered, which doubles when it grows.
+  // Counters, places, and the list of uncovered subsets, which doubles when it grows.
   const std::uint64_t counters =
       checked_multiply(binomial(p.v, p.strength), 4 * sizeof(std::uint32_t));
   const std::uint64_t choices = checked_multiply(p.strength + 1, 8 * (p.v + 1));
@@ -50,7 +50,7 @@ SegmentSubsets::SegmentSubsets(const Design& design, std::size_t frozen)
       members_[std::size_t{i} * v_ + x] = 1;
       elements_.push_back(static_cast<std::uint16_t>(x));
     }
-    // Each subset once: with its largest element.
+    // Each subset is counted once: with its largest element.
     Block sorted(block.begin(), block.end());
     std::sort(sorted.begin(), sorted.end());
     for (std::size_t at = t_ - 1; at < sorted.size(); ++at) {
@@ -61,8 +61,8 @@ SegmentSubsets::SegmentSubsets(const Design& design, std::size_t frozen)
   }
 }
 
-// Counts every set of x and t − 1 of others_: those of others_[from…] that are still to be chosen
-// join `chosen` that have been, `below` of them smaller than x, which give `rank`.
+// Counts every set of x and t − 1 elements of others_. `chosen` elements are selected already,
+// `below` of them smaller than x, with rank `rank`; the others come from others_[from…].
 template <bool Adding>
 void SegmentSubsets::count_with(Element x, std::uint32_t from, std::uint32_t chosen,
                                 std::uint32_t below, std::uint64_t rank) {
@@ -112,7 +112,7 @@ SegmentSwap SegmentSubsets::propose(Random& random) const {
 SegmentSwap SegmentSubsets::propose_aimed(Random& random) const {
   const auto which = random.below(coverage_.missing());
   const Block wanted = ranks_.subset(coverage_.uncovered(which));
-  // Of a few random blocks, the one that has most of what is wanted.
+  // Of a few random blocks, the one that contains most of the uncovered subset.
   std::uint32_t best = frozen_;
   std::uint32_t most = 0;
   for (std::uint32_t sample = 0; sample < samples; ++sample) {

@@ -1,12 +1,12 @@
-// The state of a local search for any strength t: a list of blocks, and how often each t-subset
-// occurs.
+// The state of a local search for any strength t: a list of blocks, and the number of blocks that
+// contain each t-subset.
 //
 //     SegmentSubsets state(design);                        // design.parameters().strength says t
 //     anneal(state, {.moves = 1'000'000}, random, control);
 //
-// As segment_pairs.hpp, but with one counter for each of the C(v,t) subsets, and a move that is
-// looked at is made and, if refused, taken back: O(segment · C(k−1,t−1)). Making it listens
-// (run/control.hpp).
+// Like segment_pairs.hpp, but with one counter for each of the C(v,t) subsets. A move is evaluated
+// by making it, and undone if it is refused: O(segment · C(k−1,t−1)). The scope of the thread
+// (run/control.hpp) can stop the constructor.
 #pragma once
 
 #include <array>
@@ -25,10 +25,10 @@
 
 namespace changeover {
 
-/// Blocks under search; see above.
+/// Blocks during a search; see above.
 class SegmentSubsets {
  public:
-  /// The memory that b blocks need. @throws ImpossibleParameters if that exceeds 64 bits.
+  /// The memory for b blocks. @throws ImpossibleParameters if that exceeds 64 bits.
   [[nodiscard]] static std::uint64_t bytes(const Parameters& p, std::uint64_t b);
 
   /// A list of one or more blocks; the first `frozen` < b never change.
@@ -36,21 +36,21 @@ class SegmentSubsets {
   explicit SegmentSubsets(const Design& design, std::size_t frozen = 0);
 
   [[nodiscard]] std::uint32_t block_count() const { return b_; }
-  /// How many t-subsets are in no block. O(1).
+  /// The number of t-subsets that are in no block. O(1).
   [[nodiscard]] std::uint64_t missing() const { return coverage_.missing(); }
-  /// The k elements of a block, in no order.
+  /// The k elements of a block, in any order.
   [[nodiscard]] std::span<const std::uint16_t> block(std::uint32_t index) const {
     return std::span(elements_).subspan(std::size_t{index} * k_, k_);
   }
   [[nodiscard]] bool contains(std::uint32_t i, Element x) const {
     return members_[std::size_t{i} * v_ + x] != 0;
   }
-  /// In how many blocks all of these t increasing elements are.
+  /// The number of blocks that contain all of these t increasing elements.
   [[nodiscard]] std::uint32_t count(std::span<const Element> subset) const {
     return coverage_.times(static_cast<std::size_t>(ranks_.rank(subset)));
   }
 
-  /// The blocks as they are now.
+  /// The current blocks.
   [[nodiscard]] Design design() const;
 
   /// As SegmentPairs::segment().
@@ -62,7 +62,7 @@ class SegmentSubsets {
 
   /// A move at a random place.
   [[nodiscard]] SegmentSwap propose(Random& random) const;
-  /// A move that brings one more element of an uncovered subset into a block that has some;
+  /// A move that brings one more element of an uncovered subset into a block that has some of it;
   /// missing() must not be 0.
   [[nodiscard]] SegmentSwap propose_aimed(Random& random) const;
 
@@ -78,7 +78,7 @@ class SegmentSubsets {
     return false;
   }
 
-  /// Makes the move. Twice the same move is none.
+  /// Makes the move. Making it twice restores the state.
   void apply(const SegmentSwap& move) { exchange(move); }
 
  private:

@@ -1,9 +1,9 @@
 // The move of local search: exchange two elements in a run of consecutive blocks.
 //
-// Take a block, x in it and y not in it, and extend left and right while a block holds exactly one
-// of x and y. Exchanging x and y in all blocks of that run keeps the change property: inside the
-// run both blocks of a step are relabelled alike, and at its ends the block outside holds both or
-// neither, so relabelling it would change nothing. The move is its own inverse.
+// Take a block with x and without y, and extend left and right while each block contains exactly
+// one of x and y. Exchanging x and y in all blocks of that run keeps the change property: within
+// the run both blocks of a step are relabelled in the same way; at its ends the block outside
+// contains both or neither, so relabelling would not change it. The move is its own inverse.
 //
 //     x in block:   . x x . .          . . . x x
 //     y in block:   . . . y y    →     . y y . .        (the blocks before and after hold neither)
@@ -21,8 +21,8 @@
 
 namespace changeover {
 
-/// Exchange x and y in `length` blocks from block `first` on, over the end of a circular list if
-/// need be. Nothing is to be done if length is 0.
+/// Exchange x and y in `length` blocks from block `first` on, across the end of a circular list if
+/// necessary. Length 0 means no move.
 struct SegmentSwap {
   std::uint32_t first = 0;
   std::uint32_t length = 0;
@@ -32,20 +32,20 @@ struct SegmentSwap {
   bool operator==(const SegmentSwap&) const = default;
 };
 
-/// This element stays in this block, counted from 0.
+/// This element stays in this block (blocks from 0).
 struct LockedCell {
   std::uint32_t block = 0;
   Element element = 0;
 };
 
-/// Runs of about k/m blocks are what a move exchanges with success; of longer ones than this, few
-/// are ever accepted, and looking at them costs most. Searches let them pass only now and then.
+/// Successful moves exchange runs of about k/m blocks. Longer ones than this are rarely accepted
+/// and cost most to evaluate, so searches try them only now and then.
 [[nodiscard]] constexpr std::uint32_t usual_segment(std::uint64_t k, std::uint64_t change) {
   return static_cast<std::uint32_t>(2 * k / change + 2);
 }
 
-/// The longest run around block i of b blocks in which differ(block) holds, as it does at i, as the
-/// move of x and y; of length 0 if that exceeds `longest` or is the whole of a circular list.
+/// The longest run around block i of b blocks in which differ(block) holds, as it does at i, as a
+/// move of x and y; of length 0 if the run is longer than `longest` or is the whole circular list.
 template <typename Differ>
 [[nodiscard]] SegmentSwap find_segment(std::uint32_t b, bool circular, std::uint32_t longest,
                                        std::uint32_t i, Element x, Element y, Differ&& differ) {

@@ -10,15 +10,16 @@
 namespace changeover {
 namespace {
 
-constexpr std::int64_t scale = 1024;  // multipliers are whole 1024ths: nothing depends on rounding
+constexpr std::int64_t scale =
+    1024;  // multipliers are whole 1024ths, so that rounding has no influence
 constexpr int most_rounds = 400;
 constexpr std::int64_t infinite = std::numeric_limits<std::int64_t>::max() / 4;
 
-/// An order is a cycle through the blocks and, if it is linear, one more vertex that stands between
-/// the last and the first. A 1-tree, a spanning tree of all vertices but one and two edges at that
-/// one, is no longer than any cycle; nor is it if every edge at a vertex costs π more and the sum
-/// of 2π is taken off again [HeldKarp1970]. Edges cost −|A∩B|, those of the extra vertex nothing,
-/// or −|A| on one side if the first block is free.
+/// An order is a cycle through the blocks and, if it is linear, one more vertex between the last
+/// and the first. A 1-tree (a spanning tree of all vertices but one, and two edges at that one) is
+/// no longer than any cycle. This also holds if every edge at a vertex costs π more, and the sum of
+/// 2π is subtracted again [HeldKarp1970]. Edges cost −|A∩B|; those of the extra vertex cost 0, or
+/// −|A| on one side if the first block is free.
 class OneTrees {
  public:
   OneTrees(const Overlaps& overlaps, const LeastChangeWanted& wanted)
@@ -32,7 +33,7 @@ class OneTrees {
   // The bound in 1024ths of −(overlaps in an order, and the first block if it is free).
   std::int64_t round() {
     std::fill(degrees_.begin(), degrees_.end(), 0);
-    // The vertex that is left out of the tree: the extra one, or block 0.
+    // The vertex outside the tree: the extra one, or block 0.
     const std::size_t begin = linear_ ? 0 : 1;
     std::int64_t length = tree(begin);
     std::size_t one = 0;
@@ -71,7 +72,7 @@ class OneTrees {
   }
 
   // Moves the multipliers towards a tree in which every vertex has two edges, by a step for a gap
-  // of `gap` 1024ths. False if the last tree is a cycle.
+  // of `gap` 1024ths. Returns false if the last tree is a cycle.
   bool adjust(std::int64_t gap) {
     std::int64_t wrong = 0;
     for (const std::int64_t degree : degrees_) {
@@ -99,7 +100,7 @@ class OneTrees {
     return best;
   }
 
-  // The length of a least spanning tree of the blocks from `begin` on; Prim's algorithm.
+  // The length of a minimum spanning tree of the blocks from `begin` on, by Prim's algorithm.
   std::int64_t tree(std::size_t begin) {
     struct Open {
       std::uint32_t block;
@@ -145,8 +146,8 @@ class OneTrees {
   std::vector<std::int64_t> degrees_;      // in the last tree
 };
 
-// Every element is introduced somewhere, but for those of a free first block; in a circular order
-// those that are in every block never are.
+// Every element is introduced somewhere, except those of a free first block and, in a circular
+// order, those in every block.
 std::uint64_t element_bound(std::span<const Block> blocks, const LeastChangeWanted& wanted) {
   std::vector<std::uint32_t> in_blocks(static_cast<std::size_t>(wanted.v), 0);
   std::size_t largest = 0;
@@ -184,9 +185,9 @@ std::uint64_t order_lower_bound(std::span<const Block> blocks, const Overlaps& o
   OneTrees trees(overlaps, wanted);
   const std::uint64_t rounds = std::clamp<std::uint64_t>(effort / a_round, 1, most_rounds);
   const auto longest =
-      static_cast<std::int64_t>(cost) - sizes;  // of that order, in the trees' terms
+      static_cast<std::int64_t>(cost) - sizes;  // of that order, in the units of the trees
   std::int64_t best = -infinite;
-  std::int64_t share = 2 * scale;  // of the gap that a step tries to close, in 1024ths
+  std::int64_t share = 2 * scale;  // part of the gap that a step tries to close, in 1024ths
   std::uint64_t since = 0;
   for (std::uint64_t round = 0; round < rounds; ++round) {
     std::int64_t length = 0;

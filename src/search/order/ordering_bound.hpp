@@ -9,11 +9,11 @@
 
 namespace changeover {
 
-/// A number of introduced elements that no order goes below: the larger of what the distinct
-/// elements force and of the spanning tree bound with multipliers, as many rounds as `effort`
-/// overlaps allow, but one even if it needs up to ten times as many. `cost` is that of some order,
-/// to measure steps by. A round listens to the scope of this thread; what is known when it is
-/// stopped is the answer.
+/// A lower bound on the number of introduced elements of any order: the larger of the number of
+/// distinct elements that must be introduced, and the spanning tree bound with multipliers. It
+/// takes as many rounds as `effort` overlaps allow, and at least one, even if that needs up to ten
+/// times as many. `cost` is the cost of some order, and sets the step size. The scope of this
+/// thread can stop a round; the result is then the best bound so far.
 [[nodiscard]] std::uint64_t order_lower_bound(std::span<const Block> blocks,
                                               const Overlaps& overlaps,
                                               const LeastChangeWanted& wanted, std::uint64_t cost,

@@ -25,7 +25,7 @@ constexpr std::size_t most_listed = 512;  // neighbours of a block in a large gr
 constexpr std::size_t comparisons_between_questions = 4096;
 constexpr std::size_t small_graph = 2000;  // blocks whose neighbours are all listed
 
-/// Which blocks may be neighbours.
+/// The graph of blocks that may be neighbours.
 class ChangeGraph {
  public:
   ChangeGraph(const Overlaps& overlaps, std::uint64_t m) : overlaps_(overlaps), m_(m) {
@@ -73,7 +73,7 @@ class ChangeGraph {
   bool complete_ = true;
 };
 
-// A short argument against any order, b ≥ 2; empty if there is none.
+// A short argument that there is no order, for b ≥ 2; empty if none is known.
 std::string obstruction(const ChangeGraph& graph, const ChangeWanted& wanted) {
   const bool circular = wanted.kind == Kind::circular && graph.count() > 2;
   std::size_t ends = 0;
@@ -119,13 +119,13 @@ std::string obstruction(const ChangeGraph& graph, const ChangeWanted& wanted) {
   return "";
 }
 
-/// A path that grows, and turns when it cannot.
+/// A path that grows, and is rotated when it cannot.
 class Rotation {
  public:
   Rotation(const ChangeGraph& graph, bool circular, Random& random)
       : graph_(graph), circular_(circular), random_(random), place_(graph.count()) {}
 
-  // Whether it found an order.
+  // Returns whether an order was found.
   bool run(std::uint64_t most, std::uint64_t& rotations, RunControl& control) {
     const std::uint64_t patience = 20'000 + 100 * graph_.count();
     while (rotations < most && !control.stop_wanted()) {
@@ -170,7 +170,7 @@ class Rotation {
            (!circular_ || path_.size() <= 2 || graph_.adjacent(path_.front(), path_.back()));
   }
 
-  // Goes on to a free neighbour that itself has the fewest free neighbours.
+  // Extends to a free neighbour that itself has the fewest free neighbours.
   bool extend() {
     std::uint32_t best = nowhere;
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
@@ -207,7 +207,7 @@ class Rotation {
     }
   }
 
-  // …, u, w, …, end with u beside end becomes …, u, end, …, w. Now and then the other end's turn.
+  // …, u, w, …, end with u next to end becomes …, u, end, …, w. Now and then the other end is used.
   void rotate() {
     if (random_.below(16) == 0) {
       reverse_from(0);
@@ -224,7 +224,8 @@ class Rotation {
   std::vector<std::uint32_t> place_;  // in the path
 };
 
-/// Each block has two neighbours; linear: one more vertex beside all blocks closes the path.
+/// Each block has two neighbours; for linear orders one more vertex, next to all blocks, closes the
+/// path.
 class HamiltonByCuts {
  public:
   HamiltonByCuts(const ChangeGraph& graph, bool circular, std::uint64_t seed)
@@ -274,7 +275,8 @@ class HamiltonByCuts {
     edges_[j].push_back({i, literal});
   }
 
-  // Follows the cycles of the model. One cycle is an order; otherwise each must be left somewhere.
+  // Follows the cycles of the model. A single cycle is an order; otherwise each cycle must be left
+  // somewhere.
   bool cut() {
     const std::size_t count = edges_.size();
     std::vector<std::uint32_t> cycle_of(count, nowhere);
@@ -385,7 +387,7 @@ ChangeOrder order_for_change(std::span<const Block> blocks, const ChangeWanted& 
   const bool circular = wanted.kind == Kind::circular;
   Random random(control.seed());
   Rotation rotation(graph, circular, random);
-  // With few blocks the exact method is near: do not insist.
+  // With few blocks the exact method is fast, so stop early.
   const bool few = blocks.size() <= options.sat_blocks && blocks.size() > 2;
   const std::uint64_t most =
       few ? std::min<std::uint64_t>(options.rotations, 200'000) : options.rotations;

@@ -23,7 +23,7 @@ constexpr std::uint64_t kicks_a_block = 50;
 using City = std::uint32_t;
 using Neighbours = std::vector<std::vector<City>>;
 
-// The least cost over sets of blocks and their last one. O(2^b b²) time, O(2^b b) memory.
+// The least cost for each set of blocks and its last block. O(2^b b²) time, O(2^b b) memory.
 std::vector<std::size_t> least_order(const Overlaps& overlaps, const LeastChangeWanted& wanted) {
   const std::size_t n = overlaps.count();
   constexpr std::uint32_t unreached = std::numeric_limits<std::uint32_t>::max() / 2;
@@ -71,10 +71,10 @@ std::vector<std::size_t> least_order(const Overlaps& overlaps, const LeastChange
   return order;
 }
 
-/// Steps as symmetric weights: what the largest block's size exceeds the overlap by. If the order
-/// is linear, city b stands between the last and the first block. Where the first block is free,
-/// city b stands before the first one, and that step costs what the block lacks to the largest
-/// size; city b + 1 stands after the last one; and the two belong together.
+/// Steps as symmetric weights: the size of the largest block less the overlap. In a linear order,
+/// city b stands between the last and the first block. If the first block is free, city b stands
+/// before it, at a cost of the largest size less its own; city b + 1 stands after the last block;
+/// and the two are adjacent.
 class StepWeight {
  public:
   StepWeight(const Overlaps& overlaps, std::size_t extra_cities)
@@ -105,7 +105,7 @@ class StepWeight {
   std::int64_t largest_ = 0;
 };
 
-/// The blocks that overlap most with each; ties at random, for there are many.
+/// The blocks that overlap most with each block; ties are broken at random, for there are many.
 class NearBlocks {
  public:
   NearBlocks(std::span<const Block> blocks, std::uint64_t v, std::size_t how_many, Random& random)
@@ -117,8 +117,8 @@ class NearBlocks {
     }
   }
 
-  // O(b²k²/v). Where that takes more than half of the time that is left, the other blocks are
-  // compared with some of those that they meet only; after Ctrl-C with none.
+  // O(b²k²/v). If that takes more than half of the remaining time, the other blocks are compared
+  // only with some of those that share an element; after Ctrl-C with none.
   Neighbours lists(RunControl& control) {
     Neighbours neighbours(blocks_.size());
     overlap_.assign(blocks_.size(), 0);
@@ -155,8 +155,7 @@ class NearBlocks {
     }
   };
 
-  // Counts the overlaps with block i, over at most so many blocks beside it for each of its
-  // elements.
+  // Counts the overlaps with block i, with at most `most` other blocks for each of its elements.
   void meet(std::size_t i, std::size_t most) {
     met_.clear();
     for (const Element x : blocks_[i]) {
@@ -177,7 +176,7 @@ class NearBlocks {
     }
   }
 
-  // Only blocks that overlap as much as the last one that is taken are sorted; each draws its tie.
+  // Sorts only blocks that overlap at least as much as the last one taken; ties are drawn.
   void choose(std::size_t i, std::vector<City>& nearest) {
     with_overlap_.assign(blocks_[i].size() + 1, 0);
     for (const City j : met_) {
@@ -209,14 +208,14 @@ class NearBlocks {
   std::size_t how_many_;
   Random& random_;
   std::vector<std::vector<City>> with_;  // by element
-  std::vector<std::uint32_t> overlap_;   // with the block whose turn it is
+  std::vector<std::uint32_t> overlap_;   // with the current block
   std::vector<City> met_;
-  std::vector<std::size_t> with_overlap_;  // how many blocks have each overlap
+  std::vector<std::size_t> with_overlap_;  // number of blocks with each overlap
   std::vector<Near> list_;
 };
 
-// From block to nearest free block. Where no neighbour is free, the next one in a list of all free
-// blocks; when it is stopped, the free blocks as they come.
+// Goes from each block to the nearest free one. If no neighbour is free, takes the next block of a
+// list of all free blocks; when stopped, takes the free blocks in that order.
 std::vector<City> nearest_first(const Overlaps& overlaps, const Neighbours& neighbours,
                                 RunControl& control) {
   const std::size_t n = overlaps.count();

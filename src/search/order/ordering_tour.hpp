@@ -4,10 +4,10 @@
 //     tour.descend();
 //     while (…) { tour.kick(); }
 //
-// A tour is an array of cities and the place of each. Every change is a reversal of a stretch, of
-// the shorter side where that is the same tour, or a rewritten window of some fifty places; both
-// are written down so that a kick that does not pay is taken back. Moves are tried from cities
-// whose neighbourhood changed only.
+// A tour is an array of cities and the place of each. Every change is a reversal of a stretch (of
+// the shorter side where that is the same tour) or a rewritten window of some fifty places. Both
+// are recorded, so that a kick without gain can be undone. Moves are tried only from cities whose
+// neighbourhood changed.
 #pragma once
 
 #include <algorithm>
@@ -42,7 +42,7 @@ class Tour {
 
   [[nodiscard]] const std::vector<City>& cities() const { return tour_; }
 
-  /// From every city, until no move is left. `stop` is asked now and then.
+  /// Applies moves from every city until none is left. `stop` is called now and then.
   template <typename Stop>
   void descend(Stop&& stop) {
     for (std::size_t at = n_; at-- > 0;) {
@@ -52,8 +52,8 @@ class Tour {
     undo_.clear();
   }
 
-  /// A double bridge in a small window and the descent from it; taken back if the tour is longer
-  /// then. Returns whether it is shorter than before. Needs 8 cities.
+  /// Makes a double bridge in a small window and descends from it; undone if the tour is then
+  /// longer. Returns whether it is shorter than before. Needs 8 cities.
   bool kick() {
     undo_.clear();
     std::int64_t gain = bridge();
@@ -68,7 +68,7 @@ class Tour {
   static constexpr std::size_t window = 50;
   static constexpr std::size_t longest_segment = 3;
 
-  // What was done: a reversal of places, or a window and its contents before.
+  // A recorded change: a reversal of places, or a window with its former contents.
   struct Step {
     std::size_t from = 0;
     std::size_t to = 0;
@@ -91,8 +91,8 @@ class Tour {
     }
   }
 
-  // Reverses the cities from a to b along the tour. False if all others were reversed instead,
-  // which is the same tour read backwards.
+  // Reverses the cities from a to b along the tour. Returns false if all others were reversed
+  // instead, which is the same tour read backwards.
   bool reverse(City a, City b) {
     const std::size_t from = place_[a];
     const std::size_t to = place_[b];
@@ -100,7 +100,7 @@ class Tour {
     return reverse_places(from, to);
   }
 
-  // The same places again take it back: the side that is turned is the same.
+  // Reversing the same places again undoes it, since the same side is reversed.
   bool reverse_places(std::size_t from, std::size_t to) {
     std::size_t length = (to + n_ - from) % n_ + 1;
     const bool inside = 2 * length <= n_;
@@ -167,7 +167,7 @@ class Tour {
     return gain;
   }
 
-  // Moves from queued cities until none is left; the gain.
+  // Applies moves from queued cities until none is left; returns the gain.
   template <typename Stop>
   std::int64_t work(Stop&& stop) {
     std::int64_t total = 0;
@@ -230,12 +230,12 @@ class Tour {
     return 0;
   }
 
-  // Moves a stretch of up to three cities that ends in a between a's neighbour c and a city beside
+  // Moves a stretch of up to three cities that ends in a between a's neighbour c and a city next to
   // c.
   std::int64_t or_opt(City a) {
     for (const bool forwards : {true, false}) {
-      // The stretch a = s₁, s₂, …, towards the tour's end if forwards; outside are p, beside a, and
-      // q.
+      // The stretch is a = s₁, s₂, …, towards the tour's end if forwards; outside are p, next to a,
+      // and q.
       City last = a;
       const City p = forwards ? previous(a) : next(a);
       for (std::size_t length = 1; length <= longest_segment && length + 3 <= n_; ++length) {
@@ -256,7 +256,7 @@ class Tour {
             continue;
           }
           for (const bool after : {true, false}) {
-            // Between c and e, a beside c.
+            // Between c and e, with a next to c.
             const City e = after ? next(c) : previous(c);
             if (within(e, a, last, forwards)) {
               continue;
@@ -282,8 +282,8 @@ class Tour {
     return (place_[c] + n_ - begin) % n_ <= (end + n_ - begin) % n_;
   }
 
-  // The stretch from a to last to stand beside c, a next to it; after c or before it. As reversals
-  // of the stretch and of what it passes.
+  // Moves the stretch from a to last next to c, with a adjacent to c, after c or before it, by
+  // reversals of the stretch and of the cities that it passes.
   void insert(City a, City last, bool forwards, City c, bool after) {
     const City begin = forwards ? a : last;  // the stretch along the tour
     const City end = forwards ? last : a;
@@ -293,7 +293,7 @@ class Tour {
     const City h = next(g);
     const std::size_t ahead = (place_[g] + n_ - place_[end]) % n_;     // cities from end to g
     const std::size_t behind = (place_[begin] + n_ - place_[h]) % n_;  // and from h to begin
-    // Moving past a stretch X turns the whole of both, then each of them back.
+    // To move past a stretch X, reverse both together, then each of them.
     if (ahead <= behind) {
       const City x = next(end);
       if (reverse(begin, g)) {  // S X → X⁻ S⁻
@@ -309,7 +309,7 @@ class Tour {
         reverse(h, x);
       }
     }
-    // The stretch is short, so it is the near way from one of its ends to the other.
+    // The stretch is short, so it is the shorter way between its ends.
     if (!turned) {
       if ((place_[end] + n_ - place_[begin]) % n_ < longest_segment) {
         reverse(begin, end);

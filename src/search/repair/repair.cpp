@@ -25,7 +25,7 @@ constexpr int samples_of_replacements = 200;
 
 std::size_t changes(const Block& from, const Block& to) { return difference(from, to).size(); }
 
-/// The steps of a list put right.
+/// Mends the steps of a list.
 class Steps {
  public:
   Steps(const Design& list, Random& random) : list_(list), p_(list.parameters()), random_(random) {}
@@ -69,7 +69,7 @@ class Steps {
     blocks_.insert(blocks_.end(), way.begin(), way.end());
   }
 
-  // Block i fits neither neighbour: the nearest to it, of some, that fits both.
+  // Block i fits neither neighbour: returns, of some candidates, the nearest block that fits both.
   std::optional<Block> replacement(const Block& block, std::size_t i) {
     const std::size_t b = list_.block_count();
     if (i + 1 == b && p_.kind == Kind::linear) {
@@ -98,7 +98,7 @@ class Steps {
   std::vector<Block> blocks_;
 };
 
-// How many blocks of the list are among those of the design, each of them once.
+// The number of blocks of the list that are in the design, each counted once.
 std::uint64_t kept_blocks(const Design& list, const Design& design) {
   std::multiset<Block> there;
   const auto sorted = [](Block block) {
@@ -189,7 +189,7 @@ class Repair {
     }
   }
 
-  // Keeps the design if it has more blocks of the list than the one that there is, stopped or not.
+  // Keeps the design if it has more blocks of the list than the current one, stopped or not.
   void keep(Design design) {
     const RunGrace to_the_end(control_);
     const std::uint64_t kept = kept_blocks(list_, design);

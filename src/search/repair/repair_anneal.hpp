@@ -1,4 +1,4 @@
-// What repairing and extending a list have in common.
+// Shared by repairing and extending a list.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ namespace changeover {
   return Block(elements.begin(), elements.end());
 }
 
-/// Anneals by `work()`. Returns why it could not, in one line, if memory is short; else an empty
-/// line.
+/// Anneals by `work()`. If memory is too small, returns one line that says so; otherwise an empty
+/// text.
 template <typename Work>
 std::string annealing_fault(Work&& work) {
   try {

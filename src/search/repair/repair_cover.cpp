@@ -14,7 +14,7 @@ namespace {
 
 constexpr int samples_per_step = 48;
 
-// A block that contains `wanted` and otherwise as much of `here` as it can.
+// A block that contains `wanted`, and otherwise as much of `here` as possible.
 Block block_around(const Block& wanted, const Block& here) {
   Block block = wanted;
   for (const Element x : here) {
@@ -25,7 +25,7 @@ Block block_around(const Block& wanted, const Block& here) {
   return block;
 }
 
-// Appends blocks up to `to`; at least one, unless `to` is one step away already and not wanted.
+// Appends blocks up to `to`: at least one, except if `to` is one step away and `with_end` is false.
 void walk_to(Design& list, CoveredSubsets& covered, const Block& to, bool with_end) {
   const auto last = list.block(list.block_count() - 1);
   const Parameters& p = list.parameters();

@@ -1,4 +1,5 @@
-// Adding blocks to a list until everything is covered: simple, always possible, not few.
+// Adds blocks to a list until everything is covered: simple and always possible, but not with few
+// blocks.
 #pragma once
 
 #include "changeover/core/design.hpp"
@@ -6,12 +7,11 @@
 
 namespace changeover {
 
-/// The list with blocks appended until every t-subset is covered and, if it is circular, its last
-/// step is right too. The next block is the best of some random ones, or a step on the shortest way
-/// to something uncovered. Steps within the list must be right already; one or more blocks; v ≥ k +
-/// m unless v = k. Listens to the scope of this thread (run/control.hpp). @throws
-/// ImpossibleParameters if there is no way between some blocks; MissingResource if the subsets are
-/// too many.
+/// Appends blocks until every t-subset is covered and, if the list is circular, its last step is
+/// right, too. The next block is the best of some random ones, or a step on the shortest path to
+/// something uncovered. Needs one or more blocks with right steps, and v ≥ k + m unless v = k. The
+/// scope of this thread (run/control.hpp) can stop it. @throws ImpossibleParameters if there is no
+/// path between some blocks; MissingResource if there are too many subsets.
 [[nodiscard]] Design cover_the_rest(const Design& list, Random& random);
 
 }  // namespace changeover

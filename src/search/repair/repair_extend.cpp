@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::uint64_t first_budget = std::uint64_t{1} << 18;
 
-// The beginning with random blocks after it, `blocks` altogether; nullopt if it cannot be closed
-// so.
+// The beginning with random blocks after it, `blocks` in total; nullopt if it cannot be closed with
+// that many.
 std::optional<Design> continued(const Design& beginning, std::size_t blocks, Random& random) {
   const Parameters& p = beginning.parameters();
   Design list = beginning;
@@ -43,7 +43,7 @@ std::optional<Design> continued(const Design& beginning, std::size_t blocks, Ran
   return list;
 }
 
-// What the beginning leaves uncovered must be newly covered by what follows.
+// Subsets that the beginning leaves uncovered must be newly covered by later blocks.
 std::uint64_t fewest_blocks(const Design& beginning, const Verdict& verdict) {
   const Parameters& p = beginning.parameters();
   return checked_add(beginning.block_count(),
@@ -79,7 +79,7 @@ class Extension {
     try {
       work();
     } catch (const Stopped&) {
-      // What is known by now is the result.
+      // The result so far is returned.
     }
     if (result_.why_stopped == WhyStopped::running) {
       result_.why_stopped = control_.why_stopped();
@@ -135,7 +135,7 @@ class Extension {
     }
   }
 
-  // Whether a design of `aim` blocks was found.
+  // Returns whether a design of `aim` blocks was found.
   bool attempt(std::uint64_t aim, std::uint64_t moves) {
     control_.require_memory(annealing_bytes(p_, aim), "local search for the " + name(p_));
     Annealed annealed;
@@ -148,7 +148,7 @@ class Extension {
                              .best = result_.design->block_count(),
                              .lower_bound = result_.lower_bound}));
     }
-    // A list that cannot be closed costs something too, or an attempt at it would never end.
+    // A list that cannot be closed counts as a move, too, so that an attempt at it ends.
     result_.moves += std::max<std::uint64_t>(1, annealed.outcome.moves);
     if (annealed.design) {
       keep(*std::move(annealed.design));
@@ -156,7 +156,7 @@ class Extension {
     return annealed.design.has_value();
   }
 
-  // Stopped or not.
+  // Called whether the search was stopped or not.
   void keep(Design design) {
     const RunGrace to_the_end(control_);
     design.set_labels(beginning_.labels());

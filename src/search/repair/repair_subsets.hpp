@@ -1,12 +1,12 @@
-// Which t-subsets some blocks cover, for those who add blocks one by one.
+// The t-subsets that some blocks cover, for adding blocks one by one.
 //
 //     CoveredSubsets covered(p);
 //     covered.insert(block);
 //     covered.gain(candidate);              // subsets that it would newly cover
 //     covered.first_missing();              // one that is still uncovered
 //
-// Listens to the scope of this thread (run/control.hpp): Stopped may be thrown anywhere,
-// MissingResource by the constructor.
+// The scope of this thread (run/control.hpp) can stop it anywhere with Stopped; the constructor can
+// throw MissingResource.
 #pragma once
 
 #include <algorithm>
@@ -43,7 +43,7 @@ class CoveredSubsets {
     });
   }
 
-  /// How many subsets of the block are uncovered. O(C(k,t)).
+  /// The number of uncovered subsets of the block. O(C(k,t)).
   [[nodiscard]] std::uint64_t gain(std::span<const Element> block) {
     std::uint64_t count = 0;
     for_each_subset(block, [&](std::size_t rank) { count += covered_[rank] ? 0U : 1U; });
@@ -51,7 +51,7 @@ class CoveredSubsets {
   }
 
   /// The uncovered subset of least rank, in decreasing order; nullopt if there is none. O(C(v,t))
-  /// altogether, over all calls.
+  /// in total, over all calls.
   [[nodiscard]] std::optional<Block> first_missing() {
     while (first_ < covered_.size() && covered_[first_]) {
       ++first_;
@@ -71,7 +71,7 @@ class CoveredSubsets {
     return static_cast<std::size_t>(subsets);
   }
 
-  // Asks after a while.
+  // Checks now and then whether to stop.
   void worked(std::size_t steps) {
     constexpr std::size_t between_questions = 1 << 14;
     worked_ += steps;

@@ -9,13 +9,13 @@
 namespace changeover {
 namespace {
 
-/// Which directions of "at least j hold ⟺ output j" are wanted.
+/// The directions of "at least j hold ⟺ output j" that are encoded.
 struct Directions {
-  bool up = true;    // enough inputs make the output hold
-  bool down = true;  // too few make it fail
+  bool up = true;    // enough inputs imply the output
+  bool down = true;  // too few inputs imply its negation
 };
 
-// Σ = i + j with i counted by a, j by b: both are unary, place j − 1 says "at least j".
+// Σ = i + j, where a counts i and b counts j; both are unary: place j − 1 stands for "at least j".
 std::vector<Literal> sum(Cnf& cnf, const std::vector<Literal>& a, const std::vector<Literal>& b,
                          std::size_t limit, Directions directions) {
   const std::size_t size = std::min(limit, a.size() + b.size());
@@ -96,7 +96,7 @@ CnfSize sum_size(std::uint64_t a, std::uint64_t b, std::uint64_t limit, Directio
   return size;
 }
 
-/// The sizes of counted(): halving makes two different numbers on each level at most.
+/// The sizes of counted(): halving gives at most two different numbers on each level.
 class CountSizes {
  public:
   CountSizes(std::uint64_t limit, Directions directions) : limit_(limit), directions_(directions) {}
@@ -163,7 +163,7 @@ void at_most_one(Cnf& cnf, std::span<const Literal> literals) {
     }
     return;
   }
-  Literal before = literals[0];  // one of the literals so far
+  Literal before = literals[0];  // at least one of the literals so far holds
   for (std::size_t i = 1; i < literals.size(); ++i) {
     cnf.add({-before, -literals[i]});
     if (i + 1 < literals.size()) {
@@ -176,7 +176,7 @@ void at_most_one(Cnf& cnf, std::span<const Literal> literals) {
 }
 
 void require_not_less(Cnf& cnf, std::span<const Literal> a, std::span<const Literal> b) {
-  std::vector<Literal> same;  // the negation of: no difference so far
+  std::vector<Literal> same;  // negated: no difference so far
   for (std::size_t i = 0; i < a.size(); ++i) {
     std::vector<Literal> clause = same;
     clause.insert(clause.end(), {a[i], -b[i]});

@@ -6,7 +6,7 @@
 //     cnf.add({-a, -b});                   // not both
 //     write_dimacs(cnf, {}, {"exactly one of two"}, sink);
 //
-// Literals are those of DIMACS: a variable is 1, 2, …, its negation −1, −2, …
+// Literals are as in DIMACS: variables are 1, 2, …, their negations −1, −2, …
 #pragma once
 
 #include <cstddef>
@@ -29,13 +29,13 @@ class Cnf {
   /// The next variable, a positive number. @throws MissingResource beyond most_variables.
   Literal new_variable();
 
-  /// Adds a clause: one of the literals holds. Without literals it says that there is no solution.
-  /// @throws InternalError if a literal is 0 or of no variable; MissingResource beyond
-  /// most_literals.
+  /// Adds a clause: at least one of the literals holds. An empty clause makes the formula
+  /// unsatisfiable. @throws InternalError if a literal is 0 or has no variable; MissingResource
+  /// beyond most_literals.
   void add(std::span<const Literal> clause);
   void add(std::initializer_list<Literal> clause) { add({clause.begin(), clause.size()}); }
 
-  /// Makes room for a formula of this size, so that it is never held twice while it grows.
+  /// Reserves memory for a formula of this size, so that it is never held twice while it grows.
   void reserve(const CnfSize& size);
 
   [[nodiscard]] std::size_t variables() const { return variables_; }
@@ -51,8 +51,8 @@ class Cnf {
   std::size_t clauses_ = 0;
 };
 
-/// Writes the formula in DIMACS: the comments, one a line, the header, the clauses, and
-/// `assumptions` as clauses of one literal. @throws as Sink::write().
+/// Writes the formula in DIMACS: the comments, one per line, the header, the clauses, and
+/// `assumptions` as unit clauses. @throws as Sink::write().
 void write_dimacs(const Cnf& cnf, std::span<const Literal> assumptions,
                   const std::vector<std::string>& comments, Sink& sink);
 

@@ -10,12 +10,12 @@
 namespace changeover {
 namespace {
 
-// Bytes for each variable, clause and literal. Measured on x86-64 with CaDiCaL 1.5.3 as the growth
-// of the resident memory, up to its peak, for the formulas of DCCD(40,5) with 120 blocks,
-// DCCD(60,5) with 270 and DCCD(72,4) with 520 (6, 42 and 175 million literals). In millions of
-// bytes: the solver 322 and 1706 after six seconds, 5201 after three; the checker 99 and 704, the
-// third was not measured; the splitter 114, 706 and 2834. The formula is 4.0 bytes a literal. The
-// constants give more than each of these, by 1 to 40 percent.
+// Bytes per variable, clause and literal. Measured on x86-64 with CaDiCaL 1.5.3 as the growth of
+// the resident memory, up to its peak, for the formulas of DCCD(40,5) with 120 blocks, DCCD(60,5)
+// with 270 and DCCD(72,4) with 520 (6, 42 and 175 million literals). In millions of bytes: the
+// solver 322 and 1706 after six seconds, 5201 after three; the checker 99 and 704, the third was
+// not measured; the splitter 114, 706 and 2834. The formula takes 4.0 bytes per literal. The
+// constants exceed each of these by 1 to 40 percent.
 struct Cost {
   std::uint64_t variable = 0;
   std::uint64_t clause = 0;

@@ -1,11 +1,11 @@
-// A formula that grows, and a solver that keeps up with it.
+// A formula that grows, and a solver for it.
 //
 //     IncrementalSolver solver;
 //     const Literal x = solver.cnf.new_variable(), y = solver.cnf.new_variable();
 //     at_most_one(solver.cnf, {{x, y}});
 //     solver.solve(control, 100'000);             // then add clauses and solve again
 //
-// That there is no model is the solver's word: no proof is written here.
+// That there is no model is the solver's statement: no proof is written here.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ class IncrementalSolver {
 
   Cnf cnf;
 
-  /// As SatEngine::solve(), of all clauses by now.
+  /// Like SatEngine::solve(), for all clauses so far.
   [[nodiscard]] Outcome solve(RunControl& control, std::optional<std::uint64_t> conflicts) {
     const auto progress = [this] {
       return Progress{.phase = "SAT solver", .steps = this->conflicts(), .unit = "conflicts"};
@@ -35,7 +35,7 @@ class IncrementalSolver {
                                      : Outcome::unknown;
   }
 
-  /// The same, where `assumed` hold as well and `preferred` are tried first, this once.
+  /// The same, once, where `assumed` must hold, too, and `preferred` literals are tried first.
   [[nodiscard]] Outcome solve_with(RunControl& control, std::span<const Literal> assumed,
                                    std::span<const Literal> preferred) {
     if (!engine_.add(cnf, control)) {
@@ -49,7 +49,7 @@ class IncrementalSolver {
   /// Whether the literal holds in the model of the last solve().
   [[nodiscard]] bool holds(Literal literal) const { return engine_.holds(literal); }
 
-  [[nodiscard]] std::uint64_t conflicts() const { return engine_.conflicts(); }  ///< had so far
+  [[nodiscard]] std::uint64_t conflicts() const { return engine_.conflicts(); }  ///< so far
 
  private:
   SatEngine engine_;

@@ -1,5 +1,5 @@
-// The SAT solver CaDiCaL [BiereEtAl2020], as everything here uses it: it stops when a search is to
-// stop, and nothing that a callback throws passes through it.
+// Wraps the SAT solver CaDiCaL [BiereEtAl2020]: it stops when a search is to stop, and no exception
+// of a callback passes through it.
 //
 //     SatEngine engine;
 //     if (engine.add(cnf, control)) {
@@ -25,10 +25,10 @@
 
 namespace changeover {
 
-/// Asked by the solver every few conflicts.
+/// Called by the solver every few conflicts.
 struct SatWatch {
-  std::function<Progress()> progress;  ///< what the control is told when it is due
-  std::function<bool()> give_up = {};  ///< besides the control
+  std::function<Progress()> progress;  ///< reported to the control when it is due
+  std::function<bool()> give_up = {};  ///< stops the solver, like the control
 };
 
 class SatEngine {
@@ -38,35 +38,34 @@ class SatEngine {
   SatEngine(const SatEngine&) = delete;
   SatEngine& operator=(const SatEngine&) = delete;
 
-  /// Before anything is added. @throws InternalError if the solver does not know the option.
+  /// Call before anything is added. @throws InternalError if the solver does not know the option.
   void set(const char* option, int value);
-  /// Likewise: counts conflicts, which the solver does not tell, by the clauses that it learns.
+  /// Likewise: counts conflicts, which the solver does not report, by the clauses that it learns.
   void count_conflicts();
-  /// Likewise: writes a DRAT proof in text. It is not checked whether that succeeds.
+  /// Likewise: writes a DRAT proof as text. Write errors are not detected.
   void trace_proof(std::FILE* file, const std::string& name);
   void close_proof();
 
-  /// Hands over the clauses that were not yet; false if the control wants to stop: the next call
-  /// goes on there.
-  /// @throws MissingResource if memory does not suffice, as solve().
+  /// Passes new clauses to the solver. Returns false if the control requests a stop: the next call
+  /// continues from there. @throws MissingResource if memory is too small, as solve().
   [[nodiscard]] bool add(const Cnf& cnf, RunControl& control);
-  /// The same for clauses of one literal each.
+  /// The same for unit clauses.
   void add_units(std::span<const Literal> literals);
 
-  /// Before one solve(): these hold in the model that it looks for.
+  /// Call before one solve(): these literals hold in the model that it looks for.
   void assume(std::span<const Literal> literals);
-  /// Before one solve(): decisions take these first. They count until others are given.
+  /// Call before one solve(): decisions try these literals first, until others are given.
   void prefer(std::span<const Literal> literals);
 
-  /// Looks for a model of all clauses until the control wants to stop or `conflicts` more conflicts
-  /// have been had. What a callback throws is thrown when the solver has ended.
+  /// Searches for a model of all clauses until the control requests a stop or `conflicts` more
+  /// conflicts have occurred. An exception of a callback is rethrown when the solver has ended.
   [[nodiscard]] Outcome solve(RunControl& control, std::optional<std::uint64_t> conflicts,
                               const SatWatch& watch);
 
   /// Whether the literal holds in the model that the last solve() found.
   [[nodiscard]] bool holds(Literal literal) const;
 
-  /// Had so far, since count_conflicts().
+  /// The number so far, since count_conflicts().
   [[nodiscard]] std::uint64_t conflicts() const;
 
  private:
@@ -76,7 +75,7 @@ class SatEngine {
 
   std::unique_ptr<Solver> solver_;
   std::size_t handed_over_ = 0;  // literals
-  std::size_t clauses_ = 0;      // of the formula that they are of
+  std::size_t clauses_ = 0;      // of the formula with these literals
   std::vector<Literal> preferred_;
 };
 

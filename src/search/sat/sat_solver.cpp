@@ -17,12 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// From so many literals on a pass over the formula takes long enough to be noticed, so that the
-// solver asks whether to stop wherever it can, and not only every tenth time. What it finds does
-// not depend on that.
+// From this number of literals on, a pass over the formula takes noticeable time: the solver then
+// checks wherever it can whether to stop, not only every tenth time. The result does not depend on
+// that.
 constexpr std::size_t large = 1'000'000;
 
-/// The proof on its way to the disk. The solver writes it and does not look whether that succeeds.
+/// A proof that is written to the disk by the solver, which does not detect write errors.
 class ProofFile {
  public:
   explicit ProofFile(const std::string& path) : path_(path) {
@@ -53,7 +53,7 @@ class ProofFile {
       return;
     }
     if (failed()) {
-      // The system's reason is forgotten by now; it says it again when the next bytes are refused.
+      // The system's reason is lost by now; writing further bytes fails for the same reason.
       std::clearerr(file_);
       errno = 0;
       (void)std::fputs("0\n", file_);
@@ -68,7 +68,7 @@ class ProofFile {
     std::error_code error;
     if (fs::is_regular_file(path_, error) &&
         static_cast<std::uintmax_t>(written) != fs::file_size(path_, error)) {
-      fail();  // cut short behind the solver's back
+      fail();  // cut short without the solver noticing
     }
   }
 

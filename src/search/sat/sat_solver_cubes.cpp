@@ -9,7 +9,7 @@
 namespace changeover {
 namespace {
 
-/// Unit propagation, by counters: enough for looking ahead from a few hundred places.
+/// Unit propagation by counters, which is enough for look-ahead at a few hundred places.
 class Lookahead {
  public:
   explicit Lookahead(const Cnf& cnf) : value_(cnf.variables() + 1, 0), within_(2 * value_.size()) {
@@ -40,7 +40,7 @@ class Lookahead {
   [[nodiscard]] bool is_open(Literal x) const { return value_of(x) == 0; }
   [[nodiscard]] std::size_t trail() const { return trail_.size(); }
 
-  /// Assumes x and propagates; false if that meets a contradiction. Follow it by undo().
+  /// Assumes x and propagates; returns false on a contradiction. Call undo() afterwards.
   bool assume(Literal x) { return assign(x) && propagate(); }
 
   void undo(std::size_t trail) {
@@ -58,7 +58,7 @@ class Lookahead {
   }
 
  private:
-  // An exception leaves the counters in disorder; they are not read any more.
+  // An exception leaves the counters inconsistent; they are not read any more.
   void ask_now_and_then() {
     constexpr unsigned often = 1024;
     if (++steps_ % often == 0) {
@@ -79,7 +79,8 @@ class Lookahead {
     return value_of(x) > 0;
   }
 
-  // open_[c]: literals of the clause that are not false, as far as the trail was propagated.
+  // open_[c]: literals of the clause that are not false, according to the part of the trail that
+  // was propagated.
   bool propagate() {
     bool consistent = true;
     while (consistent && propagated_ < trail_.size()) {
@@ -88,7 +89,7 @@ class Lookahead {
       for (const std::size_t c : within_[index(-x)]) {
         --open_[c];
         if (open_[c] > 1 || !consistent) {
-          continue;  // every counter is brought up to date, so that undo() finds it so
+          continue;  // every counter is updated, as undo() expects it
         }
         const auto& clause = clauses_[c];
         const auto unit =
@@ -109,7 +110,7 @@ class Lookahead {
   unsigned steps_ = 0;
 };
 
-/// The literal to branch on, the half that fixes more first; 0 if there is none.
+/// The literal to branch on, with the value that fixes more; 0 if there is none.
 Literal best_branch(Lookahead& ahead, std::size_t candidates) {
   Literal best = 0;
   std::size_t most = 0;

@@ -18,7 +18,7 @@ constexpr std::uint64_t first_anneal = 100'000;  // moves
 constexpr int most_starts = 20;
 constexpr std::uint64_t steps_between_questions = 64;
 
-/// Blocks of any kind, and by how much their steps miss m changes.
+/// Blocks of any kind, and the total deviation of their steps from m changes.
 class Descent {
  public:
   Descent(const Parameters& p, const BaseBlockShape& shape, Random& random)
@@ -42,7 +42,7 @@ class Descent {
     }
   }
 
-  // Whether it ended with the change property.
+  // Returns whether the change property was reached.
   bool run() {
     std::uint64_t total = 0;
     for (std::uint32_t i = 0; i < c_; ++i) {
@@ -83,7 +83,7 @@ class Descent {
  private:
   std::uint8_t& member(std::uint32_t i, Element x) { return member_[std::size_t{i} * v_ + x]; }
 
-  // Of the step from block i to the next one, which after the last is π(B₀).
+  // Of the step from block i to the next one; after the last block, that is π(B₀).
   std::uint64_t defect(std::uint32_t i) {
     std::uint64_t leaving = 0;
     for (const Element x : blocks_[i]) {
@@ -134,7 +134,7 @@ BaseBlockAnnealing base_blocks_by_annealing(const Parameters& p, const BaseBlock
   result.missing = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t length = first_anneal;
   for (int run = 0; result.moves < moves; ++run) {
-    // Twice as long each second time: base blocks are few, so several runs are worth more than a
+    // Every second run is twice as long: base blocks are few, so several runs are better than one
     // long one.
     length *= run > 0 && run % 2 == 0 ? 2 : 1;
     const std::vector<Block> begin = random_base_blocks(p, shape, random);

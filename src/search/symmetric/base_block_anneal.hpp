@@ -1,5 +1,5 @@
-// Base blocks by annealing on the orbits of pairs (search/local/segment_orbits.hpp). All of it
-// listens to the scope of its thread (run/control.hpp) and throws MissingResource if base blocks or
+// Base blocks by annealing on the orbits of pairs (search/local/segment_orbits.hpp). The scope of
+// the thread (run/control.hpp) can stop all of it; MissingResource is thrown if base blocks or
 // counters need too much memory.
 #pragma once
 
@@ -13,10 +13,10 @@
 
 namespace changeover {
 
-/// Random base blocks of this shape with the change property, the step from the last one to
-/// π(first) included; they cover what they cover. Empty if none were found in a bounded number of
-/// steps: a descent on the number of wrong changes, which rarely fails where there are any. p is
-/// circular with shape.v() elements.
+/// Random base blocks of this shape with the change property, including the step from the last one
+/// to π(first); covering is not required. Empty if none were found in a bounded number of steps: a
+/// descent on the number of wrong changes, which rarely fails where there are any. p is circular
+/// with shape.v() elements.
 [[nodiscard]] std::vector<Block> random_base_blocks(const Parameters& p,
                                                     const BaseBlockShape& shape, Random& random);
 
@@ -26,9 +26,9 @@ struct BaseBlockAnnealing {
   std::uint64_t moves = 0;
 };
 
-/// Anneals, each second time twice as long, until base blocks are found, the moves are used up or
-/// the control wants to stop. A tight design needs no more care: it is one if everything is
-/// covered. Bound by: O(moves · segment · k).
+/// Anneals until base blocks are found, the moves are used up or the control requests a stop; every
+/// second run is twice as long. A tight design needs no special treatment: the design is tight if
+/// everything is covered. Time: O(moves · segment · k).
 [[nodiscard]] BaseBlockAnnealing base_blocks_by_annealing(const Parameters& p,
                                                           const BaseBlockShape& shape,
                                                           std::uint64_t moves, Random& random,

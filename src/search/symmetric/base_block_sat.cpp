@@ -54,13 +54,13 @@ class Model {
   Literal in(std::size_t i, Element x) const { return in_block_[i * v_ + x]; }
   Literal introduced(std::size_t i, Element x) const { return introduced_[i * v_ + x]; }
 
-  // x in the block before block i: block 0 follows π⁻¹(B_{c−1}), which holds x if B_{c−1} holds
-  // π(x).
+  // Whether x is in the block before block i: block 0 follows π⁻¹(B_{c−1}), which contains x if
+  // B_{c−1} contains π(x).
   Literal before(std::size_t i, Element x) const {
     return i > 0 ? in(i - 1, x) : in(c_ - 1, shape_.image(x, 1));
   }
 
-  // A new variable for: a and not b.
+  // A new variable that is equivalent to: a and not b.
   Literal and_not(Literal a, Literal b) {
     Cnf& cnf = solver.cnf;
     const Literal result = cnf.new_variable();
@@ -92,7 +92,7 @@ class Model {
     }
   }
 
-  // Each orbit of pairs is in some block, or newly covered exactly once.
+  // Each orbit of pairs is in some block or, for tight designs, newly covered exactly once.
   void cover(bool exactly_once) {
     Cnf& cnf = solver.cnf;
     std::vector<std::vector<Literal>> covers(orbits_.count());
@@ -121,8 +121,8 @@ class Model {
     }
   }
 
-  // Each cycle has one of the degrees that the identity allows: if its introductions are at least
-  // and at most i, then its occurrences are at least and at most r.
+  // Each cycle has one of the degrees that the identity allows: if it has exactly i introductions,
+  // then it has the r occurrences that belong to i.
   void require_degrees() {
     for (std::uint64_t cycle = 0; cycle < shape_.cycles + shape_.fixed; ++cycle) {
       std::vector<Literal> enter;
@@ -174,9 +174,9 @@ class Model {
     cnf.add(one_of);
   }
 
-  // Sound together: each cycle can be rotated by itself; which blocks it meets does not change by
-  // that, so cycles can be ordered by it; and fixed points can be ordered by the blocks that hold
-  // them.
+  // These are compatible: each cycle can be rotated independently, which does not change the blocks
+  // that it meets, so cycles can be sorted by these blocks; fixed points can be sorted by the
+  // blocks that contain them.
   void break_symmetry() {
     Cnf& cnf = solver.cnf;
     std::vector<std::vector<Literal>> meets;
@@ -192,7 +192,7 @@ class Model {
           some.push_back(in(i, x));
         }
         cnf.add(some);
-        // The first block that meets the cycle holds its residue 0.
+        // The first block that meets the cycle contains its residue 0.
         std::vector<Literal> if_first = met;
         if_first.insert(if_first.end(), {-meet, in(i, first)});
         cnf.add(if_first);
@@ -220,7 +220,7 @@ class Model {
   std::size_t v_;
   std::size_t c_;
   std::vector<Literal> in_block_;    // by block and element
-  std::vector<Literal> introduced_;  // in the block, after the one before
+  std::vector<Literal> introduced_;  // in the block, but not in the one before
 };
 
 }  // namespace
@@ -229,17 +229,17 @@ std::uint64_t sat_size(const BaseBlockShape& shape) {
   return checked_multiply(shape.base_blocks, binomial(shape.v(), 2));
 }
 
-// Literals of the pairs' clauses, with the zeros that end them: 8 for covering; 26 for covering
-// exactly once, with those of the chain that allows at most one. The rest, counters of blocks and
+// Literals of the clauses for pairs, with the zeros that end them: 8 per pair for covering; 26 for
+// covering exactly once, with the chain that allows at most one. The rest, counters of blocks and
 // steps, grows with c·v·k.
 std::uint64_t sat_bytes(const Parameters& p, const BaseBlockShape& shape, bool tight) {
-  // Ours take 4 bytes. The solver's, with its clauses, watches and copies: some 40 were seen.
+  // The formula takes 4 bytes per literal. The solver's clauses, watches and copies took about 40.
   constexpr std::uint64_t bytes_of_a_literal = 44;
   const std::uint64_t of_pairs = checked_multiply(tight ? 26 : 8, sat_size(shape));
   constexpr std::uint64_t of_a_counter = 30;
   const std::uint64_t of_counters = checked_multiply(
       of_a_counter, checked_multiply(checked_multiply(shape.base_blocks, p.v), p.k + 2 * p.change));
-  // Which block meets a cycle first.
+  // For the clauses on which block meets a cycle first.
   const std::uint64_t of_symmetry =
       checked_multiply(checked_multiply(shape.base_blocks, shape.base_blocks), shape.cycles);
   return checked_multiply(bytes_of_a_literal,

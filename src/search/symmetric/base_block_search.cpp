@@ -25,7 +25,7 @@ constexpr std::array methods{std::pair{BaseBlockMethod::automatic, "automatic"},
                              std::pair{BaseBlockMethod::sat, "sat"},
                              std::pair{BaseBlockMethod::anneal, "anneal"}};
 
-/// One search: what is asked, and what has been found out.
+/// One search: its question, and its results so far.
 class Search {
  public:
   Search(const Parameters& p, const BaseBlockOptions& options, RunControl& control)
@@ -38,10 +38,10 @@ class Search {
     try {
       work();
     } catch (const Stopped&) {
-      // What is known by now is the result.
+      // The results so far are returned.
     }
     if (!result_.found() && !left_out_.empty() && result_.moves + result_.conflicts == 0) {
-      throw MissingResource(left_out_);  // nothing could be tried
+      throw MissingResource(left_out_);  // no shape could be tried
     }
     result_.why_stopped = why();
     return std::move(result_);
@@ -158,7 +158,7 @@ class Search {
     return true;
   }
 
-  // Stopped or not.
+  // Called whether the search was stopped or not.
   void take(const BaseBlockShape& shape, std::vector<Block> blocks, const ShapeAttempt& attempt) {
     const RunGrace to_the_end(control_);
     result_.shape = shape;
@@ -214,7 +214,7 @@ class Search {
   Random random_;
   bool registry_tight_ = false;
   std::string left_out_;             // why a shape was not tried
-  std::vector<std::size_t> places_;  // of the shapes among the attempts
+  std::vector<std::size_t> places_;  // of the shapes, among the attempts
   BaseBlockResult result_;
 };
 

@@ -46,7 +46,7 @@ std::optional<std::string> tight_obstruction(const Parameters& p, const BaseBloc
         "an element would be introduced i ≥ 1 times in r ≥ i blocks, {}i + {}(r−i) = {}", p.k - 1,
         m, p.v - 1);
   }
-  // Which sums of introductions s cycles can have.
+  // The possible sums of introductions of s cycles.
   const std::size_t wanted = static_cast<std::size_t>(m * shape.base_blocks);
   std::vector<bool> sums(wanted + 1, false);
   sums[0] = true;
@@ -98,7 +98,7 @@ std::vector<Degree> fixed_degrees(const Parameters& p, const BaseBlockShape& sha
   }
   const std::uint64_t each = (p.v - 1) / shape.n;
   if (p.change * shape.base_blocks == each) {
-    degrees.push_back({0, shape.base_blocks});  // in every block: it meets what is introduced
+    degrees.push_back({0, shape.base_blocks});  // in every block: it meets the introduced elements
   }
   for (std::uint64_t j = 1; j * (p.k - 1) <= each; ++j) {
     const std::uint64_t rest = each - j * (p.k - 1);

@@ -9,7 +9,7 @@
 namespace changeover {
 namespace {
 
-// Of a pair of groups, or of a group with itself.
+// The place of a pair of groups, or of a group with itself.
 std::uint64_t place_of(std::uint64_t group, std::uint64_t other) {
   const std::uint64_t larger = std::max(group, other);
   return larger * (larger + 1) / 2 + std::min(group, other);
@@ -103,7 +103,7 @@ bool GroupOwners::computes(std::uint64_t worker, std::uint64_t step, Element x, 
   const auto is_of = [&](const Part& part) {
     return part.worker == worker && (part.step == 0 || part.step == step);
   };
-  if (x == y) {  // in turn, by those that have the group
+  if (x == y) {  // assigned in turn to the workers that have the group
     const std::uint64_t parts = begin_[at + 1] - begin_[at];
     return parts > 0 && is_of(parts_[begin_[at] + (x - groups_.begin(i)) % parts]);
   }

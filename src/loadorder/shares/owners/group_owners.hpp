@@ -1,14 +1,14 @@
-// Internal: which worker computes which pairs, where items are in groups: evenly, by counting pairs
-// of groups.
+// Internal: assigns pairs to workers, where items are in groups: evenly, by counting pairs of
+// groups.
 //
 //     GroupOwners owners({1024, 16}, 16);
 //     owners.add(3, 0, 5, 1);   // worker 3 has the groups 0 and 5 together, by its first step
 //     owners.balance();
-//     owners.pairs()[3];                   // so many pairs of items does it compute
+//     owners.pairs()[3];                   // number of pairs of items that it computes
 //
-// The pairs of two groups are a rectangle, those of one group a triangle; it is cut among the
-// workers that have them, in order of its cells, so that every worker gets the same number of pairs
-// as far as can be.
+// The pairs of two groups are a rectangle, those of one group a triangle. It is cut, in the order
+// of its cells, among the workers that have these groups, so that all workers get the same number
+// of pairs as far as possible.
 #pragma once
 
 #include <cstdint>
@@ -24,17 +24,17 @@ class GroupOwners final : public PairOwners {
  public:
   GroupOwners(const ItemGroups& groups, std::uint64_t workers);
 
-  /// The worker has both groups together, or one with itself, for the first time by this step; 0:
-  /// whenever they are together, which is once. Each worker and pair of groups once.
+  /// The worker has both groups together (or one with itself) for the first time in this step; step
+  /// 0 if they are together only once. Call it once for each worker and pair of groups.
   void add(std::uint64_t worker, Element group, Element other, std::uint64_t step);
 
-  /// When all are added; as Pouring::pour().
+  /// Call it when all are added; `part` as in Pouring::pour().
   void balance(double part = 1e-5);
 
-  /// By worker.
+  /// The number of pairs of each worker.
   [[nodiscard]] const std::vector<std::uint64_t>& pairs() const { return pairs_; }
 
-  /// Calls visit(worker, pairs) for all that compute pairs of these groups.
+  /// Calls visit(worker, pairs) for all workers that compute pairs of these groups.
   template <typename Visit>
   void each_part(Element group, Element other, Visit&& visit) const {
     std::uint64_t before = 0;
@@ -46,7 +46,7 @@ class GroupOwners final : public PairOwners {
     }
   }
 
-  /// How many pairs of groups have pairs of items and no worker.
+  /// The number of pairs of groups that have pairs of items and no worker.
   [[nodiscard]] std::uint64_t missing() const { return missing_; }
 
   [[nodiscard]] std::unique_ptr<const PairRule> of(std::uint64_t worker) const override;
@@ -69,7 +69,7 @@ class GroupOwners final : public PairOwners {
 
   ItemGroups groups_;
   std::vector<Added> added_;          // until they are balanced
-  std::vector<std::uint64_t> begin_;  // of the parts of a pair of groups
+  std::vector<std::uint64_t> begin_;  // first part of each pair of groups
   std::vector<Part> parts_;
   std::vector<std::uint64_t> pairs_;
   std::vector<std::uint32_t> group_of_;

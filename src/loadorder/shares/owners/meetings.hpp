@@ -1,4 +1,4 @@
-// Internal: which groups meet at which workers, so that their pairs can be given to them.
+// Internal: finds which groups meet at which workers, to assign their pairs.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace changeover {
 
-/// Balanced, as Pouring::pour().
+/// Balanced owners; see Pouring::pour().
 [[nodiscard]] std::shared_ptr<const GroupOwners> owners_of(const GroupShares& shares,
                                                            std::uint64_t items, double part = 1e-5);
 

@@ -20,7 +20,7 @@ namespace {
 using Worker = std::uint16_t;
 constexpr Worker no_worker = 65'535;
 
-/// Numbers of pairs: all of them, or those of a list.
+/// Numbers the pairs: all of them, or those of a list.
 class PairPlaces {
  public:
   PairPlaces(const WantedPairs& wanted, std::uint64_t items)
@@ -29,7 +29,7 @@ class PairPlaces {
 
   [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(count_); }
 
-  /// Calls visit(y, place) for all wanted pairs of x and an item of the memory.
+  /// Calls visit(y, place) for all wanted pairs of x with an item in memory.
   template <typename Visit>
   void each(Element x, const std::vector<Element>& memory, const std::vector<bool>& there,
             Visit&& visit) const {
@@ -55,7 +55,7 @@ class PairPlaces {
     }
   }
 
-  /// Nothing for a pair that is not listed.
+  /// Nullopt for a pair that is not listed.
   [[nodiscard]] std::optional<std::uint64_t> place(Element x, Element y) const {
     return wanted_.graph() != nullptr ? wanted_.graph()->place(x, y)
                                       : std::optional(PairSet::rank(x, y));
@@ -133,8 +133,8 @@ class Spreading {
   }
 
  private:
-  // Calls visit(worker, x, y, place) for each pair when it comes together at a worker, stay(worker,
-  // item, come) when an item comes or goes.
+  // Calls visit(worker, x, y, place) for each pair when it comes together at a worker, and
+  // stay(worker, item, come) when an item is loaded or evicted.
   template <typename Visit, typename Stay>
   void play(Visit&& visit, Stay&& stay) {
     std::vector<bool> there(static_cast<std::size_t>(rules_.items), false);
@@ -181,7 +181,7 @@ class Spreading {
     return cost;
   }
 
-  // Pairs of one worker are given to it; of the others it is noted which workers have them.
+  // Assigns pairs that only one worker has; for the others, records which workers have them.
   void find_workers_of_pairs() {
     const std::size_t places = table_.places.count();
     std::vector<Worker> last(places, no_worker);
@@ -199,7 +199,7 @@ class Spreading {
     pairs_.assign(workers_.size(), 0);
     nodes_.assign(1, {});
     std::map<std::pair<std::uint32_t, Worker>, std::uint32_t> children;
-    std::vector<std::uint32_t> number(places, 0);  // among those that are shared, plus one
+    std::vector<std::uint32_t> number(places, 0);  // among the shared ones, plus one
     play_pairs([&](std::uint64_t w, Element x, Element y, std::size_t place) {
       const auto worker = static_cast<Worker>(w);
       if (std::exchange(last[place], worker) == worker) {
@@ -227,7 +227,7 @@ class Spreading {
     });
   }
 
-  // The workers of a node, the last first.
+  // The workers of a node, the last one first.
   [[nodiscard]] std::vector<Worker> workers_of(std::uint32_t node) const {
     std::vector<Worker> all;
     for (; node != 0; node = nodes_[node].parent) {
@@ -237,7 +237,8 @@ class Spreading {
   }
 
   void give_pairs() {
-    // Pairs of the same workers are one amount; what a worker has alone is one that only it takes.
+    // Pairs of the same workers are one amount. Pairs of one worker are an amount that only it
+    // takes.
     Pouring pouring;
     pouring.begin.assign(1, 0);
     const auto add = [&](double amount, const std::vector<Worker>& workers) {
@@ -285,7 +286,7 @@ class Spreading {
   /// A pair that several workers have.
   struct Shared {
     std::size_t place = 0;
-    std::uint32_t node = 0;  // which workers
+    std::uint32_t node = 0;  // the workers
   };
 
   [[nodiscard]] double shared_cost(std::size_t i) const { return cost_ ? costs_[i] : 1; }
@@ -296,7 +297,7 @@ class Spreading {
     ++pairs_[worker];
   }
 
-  // What is left uneven where portions are cut.
+  // Balances what cutting portions has left uneven.
   void even_out() {
     constexpr int rounds = 20;
     bool moved = true;
@@ -318,9 +319,9 @@ class Spreading {
     }
   }
 
-  // Stays that bring a worker nothing.
+  // Leaves out stays in which a worker computes no pair of the item.
   void leave_out(SpreadPairs& spread) {
-    std::vector<bool> is_used;  // by stay, in the order in which they begin
+    std::vector<bool> is_used;  // by stay, in the order of their beginnings
     std::vector<std::size_t> stay_of(static_cast<std::size_t>(rules_.items), 0);
     std::vector<bool> done(table_.places.count(), false);
     std::vector<bool> loaded(static_cast<std::size_t>(rules_.items), false);
@@ -334,7 +335,7 @@ class Spreading {
         [&](std::uint64_t, Element x, bool comes) {
           if (comes) {
             stay_of[x] = is_used.size();
-            // An item that belongs to no pair that is left is loaded once for itself.
+            // An item in no remaining pair is loaded once for itself.
             is_used.push_back(!loaded[x] && !has_pair_[x] && !(computed_ && computed_(x, x)));
             loaded[x] = true;
           }
@@ -371,7 +372,7 @@ class Spreading {
     spread.steps = std::move(lists);
   }
 
-  // An item alone is of the first worker that loads it.
+  // An item alone belongs to the first worker that loads it.
   void give_items(const SpreadPairs& spread) {
     table_.alone.assign(static_cast<std::size_t>(rules_.items), no_worker);
     for (std::uint64_t w = 0; w < workers_.size(); ++w) {
@@ -399,9 +400,9 @@ class Spreading {
     Worker worker = no_worker;
   };
   std::vector<bool> has_pair_;  // by item
-  std::vector<Node> nodes_;     // sets of workers, a tree; the first is empty
+  std::vector<Node> nodes_;     // sets of workers as a tree; the first is empty
   std::vector<Shared> shared_;
-  std::vector<double> costs_;  // of them, if pairs have costs
+  std::vector<double> costs_;  // of the pairs, if they have costs
   std::vector<double> load_;   // by worker
   std::vector<std::uint64_t> pairs_;
 };

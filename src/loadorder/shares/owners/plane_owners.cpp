@@ -33,7 +33,7 @@ std::uint64_t PlaneOwners::owner(Element x, Element y) const {
   }
   const std::uint64_t high = std::max(x, y) - groups_.begin(i);
   const std::uint64_t low = std::min(x, y) - groups_.begin(i);
-  // Groups of one or two items would all go to the first lines, but for their number.
+  // Without the number, groups of one or two items would all belong to the first lines.
   const std::uint64_t turn = x == y ? low : high * (high - 1) / 2 + low;
   return plane_.line_through(i, (turn + i) % plane_.through_a_point());
 }

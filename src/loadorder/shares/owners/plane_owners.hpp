@@ -1,5 +1,5 @@
-// Internal: who computes what where shares are the lines of a plane: said by the coordinates,
-// without a table of pairs of groups.
+// Internal: assigns pairs to workers where shares are the lines of a plane: by coordinates, without
+// a table of pairs of groups.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,12 @@
 
 namespace changeover {
 
-/// The pairs of two points are of their line; those of one point go to its lines in turn.
+/// The pairs of two points belong to their line; those of one point belong to its lines in turn.
 class PlaneOwners final : public PairOwners {
  public:
   PlaneOwners(Plane plane, std::uint64_t items);
 
-  /// By worker. O(items + points · q)
+  /// The number of pairs of each worker. O(items + points · q)
   [[nodiscard]] std::vector<std::uint64_t> pairs() const;
 
   [[nodiscard]] std::unique_ptr<const PairRule> of(std::uint64_t worker) const override;

@@ -8,8 +8,8 @@
 namespace changeover {
 namespace {
 
-// What one amount makes of its workers' loads: they are filled to one height, those that have more
-// already get nothing.
+// Distributes one amount among its workers: they are filled to one level, and those above it get
+// nothing.
 double pour_one(Pouring& all, std::uint64_t at, std::vector<double>& others,
                 std::vector<double>& sorted) {
   const std::uint64_t first = all.begin[at];
@@ -71,7 +71,8 @@ void Pouring::pour(std::uint64_t workers, double part) {
     if (moved <= part * total / static_cast<double>(load.size())) {
       break;
     }
-    // The other way round, what is passed on along a row of workers goes as far back as it went.
+    // In the reverse order, an amount that was passed along a row of workers goes back the same
+    // way.
     std::reverse(shared.begin(), shared.end());
   }
 }

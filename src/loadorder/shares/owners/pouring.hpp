@@ -1,5 +1,5 @@
-// Internal: amounts that several workers may share, poured so that the fullest worker has as little
-// as can be.
+// Internal: distributes amounts that several workers can share so that the fullest worker has as
+// little as possible.
 //
 //     Pouring pouring;
 //     pouring.begin = {0, 2, 3};   // two workers share the first amount, one has the second
@@ -14,15 +14,15 @@
 namespace changeover {
 
 struct Pouring {
-  std::vector<std::uint64_t> begin;   ///< of the portions of an amount, and the end of the last
+  std::vector<std::uint64_t> begin;   ///< first portion of each amount, and the end of the last
   std::vector<std::uint32_t> worker;  ///< of each portion
   std::vector<double> amount;
 
   std::vector<double> portion = {};
   std::vector<double> load = {};  ///< by worker
 
-  /// Until a round moves less than this part of a worker's mean, or as far as 3 · 10⁷ changes of a
-  /// portion lead.
+  /// Repeats until a round moves less than this part of a worker's mean, or after 3 · 10⁷ changes
+  /// of a portion.
   void pour(std::uint64_t workers, double part = 1e-5);
 };
 

@@ -1,4 +1,4 @@
-// Lists of pairs: which must meet or must not, and what they are worth.
+// Reads lists of pairs: needed or forbidden ones, and weights.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace changeover {
 namespace {
 
-// Which fields of a row are the pair, and which says something of it.
+// The fields of a row that are the pair, and the one with a remark on it.
 struct PairColumns {
   bool header = false;
   std::size_t one = 0;
@@ -23,7 +23,7 @@ struct PairColumns {
   std::optional<std::size_t> third = 2;
 };
 
-// A header has two words that head columns of parts, neither of which is a part in whatever case,
+// A header has two words that are column names of parts, neither of which is a part in any case,
 // and no part.
 PairColumns pair_columns(const Row& first, bool (*heads_third)(std::string_view),
                          const PartFinder& finder, const RowReader& reader) {
@@ -55,7 +55,7 @@ class PairReader {
 
   [[nodiscard]] const RowReader& reader() const { return reader_; }
 
-  // The next row that is no header.
+  // The next row after the header.
   std::optional<Row> next(bool (*heads_third)(std::string_view)) {
     auto row = reader_.next();
     if (row && std::exchange(is_first_, false)) {
@@ -82,7 +82,7 @@ class PairReader {
     return row;
   }
 
-  // The field that says something of the pair, if there is one.
+  // The field with the remark on the pair, if there is one.
   [[nodiscard]] const Field* third(const Row& row) const {
     const bool is_there = columns_.third && *columns_.third < row.size() && came_in_fields_;
     return is_there && !row[*columns_.third].text.empty() ? &row[*columns_.third] : nullptr;
@@ -93,7 +93,7 @@ class PairReader {
   [[nodiscard]] bool has_header() const { return columns_.header; }
   [[nodiscard]] std::size_t parts() const { return finder_.size(); }
 
-  // Whether the pair names a part that is none any more; its names join `gone`.
+  // Whether the pair has a part that no longer exists; its names are added to `gone`.
   [[nodiscard]] bool is_gone(const Row& row, std::vector<std::string>* gone) {
     bool some = false;
     for (const std::size_t i : {columns_.one, columns_.other}) {
@@ -104,7 +104,7 @@ class PairReader {
     return some;
   }
 
-  // The pair, with what to write instead if it is none.
+  // The pair; `example` is shown if the row has none.
   [[nodiscard]] std::pair<Element, Element> pair(const Row& row, std::string_view example) const {
     Row parts;
     for (const std::size_t i : {columns_.one, columns_.other}) {
@@ -131,7 +131,7 @@ class PairReader {
   bool came_in_fields_ = false;
 };
 
-// A decimal comma is taken where commas separate nothing.
+// A decimal comma is allowed if commas do not separate fields.
 std::optional<Amount> weight_in(const Field& field, const RowReader& reader) {
   std::string text = field.text;
   if (reader.separator() != ',' && std::ranges::count(text, ',') == 1) {

@@ -21,7 +21,7 @@ bool is_currency(std::string_view sign) {
   return std::ranges::find(all, sign) != all.end();
 }
 
-// "15 min" is of minutes; nothing is a unit of money or of lengths.
+// The unit of time of a sign, as in "15 min"; none for currencies and units of length.
 CostUnit unit_of_sign(const std::string& sign) { return unit_in_heading("(" + sign + ")"); }
 
 }  // namespace
@@ -59,7 +59,7 @@ std::string CostReader::without_sign(const Field& field) {
   const CostUnit unit = before.empty() && !after.empty() ? unit_of_sign(after) : CostUnit::none;
   if (begin == end || sign.empty() || (!before.empty() && !after.empty()) ||
       (unit == CostUnit::none && !is_currency(sign))) {
-    return text;  // the number is at fault then
+    return text;  // then the number is at fault
   }
   if (!sign_.empty() && sign_ != sign && (unit != unit_ || unit == CostUnit::none)) {
     reader_->fail(field, fmt::format("some costs are in {} and some in {}; use one of them",
@@ -112,7 +112,7 @@ Amount CostReader::number(const Field& field, std::string text) {
     text[at] = '.';
   }
   const bool point = !comma && text.find('.') != std::string::npos;
-  // A number in a workbook has no sign of its own.
+  // A number in a workbook has no decimal sign.
   if (!reader_->is_workbook() && ((comma && points_) || (point && commas_))) {
     reader_->fail(field, "some costs have a decimal comma and some a point; use one of them");
   }

@@ -1,4 +1,4 @@
-// Costs as people write them in lists.
+// Reads costs as people write them in lists.
 #pragma once
 
 #include <optional>
@@ -10,20 +10,20 @@
 
 namespace changeover {
 
-/// Costs of one list: with a point, or between semicolons or tabs with a comma, but not with both.
-/// A sign of a currency or a unit of time may stand beside the number, the same beside all that
-/// have one: "12.50 €", "15 min"; or all are times on a clock, "0:15", which are minutes.
+/// The costs of one list: with a decimal point or (between semicolons or tabs) a decimal comma, but
+/// not both. A currency or a unit of time may stand beside the number, the same for all costs that
+/// have one: "12.50 €", "15 min". Or all are clock times, "0:15", which are minutes.
 class CostReader {
  public:
   explicit CostReader(const RowReader& reader) : reader_(&reader) {}
 
-  /// Whether a field is meant as one.
+  /// Whether a field looks like a cost.
   [[nodiscard]] static bool is_like_a_cost(std::string_view text);
 
   /// @throws BadInput with the place of the field.
   [[nodiscard]] Amount read(const Field& field);
 
-  /// What the costs that were read are, if they say so themselves.
+  /// The unit of the costs so far, if they have one.
   [[nodiscard]] CostUnit unit() const { return unit_; }
 
  private:
@@ -36,7 +36,7 @@ class CostReader {
   bool points_ = false;
   bool numbers_ = false;
   bool clocks_ = false;
-  std::string sign_;  // beside the numbers
+  std::string sign_;  // the sign beside the numbers
   CostUnit unit_ = CostUnit::none;
 };
 

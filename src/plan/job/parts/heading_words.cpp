@@ -33,7 +33,7 @@ CostUnit unit_of(const std::vector<std::string>& words) {
                                          : CostUnit::none;
 }
 
-// Of "Swap (min)", but not of "Part(s)".
+// The unit of "Swap (min)", but none for "Part(s)".
 CostUnit unit_in_brackets(std::string_view text) {
   const std::size_t open = text.find_last_of("([");
   const bool is_plural = open != std::string_view::npos && open > 0 && text[open - 1] != ' ' &&
@@ -42,7 +42,7 @@ CostUnit unit_in_brackets(std::string_view text) {
                                                      : unit_of(heading_words(text.substr(open)));
 }
 
-// "part 2", "part_b", "part2" without what counts them.
+// "part 2", "part_b" or "part2" without the number or letter.
 std::string without_number(std::string word) {
   const std::size_t last = word.find_last_of(" _-#");
   if (last != std::string::npos && last + 2 == word.size()) {
@@ -98,7 +98,7 @@ bool heads_names(std::string_view text) {
        "solvent",     "solvents",    "chemical", "ingredient",  "equipment",    "hardware",
        "paint",       "colour",      "color",    "bezeichnung", "beschreibung", "designation",
        "désignation", "nombre",      "nom",      "nome",        "naam"});
-  // "Part number" tells parts apart for those who know the numbers.
+  // "Part number" identifies parts only for people who know the numbers.
   constexpr auto numbers = std::to_array<std::string_view>(
       {"number", "no", "nr", "id", "sku", "code", "serial", "count", "cost", "price"});
   const std::vector<std::string> words = heading_words(text);
@@ -115,14 +115,14 @@ bool heads_row_numbers(std::string_view text) {
 }
 
 bool heads_costs(std::string_view text) {
-  // Whole words: "Europe" is none, nor is "precision".
+  // Whole words: not "Europe" or "precision".
   constexpr auto alone = std::to_array<std::string_view>(
       {"cost",    "costs", "price",  "prices", "pricing", "preis",  "preise", "preises", "kosten",
        "aufwand", "prix",  "coût",   "coûts",  "cout",    "couts",  "precio", "precios", "coste",
        "costes",  "costo", "costos", "costi",  "prezzo",  "prezzi", "preço",  "preços",  "preco",
        "precos",  "custo", "custos", "prijs",  "prijzen", "eur",    "euro",   "euros",   "usd",
        "gbp",     "chf",   "€",      "£",      "dollar",  "dollars"});
-  // Of a longer word the end: "Umbaukosten", "unitprice", but not "caprice".
+  // Ends of longer words: "Umbaukosten", "unitprice", but not "caprice".
   constexpr auto ends = std::to_array<std::string_view>(
       {"cost", "costs", "price", "prices", "preis", "preise", "kosten", "aufwand"});
   constexpr std::size_t least_before = 3;
@@ -140,11 +140,11 @@ bool heads_times(std::string_view text) {
        "zeit",   "zeiten",   "dauer",    "umbauzeit", "rüstzeit", "temps",   "durée",   "duree",
        "tiempo", "duración", "duracion", "tempo",     "durata",   "duração", "duracao", "tijd",
        "duur",   "時間",     "所要時間", "时间",      "工时"});
-  // "Lead time" is no work, "Date/Time" is when.
+  // "Lead time" is not work, and "Date/Time" is a point in time.
   constexpr auto others = std::to_array<std::string_view>(
       {"date", "lead", "delivery", "run", "up", "start", "end", "stamp", "zone", "last", "created",
        "modified", "purchase", "warranty", "life", "test"});
-  // "Min" may be the least number.
+  // "Min" may also mean the minimum.
   constexpr auto units = std::to_array<std::string_view>(
       {"minutes", "mins", "minuten", "minutos", "minuti", "hours", "hrs", "stunden", "heures",
        "horas", "ore", "uren", "seconds", "secs", "sekunden", "secondes", "segundos", "secondi"});

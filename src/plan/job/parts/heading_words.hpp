@@ -1,4 +1,4 @@
-// What heads the columns of lists, by its words, in the languages of docs/plan.md.
+// Recognises the columns of lists by the words in their headings, in the languages of docs/plan.md.
 #pragma once
 
 #include <string>
@@ -9,40 +9,40 @@
 
 namespace changeover {
 
-/// The words of a heading in lower case: what stands between blanks and signs, or begins with a
-/// capital in the middle of "changeCost".
+/// The words of a heading in lower case: separated by blanks and signs, or by a capital in the
+/// middle as in "changeCost".
 [[nodiscard]] std::vector<std::string> heading_words(std::string_view text);
 
-/// Whether a text is what heads a column of parts: "Part", "component 2", "sample".
+/// Whether a text is the heading of a column of parts: "Part", "component 2", "sample".
 [[nodiscard]] bool heads_parts(std::string_view text);
-/// Or names them among others: "Part name", "Model", "Description".
+/// Or one that may contain names: "Part name", "Model", "Description".
 [[nodiscard]] bool heads_names(std::string_view text);
-/// Or only counts rows: "#", "No.", "ID".
+/// Or one of row numbers: "#", "No.", "ID".
 [[nodiscard]] bool heads_row_numbers(std::string_view text);
 
 /// A column of costs in money: "Change cost", "Preis".
 [[nodiscard]] bool heads_costs(std::string_view text);
-/// Of costs in time or work: "Swap time (min)", "Hours", "Duration", "Effort".
+/// A column of costs in time or work: "Swap time (min)", "Hours", "Duration", "Effort".
 [[nodiscard]] bool heads_times(std::string_view text);
-/// Costs of changes before others: "Change cost", "Swap time".
+/// A heading for costs of changes, preferred to others: "Change cost", "Swap time".
 [[nodiscard]] bool is_of_changes(std::string_view text);
-/// What the numbers below such a head are: "Hours", "Duration [h]", "Cost (min)".
+/// The unit of the numbers below such a heading: "Hours", "Duration [h]", "Cost (min)".
 [[nodiscard]] CostUnit unit_in_heading(std::string_view text);
 
 [[nodiscard]] bool heads_slots(std::string_view text);
-/// How many there are of a part: "Quantity", "Qty", "Anzahl".
+/// A column of numbers of pieces: "Quantity", "Qty", "Anzahl".
 [[nodiscard]] bool heads_quantities(std::string_view text);
-/// How many parts a slot has: "least", "min", "from"; "most", "max", "to".
+/// The limits of a slot: "least", "min", "from"; "most", "max", "to".
 [[nodiscard]] bool heads_least(std::string_view text);
 [[nodiscard]] bool heads_most(std::string_view text);
-/// What a pair is worth.
+/// The weights of pairs.
 [[nodiscard]] bool heads_weights(std::string_view text);
-/// Why a pair is forbidden: "why", "Reason", "Comment".
+/// The reasons why pairs are forbidden: "why", "Reason", "Comment".
 [[nodiscard]] bool heads_reasons(std::string_view text);
 /// One of the two parts of a pair: as heads_parts(), or "A", "Part B", "with".
 [[nodiscard]] bool heads_part_of_pair(std::string_view text);
 
-/// Lower case, of ASCII letters only.
+/// Lower case, for ASCII letters only.
 [[nodiscard]] std::string lower(std::string_view text);
 
 }  // namespace changeover

@@ -21,7 +21,7 @@ const std::string& text_of(const Row& row, std::size_t column) {
   return column < row.size() ? row[column].text : none;
 }
 
-// It is meant as one, even if it is none.
+// Whether it looks like a number, even a malformed one.
 bool like_a_number(std::string_view text) {
   return !text.empty() && std::string_view("0123456789.,+-").find(text.front()) != text.npos;
 }
@@ -44,7 +44,7 @@ bool has_no_number(const Row& row) {
   return std::ranges::none_of(row, [](const Field& field) { return like_a_number(field.text); });
 }
 
-// Whether one text differs from all others in a way in which they agree.
+// Whether one text differs from all others in a property that they share.
 bool of_another_kind(std::span<const Row> rows) {
   const auto alone = [&](auto&& property) {
     const auto first = property(rows.front().front().text);
@@ -59,7 +59,7 @@ bool of_another_kind(std::span<const Row> rows) {
           alone([](const std::string& t) { return !t.empty() && t[0] >= 'a' && t[0] <= 'z'; }));
 }
 
-// How many rows stand above a header of several columns: titles, of one field each.
+// The number of rows above a header of several columns: titles, of one field each.
 std::size_t rows_above(const std::vector<Row>& rows) {
   constexpr std::size_t most = 10;
   std::size_t above = 0;
@@ -118,7 +118,7 @@ bool is_header(std::span<const Row> rows, const RowReader& reader, std::string& 
                                  shown(other.text), what, how));
 }
 
-// Finds what the columns below a header are.
+// Finds the meaning of the columns below a header.
 class ColumnFinder {
  public:
   ColumnFinder(std::span<const Row> rows, const RowReader& reader)
@@ -161,7 +161,8 @@ class ColumnFinder {
     return found;
   }
 
-  // The column of which more than half is these words, whatever its head; nothing if there is none.
+  // The column in which more than half of the fields are such words, whatever its heading; nullopt
+  // if there is none.
   [[nodiscard]] std::optional<std::size_t> column_of(const std::vector<std::string>& words) const {
     const auto is_of_words = [&](std::size_t i) {
       std::size_t all = 0;
@@ -188,8 +189,8 @@ class ColumnFinder {
     return found;
   }
 
-  // The first column that says so, or that says nothing else; numbers of rows are no names if there
-  // is another.
+  // The first column that is named so, or that has no other meaning; row numbers are used as names
+  // only if there is no other column.
   [[nodiscard]] std::size_t name_column() const {
     if (const auto found = find(heads_parts)) {
       return *found;
@@ -214,7 +215,7 @@ class ColumnFinder {
     return counts.value_or(header_.size() - 1);
   }
 
-  // Of what stands below a head, most is numbers.
+  // Whether most fields of the column are numbers.
   [[nodiscard]] bool has_numbers(std::size_t column) const {
     std::size_t numbers = 0;
     std::size_t all = 0;
@@ -226,7 +227,7 @@ class ColumnFinder {
     return numbers > 0 && 2 * numbers >= all;
   }
 
-  // How well a column would do for the costs; 0: not at all.
+  // How well a column is suited for the costs; 0: not at all.
   [[nodiscard]] unsigned rank(std::size_t column) const {
     const std::string& head = header_[column].text;
     const bool is_money = heads_costs(head);
@@ -250,7 +251,7 @@ class ColumnFinder {
                      "say which with --cost-column, or rename or remove one of the columns");
       }
     }
-    // The other one of two.
+    // The other one of two columns.
     const std::size_t other = columns_.name == 0 ? 1 : 0;
     if (!found && header_.size() == 2 && columns_.slot != other && columns_.quantity != other &&
         !heads_times(header_[other].text)) {

@@ -1,4 +1,4 @@
-// Parts lists.
+// Reads parts lists.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ void check_name(const RowReader& reader, const Field& name) {
   }
 }
 
-// Reads a parts list row by row, once it is known which column says what.
+// Reads a parts list row by row, once the columns are known.
 class PartReader {
  public:
   PartReader(const Input& input, const RowReader& reader, const PartColumns& columns,
@@ -89,7 +89,8 @@ class PartReader {
           "a third field; write a name and a change cost, or a header with a word for each "
           "column, and quote a name with a comma");
     }
-    if (row.size() > fields_ && !reader_->is_workbook()) {  // there it is a note beside the table
+    if (row.size() > fields_ &&
+        !reader_->is_workbook()) {  // in a workbook that is a note beside the table
       reader_->fail(row[fields_], fmt::format("more fields than the {} of the header; quote those "
                                               "with a comma",
                                               fields_));
@@ -112,7 +113,7 @@ class PartReader {
     }
   }
 
-  // False if there is none of the part.
+  // Reads the quantity; false if there are no pieces of the part.
   bool take_quantity(const Row& row, const Field& name) {
     if (!columns_.quantity) {
       return true;
@@ -135,7 +136,7 @@ class PartReader {
     return true;
   }
 
-  // A last row that adds up all others is no part.
+  // A last row with the sum of the others is not a part.
   void leave_out_total() {
     constexpr auto words = std::to_array<std::string_view>(
         {"total", "totals", "sum", "summe", "gesamt", "totale", "somme", "suma", "soma", "totaal"});
@@ -199,7 +200,7 @@ PartList read_parts(Input& input, Header header) {
 PartList read_parts(Input& input, const PartListOptions& options) {
   constexpr std::size_t most_above = 12;  // a header, and what is above it
   RowReader reader(input);
-  std::vector<Row> rows;  // more than there can be
+  std::vector<Row> rows;  // more than a header can need
   while (auto next = rows.size() < max_parts + most_above ? reader.next() : std::nullopt) {
     rows.push_back(std::move(*next));
   }

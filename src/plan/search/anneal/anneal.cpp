@@ -25,7 +25,7 @@ class Annealer {
   AnnealedPlan run(RunControl& control) {
     record(true);
     constexpr std::uint64_t batch = 1024;
-    // A move on a long list of large set-ups takes as long as thousands on a short one.
+    // One move on a long list of large set-ups takes as long as thousands on a short one.
     constexpr std::uint64_t work = 1'000'000;
     const std::uint64_t room = s_->job().room();
     const std::uint64_t work_a_move = 1 + s_->size() / 8 + room * room;
@@ -82,7 +82,7 @@ class Annealer {
     return {s_->cost(), static_cast<std::int64_t>(s_->uncovered())};
   }
 
-  // Whether a move that adds so much to a list is to be made.
+  // Whether to make a move that adds this much to a list.
   [[nodiscard]] bool acceptable(const Rise& rise) { return acceptable(rise, now()); }
   [[nodiscard]] bool acceptable(const Rise& rise, const Standing& from) {
     const double higher = options_.budget
@@ -92,10 +92,10 @@ class Annealer {
     return cooling_.accepts(higher, *random_);
   }
 
-  // Notes where the list is before a move that is made before it is looked at.
+  // Records the state of the list before a move that is made before it is evaluated.
   void begin() { before_ = now(); }
 
-  // Whether to keep the move that was made since begin().
+  // Whether to keep the move made since begin().
   bool keep() {
     const Standing after = now();
     if (!acceptable({after.cost - before_.cost, after.uncovered - before_.uncovered}, before_)) {
@@ -105,7 +105,7 @@ class Annealer {
     return true;
   }
 
-  // Long lists are not noted at every step down.
+  // Long lists are not recorded at every improvement.
   void record(bool now = false) {
     if (note_seldom_ && !now) {
       return;
@@ -168,7 +168,7 @@ class Annealer {
     }
   }
 
-  // One part stays a set-up longer and what comes for it comes later, or it leaves sooner.
+  // A part stays for one more set-up and its replacement comes later, or it leaves earlier.
   void shift() {
     const std::size_t at = below(s_->size());
     const std::size_t earlier = at == 0 ? s_->size() : at - 1;
@@ -225,13 +225,13 @@ class Annealer {
     }
   }
 
-  // An uncovered pair, in any order.
+  // An uncovered pair, in either order.
   std::pair<Element, Element> aim() {
     auto [x, y] = s_->uncovered_pair(below(s_->uncovered()));
     return random_->one_in_two() ? std::pair(y, x) : std::pair(x, y);
   }
 
-  // A set-up comes once more, perhaps with a part of an uncovered pair in place of another.
+  // Repeats a set-up, sometimes with a part of an uncovered pair in place of another.
   void copy() {
     if (s_->size() >= options_.most_tests) {
       return;
@@ -273,8 +273,8 @@ class Annealer {
     return s_->is_movable(x) && x != kept ? std::optional(x) : std::nullopt;
   }
 
-  // A movable part of a set-up other than `kept` that could leave for y: of its slot, if that is
-  // full.
+  // A movable part of a set-up other than `kept` that could be replaced by y: of its slot, if that
+  // is full.
   std::optional<Element> someone_for(std::size_t at, Element y, std::optional<Element> kept) {
     if (!s_->slot_full(at, y)) {
       return some_part(at, kept);
@@ -299,7 +299,7 @@ class Annealer {
     }
   }
 
-  // Some set-up that holds x, searched for from a random place on.
+  // Some set-up with x, searched for from a random place on.
   std::optional<std::size_t> some_holder(Element x) {
     const std::size_t begin = below(s_->size());
     for (std::size_t i = 0; i < s_->size(); ++i) {
@@ -326,7 +326,7 @@ class Annealer {
     }
   }
 
-  // Whether x and y may change places here.
+  // Whether x and y may be exchanged here.
   [[nodiscard]] bool exchangeable(std::size_t at, Element x, Element y) const {
     const bool has_x = s_->holds(at, x);
     if (has_x == s_->holds(at, y)) {
@@ -335,7 +335,7 @@ class Annealer {
     return has_x ? s_->may_join(at, y, x) : s_->may_join(at, x, y);
   }
 
-  // The longest stretch around `at` for which `good` holds, or some part of it.
+  // The longest stretch around `at` for which `good` holds, or a part of it.
   template <typename Good>
   Stretch stretch(std::size_t at, std::size_t choice, Good&& good) {
     Stretch where{at, at};
@@ -358,9 +358,9 @@ class Annealer {
     }
     const std::size_t choice = below(8);
     Stretch where{at, at};
-    if (choice >= 4) {  // Up to where the set-ups agree about x and y.
+    if (choice >= 4) {  // up to where the set-ups agree about x and y
       where = stretch(at, 0, [&](std::size_t i) { return exchangeable(i, x, y); });
-    } else if (choice < 3) {  // In the run of x only, on both sides or on one.
+    } else if (choice < 3) {  // in the run of x only, on both sides or on one
       where = stretch(at, choice,
                       [&](std::size_t i) { return s_->holds(i, x) && exchangeable(i, x, y); });
     }
@@ -418,7 +418,7 @@ class Annealer {
     }
   }
 
-  // A set-up with an uncovered pair, otherwise like the one beside which it comes.
+  // Inserts a set-up with an uncovered pair, otherwise like the one next to it.
   void insert() {
     if (s_->uncovered() == 0 || s_->size() >= options_.most_tests) {
       return;
@@ -459,7 +459,8 @@ class Annealer {
     }
   }
 
-  // Mounts x in a set-up, in place of what it must not meet and, if there is no room, of one more.
+  // Mounts x in a set-up, in place of parts that it must not meet and, if there is no room, of one
+  // more.
   bool bring(Block& setup, Element x) {
     protected_.push_back(x);
     if (std::find(setup.begin(), setup.end(), x) != setup.end()) {
@@ -545,9 +546,9 @@ AnnealedPlan anneal(Sequence& sequence, const Annealing& options, Random& random
                     RunControl& control) {
   AnnealedPlan best = Annealer(sequence, options, random).run(control);
   if (control.stop_wanted()) {
-    return best;  // At once: the referee counts what becomes of it.
+    return best;  // at once: run_sheet() counts the result
   }
-  // What millions of moves kept up to date must be what a list built anew says.
+  // A list that millions of moves have updated must equal one that is built from scratch.
   const Sequence anew(sequence.job(), sequence.weights(), sequence.setups());
   if (anew.cost() != sequence.cost() || anew.uncovered() != sequence.uncovered()) {
     throw InternalError("the search for cheap lists lost count");

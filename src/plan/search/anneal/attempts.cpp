@@ -14,7 +14,7 @@
 namespace changeover {
 namespace {
 
-// Under a budget: the penalty of an uncovered pair as a multiple of what a pair costs in the best
+// With a budget: the penalty of an uncovered pair as a multiple of the cost of a pair in the best
 // list, and the temperatures as multiples of the penalty.
 struct BudgetStyle {
   double penalty;
@@ -28,7 +28,7 @@ constexpr std::array<BudgetStyle, 4> budget_styles{{
     {2.3, 0.25, 0.10},
 }};
 
-// Beyond that, a list has far more set-ups than pairs are worth.
+// Beyond that, a list has far more set-ups than needed.
 std::size_t most_tests(const Job& job, std::size_t tests) {
   return tests + std::min<std::size_t>(static_cast<std::size_t>(job.needed.size()), tests + 16);
 }
@@ -48,7 +48,7 @@ std::uint64_t Attempts::suitable_steps(const Candidate& like) const {
 }
 
 std::uint64_t Attempts::steps_until(std::chrono::duration<double> left) const {
-  constexpr double before_any = 5e6;  // moves a second
+  constexpr double before_any = 5e6;  // moves per second
   const double speed = busy_ > 0 ? static_cast<double>(annealed_) / busy_ : before_any;
   constexpr double most = 1e18;
   return static_cast<std::uint64_t>(std::min(most, std::max(1.0, speed * left.count())));
@@ -56,7 +56,7 @@ std::uint64_t Attempts::steps_until(std::chrono::duration<double> left) const {
 
 std::optional<Start> Attempts::covering(const Candidate& from, std::uint64_t steps) {
   constexpr double share = 0.05;
-  constexpr std::uint64_t few = 200;  // moves a place
+  constexpr std::uint64_t few = 200;  // moves per place
   std::optional<std::chrono::duration<double>> time;
   if (const auto left = control_->time_left()) {
     time = *left * share;
@@ -66,7 +66,7 @@ std::optional<Start> Attempts::covering(const Candidate& from, std::uint64_t ste
   }
   const std::size_t limit = most_tests(*job_, from.setups.size());
   const Weights true_weights = Weights::of(*job_, limit);
-  // Set-ups are all that counts; changes break ties.
+  // Only set-ups count; changes break ties.
   Weights weights{.test = 1000, .change = std::vector<std::uint64_t>(job_->names.size(), 1)};
   Sequence sequence(*job_, weights, from.setups);
   Random random(control_->seed(), 1'000'000);
@@ -107,7 +107,7 @@ Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>
     double seconds = 0;
   };
   std::vector<Took> took(attempts);
-  // Whatever cuts an attempt short, nothing is worse than the best.
+  // If an attempt is cut short, the result is at least the best list so far.
   std::vector<Result> results(attempts,
                               {std::numeric_limits<std::int64_t>::max(), best.setups, best.name});
   in_parallel(*control_, attempts, [&](std::size_t i) {
@@ -117,10 +117,11 @@ Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>
     if (control_->stop_wanted()) {
       return;
     }
-    constexpr double share = 0.95;  // the rest is for repair, and what the clock does not see
+    constexpr double share =
+        0.95;  // the rest is for repair, and for what the time limit does not include
     const auto time = time_of_attempt(*control_, i, attempts, share);
-    // Too few moves for each place to make up for forgetting a good list, or a good one from the
-    // rounds before.
+    // With too few moves per place, forgetting a good list, or one from earlier rounds, does not
+    // pay.
     constexpr std::uint64_t few = 100;
     const std::uint64_t moves = time ? std::min(steps, steps_until(*time)) : steps;
     const bool stay_near = moves / few < best.tests() * job_->room() ||
@@ -173,7 +174,7 @@ Start Attempts::within(Amount budget, const Candidate& best, std::uint64_t steps
                        unsigned attempts) {
   const std::size_t limit = most_tests(*job_, best.setups.size());
   const Weights weights = Weights::of(*job_, limit);
-  // The weights are the costs, rounded up: what weighs no more than the budget costs no more.
+  // The weights are the costs, rounded up: a list whose weight is within the budget costs no more.
   const auto most = static_cast<std::int64_t>(budget.millionths / weights.unit);
   std::vector<AnnealedPlan> results(attempts);
   in_parallel(*control_, attempts, [&](std::size_t i) {

@@ -17,12 +17,12 @@ void Cooling::cool(double done, const Measured& now) {
     temperature_ = cold_ + (hot_ - cold_) * left * left * left;
     return;
   }
-  constexpr double at_first = 2.0;  // for a moment, until the lists are of this temperature
+  constexpr double at_first = 2.0;  // initially, until the lists have this temperature
   constexpr double later = 2.8;
   constexpr double moment = 0.05;
   const double base = now.a_thing * (done < moment ? at_first : later);
   temperature_ = hot_ * base * two_to_minus(octaves_ * done);
-  // In the second part, so much may be open.
+  // In the second part, this much may be open.
   constexpr double second = 0.5;
   constexpr double speed = 5.0;
   constexpr double none_from = 0.9;

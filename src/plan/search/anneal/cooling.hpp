@@ -1,9 +1,10 @@
-// What annealings of plans share: how temperature and penalty change, and how attempts differ.
+// Shared by the annealing of plans: temperature, penalty, and the differences between attempts.
 //
-// Where the penalty of what has not met is fixed, the temperature falls with the third power of
-// what is left. Else both are measured by what a thing that has met costs in the lists as they are
-// now, so one schedule suits all jobs: the temperature falls geometrically; in the second half the
-// penalty rises whenever more is open than the schedule has for this moment, nothing in the end.
+// If the penalty for what has not met is fixed, the temperature falls with the third power of the
+// remaining part. Otherwise both are measured by the cost of a pair (or triple) that has met in the
+// current lists, so one schedule suits all jobs. The temperature falls geometrically; in the second
+// half the penalty rises whenever more is open than planned for this moment, which is nothing at
+// the end.
 #pragma once
 
 #include <array>
@@ -16,23 +17,24 @@ namespace changeover {
 
 class Cooling {
  public:
-  /// A fixed penalty and temperatures in one unit; or no penalty, and temperatures in about three
-  /// times what a thing that has met costs.
+  /// A fixed penalty, and temperatures in the same unit; or no penalty, and temperatures in about
+  /// three times the cost of a pair that has met.
   Cooling(double hot, double cold, double fixed_penalty);
 
-  /// What has to meet, what of it has not, and what a thing that has met costs.
+  /// What has to meet, what has not met yet, and the cost per pair that has met.
   struct Measured {
     double needed = 0;
     double open = 0;
     double a_thing = 0;
   };
-  /// Sets temperature and penalty for the moment when so much is done, from 0 to 1.
+  /// Sets temperature and penalty for the moment when the part `done` of the schedule, from 0 to 1,
+  /// is over.
   void cool(double done, const Measured& now);
 
-  /// Of one thing that has not met.
+  /// The penalty for one pair that has not met.
   [[nodiscard]] double penalty() const { return penalty_; }
 
-  /// Whether a move that makes this much worse is to be made.
+  /// Whether to make a move that is this much worse.
   [[nodiscard]] bool accepts(double rise, Random& random) const {
     return rise <= 0 || rise <= temperature_ * log_table()[random.next() >> 52];
   }
@@ -42,17 +44,17 @@ class Cooling {
   double cold_;
   bool fixed_;
   double penalty_;
-  double octaves_;  // between the first temperature and the last
+  double octaves_;  // between the first and the last temperature
   double temperature_ = 0;
   double done_ = 0;
   double raise_ = 1;
 };
 
-/// How much of a schedule is done after these of its steps and this share of its time. Steps alone
-/// decide as long as they may do: then the result is the same again.
+/// The part of a schedule that is over after these steps and this part of its time. As long as
+/// possible only steps count: then the result is reproducible.
 [[nodiscard]] double share_done(std::uint64_t step, std::uint64_t steps, double time_gone);
 
-/// How attempts differ in their temperatures. Hot ones forget where they started; the warm one does
+/// The temperatures of different attempts. Hot ones forget where they started; the warm one does
 /// not.
 struct HeatStyle {
   double hot;

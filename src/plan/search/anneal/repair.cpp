@@ -1,4 +1,4 @@
-// What makes a list of set-ups complete and takes away what is too much.
+// Completes a list of set-ups and removes what is not needed.
 #include <algorithm>
 #include <limits>
 
@@ -9,8 +9,9 @@
 namespace changeover {
 namespace {
 
-// The set-up nearest to `beside` that holds x and y: what they must not meet goes, and where there
-// is no room those with the fewest uncovered pairs, which is taken to be those at the end.
+// The set-up closest to `beside` that contains x and y: parts that they must not meet are removed
+// and, if there is no room, those with the fewest uncovered pairs, which are assumed to be at the
+// end.
 std::optional<Block> with_pair(const Sequence& s, std::span<const Element> beside, Element x,
                                Element y) {
   const Job& job = s.job();
@@ -48,7 +49,8 @@ std::optional<Block> with_pair(const Sequence& s, std::span<const Element> besid
   return setup.size() <= job.at_once ? std::optional(setup) : std::nullopt;
 }
 
-// Inserts the cheapest set-up that covers the pair; false, with nothing inserted, if it is to stop.
+// Inserts the cheapest set-up that covers the pair; returns false, with nothing inserted, if
+// stopped.
 bool insert_pair(Sequence& s, Element x, Element y, Listener& listener) {
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
   std::size_t most_covered = 0;

@@ -23,7 +23,7 @@ Weights Weights::of(const Job& job, std::uint64_t tests) {
     weights.change.push_back(std::max<std::uint64_t>(1, cost.millionths));
     largest = std::max(largest, weights.change.back());
   }
-  // A search weighs costs a few times over.
+  // A search adds up several costs.
   constexpr Wide margin = 64;
   constexpr Wide most = std::numeric_limits<std::int64_t>::max();
   const Wide total = (weights.test + Wide{job.room()} * largest) * (Wide{tests} + 1) * margin;
@@ -285,7 +285,7 @@ Rise Sequence::rise_of_replace(std::size_t at, Element x, Element y) const {
   for (const Element z : setup(at)) {
     rise.uncovered += (with_x[z] == 1 ? 1 : 0) - (with_y[z] == 0 ? 1 : 0);
   }
-  // x itself was looked at as one of those beside it.
+  // x itself was counted as one of its partners.
   rise.uncovered += (with_y[x] == 0 ? 1 : 0) - (with_x[x] == 1 ? 1 : 0);
   return rise;
 }
@@ -420,7 +420,7 @@ std::int64_t Sequence::rise_of_rotate(std::size_t first, std::size_t middle,
 }
 
 void Sequence::reverse(Stretch where) {
-  // Inside, introductions become leavings: the difference is that of the weights of the two ends.
+  // Inside, introductions become removals: the difference is that of the weights of the two ends.
   cost_ += rise_of_reverse(where);
   std::reverse(order_.begin() + static_cast<std::ptrdiff_t>(where.first),
                order_.begin() + static_cast<std::ptrdiff_t>(where.last) + 1);

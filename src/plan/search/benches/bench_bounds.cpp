@@ -30,7 +30,7 @@ bool has_part(const Block& block, Element x) {
   return std::find(block.begin(), block.end(), x) != block.end();
 }
 
-// The easiest of all benches, with an empty start.
+// The cheapest and largest combination of all benches, with an empty start.
 Job easiest_job(const BenchField& field) {
   Job easiest = at_prices(field.rest(0), Price::least);
   easiest.needed = field.common().needed;
@@ -47,7 +47,7 @@ Job easiest_job(const BenchField& field) {
       easiest.change_costs[x] = std::min(easiest.change_costs[x], other.change_costs[x]);
     }
     std::erase_if(easiest.mounted, [&](Element m) { return !has_part(other.mounted, m); });
-    // A part that some bench cannot have is in another slot there.
+    // A part that a bench cannot have is in another slot there.
     const auto of_both = std::min(easiest.slots.size(), other.slots.size());
     for (std::size_t s = 0; s < of_both; ++s) {
       easiest.slots[s].least = std::min(easiest.slots[s].least, other.slots[s].least);
@@ -61,7 +61,7 @@ Job easiest_job(const BenchField& field) {
   return easiest;
 }
 
-// Something that holds from some time on, if at all: the first such time.
+// The first time from which a monotone condition holds.
 Amount earliest(const std::function<bool(std::uint64_t)>& holds) {
   constexpr std::uint64_t latest = std::uint64_t{1} << 61U;
   std::uint64_t high = 1;
@@ -104,7 +104,7 @@ class BenchBounder {
         bound_whole_tests();
         bound_pairs();
       } catch (const Stopped&) {
-        // What is known is true.
+        // the bound so far is valid
       }
     }
     if (spent_.millionths > 0) {
@@ -127,7 +127,7 @@ class BenchBounder {
     }
   }
 
-  // Whether all costs and times are multiples of what divides all costs.
+  // Rounds up if all costs and times are multiples of the divisor of all costs.
   [[nodiscard]] Amount rounded(Amount makespan) const {
     const bool plain = field_->alike() && !field_->has_clock();
     return plain ? rounded_up(field_->rest(0), makespan) : makespan;
@@ -143,7 +143,7 @@ class BenchBounder {
     return time / rules->day * hours + std::min(hours, time % rules->day);
   }
 
-  // The first time by which a bench can have worked so long.
+  // The first time by which a bench can have worked this long.
   [[nodiscard]] Amount by(std::size_t w, std::uint64_t hours) const {
     const auto& rules = field_->rules();
     if (hours == 0 || !rules || rules->hours[w] == 0) {
@@ -153,7 +153,7 @@ class BenchBounder {
     return Amount{days} * rules->day + Amount{hours - days * rules->hours[w]};
   }
 
-  // What costs once more where it is at the start of a bench.
+  // Parts at the start of a bench are charged once more.
   [[nodiscard]] bool has_start(std::size_t w) const { return !field_->rest(w).start.empty(); }
 
   void bound_costs() {
@@ -178,7 +178,7 @@ class BenchBounder {
         once_more += easiest_.change_costs[x];
       }
     }
-    if (!fits) {  // Set-ups that are none of the job are put in between: then any may be.
+    if (!fits) {  // set-ups outside the job are put in between: then any are allowed
       one.slots.clear();
       one.slot_of.clear();
       one.mounted.clear();
@@ -204,14 +204,14 @@ class BenchBounder {
     }
   }
 
-  // b_n with what stays mounted; that of one list if it is not known.
+  // b_n including parts that stay mounted; that of one list if it is unknown.
   [[nodiscard]] DearestCost lists_cost(std::uint64_t lists) const {
     DearestCost cost = cost_of_dearest(*dearest_, lists);
     cost.cost += mounted_on(lists, mounting_);
     return cost;
   }
 
-  // Prepares the count within the dearest parts.
+  // Prepares the bound by the dearest parts.
   void count_dearest() {
     try {
       Amount mounting;
@@ -234,12 +234,12 @@ class BenchBounder {
       mounting_ = mounting;
       one_list_ = lists_cost(1);
     } catch (const Stopped&) {
-      // What is known is true.
+      // the bound so far is valid
     }
   }
 
-  // Each list puts in what stays mounted, unless it is there; `mounting` is what one pays, with
-  // what slots need besides.
+  // Each list mounts the parts that stay, unless they are there; `mounting` is the cost for one
+  // list, including what slots need.
   [[nodiscard]] Amount mounted_on(std::uint64_t lists, Amount mounting) const {
     Amount all;
     for (const Element m : easiest_.mounted) {
@@ -279,8 +279,8 @@ class BenchBounder {
     }
   }
 
-  // What a bench can do by this time, by the least costs, besides its first set-ups; no less than
-  // that.
+  // A lower bound on what a bench can do by this time, at the least costs, besides its first
+  // set-ups.
   [[nodiscard]] std::uint64_t can_do(std::size_t w, std::uint64_t time) const {
     const std::uint64_t hours = work(w, time);
     const std::uint64_t left = hours - std::min(hours, field_->spent(w).millionths);
@@ -289,7 +289,7 @@ class BenchBounder {
     return static_cast<std::uint64_t>(std::min(done, most));
   }
 
-  // Whether so many benches can do so much, those that can do most.
+  // Whether `lists` benches can do work of this cost; the most productive ones are taken.
   [[nodiscard]] bool can_share(std::uint64_t lists, Huge cost, std::uint64_t time) const {
     std::vector<std::uint64_t> each;
     for (std::size_t w = 0; w < field_->size(); ++w) {
@@ -340,7 +340,7 @@ class BenchBounder {
     });
   }
 
-  // How many benches can work at a time.
+  // The number of benches that can work at a time.
   [[nodiscard]] std::uint64_t most_at_a_time(std::string& why) const {
     std::uint64_t most = field_->size();
     for (const Element m : easiest_.mounted) {
@@ -397,9 +397,9 @@ class BenchBounder {
     }
   }
 
-  // How long a part is on benches at least.
+  // The shortest time for which a part is on benches.
   [[nodiscard]] Amount least_held(Element x) const {
-    std::vector<Amount> others;  // what it must meet, the cheapest first
+    std::vector<Amount> others;  // partners of the part, the cheapest first
     for (Element y = 0; y < easiest_.parts(); ++y) {
       if (y != x && !has_part(easiest_.mounted, y) && easiest_.needed.contains(x, y)) {
         others.push_back(easiest_.change_costs[y]);
@@ -411,7 +411,7 @@ class BenchBounder {
     }
     std::sort(others.begin(), others.end());
     std::uint64_t starts = 0;
-    std::uint64_t at_start = 0;  // the most that is there with it before the first test
+    std::uint64_t at_start = 0;  // the most partners that are there before the first test
     for (std::size_t w = 0; w < field_->size(); ++w) {
       const Block& start = field_->rest(w).start;
       if (has_part(start, x)) {
@@ -431,7 +431,7 @@ class BenchBounder {
       }
       least = least ? std::min(*least, held) : held;
       if (there == others.size()) {
-        break;  // More stays only take longer.
+        break;  // more stays only take longer
       }
     }
     return *least;
@@ -477,7 +477,7 @@ class BenchBounder {
     if (easiest_.parts() > most_parts) {
       return;
     }
-    std::vector<Job> jobs;  // of each kind
+    std::vector<Job> jobs;  // one per kind
     std::vector<std::size_t> kind;
     for (std::size_t w = 0; w < field_->size(); ++w) {
       std::size_t same = 0;
@@ -498,7 +498,7 @@ class BenchBounder {
     });
     const Amount found = earliest([&](std::uint64_t time) {
       if (time < bounds_.makespan.millionths) {
-        return false;  // That is known.
+        return false;  // known already
       }
       std::uint64_t pairs = 0;
       std::vector<std::pair<std::size_t, std::uint64_t>> known;  // by kind and time
@@ -541,7 +541,7 @@ class BenchBounder {
       for (Element x = 0; x < own.parts(); ++x) {
         cheapest = has_part(own.mounted, x) ? cheapest : std::min(cheapest, own.change_costs[x]);
       }
-      // A first set-up may be there already, and where all parts stay mounted none is put in.
+      // A first set-up may be mounted already, and if all parts stay mounted none is put in.
       const bool changes = !has_start(w) && own.mounted.size() < own.parts();
       shortest.push_back(own.test_cost.millionths + (changes ? cheapest.millionths : 0));
     }
@@ -573,7 +573,7 @@ class BenchBounder {
   Job easiest_;
   Amount spent_;
   std::optional<DearestParts> dearest_;
-  Amount mounting_;  // of one list
+  Amount mounting_;  // for one list
   std::optional<DearestCost> one_list_;
   std::vector<Ratio> ratios_;
   BenchBounds bounds_;

@@ -41,7 +41,7 @@ BenchClock::Fit BenchClock::fit(Ticks from, Ticks cost, Ticks hours) const {
   if (now > 0) {
     morning = later(morning, day_);
   }
-  const Ticks days = cost == 0 ? 0 : (cost - 1) / hours;  // before the last
+  const Ticks days = cost == 0 ? 0 : (cost - 1) / hours;  // before the last day
   Ticks rest = 0;
   if (__builtin_mul_overflow(days, day_, &rest)) {
     fail_for_time();
@@ -79,7 +79,7 @@ Ticks BenchClock::cost_of_next(std::size_t bench) const {
   return cost;
 }
 
-// When the next step of a bench can begin.
+// Computes when the next step of a bench can begin.
 void BenchClock::look_at(std::size_t bench) {
   Course& course = courses_[bench];
   course.blocked = false;
@@ -93,9 +93,9 @@ void BenchClock::look_at(std::size_t bench) {
       course.blocked = true;
       return;
     }
-    const std::uint64_t room = quantity_[x] - holders.staying;  // for those with an end
+    const std::uint64_t room = quantity_[x] - holders.staying;  // for holders with an end
     if (holders.until.size() >= room) {
-      // So many may still hold it but one less: the others have to be at their end.
+      // All but one of the pieces may still be held: the others must be released first.
       auto nth = holders.until.end() - static_cast<std::ptrdiff_t>(room);
       std::nth_element(holders.until.begin(), nth, holders.until.end());
       from = std::max(from, *nth);
@@ -160,7 +160,7 @@ bool BenchClock::is_new(std::size_t bench, Element x) const {
   return found;
 }
 
-// Every bench waits for what others hold while they wait: the one that has waited longest gets it.
+// Every bench waits for parts that waiting benches hold: the one that has waited longest gets them.
 void BenchClock::break_up() {
   std::size_t first = benches_.size();
   for (std::size_t b = 0; b < benches_.size(); ++b) {
@@ -218,7 +218,7 @@ const BenchClock::Result& BenchClock::run(std::span<const ClockBench> benches,
     if (benches[b].steps.empty()) {
       continue;
     }
-    // What is there and stays in the first set-up is held from the beginning.
+    // Parts that are mounted and stay in the first set-up are held from the beginning.
     for (std::size_t w = 0; w < words_; ++w) {
       const std::uint64_t kept =
           benches[b].start[w] & benches[b].steps[0].parts[w] & benches[b].shared[w];

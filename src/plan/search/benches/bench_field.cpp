@@ -11,7 +11,7 @@
 namespace changeover {
 namespace {
 
-// What makes the job of a bench another one.
+// The properties of a bench that determine its job.
 Bench kind_of(const Bench& bench) {
   Bench kind = bench;
   kind.name.clear();
@@ -23,7 +23,7 @@ Bench kind_of(const Bench& bench) {
   return kind;
 }
 
-// A job of which these set-ups are tested, on whatever bench.
+// Removes the tests of these set-ups from a job.
 void take_off(Job& job, const std::vector<Block>& setups) {
   const Block start = job.start;
   const std::uint64_t done = job.tests_done;

@@ -1,5 +1,5 @@
-// What a search for several benches works on: the job of each bench that works, what is left when
-// the first set-ups are run, scarce parts and hours.
+// The data for a search on several benches: the job of each working bench, the job after the first
+// set-ups, scarce parts and hours.
 //
 //     const BenchField field(job, benches);
 //     // lists of what comes after the first set-ups
@@ -19,38 +19,38 @@ namespace changeover {
 
 class BenchField {
  public:
-  /// Benches without defects. Both must outlive this. @throws Stopped
+  /// Needs benches without defects. Both must outlive this. @throws Stopped
   BenchField(const Job& job, const std::vector<Bench>& benches);
   BenchField(const BenchField&) = delete;
   BenchField& operator=(const BenchField&) = delete;
 
-  /// How many benches work; they are counted from 0, without those that are down.
+  /// The number of working benches; they are counted from 0, without those that are down.
   [[nodiscard]] std::size_t size() const { return working_.size(); }
   [[nodiscard]] const Job& asked() const { return *job_; }
   [[nodiscard]] const std::vector<Bench>& benches() const { return *benches_; }
   [[nodiscard]] const Bench& bench(std::size_t w) const { return (*benches_)[working_[w]]; }
-  /// What must meet when all first set-ups have been run.
+  /// What must meet after all first set-ups.
   [[nodiscard]] const Job& common() const { return common_; }
   /// The job of a bench, with its first set-ups.
   [[nodiscard]] const Job& whole(std::size_t w) const { return *whole_[w]; }
-  /// The same without them: what they test is tested, the last one is mounted.
+  /// The same without them: the pairs that they test are not needed, and the last one is the start.
   [[nodiscard]] const Job& rest(std::size_t w) const { return *rest_[w]; }
-  /// What the first set-ups of a bench cost.
+  /// The cost of the first set-ups of a bench.
   [[nodiscard]] Amount spent(std::size_t w) const { return spent_[w]; }
-  /// All benches have the same job, up to what is scarce and how long they work.
+  /// Whether all benches have the same job, except for scarce parts and hours.
   [[nodiscard]] bool alike() const { return jobs_.size() <= 2; }
-  /// Parts are scarce, or benches rest: the makespan is more than a sum.
+  /// Whether parts are scarce or benches rest: then the makespan is more than a sum.
   [[nodiscard]] bool has_clock() const { return rules_.has_value(); }
   [[nodiscard]] const std::optional<ClockRules>& rules() const { return rules_; }
-  /// How many benches may hold a part at a time.
+  /// The number of benches that may hold a part at a time.
   [[nodiscard]] std::uint64_t most_holders(Element x) const { return holders_[x]; }
 
-  /// For lists of so many tests. If `exact`, what costs nothing weighs nothing.
+  /// For lists with this many tests. If `exact`, things that cost nothing have weight 0.
   [[nodiscard]] ListsJob lists_job(std::uint64_t tests, bool exact = false) const;
 
-  /// The first set-ups of each bench and these lists, each step as early as it can be; by bench,
-  /// with those that are down.
-  /// @throws ImpossibleParameters if a time cannot be counted.
+  /// Gives times to the first set-ups of each bench and these lists, each step as early as
+  /// possible; by bench, including those that are down. @throws ImpossibleParameters if a time
+  /// overflows.
   [[nodiscard]] BenchSchedule schedule(const BenchLists& lists) const;
 
  private:
@@ -60,7 +60,7 @@ class BenchField {
   const Job* job_;
   const std::vector<Bench>* benches_;
   std::vector<std::size_t> working_;
-  std::deque<Job> jobs_;  // what the pointers point to, two for each kind of bench
+  std::deque<Job> jobs_;  // owns the jobs, two for each kind of bench
   std::vector<const Job*> whole_;
   std::vector<const Job*> rest_;
   std::vector<Amount> spent_;

@@ -87,7 +87,7 @@ class BenchPlanner {
                      : best().makespan == plan_.makespan_bound;
   }
 
-  // Lists of the benches that work, without what comes first.
+  // The lists of the working benches, without the first set-ups.
   [[nodiscard]] BenchLists without_first(const BenchLists& all) const {
     BenchLists lists;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -168,7 +168,7 @@ class BenchPlanner {
     return common.needed.size() + common.triples.size() + 64;
   }
 
-  // The bench that can test everything for the least, if one can.
+  // The bench that can test everything at the least cost, if there is one.
   [[nodiscard]] std::optional<std::size_t> bench_for_all() const {
     std::optional<std::size_t> found;
     Amount least;
@@ -237,7 +237,7 @@ class BenchPlanner {
     }
   }
 
-  // Looking through all lists of a small job may have found a better bound.
+  // An exhaustive search of a small job may have found a better bound.
   void take_exact_bound(const CostBound& found, std::size_t alone) {
     const bool end_to_end = field_.alike() && field_.rest(alone).start.empty() &&
                             !field_.rest(alone).replaces() && field_.spent(alone).millionths == 0;
@@ -255,7 +255,7 @@ class BenchPlanner {
     }
   }
 
-  // Pieces of about equal cost; on benches that differ, those set-ups that may be there.
+  // Pieces of about equal cost; if benches differ, only set-ups that are allowed there.
   [[nodiscard]] BenchLists pieces_of(const Job& job, const std::vector<Block>& setups) const {
     BenchLists lists = cut_list(job, setups, field_.size());
     if (!field_.alike()) {
@@ -267,7 +267,7 @@ class BenchPlanner {
     return lists;
   }
 
-  // The lists under way without what breaks a rule, and with what they lack.
+  // The current lists without set-ups that break a rule, and with missing tests added.
   void add_rest() {
     BenchLists rest(field_.size());
     bool any = false;
@@ -291,7 +291,7 @@ class BenchPlanner {
     }
   }
 
-  // What is left of a list when these were taken off, wherever they stand.
+  // The rest of a list after removing these set-ups, wherever they are.
   static std::vector<Block> after_given(const std::vector<Block>& first,
                                         const std::vector<Block>& rest) {
     std::vector<Block> left;
@@ -315,7 +315,7 @@ class BenchPlanner {
 
   void search(std::vector<BenchLists> starts) {
     if (field_.size() == 1 && !field_.has_clock()) {
-      return;  // The search for one bench has done what there is to do.
+      return;  // the search for one bench has done everything
     }
     const ListsJob job = field_.lists_job(most_tests());
     {
@@ -362,7 +362,7 @@ class BenchPlanner {
     }
   }
 
-  // What only this bench tests of what has to meet.
+  // The needed pairs that only this bench tests.
   [[nodiscard]] Job only_on(const BenchLists& lists, std::size_t bench) const {
     Job own = field_.rest(bench);
     for (std::size_t other = 0; other < lists.size(); ++other) {
@@ -377,7 +377,7 @@ class BenchPlanner {
     return own;
   }
 
-  // Each bench gets the cheapest list for what no other tests, one after the other.
+  // One after the other, gives each bench the cheapest list for the pairs that only it tests.
   BenchLists each_anew(BenchLists lists) {
     for (std::size_t bench = 0; bench < lists.size() && !control_->stop_wanted(); ++bench) {
       const Job own = only_on(lists, bench);
@@ -400,7 +400,7 @@ class BenchPlanner {
     return lists;
   }
 
-  // The longest beginning, in time, that the budget pays for.
+  // The longest beginning, in time, that is within the budget.
   [[nodiscard]] BenchLists affordable(const BenchCandidate& whole, Amount budget) const {
     const BenchLists lists = without_first(whole.lists);
     const BenchSchedule schedule = field_.schedule(lists);
@@ -505,9 +505,8 @@ class BenchPlanner {
     } while (options_->plan.until_stopped);
   }
 
-  // No lists within the budget test more weight: end to end they are one list, for which it is
-  // enough to know the least costs. What is at the start of a bench is put in once more, with a
-  // test.
+  // A bound on the weight within the budget: end to end the lists are one list, for which the least
+  // costs are enough. Parts at the start of a bench are charged once more, with a test.
   [[nodiscard]] std::optional<Amount> most_weight(Amount budget) const {
     if (!field_.alike()) {
       return std::nullopt;
@@ -556,7 +555,7 @@ void check_options(const Job& job, const BenchOptions& options) {
 }  // namespace
 
 BenchPlan make_bench_plan(const CheckedJob& job, const BenchOptions& options, RunControl& control) {
-  return make_bench_plan(*job, options, control);  // A checked job says nothing of the benches.
+  return make_bench_plan(*job, options, control);  // a checked job does not include the benches
 }
 
 BenchPlan make_bench_plan(const Job& job, const BenchOptions& options, RunControl& control) {

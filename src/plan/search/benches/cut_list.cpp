@@ -7,7 +7,7 @@
 namespace changeover {
 
 BenchLists cut_list(const Job& job, const std::vector<Block>& setups, std::size_t benches) {
-  std::vector<std::uint64_t> going_on;  // by set-up: what it costs after the one before
+  std::vector<std::uint64_t> going_on;  // by set-up: its cost after the one before
   std::vector<std::uint64_t> anew;      // and at the beginning of a list
   std::uint64_t most = 0;
   for (const Amount cost : step_costs(job, setups)) {
@@ -17,7 +17,7 @@ BenchLists cut_list(const Job& job, const std::vector<Block>& setups, std::size_
   for (const Block& setup : setups) {
     anew.push_back(step_costs(job, {setup}).front().millionths);
   }
-  // Where pieces begin if none costs more than the limit.
+  // The beginnings of pieces if none costs more than the limit.
   const auto pieces = [&](std::uint64_t limit) {
     std::vector<std::size_t> begins;
     std::uint64_t cost = 0;

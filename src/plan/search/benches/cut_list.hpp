@@ -1,4 +1,4 @@
-// One list cut for several benches.
+// Cuts one list into pieces for several benches.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace changeover {
 
-/// A list in at most so many pieces, in its order, so that the dearest costs as little as can be,
-/// if each begins on a bench with what the job has at its start. There are as many lists as
-/// benches; some may be empty.
+/// Cuts a list into at most this many pieces, in its order, so that the most expensive piece costs
+/// as little as possible, if each starts on a bench with the start of the job. Returns one list per
+/// bench; some may be empty.
 [[nodiscard]] BenchLists cut_list(const Job& job, const std::vector<Block>& setups,
                                   std::size_t benches);
 

@@ -1,4 +1,4 @@
-// What the steps of a list cost.
+// The costs of the steps of a list.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,8 @@
 
 namespace changeover {
 
-/// What each set-up costs after the one before, the first after the start of the job: as
-/// run_sheet() counts it, but without a look at the pairs, of which a thousand parts have half a
-/// million.
+/// The cost of each set-up after the one before, the first one after the start of the job: as in
+/// run_sheet(), but without counting pairs, of which a thousand parts have half a million.
 [[nodiscard]] std::vector<Amount> step_costs(const Job& job, const std::vector<Block>& setups);
 
 }  // namespace changeover

@@ -63,7 +63,7 @@ class DegreeCosts {
       const std::uint64_t whole = std::min(offer.times, left / offer.gain);
       cost += offer.cost * whole;
       left -= whole * offer.gain;
-      if (whole < offer.times) {  // left < gain: a part of one introduction, rounded down
+      if (whole < offer.times) {  // left < gain: a fraction of one introduction, rounded down
         cost += Amount{static_cast<std::uint64_t>(Wide{offer.cost.millionths} * left / offer.gain)};
         break;
       }
@@ -75,7 +75,7 @@ class DegreeCosts {
   struct Offer {
     Amount cost;
     std::uint64_t gain = 0;   // of one introduction
-    std::uint64_t times = 0;  // so many of them
+    std::uint64_t times = 0;  // number of such introductions
   };
 
   // Y of the proof.
@@ -114,7 +114,7 @@ struct Cheapest {
   std::uint64_t introductions = 0;
 };
 
-// The least over all numbers that (1) to (4) allow; `seven` is (7). @throws Stopped
+// The minimum over all numbers that (1) to (4) allow; `seven` is (7). @throws Stopped
 Cheapest cheapest_numbers(const Job& job, const JobNumbers& n, const IntroductionCosts& costs,
                           Amount seven, std::uint64_t least_tests,
                           std::uint64_t least_introductions) {
@@ -124,7 +124,8 @@ Cheapest cheapest_numbers(const Job& job, const JobNumbers& n, const Introductio
     degrees.emplace(job, n);
   }
   std::optional<Cheapest> best;
-  std::optional<std::uint64_t> counted;  // I(t) of the last t that can cover all; it only falls
+  std::optional<std::uint64_t>
+      counted;  // I(t) of the last t that can cover all; it does not increase
   for (std::uint64_t t = least_tests;; ++t) {
     stop_if_asked();
     const std::uint64_t most = n.room * t;
@@ -138,7 +139,7 @@ Cheapest cheapest_numbers(const Job& job, const JobNumbers& n, const Introductio
     }
     std::uint64_t i = std::max({*counted, least_introductions, t - 1 + n.first});
     const bool at_steps = t - 1 + n.first >= std::max(*counted, least_introductions);
-    bool too_dear = false;  // with the fewest introductions, and so with more tests too
+    bool too_dear = false;  // with the fewest introductions, and so with more tests, too
     bool first = true;
     for (; i <= most; ++i) {
       stop_if_asked();
@@ -146,7 +147,7 @@ Cheapest cheapest_numbers(const Job& job, const JobNumbers& n, const Introductio
       if (!five ||
           (best && job.test_cost * t + std::max(*five, seven) + n.mounting >= best->cost)) {
         too_dear = first;
-        break;  // More introductions cost no less.
+        break;  // more introductions cost no less
       }
       first = false;
       const Amount six = degrees ? (*degrees)(t, i) : Amount{};
@@ -158,7 +159,7 @@ Cheapest cheapest_numbers(const Job& job, const JobNumbers& n, const Introductio
         break;
       }
     }
-    // More tests help only as long as some step that matters has two changes.
+    // More tests help only as long as some relevant step has two changes.
     const bool cannot_help = best && job.test_cost * (t + 1) + n.mounting >= best->cost;
     if (cannot_help || (best && at_steps && too_dear) ||
         (best && !degrees && *counted <= least_introductions)) {
@@ -207,14 +208,14 @@ CostBound bound_of_valid_job(const Job& job) {
     try {
       improve_choice_bound(job, bound, least);
     } catch (const Stopped&) {
-      // What is known is true.
+      // the bound so far is valid
     }
   }
   if (job.triples.empty() && job.needed.size() > 0) {
     try {
       raise_by_steps(job, least, bound);
     } catch (const Stopped&) {
-      // What is known is true.
+      // the bound so far is valid
     }
   }
   return bound;
@@ -256,7 +257,7 @@ CostBound bound_of_pairs(const Job& job, std::string& least) {
   try {
     raise_by_dearest(job, bound);
   } catch (const Stopped&) {
-    // What is known is true.
+    // the bound so far is valid
   }
   return bound;
 }

@@ -36,12 +36,13 @@ class DearestBound {
   }
 
   DearestCost least() {
-    relaxed_ = by_stays_;  // With any number of tests: (a), (d) and (e).
+    relaxed_ = by_stays_;  // with any number of tests: (a), (d) and (e)
     for (std::size_t t = 1; t <= v_; ++t) {
       relaxed_[t] = std::max(relaxed_[t], fewest_one_by_one(t));
     }
     const std::uint64_t first_tests = std::max(q_->least_tests, lists_) + q_->starts;
-    // Some numbers of tests first: with something to compare with, all others take little time.
+    // Some numbers of tests first: once there is a value to compare with, the others take little
+    // time.
     const std::uint64_t stride = 1 + first_tests / 12;
     for (std::uint64_t tests = first_tests; look_at(tests); tests += stride) {
       stop_if_asked();
@@ -55,12 +56,12 @@ class DearestBound {
   }
 
  private:
-  // (e): all introductions, those of the start included.
+  // (e): all introductions, including those of the start.
   [[nodiscard]] std::uint64_t least_total(std::uint64_t tests) const {
     return std::max(q_->least_introductions, tests + lists_ * (q_->first - 1));
   }
 
-  // What is needed within the dearest parts, and with how many all of them must meet.
+  // Counts the needed pairs within the dearest parts, and how many of these parts must all meet.
   void count_prefixes() {
     pairs_.assign(v_ + 1, 0);
     degrees_.assign(v_ + 1, 0);
@@ -89,7 +90,7 @@ class DearestBound {
     }
   }
 
-  // (d), for the dearest of those that must all meet; the others come once.
+  // (d), for the dearest of the parts that must all meet; the others have one introduction.
   void stays_at_least() {
     by_stays_.assign(v_ + 1, 0);
     std::uint64_t together = 0;
@@ -104,7 +105,7 @@ class DearestBound {
         }
         const std::uint64_t least = all - std::min(all, few);
         if (least < most) {
-          break;  // Increments of few do not decrease.
+          break;  // the increments for few parts do not decrease
         }
         most = least;
       }
@@ -128,8 +129,8 @@ class DearestBound {
     return choose_two(j) + j * (room_ - j);
   }
 
-  // The sum of a concave function over so many steps if so much is shared among them as equally as
-  // can be.
+  // The sum of a concave function over the steps if a total is distributed over them as equally as
+  // possible.
   template <typename Function>
   [[nodiscard]] std::uint64_t shared(std::uint64_t steps, std::uint64_t all,
                                      Function&& function) const {
@@ -154,8 +155,8 @@ class DearestBound {
     return std::min(most, one_by_one);
   }
 
-  // The same for all lists. What they test is convex in the introductions of each list, and of each
-  // first step: one list has all that the others need not have.
+  // The same for all lists. The tested pairs are convex in the introductions of each list and of
+  // each first step, so at the maximum one list has everything that the others do not require.
   [[nodiscard]] std::uint64_t most_pairs_of_all(std::uint64_t tests, std::uint64_t number) const {
     if (lists_ == 1) {
       return most_pairs_of_one(tests, number);
@@ -177,10 +178,10 @@ class DearestBound {
     return std::min(most, one_by_one);
   }
 
-  // Pairs of the first steps of all lists with so many introductions together.
+  // The pairs of the first steps of all lists with `number` introductions in total.
   [[nodiscard]] std::uint64_t most_at_first(std::uint64_t number) const {
     const std::uint64_t few = q_->first;
-    const std::uint64_t more = room_ - few;  // than few that a list can have
+    const std::uint64_t more = room_ - few;  // introductions beyond `few` that a list can have
     const std::uint64_t over = number - lists_ * few;
     const std::uint64_t full = more == 0 ? 0 : over / more;
     const std::uint64_t rest = more == 0 ? 0 : over % more;
@@ -202,8 +203,8 @@ class DearestBound {
     return most;
   }
 
-  // The fewest introductions of the dearest parts that so many tests allow; nothing if they are too
-  // few.
+  // The fewest introductions of the dearest parts for this many tests; false if there are too few
+  // tests.
   bool take_steps(std::uint64_t tests, Counts& at_least) const {
     const std::uint64_t most = room_ * tests;
     std::uint64_t number = 0;
@@ -224,13 +225,14 @@ class DearestBound {
     return number <= most;
   }
 
-  // Looks for what costs less than the best so far with so many tests; false if more tests cannot
-  // cost less either.
+  // Searches for a cost below the best so far with this many tests; false if more tests cannot cost
+  // less either.
   bool look_at(std::uint64_t tests) {
     Counts at_least = relaxed_;
     at_least[v_] = std::max(at_least[v_], least_total(tests));
     const WideSum of_tests = tests_cost(tests);
-    const std::uint64_t most_tests = pairs_[v_] + q_->starts + lists_;  // each tests something new
+    const std::uint64_t most_tests =
+        pairs_[v_] + q_->starts + lists_;  // each test covers something new
     if (best_ && (tests > most_tests || is_beaten(of_tests + cost(closed(at_least))))) {
       return false;
     }
@@ -242,7 +244,7 @@ class DearestBound {
       at_least[v_] = total;
       const WideSum no_less = of_tests + cost(closed(at_least));
       if (is_beaten(no_less)) {
-        break;  // More introductions cost no less.
+        break;  // more introductions cost no less
       }
       const std::uint64_t staying = most_met_by_staying(tests, total);
       Counts all = at_least;
@@ -272,7 +274,7 @@ class DearestBound {
     return best_ && cost >= best_->cost.millionths;
   }
 
-  // The smallest numbers that are as large as these and allow each part what it must and can have.
+  // The smallest numbers that are at least these and allow each part its minimum and maximum.
   [[nodiscard]] Counts closed(Counts sums) const {
     for (std::size_t t = 1; t <= v_; ++t) {
       sums[t] = std::max(sums[t], sums[t - 1] + least_each_[t]);

@@ -9,7 +9,7 @@
 namespace changeover {
 namespace {
 
-// Colours of a greedy colouring of the graph of pairs that may meet: no clique is larger.
+// The colours of a greedy colouring of the graph of pairs that may meet: no clique is larger.
 std::uint64_t clique_bound(const Job& job, const std::vector<Element>& parts) {
   std::vector<std::vector<Element>> classes;
   for (const Element x : parts) {
@@ -26,14 +26,14 @@ std::uint64_t clique_bound(const Job& job, const std::vector<Element>& parts) {
   return classes.size();
 }
 
-// How the slots limit the parts of F, and what they need besides.
+// The limits of the slots for parts of F, and what the slots need in addition.
 void add_slots(const Job& job, const std::vector<bool>& mounted, JobNumbers& n) {
   const std::size_t slots = job.slots.size();
   n.slot_of.assign(job.names.size(), static_cast<std::uint32_t>(slots));
   for (Element x = 0; x < job.slot_of.size(); ++x) {
     n.slot_of[x] = job.slot_of[x] == no_slot ? n.slot_of[x] : job.slot_of[x];
   }
-  std::vector<std::vector<Element>> members(slots + 1);  // of F, with a needed pair
+  std::vector<std::vector<Element>> members(slots + 1);  // parts of F with a needed pair
   for (const Element x : n.parts) {
     members[n.slot_of[x]].push_back(x);
   }
@@ -44,9 +44,9 @@ void add_slots(const Job& job, const std::vector<bool>& mounted, JobNumbers& n) 
     std::uint64_t most = clique_bound(job, members[s]);
     if (s < slots) {
       std::uint64_t stay = 0;
-      std::uint64_t on_bench = 0;    // of F, with or without a needed pair
-      std::uint64_t idle_there = 0;  // on the bench, without one
-      std::vector<Amount> idle;      // to be mounted, without one
+      std::uint64_t on_bench = 0;    // parts of F, with or without a needed pair
+      std::uint64_t idle_there = 0;  // of these on the bench, without one
+      std::vector<Amount> idle;      // costs of parts to be mounted without a needed pair
       for (Element x = 0; x < job.parts(); ++x) {
         if (n.slot_of[x] != s) {
           continue;
@@ -121,9 +121,10 @@ JobNumbers numbers_of(const Job& job) {
   add_slots(job, mounted, n);
   n.room = std::min(n.room, clique_bound(job, n.parts));
   if (job.start.empty() && n.pairs == job.needed.size()) {
-    n.first = std::max<std::uint64_t>(n.first, 2);  // Each needed pair is of two parts of F.
+    n.first = std::max<std::uint64_t>(n.first, 2);  // each needed pair consists of two parts of F
   } else if (job.start.empty() && !n.parts.empty()) {
-    n.first = std::max<std::uint64_t>(n.first, 1);  // One set-up has all pairs of mounted parts.
+    n.first =
+        std::max<std::uint64_t>(n.first, 1);  // one set-up contains all pairs of mounted parts
   }
   return n;
 }

@@ -1,4 +1,4 @@
-// The numbers of a job from which its cost bound is computed: those of the proof at cost_bound().
+// The numbers of a job that its cost bound needs, named as in docs/theorems.md, Theorem 20.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,24 @@ namespace changeover {
 struct JobNumbers {
   std::uint64_t room = 0;             // K
   std::uint64_t pairs = 0;            // P
-  std::vector<Element> parts;         // of F with a needed pair
-  std::vector<std::uint64_t> degree;  // by part: all needed pairs
-  std::vector<std::uint64_t> inner;   // by part: needed pairs within F
-  std::vector<bool> at_start;         // by part: in S
+  std::vector<Element> parts;         // parts of F with a needed pair
+  std::vector<std::uint64_t> degree;  // by part: number of needed pairs
+  std::vector<std::uint64_t> inner;   // by part: number of needed pairs within F
+  std::vector<bool> at_start;         // by part: whether it is in S
   std::uint64_t start = 0;            // |S|
   std::uint64_t start_pairs = 0;      // needed pairs within S
-  Amount mounting;                    // of the parts that stay mounted
+  Amount mounting;                    // cost of the parts that stay mounted
   std::uint64_t mounted_introductions = 0;
-  std::vector<std::uint32_t> slot_of;  // by part; slots.size() if it has none
+  std::vector<std::uint32_t> slot_of;  // by part; slots.size() for none
   std::vector<std::uint64_t>
-      most;                 // by slot, the last for no slot: parts of F that a set-up holds at most
+      most;                 // by slot, the last one for no slot: most parts of F in a set-up
   std::uint64_t first = 0;  // e of (8)
 };
 
-/// Linear in the needed pairs, and quadratic in the parts for what slots and forbidden pairs allow.
+/// Linear in the needed pairs, and quadratic in the parts for slots and forbidden pairs.
 [[nodiscard]] JobNumbers numbers_of(const Job& job);
 
-/// (1): the most pairs that `tests` steps with `introductions` cover.
+/// (1): the most pairs that `tests` steps with `introductions` introductions cover.
 [[nodiscard]] std::uint64_t most_pairs(const JobNumbers& n, std::uint64_t tests,
                                        std::uint64_t introductions);
 

@@ -43,7 +43,7 @@ void LeastSum::add(const Row& row, std::int64_t least) {
 void LeastSum::pivot(std::size_t row, std::size_t place) {
   std::vector<double>& line = table_[row];
   const double divisor = line[place];
-  // The basic variable leaves: line says what the one that enters is worth.
+  // The basic variable leaves: `line` expresses the entering one.
   for (double& number : line) {
     number = -number / divisor;
   }
@@ -74,8 +74,8 @@ void LeastSum::pivot(std::size_t row, std::size_t place) {
   row_of_[leaving] = no_place;
 }
 
-// The row says that its variable, which must not be negative, is less than 0 whatever the others
-// are: so much of it can be charged as is wished.
+// The row shows that its variable, which must not be negative, is negative for any values of the
+// others: so any price can be charged for it.
 void LeastSum::raise(std::size_t row, double enough) {
   const std::vector<double>& line = table_[row];
   const double times = std::max(0.0, enough - sum_) / -line[columns_];

@@ -15,7 +15,7 @@ StaysCost stays_cost(std::vector<Amount> prices, std::uint64_t room, bool triple
     return least;
   }
   std::sort(prices.begin(), prices.end());
-  std::vector<Amount> cheapest{Amount{}};  // by number: of so many of them
+  std::vector<Amount> cheapest{Amount{}};  // by number of parts: cost of the cheapest ones
   for (const Amount price : prices) {
     cheapest.push_back(cheapest.back() + price);
   }

@@ -24,7 +24,7 @@ struct StepCost {
   double introductions = 0;
 };
 
-// For whole numbers of tests: the least is a convex function of their number.
+// For integer numbers of tests: the minimum is a convex function of their number.
 StepCost least_by_steps(StepProgram& program) {
   const auto found = [](const StepProgram& from) {
     return StepCost{from.proved(), from.tests(), from.introductions()};
@@ -47,7 +47,7 @@ StepCost least_by_steps(StepProgram& program) {
       best = with_fewer.cost < with_more.cost ? with_fewer : with_more;
     }
   } catch (const Stopped&) {
-    // What is known is true.
+    // the bound so far is valid
   }
   return best;
 }

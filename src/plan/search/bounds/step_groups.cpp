@@ -8,7 +8,7 @@
 namespace changeover {
 namespace {
 
-constexpr std::size_t most_kinds = 2100;  // of steps, in a block
+constexpr std::size_t most_kinds = 2100;  // of steps, per block
 constexpr std::size_t most_step_columns = 7000;
 
 }  // namespace
@@ -75,7 +75,7 @@ void StepGroups::count_needed() {
   }
 }
 
-// Blocks, until every two groups with needed pairs are in one, or there are many columns.
+// Makes blocks until every two groups with needed pairs are in one, or there are many columns.
 void StepGroups::make_blocks() {
   const bool has_whole = groups_.back().parts.size() == v_;
   const std::size_t slots = has_whole ? groups_.size() - 1 : groups_.size();

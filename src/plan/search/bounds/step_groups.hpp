@@ -1,5 +1,5 @@
-// What Theorem 18 (docs/theorems.md) counts: the parts of a job in groups, the needed pairs between
-// these, and the kinds of steps.
+// The quantities of Theorem 18 (docs/theorems.md): the parts of a job in groups, the needed pairs
+// between these, and the kinds of steps.
 #pragma once
 
 #include <algorithm>
@@ -15,18 +15,18 @@
 
 namespace changeover {
 
-/// Parts of which a set-up holds so many at most: those of a slot, or all.
+/// Parts with a limit for their number in a set-up: those of a slot, or all.
 struct PartGroup {
-  std::vector<std::size_t> parts = {};  // numbers in JobNumbers::parts
-  std::uint64_t room = 0;               // c of the theorem: no less than what is there at the start
+  std::vector<std::size_t> parts = {};  // indices in JobNumbers::parts
+  std::uint64_t room = 0;  // c of the theorem: at least the number of parts at the start
   std::uint64_t in_a_test = 0;
 };
 
 /// Groups whose changes are counted together.
 struct StepBlock {
   std::vector<std::size_t> groups;
-  std::vector<std::vector<std::uint64_t>> kinds = {};  // of steps: how many each puts in, by group
-  std::size_t first_column = 0;  // how often there is a step of the first kind
+  std::vector<std::vector<std::uint64_t>> kinds = {};  // of steps: number of parts put in, by group
+  std::size_t first_column = 0;  // column of the number of steps of the first kind
 
   [[nodiscard]] std::optional<std::size_t> place_of(std::size_t group) const {
     const auto found = std::find(groups.begin(), groups.end(), group);
@@ -36,7 +36,7 @@ struct StepBlock {
 };
 
 /// The groups of a job, and blocks of them. The columns of the program are those of the parts, one
-/// for tests, and then one for each kind of steps of each block.
+/// for tests, and one for each kind of steps of each block.
 class StepGroups {
  public:
   StepGroups(const Job& job, const JobNumbers& n, const DearestParts& parts);
@@ -48,13 +48,13 @@ class StepGroups {
   }
 
   [[nodiscard]] bool needed(std::size_t x, std::size_t y) const { return needed_[x * v_ + y]; }
-  /// Needed pairs of a part with a group.
+  /// The number of needed pairs of a part with a group.
   [[nodiscard]] std::uint64_t degree(std::size_t x, std::size_t group) const {
     return degree_[group * v_ + x];
   }
-  /// In how many tests a part is at least: t_x of the theorem.
+  /// The least number of tests of a part: t_x of the theorem.
   [[nodiscard]] std::uint64_t least_on(std::size_t x) const { return least_on_[x]; }
-  /// Needed pairs of two groups, or within one.
+  /// The number of needed pairs between two groups, or within one.
   [[nodiscard]] std::uint64_t pairs(std::size_t a, std::size_t b) const {
     std::uint64_t all = 0;
     for (const std::size_t x : groups_[a].parts) {
@@ -62,7 +62,7 @@ class StepGroups {
     }
     return a == b ? all / 2 : all;
   }
-  /// New pairs of a step of this kind.
+  /// The most new pairs of a step of this kind.
   [[nodiscard]] std::uint64_t brought(const StepBlock& block, std::size_t kind, std::size_t at_a,
                                       std::size_t at_b) const {
     const std::uint64_t i = block.kinds[kind][at_a];

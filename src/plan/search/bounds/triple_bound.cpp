@@ -26,7 +26,7 @@ struct TripleNumbers {
   bool all_inner = true;      // no needed triple has a mounted part
   std::vector<Element> parts;
   std::vector<bool> inner;        // by three parts, in any order
-  std::vector<std::uint64_t> of;  // by two parts: triples within F
+  std::vector<std::uint64_t> of;  // by two parts: number of triples within F
   std::vector<bool> at_start;
   std::uint64_t start = 0;
   Amount mounting;
@@ -61,7 +61,7 @@ struct TripleNumbers {
       ++triples;
       do {
         inner[(t[0] * v + t[1]) * v + t[2]] = true;
-        ++of[t[0] * v + t[1]];  // each ordered pair stands first once
+        ++of[t[0] * v + t[1]];  // counts each ordered pair once
       } while (std::next_permutation(t.begin(), t.end()));
     }
     for (Element x = 0; x < v; ++x) {
@@ -105,7 +105,7 @@ std::uint64_t least_tests_of_triples(const Job& job, const TripleNumbers& n) {
   return ceil_div(places, n.room);
 }
 
-// (3): of all introductions of parts of F.
+// (3): for all introductions of parts of F.
 StaysCost triples_by_stays(const Job& job, const TripleNumbers& n) {
   const std::size_t v = job.names.size();
   std::vector<Element> together;
@@ -218,7 +218,7 @@ CostBound bound_for_triples(const Job& job) {
       best = Least{cost, t, introductions};
     }
     if (steps >= std::max(low, fewest)) {
-      break;  // More tests only cost more.
+      break;  // more tests only cost more
     }
   }
   const Amount cost = rounded_up(job, best->cost);

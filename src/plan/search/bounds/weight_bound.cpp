@@ -1,4 +1,4 @@
-// What a budget can pay for at most.
+// Bounds on what a budget can pay for.
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -10,7 +10,7 @@
 namespace changeover {
 namespace {
 
-// How many introductions some money pays for at most.
+// The most introductions for an amount of money.
 class Introductions {
  public:
   Introductions(const Job& job, const std::vector<bool>& mounted) {
@@ -56,7 +56,7 @@ class Introductions {
     std::uint64_t price = 0;
     std::uint64_t times = 0;
   };
-  std::vector<Row> rows_;  // the cheapest first
+  std::vector<Row> rows_;  // cheapest first
 };
 
 // The most pairs if the introductions of each step are put in an order: each part then meets at
@@ -69,7 +69,7 @@ std::uint64_t most_one_by_one(std::uint64_t room, std::uint64_t at_start,
   return pairs + (introductions - few) * (room - 1);
 }
 
-// The most pairs of this many tests and introductions.
+// The most pairs with these numbers of tests and introductions.
 std::uint64_t most_pairs(std::uint64_t room, std::uint64_t at_start, std::uint64_t tests,
                          std::uint64_t introductions) {
   const auto brought = [&](std::uint64_t j) { return choose_two(j) + j * (room - j); };
@@ -125,7 +125,7 @@ std::uint64_t most_pairs_within(const Job& job, Amount budget) {
     stop_if_asked();
     const std::uint64_t introductions = affordable(money - t * test, room * t);
     if (t > introductions + 1) {
-      break;  // Some step would introduce nothing.
+      break;  // some step would introduce nothing
     }
     most = std::max(most, std::min(most_pairs(room, at_start, t, introductions),
                                    most_one_by_one(room, at_start, introductions)));
@@ -152,7 +152,7 @@ Amount most_weight_within(const Job& job, Amount budget) {
   try {
     number = most_pairs_within(job, budget);
   } catch (const Stopped&) {
-    // All of them, then.
+    // then all of them
   }
   for (std::uint64_t i = 0; i < std::min<std::uint64_t>(number, weights.size()); ++i) {
     most += Amount{weights[static_cast<std::size_t>(i)]};

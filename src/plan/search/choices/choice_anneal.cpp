@@ -47,7 +47,7 @@ class ChoiceAnnealer {
  private:
   static constexpr std::uint64_t between_looks = 256;
 
-  // What a change costs, and what a tuple costs, set the scale.
+  // The cost of a change and of a tuple set the scale.
   void begin() {
     const std::vector<std::uint64_t>& change = choices_.weights().change;
     double all = 0;
@@ -156,13 +156,13 @@ class ChoiceAnnealer {
     } else if (cell.at == 0 && from + 1 == 0) {
       const std::vector<Element>& values = choices_.values(cell.slot);
       const Element start = choices_.start()[cell.slot];
-      if (std::ranges::find(values, start) != values.end()) {  // Else it must not stay.
+      if (std::ranges::find(values, start) != values.end()) {  // otherwise it must not stay
         try_cell(cell, start);
       }
     }
   }
 
-  // Cells that are set, and can be taken back.
+  // Sets cells so that this can be undone.
   void set(Cell cell, Element x) {
     const Element old = list_.row(cell.at)[cell.slot];
     if (old != x) {
@@ -229,8 +229,8 @@ class ChoiceAnnealer {
     settle(cost, missing);
   }
 
-  // A run of cells of one parameter that have the same value takes another one, often that beside
-  // it.
+  // A run of cells of one parameter with the same value takes another value, often that of a
+  // neighbour.
   void try_run() {
     const std::size_t slot = any(choices_.slots());
     std::size_t first = any(list_.size());
@@ -310,7 +310,7 @@ class ChoiceAnnealer {
     }
   }
 
-  // A set-up like another, with one value that is another.
+  // Inserts a copy of a set-up with one value changed.
   void try_insert() {
     if (list_.size() >= most_rows_) {
       return;
@@ -338,7 +338,7 @@ class ChoiceAnnealer {
     return list_.missing() == 0 && (!result_.setups || list_.cost() < result_.cost);
   }
 
-  // Better than before: kept, but long lists not at every step.
+  // Records an improvement; for long lists, not at every step.
   void note() {
     if (!is_better()) {
       return;
@@ -385,7 +385,7 @@ class ChoiceAnnealer {
   std::size_t most_rows_ = 0;
   std::uint64_t done_ = 0;
   std::uint64_t kept_at_ = 0;
-  std::vector<std::pair<Cell, Element>> changes_;  // and what was there
+  std::vector<std::pair<Cell, Element>> changes_;  // with the former values
   AnnealedChoices result_;
 };
 

@@ -27,10 +27,11 @@ __extension__ using Wide = unsigned __int128;
 // The numbers of the proof.
 struct ChoiceNumbers {
   std::size_t slots = 0;
-  std::vector<bool> negative;                        // by part
-  std::vector<std::vector<std::uint64_t>> partners;  // by part and parameter: needed pairs
-  std::vector<std::vector<std::uint64_t>> pairs;     // by two parameters: all needed pairs
-  std::vector<std::vector<std::uint64_t>> in_range;  // likewise: those of R
+  std::vector<bool> negative;  // by part
+  std::vector<std::vector<std::uint64_t>>
+      partners;                                   // by part and parameter: number of needed pairs
+  std::vector<std::vector<std::uint64_t>> pairs;  // by two parameters: number of needed pairs
+  std::vector<std::vector<std::uint64_t>> in_range;  // likewise, for pairs in R
 
   explicit ChoiceNumbers(const Job& job)
       : slots(job.slots.size()),
@@ -212,7 +213,7 @@ std::uint64_t least_more(const std::vector<std::vector<std::uint64_t>>& wanted,
 }
 
 LeastChanges least_choice_changes(const Job& job, const ChoiceNumbers& n) {
-  std::vector<std::uint64_t> once(n.slots, 0);  // introductions that must be
+  std::vector<std::uint64_t> once(n.slots, 0);  // required introductions
   std::vector<std::uint64_t> at_start(n.slots, 0);
   std::vector<std::uint64_t> lowest(n.slots, std::numeric_limits<std::uint64_t>::max());
   std::vector<Amount> costs_once(n.slots);

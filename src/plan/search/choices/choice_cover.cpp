@@ -1,4 +1,4 @@
-// Fewer set-ups of a model that test all.
+// Reduces the set-ups of a model that test everything.
 #include <algorithm>
 #include <utility>
 
@@ -45,7 +45,7 @@ class TestRemover {
  private:
   static constexpr std::uint64_t between_looks = 64;
 
-  // The row that tests least by itself.
+  // Removes the row that tests least on its own.
   void erase_one() {
     std::size_t best = 0;
     std::size_t fewest = ~std::size_t{0};
@@ -61,8 +61,8 @@ class TestRemover {
     list_.erase(best);
   }
 
-  // A missing tuple is put into a row that has all of it but one value, at the least loss; what was
-  // changed a moment ago stays.
+  // Puts a missing tuple into a row that has all of it but one value, at the least loss; cells that
+  // were changed recently stay.
   void move() {
     Element parts[3];
     const std::size_t size = choices_.tuple_size();
@@ -96,7 +96,7 @@ class TestRemover {
         continue;
       }
       const Cell cell{at, choices_.slot(x)};
-      // A row that hides the tuple does not test it, whatever is put there.
+      // A row that hides the tuple does not test it, for any value.
       if (choices_.any_hides() && !hidden_tuple && list_.is_hidden(at) &&
           !choices_.hides(row[cell.slot])) {
         continue;
@@ -124,7 +124,7 @@ class TestRemover {
     return true;
   }
 
-  // Any row takes all of it, and what it needs for that.
+  // Rewrites any row to contain all of the tuple, and values that it needs.
   void rebuild(const Element* parts, std::size_t size) {
     const std::size_t at = random_.below(static_cast<std::uint32_t>(list_.size()));
     RunControl undisturbed({});
@@ -155,8 +155,8 @@ class TestRemover {
   Random& random_;
   RunControl& control_;
   ChoiceSolver solver_;
-  std::vector<std::uint64_t> changed_;  // by cell: until which move it stays as it is
-  std::size_t best_ = 0;                // what was missing at least with so many rows
+  std::vector<std::uint64_t> changed_;  // by cell: the move until which it stays
+  std::size_t best_ = 0;                // fewest missing tuples with this number of rows
   std::uint64_t done_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Lists of set-ups of a model, built row by row.
+// Builds lists of set-ups of a model row by row.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -24,7 +24,7 @@ class ChoiceGreedy {
   void run() {
     while (list_.missing() > 0) {
       best_value_ = -1;
-      if (control_.stop_wanted()) {  // One try a row: the list is complete soon, and not long.
+      if (control_.stop_wanted()) {  // one try per row: the list is complete soon, though not short
         improve(with_missing());
         list_.insert(list_.size(), best_);
         continue;
@@ -45,8 +45,7 @@ class ChoiceGreedy {
   static constexpr std::size_t few_tries = 3;
   static constexpr std::size_t many_tries = 6;
 
-  // A set-up that tests something that is missing, as near to the last one, or to any, as comes
-  // easily.
+  // A set-up that tests a missing tuple, similar to the last one, or to any, if that is easy.
   Block with_missing() {
     Element parts[3];
     choices_.parts_of(
@@ -69,7 +68,7 @@ class ChoiceGreedy {
     return *std::move(setup);
   }
 
-  // What is missing of x with the row, outside its own parameter.
+  // The number of missing tuples of x with the row, outside its own parameter.
   [[nodiscard]] std::int64_t gain(const Block& row, std::size_t hiding, Element x) const {
     const std::size_t own = choices_.slot(x);
     const bool hidden = hiding < row.size() && hiding != own;
@@ -107,8 +106,8 @@ class ChoiceGreedy {
         std::ranges::find_if(row, [&](Element x) { return choices_.hides(x); }) - row.begin());
   }
 
-  // The row with the changes that bring most, one after another, and where on this way it was best.
-  // What hides the others stays.
+  // Makes the best changes to the row, one after another, and returns the best state. A value that
+  // hides the others stays.
   void improve(Block row) {
     const std::size_t hiding = hiding_slot(row);
     count_gains(row, hiding);
@@ -152,7 +151,7 @@ class ChoiceGreedy {
     }
   }
 
-  // Of the changes that bring most, any.
+  // One of the best changes, at random.
   Element best_change(const Block& row, std::size_t hiding) {
     std::int64_t most = 0;
     std::uint32_t ties = 0;
@@ -194,7 +193,7 @@ class ChoiceGreedy {
   Random& random_;
   RunControl& control_;
   ChoiceSolver solver_;
-  std::vector<std::int64_t> gains_;  // by part, for the row in work
+  std::vector<std::int64_t> gains_;  // by part, for the current row
   Block best_;
   double best_value_ = -1;
 };

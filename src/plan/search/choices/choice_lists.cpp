@@ -106,7 +106,7 @@ ChoiceList::ChoiceList(const ChoiceJob& choices, const std::vector<Block>& setup
     if (!choices.is_needed(tuple)) {
       count_[tuple] = not_needed;
     } else if (choices.triples() || tuple / v < tuple % v) {
-      // A pair is counted both ways, and missing once.
+      // A pair is counted in both orders, but listed as missing once.
       where_[tuple] = static_cast<std::uint32_t>(missing_.size());
       missing_.push_back(tuple);
     }
@@ -127,8 +127,8 @@ std::uint32_t ChoiceList::hiding_in(const Element* row) const {
   return nowhere;
 }
 
-// What a row tests with x as its value of this parameter; `hiding` is the parameter of the row that
-// hides the others.
+// The tuples that a row tests with x as its value of this parameter; `hiding` is the parameter of
+// the row that hides the others.
 template <typename Visit>
 void ChoiceList::for_tuples_of(const Element* row, std::size_t slot, Element x,
                                std::uint32_t hiding, Visit&& visit) const {
@@ -156,7 +156,7 @@ void ChoiceList::for_tuples_of(const Element* row, std::size_t slot, Element x,
   }
 }
 
-// All that a row tests, each once.
+// All tuples that a row tests, each once.
 template <typename Visit>
 void ChoiceList::for_tuples(const Element* row, std::uint32_t hiding, Visit&& visit) const {
   if (hiding != nowhere) {
@@ -218,7 +218,7 @@ std::int64_t ChoiceList::step_cost(const Element* before, const Element* row) co
   return cost;
 }
 
-// What a cell costs if it is x, with the step after it.
+// The cost of a cell if it has the value x, including the step after it.
 std::int64_t ChoiceList::cost_around(Cell cell, Element x) const {
   std::int64_t cost = choices_->price(before(cell.at)[cell.slot], x);
   if (cell.at + 1 < size()) {
@@ -281,7 +281,7 @@ std::size_t ChoiceList::tested_only_by(std::size_t at) const {
 }
 
 void ChoiceList::insert(std::size_t at, std::span<const Element> row) {
-  const std::vector<Element> kept(row.begin(), row.end());  // it may be one of ours
+  const std::vector<Element> kept(row.begin(), row.end());  // the row may be one of this list
   std::size_t number = hiding_.size();
   if (free_.empty()) {
     cells_.resize(cells_.size() + width_);
@@ -333,7 +333,7 @@ std::int64_t ChoiceList::rise_of_move(Stretch rows, std::size_t to, bool turned)
   if (turned && rows.first < rows.last) {
     rise += cost_within(rows, true) - cost_within(rows, false);
   }
-  // Between the row before `to` and that at `to`, when the stretch is gone.
+  // Between the row before `to` and that at `to`, after removing the stretch.
   const Element* const earlier = to == rows.last + 1 ? before(rows.first) : before(to);
   const Element* const front = turned ? last : first;
   const Element* const back = turned ? first : last;
@@ -370,8 +370,8 @@ std::int64_t ChoiceList::rise_of_reverse(Stretch rows) const {
   if (choices_->replaces()) {
     return rise + cost_within(rows, true) - cost_within(rows, false);
   }
-  // What comes and what goes: a way from row to row costs as much more than the way back as what is
-  // there at its end costs more.
+  // Replacement costs: the cost from one row to the next differs from that of the way back by a
+  // difference of two values.
   for (std::size_t s = 0; s < width_; ++s) {
     rise += choices_->price(no_choice, first[s]) - choices_->price(no_choice, last[s]);
   }

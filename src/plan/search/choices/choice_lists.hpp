@@ -1,14 +1,14 @@
-// Lists of set-ups of a model (plan/model.hpp), for searches: cost and what is missing, kept up to
-// date.
+// Lists of set-ups of a model (plan/model.hpp) for searches, with cost and missing tuples updated
+// by every change.
 //
 //     const ChoiceJob choices(job);           // tables, shared by all searches
 //     ChoiceList list(choices, setups);
 //     list.set(4, 2, x);                      // set-up 4 has x as its value of parameter 2
 //     list.missing();                         // needed pairs, or triples, that no set-up tests
 //
-// A cell that changes costs O(parameters), with triples O(parameters²), and as much as a set-up if
-// a value that is out of range comes or goes. A set-up that comes or goes costs O(parameters²),
-// with triples O(parameters³).
+// Changing a cell takes O(parameters), with triples O(parameters²); and as much as a set-up if a
+// value out of range is set or replaced. Adding or removing a set-up takes O(parameters²), with
+// triples O(parameters³).
 #pragma once
 
 #include <cstdint>
@@ -22,13 +22,13 @@
 
 namespace changeover {
 
-/// No value: of an empty place at the start.
+/// No value: an empty place at the start.
 inline constexpr Element no_choice = std::numeric_limits<Element>::max();
 
 /// What must meet and what must not, in tables.
 class ChoiceJob {
  public:
-  /// A job of a model, which must outlive this.
+  /// Needs a job of a model, which must outlive this.
   explicit ChoiceJob(const Job& job);
 
   [[nodiscard]] const Job& job() const { return *job_; }
@@ -36,36 +36,36 @@ class ChoiceJob {
   [[nodiscard]] std::size_t slots() const { return values_.size(); }
   [[nodiscard]] std::size_t parts() const { return slot_.size(); }
   [[nodiscard]] std::size_t slot(Element x) const { return slot_[x]; }
-  /// The values of a parameter that a set-up may have: the mounted one only, if there is one.
+  /// The values of a parameter that a set-up may have: only the mounted one, if there is one.
   [[nodiscard]] const std::vector<Element>& values(std::size_t slot) const { return values_[slot]; }
-  /// A value that is out of range: of a set-up with it, only what is tested with it counts.
+  /// Whether a value is out of range: in a set-up with it, only its own tuples are tested.
   [[nodiscard]] bool hides(Element x) const { return any_hides_ && hides_[x] != 0; }
   [[nodiscard]] bool any_hides() const { return any_hides_; }
   [[nodiscard]] bool triples() const { return triples_; }
   [[nodiscard]] std::size_t tuple_size() const { return triples_ ? 3 : 2; }
   [[nodiscard]] std::size_t needed() const { return needed_count_; }
 
-  /// Numbers of pairs, of which each has two, and of triples in any order.
+  /// Indices of pairs, two for each, and of triples in any order.
   [[nodiscard]] std::size_t pair(Element x, Element y) const { return x * parts() + y; }
   [[nodiscard]] std::size_t triple(Element x, Element y, Element z) const;
   [[nodiscard]] std::size_t tuples() const { return needed_.size(); }
   [[nodiscard]] bool is_needed(std::size_t tuple) const { return needed_[tuple] != 0; }
-  /// The parts of a tuple, the first tuple_size() of them.
+  /// The parts of a tuple: the first tuple_size() entries.
   void parts_of(std::size_t tuple, Element out[3]) const;
 
-  /// Whether `row`, which breaks nothing, may have x instead of what it has of that parameter.
+  /// Whether `row`, which breaks no rule, may have x as its value of that parameter.
   [[nodiscard]] bool allows(std::span<const Element> row, Element x) const;
-  /// Whether a row breaks nothing.
+  /// Whether a row breaks no rule.
   [[nodiscard]] bool allows(std::span<const Element> row) const;
-  /// The start as a row, with no_choice where it has no value of a parameter.
+  /// The start as a row, with no_choice for parameters without a value.
   [[nodiscard]] const std::vector<Element>& start() const { return start_; }
-  /// What it costs to set a value where another one, or no_choice, was.
+  /// The cost of setting a value where another one, or no_choice, was.
   [[nodiscard]] std::int64_t price(Element before, Element x) const {
     return before == x                               ? 0
            : replace_.empty() || before == no_choice ? static_cast<std::int64_t>(weights_.change[x])
                                                      : replace_[before * parts() + x];
   }
-  /// Prices depend on what is replaced.
+  /// Whether costs depend on what is replaced.
   [[nodiscard]] bool replaces() const { return !replace_.empty(); }
 
  private:
@@ -84,7 +84,7 @@ class ChoiceJob {
   std::vector<std::int64_t> replace_;  // by part out and part in
 };
 
-/// Where a list changes.
+/// A cell of a list.
 struct Cell {
   std::size_t at = 0;
   std::size_t slot = 0;
@@ -104,22 +104,22 @@ class ChoiceList {
   /// Missing tuple number `index`.
   [[nodiscard]] std::size_t missing_tuple(std::size_t index) const { return missing_[index]; }
   [[nodiscard]] bool is_missing(std::size_t tuple) const { return count_[tuple] == 0; }
-  /// Whether a row hides all but what it tests with one value.
+  /// Whether a row hides all tuples except those with one value.
   [[nodiscard]] bool is_hidden(std::size_t at) const { return hiding_[order_[at]] != nowhere; }
 
-  /// What setting a cell to another value would add to the cost and to what is missing.
+  /// The change of cost and of missing tuples by setting a cell to another value.
   [[nodiscard]] Rise rise_of_set(Cell cell, Element x) const;
   void set(Cell cell, Element x);
-  /// What only this row tests.
+  /// The number of tuples that only this row tests.
   [[nodiscard]] std::size_t tested_only_by(std::size_t at) const;
-  /// A row before place `at`.
+  /// Inserts a row before place `at`.
   void insert(std::size_t at, std::span<const Element> row);
   void erase(std::size_t at);
-  /// The rows of a stretch come to stand before the row that is now at `to`, outside of it, or at
-  /// the end; turned around if that is said.
+  /// Moves the rows of a stretch before the row that is now at `to` (outside of the stretch), or to
+  /// the end; reversed if `turned`.
   [[nodiscard]] std::int64_t rise_of_move(Stretch rows, std::size_t to, bool turned) const;
   void move(Stretch rows, std::size_t to, bool turned);
-  /// The rows of a stretch in the opposite order.
+  /// Reverses the rows of a stretch.
   [[nodiscard]] std::int64_t rise_of_reverse(Stretch rows) const;
   void reverse(Stretch rows);
 
@@ -131,12 +131,12 @@ class ChoiceList {
   [[nodiscard]] const Element* cells(std::size_t at) const {
     return cells_.data() + order_[at] * width_;
   }
-  // The row before place `at`; the start before the first one.
+  // The row before place `at`; before the first one, the start.
   [[nodiscard]] const Element* before(std::size_t at) const {
     return at > 0 ? cells(at - 1) : choices_->start().data();
   }
   [[nodiscard]] std::int64_t step_cost(const Element* before, const Element* row) const;
-  // What the steps within a stretch cost, forwards or backwards.
+  // The cost of the steps within a stretch, forwards or backwards.
   [[nodiscard]] std::int64_t cost_within(Stretch rows, bool turned) const;
   [[nodiscard]] std::uint32_t hiding_in(const Element* row) const;
   template <typename Visit>
@@ -154,9 +154,9 @@ class ChoiceList {
   std::vector<Element> cells_;         // by row number
   std::vector<std::uint32_t> hiding_;  // by row number: the parameter whose value is out of range
   std::vector<std::size_t> order_;     // by place: the number of its row
-  std::vector<std::size_t> free_;      // rows that are not used
+  std::vector<std::size_t> free_;      // unused rows
   std::vector<std::uint32_t>
-      count_;  // by tuple: rows that test it, far from 0 if it is not needed; pairs both ways
+      count_;  // by tuple: number of rows that test it, far from 0 if not needed; pairs both ways
   std::vector<std::uint32_t> where_;  // by tuple: its place in missing_
   std::vector<std::size_t> missing_;  // pairs with the lower part first
   std::int64_t cost_ = 0;

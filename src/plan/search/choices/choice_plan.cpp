@@ -69,7 +69,7 @@ class ChoicePlanner {
     return *std::ranges::min_element(plan.candidates,
                                      [&](const auto& a, const auto& b) { return is_better(a, b); });
   }
-  // Whether nothing better can be found.
+  // Whether no better list is possible.
   [[nodiscard]] bool is_done(const RunPlan& plan) const {
     const Candidate& now = best(plan);
     return now.cost == plan.bound.cost && (!few_tests() || now.tests() == plan.bound.tests);
@@ -85,7 +85,7 @@ class ChoicePlanner {
                  [this](const Candidate& a, const Candidate& b) { return is_better(a, b); });
   }
 
-  // The same again only if it is better.
+  // Replaces a candidate of the same name if the list is better.
   void replace(RunPlan& plan, const Start& start) const {
     Candidate candidate = counted_complete(job_, start);
     const auto old = std::ranges::find(plan.candidates, start.name, &Candidate::name);
@@ -111,7 +111,7 @@ class ChoicePlanner {
             list.setups()};
   }
 
-  // The list under way without what breaks a rule, and with what it lacks.
+  // The current list without set-ups that break a rule, and with missing tests added.
   void add_rest(RunPlan& plan) const {
     std::vector<Block> rest = sound_rest(job_, options_);
     if (rest.empty()) {
@@ -130,7 +130,7 @@ class ChoicePlanner {
     add(plan, rest_mended(list.setups()));
   }
 
-  // Moves of a first annealing.
+  // Moves of a first annealing run.
   [[nodiscard]] std::uint64_t suitable_moves(const Candidate& like) const {
     constexpr std::uint64_t a_cell = 6'000;
     constexpr std::uint64_t least = 300'000;
@@ -222,7 +222,7 @@ class ChoicePlanner {
     return time_of_attempt(control_, attempt, options_.attempts, share);
   }
 
-  // How attempts differ: hot ones forget where they started.
+  // The temperatures of attempts: hot ones forget where they started.
   static constexpr std::array<double, 4> heats{1.0, 0.3, 0.6, 0.15};
   static constexpr std::array<FixedTests, 4> fixed_styles{
       {{1.3, 0.6, 0.06}, {15, 1.5, 0.15}, {4, 0.8, 0.15}, {8, 0.6, 0.1}}};

@@ -1,4 +1,4 @@
-// Plans for the jobs of models.
+// Plans for jobs of models.
 #pragma once
 
 #include "changeover/plan/run_plan.hpp"
@@ -6,14 +6,14 @@
 namespace changeover {
 
 /// make_run_plan() for a job of a model without first set-ups and without defects: greedy lists,
-/// one with few tests in a cheap order, the rest of a list under way, and annealing from the best
+/// one with few tests in a cheap order, the rest of the current list, and annealing from the best
 /// of them. @throws BadInput for a job that weighs its pairs.
 [[nodiscard]] RunPlan plan_for_choices(const Job& job, const PlanOptions& options,
                                        RunControl& control);
 
-/// What is true of the jobs of models besides cost_bound(), which holds for them, too; `bound` is
-/// that, and becomes better; `known`, how many tests and changes there are at least and why, is
-/// said anew if it does.
+/// Improves the bound for jobs of models beyond cost_bound(), which holds for them, too; `bound` is
+/// changed if it becomes better, and so is `known`, the least numbers of tests and changes and
+/// their reasons.
 ///
 /// Proof. Let R be the needed pairs whose values are both in range.
 ///  (1) *Tests.* A test has one pair of each two parameters, and tests pairs of R only if no value

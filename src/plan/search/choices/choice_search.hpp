@@ -1,4 +1,4 @@
-// Lists of set-ups of a model: built row by row, with few rows, and annealed.
+// Lists of set-ups of a model: built row by row, reduced to few rows, and annealed.
 #pragma once
 
 #include <chrono>
@@ -14,30 +14,30 @@
 
 namespace changeover {
 
-/// What a greedy list is to have little of.
+/// The objective of a greedy list.
 enum class GreedyAim { cost, tests };
 
-/// Adds set-ups until nothing is missing: each time the best of a few that begin with the one
-/// before or with a set-up that has something missing, and change what brings most, as long as that
-/// pays. Once the control says stop, any set-up that has something missing, so that a complete list
-/// comes soon. O(tests · parameters · values), with triples · parameters more.
+/// Adds set-ups until nothing is missing: each time the best of a few. They start from the one
+/// before, or from a set-up with a missing tuple, and make the best changes as long as these pay.
+/// After the control requests a stop, adds any set-up with a missing tuple, so that the list is
+/// complete soon. O(tests · parameters · values), with triples · parameters more.
 void complete_greedily(const ChoiceJob& choices, ChoiceList& list, GreedyAim aim, Random& random,
                        RunControl& control);
 
-/// Takes away set-ups that nothing needs, and changes that nothing needs.
+/// Removes needless set-ups and needless changes.
 void prune_choices(const ChoiceJob& choices, ChoiceList& list);
 
-/// Takes away set-ups one at a time and looks, with so many moves each time, for a list without
-/// anything missing that has one less: a tabu search [Lin2015] over single cells, each time for a
-/// missing tuple and the row that comes to test it at the least loss. Ends at `least` set-ups, when
-/// the moves are used up, or when the control says stop; the list is then complete, if it was
-/// before. Returns the number of moves.
+/// Removes set-ups one at a time and searches each time, with at most `moves` moves, for a complete
+/// list with one set-up less: a tabu search [Lin2015] over single cells, which takes a missing
+/// tuple and the row that can test it at the least loss. Ends at `least` set-ups, when the moves
+/// are used up, or when the control requests a stop; the list is then complete, if it was before.
+/// Returns the number of moves.
 std::uint64_t remove_tests(const ChoiceJob& choices, ChoiceList& list, std::size_t least,
                            std::uint64_t moves, Random& random, RunControl& control);
 
-/// Of an annealing in which no set-up comes or goes, in changes: what a missing tuple costs, and
-/// the temperatures. Lists with few set-ups are rigid: the fewer, the dearer must be what is
-/// missing.
+/// The penalty of a missing tuple and the temperatures, in changes, for annealing with a fixed
+/// number of set-ups. Lists with few set-ups are rigid: the fewer there are, the higher the penalty
+/// must be.
 struct FixedTests {
   double penalty = 8;
   double hot = 0.6;
@@ -46,17 +46,17 @@ struct FixedTests {
 
 struct ChoiceAnnealing {
   std::uint64_t steps = 0;
-  double hot = 1.0;  ///< first temperature, of the usual one
+  double hot = 1.0;  ///< factor for the first temperature
   std::optional<std::chrono::duration<double>> time =
       {};                                      ///< the schedule ends then, even if steps are left
-  std::optional<FixedTests> fixed_tests = {};  ///< no set-up comes or goes
-  std::optional<std::int64_t> budget = {};     ///< no list that costs more is looked at
+  std::optional<FixedTests> fixed_tests = {};  ///< if set, the number of set-ups is fixed
+  std::optional<std::int64_t> budget = {};     ///< lists that cost more are ignored
   std::string phase = {};
 };
 
 struct AnnealedChoices {
   std::optional<std::vector<Block>>
-      setups;  ///< the cheapest complete list that was met; under a budget, that which misses least
+      setups;  ///< the cheapest complete list found; with a budget, the one that misses least
   std::int64_t cost = 0;
   std::size_t missing = 0;
   std::uint64_t steps = 0;
@@ -64,8 +64,8 @@ struct AnnealedChoices {
 
 /// Simulated annealing with energy = cost + penalty · missing; the penalty rises when too much is
 /// missing for the moment. Moves: a cell, or a run of cells of one parameter, takes another value,
-/// often that of a neighbour; a missing tuple is put into a set-up; set-ups change places, come or
-/// go. Deterministic.
+/// often that of a neighbour; a missing tuple is put into a set-up; set-ups change places, are
+/// added or removed. Deterministic.
 AnnealedChoices anneal_choices(const ChoiceJob& choices, ChoiceList list,
                                const ChoiceAnnealing& options, Random& random, RunControl& control);
 

@@ -18,8 +18,8 @@ namespace {
 constexpr std::size_t most_tuples = 200'000;
 constexpr std::size_t most_questions = 3000;
 
-// Which values are never in one test: by rules of two parameters, or of more, which the solver is
-// asked about.
+// The values that are never in one test: by rules of two parameters, or of more, which the solver
+// decides.
 std::vector<std::vector<bool>> values_apart(const Job& job) {
   ChoiceSolver solver(job);
   const std::size_t v = job.names.size();
@@ -110,8 +110,8 @@ class ApartSearch {
     });
   }
 
-  // All tuples of the parameters that have most, which are apart from each other, and those with
-  // each value that is out of range and one parameter.
+  // Starts with all tuples of the parameters that have most, which exclude each other, and those of
+  // each value out of range with one parameter.
   void begin() {
     std::map<std::vector<std::uint32_t>, std::vector<std::size_t>> by_parameters;
     for (std::size_t i = 0; i < tuples_.size(); ++i) {
@@ -139,7 +139,7 @@ class ApartSearch {
     }
   }
 
-  // A tuple comes or goes: the others know with how many chosen ones they fit into a test.
+  // Adds or removes a tuple and updates the counts of the others.
   void set(std::size_t i, bool chosen) {
     chosen_[i] = chosen;
     chosen ? ++size_ : --size_;
@@ -150,8 +150,8 @@ class ApartSearch {
     }
   }
 
-  // One that is apart from all chosen ones comes; or one takes the place of the only one that it is
-  // not apart from, and which may not come back at once; or one goes.
+  // Adds a tuple that excludes all chosen ones; or exchanges it with the only one that it does not
+  // exclude, which may not return at once; or removes one.
   bool step() {
     std::size_t best = none;
     std::uint32_t fewest = 2;
@@ -202,9 +202,10 @@ class ApartSearch {
   std::vector<Block> tuples_;
   std::vector<std::vector<bool>> apart_;  // by two values
   std::vector<std::size_t> hidden_;       // by tuple: its value out of range
-  std::vector<std::uint32_t> fits_with_;  // by tuple: chosen ones that may be in one test with it
+  std::vector<std::uint32_t>
+      fits_with_;  // by tuple: number of chosen ones that fit into a test with it
   std::vector<bool> chosen_;
-  std::vector<std::size_t> until_;  // by tuple: it does not come back before this move
+  std::vector<std::size_t> until_;  // by tuple: the move before which it does not return
   std::size_t size_ = 0;
   std::size_t move_ = 0;
   Random random_{1, 9'000'000};

@@ -1,4 +1,4 @@
-// Lower bounds on tests of a model from what cannot be in one test.
+// Lower bounds on the tests of a model from tuples that do not fit into one test.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace changeover {
 
-/// Needed pairs, or triples, of which no two are tested by one test, so that there are at least as
-/// many tests: two tuples have different values of a parameter, or values that a rule keeps apart,
-/// or values that are out of range in one of them only. As many as a local search finds in the
-/// graph of such tuples, in which they are a clique. Each tuple is a block. Deterministic;
-/// O(tuples · moves), with fewer moves for more tuples; nothing for more than 200'000.
+/// Needed pairs, or triples, of which no two fit into one test, so their number is a lower bound on
+/// the tests. Two tuples exclude each other if they have different values of a parameter, values
+/// that a rule excludes, or a value out of range in only one of them. The tuples are a clique in
+/// the graph of such exclusions, found by local search. Each tuple is a block. Deterministic;
+/// O(tuples · moves), with fewer moves for more tuples; empty for more than 200'000.
 [[nodiscard]] std::vector<Block> tuples_for_tests_apart(const Job& job);
 
 }  // namespace changeover

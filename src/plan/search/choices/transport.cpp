@@ -20,11 +20,11 @@ std::uint64_t most_profit(const std::vector<std::vector<std::uint64_t>>& profit,
   std::vector<std::uint64_t> demand = room;
   std::vector<std::vector<std::uint64_t>> carried(n, std::vector<std::uint64_t>(n, 0));
   Wide total = 0;
-  // Each round carries more along the way from any source to any drain that brings most, over what
-  // is carried backwards. Rounds bring less and less, and end when one brings nothing.
+  // Each round increases the flow along the path from a source to a drain with the largest profit,
+  // also over reversed edges. The profit per round decreases, and the rounds end when it is 0.
   RunControl* const control = RunScope::current();
   while (control == nullptr || !control->stop_wanted()) {
-    // What it brings at most to stand at a source, at a drain.
+    // The largest profit of a path to a source, and to a drain.
     std::vector<Wide> at_source(n, -far);
     std::vector<Wide> at_drain(n, -far);
     std::vector<std::size_t> to_source(n, n);  // the drain before it

@@ -18,7 +18,7 @@ std::int64_t cheapest_assignment(std::size_t rows, std::size_t columns,
     return std::min(costs[0] + costs[3], costs[1] + costs[2]);
   }
   constexpr std::int64_t far = std::numeric_limits<std::int64_t>::max();
-  // Rows and columns count from 1: column 0 holds the row that looks for a place.
+  // Rows and columns count from 1: column 0 holds the row that is being assigned.
   std::vector<std::int64_t> of_row(rows + 1, 0);
   std::vector<std::int64_t> of_column(columns + 1, 0);
   std::vector<std::size_t> row_in(columns + 1, 0);

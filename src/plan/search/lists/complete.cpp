@@ -1,4 +1,4 @@
-// What makes lists complete and takes away what is too much.
+// Completes lists and removes what is not needed.
 #include <algorithm>
 #include <optional>
 
@@ -8,7 +8,7 @@
 namespace changeover {
 namespace {
 
-// The set-up of a bench nearest to `beside` that holds the target; nothing if it is not found.
+// The set-up of a bench closest to `beside` that contains the target; nullopt if none is found.
 std::optional<Block> around(const Lists& lists, std::size_t bench, std::span<const Element> beside,
                             std::span<const Element> target) {
   const Job& job = lists.job(bench);
@@ -19,7 +19,7 @@ std::optional<Block> around(const Lists& lists, std::size_t bench, std::span<con
   };
   for (const Element x : target) {
     if (!holds(x)) {
-      if (!lists.joins(setup, x)) {  // What stays mounted on this bench is against it.
+      if (!lists.joins(setup, x)) {  // a permanently mounted part of this bench excludes it
         return std::nullopt;
       }
       setup.push_back(x);
@@ -70,7 +70,7 @@ bool complete(Lists& lists, RunControl& control) {
       const std::int64_t largest = lists.largest();
       lists.insert(where, *setup);
       const double gain = static_cast<double>(missing - lists.missing());
-      // Less than nothing where going by way of another set-up is cheaper.
+      // Negative if going by way of another set-up is cheaper.
       const auto rise = static_cast<double>(lists.total() - cost + lists.largest() - largest);
       const double worth = gain / (std::max(rise, 0.0) + 1.0);
       lists.undo();

@@ -336,7 +336,7 @@ std::int64_t Lists::replacing_step(const View& view, const Place& from, const Pl
   if (!view.fitting.has_slots()) {
     return replaced(view, gone_, come_);
   }
-  // Each slot by itself.
+  // Each slot separately.
   const auto slot = [&](Element x) { return view.fitting.slot(x); };
   std::ranges::sort(gone_, {}, slot);
   std::ranges::sort(come_, {}, slot);
@@ -375,7 +375,7 @@ std::int64_t Lists::step(const View& view, const Place& from, const Place& to) c
   return weight;
 }
 
-// Pays anew for the step into a place, which may be behind the last.
+// Updates the cost of the step into a place, which may be after the last.
 void Lists::price(Spot where) {
   if (where.at >= tests(where.bench)) {
     return;
@@ -407,7 +407,7 @@ void Lists::part(std::size_t index) {
   }
 }
 
-// x comes to others, or goes from them.
+// Updates the counts when x joins or leaves other parts.
 template <bool coming>
 void Lists::count_with(const Block& others, Element x) {
   const auto count = [&](std::size_t i) { coming ? meet(i) : part(i); };

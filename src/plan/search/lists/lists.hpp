@@ -1,17 +1,16 @@
 // The state of the search for lists of set-ups on one bench or several, in which pairs or triples
-// of parts have to meet: the lists, what each costs, and the weight of what has not met, kept up to
-// date under every move.
+// of parts have to meet: the lists, their costs, and the weight of what has not met, updated by
+// every move.
 //
-// Benches may differ in costs, room, slots and what is mounted; where parts are scarce or benches
-// rest, a clock says when all is done. It is asked after every move, which takes O(tests) then.
+// Benches may differ in costs, room, slots and mounted parts. If parts are scarce or benches rest,
+// a clock computes when everything is done, after every move, in O(tests).
 //
-// If costs ask what is replaced, a step that changes j parts takes O(j³) to price. Where all pairs
-// of one list have the same weight and they do not, plan/search/anneal/sequence.hpp does the same
-// in less time.
+// If costs depend on what is replaced, the cost of a step with j changes takes O(j³). For one list
+// in which all pairs have the same weight and costs do not depend on replacement,
+// plan/search/anneal/sequence.hpp does the same faster.
 //
-// Moves are noted as they are made: keep() forgets the notes, undo() takes back all moves since. A
-// part that comes or goes costs O(room) for pairs and O(room²) for triples; moving a set-up as a
-// whole costs O(room).
+// Moves are recorded: keep() drops the records, undo() undoes all moves since. Adding or removing a
+// part takes O(room) for pairs and O(room²) for triples; moving a set-up as a whole takes O(room).
 #pragma once
 
 #include <array>
@@ -28,88 +27,87 @@
 
 namespace changeover {
 
-/// Set-ups in their order, by bench.
+/// The set-ups of each bench, in order.
 using BenchLists = std::vector<std::vector<Block>>;
 
 /// No part.
 inline constexpr Element no_part = std::numeric_limits<Element>::max();
 
-/// A set-up by its place.
+/// The place of a set-up.
 struct Spot {
   std::size_t bench = 0;
   std::size_t at = 0;
 };
 
-/// Weights::of(), with a unit that also suits what a change costs by what is replaced.
+/// Weights::of(), with a unit that also suits the costs by what is replaced.
 [[nodiscard]] Weights weights_of(const Job& job, std::uint64_t tests);
-/// The same for several jobs, all with one unit.
+/// The same for several jobs, with a common unit.
 [[nodiscard]] std::vector<Weights> weights_of(const std::vector<const Job*>& jobs,
                                               std::uint64_t tests);
 
-/// Scarce parts, and hours a day.
+/// Scarce parts, and hours per day.
 struct ClockRules {
   std::vector<std::uint64_t> quantity;    ///< by part
   std::vector<std::vector<bool>> shared;  ///< by bench and part: scarce, and not the bench's own
   std::vector<std::uint64_t> hours;       ///< by bench, in millionths; 0: it never rests
   std::uint64_t day = 0;                  ///< in millionths
-  std::vector<std::vector<Block>> first = {};  ///< by bench: what is run before its list
-  std::vector<Block> start = {};               ///< by bench: what is mounted before that
+  std::vector<std::vector<Block>> first = {};  ///< by bench: set-ups before its list
+  std::vector<Block> start = {};               ///< by bench: mounted before these
 };
 
-/// What lists are searched for: what must meet, and the benches. All that is referred to must
-/// outlive the lists.
+/// The task of a search for lists: what must meet, and the benches. The data must outlive the
+/// lists.
 struct ListsJob {
-  const Job* common =
-      nullptr;  ///< whose pairs, triples and weights of pairs matter, and what must never meet
-  std::vector<const Job*> jobs = {};     ///< by bench; the same one for benches that are alike
+  const Job* common = nullptr;  ///< defines needed pairs, triples, weights and forbidden pairs
+  std::vector<const Job*> jobs = {};     ///< by bench; equal benches share one
   std::vector<Weights> weights = {};     ///< by bench
-  std::vector<std::int64_t> spent = {};  ///< by bench: what is paid before its list; empty: nothing
-  const ClockRules* clock = nullptr;     ///< nothing: no bench waits or rests
+  std::vector<std::int64_t> spent = {};  ///< by bench: cost before its list; empty: 0
+  const ClockRules* clock = nullptr;     ///< null if no bench waits or rests
 
-  /// So many benches that are alike.
+  /// A task for `benches` equal benches.
   static ListsJob alike(const Job& job, const Weights& weights, std::size_t benches);
 };
 
 class Lists {
  public:
-  /// Set-ups that break no constraint but may leave something unmet. Every bench begins with what
-  /// the job has at its start. The job must outlive this. @throws Stopped if the scope of this
-  /// thread (run/control.hpp) wants to stop.
+  /// Starts with set-ups that break no constraint but may leave something unmet. Every bench begins
+  /// with the start of its job. The job must outlive this. @throws Stopped if the scope of this
+  /// thread (run/control.hpp) requests it.
   Lists(const ListsJob& job, const BenchLists& lists);
-  /// On benches that are alike.
+  /// For equal benches.
   Lists(const Job& job, const Weights& weights, const BenchLists& lists)
       : Lists(ListsJob::alike(job, weights, lists.size()), lists) {}
 
-  /// What has to meet.
+  /// The job that says what has to meet.
   [[nodiscard]] const Job& job() const { return *job_; }
   [[nodiscard]] const Job& job(std::size_t bench) const { return *view(bench).job; }
   [[nodiscard]] const Fitting& fitting(std::size_t bench) const { return view(bench).fitting; }
-  /// The most parts that a set-up of some bench can have.
+  /// The largest number of parts in a set-up of any bench.
   [[nodiscard]] std::uint64_t most_room() const { return most_room_; }
-  /// A set-up may be on a bench as well as on another.
+  /// Whether the same set-ups are allowed on both benches.
   [[nodiscard]] bool alike(std::size_t bench, std::size_t other) const {
     return view_of_[bench] == view_of_[other];
   }
-  /// Whether a set-up may be on this bench.
+  /// Whether a set-up is allowed on this bench.
   [[nodiscard]] bool allows(std::size_t bench, std::span<const Element> setup) const;
   [[nodiscard]] std::size_t benches() const { return order_.size(); }
   [[nodiscard]] std::size_t tests(std::size_t bench) const { return order_[bench].size(); }
   [[nodiscard]] std::size_t tests() const { return tests_; }
-  /// Set-up number `index` of all benches, index < tests().
+  /// The place of set-up number `index` of all benches, index < tests().
   [[nodiscard]] Spot spot(std::size_t index) const;
-  /// What all benches cost, with what is put in again.
+  /// The cost of all benches, including parts that are put in again.
   [[nodiscard]] std::int64_t total() const { return total_ + (clock_ ? clocked().again : 0); }
-  /// The makespan: the largest cost of a bench, if none waits or rests.
+  /// The makespan: the largest cost of a bench, if no bench waits or rests.
   [[nodiscard]] std::int64_t largest() const;
   [[nodiscard]] bool has_clock() const { return clock_.has_value(); }
-  /// When the last test of a bench ends: what the bench costs, if none waits or rests.
+  /// The end of the last test of a bench: its cost, if no bench waits or rests.
   [[nodiscard]] std::int64_t end(std::size_t bench) const {
     return clock_ ? clocked().ends[bench] : cost_[bench];
   }
-  /// The weight of what has not met, in millionths; 1 each where the job says nothing else.
+  /// The weight of what has not met, in millionths; 1 each by default.
   [[nodiscard]] std::uint64_t missing() const { return missing_; }
   [[nodiscard]] std::size_t open() const { return open_.size(); }
-  /// What has not met, number index < open(): the last part is `no_part` if it is a pair.
+  /// What has not met, number index < open(): the last part is `no_part` for a pair.
   [[nodiscard]] std::array<Element, 3> open_target(std::size_t index) const;
   [[nodiscard]] bool of_triples() const { return triples_; }
   [[nodiscard]] const std::vector<Element>& movable() const { return movable_; }
@@ -122,24 +120,24 @@ class Lists {
   [[nodiscard]] bool holds(Spot where, Element x) const {
     return bit(places_[order_[where.bench][where.at]].bits, x);
   }
-  /// What was mounted before this set-up, which may be behind the last one of its bench.
+  /// The parts mounted before this set-up, which may be after the last one of its bench.
   [[nodiscard]] std::span<const Element> before_setup(Spot where) const {
     return before(where).elements;
   }
-  /// Whether x was among it.
+  /// Whether x was among them.
   [[nodiscard]] bool was_there(Spot where, Element x) const { return bit(before(where).bits, x); }
   [[nodiscard]] BenchLists lists() const;
-  /// Whether a set-up stays one that may be if `out` goes and `in` comes; `no_part` for neither.
+  /// Whether a set-up stays valid if `out` is removed and `in` added; `no_part` for neither.
   [[nodiscard]] bool may_replace(Spot where, Element out, Element in) const;
-  /// Whether y may be with all parts of a set-up.
+  /// Whether y may be together with all parts of a set-up.
   [[nodiscard]] bool joins(std::span<const Element> setup, Element y) const;
 
-  /// out, which is there, goes and in, which is not, comes, where may_replace() allows it.
+  /// Removes `out`, which is there, and adds `in`, which is not, where may_replace() allows it.
   void replace(Spot where, Element out, Element in);
   void take_out(Spot where);
-  /// A new set-up before this place.
+  /// Inserts a set-up before this place.
   void insert(Spot where, std::span<const Element> setup);
-  /// The set-ups from `from` on, so many, go before `to`, a place of what remains.
+  /// Moves `count` set-ups from `from` on before `to`, a place among the remaining ones.
   void move(Spot from, std::size_t count, Spot to);
   void reverse(std::size_t bench, Stretch where);
   void keep();
@@ -150,18 +148,19 @@ class Lists {
   struct Place {
     Block elements;
     Bits bits;
-    std::int64_t cost = 0;  // of the step into it, with its test
+    std::int64_t cost = 0;  // of the step into it, including its test
   };
-  // A bench, or several that are alike.
+  // A bench, or several equal ones.
   struct View {
     const Job* job;
     Fitting fitting;
     Weights weights;
-    std::vector<std::int64_t> replace;  // by part out and part in, if costs ask what is replaced
-    std::vector<bool> stays;            // by part: always mounted
-    Place start;                        // what is there before the list
+    std::vector<std::int64_t>
+        replace;              // by part out and part in, if costs depend on what is replaced
+    std::vector<bool> stays;  // by part: permanently mounted
+    Place start;              // mounted before the list
   };
-  // For the clock, what comes before the lists.
+  // For the clock: what precedes the lists.
   struct Before {
     Place start;
     std::vector<Place> steps;
@@ -172,8 +171,8 @@ class Lists {
   struct Note {
     Kind kind;
     Spot where;
-    std::uint32_t a = 0;  // out, a handle, or the last of a stretch
-    std::uint32_t b = 0;  // in
+    std::uint32_t a = 0;  // removed part, a handle, or the last one of a stretch
+    std::uint32_t b = 0;  // added part
   };
 
   static bool bit(const Bits& bits, Element x) { return (bits[x >> 6] >> (x & 63) & 1) != 0; }
@@ -184,7 +183,7 @@ class Lists {
   [[nodiscard]] std::int64_t step(const View& view, const Place& from, const Place& to) const;
   [[nodiscard]] std::int64_t replacing_step(const View& view, const Place& from,
                                             const Place& to) const;
-  // What it costs that some parts take the places of others, all of one slot.
+  // The cost of replacing parts by others, all of one slot.
   [[nodiscard]] std::int64_t replaced(const View& view, std::span<const Element> gone,
                                       std::span<const Element> come) const;
   void price(Spot where);
@@ -222,8 +221,9 @@ class Lists {
   std::vector<std::int64_t> cost_;                 // by bench
   std::int64_t total_ = 0;
   std::size_t tests_ = 0;
-  std::vector<std::uint32_t> count_;  // by index: set-ups that hold it, and one if it is not needed
-  std::vector<std::uint32_t> place_;  // by index, in open_
+  std::vector<std::uint32_t>
+      count_;  // by index: number of set-ups with it, plus one if it is not needed
+  std::vector<std::uint32_t> place_;   // by index: place in open_
   std::vector<std::uint64_t> weight_;  // by index; empty if all weigh the same
   std::vector<std::uint32_t> open_;
   std::uint64_t missing_ = 0;
@@ -232,8 +232,8 @@ class Lists {
   std::vector<Before> before_;  // by bench, if there is a clock
   std::vector<Ticks> hours_;    // likewise
   mutable std::vector<ClockBench> courses_;
-  mutable bool clocked_ = false;  // the clock knows the lists as they are
-  // Room to work for what is const.
+  mutable bool clocked_ = false;  // the clock is up to date
+  // Scratch memory for const functions.
   mutable Block gone_;
   mutable Block come_;
   mutable std::vector<std::int64_t> table_;

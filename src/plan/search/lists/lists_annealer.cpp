@@ -70,7 +70,7 @@ void ListsAnnealer::cool(double done) {
   energy_ = energy();
 }
 
-// What benches cost or how long they take, together, and more the more they differ.
+// The cost or duration of the benches together, higher the more they differ.
 double ListsAnnealer::costs() const {
   const auto total = static_cast<double>(lists_->total());
   switch (options_->aim) {
@@ -122,7 +122,7 @@ void ListsAnnealer::decide() {
   }
 }
 
-// A movable part of a set-up; `no_part` if it is none or one of those that are to stay.
+// A movable part of a set-up; `no_part` if there is none besides those that stay.
 Element ListsAnnealer::some_part_of(Spot where, std::span<const Element> staying) {
   const auto setup = lists_->setup(where);
   if (setup.empty()) {
@@ -162,7 +162,7 @@ void ListsAnnealer::move() {
   }
 }
 
-// Where it matters what is replaced, or which pairs meet at all, steps by themselves say less.
+// For replacement costs, or if not all pairs can meet, single steps matter less.
 void ListsAnnealer::move_widely() {
   if (lists_->tests() == 0) {
     insert();
@@ -196,7 +196,7 @@ Element ListsAnnealer::some_difference(std::span<const Element> in, Spot lacks, 
   return no_part;
 }
 
-// One part stays a set-up longer and what comes for it comes later, or it leaves sooner.
+// A part stays for one more set-up and its replacement comes later, or it leaves earlier.
 void ListsAnnealer::shift() {
   const Spot where = some_spot();
   const Spot after{where.bench, where.at + 1};
@@ -256,7 +256,7 @@ void ListsAnnealer::exchange() {
   }
 }
 
-// A set-up that holds all of these, searched for from a random place on.
+// A set-up that contains all of these, searched for from a random place on.
 std::optional<Spot> ListsAnnealer::some_holder(std::span<const Element> parts) {
   Spot where = some_spot();
   for (std::size_t left = lists_->tests(); left > 0; --left) {
@@ -272,9 +272,9 @@ std::optional<Spot> ListsAnnealer::some_holder(std::span<const Element> parts) {
   return std::nullopt;
 }
 
-// Something that has not met: the part that is to come last, those before it stay.
+// A target that has not met: its last part is added, those before it stay.
 std::vector<Element> ListsAnnealer::some_target() {
-  if (lists_->open() == 0) {  // Something that has met, to meet on another bench as well.
+  if (lists_->open() == 0) {  // a target that has met, to meet on another bench as well
     const auto there = lists_->setup(some_spot());
     std::vector<Element> target(there.begin(), there.end());
     while (target.size() > (lists_->of_triples() ? 3 : 2)) {
@@ -308,7 +308,7 @@ bool ListsAnnealer::replaceable(Spot where, Element out, Element in) const {
          (in == no_part || !lists_->holds(where, in)) && lists_->may_replace(where, out, in);
 }
 
-// Here, or also in set-ups before it, after it or both, as long as it goes.
+// Here, and sometimes in set-ups before it, after it or both, as far as possible.
 void ListsAnnealer::replace_around(Spot where, Element out, Element in) {
   if (!replaceable(where, out, in)) {
     return;
@@ -348,7 +348,7 @@ void ListsAnnealer::take_out() {
   decide();
 }
 
-// A set-up comes once more, perhaps with a part of something that has not met in place of another.
+// Repeats a set-up, sometimes with a part of an open target in place of another.
 void ListsAnnealer::copy() {
   if (lists_->tests() >= most_tests_) {
     return;
@@ -379,10 +379,10 @@ void ListsAnnealer::copy() {
   decide();
 }
 
-// A set-up with something that has not met, otherwise like the one beside which it comes.
+// Inserts a set-up with an open target, otherwise like the one next to it.
 void ListsAnnealer::insert() {
-  // Where nothing is open, another set-up helps only if what has met is to meet on another bench,
-  // or if going by way of it is cheaper.
+  // If nothing is open, another set-up helps only if a target moves to another bench, or if going
+  // by way of it is cheaper.
   const bool may_help = lists_->open() > 0 || lists_->benches() > 1 || lists_->job(0).replaces();
   if (!may_help || (lists_->open() == 0 && lists_->tests() == 0) ||
       lists_->tests() >= most_tests_) {
@@ -401,7 +401,7 @@ void ListsAnnealer::insert() {
     at.at += random_->one_in_two() ? 1U : 0U;
     alone = false;
   }
-  // By itself, on any bench: what grows from it costs as little as can be at first.
+  // Without neighbours, on any bench: what grows from it is cheap at first.
   if (below(lists_->benches() > 1 ? 3 : 12) == 0) {
     at.bench = below(lists_->benches());
     at.at = below(lists_->tests(at.bench) + 1);
@@ -426,8 +426,8 @@ void ListsAnnealer::insert() {
   decide();
 }
 
-// Mounts x in place of what it must not meet, of what is too much in its slot, and of what has no
-// room. What stays mounted on the bench stays: what must not meet it cannot come.
+// Mounts x in place of parts that it must not meet, of surplus parts of its slot, and of parts that
+// have no room. Permanently mounted parts stay, so x cannot be added if one of them excludes it.
 bool ListsAnnealer::bring(std::size_t bench, Block& setup, Element x,
                           const std::vector<Element>& target) {
   if (std::find(setup.begin(), setup.end(), x) != setup.end()) {
@@ -475,7 +475,7 @@ void ListsAnnealer::reverse() {
   decide();
 }
 
-// A stretch goes elsewhere, also backwards; a long one between benches is a cut.
+// Moves a stretch elsewhere, sometimes reversed; moving a long one between benches is a cut.
 void ListsAnnealer::relocate() {
   const Spot from = some_spot();
   const std::size_t after = lists_->tests(from.bench) - from.at;

@@ -1,12 +1,13 @@
-// One annealing over lists of set-ups on one bench or several: the moves, and when they are made.
+// One annealing run over lists of set-ups on one bench or several: its moves and their acceptance.
 //
 // For the least cost and the least makespan, temperature and penalty are measured
-// (plan/search/anneal/cooling.hpp). For the most weight, and where it matters what is replaced, the
-// penalty is fixed at the start, and moves are wider.
+// (plan/search/anneal/cooling.hpp). For the most weight, and for replacement costs, the penalty is
+// fixed at the start, and moves are wider.
 //
-// The moves of plan/search/anneal/anneal.cpp have the same names, and are others: there the rise of
-// a move on one list of pairs is known before it is made; here a move is made, weighed by whatever
-// the aim counts, and undone. So they draw other random numbers, and neither can serve for both.
+// The moves of plan/search/anneal/anneal.cpp have the same names but work differently: there the
+// effect of a move on one list of pairs is computed first; here a move is made, evaluated by the
+// objective, and undone if it is refused. So they use other random numbers, and neither can replace
+// the other.
 #pragma once
 
 #include <chrono>
@@ -23,20 +24,20 @@
 
 namespace changeover {
 
-/// What makes one state better than another: less of the first that differs.
+/// The order of states: lexicographic, smaller is better.
 using Rank = std::tuple<std::uint64_t, std::int64_t, std::int64_t>;
 
-/// Nothing for a state that is no answer: something has not met, or the budget does not suffice.
+/// Nullopt for a state that is no solution: something has not met, or the budget is exceeded.
 [[nodiscard]] std::optional<Rank> rank_of(const Lists& lists, const ListsSearch& options);
 
-/// Temperatures and penalties. If there is a penalty they are in the unit of the weights; else in
-/// what a thing that meets costs.
+/// Temperatures and penalties. With a penalty they are in the unit of the weights; otherwise in the
+/// cost of a target that meets.
 struct ListsSchedule {
-  double penalty = 0;  ///< of a millionth of weight, if it is fixed
+  double penalty = 0;  ///< per millionth of weight, if it is fixed
   double hot = 0;
   double cold = 0;
-  double over = 0;  ///< what money beyond the budget counts
-  /// The schedule ends when this time is up, even if steps are left.
+  double over = 0;  ///< factor for costs above the budget
+  /// The schedule ends after this time, even if steps are left.
   std::optional<std::chrono::duration<double>> time = {};
 };
 
@@ -45,7 +46,7 @@ class ListsAnnealer {
   ListsAnnealer(Lists& lists, const ListsSearch& options, const ListsSchedule& schedule,
                 Random& random);
 
-  /// Returns the moves that were made.
+  /// Returns the number of moves.
   std::uint64_t run(std::uint64_t steps, RunControl& control);
 
   [[nodiscard]] const std::optional<Rank>& best_rank() const { return best_rank_; }
@@ -89,10 +90,10 @@ class ListsAnnealer {
   ListsSchedule schedule_;
   Random* random_;
   std::size_t most_tests_;
-  double everything_;  // what has to meet, as a number of pairs or triples of weight 1
-  bool wide_;          // the penalty is fixed, moves are wide
+  double everything_;  // what has to meet, as a number of targets of weight 1
+  bool wide_;          // fixed penalty and wide moves
   Cooling cooling_;
-  double penalty_ = 0;  // of a millionth of weight
+  double penalty_ = 0;  // per millionth of weight
   double energy_ = 0;
   std::optional<Rank> best_rank_;
   BenchLists best_;

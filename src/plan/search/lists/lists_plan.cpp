@@ -71,7 +71,7 @@ class ListsPlanner {
     tell_if_best(plan, *options_, cheaper);
   }
 
-  // The list under way without what breaks a rule, and with what it lacks.
+  // The current list without set-ups that break a rule, and with missing tests added.
   void add_rest(RunPlan& plan) const {
     const std::vector<Block> rest = sound_rest(*job_, *options_);
     if (rest.empty()) {
@@ -163,7 +163,8 @@ std::vector<Block> heaviest_within(RunPlan& plan, const WithinBudget& within,
       .phase = fmt::format("looking for the {} within the budget", within.what_meets)};
   std::vector<Block> best = from;
   do {
-    // Weights are rounded up: a list may weigh more than the budget that pays for it.
+    // Weights are rounded up: a list may exceed the budget by weight although its cost is within
+    // it.
     if (Lists(within.job, {best}).total() > search.budget) {
       break;
     }

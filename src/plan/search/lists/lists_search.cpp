@@ -15,8 +15,8 @@
 namespace changeover {
 namespace {
 
-// With a fixed penalty, as multiples of what something that meets costs on average. Where some
-// pairs weigh far more than others, going over a budget has to count far more, too.
+// For a fixed penalty, as multiples of the mean cost of a target that meets. If some pairs weigh
+// far more than others, exceeding a budget needs a far higher penalty, too.
 struct FixedStyle {
   double penalty;
   double hot;
@@ -36,7 +36,7 @@ std::uint64_t suitable_steps(const Lists& lists, const ListsSearch& options) {
   const bool fixed = options.aim == Aim::most_weight || lists.job(0).replaces();
   const std::uint64_t most = fixed ? 4'000'000 : 30'000'000;
   const std::uint64_t work = fixed ? 40'000'000 : 160'000'000;
-  // A clock is asked after every move, and looks at every test.
+  // With a clock, every move examines every test.
   const std::uint64_t slow = lists.has_clock() ? 1 + lists.tests() / 8 : 1;
   constexpr unsigned most_longer = 5;  // later rounds take longer
   const std::uint64_t longer = std::uint64_t{1} << std::min(options.round, most_longer);
@@ -49,7 +49,7 @@ ListsSchedule fixed_schedule(const ListsJob& job, const Lists& lists, const List
   const FixedStyle& style = fixed_styles[attempt % fixed_styles.size()];
   const auto everything = static_cast<double>(options.everything);
   const bool budget = options.aim == Aim::most_weight;
-  // What a millionth of weight costs, about.
+  // The approximate cost of a millionth of weight.
   const auto costs = static_cast<double>(budget ? options.whole : lists.total());
   const double a_millionth = std::max(1.0, costs) / std::max(1.0, everything);
   const std::size_t things =
@@ -92,13 +92,13 @@ FoundLists search_lists(const ListsJob& job, const std::vector<BenchLists>& star
       schedule = fixed_schedule(job, lists, options, i);
     } else {
       const bool stay_near = options.round > 0 && (i + options.round) % 4 != 0;
-      // A later round stays near what was found.
+      // A later round stays near the best lists.
       const HeatStyle& style =
           stay_near ? warm_style : heat_styles[(i + options.round) % heat_styles.size()];
       if (stay_near) {
         lists = Lists(job, starts.front());
       }
-      // The rest is for what comes after each attempt, and what the clock does not see.
+      // The rest is for the work after each attempt, and for what the time limit does not include.
       constexpr double share = 0.9;
       schedule = {.hot = style.hot,
                   .cold = style.cold,

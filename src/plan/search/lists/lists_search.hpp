@@ -1,17 +1,17 @@
-// Simulated annealing over lists of set-ups on one bench or several (lists.hpp), for what
-// plan/search/anneal/anneal.hpp does not search: several benches, pairs of different weights,
+// Simulated annealing over lists of set-ups on one bench or several (lists.hpp), for jobs that
+// plan/search/anneal/anneal.hpp does not support: several benches, pairs of different weights,
 // triples.
 //
-//     energy = what the aim counts + penalty · (weight of what has not met)
-// where the aim counts, of the costs c_1, …, c_N of the benches with sum C, or when they end, and
-// the budget Z,
+//     energy = objective + penalty · (weight of what has not met)
+// with the objective, for the costs c_1, …, c_N of the benches (or their ends) with sum C, and the
+// budget Z,
 //     least cost: C,      least largest cost: C + 2·Σ (c_i − C/N)²/(C/N),
 //     most weight: C/4 + a · max(0, C − Z), 4 ≤ a ≤ 100.
-// Most moves look at one step: what it puts in comes one set-up earlier or later in exchange for
-// what it takes out. Others put any part, or one of something that has not met, in the place of
-// another, in one set-up or in a stretch; mount or take out a part in a stretch; take out a set-up,
-// copy one or insert one beside another; reverse a stretch, move a stretch to any place of any
-// bench. The result is the same for any number of threads.
+// Most moves concern one step: a part that it puts in comes one set-up earlier or later, in
+// exchange for a part that it takes out. Others put any part, or one of an open target, in the
+// place of another, in one set-up or in a stretch; mount or take out a part in a stretch; remove,
+// copy or insert a set-up; reverse a stretch, or move it to any place of any bench. The result is
+// the same for any number of threads.
 #pragma once
 
 #include <cstdint>
@@ -28,17 +28,17 @@ enum class Aim { least_cost, least_largest, most_weight };
 struct ListsSearch {
   Aim aim = Aim::least_cost;
   std::int64_t budget = 0;  ///< for the most weight, in the unit of the weights
-  std::int64_t whole = 0;   ///< and what it costs to meet everything, about
-  std::uint64_t steps = 0;  ///< of each attempt; 0: as many as suit
+  std::int64_t whole = 0;   ///< approximate cost of meeting everything
+  std::uint64_t steps = 0;  ///< of each attempt; 0: chosen for the job
   unsigned attempts = 4;
-  unsigned round = 0;            ///< another round has other random numbers
-  std::string phase = {};        ///< for progress
-  std::uint64_t everything = 0;  ///< the weight of all that has to meet; search_lists() finds out
+  unsigned round = 0;            ///< each round has other random numbers
+  std::string phase = {};        ///< for progress reports
+  std::uint64_t everything = 0;  ///< weight of all that has to meet; computed by search_lists()
 };
 
-/// The best that was met, and the moves that it took. Attempt i begins with starts[i mod their
-/// number]. At least one start has to be valid: everything met, or within the budget; the result is
-/// no worse than any that is.
+/// The best lists found, and the number of moves. Attempt i begins with starts[i mod their number].
+/// At least one start must be valid: everything met, or within the budget. The result is at least
+/// as good as every valid start.
 struct FoundLists {
   BenchLists lists;
   std::uint64_t steps = 0;
@@ -46,11 +46,11 @@ struct FoundLists {
 [[nodiscard]] FoundLists search_lists(const ListsJob& job, const std::vector<BenchLists>& starts,
                                       const ListsSearch& options, RunControl& control);
 
-/// Inserts set-ups until everything has met, each where it costs least for what it brings. False if
-/// the control says stop before.
+/// Inserts set-ups until everything has met, each where it costs least for its gain. Returns false
+/// if the control stops it before.
 bool complete(Lists& lists, RunControl& control);
 
-/// Takes away set-ups, and parts from whole runs of set-ups, while nothing more is missing and no
+/// Removes set-ups, and parts from whole runs of set-ups, while nothing more is missing and no
 /// bench costs more.
 void prune(Lists& lists, RunControl& control);
 

@@ -10,10 +10,10 @@
 namespace changeover {
 namespace {
 
-// The candidates of the same job at mean prices, which have less than half of the time.
+// The candidates of the same job at mean prices, for which less than half of the time is used.
 std::vector<Start> at_mean_prices(const Job& job, const PlanOptions& options, RunControl& control) {
   PlanOptions once = options;
-  once.on_better = nullptr;  // The costs are others.
+  once.on_better = nullptr;  // their costs differ
   once.until_stopped = false;
   once.budget.reset();
   once.rest.clear();

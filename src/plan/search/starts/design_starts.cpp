@@ -33,8 +33,8 @@ std::vector<Element> free_parts(const Job& job) {
   return parts;
 }
 
-// The blocks of a design as set-ups: elements that are seldom introduced become the dear parts, and
-// those of the first block parts that are mounted already.
+// The blocks of a design as set-ups: elements with few introductions become the expensive parts,
+// and those of the first block become parts that are mounted already.
 std::vector<Block> as_setups(const Job& job, const std::vector<Element>& parts,
                              const Design& design, bool backwards) {
   const std::size_t v = parts.size();
@@ -55,8 +55,8 @@ std::vector<Block> as_setups(const Job& job, const std::vector<Element>& parts,
   const auto on_bench = [&](Element part) {
     return std::find(job.start.begin(), job.start.end(), part) != job.start.end();
   };
-  // Pairs an order of the elements with an order of the parts: first those on the bench with those
-  // of the first block, then the rest, seldom with dear.
+  // Matches elements and parts: first those of the first block with the parts of the start, then
+  // the rest, with few introductions for expensive parts.
   std::vector<Element> elements(v);
   std::iota(elements.begin(), elements.end(), Element{0});
   std::stable_sort(elements.begin(), elements.end(),
@@ -106,7 +106,7 @@ std::vector<Block> cheaper_direction(const Job& job, const std::vector<Element>&
   return better ? backwards : forwards;
 }
 
-// The m-change design over so many parts, if there is one: the best known, or a better one.
+// The m-change design over these parts, if there is one: the best known one, or a better one.
 std::optional<Start> design_start(const Job& job, const std::vector<Element>& parts,
                                   std::uint64_t k, std::uint64_t m, std::uint64_t moves,
                                   RunControl& control) {
@@ -129,7 +129,7 @@ std::optional<Start> design_start(const Job& job, const std::vector<Element>& pa
     try {
       better = improve(p, {.moves = moves}, own);
     } catch (const Stopped&) {
-      // The design that is known will do.
+      // the known design is used
     }
     if (better.design && better.design->block_count() < design->block_count()) {
       how = fmt::format("local search; {} by {}", design->block_count(), how);
@@ -166,7 +166,7 @@ std::vector<Start> design_starts(const Job& job, std::uint64_t moves, RunControl
     try {
       found[i] = design_start(job, parts, k, i + 1, moves, control);
     } catch (const ImpossibleParameters&) {
-      // It costs more than can be counted, and others do not.
+      // its cost overflows, that of others does not
     }
   });
   std::vector<Start> starts;

@@ -29,7 +29,8 @@ class Greedy {
       for (const Amount cost : job.change_costs) {
         total += static_cast<double>(cost.millionths);
       }
-      constexpr double little = 0.02;  // of the mean, so that what is free is not worth everything
+      constexpr double little =
+          0.02;  // of the mean, so that free parts are not preferred absolutely
       const double least = std::max(1.0, little * total / static_cast<double>(parts_));
       for (const Amount cost : job.change_costs) {
         worth_.push_back(1.0 / (least + static_cast<double>(cost.millionths)));
@@ -88,7 +89,7 @@ class Greedy {
     }
   }
 
-  // From here on neither x nor what it must not meet fits.
+  // Excludes x and the parts that it must not meet from now on.
   void block_around(Element x) {
     blocked_[x] = 1;
     if (!never_.empty()) {
@@ -106,7 +107,7 @@ class Greedy {
   }
 
   void test(const Block& setup) {
-    Block open;  // Others have met all that they must.
+    Block open;  // the others have met all their partners
     std::copy_if(setup.begin(), setup.end(), std::back_inserter(open),
                  [&](Element x) { return left_[x] > 0; });
     for (const Element x : open) {
@@ -121,7 +122,7 @@ class Greedy {
     }
   }
 
-  // How many parts of each slot the set-up in work has, and how many it lacks in all.
+  // Counts the parts of each slot in the current set-up, and how many it lacks.
   void count_slots(const Block& setup) {
     in_slot_.assign(fitting_.slots() + 1, 0);
     lacking_ = 0;
@@ -133,7 +134,7 @@ class Greedy {
     }
   }
 
-  // Whether y can join a set-up of so many parts, with room left for what its slots lack.
+  // Whether y can join a set-up of this size so that there is room left for what its slots lack.
   [[nodiscard]] bool slots_allow(std::size_t size, Element y) const {
     if (!fitting_.has_slots()) {
       return true;
@@ -151,14 +152,14 @@ class Greedy {
     }
   }
 
-  // The same, and whether y is not there yet, nor a part that it must not meet.
+  // The same, and whether y is neither there nor excluded by a part.
   [[nodiscard]] bool may_join(const Block& setup, Element y) const {
     return slots_allow(setup.size(), y) && std::none_of(setup.begin(), setup.end(), [&](Element x) {
              return x == y || (!never_.empty() && never_[x * parts_ + y] != 0);
            });
   }
 
-  // How many parts at most can join a set-up of so many, for what its slots hold.
+  // The most parts that can join a set-up of this size, given the limits of its slots.
   [[nodiscard]] std::uint64_t most_more(std::size_t size) const {
     std::uint64_t more = slotless_;
     for (std::size_t s = 0; s < fitting_.slots(); ++s) {
@@ -167,8 +168,8 @@ class Greedy {
     return std::min<std::uint64_t>(room_ - std::min<std::uint64_t>(room_, size), more);
   }
 
-  // What is kept when room for j more is wanted: the mounted parts and those with most left to
-  // meet.
+  // The parts to keep when there must be room for j more: the mounted parts, and those with the
+  // most pairs left.
   [[nodiscard]] Block kept(std::uint64_t j) {
     Block candidates = bench_;
     std::stable_sort(candidates.begin(), candidates.end(),
@@ -194,8 +195,8 @@ class Greedy {
     }
   }
 
-  // Adds parts while there is room, always the one that meets most, and what the slots lack;
-  // returns the pairs tested, none if the slots cannot be filled.
+  // Adds parts while there is room, always the one that meets most, and those that the slots lack;
+  // returns the number of pairs tested, 0 if the slots cannot be filled.
   std::uint64_t fill(Block& setup) {
     const std::uint64_t pairs = fill_up(setup);
     if (lacking_ == 0) {
@@ -215,13 +216,13 @@ class Greedy {
         count_gains_of(x);
       }
     }
-    std::uint64_t pairs = 0;  // Each is counted at both ends.
+    std::uint64_t pairs = 0;  // each pair is counted at both ends
     for (const Element x : setup) {
       pairs += gains_[x];
     }
     pairs /= 2;
     while (setup.size() < room_) {
-      // Most gain first, for its price or not, then most left to meet, then the first.
+      // Largest gain first (per cost or not), then most pairs left, then the first.
       Element best = 0;
       double most = 0;
       for (Element y = 0; y < parts_; ++y) {
@@ -243,7 +244,7 @@ class Greedy {
     return pairs;
   }
 
-  // Of a part for the set-up in work: positive if it has a pair left.
+  // The value of a part for the current set-up: positive if it has a pair left.
   [[nodiscard]] double value_of(Element y) const {
     constexpr double more_than_any_left = 4096;
     const double value = static_cast<double>(gains_[y]) * more_than_any_left + left_[y];
@@ -260,10 +261,10 @@ class Greedy {
     return total;
   }
 
-  // The step with most new pairs for its cost; empty if those that are looked at have none, or if
-  // it is to stop.
+  // The step with the most new pairs for its cost; empty if the examined steps have none, or if
+  // stopped.
   [[nodiscard]] Block best_step() {
-    // Prices ask for a closer look, as long as that is short.
+    // Prices need a closer examination, as long as that is fast.
     constexpr std::size_t few_parts = 300;
     const std::uint64_t small = !worth_.empty() && parts_ <= few_parts ? 16 : 4;
     Block best;
@@ -287,7 +288,7 @@ class Greedy {
     return best;
   }
 
-  // The first missing pair, with what else fits.
+  // The first missing pair, completed to a set-up.
   [[nodiscard]] Block forced_step(bool in_haste) {
     while (left_[first_open_] == 0) {
       ++first_open_;
@@ -300,8 +301,8 @@ class Greedy {
       throw InternalError("a pair that can meet, for the job was checked, is in no set-up");
     }
     Block setup = *std::move(whole);
-    // Where one part more fits, set-ups are many; to look at all parts for each of them takes too
-    // long for who wants to stop.
+    // If one more part fits, there are many set-ups; examining all parts for each of them would
+    // take too long after a request to stop.
     count_slots(setup);
     if (in_haste && most_more(setup.size()) == 1) {
       add_open_partners(setup, other);
@@ -311,8 +312,8 @@ class Greedy {
     return setup;
   }
 
-  // Adds parts that the first open part has yet to meet while there is room, such as the last one
-  // has yet to meet too as long as there are any. O(parts), and in the mean far less.
+  // Adds parts that the first open part still has to meet, while there is room; preferably those
+  // that the last one still has to meet, too. O(parts), and far less on average.
   void add_open_partners(Block& setup, Element last) {
     const std::uint8_t* const row = missing_with(first_open_);
     for (const bool both : {true, false}) {
@@ -331,27 +332,27 @@ class Greedy {
   Listener listener_;
   std::size_t parts_;
   std::uint64_t room_;
-  std::vector<std::uint8_t> missing_;  // a row for each part: the parts that it has yet to meet
+  std::vector<std::uint8_t> missing_;  // a row per part: the parts that it still has to meet
   std::vector<std::uint8_t> never_;    // likewise; empty if there are no forbidden pairs
-  std::vector<std::uint32_t> left_;    // by part: pairs it has yet to meet
+  std::vector<std::uint32_t> left_;    // by part: number of pairs left
   std::uint64_t missing_pairs_ = 0;
   Element first_open_ = 0;  // no part before it has a missing pair
   Block bench_;
   std::vector<bool> on_bench_;
-  std::vector<double> worth_;           // by part, if prices count: less for the dear
-  std::vector<std::uint32_t> gains_;    // by part: missing pairs with the set-up in work
-  std::vector<std::uint64_t> in_slot_;  // by slot, in the set-up in work
+  std::vector<double> worth_;           // by part, if prices count: less for expensive parts
+  std::vector<std::uint32_t> gains_;    // by part: missing pairs with the current set-up
+  std::vector<std::uint64_t> in_slot_;  // by slot, in the current set-up
   std::uint64_t slotless_ = 0;          // parts in no slot
-  std::uint64_t lacking_ = 0;           // of the slots of the set-up in work
-  std::vector<std::uint8_t> blocked_;   // by part: is in the set-up in work, or must not join it
+  std::uint64_t lacking_ = 0;           // in the slots of the current set-up
+  std::vector<std::uint8_t> blocked_;   // by part: in the current set-up, or excluded from it
 };
 
-// What a list costs, rounded: to compare lists, not to show it.
+// The rounded cost of a list: for comparisons, not for output.
 double weight(const Job& job, const Start& start) {
   double total =
       static_cast<double>(job.test_cost.millionths) * static_cast<double>(start.setups.size());
   std::vector<std::size_t> last(job.names.size(),
-                                0);  // by part: number of the last set-up that held it
+                                0);  // by part: number of the last set-up with it
   for (const Element x : job.start) {
     last[x] = 1;
   }

@@ -9,7 +9,7 @@
 namespace changeover {
 namespace {
 
-// The weight of what `to` has and `from` lacks; both increasing.
+// The weight of the parts of `to` that `from` lacks; both increasing.
 std::uint64_t distance(const Weights& weights, const Block& from, const Block& to) {
   std::uint64_t weight = 0;
   for (const Element x : to) {
@@ -18,8 +18,7 @@ std::uint64_t distance(const Weights& weights, const Block& from, const Block& t
   return weight;
 }
 
-// Puts the set-up nearest to the one before next, over and over, until all are placed or it is to
-// stop.
+// Repeatedly puts the set-up closest to the one before next, until all are placed or it is stopped.
 void nearest_next(const Job& job, const Weights& weights, std::vector<Block>& setups,
                   RunControl& control) {
   Block before = job.start;
@@ -79,7 +78,7 @@ std::vector<Block> order_cheaply(const Job& job, const Weights& weights, std::ve
           again = true;
           continue;
         }
-        if (j - i <= longest_moved) {  // The stretch [i, j) to every other place.
+        if (j - i <= longest_moved) {  // moves the stretch [i, j) to every other place
           for (std::size_t end = j + 1; end <= sequence.size(); ++end) {
             if (listener.stop_wanted(job.room())) {
               return sequence.setups();

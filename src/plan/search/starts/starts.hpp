@@ -1,4 +1,4 @@
-// Lists of set-ups that a search may start from.
+// Lists of set-ups from which a search may start.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace changeover {
 
-/// A list of set-ups that does the job, and how it came about.
+/// A list of set-ups that does the job, and how it was made.
 struct Start {
   std::string name;
   std::string how;
@@ -17,15 +17,14 @@ struct Start {
 };
 
 /// Single-, double- and m-change designs over the parts that have needed pairs, relabelled to be
-/// cheap; none if there are forbidden pairs or slots. Each is the best that is known, and for m ≤ 4
-/// what local search with so many moves makes of it.
+/// cheap; empty if there are forbidden pairs or slots. Each is the best known one or, for m ≤ 4, a
+/// better one found by local search with `moves` moves.
 [[nodiscard]] std::vector<Start> design_starts(const Job& job, std::uint64_t moves,
                                                RunControl& control);
 
-/// Takes the step that tests most pairs for its cost, again and again; where prices differ, once
-/// more with steps that are filled with what is cheap, and the cheaper list counts. Serves every
-/// job without defects. Once the control says stop, it takes any steps, so that a complete list
-/// comes soon.
+/// Repeatedly takes the step that tests most pairs for its cost. If prices differ, a second list
+/// fills its steps with cheap parts, and the cheaper list is returned. Works for every job without
+/// defects. After the control requests a stop, takes any steps, so that the list is complete soon.
 [[nodiscard]] Start greedy_start(const Job& job, RunControl& control);
 
 /// The set-ups in a cheap order: that of search/local_search.hpp if all changes cost the same and

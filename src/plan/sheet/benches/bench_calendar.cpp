@@ -81,7 +81,7 @@ Amount BenchCalendar::last_hour(Amount end) const {
 }
 
 std::optional<std::chrono::sys_days> BenchCalendar::nth(std::uint64_t day) const {
-  constexpr std::uint64_t farthest = 1'000'000;  // More than two thousand years.
+  constexpr std::uint64_t farthest = 1'000'000;  // more than two thousand years
   if (!first_ || day == 0 || day > farthest) {
     return std::nullopt;
   }

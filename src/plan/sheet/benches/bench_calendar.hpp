@@ -1,5 +1,5 @@
-// The times of benches as people say them: days and hours, and dates if it is said on which day the
-// first tests are.
+// The times of benches for people: days and hours, and dates if the day of the first tests is
+// given.
 //
 //     BenchCalendar calendar(job, benches, parse_day("2025-03-07"), false);   // a Friday
 //     calendar.day(parse_amount("9.5"));     // with 8 hours a day: 2
@@ -17,26 +17,26 @@
 
 namespace changeover {
 
-/// "2025-03-07". @throws BadInput (without a place) for what is no day, or a year before 1900 or
-/// after 9999.
+/// Parses a day such as "2025-03-07". @throws BadInput (without a place) for other texts, and for
+/// years before 1900 or after 9999.
 [[nodiscard]] std::chrono::sys_days parse_day(std::string_view text);
 
 class BenchCalendar {
  public:
-  /// @param first  the day of the first tests, or the first one after it that is worked on
-  /// @param weekends  Saturdays and Sundays are worked on, too
+  /// @param first  the day of the first tests, moved to the next working day if necessary
+  /// @param weekends  whether Saturdays and Sundays are working days, too
   BenchCalendar(const Job& job, const std::vector<Bench>& benches,
                 std::optional<std::chrono::sys_days> first, bool weekends);
 
-  /// "hour", or "minute" or "second" if costs are these: what times of a day are told in.
+  /// The unit of times within a day: "hour", or "minute" or "second" if costs are these.
   [[nodiscard]] const std::string& unit() const { return unit_; }
-  /// Whether a bench that works has hours a day: otherwise times are not told as days.
+  /// Whether a working bench has hours per day: otherwise times are not shown as days.
   [[nodiscard]] bool has_days() const { return has_days_; }
-  /// On which day, from 1, something begins at this time.
+  /// The day, from 1, on which something begins that begins at this time.
   [[nodiscard]] std::uint64_t day(Amount begin) const;
-  /// On which day something is done that ends at this time: what ends with a day ends on that day.
+  /// The day on which something ends that ends at this time: at the end of a day, this day.
   [[nodiscard]] std::uint64_t last_day(Amount end) const;
-  /// Hours after the beginning of that day.
+  /// The hours after the beginning of that day.
   [[nodiscard]] Amount hour(Amount begin) const;
   [[nodiscard]] Amount last_hour(Amount end) const;
   /// "Mon 2025-03-10"; empty without a first day.
@@ -48,7 +48,7 @@ class BenchCalendar {
   [[nodiscard]] std::optional<std::chrono::sys_days> nth(std::uint64_t day) const;
 
   bool has_days_ = false;
-  std::uint64_t hours_ = 0;  // of a day, as much as they cost, in millionths
+  std::uint64_t hours_ = 0;  // of a day, as costs in millionths
   std::string unit_;
   std::optional<std::chrono::sys_days> first_;
   bool weekends_;

@@ -1,5 +1,5 @@
-// The referee of plans for several benches: it reads the job, the benches and the schedule, counts
-// in the plainest way, and shares nothing with what made them.
+// The independent check of plans for several benches: it reads the job, the benches and the
+// schedule, counts in the plainest way, and shares no code with the planner.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ Amount times_factor(Amount cost, Amount factor) {
   return Amount{static_cast<std::uint64_t>(product / one)};
 }
 
-// The question that one bench is asked, with what is left to be tested.
+// The task of one bench, with what is left to be tested.
 Job question_of(const Job& left, const Bench& bench) {
   Job own = left;
   own.at_once = bench.at_once.value_or(left.at_once);
@@ -49,7 +49,7 @@ Job question_of(const Job& left, const Bench& bench) {
   return own;
 }
 
-// A part on a bench, from when to when.
+// A part on a bench, with begin and end.
 struct Held {
   Element part = 0;
   std::size_t bench = 0;
@@ -92,7 +92,7 @@ class BenchReferee {
     return cost_of(bench.hours.value_or(whole_day));
   }
 
-  // So many hours, in the unit of costs.
+  // The cost of a number of hours.
   [[nodiscard]] Amount cost_of(Amount hours) const {
     const std::uint64_t unit = job_->cost_unit == CostUnit::minutes   ? 60
                                : job_->cost_unit == CostUnit::seconds ? 3600
@@ -138,7 +138,7 @@ class BenchReferee {
     count_.sheets.push_back(std::move(sheet));
   }
 
-  // Parts that the bench cannot have.
+  // Checks for parts that the bench cannot have.
   void check_parts(std::size_t number, const RunSheet& sheet) {
     const Bench& bench = (*benches_)[number];
     for (std::size_t i = 0; i < sheet.steps.size(); ++i) {
@@ -153,7 +153,7 @@ class BenchReferee {
     }
   }
 
-  // What was given up meanwhile is taken out and put in once more.
+  // Parts that were given up during a wait are taken out and put in once more.
   void put_in_again(std::size_t number, const Job& own, RunSheet& sheet) {
     Amount more;
     Block before = own.start;
@@ -180,7 +180,7 @@ class BenchReferee {
     }
   }
 
-  // Each step after the one before, within the hours of the bench.
+  // Sets times: each step after the one before, within the hours of the bench.
   void set_times(std::size_t number, const RunSheet& sheet) {
     const Bench& bench = (*benches_)[number];
     const std::uint64_t day = day_.millionths;
@@ -201,7 +201,7 @@ class BenchReferee {
         if (begin.millionths % day != 0) {
           fault(number, step() + ", longer than a day, does not begin in the morning");
         }
-        const std::uint64_t days = (left.millionths - 1) / hours;  // that it fills
+        const std::uint64_t days = (left.millionths - 1) / hours;  // full days
         left = left - Amount{hours} * days;
         end = begin + Amount{day} * days + left;
       } else if (rests && begin.millionths % day + left.millionths > hours) {
@@ -214,7 +214,7 @@ class BenchReferee {
     }
   }
 
-  // From when to when a part is on a bench: as long as it stays, and is not given up.
+  // Records when a part is on a bench: while it stays and is not given up.
   void hold(std::size_t number, const Job& own, const RunSheet& sheet) {
     const std::vector<StepTime>& times = count_.times[number];
     for (std::size_t i = 0; i < sheet.steps.size(); ++i) {
@@ -224,7 +224,7 @@ class BenchReferee {
         if (before != nullptr) {
           before->to = times[i].end;
         } else {
-          // What stays from the start is held from the beginning.
+          // Parts that stay from the start are held from the beginning.
           const bool from_start = stays && i == 0 && in_block(own.start, x);
           held_.push_back({x, number, from_start ? Amount{} : times[i].begin, times[i].end});
         }
@@ -254,7 +254,7 @@ class BenchReferee {
     drop_needed(left_, met);
   }
 
-  // At the time when a bench gets a part, so many hold it.
+  // Checks, whenever a bench gets a part, how many hold it.
   void check_stock() {
     for (Element x = 0; x < job_->quantities.size(); ++x) {
       std::vector<Held> shared;

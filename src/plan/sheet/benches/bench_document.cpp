@@ -34,13 +34,13 @@ Table compared_benches(const BenchDocument& document, const Money& money) {
                           {what_meets(job), number_column},
                           {"how", {.kind = ColumnKind::remark}}},
                          std::move(rows));
-  if (all) {  // Every plan tests all.
+  if (all) {  // every plan tests everything
     table.columns.erase(table.columns.end() - 2);
   }
   return table;
 }
 
-// What the tests of each bench come to.
+// The totals of each bench.
 Table bench_table(const BenchDocument& document, const Money& money) {
   const BenchPlan& plan = *document.plan;
   std::vector<std::vector<std::string>> rows;
@@ -58,7 +58,7 @@ Table bench_table(const BenchDocument& document, const Money& money) {
                   std::move(rows));
 }
 
-// The job as the sheet of a bench shows it.
+// The job as shown on the sheet of a bench.
 Job shown_job(const Job& job, const Bench& bench) {
   Job own = job;
   own.mounted = bench.mounted.value_or(job.mounted);
@@ -68,7 +68,7 @@ Job shown_job(const Job& job, const Bench& bench) {
   return own;
 }
 
-// The name of a sheet of a workbook: at most 31 letters, without some signs, none twice.
+// The name of a sheet of a workbook: at most 31 characters, without some signs, and unique.
 std::string sheet_name(const std::string& name, std::set<std::string>& taken) {
   constexpr std::size_t longest = 31;
   std::string clean;
@@ -121,7 +121,7 @@ TableDocument table_document(const BenchDocument& document) {
   const Money money = money_of(document);
   const BenchCalendar calendar = calendar_of(document);
   const bool timed = calendar.has_days() || some_bench_waits(plan);
-  // What the tables refer to lives as long as they do.
+  // Data that the tables refer to live as long as the tables.
   const auto jobs = std::make_shared<const std::vector<Job>>(jobs_on_sheets(document));
   TableDocument made{.title = document.title, .style = style_of(*document.job), .overview = "Plan"};
   set_lines(made, bench_summary(document));
@@ -134,7 +134,7 @@ TableDocument table_document(const BenchDocument& document) {
   std::vector<const RunSheet*> all;
   StepTableOptions whole;
   std::set<std::string> taken{"plan", "parts",     "slots",  "never",
-                              "done", "run sheet", "history"};  // Excel has a use for the last
+                              "done", "run sheet", "history"};  // Excel reserves the last one
   for (std::size_t b = 0; b < plan.sheets.size(); ++b) {
     const RunSheet& sheet = plan.sheets[b];
     const std::string name = name_of(plan.benches, b);
@@ -149,7 +149,7 @@ TableDocument table_document(const BenchDocument& document) {
     whole.jobs.push_back(&job);
     whole.times.push_back(&plan.times[b]);
     Table table = step_table(job, {&sheet}, money, options);
-    for (TableColumn& column : table.columns) {  // They keep the job alive.
+    for (TableColumn& column : table.columns) {  // the columns keep the job alive
       column.cell = [cell = std::move(column.cell), jobs](std::size_t row) { return cell(row); };
     }
     std::vector<std::string> lines = mounted_on_page(job);

@@ -1,4 +1,4 @@
-// The sheets of several benches for programs.
+// Writes the sheets of several benches as JSON.
 #include "io/write/json_writer.hpp"
 #include "plan/sheet/benches/bench_words.hpp"
 #include "plan/sheet/places_json.hpp"
@@ -7,7 +7,7 @@
 namespace changeover {
 namespace {
 
-// When something begins or ends, with days in days and hours too.
+// Begin and end of a step; with days also as days and hours.
 void write_times(JsonWriter& json, const StepTime& time, const BenchCalendar& calendar,
                  const Money& money) {
   json.key("begin").raw(money(time.begin)).key("end").raw(money(time.end));

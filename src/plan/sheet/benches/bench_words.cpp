@@ -55,7 +55,7 @@ std::string headline(const BenchDocument& document) {
                      done == 0 ? "" : fmt::format(", after {} done", count_of(done, "test")));
 }
 
-// When all is done, and what it costs.
+// The end of the plan and its cost.
 std::string end_line(const BenchDocument& document, const BenchCalendar& calendar,
                      const Money& money) {
   const BenchPlan& plan = *document.plan;

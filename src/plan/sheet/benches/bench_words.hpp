@@ -1,4 +1,4 @@
-// What all formats of the sheets of several benches say in the same words.
+// Texts shared by all formats of the sheets of several benches.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,24 @@
 
 namespace changeover {
 
-/// The days of a document. @throws BadInput for a first day that is none.
+/// The calendar of a document. @throws BadInput for an invalid first day.
 [[nodiscard]] BenchCalendar calendar_of(const BenchDocument& document);
 
-/// Costs and times with the decimals that those of a job and its benches need.
+/// Costs and times with as many decimals as those of the job and its benches need.
 [[nodiscard]] Money money_of(const BenchDocument& document);
 
 /// Whether some step begins later than the one before it ends: then times are more than sums of
 /// costs.
 [[nodiscard]] bool some_bench_waits(const BenchPlan& plan);
 
-/// On all benches, and on none that is known.
+/// The number of earlier tests on all benches, including tests on unknown ones.
 [[nodiscard]] std::uint64_t tests_done_of(const BenchDocument& document);
 
-/// What is to be said of a plan, a line each.
+/// The summary of a plan, one line per fact.
 [[nodiscard]] std::vector<std::string> bench_summary(const BenchDocument& document);
 
-/// What distinguishes a bench: "8 hours a day", "mounted at the start: A, B"; empty if nothing
-/// does.
+/// The properties of a bench: "8 hours a day", "mounted at the start: A, B"; empty if it has none
+/// of its own.
 [[nodiscard]] std::vector<std::string> bench_facts(const BenchDocument& document,
                                                    std::size_t bench);
 
