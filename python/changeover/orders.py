@@ -1,5 +1,5 @@
-"""Load orders: items into memory such that every pair meets there, and the executor that goes by
-them."""
+"""Load orders, which bring items into memory such that every pair meets there, and their executors.
+"""
 
 from __future__ import annotations
 
@@ -27,12 +27,11 @@ _most_items: int = _core.most_items
 
 
 class WorkStep(NamedTuple):
-    """A step with all that was asked for; what was not is empty. In this order: the first of
-    `evict` leave memory, but the last `late` of them; `store` says which of all that are evicted
-    have changed, and are written back before; `load` comes; `pairs` are computed. With prefetch
-    the next loads begin then, `overlap` is computed while they run, and the late ones of the next
-    step leave when it is over.
-    """
+    """A step with everything that was requested; other members are empty. In this order: the items
+    of `evict` leave memory, except the last `late` of them; `store` names the evicted items that
+    have changed and are written back before; the items of `load` are loaded; `pairs` are computed.
+    With prefetch the next loads begin then, `overlap` is computed while they run, and the late
+    items of the next step leave when it is over."""
 
     number: int
     worker: int
@@ -46,7 +45,7 @@ class WorkStep(NamedTuple):
 
 
 class _Recorded:
-    """What an order that took a search is after pickling: its steps as they were written."""
+    """The pickled form of an order that took a search: its steps as they were written."""
 
     def __init__(self, text: str) -> None:
         self._text = text
@@ -90,7 +89,7 @@ class _Recorded:
 
 
 def _made_again(kind: Any, state: bytes, checksum: int) -> Any:
-    """What pickles hold: the question, or the steps if their making took a search."""
+    """The content of pickles: the request, or the steps if making them took a search."""
     if zlib.crc32(state) != checksum:
         raise BadInput(f"this pickle of a {kind.__name__} is damaged; make it anew")
     facts, asked, ends, seed, text = pickle.loads(state)
@@ -105,16 +104,16 @@ def _made_again(kind: Any, state: bytes, checksum: int) -> Any:
 
 
 class _Loads(Made):
-    """What both kinds have in common."""
+    """Shared by both kinds."""
 
     def to_json(self) -> str:
-        """changeover-loads/1: an object for the whole, then one for each step, a line each."""
+        """changeover-loads/1: an object for the order, then one for each step, one per line."""
         text: str = self._core.in_format("jsonl")
         return text
 
     def verified(self) -> bool:
-        """True when all steps have been read and are right; with verify_beside it waits for that.
-        Raises InternalError if they are not."""
+        """True when all steps have been read and are right; with verify_beside it waits until they
+        are. Raises InternalError if they are wrong."""
         fault = self._core.fault()
         if fault:
             raise InternalError(fault)
@@ -130,7 +129,8 @@ class _Loads(Made):
 
 
 class LoadOrder(_Loads):
-    """Steps (evict, load), lists of item numbers, after which every pair was in memory together."""
+    """Steps (evict, load), lists of item numbers; after the last one every pair has been in memory
+    together."""
 
     items: int = fact()
     room: int = fact("Of items with sizes the most that fit.")
@@ -145,10 +145,10 @@ class LoadOrder(_Loads):
     bytes_bound: Optional[int] = fact("No order loads fewer.")
 
     def for_marius(self) -> List[Dict[str, Any]]:
-        """The order as Marius keeps one, a dict for each epoch: `buffer_states` are the partitions
-        in the buffer, state by state, `edge_buckets_per_buffer` the buckets (i, j) that are trained
-        on in each, both ways and with i = j; with them `epoch`, `num_partitions` and
-        `buffer_capacity`. Raises BadInput for orders with prefetch."""
+        """The order in the form of Marius, a dict for each epoch: `buffer_states` are the
+        partitions in the buffer, state by state; `edge_buckets_per_buffer` the buckets (i, j) that
+        are trained on in each, in both directions and with i = j; also `epoch`, `num_partitions`
+        and `buffer_capacity`. Raises BadInput for orders with prefetch."""
         return [json.loads(line) for line in self._core.in_format("marius").splitlines()]
 
     def to_frame(self) -> Any:
@@ -173,14 +173,16 @@ class LoadOrder(_Loads):
         return steps
 
     def steps_from(self, step: int) -> Iterator[Step]:
-        """The steps from `step` on, from 1; the first of them loads all that is in memory then."""
+        """The steps from `step` on, from 1; the first of them loads everything that is in memory
+        then."""
         if not 1 <= step <= self.steps:
             raise IndexError(f"there are {self.steps} steps, numbered from 1")
         steps: Iterator[Step] = self._core.steps_from(step)
         return steps
 
     def work(self) -> Iterator[WorkStep]:
-        """The steps with what each computes and stores, as far as that was asked for."""
+        """The steps with the pairs that each computes and the items that it stores, if requested.
+        """
         return map(WorkStep._make, self._core.full_steps(None))
 
     def __len__(self) -> int:
@@ -191,8 +193,8 @@ class LoadOrder(_Loads):
 
 
 class WorkerLoads(_Loads):
-    """A load order for several workers: steps (evict, load) of each, after which every pair was in
-    the memory of one of them together."""
+    """A load order for several workers: steps (evict, load) for each; after the last one every pair
+    has been together in the memory of some worker."""
 
     items: int = fact()
     room: int = fact()
@@ -218,7 +220,8 @@ class WorkerLoads(_Loads):
         return steps
 
     def work(self, worker: int) -> Iterator[WorkStep]:
-        """The same with what each step computes and stores, as far as that was asked for."""
+        """The same with the pairs that each step computes and the items that it stores, if
+        requested."""
         if worker >= len(self):
             raise IndexError(f"there are {len(self)} workers")
         return map(WorkStep._make, self._core.full_steps(worker))
@@ -231,7 +234,7 @@ class WorkerLoads(_Loads):
 
 
 class UpdateReport(Made):
-    """What a job did whose items change."""
+    """The result of a job whose items change."""
 
     finished: bool = fact()
     steps: int = fact("Of all epochs.")
@@ -249,7 +252,7 @@ class UpdateReport(Made):
 
 
 class Report(Made):
-    """What an out-of-core job did."""
+    """The result of an out-of-core job."""
 
     finished: bool = fact()
     steps: int = fact()
@@ -274,7 +277,7 @@ def _item(argument: str, number: Any) -> int:
 
 
 def _ends(pairs: Any) -> array[int]:
-    """Both items of each pair, one after the other."""
+    """The item numbers of the pairs, in turn."""
     ends = array("I")
     for number, row in enumerate(rows_of("pairs", "rows of two items", pairs)):
         more = iter(listed("pairs", "rows of two items", row))
@@ -350,24 +353,30 @@ def load_order(
     epochs: int = 1, spread: bool = False, sizes: Any = None, memory: Optional[int] = None,
     time: Optional[float] = None, threads: int = 1, seed: int = 1, progress: Progress = None,
 ) -> Union[LoadOrder, WorkerLoads]:
-    """An order of loads after which every pair of `items` items was in memory together, with room
-    for `room`; `time` seconds of search for a better one. Verified. Iterating gives steps (evict,
-    load), work() all that was asked for. Orders can be pickled.
+    """Returns a load order with room for `room` items, after which every pair of `items` items has
+    been in memory together. Searches for a better one for `time` seconds. Verified. Iterating gives
+    steps (evict, load); work() gives everything that was requested. Orders can be pickled.
 
-    pairs: only these must meet, rows of two item numbers, a NumPy array of shape (n, 2), too; items
-    may then be None. against: each of the items with each of so many others, numbered after them.
-    done_items: the pairs of the first so many have met before. workers: split it for so many, which
-    gives WorkerLoads; pairs are spread evenly over the workers that have them, or with first_holder
-    belong to the first. pair_cost: a mapping from pairs to numbers, or rows of two items and a
-    number, otherwise 1: these are spread instead of numbers. disjoint: workers step together and
-    never hold one item twice. new_pairs: work() says which pairs a step computes; ordered: both
-    ways; with_self: each item with itself, too; shuffle: in random order. write_back: it says what
-    has changed and is stored. prefetch: it says what is computed while loads run. epochs: every pair
-    meets in each of so many, back and forth, with what is in memory staying from one to the next.
-    spread: with new_pairs or write_back, a pair goes to a random step of those that have it, evened
-    over steps, by seed. sizes, in place of room: the bytes of the items, in turn or as a mapping from
-    item to bytes, of which `memory` are held at once. verify_beside: it returns before the steps are read; verified() waits for
-    that. Raises BadInput, ImpossibleParameters.
+    pairs: only these must meet; rows of two item numbers, or a NumPy array of shape (n, 2); `items`
+    may then be None. against: pairs of each of the items with each of this many others, numbered
+    after them. done_items: the pairs of the first so many items have met before.
+
+    workers: split the order for this many workers, which gives WorkerLoads. Pairs are spread evenly
+    over the workers that have them; with first_holder the first worker that has a pair computes it.
+    pair_cost: a mapping from pairs to numbers, or rows of two items and a number; 1 by default.
+    Costs are then spread instead of numbers of pairs. disjoint: workers step together and never
+    hold the same item at the same time.
+
+    new_pairs: work() has the pairs that a step computes; ordered: in both directions; with_self:
+    also each item with itself; shuffle: in random order. write_back: work() has the changed items
+    that are stored. prefetch: work() has the pairs that are computed while loads run. epochs: every
+    pair meets in each of them; epochs alternate between forward and backward, and memory stays as
+    it is between them. spread: with new_pairs or write_back, a pair goes to a random one of the
+    steps that have it, balanced over the steps, by seed.
+
+    sizes, instead of room: the bytes of the items, in turn or as a mapping from item to bytes;
+    `memory` bytes are held at a time. verify_beside: return before the steps are verified;
+    verified() waits for that. Raises BadInput, ImpossibleParameters.
     """
     if sum(each is not None for each in (pairs, against, done_items)) > 1:
         raise BadInput("give one of pairs, against and done_items")
@@ -404,15 +413,16 @@ def all_pairs(
     threads: int = 1, journal: str = "", share: Optional[Tuple[int, int]] = None,
     earlier: Iterable[str] = (), verify_beside: bool = False,
 ) -> Report:
-    """Runs an all-pairs job over a file of items of item_bytes each, never more than `room` of them
-    in memory.
+    """Runs an all-pairs job over a file of items of item_bytes each, with at most `room` of them in
+    memory.
 
     compute(i, j, first, second) is called once for each pair i < j and for each item with itself (i
-    = j), with read-only memoryviews that end with the call; what is made of them (slices, arrays)
-    stays as it is, and keeps the item in memory beyond the room. With a journal a job that was
-    ended goes on where it was. share: (i, n) computes the i-th of n shares, from 0; earlier:
-    journals of another number of shares, whose pairs are not computed again. verify_beside: begin
-    before the order is read. What compute raises ends the job. Raises BadInput, MissingResource.
+    = j). Its read-only memoryviews end with the call. Slices and arrays that are made of them stay
+    valid, and keep the item in memory beyond the room. With a journal, a job that was ended
+    continues where it was. share: (i, n) computes the i-th of n shares, from 0; earlier: journals
+    of a run with another number of shares, whose pairs are not computed again. verify_beside: start
+    before the order is verified. An exception of compute ends the job. Raises BadInput,
+    MissingResource.
     """
     journals = []
     for name in listed("earlier", "paths of journals", earlier):
@@ -430,16 +440,18 @@ def update_pairs(
     workers: int = 1, epochs: int = 1, ordered: bool = False, with_self: bool = False,
     shuffle: bool = False, spread: bool = False, seed: int = 1, checkpoint_every: int = 100,
 ) -> UpdateReport:
-    """Runs a job whose items change, as in training, over a file of items of item_bytes each, never
-    more than `room` of them in the memory of each worker.
+    """Runs a job whose items change, as in training, over a file of items of item_bytes each, with
+    at most `room` of them in the memory of each worker.
 
-    update(i, j, first, second) is called for each pair i < j in each epoch, with memoryviews that it
-    may write; of workers > 1, which are threads, no two ever have the same item. They end with the
-    call: copy what is to stay. ordered: also (j, i); with_self: also (i, i); shuffle, spread: as
-    load_order(). Items that have changed are stored when they are evicted, and after each
-    checkpoint_every steps all of them; a job that was ended goes on from there, by its journal, as
-    if it had not been. Until it has ended, `path` belongs together with the journal and the file
-    `path`.versions. What update raises ends the job. Raises BadInput, MissingResource.
+    update(i, j, first, second) is called for each pair i < j in each epoch, with writable
+    memoryviews, which end with the call: copy data that must stay. Workers are threads, and no two
+    have the same item at the same time. ordered: also (j, i); with_self: also (i, i); shuffle,
+    spread: as in load_order().
+
+    Changed items are stored when they are evicted, and all of them after every checkpoint_every
+    steps. With its journal, a job that was ended continues from the last checkpoint, with the same
+    result. Until it has finished, `path` belongs together with the journal and the file
+    `path`.versions. An exception of update ends the job. Raises BadInput, MissingResource.
     """
     return made(UpdateReport, _core.update_pairs(
         path, item_bytes, room, update, journal, operator.index(workers), operator.index(epochs),

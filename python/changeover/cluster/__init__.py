@@ -1,10 +1,10 @@
-"""Jobs on the clusters that people have: all pairs out of core on Dask, MPI or Ray, and searches in
-shares on the same clients.
+"""Jobs on existing clusters: all pairs out of core on Dask, MPI or Ray, and searches in shares on
+the same clients.
 
     report = changeover.cluster.all_pairs(
         client, items=1000, room=100, load=read_image, compute=match, sink=store)
 
-Workers import this package, so it must be installed where they run.
+Workers import this package, so it must be installed on them.
 """
 
 from ._failed import Failed

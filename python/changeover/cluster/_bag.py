@@ -1,5 +1,4 @@
-"""Parts that do not depend on each other: each worker has one at a time, and what a lost worker had
-is done again."""
+"""Independent parts: each worker has one at a time, and the part of a lost worker is done again."""
 
 from __future__ import annotations
 
@@ -28,7 +27,7 @@ class Call:
 
 
 class Caller:
-    """Performs calls of one function; `over` is how it learns that its result is not wanted."""
+    """Performs calls of one function; `over` tells it that its result is not needed any more."""
 
     def __init__(self, function: Callable[..., Any], threads: int = 1) -> None:
         self._function = function
@@ -64,11 +63,11 @@ class Caller:
 
 
 class Over(Exception):
-    """Raised by progress functions of work whose result is not wanted any more."""
+    """Raised by progress functions of work whose result is not needed any more."""
 
 
 def unless_over(over: Callable[[], bool]) -> Callable[[Dict[str, Any]], None]:
-    """A progress function that ends the work then."""
+    """A progress function that ends such work."""
     def look(_said: Dict[str, Any]) -> None:
         if over():
             raise Over
@@ -76,8 +75,8 @@ def unless_over(over: Callable[[], bool]) -> Callable[[Dict[str, Any]], None]:
 
 
 class Bag:
-    """`take(arguments, result)` is given the outcome of each part, and may put more parts into the
-    bag; `is_over` ends it before all are done."""
+    """`take(arguments, result)` receives the result of each part, and may add parts to the bag;
+    `is_over` ends it before all are done."""
 
     def __init__(self, take: Callable[[Dict[str, Any], Any], None],
                  more: Callable[[], Optional[Dict[str, Any]]] = lambda: None,
@@ -97,7 +96,7 @@ class Bag:
         return not self._waiting and not self._flights
 
     def flying(self) -> List[Dict[str, Any]]:
-        """The arguments of what is under way."""
+        """The arguments of parts in progress."""
         return [arguments for arguments, _, _ in self._flights.values()]
 
     def run(self, engine: Engine, tell: Callable[[str], None]) -> None:
@@ -181,8 +180,8 @@ class Bag:
 def run_bag(client: Any, function: Callable[..., Any], begin: Callable[[], Bag],
             finish: Callable[[Bag], Dict[str, Any]], tell_caller: Tell, threads: Optional[int],
             facts: Callable[[Bag], Dict[str, Any]], workers: Optional[int]) -> Dict[str, Any]:
-    """The same on every engine: where the caller leads, `begin` makes the bag, and `finish` its
-    answer, which all processes of MPI return. Ctrl-C ends it with what is known by then."""
+    """Works on every engine: at the caller, `begin` makes the bag and `finish` its answer, which
+    all processes of MPI return. Ctrl-C ends it with the results so far."""
     import functools
     check_team(threads, workers)
     task = Task(functools.partial(Caller, function), {}, threads)

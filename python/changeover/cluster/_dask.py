@@ -23,8 +23,8 @@ def _gone() -> MissingResource:
 
 
 class DaskEngine(RealTime):
-    """Each part is a future for one worker. Whether workers are there is asked of the scheduler:
-    a future whose worker is gone would wait for it to come back."""
+    """Each part is a future for one worker. The scheduler is asked whether workers exist, since a
+    future whose worker is lost would wait for it."""
 
     def __init__(self, client: Any, task: Task) -> None:
         if getattr(client, "asynchronous", False):

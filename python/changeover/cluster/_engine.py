@@ -1,4 +1,4 @@
-"""Engines: what brings parts of a job to workers and outcomes back. Each knows one kind of
+"""Engines bring the parts of a job to workers and the results back. Each supports one kind of
 client."""
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ def tell_of(progress: Progress) -> Tell:
 
 
 class Event(NamedTuple):
-    """What happened. `number` is that of a part; 'joined' and 'lost' are of a worker."""
+    """An event. `number` is that of a part; 'joined' and 'lost' concern a worker."""
 
     kind: str  # 'done', 'lost', 'joined'
     worker: str
@@ -30,30 +30,30 @@ class Event(NamedTuple):
 
 
 class Lost(Exception):
-    """The outcome went with its worker."""
+    """The result was lost with its worker."""
 
 
 class Engine(Protocol):
     def workers(self) -> List[str]:
-        """Those that are there now, as far as events have told."""
+        """The current workers, according to the events so far."""
 
     def submit(self, worker: str, part: Part) -> None:
-        """Has one of them do it; an event tells when it is done."""
+        """Sends a part to a worker; an event tells when it is done."""
 
     def wait(self, seconds: float) -> List[Event]:
         """Returns at the first event, or after so many seconds."""
 
     def outcome(self, number: int) -> Outcome:
-        """Of a part that is done. Raises Lost."""
+        """The result of a part that is done. Raises Lost."""
 
     def drop(self, number: int) -> None:
-        """The outcome of this part is of no interest any more."""
+        """The result of this part is not needed any more."""
 
     def now(self) -> float:
-        """The seconds of its clock."""
+        """The seconds of the engine's clock."""
 
     def close(self) -> None:
-        """Has the workers end what they do and forget the job."""
+        """Makes the workers end their parts and forget the job."""
 
 
 class RealTime:
@@ -62,7 +62,7 @@ class RealTime:
 
 
 def kind_of(client: Any) -> str:
-    """'dask', 'mpi' or 'ray'; nothing is imported. Raises TypeError for what is no client."""
+    """'dask', 'mpi' or 'ray'; nothing is imported. Raises TypeError for other objects."""
     for each in type(client).__mro__:
         if each.__module__.split(".")[0] == "distributed" and each.__name__ == "Client":
             return "dask"
@@ -75,7 +75,8 @@ def kind_of(client: Any) -> str:
 
 
 def packed(maker: Any, pickler: Any) -> bytes:
-    """A maker with the caller's functions as bytes. Raises TypeError for what cannot be sent."""
+    """A maker with the caller's functions as bytes. Raises TypeError for functions that cannot be
+    sent."""
     try:
         made: bytes = pickler.dumps(maker)
         return made
@@ -87,7 +88,7 @@ def packed(maker: Any, pickler: Any) -> bytes:
 
 @dataclasses.dataclass(frozen=True)
 class Task:
-    """What an engine's workers perform: `maker` makes a performer of the settings and a number of
+    """The work of an engine's workers: `maker` makes a performer from the settings and a number of
     threads."""
 
     maker: Callable[..., Performer]

@@ -1,5 +1,5 @@
-"""Questions that are divided until each part takes no longer than it may: cubes of a formula,
-subtrees of an enumeration."""
+"""Questions that are divided until no part takes too long: cubes of a formula, subtrees of an
+enumeration."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ _first_shares = 64  # enough for many workers to begin; there are more as shares
 
 
 def received(found: Design, cell: Cell, b: int) -> Design:
-    """A design that a worker sent, which was read and verified when it came. Raises InternalError
-    if it is none."""
+    """A design from a worker, read and verified on arrival. Raises InternalError if it is invalid.
+    """
     if not found.verdict.valid or found.b != b or cell != (
             found.v, found.k, found.change, found.kind, found.strength):
         raise InternalError(f"a worker sent what is no {cell[3]} design with v = {cell[0]}, k = "
@@ -35,7 +35,8 @@ def divided(share: Share) -> List[Share]:
 
 
 def seconds_for(share: Share, each: float) -> float:
-    """Twice as long after each division: what all shares do first may take longer than `each`."""
+    """The time limit doubles with each division, since the work that all shares do first may take
+    longer than `each`."""
     times = 1.0
     parts = _first_shares
     while parts < share[1]:
@@ -44,7 +45,7 @@ def seconds_for(share: Share, each: float) -> float:
 
 
 class Walk:
-    """Up from the lower bound, one number of blocks after another, to the minimum."""
+    """Goes up from the lower bound, one number of blocks after another, to the minimum."""
 
     def __init__(self, cell: Cell, each: float, end: float, cubes: Optional[int],
                  start: Optional[Design]) -> None:

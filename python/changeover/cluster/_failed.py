@@ -1,4 +1,4 @@
-"""What a run on a cluster ends with when a function of its caller raises."""
+"""The exception of a run on a cluster when a function of its caller raises."""
 
 from __future__ import annotations
 
@@ -9,8 +9,9 @@ from ._worker import Failure
 
 
 class Failed(Error):
-    """load(), compute() or sink() raised: the message names the item or the pair. It is of the
-    class of what was raised, too, where that class can be had here: `except KeyError` works."""
+    """load(), compute() or sink() raised: the message names the item or the pair. It is also an
+    instance of the class that was raised, if that class is available here: `except KeyError` works.
+    """
 
     what: str = ""  # 'load', 'compute', 'sink', 'cost', 'sizes'; 'result': it cannot be unpickled
     items: Tuple[int, ...] = ()  # the item, or both items of the pair
@@ -25,7 +26,7 @@ class Failed(Error):
 
 
 def failed(failure: Failure, where: str) -> Failed:
-    """The exception for it; its cause is what was raised, if it could be sent."""
+    """The exception for a failure; its cause is the original one, if that could be sent."""
     cause = failure.exception()
     what = "unpickling the result of compute" if failure.what == "result" else failure.what
     call = f"{what}({', '.join(map(str, failure.items))})"

@@ -1,4 +1,4 @@
-"""All pairs on a cluster: the question, its plan, what becomes of results."""
+"""All pairs on a cluster: the request, its plan, and the handling of results."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _most_cost = 1e60  # so that sums of them, and products with seconds, are number
 
 
 class Wanted:
-    """Which pairs, of how many items, and what each costs."""
+    """The pairs, the number of items, and the cost of each pair."""
 
     def __init__(self, items: Optional[int], room: int, pairs: Any, against: Optional[int],
                  done_items: Optional[int], with_self: bool, cost: Any,
@@ -91,7 +91,7 @@ class Wanted:
         return name_of_job(self.items, listed, self.kind, name)
 
     def shares(self, workers: int) -> Tuple[List[Run], int]:
-        """The load order of each worker as a run, and the bound on the loads of all."""
+        """The load order of each worker as a run, and the bound on the loads of all workers."""
         ends = None
         if self.list is not None:
             ends = ends_of(iter(self.list))
@@ -204,7 +204,7 @@ def planned_bytes(runs: Iterable[Run], size: Callable[[int], int]) -> int:
 
 
 class Work:
-    """One job under way: what is done, and where results go."""
+    """One job in progress: the pairs that are done, and the receiver of results."""
 
     def __init__(self, wanted: Wanted, sink: Optional[Callable[[int, int, Any], Any]],
                  retries: int, journal: str, name: str) -> None:
@@ -231,7 +231,8 @@ class Work:
     # Plans
 
     def first_shares(self, workers: int) -> Tuple[List[List[Run]], int]:
-        """A run for each worker of what is left, and a bound on the loads if it is known."""
+        """A run for each worker for the remaining pairs, and a bound on the loads if it is known.
+        """
         shares, bound = self.wanted.shares(workers)
         if not self.resumed:
             return [[run] for run in shares], bound
@@ -240,8 +241,8 @@ class Work:
         return self.replan([run for run in rest if run], workers, min_fragments=1), 0
 
     def replan(self, runs: List[Run], workers: int, min_fragments: int = 3) -> List[List[Run]]:
-        """The pairs of these runs for so many workers: the runs cut anew, or an order of its own,
-        whichever loads less."""
+        """The pairs of these runs for another number of workers: the runs cut again, or a new
+        order, whichever has fewer loads."""
         shares = cut_evenly(runs, workers)
         if len(runs) < min_fragments or sum(run.pairs for run in runs) > _few_pairs:
             return shares
@@ -267,7 +268,7 @@ class Work:
     # Results
 
     def deliver(self, stretch: Stretch, worker: str, outcome: Outcome) -> int:
-        """Hands each result to the sink once, and says how many pairs are settled."""
+        """Passes each result to the sink once, and returns how many pairs are settled."""
         begin = time.perf_counter()
         for (i, j), sent in zip(stretch.each_pair(), outcome.results):
             if not self.done.add(i, j):
@@ -300,7 +301,7 @@ def _pairs_of(shares: List[List[Run]]) -> List[Pair]:
 
 
 def cut_evenly(runs: List[Run], workers: int) -> List[List[Run]]:
-    """The same sequence in so many parts of about the same cost."""
+    """The same sequence in `parts` parts of about equal cost."""
     left = sum(run.cost for run in runs)
     queue = list(reversed(runs))
     shares: List[List[Run]] = []

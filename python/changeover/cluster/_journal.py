@@ -1,4 +1,4 @@
-"""Which pairs are done: in memory, and in a journal from which a killed run goes on."""
+"""The pairs that are done: in memory, and in a journal from which a killed run continues."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _longest_line, _longest_head = 64, 1 << 16
 
 
 class PairSet:
-    """Pairs i <= j of so many items: a bit each if they are not too many."""
+    """Pairs i <= j of a number of items: one bit each unless there are too many."""
 
     def __init__(self, items: int) -> None:
         self._items = items
@@ -40,7 +40,7 @@ class PairSet:
         return bool(self._bits[place >> 3] >> (place & 7) & 1)
 
     def add(self, i: int, j: int) -> bool:
-        """False if it was there."""
+        """False if the pair was there already."""
         place = self._place(i, j)
         if self._bits is None:
             if place in self._set:
@@ -56,7 +56,7 @@ class PairSet:
 
 def name_of_job(items: int, listed: Optional[List[Tuple[int, int]]], kind: str,
                 name: str) -> Dict[str, Any]:
-    """What tells a job from others: its name, its items and its pairs, in whatever order."""
+    """The identity of a job: its name, its items and its pairs, in any order."""
     job: Dict[str, Any] = {"format": _format, "name": name, "items": items, "wanted": kind}
     if listed is not None:
         digest = hashlib.sha256()
@@ -67,12 +67,11 @@ def name_of_job(items: int, listed: Optional[List[Tuple[int, int]]], kind: str,
 
 
 class Journal:
-    """A line a pair, written when sink() has returned: `i j checksum`. Its checksum is of all that
-    stands before it too, the head included, so a line counts only where it was written.
+    """One line per pair, written after sink() has returned: `i j checksum`. The checksum includes
+    everything before it, also the head, so a line counts only where it was written.
 
-    A process that is killed leaves every whole line in the file. Machines that lose power may leave
-    anything after the last checkpoint: from the first line whose checksum is wrong on nothing
-    counts.
+    A killed process leaves every complete line in the file. After a loss of power, anything may
+    follow the last checkpoint: lines from the first wrong checksum on do not count.
     """
 
     def __init__(self, path: str, job: Dict[str, Any]) -> None:
@@ -138,7 +137,7 @@ class Journal:
                     "another journal, or remove this one")
 
     def _read(self, file: BinaryIO, head: bytes, items: int) -> int:
-        """Where what counts ends."""
+        """The end of the lines that count."""
         self._checksum = zlib.crc32(head)
         place = len(head)
         while (line := file.readline(_longest_line)) and (
@@ -181,7 +180,7 @@ class Journal:
         self._checksum = checksum
 
     def checkpoint(self) -> None:
-        """What was recorded outlasts a loss of power."""
+        """Makes the records survive a loss of power."""
         if self._changed:
             try:
                 os.fsync(self._file)

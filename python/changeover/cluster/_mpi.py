@@ -1,4 +1,4 @@
-"""Workers that mpirun or srun started: every process makes the call, process 0 leads and works,
+"""Workers that mpirun or srun started: every process makes the call; process 0 leads and works,
 too."""
 
 from __future__ import annotations
@@ -18,15 +18,15 @@ _shortest_pause, _longest_pause = 0.0002, 0.005
 
 
 class _Mail:
-    """Messages of one communicator, looked for without keeping the processor busy: MPI's own
-    waiting does, and where processes share processors the others then wait for it."""
+    """Messages of one communicator, received without busy waiting: MPI's own waiting keeps the
+    processor busy, which slows down processes that share it."""
 
     def __init__(self, comm: Any) -> None:
         self.comm = comm
         self._sent: List[Any] = []
 
     def send(self, message: Any, to: int, tag: int) -> None:
-        """Returns at once; what is sent is kept until it has arrived."""
+        """Returns at once; the message is kept until it has arrived."""
         self._sent = [each for each in self._sent if not each.test()[0]]
         self._sent.append(self.comm.isend(message, dest=to, tag=tag))
 
@@ -49,8 +49,8 @@ def _pause(idle: int) -> None:
 
 
 class MpiEngine(RealTime):
-    """Of process 0. Leaving the context has the other processes leave the call, too: with the
-    report, or with what went wrong."""
+    """For process 0. Leaving the context makes the other processes leave the call, too: with the
+    report, or with the exception."""
 
     def __init__(self, comm: Any, task: Task) -> None:
         self._mail = _Mail(comm.Dup())
@@ -120,7 +120,7 @@ class MpiEngine(RealTime):
         self._outcomes.pop(number, None)
 
     def close(self) -> None:
-        """The other processes are told by __exit__."""
+        """__exit__ informs the other processes."""
 
     def tell_all(self, report: Dict[str, Any]) -> None:
         self._report = report
@@ -148,7 +148,7 @@ def _name(rank: int) -> str:
 
 
 def _sendable(fault: BaseException) -> Any:
-    """What the other processes raise: the same, or at least a fault that says the same."""
+    """The exception that the other processes raise: the same one, or one with the same message."""
     if isinstance(fault, Failed):
         return fault._made_of
     try:
@@ -159,8 +159,8 @@ def _sendable(fault: BaseException) -> Any:
 
 
 def serve(comm: Any, task: Task) -> Dict[str, Any]:
-    """Of the other processes: does parts until process 0 ends the run. The facts of the report;
-    raises what went wrong there."""
+    """For the other processes: does parts until process 0 ends the run. Returns the facts of the
+    report; raises the exception of process 0."""
     mail = _Mail(comm.Dup())
     performer = task.performer()
     last: Optional[tuple[str, Any]] = None

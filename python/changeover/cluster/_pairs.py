@@ -19,7 +19,7 @@ _most_stretches = 10_000
 
 
 class Report(Made):
-    """What became of a run on a cluster."""
+    """The result of a run on a cluster."""
 
     pairs: int = fact("That were computed and given to sink() by this run.")
     resumed: int = fact("Pairs that the journal of an earlier run had.")
@@ -85,7 +85,7 @@ class _Teller:
 
 def _run_job(engine: Engine, work: Work, stretches: int, size: Optional[Callable[[int], int]],
             progress: Tell) -> Dict[str, Any]:
-    """The facts of the report. The engine is closed, whatever happens."""
+    """The facts of the report. The engine is always closed."""
     begin = time.monotonic()
     teller = _Teller(progress, work, time.monotonic)
     bound: Optional[int] = None
@@ -136,29 +136,31 @@ def all_pairs(
     threads: Optional[int] = None, overlap: bool = False, stretches: int = 16, retries: int = 0,
     workers: Optional[int] = None, journal: str = "", name: str = "", progress: Progress = None,
 ) -> Report:
-    """Computes every pair of items on the workers of a cluster, each with room for `room` items.
+    """Computes every pair of items on the workers of a cluster, each with memory for `room` items.
 
     client: a distributed.Client; an mpi4py communicator, whose processes all make this call; or the
-    module ray. load(i) returns item i, compute(i, j, first, second) a result for i < j; both run on
-    workers. sink(i, j, result) runs here and gets each pair once, in no order that you can rely on.
+    module ray. load(i) returns item i; compute(i, j, first, second) returns a result for i < j;
+    both run on workers. sink(i, j, result) runs here and receives each pair once, in no particular
+    order.
 
-    items, pairs, against, done_items: as of load_order(). with_self: each item with itself, too,
-    compute(i, i, item, item); rows (i, i) of `pairs` ask for one.
-    cost: a function cost(i, j), or a number for each row of pairs: parts are cut by it instead of
-    by the number of pairs. sizes: bytes of items, a number, a list or a function, for the report.
-    threads: of each worker, for load() and compute(); None: as many as Dask says, else 1.
-    overlap: loads run while pairs are computed, in one of the `room` places.
-    stretches: into so many parts the work of each worker is cut; one goes to a worker at a time,
-    and what a lost worker had in hand is done again.
-    retries: so often load() or compute() may raise for an item or a pair before the run ends.
-    workers: with Ray, so many actors; None: one for each processor.
-    journal: a file that records what sink() took; the same job goes on from it, with any number of
-    workers. name: of the job, if its items and pairs do not tell it from others.
+    items, pairs, against, done_items: as in load_order(). with_self: also each item with itself,
+    compute(i, i, item, item); rows (i, i) of `pairs` request this for one item. cost: a function
+    cost(i, j), or a number for each row of pairs: parts are cut by cost instead of by the number of
+    pairs. sizes: bytes of items, a number, a list or a function, for the report.
 
-    Workers that are lost, or that come while it runs, are no fault. What load(), compute(), sink()
-    raise ends the run with Failed, which names the item or the pair. Raises BadInput;
-    MissingResource if there are no workers, or none are left for 5 minutes. Ctrl-C ends it
-    with KeyboardInterrupt; a journal goes on from there.
+    threads: of each worker, for load() and compute(); None: as many as Dask reports, otherwise 1.
+    overlap: loads run while pairs are computed, in one of the `room` places. stretches: the number
+    of parts into which the work of each worker is cut; a worker has one at a time, and the part of
+    a lost worker is done again. retries: how often load() or compute() may raise for an item or a
+    pair before the run ends. workers: with Ray, the number of actors; None: one per processor.
+
+    journal: a file that records the pairs that sink() received; the same job continues from it,
+    with any number of workers. name: of the job, if its items and pairs do not identify it.
+
+    Workers may be lost, or join, during the run. An exception of load(), compute() or sink() ends
+    the run with Failed, which names the item or the pair. Raises BadInput; MissingResource if there
+    are no workers, or none are left for 5 minutes. Ctrl-C ends it with KeyboardInterrupt; a journal
+    allows continuing.
     """
     engine_kind = kind_of(client)
     if not 1 <= stretches <= _most_stretches:

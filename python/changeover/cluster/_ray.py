@@ -20,8 +20,8 @@ class _Actor:
 
 
 class RayEngine(RealTime):
-    """Each part is a call of an actor. An actor that dies is not started again; the others do
-    its part."""
+    """Each part is a call of an actor. An actor that dies is not restarted; the others do its part.
+    """
 
     def __init__(self, ray: Any, task: Task, workers: Optional[int]) -> None:
         threads = task.threads or 1

@@ -1,5 +1,5 @@
-"""Searches in shares: seeds, cubes and subtrees that do not depend on each other. What workers send
-is verified where it arrives."""
+"""Searches in independent shares: seeds, cubes and subtrees. Results of workers are verified on
+arrival."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _most_numbers = 10_000  # of v, and of k
 
 
 class Improvement(Made):
-    """A design that a search on a cluster found, better than what was known."""
+    """A design that a search on a cluster found, better than the known ones."""
 
     v: int = fact()
     k: int = fact()
@@ -87,7 +87,8 @@ def _classify_part(over: Callable[[], bool], threads: int, cell: Cell, b: int, r
 
 
 class _Cells:
-    """What is searched next: what has been searched least for how far it is from its bound."""
+    """The next cell to search: the one with the least search effort relative to its distance from
+    the bound."""
 
     def __init__(self, cells: Iterable[Cell], each: float, seed: int, end: float,
                  target: Optional[int], start: Optional[Design]) -> None:
@@ -171,14 +172,14 @@ def improve(
     seed: int = 1, threads: Optional[int] = None, who: str = "", workers: Optional[int] = None,
     progress: Progress = None,
 ) -> List[Improvement]:
-    """Searches for better designs on the workers of a cluster, for `time` seconds, where what is
-    known is farthest from its bound; the designs that are better than what was known.
+    """Searches for better designs on the workers of a cluster, for `time` seconds, in cells that
+    are farthest from their bound. Returns the designs that are better than the known ones.
 
-    client: as of all_pairs(). v and k: numbers, or several of each, such as range(20, 41); kind:
-    both if None. each: seconds of a part, a cell with a seed of its own, from the best design so
-    far; a lost worker loses no more. who: your name: each find is put into the user's catalog where
-    this call is made, verified, and credited to it; what cannot be put there is in the answer, with
-    a warning. Ctrl-C ends it and keeps what was found.
+    client: as in all_pairs(). v and k: numbers, or several of each, such as range(20, 41); kind:
+    both if None. each: seconds per part, which is a cell with its own seed, starting from the best
+    design so far; a lost worker loses at most one part. who: your name: each find is verified and
+    added to the user's catalog where this call is made, with this credit; a find that cannot be
+    added is still returned, with a warning. Ctrl-C ends the search and keeps its finds.
     """
     _limits(time, each)
     kinds: List[Kind] = ["linear", "circular"] if kind is None else [kind]
@@ -234,15 +235,17 @@ def search(
     start: Optional[Design] = None, exact: bool = False, cubes: Optional[int] = None,
     threads: Optional[int] = None, workers: Optional[int] = None, progress: Progress = None,
 ) -> SearchResult:
-    """changeover.search() by the workers of a cluster.
+    """changeover.search() on the workers of a cluster.
 
-    Without exact, parts are seeds; each takes the best design so far further for `each` seconds.
-    exact=True walks up from the lower bound: the question whether there is a design with b blocks
-    is split into `cubes` (None: 64), the same everywhere, and workers take shares
-    of them. A share that takes longer than `each` seconds is given up and divided into four, which
-    may take twice as long, and so on; a lost worker loses no more, unless it is a single cube. A number of blocks is excluded when
-    every cube was, by a proof that was checked where it was made; that the cubes leave nothing out
-    is checked here. Designs are verified here. Ctrl-C ends it and keeps the best.
+    Without exact, each part is a seed and improves the best design so far for `each` seconds.
+    exact=True goes up from the lower bound: the question whether there is a design with b blocks is
+    split into `cubes` cubes (None: 64), always the same ones, and workers take shares of them. A
+    share that takes longer than `each` seconds is ended and divided into four, which may take twice
+    as long, and so on; a lost worker loses at most one share.
+
+    A number of blocks is excluded when every cube is excluded by a proof that was checked on its
+    worker; a check here shows that the cubes cover all cases. Designs are verified here. Ctrl-C
+    ends the search and keeps the best design.
     """
     _limits(1e9 if time is None else time, each)
     if cubes is not None and not 2 <= cubes <= _most_cubes:
@@ -285,12 +288,12 @@ def classify(
     reversal: bool = False, keep: int = 100, time: Optional[float] = None, each: float = 60.0,
     threads: Optional[int] = None, workers: Optional[int] = None, progress: Progress = None,
 ) -> Classification:
-    """changeover.classify() by the workers of a cluster: they take shares of the search tree. A
-    share that takes longer than `each` seconds is given up and divided into four, which may take
-    twice as long, and so on; a lost worker loses no more, unless it is a single subtree.
+    """changeover.classify() on the workers of a cluster, which take shares of the search tree. A
+    share that takes longer than `each` seconds is ended and divided into four, which may take twice
+    as long, and so on; a lost worker loses at most one share.
 
-    Counts of shares add up, as each class is found in one of them. The designs that are kept are
-    verified here, and found to be different; up to `keep` of them, the smallest of those that came.
+    The counts of shares add up, as each class is found in exactly one. The kept designs are
+    verified here and checked to be different: up to `keep` of them, the smallest of those received.
     """
     _limits(1e9 if time is None else time, each)
     cell: Cell = (v, k, change, kind, 2)

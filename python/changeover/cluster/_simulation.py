@@ -1,4 +1,4 @@
-"""A cluster that is not there: the same plans and decisions, with a clock that jumps from event to
+"""Simulates a cluster: with the real plans and decisions, and a clock that jumps from event to
 event."""
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _too_short = "workers fail before they are done with a stretch"
 
 
 class Simulation(Made):
-    """What a run on such a cluster would do."""
+    """The predicted result of a run on such a cluster."""
 
     seconds: float = fact("Until the last pair is done.")
     ideal_seconds: float = fact("If workers only computed, all the time, and none failed.")
@@ -79,7 +79,7 @@ class _Cluster:
 
 
 class _Task:
-    """A stretch at a worker: it loads, then computes, or both at once."""
+    """A stretch at a worker: it loads, then computes, or both at the same time."""
 
     __slots__ = ("number", "worker", "bytes", "alone", "compute", "began", "ready", "outcome",
                  "loaded")
@@ -92,8 +92,8 @@ class _Task:
 
 
 class _Store:
-    """Shares its bandwidth among those that load: each gets what it can take, or all get alike by
-    weight. Time is counted in bytes that a weight of one gets."""
+    """Shares a bandwidth among loading workers: each gets at most its own limit, otherwise a share
+    by weight. Time is counted in bytes per unit of weight."""
 
     def __init__(self, each: float, total: float) -> None:
         self._each, self._total = each, total
@@ -138,7 +138,7 @@ class _Store:
 
 
 class _Simulated:
-    """An engine whose workers are numbers."""
+    """An engine with simulated workers."""
 
     def __init__(self, cluster: _Cluster, workers: int, seed: int,
                  do: Callable[[str, Any], Outcome], forget: Callable[[str], object]) -> None:
@@ -277,7 +277,7 @@ class _Simulated:
             self.wasted += task.compute
 
     def close(self) -> None:
-        """Nothing runs."""
+        """Runs nothing."""
 
 
 # Shares of so many pairs that they are not listed: stretches are alike within a share.
@@ -293,12 +293,12 @@ class _BulkStretch:
     cost: float
 
     def each_pair(self) -> Iterator[Tuple[int, int]]:
-        """Which pairs they are is not known; these stand for them."""
+        """A number of pairs, without their items."""
         yield from ((self.run, self.number) for _ in range(self.pairs))
 
 
 class _Bulk:
-    """As _stretches.Run, by numbers alone."""
+    """Like _stretches.Run, with numbers only."""
 
     _next = 0
 
@@ -368,18 +368,18 @@ def simulate(
     stragglers: float = 0.0, slowness: float = 4.0, overlap: bool = False, stretches: int = 16,
     seed: int = 1, progress: Progress = None,
 ) -> Simulation:
-    """What all_pairs() would take with so many workers: the plan is the real one, and the same code
-    decides who does what; only workers, clock and store are simulated.
+    """Predicts what all_pairs() would take with this many workers. The plan and the decisions are
+    the real ones; only workers, clock and storage are simulated.
 
-    pair_seconds: of computing a pair, times its cost. item_bytes: as sizes of all_pairs(), or one
-    number. bandwidth: bytes a second that one worker can load; store: that all of them can load
-    together, None for no limit. latency: seconds before the first byte of an item. overhead:
-    seconds for handing out a stretch. failures: of a worker, an hour; restart: seconds until it is
-    replaced, None for never. stragglers: a share of the workers, slower by `slowness` in all they
-    do. overlap, stretches, pairs, cost: as of all_pairs().
+    pair_seconds: time to compute a pair, multiplied by its cost. item_bytes: as sizes of
+    all_pairs(), or one number. bandwidth: bytes per second that one worker can load; store: the
+    limit for all workers together, None for no limit. latency: seconds before the first byte of an
+    item. overhead: seconds for sending a stretch. failures: per worker and hour; restart: seconds
+    until a lost worker is replaced, None for never. stragglers: the proportion of workers that are
+    slower by the factor `slowness`. overlap, stretches, pairs, cost: as in all_pairs().
 
-    Up to 2,000,000 pairs each step is simulated; beyond that stretches are alike within the share
-    of a worker, and pairs are counted by group or by load. Raises BadInput, ImpossibleParameters.
+    Up to 2,000,000 pairs each step is simulated; above that, the stretches of a worker are treated
+    as equal, and pairs are counted by group or by load. Raises BadInput, ImpossibleParameters.
     """
     numbers = {"pair_seconds": pair_seconds, "latency": latency, "overhead": overhead,
                "failures": failures, "stragglers": stragglers, "slowness": slowness,

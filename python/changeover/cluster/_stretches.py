@@ -12,7 +12,7 @@ Cost = Callable[[int, int], float]
 
 
 class Step(NamedTuple):
-    """What is evicted, then loaded, then computed: the items of the pairs, one after the other."""
+    """Evictions, then loads, then computed pairs: the items of the pairs in turn."""
 
     evict: Items
     load: Items
@@ -22,7 +22,7 @@ class Step(NamedTuple):
 
 @dataclasses.dataclass(frozen=True)
 class Stretch:
-    """What a worker is sent."""
+    """The message to a worker."""
 
     number: int
     hold: Items  # must be in memory at the start
@@ -38,7 +38,7 @@ class Stretch:
 
 
 def held_at_start(steps: Iterable[Any]) -> set[int]:
-    """The items that are computed with before they are loaded."""
+    """The items that are used before they are loaded."""
     needed: set[int] = set()
     loaded: set[int] = set()
     for step in steps:
@@ -48,8 +48,8 @@ def held_at_start(steps: Iterable[Any]) -> set[int]:
 
 
 def trimmed(steps: Iterable[Step]) -> List[Step]:
-    """The same pairs, where items come when they are first needed and go after the last time. Stays
-    in memory that bring no pair are left out."""
+    """The same pairs, with items loaded when they are first needed and evicted after their last
+    use. Stays that bring no pair are left out."""
     given = list(steps)
     come: dict[int, List[int]] = {}
     go: dict[int, List[int]] = {}
@@ -76,8 +76,7 @@ def trimmed(steps: Iterable[Step]) -> List[Step]:
 
 
 class Run:
-    """Steps that follow each other, from which stretches are taken at the front, and which may be
-    cut in two."""
+    """Consecutive steps, from whose front stretches are taken, and which can be cut in two."""
 
     def __init__(self, steps: Iterable[Step], cost: Optional[Cost] = None,
                  losses: int = 0) -> None:
@@ -89,7 +88,7 @@ class Run:
 
     @classmethod
     def of(cls, stretch: Stretch, cost: Optional[Cost], losses: int, after: int = 0) -> Run:
-        """The same again, but for the first pairs."""
+        """The same without the first pairs."""
         steps: List[Step] = []
         for evict, load, ends in stretch.steps:
             rest = ends[2 * after:]
@@ -118,11 +117,11 @@ class Run:
         return held_at_start(self._steps)
 
     def loads_to_begin(self, held: frozenset[int]) -> int:
-        """What a worker that holds these items must load before the first step."""
+        """The items that a worker that holds these must load before the first step."""
         return len(self.hold - held)
 
     def loads_to_split(self, cost: float, held: frozenset[int]) -> int:
-        """The same for the end of it that costs about so much."""
+        """The same for the part at the end with about this cost."""
         tail: Deque[Step] = collections.deque()
         for step in reversed(self._steps):
             tail.appendleft(step)
@@ -132,7 +131,7 @@ class Run:
         return len(held_at_start(tail) - held)
 
     def take(self, number: int, cost: float) -> Stretch:
-        """A stretch from the front that costs about so much; at least a pair."""
+        """A stretch from the front with about this cost; at least one pair."""
         taken: List[Step] = []
         spent = 0.0
         while self._steps and (not taken or spent < cost):
@@ -155,7 +154,7 @@ class Run:
         return _stretch(number, taken, spent, keep)
 
     def split(self, cost: float) -> Run:
-        """Cuts off the end, which costs about so much; either side may then be empty."""
+        """Cuts off a part at the end with about this cost; either side may then be empty."""
         cut: Deque[Step] = collections.deque()
         spent = 0.0
         while self._steps and spent < cost:
@@ -210,7 +209,7 @@ def _stretch(number: int, steps: List[Step], cost: float, keep: set[int]) -> Str
 
 
 def loads_in_turn(runs: Iterable[Run]) -> int:
-    """Of one worker that does them one after the other, its memory empty at first."""
+    """The loads of one worker that does them in sequence, starting with an empty memory."""
     held: set[int] = set()
     loads = 0
     for run in runs:
@@ -225,7 +224,7 @@ def loads_in_turn(runs: Iterable[Run]) -> int:
 
 
 def without(run: Run, is_done: Callable[[int, int], bool], cost: Optional[Cost]) -> Run:
-    """The pairs that are not done; what no other pair needs is not loaded."""
+    """The pairs that are not done; items that no other pair needs are not loaded."""
     steps: List[Step] = []
     hold = run.hold
     for step in run:

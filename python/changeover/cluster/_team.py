@@ -1,6 +1,7 @@
-"""Who does what: hands stretches to workers, lets idle ones steal, plans anew what was lost.
+"""Assigns work: sends stretches to workers, lets idle workers take some from others, and plans lost
+work again.
 
-It knows no engine and no clock of its own, so that a simulation runs the same decisions.
+It uses no engine or clock of its own, so that a simulation makes the same decisions.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ _worth_after_losses = 0.02
 
 
 class Flight(NamedTuple):
-    """A stretch that is on its way."""
+    """A stretch in progress."""
 
     stretch: Stretch
     worker: str
@@ -37,13 +38,13 @@ class Flight(NamedTuple):
 
 
 class Deliver(Protocol):
-    """Takes the outcome of a stretch; returns how many pairs are settled, the first ones."""
+    """Receives the results of a stretch; returns how many of its first pairs are settled."""
 
     def __call__(self, stretch: Stretch, worker: str, outcome: Outcome) -> int: ...
 
 
 class _Member:
-    """What is known of a worker."""
+    """The state of a worker."""
 
     def __init__(self) -> None:
         self.queue: Deque[Run] = collections.deque()
@@ -61,8 +62,8 @@ class _Member:
 
 
 class Team:
-    """One run. `replan` makes runs for so many workers of runs that were lost, `again` a run of a
-    stretch, after its first pairs."""
+    """One run. `replan` makes runs for the workers from lost runs; `again` makes a run of the rest
+    of a stretch after its first pairs."""
 
     def __init__(self, engine: Engine, deliver: Deliver,
                  replan: Callable[[List[Run], int], List[List[Run]]],
@@ -97,7 +98,8 @@ class Team:
     # The run as a whole
 
     def run(self, shares: List[List[Run]], is_over: Callable[[], bool]) -> None:
-        """Until `is_over`. Raises MissingResource if no worker comes, and what `deliver` raises."""
+        """Runs until `is_over`. Raises MissingResource if no worker comes, and exceptions of
+        `deliver`."""
         for worker in self.engine.workers():
             self.members[worker] = _Member()
         total = sum(run.cost for runs in shares for run in runs)
@@ -168,7 +170,7 @@ class Team:
         self._hand_out_orphans()
 
     def _again(self, number: int) -> List[Run]:
-        """What is to be done again of a stretch whose worker was lost."""
+        """The part of a stretch that must be done again after its worker was lost."""
         flight = self._flights.pop(number)
         self.engine.drop(number)
         if flight.twin == _settled:
@@ -182,8 +184,8 @@ class Team:
         return [self._run_of(flight.stretch, flight.losses + 1, 0)]
 
     def _suspect(self, pair: Tuple[int, int]) -> None:
-        """Raises NoWorkers for a pair that was alone under way when many workers were lost, if not
-        as many were lost without it."""
+        """Raises NoWorkers for a pair that was in progress alone when many workers were lost, if
+        fewer were lost without it."""
         times, since = self._suspects.get(pair, (0, self.lost - 1))
         self._suspects[pair] = (times + 1, since)
         if times + 1 >= _most_losses and 2 * (times + 1) > self.lost - since:
@@ -218,7 +220,7 @@ class Team:
         return self._rate_seconds / self._rate_cost if self._rate_cost else 0.0
 
     def _seconds(self, worker: str) -> float:
-        """When it is ready with all it has, estimated, from now on."""
+        """The estimated time from now until the worker has finished all its stretches."""
         member = self.members[worker]
         return member.left * self._rate(member) + self._flying(member)
 
@@ -235,7 +237,7 @@ class Team:
             heapq.heappush(self._victims, (-member.left * (self._rate(member) or 1.0), worker))
 
     def _give(self, worker: str) -> None:
-        """Sends it its next stretch, or one of another's, or the copy of one that is late."""
+        """Sends the worker its next stretch, or one of another worker, or a copy of a late one."""
         member = self.members[worker]
         if not member.queue and not self._steal(worker):
             self._idle[worker] = None
@@ -320,7 +322,7 @@ class Team:
     # Stealing
 
     def _steal(self, thief: str) -> bool:
-        """Takes as much from the one who is ready last as lets both be ready at the same time."""
+        """Takes enough from the worker that finishes last so that both finish at the same time."""
         while self._victims:
             _, victim = self._victims[0]
             member = self.members.get(victim)
@@ -378,7 +380,8 @@ class Team:
         return True
 
     def _is_stuck(self, member: _Member) -> bool:
-        """Whether its stretch was given to another, too: it may not come back to the rest."""
+        """Whether its stretch was also given to another worker, so that the rest may not return to
+        it."""
         flight = self._flights.get(member.flight)
         return flight is not None and flight.twin != _no_twin and self._is_late(flight)
 
@@ -407,7 +410,7 @@ class Team:
             self._copy(number, worker)
 
     def _copy(self, number: int, worker: str) -> None:
-        """An idle worker does once more what takes another much longer than it should."""
+        """An idle worker repeats a stretch that takes another worker much longer than it should."""
         flight = self._flights[number]
         self._next += 1
         self._flights[number] = flight._replace(twin=self._next)

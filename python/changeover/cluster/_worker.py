@@ -1,4 +1,4 @@
-"""What runs on a worker: stretches, with a memory that stays from one to the next."""
+"""The code that runs on a worker: stretches, with a memory that stays between them."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class Failure:
 
 @dataclasses.dataclass
 class Outcome:
-    """What became of a stretch: results in the order of its pairs, fewer if it ended early."""
+    """The result of a stretch: results in the order of its pairs, fewer if it ended early."""
 
     number: int
     results: List[Any] = dataclasses.field(default_factory=list)
@@ -69,21 +69,21 @@ class Outcome:
 
 
 class Part(Protocol):
-    """What a worker is sent."""
+    """The message to a worker."""
 
     @property
     def number(self) -> int: ...
 
 
 class Performer(Protocol):
-    """What does the parts of a job on a worker."""
+    """Does the parts of a job on a worker."""
 
     def run(self, part: Any, stopped: Callable[[], bool] = lambda: False) -> Outcome: ...
 
     def is_busy(self) -> bool: ...
 
     def close(self) -> None:
-        """No more of this job: what runs ends soon."""
+        """Ends this job; running parts end soon."""
 
 
 class _Failed(Exception):
@@ -97,7 +97,7 @@ class _Stopped(Exception):
 
 
 def size_of(item: Any) -> Optional[int]:
-    """The bytes of an item that says how many it has."""
+    """The bytes of an item that has nbytes."""
     try:
         if isinstance(item, (bytes, bytearray)):
             return len(item)
@@ -109,14 +109,15 @@ def size_of(item: Any) -> Optional[int]:
 
 
 def is_interrupt(fault: BaseException) -> bool:
-    """Ctrl-C, which comes to main threads, and not what a function raised of its own."""
+    """Ctrl-C, which reaches main threads, as opposed to an exception of a function."""
     return (isinstance(fault, KeyboardInterrupt)
             and threading.current_thread() is threading.main_thread())
 
 
 @dataclasses.dataclass(frozen=True)
 class Packed:
-    """A result on its way, pickled alone: one that cannot be is known by its pair."""
+    """A result to be sent, pickled separately: one that cannot be pickled is reported with its
+    pair."""
 
     pickled: bytes
 
@@ -125,7 +126,7 @@ _plain = (type(None), bool, int, float, complex, str, bytes)
 
 
 def _is_plain(result: Any, depth: int = 2) -> bool:
-    """Whether it can be sent for certain, and needs no pickle of its own."""
+    """Whether it can certainly be sent without a separate pickle."""
     kind = type(result)
     if kind in _plain:
         return True
@@ -136,7 +137,7 @@ def _is_plain(result: Any, depth: int = 2) -> bool:
 
 
 def packed_result(result: Any) -> Any:
-    """What is sent of a result. Raises what pickling raises."""
+    """The form in which a result is sent. Raises exceptions of pickling."""
     if _is_plain(result):
         return result
     try:
@@ -150,12 +151,13 @@ def packed_result(result: Any) -> Any:
 
 
 def unpacked_result(sent: Any) -> Any:
-    """The result. Raises what unpickling raises."""
+    """The result. Raises exceptions of unpickling."""
     return pickle.loads(sent.pickled) if isinstance(sent, Packed) else sent
 
 
 class Memory:
-    """At most `room` items of one job. What no stretch holds stays as long as there is room."""
+    """At most `room` items of one job. Items that no stretch holds stay as long as there is room.
+    """
 
     def __init__(self, load: Load, compute: Compute, room: int, threads: int = 1,
                  overlap: bool = False) -> None:
@@ -189,7 +191,8 @@ class Memory:
             self._pool.shutdown(wait=False)
 
     def run(self, stretch: Stretch, stopped: Callable[[], bool] = lambda: False) -> Outcome:
-        """One at a time, however many call. Never raises what load() and compute() raise."""
+        """Computes one at a time, for any number of callers. Never raises exceptions of load() and
+        compute()."""
         with self._busy:
             outcome = Outcome(stretch.number)
             begin = time.perf_counter()
@@ -223,7 +226,8 @@ class Memory:
             self._compute_pairs(ends, outcome, stopped)
 
     def _drop(self, held: set[int], next_load: Dict[int, int], coming: int) -> bool:
-        """Makes room for so many: what is loaded again last goes first, never what is held."""
+        """Makes room for so many items: evicts items that are loaded again last, never held ones.
+        """
         spare = len(self._items) + len(self._coming) + coming - self._room
         if spare > 0:
             free = [x for x in self._items if x not in held]
@@ -235,7 +239,7 @@ class Memory:
 
     def _start_loads(self, load: Tuple[int, ...], held: set[int],
                      next_load: Dict[int, int]) -> None:
-        """While pairs are computed, as far as there is room."""
+        """Loads while pairs are computed, as far as there is room."""
         assert self._pool is not None
         for x in load:
             if x not in self._items and x not in self._coming:
@@ -244,7 +248,8 @@ class Memory:
                 self._coming[x] = self._pool.submit(self._load_timed, x)
 
     def _load_timed(self, x: int) -> Tuple[Any, float]:
-        """The item, or the failure; an exception in a future would keep items of its frames."""
+        """The item, or the failure; an exception in a future would keep the items of its frames
+        alive."""
         begin = time.perf_counter()
         try:
             return self._load(x), time.perf_counter() - begin
@@ -325,7 +330,7 @@ class Memory:
 
     def _compute_some(self, pairs: List[Tuple[int, int]], results: List[Any],
                       stopped: Callable[[], bool]) -> Optional[Failure]:
-        """Ends early if it is stopped, or with what failed."""
+        """Ends early if it is stopped or fails."""
         for i, j in pairs:
             if stopped():
                 return None
@@ -360,9 +365,9 @@ _guard = threading.Lock()
 
 def perform(job: Tuple[str, str], worker: str, maker: Optional[bytes], settings: Dict[str, Any],
             clients: Optional[List[str]], part: Part) -> Outcome:
-    """Where engines send parts to processes that stay, such as those of Dask. A job has the name of
-    its client first; those whose client is not among `clients` have been left by it. Without a
-    maker, and where nothing was made before, the part is not done: its outcome is stopped."""
+    """Where engines send parts to permanent processes, such as those of Dask. The name of a job
+    begins with that of its client; jobs of clients that are not in `clients` were abandoned.
+    Without a maker, and if none was made before, the part is not done: its result is "stopped"."""
     with _guard:
         if job in _over:
             return Outcome(part.number, stopped=True)
@@ -379,7 +384,7 @@ def perform(job: Tuple[str, str], worker: str, maker: Optional[bytes], settings:
 
 
 def forget_job(job: Tuple[str, str]) -> None:
-    """Ends what still runs of it, and lets its items go."""
+    """Ends its running parts and frees its items."""
     with _guard:
         _over.append(job)
         del _over[:-100]
