@@ -17,6 +17,7 @@ questions=(
   '*both|search 120 6 -t 4' '*both|search 4000 4' 'both|search 65535 4' 'both|search 3000 5 -m 1'
   '*time|plan --items 9 -k 9223372036854775807 --test-cost 1 --change-cost 1'
   'both|plan --items 3000 -k 12 --test-cost 1 --change-cost 1'
+  '*both|plan --model pigeons.txt --test-cost 1 --change-cost 1'
   '*both|classify 40 6' 'both|classify 12 5 19 -m 1' '*both|loadorder --items 3000 --room 12'
   'both|search 200 8 --base-blocks' 'both|search 1001 4 --base-blocks --tight'
   'both|search --extend part.txt' 'both|search --repair broken.txt' '*ask|table --k 3..60 --v 5..900'
@@ -32,6 +33,13 @@ awk 'BEGIN { for (i = 0; i < 60000; ++i) print i % 500, 500 + (i * 7) % 400, 900
 "$CHANGEOVER" design 601 4 --format text >large.txt || fault 'changeover design does not work'
 printf '# changeover design v=900 k=6 change=2 kind=linear\n0 1 2 3 4 5\n0 1 2 3 6 7\n' >part.txt
 printf '# changeover design v=900 k=6 change=2 kind=linear\n0 1 2 3 4 5\n0 1 2 8 6 7\n' >broken.txt
+# Twelve parameters that must all be different, and eleven values.
+for i in {1..12}; do
+  echo "P$i: 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11"
+done >pigeons.txt
+for ((i = 1; i <= 12; ++i)); do
+  for ((j = i + 1; j <= 12; ++j)); do echo "[P$i] <> [P$j];"; done
+done >>pigeons.txt
 
 # Verbs that know --memory.
 declare -A has_memory=()

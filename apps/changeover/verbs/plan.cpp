@@ -1,4 +1,6 @@
 // changeover plan: the cheapest run sheet.
+#include <chrono>
+
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
 #include "cli/terminal.hpp"
@@ -37,6 +39,19 @@ Answer show(const JobRequest& job, const OutputRequest& output) {
   return text_answer(to_json(job), cheap);
 }
 
+// What a job needs is decided whole, also when there is no time left; but rules of a model can be
+// harder than any machine is fast.
+ParsedJob checked_in_time(const OpenedRequest& opened, const RunRequest& run) {
+  constexpr std::chrono::seconds more{3};
+  RunControl::Settings settings = run.settings();
+  if (settings.time) {
+    *settings.time += more;
+  }
+  RunControl limited(settings);
+  const RunScope scope(limited);
+  return checked_job(opened, Door::command_line);
+}
+
 Answer answer_to(const PlanRequest& request) {
   RunRequest run = request.run;
   const OpenedRequest opened = open_workbook(
@@ -47,7 +62,7 @@ Answer answer_to(const PlanRequest& request) {
     return show(job, request.output);
   }
   check_format(job, request.output);
-  const ParsedJob asked = checked_job(opened, Door::command_line);
+  const ParsedJob asked = checked_in_time(opened, run);
   const auto write = [job, asked, format = request.output.format()](const PlanAnswer& found) {
     return [job, asked, found, format](OutputFile& out) {
       out.write(written(job, asked, found, format, terminal_width(out)));
