@@ -6,6 +6,7 @@
 #include "changeover/plan/job_request.hpp"
 #include "core/printable.hpp"
 #include "long_work.hpp"
+#include "plan/job/bench_list.hpp"
 #include "plan/job/parts/heading_words.hpp"
 
 namespace changeover::python {
@@ -121,9 +122,13 @@ std::string quoted(const std::string& words) {
 
 void check_amount(const std::string& argument, const std::string& words) {
   try {
-    static_cast<void>(parse_amount(words));
+    static_cast<void>(parse_measure(words, argument.ends_with("hours")           ? "number of hours"
+                                           : argument.ends_with("change_factor") ? "factor"
+                                                                                 : "cost"));
   } catch (const BadInput& fault) {
     throw BadInput(argument + ": " + fault.what());
+  } catch (const ImpossibleParameters& fault) {
+    throw ImpossibleParameters(argument + ": " + fault.what());
   }
 }
 

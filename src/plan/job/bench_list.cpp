@@ -142,10 +142,10 @@ class BenchReader {
         bench.test_cost = amount(field);
         break;
       case BenchColumn::change_factor:
-        bench.change_factor = amount(field);
+        bench.change_factor = amount(field, "factor");
         break;
       case BenchColumn::hours:
-        bench.hours = amount(field);
+        bench.hours = amount(field, "number of hours");
         break;
       case BenchColumn::slots:
         bench.slots = at(field, [&] { return parse_slots(field.text); });
@@ -179,12 +179,12 @@ class BenchReader {
     return value;
   }
 
-  Amount amount(const Field& field) {
+  Amount amount(const Field& field, std::string_view what = "cost") {
     std::string text = field.text;
     if (rows_.separator() != ',' && std::count(text.begin(), text.end(), ',') == 1) {
       text[text.find(',')] = '.';
     }
-    return at(field, [&] { return parse_amount(text); });
+    return at(field, [&] { return parse_measure(text, what); });
   }
 
   bool is_down(const Field& field) {
@@ -218,6 +218,17 @@ class BenchReader {
 };
 
 }  // namespace
+
+Amount parse_measure(std::string_view text, std::string_view what) {
+  if (what == "cost") {
+    return parse_amount(text);
+  }
+  try {
+    return parse_amount(text);
+  } catch (const Error&) {
+    throw BadInput(fmt::format("{} is not a {}; write it as 12 or 12.50", shown(text), what));
+  }
+}
 
 const std::vector<std::string_view>& bench_columns() { return row_keys(RowShape::benches); }
 

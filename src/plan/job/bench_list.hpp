@@ -6,6 +6,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "changeover/plan/benches.hpp"
@@ -24,6 +25,10 @@ namespace changeover {
 /// column, more than max_benches; MissingResource if reading fails.
 [[nodiscard]] std::vector<Bench> read_benches(Input& input, const std::vector<std::string>& names,
                                               std::vector<std::string>* gone = nullptr);
+
+/// As parse_amount(), of a "cost", a "factor" or a "number of hours". @throws the same, but for
+/// what is no cost always BadInput, in its words.
+[[nodiscard]] Amount parse_measure(std::string_view text, std::string_view what);
 
 /// The bench with this name, or with this number from 1; a name takes precedence. Nullopt if there
 /// is none.

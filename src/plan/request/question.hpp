@@ -13,6 +13,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
 #include "io/request/request_document.hpp"
+#include "plan/job/bench_list.hpp"
 
 namespace changeover {
 
@@ -60,8 +61,9 @@ class Question {
     }
   }
   [[nodiscard]] std::optional<Amount> amount(std::string_view key, const std::string& text) const {
-    return text.empty() ? std::nullopt
-                        : std::optional(value_of(key, [&] { return parse_amount(text); }));
+    return text.empty() ? std::nullopt : std::optional(value_of(key, [&] {
+      return parse_measure(text, key == "hours" ? "number of hours" : "cost");
+    }));
   }
   [[nodiscard]] Door door() const { return door_; }
 

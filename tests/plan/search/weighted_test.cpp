@@ -191,6 +191,8 @@ TEST(Priorities, AreReadOrRefusedWithTheirPlace) {
   EXPECT_EQ(read("a;b;2,5\n")(0, 1), parse_amount("2.5"));
   EXPECT_THAT(complaint("a,b\n"), HasSubstr("p.csv:1:1: expected a pair with its weight"));
   EXPECT_THAT(complaint("a,b,-1\n"), HasSubstr("p.csv:1:5: '-1' is not a weight"));
+  EXPECT_THAT(complaint("a,b,99999999999999\n"),
+              HasSubstr("p.csv:1:5: '99999999999999' is not a weight"));
   EXPECT_THAT(complaint("a,b,2\na,b,heavy\n"), HasSubstr("p.csv:2:5: 'heavy' is not a weight"));
   EXPECT_THAT(complaint("a,x,2\n"), HasSubstr("p.csv:1:3: there is no part 'x'"));
   EXPECT_THAT(complaint("a,a,2\n"), HasSubstr("twice"));

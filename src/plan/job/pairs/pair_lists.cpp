@@ -139,7 +139,7 @@ std::optional<Amount> weight_in(const Field& field, const RowReader& reader) {
   }
   try {
     return parse_amount(text);
-  } catch (const BadInput&) {
+  } catch (const Error&) {
     return std::nullopt;
   }
 }
@@ -201,10 +201,9 @@ PairWeights read_priorities(Input& input, const std::vector<std::string>& names,
     const auto [one, other] = rows.pair(*row, "A,B,5");
     const auto weight = weight_in(said, rows.reader());
     if (!weight) {
-      rows.reader().fail(said,
-                         fmt::format("{} is not a weight; write a number that is not negative, "
-                                     "with at most six decimals, as in A,B,2.5",
-                                     shown(said.text)));
+      rows.reader().fail(said, fmt::format("{} is not a weight; write a number from 0 to 9e12, "
+                                           "with at most six decimals, as in A,B,2.5",
+                                           shown(said.text)));
     }
     if (!seen.insert(PairSet::rank(one, other)).second && weights(one, other) != *weight) {
       rows.reader().fail(

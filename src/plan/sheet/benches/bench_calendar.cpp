@@ -86,15 +86,16 @@ std::optional<std::chrono::sys_days> BenchCalendar::nth(std::uint64_t day) const
     return std::nullopt;
   }
   const auto more = static_cast<std::int64_t>(day - 1);
-  if (weekends_) {
-    return *first_ + std::chrono::days(more);
-  }
   constexpr std::int64_t workdays = 5;
   constexpr std::int64_t week = 7;
   const auto monday = static_cast<std::int64_t>(std::chrono::weekday(*first_).iso_encoding()) - 1;
   const std::int64_t from_monday = monday + more;
-  return *first_ +
-         std::chrono::days(from_monday / workdays * week + from_monday % workdays - monday);
+  const std::chrono::sys_days date =
+      *first_ +
+      std::chrono::days(
+          weekends_ ? more : from_monday / workdays * week + from_monday % workdays - monday);
+  constexpr std::chrono::sys_days last{std::chrono::year{9999} / std::chrono::December / 31};
+  return date > last ? std::nullopt : std::optional(date);  // A year has four digits.
 }
 
 std::string BenchCalendar::iso_date(std::uint64_t day) const {
