@@ -1,5 +1,6 @@
 // changeover plan: the cheapest run sheet.
 #include <chrono>
+#include <memory>
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
@@ -62,24 +63,28 @@ Answer answer_to(const PlanRequest& request) {
     return show(job, request.output);
   }
   check_format(job, request.output);
-  const ParsedJob asked = checked_in_time(opened, run);
-  const auto write = [job, asked, format = request.output.format()](const PlanAnswer& found) {
-    return [job, asked, found, format](OutputFile& out) {
-      out.write(written(job, asked, found, format, terminal_width(out)));
-    };
+  const auto parsed = std::make_shared<const ParsedJob>(checked_in_time(opened, run));
+  const ParsedJob& asked = *parsed;
+  // A plan may be large: it is written where it is, and never copied.
+  const auto write = [&](std::shared_ptr<const PlanAnswer> found) {
+    return
+        [job, parsed, found = std::move(found), format = request.output.format()](OutputFile& out) {
+          out.write(written(job, *parsed, *found, format, terminal_width(out)));
+        };
   };
   if (job.diagnose) {
     RunControl unlimited({});
-    return {.output = request.output, .write = write(answer_to(job, asked, unlimited))};
+    return {.output = request.output,
+            .write = write(std::make_shared<PlanAnswer>(answer_to(job, asked, unlimited)))};
   }
   // Ctrl-C ends the program at once while it reads, and from here on asks for the best so far.
   const auto running = std::make_shared<Running>(run, request.output);
-  const PlanAnswer found = answer_to(job, asked, running->control());
+  const auto found = std::make_shared<PlanAnswer>(answer_to(job, asked, running->control()));
   running->finish();
   Answer answer{.output = request.output, .write = write(found)};
-  if (found.shortage()) {
+  if (found->shortage()) {
     answer.fault = std::make_exception_ptr(
-        MissingResource("the plan may not be the best that could be found: " + *found.shortage()));
+        MissingResource("the plan may not be the best that could be found: " + *found->shortage()));
   }
   return final_answer(running, std::move(answer));
 }

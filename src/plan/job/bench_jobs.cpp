@@ -53,34 +53,55 @@ void limit_slots(Job& own, const Bench& bench) {
   }
 }
 
-// Whether a set-up of this bench can hold these parts.
-bool can_hold(const Job& own, const Fitting& fitting, std::initializer_list<Element> parts) {
-  Block setup = with_mounted(own, parts);
-  for (std::size_t i = 0; i < setup.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (own.never.contains(setup[i], setup[j])) {
+// Which parts a set-up of this bench can hold together.
+class Holding {
+ public:
+  explicit Holding(const Job& own) : own_(&own), fitting_(own), joins_(own.names.size(), true) {
+    for (const Element m : own.mounted) {
+      for (Element x = 0; x < own.parts(); ++x) {
+        joins_[x] = joins_[x] && (m == x || !own.never.contains(m, x));
+      }
+    }
+    if (std::ranges::any_of(own.mounted, [&](Element m) { return !joins_[m]; })) {
+      joins_.assign(joins_.size(), false);
+    }
+  }
+
+  [[nodiscard]] bool can(std::initializer_list<Element> parts) const {
+    std::size_t size = own_->mounted.size();
+    for (const Element x : parts) {
+      size += has(own_->mounted, x) ? 0U : 1U;
+      if (!joins_[x] || std::ranges::any_of(parts, [&](Element y) {
+            return y < x && own_->never.contains(x, y);
+          })) {
         return false;
       }
     }
+    return size <= own_->room() &&
+           (!fitting_.has_slots() ||
+            fitting_.simplest(with_mounted(*own_, parts)).setup.has_value());
   }
-  return setup.size() <= own.room() &&
-         (!fitting.has_slots() || fitting.simplest(std::move(setup)).setup.has_value());
-}
+
+ private:
+  const Job* own_;
+  Fitting fitting_;
+  std::vector<bool> joins_;  // by part: nothing that stays mounted is against it
+};
 
 // Keeps only pairs that can meet on this bench.
 void keep_possible(Job& own) {
-  const Fitting fitting(own);
+  const Holding holding(own);
   PairSet pairs(own.parts());
   own.needed.for_each(all_of_them, [&](Element x, Element y) {
     stop_if_asked();
-    if (can_hold(own, fitting, {x, y})) {
+    if (holding.can({x, y})) {
       pairs.insert(x, y);
     }
   });
   own.needed = std::move(pairs);
   std::erase_if(own.triples, [&](const Triple& t) {
     stop_if_asked();
-    return !can_hold(own, fitting, {t[0], t[1], t[2]});
+    return !holding.can({t[0], t[1], t[2]});
   });
 }
 

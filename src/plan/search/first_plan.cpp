@@ -73,6 +73,18 @@ CostBound after(const Job& job, CostBound rest) {
 
 }  // namespace
 
+std::vector<Block> without_first_of(std::vector<Block> list, const std::vector<Block>& first) {
+  std::map<Block, std::uint64_t> left;
+  for (const Block& setup : first) {
+    ++left[in_order(setup)];
+  }
+  std::erase_if(list, [&](const Block& setup) {
+    const auto found = left.find(in_order(setup));
+    return found != left.end() && found->second > 0 && found->second-- > 0;
+  });
+  return list;
+}
+
 CostBound bound_with_first(const Job& job) {
   return after(job, bound_of_valid_job(after_first(job)));
 }
@@ -98,15 +110,8 @@ RunPlan plan_with_first(const Job& job, const PlanOptions& options, RunControl& 
       options.on_better(news);
     };
   }
-  std::map<Block, std::uint64_t>
-      first;  // when a sheet is continued, they are the first of its rest
-  for (const Block& setup : job.first) {
-    ++first[in_order(setup)];
-  }
-  std::erase_if(left.rest, [&](const Block& setup) {
-    const auto found = first.find(in_order(setup));
-    return found != first.end() && found->second > 0 && found->second-- > 0;
-  });
+  // Going on with a sheet, they are the first of its rest.
+  left.rest = without_first_of(std::move(left.rest), job.first);
   RunPlan plan = plan_of_valid_job(rest, left, control);
   for (Candidate& candidate : plan.candidates) {
     candidate = with_first(job, std::move(candidate));

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "changeover/plan/run_plan.hpp"
 
@@ -20,5 +21,9 @@ namespace changeover {
                                           std::uint64_t& exchanged);
 [[nodiscard]] WhatIf what_if_with_first(const Job& job, const RunPlan& plan,
                                         const PlanOptions& options, RunControl& control);
+
+/// A list without these set-ups, each once, wherever they stand in it.
+[[nodiscard]] std::vector<Block> without_first_of(std::vector<Block> list,
+                                                  const std::vector<Block>& first);
 
 }  // namespace changeover

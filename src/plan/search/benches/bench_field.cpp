@@ -25,6 +25,9 @@ Bench kind_of(const Bench& bench) {
 
 // Removes the tests of these set-ups from a job.
 void take_off(Job& job, const std::vector<Block>& setups) {
+  if (setups.empty()) {
+    return;
+  }
   const Block start = job.start;
   const std::uint64_t done = job.tests_done;
   const std::uint64_t at_once = std::exchange(job.at_once, job.parts());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <new>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "plan/search/benches/cut_list.hpp"
 #include "plan/search/budget.hpp"
 #include "plan/search/candidates.hpp"
+#include "plan/search/first_plan.hpp"
 #include "plan/search/lists/lists_search.hpp"
 #include "plan/search/valid_job.hpp"
 #include "plan/search/weighted.hpp"
@@ -56,9 +58,11 @@ class BenchPlanner {
         find_affordable(*options_->plan.budget);
       }
     }
-    static_cast<BenchCount&>(plan_) =
-        count_benches(field_.asked(), field_.benches(),
-                      field_.schedule(without_first(plan_.candidates.front().lists)));
+    const BenchLists& lists = plan_.candidates.front().lists;
+    static_cast<BenchCount&>(plan_) = lists == counted_lists_
+                                          ? std::move(count_)
+                                          : count_benches(field_.asked(), field_.benches(),
+                                                          field_.schedule(without_first(lists)));
     return std::move(plan_);
   }
 
@@ -100,11 +104,11 @@ class BenchPlanner {
   }
 
   [[nodiscard]] BenchCandidate counted(const std::string& name, const std::string& how,
-                                       const BenchLists& lists) const {
+                                       const BenchLists& lists, BenchCount* kept = nullptr) const {
     RunControl undisturbed({});
     const RunScope scope(undisturbed);
     const BenchSchedule schedule = field_.schedule(lists);
-    const BenchCount count = count_benches(field_.asked(), field_.benches(), schedule);
+    BenchCount count = count_benches(field_.asked(), field_.benches(), schedule);
     if (!count.faults.empty()) {
       throw InternalError(name + ": " + count.faults.front());
     }
@@ -124,11 +128,15 @@ class BenchPlanner {
         candidate.lists.back().push_back(step.setup);
       }
     }
+    if (kept != nullptr) {
+      *kept = std::move(count);
+    }
     return candidate;
   }
 
   void add(const std::string& name, const std::string& how, const BenchLists& lists) {
-    BenchCandidate candidate = counted(name, how, lists);
+    BenchCount count;
+    BenchCandidate candidate = counted(name, how, lists, &count);
     const Job& asked = field_.asked();
     if (candidate.pairs_tested != asked.needed.size() ||
         candidate.triples_tested != asked.triples.size()) {
@@ -137,7 +145,11 @@ class BenchPlanner {
     if (candidate.cost < plan_.bound.cost || candidate.makespan < plan_.makespan_bound) {
       throw InternalError(name + " costs less than the lower bound");
     }
-    tell_if_best(candidate);
+    if (plan_.candidates.empty() || better(candidate, best())) {
+      tell(candidate);
+      count_ = std::move(count);
+      counted_lists_ = candidate.lists;
+    }
     const auto same = std::find_if(plan_.candidates.begin(), plan_.candidates.end(),
                                    [&](const BenchCandidate& c) { return c.name == name; });
     if (same == plan_.candidates.end()) {
@@ -147,13 +159,12 @@ class BenchPlanner {
     }
   }
 
-  void tell_if_best(const BenchCandidate& candidate) const {
-    const auto& news = options_->plan.on_better;
-    if (news && (plan_.candidates.empty() || better(candidate, best()))) {
-      news({.name = candidate.name,
-            .tests = candidate.tests,
-            .cost = by_cost() ? candidate.cost : candidate.makespan,
-            .bound = by_cost() ? plan_.bound.cost : plan_.makespan_bound});
+  void tell(const BenchCandidate& candidate) const {
+    if (options_->plan.on_better) {
+      options_->plan.on_better({.name = candidate.name,
+                                .tests = candidate.tests,
+                                .cost = by_cost() ? candidate.cost : candidate.makespan,
+                                .bound = by_cost() ? plan_.bound.cost : plan_.makespan_bound});
     }
   }
 
@@ -176,7 +187,7 @@ class BenchPlanner {
       const Job& rest = field_.rest(w);
       const bool can = rest.needed.size() == field_.common().needed.size() &&
                        rest.triples.size() == field_.common().triples.size();
-      if (!can || (found && field_.alike())) {
+      if (!can || (found && (field_.alike() || control_->stop_wanted()))) {
         continue;
       }
       if (const Amount bound = bound_of_valid_job(rest).cost; !found || bound < least) {
@@ -192,14 +203,18 @@ class BenchPlanner {
     if (const auto alone = bench_for_all()) {
       plan_for_one(*alone, starts);
     } else {
-      RunControl undisturbed({});
-      Lists lists(field_.lists_job(most_tests()), BenchLists(field_.size()));
-      (void)changeover::complete(lists, undisturbed);
-      add("from nothing", "each test where it costs least for what it brings", lists.lists());
-      starts.push_back(lists.lists());
+      ShareOfTime part = part_of_the_time();
+      starts.push_back(each_anew(BenchLists(field_.size()), part.control(), true));
+      add("one bench after the other", "each tests what it can of what those before it cannot",
+          starts.back());
     }
     keep_what_there_is([&] { add_rest(); });
     keep_what_there_is([&] { search(std::move(starts)); });
+  }
+
+  // For the first lists: the search for all benches needs more.
+  [[nodiscard]] ShareOfTime part_of_the_time() const {
+    return {*control_, field_.size() > 1 ? 0.15 : 1.0};
   }
 
   // The list of one bench, and pieces of it for all.
@@ -210,10 +225,8 @@ class BenchPlanner {
     once.on_better = nullptr;
     once.rest.clear();
     const Job& rest = field_.rest(alone);
-    constexpr double share = 0.15;  // of the time: the search for all benches needs more
-    ShareOfTime part(*control_, share);
-    const RunPlan one =
-        plan_of_valid_job(rest, once, field_.size() > 1 ? part.control() : *control_);
+    ShareOfTime part = part_of_the_time();
+    const RunPlan one = plan_of_valid_job(rest, once, part.control());
     plan_.shortage = one.shortage;
     plan_.steps += one.steps;
     BenchLists lists(field_.size());
@@ -273,7 +286,7 @@ class BenchPlanner {
     bool any = false;
     for (std::size_t w = 0; w < field_.size(); ++w) {
       PlanOptions options;
-      options.rest = after_given(field_.whole(w).first, field_.bench(w).rest);
+      options.rest = without_first_of(field_.bench(w).rest, field_.whole(w).first);
       rest[w] = sound_rest(field_.rest(w), options);
       any = any || !rest[w].empty();
     }
@@ -291,28 +304,6 @@ class BenchPlanner {
     }
   }
 
-  // The rest of a list after removing these set-ups, wherever they are.
-  static std::vector<Block> after_given(const std::vector<Block>& first,
-                                        const std::vector<Block>& rest) {
-    std::vector<Block> left;
-    std::vector<Block> open = first;
-    const auto sorted = [](Block block) {
-      std::sort(block.begin(), block.end());
-      return block;
-    };
-    for (const Block& setup : rest) {
-      const auto found = std::find_if(open.begin(), open.end(), [&](const Block& other) {
-        return sorted(other) == sorted(setup);
-      });
-      if (found == open.end()) {
-        left.push_back(setup);
-      } else {
-        open.erase(found);
-      }
-    }
-    return left;
-  }
-
   void search(std::vector<BenchLists> starts) {
     if (field_.size() == 1 && !field_.has_clock()) {
       return;  // the search for one bench has done everything
@@ -326,7 +317,7 @@ class BenchPlanner {
       prune(lists, *control_);
       add("one list, cut and shortened", "without what other benches test anyway", lists.lists());
       add("each bench anew", "cut, and each bench planned anew for what only it tests",
-          each_anew(lists.lists()));
+          each_anew(lists.lists(), *control_));
     }
     for (std::size_t i = 0; i < starts.size(); ++i) {
       Lists lists(job, starts[i]);
@@ -350,7 +341,7 @@ class BenchPlanner {
       plan_.steps += found.steps;
       add(between_benches, "tests and parts moved between benches", found.lists);
       if (!control_->stop_wanted()) {
-        found.lists = each_anew(found.lists);
+        found.lists = each_anew(found.lists, *control_);
         add("local search, each bench anew", "then each bench planned anew for what only it tests",
             found.lists);
       }
@@ -363,10 +354,12 @@ class BenchPlanner {
   }
 
   // The needed pairs that only this bench tests.
-  [[nodiscard]] Job only_on(const BenchLists& lists, std::size_t bench) const {
+  [[nodiscard]] Job only_on(const BenchLists& lists, std::size_t bench, bool in_full) const {
+    RunControl undisturbed({});
+    const RunScope scope(in_full ? undisturbed : *control_);
     Job own = field_.rest(bench);
     for (std::size_t other = 0; other < lists.size(); ++other) {
-      if (other != bench) {
+      if (other != bench && !lists[other].empty()) {
         own.at_once = field_.rest(other).at_once;
         mark_done(own, lists[other]);
       }
@@ -378,9 +371,13 @@ class BenchPlanner {
   }
 
   // One after the other, gives each bench the cheapest list for the pairs that only it tests.
-  BenchLists each_anew(BenchLists lists) {
-    for (std::size_t bench = 0; bench < lists.size() && !control_->stop_wanted(); ++bench) {
-      const Job own = only_on(lists, bench);
+  // `in_full`: also if no time is left.
+  BenchLists each_anew(BenchLists lists, RunControl& control, bool in_full = false) {
+    for (std::size_t bench = 0; bench < lists.size(); ++bench) {
+      if (!in_full && control.stop_wanted()) {
+        break;
+      }
+      const Job own = only_on(lists, bench, in_full);
       if (own.needed.size() == 0) {
         lists[bench].clear();
         continue;
@@ -393,7 +390,7 @@ class BenchPlanner {
                           .rest = lists[bench],
                           .design_moves = 0,
                           .states = 20'000};
-      const RunPlan anew = plan_of_valid_job(own, options, *control_);
+      const RunPlan anew = plan_of_valid_job(own, options, control);
       plan_.steps += anew.steps;
       lists[bench] = anew.candidates.front().setups;
     }
@@ -534,6 +531,8 @@ class BenchPlanner {
   const BenchOptions* options_;
   RunControl* control_;
   BenchPlan plan_;
+  BenchCount count_;          // of the best candidate so far
+  BenchLists counted_lists_;  // its lists
 };
 
 std::vector<Bench> benches_of(const BenchOptions& options) {

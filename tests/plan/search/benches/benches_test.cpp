@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 
 #include "changeover/core/error.hpp"
 #include "cheapest.hpp"
@@ -191,6 +192,24 @@ TEST(Benches, OfAThousandPartsEndSoonAfterTheirTime) {
   // Some 1.3 s; 200 s for four benches with room for ten when each test had a sheet of its own.
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
   EXPECT_EQ(plan.pairs_tested, parts * (parts - 1) / 2);
+}
+
+// Each bench lacks a part, so that none can test everything: there is a plan all the same, without
+// time for any search.
+TEST(Benches, AThousandPartsOfWhichNoBenchHasAll) {
+  const Job job = make_job(1000, 3, units(1), units(1));
+  BenchOptions options;
+  for (Element missing = 0; missing < 4; ++missing) {
+    options.each.push_back({.at_once = 3 + missing % 2, .without = {missing}});
+  }
+  options.plan.until_stopped = true;
+  RunControl control({.time = std::chrono::seconds(0), .threads = 1});
+  const auto begin = std::clock();
+  const BenchPlan plan = make_bench_plan(job, options, control);
+  constexpr double most_seconds = 10;  // of the processor; a list from nothing takes thirty
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, most_seconds);
+  EXPECT_TRUE(plan.does_the_job());
+  EXPECT_EQ(plan.candidates.front().name, "one bench after the other");
 }
 
 }  // namespace
