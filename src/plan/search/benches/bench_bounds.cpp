@@ -83,6 +83,7 @@ class BenchBounder {
   explicit BenchBounder(const BenchField& field) : field_(&field) {}
 
   BenchBounds run() {
+    unit_ = unit_of_times();
     for (std::size_t w = 0; w < field_->size(); ++w) {
       spent_ += field_->spent(w);
     }
@@ -120,17 +121,24 @@ class BenchBounder {
     return static_cast<std::size_t>(&field_->bench(w) - field_->benches().data());
   }
 
+  // All times are sums of costs, of days and of their hours: multiples of what divides these.
   void raise(Amount makespan, const std::function<std::string()>& reason) {
     if (makespan > bounds_.makespan) {
-      bounds_.makespan = makespan;
+      bounds_.makespan =
+          unit_ == 0 ? makespan : Amount{unit_} * ceil_div(makespan.millionths, unit_);
       bounds_.makespan_reason = reason();
     }
   }
 
-  // Rounds up if all costs and times are multiples of the divisor of all costs.
-  [[nodiscard]] Amount rounded(Amount makespan) const {
-    const bool plain = field_->alike() && !field_->has_clock();
-    return plain ? rounded_up(field_->rest(0), makespan) : makespan;
+  [[nodiscard]] std::uint64_t unit_of_times() const {
+    std::uint64_t unit = 0;
+    for (std::size_t w = 0; w < field_->size(); ++w) {
+      unit = std::gcd(unit, unit_of_costs(field_->rest(w)));
+      if (const auto& rules = field_->rules(); rules && rules->hours[w] > 0) {
+        unit = std::gcd(std::gcd(unit, rules->hours[w]), rules->day);
+      }
+    }
+    return unit;
   }
 
   // u_w(M).
@@ -312,9 +320,9 @@ class BenchBounder {
     std::uint64_t used = 1;
     Amount cost;
     const auto done_by = [&](std::uint64_t n, Amount all) {
-      return rounded(earliest([&](std::uint64_t time) {
+      return earliest([&](std::uint64_t time) {
         return can_share(std::min(n, together), all.millionths, time);
-      }));
+      });
     };
     // With fewer benches, each has more to do; more lists cost no less than one.
     for (std::uint64_t n = benches; n > 0; --n) {
@@ -518,7 +526,7 @@ class BenchBounder {
       }
       return pairs >= inner;
     });
-    raise(rounded(found), [&] {
+    raise(found, [&] {
       return field_->size() == 1
                  ? fmt::format("for less, no more than {} pairs can be tested", inner - 1)
                  : fmt::format("for less, {} cannot test {} together",
@@ -577,6 +585,7 @@ class BenchBounder {
   std::optional<DearestCost> one_list_;
   std::vector<Ratio> ratios_;
   BenchBounds bounds_;
+  std::uint64_t unit_ = 0;
 };
 
 }  // namespace

@@ -50,8 +50,8 @@ class DearestBound {
     for (std::uint64_t tests = first_tests; look_at(tests); ++tests) {
       stop_if_asked();
     }
-    best_->tests -= q_->starts;
-    best_->introductions -= start_introductions_;
+    best_->tests -= std::min(best_->tests, q_->starts);
+    best_->introductions -= std::min(best_->introductions, start_introductions_);
     return *best_;
   }
 

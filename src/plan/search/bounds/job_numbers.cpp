@@ -147,7 +147,7 @@ std::uint64_t most_pairs(const JobNumbers& n, std::uint64_t tests, std::uint64_t
   return most;
 }
 
-Amount rounded_up(const Job& job, Amount cost) {
+std::uint64_t unit_of_costs(const Job& job) {
   std::uint64_t unit = job.test_cost.millionths;
   for (const Amount each : job.change_costs) {
     unit = std::gcd(unit, each.millionths);
@@ -155,6 +155,11 @@ Amount rounded_up(const Job& job, Amount cost) {
   for (const Amount each : job.replace_costs) {
     unit = std::gcd(unit, each.millionths);
   }
+  return unit;
+}
+
+Amount rounded_up(const Job& job, Amount cost) {
+  const std::uint64_t unit = unit_of_costs(job);
   return unit == 0 ? cost : Amount{unit} * ceil_div(cost.millionths, unit);
 }
 

@@ -32,6 +32,9 @@ struct JobNumbers {
 [[nodiscard]] std::uint64_t most_pairs(const JobNumbers& n, std::uint64_t tests,
                                        std::uint64_t introductions);
 
+/// What divides all costs of a job, in millionths; 0 if all are 0.
+[[nodiscard]] std::uint64_t unit_of_costs(const Job& job);
+
 /// The cost rounded up to a multiple of what divides all costs: every list costs one.
 [[nodiscard]] Amount rounded_up(const Job& job, Amount cost);
 

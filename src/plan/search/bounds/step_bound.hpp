@@ -18,9 +18,10 @@ namespace changeover {
 /// Takes this bound with its reason, if it is better. The reason begins with `least_known`: the
 /// least numbers of tests and changes, and why; bound.tests must be right. For jobs without
 /// triples, with one price per part. The floating-point solution is only used to construct a proof
-/// in integers, so rounding can only make the bound lower. Takes at most about a second. Stopped if
-/// the scope of this thread (run/control.hpp) requests it; the bound is then as good as it was by
-/// then.
+/// in integers, so rounding can only make the bound lower. At most 200 parts, about a second, and
+/// 64 MiB for each of two tables: if more rows are violated, those that have room are taken.
+/// Stopped if the scope of this thread (run/control.hpp) requests it; the bound is then as good as
+/// it was by then.
 void raise_by_steps(const Job& job, const std::string& least_known, CostBound& bound);
 
 }  // namespace changeover

@@ -13,7 +13,8 @@ __extension__ using Whole = __int128;
 
 constexpr int fraction_bits = 20;  // of prices in whole numbers
 constexpr double largest_price = 0x1p76;
-constexpr double slightly = 1e-6;  // what rows are violated by
+constexpr double slightly = 1e-6;                           // what rows are violated by
+constexpr std::size_t most_numbers = std::size_t{1} << 23;  // of the table of a program: 64 MiB
 
 }  // namespace
 
@@ -157,8 +158,7 @@ bool StepProgram::add_staying(std::size_t a, std::size_t b) {
   if (open <= slightly) {
     return false;
   }
-  add(std::move(row), least);
-  return true;
+  return add_if_room(std::move(row), least);
 }
 
 // (4) of the theorem: of the parts that come least often.
@@ -215,8 +215,7 @@ bool StepProgram::add_subsets(std::size_t a, std::size_t b) {
   for (std::size_t t = 0; a != b && t < best_b; ++t) {
     row.push_back({of_b[t], static_cast<std::int64_t>(c)});
   }
-  add(std::move(row), least);
-  return true;
+  return add_if_room(std::move(row), least);
 }
 
 // (5): a part is in as many tests as it comes, and in as many as its partners need.
@@ -239,8 +238,7 @@ bool StepProgram::add_occupied(const std::vector<std::size_t>& parts, std::uint6
   if (open <= slightly) {
     return false;
   }
-  add(std::move(row), least);
-  return true;
+  return add_if_room(std::move(row), least);
 }
 
 // Theorem 5, for parts of which every two must meet.
@@ -258,8 +256,7 @@ bool StepProgram::add_few_stays() {
     }
     if (short_of > static_cast<double>(most) + slightly) {
       const auto least = static_cast<std::int64_t>((s + 1) * row.size());
-      add(std::move(row), least - static_cast<std::int64_t>(most));
-      any = true;
+      any = add_if_room(std::move(row), least - static_cast<std::int64_t>(most)) || any;
     }
     if ((s + 1) * v_ < most) {
       break;
@@ -384,9 +381,23 @@ bool StepProgram::add_entry(std::size_t to) {
       row.push_back({empty_column(x), 1});
     }
   }
-  entry_.emplace_back(std::move(set), rows_.size());
-  add(std::move(row), 1);
+  const std::size_t place = rows_.size();
+  if (!add_if_room(std::move(row), 1)) {
+    return false;
+  }
+  entry_.emplace_back(std::move(set), place);
   return true;
+}
+
+bool StepProgram::add_if_room(LeastSum::Row terms, std::int64_t least) {
+  const std::uint64_t line = empty_column(exchanges_.empty() ? 0 : v_) + 1;
+  const std::uint64_t numbers = (terms.size() + 1) * line;
+  full_ = full_ || (rows_.size() + 1) * line > most_numbers || numbers > work_;
+  if (!full_) {
+    work_ -= numbers;
+    add(std::move(terms), least);
+  }
+  return !full_;
 }
 
 ExchangePrices StepProgram::exchange_prices() const {

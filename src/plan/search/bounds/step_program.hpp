@@ -57,10 +57,13 @@ class StepProgram {
   /// @throws Stopped
   void solve(double enough = 0) {
     constexpr int most_rounds = 60;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < most_rounds && !full_; ++round) {
       if (program_->solve(work_, enough) != LeastSum::End::solved || !add_violated()) {
         return;
       }
+    }
+    if (full_) {
+      static_cast<void>(program_->solve(work_, enough));
     }
   }
 
@@ -103,6 +106,9 @@ class StepProgram {
   bool add_entries();
   bool add_entry(std::size_t to);
 
+  // A violated row, unless the table is full: a bound with fewer rows is one, too.
+  bool add_if_room(LeastSum::Row terms, std::int64_t least);
+
   // A row in introductions, tests and steps: the columns count what is beyond the least.
   void add(LeastSum::Row terms, std::int64_t least) {
     for (const LeastSum::Term& term : terms) {
@@ -134,6 +140,7 @@ class StepProgram {
   std::uint64_t work_ = 1'500'000'000;
   std::optional<LeastSum> program_;
   std::vector<SavedRow> rows_;
+  bool full_ = false;
   std::vector<std::size_t> steps_rows_;  // by block: the row that counts its steps
   std::vector<Exchange> exchanges_;
   std::vector<std::size_t> out_rows_;                             // by part, if there are any
