@@ -990,6 +990,8 @@ export interface ReadJob {
   done: {
     places: {number: number; slot: string | null}[];
     tests: {
+      /** On which it was; null if that is not known. */
+      bench: string | null;
       places: string[];
       result: string;
       /** What the planner reads in it. */

@@ -7,7 +7,7 @@ usage: workbook.py make OUT.xlsx SHEET=TABLE.csv...
        workbook.py show BOOK.xlsx SHEET
 
 `make` writes a workbook as a spreadsheet program would: a sheet for each CSV file. `fill` does what a person does at the bench: it
-writes a result into the column `result` of the sheet `Run sheet`, in the row of that step. `play` is a bench: the first TESTS of the
+writes a result into the column `result` of the sheet `Run sheet`, or of another one, `RUN.xlsx:North`, in the row of that step. `play` is a bench: the first TESTS of the
 sheet are run, and those fail that have all parts of a FAULT, "CD8" or "X710,CD8". `show` prints a sheet as CSV. The same input makes the same bytes.
 """
 
@@ -111,8 +111,10 @@ class Sheet:
         return table
 
 
-def fill(source, path, results, name="Run sheet"):
+def fill(book, path, results, name="Run sheet"):
     """results: what is written in the column `result`, by step; or a function that says it of Sheet.table(). `name` is the sheet, that of a bench if there are several."""
+    source, _, named = book.partition(".xlsx:")
+    source, name = (source + ".xlsx", named) if named else (book, name)
     run = Sheet(source, name)
     left = dict(results(run.table()) if callable(results) else results)
     for row, said in zip(run.rows[1:], run.table()):

@@ -246,20 +246,29 @@ test('three benches: a sheet each, with its times; a part is on one bench at a t
   assert.ok((await page.locator('.next-test').count()) >= 1);
   await page.getByText('The comparison of costs covers one bench only.').waitFor();
 
-  // Its workbook comes back with results, which stand on the sheets of their benches; without results it says so.
+  // Its workbook holds the whole question: on a page that knows nothing it comes back with results, each on the sheet of its bench.
   const folder = mkdtempSync(join(tmpdir(), 'changeover-benches-'));
-  const [planned_, filled] = ['week.xlsx', 'filled.xlsx'].map((name) => join(folder, name));
+  const [planned_, half, filled] = ['week.xlsx', 'half.xlsx', 'filled.xlsx'].map((name) => join(folder, name));
   const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('link', { name: 'Workbook' }).click()]);
   await download.saveAs(planned_);
-  await give(page, 'week.xlsx', readFileSync(planned_));
-  await page.getByText('week.xlsx: its run sheets have no results').waitFor();
-  execFileSync('python3', ['-c', 'import sys; sys.path.insert(0, sys.argv[1]); import workbook; workbook.fill(sys.argv[2], sys.argv[3], workbook.play(2, []), "North")', lab, planned_, filled]);
-  const north = await page.locator('.bench-sheet', { hasText: 'North' }).locator('td.set-up').allTextContents();
-  await give(page, 'filled.xlsx', readFileSync(filled));
-  await page.getByText('2 tests done; for the rest').waitFor({ timeout: 60_000 });
-  await page.locator('.sheet-progress', { hasText: /^2 of \d+ tests done/ }).waitFor();
-  const after = await page.locator('.bench-sheet', { hasText: 'North' }).locator('tr.done td.set-up').allTextContents();
-  assert.deepEqual(after.map((text) => text.split(', ').sort()), north.slice(0, 2).map((text) => text.split(', ').sort()));
+  const setUpsOf = (of, bench, rows = 'tr') => of.locator('.bench-sheet', { hasText: bench }).locator(`${rows} td.set-up`).allTextContents();
+  const sorted = (texts) => texts.map((text) => text.split(', ').sort());
+  const [north, south_] = [await setUpsOf(page, 'North'), await setUpsOf(page, 'South')];
+  const play = (from, to, tests, bench) =>
+    execFileSync('python3', ['-c', 'import sys; sys.path.insert(0, sys.argv[1]); import workbook; workbook.fill(sys.argv[2], sys.argv[3], workbook.play(int(sys.argv[4]), []), sys.argv[5])', lab, from, to, String(tests), bench]);
+  play(planned_, half, 2, 'North');
+  play(half, filled, 1, 'South');
+  const fresh = await explorer.open('#/plan');
+  await give(fresh, 'week.xlsx', readFileSync(planned_));
+  await fresh.getByText('week.xlsx: the question is that of its hidden sheet').waitFor();
+  await fresh.locator('.group summary', { hasText: '3 benches' }).waitFor();
+  assert.equal(await fresh.getByRole('spinbutton', { name: 'How many fit at once' }).inputValue(), '4');
+  await give(fresh, 'filled.xlsx', readFileSync(filled));
+  await fresh.getByText('3 tests done; for the rest').waitFor({ timeout: 60_000 });
+  await fresh.locator('.sheet-progress', { hasText: /^3 of \d+ tests done/ }).waitFor();
+  assert.deepEqual(sorted(await setUpsOf(fresh, 'North', 'tr.done')), sorted(north.slice(0, 2)));
+  assert.deepEqual(sorted(await setUpsOf(fresh, 'South', 'tr.done')), sorted(south_.slice(0, 1)));
+  await look(fresh, 'plan-benches-workbook');
   await give(page, 'benches.csv', readFileSync(join(lab, 'benches/benches.csv')));
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
   await page.locator('.sheet-progress', { hasText: /^0 of \d+ tests done/ }).waitFor({ timeout: 60_000 });

@@ -39,6 +39,7 @@
 #include <string_view>
 #include <vector>
 
+#include "changeover/io/request.hpp"
 #include "changeover/plan/run_plan.hpp"
 
 namespace changeover {
@@ -200,14 +201,17 @@ struct BenchDocument {
   std::string title = "Run sheets";
   std::vector<std::string> notes = {};
   std::optional<Amount> budget = {};
-  std::string first_day =
-      {};  ///< date of the first tests, such as 2025-03-31; if empty, days only have numbers
-  bool weekends = false;  ///< Saturdays and Sundays are working days, too
+  std::string first_day = {};  ///< of the first tests, as 2025-03-31; empty: days have numbers only
+  bool weekends = false;       ///< Saturdays and Sundays are worked on, too
+  const DoneRecord* done = nullptr;        ///< as in SheetDocument
+  std::vector<std::string> question = {};  ///< as in SheetDocument
+  RequestList list = {};                   ///< the benches as they were asked for, for a workbook
 };
 
-/// Writes the document, as written() of sheet_formats.hpp. A page has each bench on its own sheet
-/// of paper; a workbook has a sheet per bench, `Bench 1`, `Bench 2`, …, then `Plan` and `Parts`.
-/// read_setups() and read_done() (plan/job.hpp) read the sheet of a bench back.
+/// As written() of sheet_formats.hpp. A page has each bench on a sheet of paper of its own; a
+/// workbook a sheet per bench, `Bench 1`, `Bench 2`, …, as that of one list, then `Plan`, `Parts`
+/// and what else a workbook of one list has, with a sheet `Benches`: it is all that is needed to go
+/// on. read_setups() and read_done() (plan/job.hpp) read the sheet of a bench back.
 [[nodiscard]] std::string written(const BenchDocument& document, std::string_view format,
                                   std::size_t width = 80);
 

@@ -34,7 +34,7 @@
 #include <utility>
 #include <vector>
 
-#include "changeover/plan/job.hpp"
+#include "changeover/plan/benches.hpp"
 
 namespace changeover {
 
@@ -119,6 +119,9 @@ struct DiagnosisDocument {
       {};  ///< remaining set-ups of the current plan, which follow the next test in a workbook
   const DoneRecord* done = nullptr;        ///< as in SheetDocument
   std::vector<std::string> question = {};  ///< as in SheetDocument
+  const BenchPlan* benches = nullptr;  ///< of several: what comes next on each, the next test too
+  const Job* of_benches = nullptr;     ///< the job of all of them
+  RequestList list = {};               ///< as in BenchDocument
 };
 
 /// Writes the diagnosis as "table" for a terminal of the given width, "markdown", "html", "xlsx" (a

@@ -478,6 +478,7 @@ struct DoneRecord {
     std::vector<std::string> parts;  ///< by place, "" for an empty one; may be shorter than places
     std::string result;
     std::string notes;
+    std::string bench = {};  ///< on which it was, by name; "" if that is not known
   };
   std::vector<DonePlace> places;
   std::vector<Test> tests;

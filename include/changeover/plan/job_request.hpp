@@ -103,14 +103,15 @@ struct OpenedRequest {
   std::vector<std::string> notes;
 };
 
-/// Completes a request whose parts are in a workbook, if it names no sheet of it. A workbook that
-/// was made as a run sheet has its original request on a hidden sheet: keys that the request lacks
-/// are taken from there. The tests on it that have a result count as done, and their cost is
-/// deducted from a budget. Its other lists count if they were changed since. In other workbooks,
-/// sheets with slots, forbidden pairs, priorities and costs by what is replaced are found by their
-/// names. Every other request is returned unchanged. @throws BadInput for a workbook that cannot be
-/// read, and for a request in it that is damaged, of another kind, or names files; MissingResource
-/// for a file that cannot be read.
+/// If the parts are in a workbook and no sheet of it is named: a workbook that was made as a run
+/// sheet, or as those of several benches, has the question that it was made for on a hidden sheet,
+/// which is taken where the request says nothing, and the tests on it that have a result are those
+/// that were done; a budget is less by what they cost, and the first day is that of the first test
+/// that was not. Lists on its other sheets count if they were changed since. In other workbooks,
+/// slots, forbidden pairs, priorities, costs by what is replaced and benches are found on sheets by
+/// their names. Every other request comes back as it is. @throws
+/// BadInput for a workbook that cannot be read, and for a question in it that is damaged, of
+/// another kind, or that names files; MissingResource for a file that cannot be read.
 [[nodiscard]] OpenedRequest open_workbook(JobRequest request);
 
 /// Checks ranges and combinations of keys, before any list is read. @throws BadOption, naming
@@ -148,7 +149,8 @@ struct PlanAnswer {
   std::optional<BenchPlan> benches = {};
   std::optional<WhatIf> what_if = {};
   std::optional<Diagnosis> diagnosis = {};
-  PlanOptions options = {};  ///< of the search
+  std::size_t bench = 0;     ///< of several: the number of the one that the next test is for
+  PlanOptions options = {};  ///< with which it was searched for
   BenchObjective objective = BenchObjective::makespan;
   std::vector<std::string> notes = {};  ///< of the job, and of the planning
 

@@ -81,7 +81,7 @@ std::optional<std::string> bench_field(const JsonNode& node) {
     if (!field || field->empty()) {
       return std::nullopt;
     }
-    text += (text.empty() ? "" : ",") + quoted_field(*field);
+    text += (text.empty() ? "" : ", ") + quoted_field(*field);
   }
   return text.empty() ? "," : text;  // no parts, which is more than saying nothing
 }

@@ -364,7 +364,9 @@ TableDocument table_document(const DiagnosisDocument& document) {
   const Money money(job);
   const auto sheet = std::make_shared<const NextSheet>(job, found.next, document.rest);
   made.sections.push_back(
-      {.table = kept_with(step_table(sheet->job, {&sheet->with_rest}, money, {}), sheet),
+      {.table = document.benches == nullptr
+                    ? kept_with(step_table(sheet->job, {&sheet->with_rest}, money, {}), sheet)
+                    : bench_step_table({.job = document.of_benches, .plan = document.benches}),
        .in = in_workbook,
        .sheet = "Run sheet"});
   if (found.next) {
@@ -378,7 +380,8 @@ TableDocument table_document(const DiagnosisDocument& document) {
   made.sections.push_back({.heading = many ? "Suspects" : "",
                            .table = many ? suspects_by_part(job, found) : Table{},
                            .in = many ? everywhere & ~in_csv : in_workbook});
-  add_what_goes_on(made, job, money, document.done, document.question);
+  add_what_goes_on(made, document.of_benches == nullptr ? job : *document.of_benches, money,
+                   document.done, document.question, document.list);
   return made;
 }
 

@@ -86,7 +86,8 @@ void check_options(const JobRequest& request, Door door) {
     return;
   }
   const std::uint64_t least = of_triples ? strength_of_triples : 2;
-  if (request.at_once.value_or(least) < least) {
+  const bool benches_may_say = request.benches.is_given() && !request.benches.number;
+  if (request.at_once.value_or(least) < least && !benches_may_say) {
     refuse(fmt::format("{} {}: no {} can meet; give at least {}", key("at_once"), *request.at_once,
                        of_triples ? "triple" : "pair", least));
   }

@@ -19,8 +19,8 @@
 #include "plan/request/done_tests.hpp"
 #include "plan/request/parts_left.hpp"
 #include "plan/request/question.hpp"
+#include "plan/request/run_workbook.hpp"
 #include "plan/request/whole_question.hpp"
-#include "plan/request/workbook_question.hpp"
 #include "plan/sheet/benches/bench_calendar.hpp"
 #include "plan/sheet/clock.hpp"
 
@@ -186,6 +186,7 @@ class JobMaker {
       benches_ = read_old(*input, [&](Input& list, const auto&, std::vector<std::string>* gone) {
         return listed_benches(list, {&names_, &left_, asked.benches.rows ? nullptr : gone});
       });
+      whole_.benches = bench_rows(benches_, job_);
     }
     const auto hours = question_.amount("hours", asked.hours);
     bool some_rest = false;
@@ -288,9 +289,8 @@ class JobMaker {
     whole_.slot.clear();
   }
 
-  // Adds pieces of parts that a set-up may need several of, and sets the room if only the slots
-  // limit it.
-  void take_pieces_and_room() {
+  // Pieces of parts that a set-up may need several of.
+  void take_pieces() {
     if (job_.model != nullptr) {
       return;
     }
@@ -305,17 +305,30 @@ class JobMaker {
             count_of(added, "further piece"), examples_of_pieces()));
       }
     }
-    if (!question_->at_once) {
+  }
+
+  // How many parts fit; of benches that all say it themselves, most of them.
+  void take_room() {
+    if (job_.model != nullptr) {
+      return;
+    }
+    const bool benches_say = has_benches() && std::ranges::all_of(benches_, [](const Bench& bench) {
+                               return bench.down || bench.at_once;
+                             });
+    const bool of_triples = question_->strength == triples;
+    const std::uint64_t least = of_triples ? triples : 2;
+    if (benches_say && job_.at_once < least) {
+      job_.at_once = std::max(least, most_at_once(job_, benches_));
+    } else if (!question_->at_once) {
       job_.at_once = room_of_slots();
       whole_.at_once = job_.at_once;
       notes_.push_back(
           fmt::format("{} fit at once, as many as the slots hold", count_of(job_.at_once, "part")));
     }
-    const std::string key = question_.key("at_once");
-    const bool of_triples = question_->strength == triples;
-    if (job_.at_once < 2 || (of_triples && job_.at_once < triples)) {
-      throw BadOption(fmt::format("{} {}: no {} can meet; give at least {}", key, job_.at_once,
-                                  of_triples ? "triple" : "pair", of_triples ? triples : 2));
+    if (job_.at_once < least) {
+      throw BadOption(fmt::format("{} {}: no {} can meet; give at least {}",
+                                  question_.key("at_once"), job_.at_once,
+                                  of_triples ? "triple" : "pair", least));
     }
   }
 
@@ -369,7 +382,7 @@ class JobMaker {
       whole_.change_costs = change_cost_rows(job_);
     }
     if (question_->first.is_given()) {
-      whole_.first = setup_rows(job_.first, job_);
+      whole_.first = setup_rows(job_.first, job_, benches_);
     }
     if (question_->weights.is_given()) {
       whole_.weights = weight_rows(job_);
@@ -415,7 +428,7 @@ class JobMaker {
             fmt::format("{}: no two parts can be in one set-up; leave out a pair", input->name()));
       }
     }
-    take_pieces_and_room();
+    take_pieces();
     if (asked.pairs.is_given()) {
       const auto input = question_.open("pairs", asked.pairs);
       const std::size_t notes = notes_.size();
@@ -430,6 +443,7 @@ class JobMaker {
     job_.mounted = named("mounted", asked.mounted);
     job_.start = named("start", asked.start);
     take_benches();
+    take_room();
     Job any = job_;
     any.needed = PairSet(job_.parts());
     check_job(any);
@@ -461,10 +475,12 @@ class JobMaker {
     if (apart.size() == 0) {
       return;
     }
-    if (apart.size() == job_.needed.size() && has_benches()) {
+    const bool is_all = apart.size() == job_.needed.size();
+    // Of benches this is what tests that were done have left: it may be what cannot be.
+    if (is_all && has_benches() && !question_->done.is_given()) {
       throw BadInput("no two parts that must meet can be on one bench; let a bench have both");
     }
-    if (apart.size() == job_.needed.size()) {
+    if (is_all && !has_benches()) {
       throw BadInput(
           job_.model != nullptr
               ? "no two values can be in one test; leave out a rule or a pair"
@@ -523,19 +539,10 @@ class JobMaker {
 
   ParsedJob done_of_job() {
     const JobRequest& asked = *question_;
-    std::vector<std::unique_ptr<Input>> inputs;
-    if (has_benches()) {
-      for (const std::string& sheet : bench_sheets(asked.done.file)) {
-        inputs.push_back(open_list(asked.done.file + ":" + sheet));
-      }
-    }
-    if (inputs.empty()) {
-      inputs = open_done(asked.done, "done");
-    }
     DoneWords words{.done_first = question_.key("done_first"),
                     .trust_failed = question_.key("trust_failed"),
                     .first_tests = first_tests_};
-    return take_done(inputs,
+    return take_done(open_done(asked.done, "done"),
                      {.names = &names_,
                       .left = &left_,
                       .first = asked.done_first,

@@ -3,16 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 #include <map>
-#include <system_error>
 #include <utility>
 
 #include "changeover/core/error.hpp"
 #include "core/words.hpp"
 #include "io/scan/place.hpp"
-#include "io/workbook/workbook_sheet.hpp"
 #include "plan/job/bench_jobs.hpp"
 #include "plan/job/bench_list.hpp"
 #include "plan/job/part_finder.hpp"
@@ -129,9 +126,10 @@ void append(DoneList& list, DoneList more) {
   add(list.notes, more.notes);
 }
 
-// Records a test for the sheet of earlier tests; without places, in the order in which its parts
-// are written.
-void record_test(DoneRecord& record, const DoneList& list, std::size_t test, const Job& job) {
+// Keeps a test for the sheet of those that were done; without places, in the order in which its
+// parts are written.
+void record_test(DoneRecord& record, const DoneList& list, std::size_t test, const Job& job,
+                 const std::string& bench) {
   std::vector<DonePlace> places = list.places;
   std::vector<std::string> parts = list.written[test];
   if (places.empty()) {
@@ -148,6 +146,7 @@ void record_test(DoneRecord& record, const DoneList& list, std::size_t test, con
   }
   kept.result = list.results[test].empty() ? "done" : list.results[test];
   kept.notes = list.notes[test];
+  kept.bench = bench;
 }
 
 // The places of the bench after the test from which the plan continues, with their parts.
@@ -257,7 +256,8 @@ class DoneTaker {
       return;
     }
     answer_.done.push_back({setup, result});
-    record_test(answer_.record, list, i, *job_);
+    record_test(answer_.record, list, i, *job_,
+                bench ? name_of(*benches_, *bench) : list.benches[i]);
     last_ = i;
     if (bench) {
       on_bench_[*bench].push_back(i);
@@ -384,31 +384,6 @@ class DoneTaker {
 };
 
 }  // namespace
-
-std::vector<std::string> bench_sheets(const std::string& path) {
-  constexpr std::size_t most_bytes = std::size_t{1} << 26;  // limit for a workbook
-  std::error_code ignored;
-  std::vector<std::string> found;
-  if (path.empty() || list_file(path) != path || !std::filesystem::is_regular_file(path, ignored) ||
-      std::filesystem::file_size(path, ignored) > most_bytes) {
-    return found;
-  }
-  const std::string bytes = read_to_end(*open_input(path), most_bytes);
-  if (!begins_like_a_workbook(bytes)) {
-    return found;
-  }
-  for (const SheetName& sheet : workbook_sheets(bytes, path)) {
-    const auto head = sheet.hidden ? std::nullopt : WorkbookSheet(bytes, path, sheet.name).next();
-    const auto has = [&](std::string_view word) {
-      return std::any_of(head->cells.begin(), head->cells.end(),
-                         [&](const SheetCell& cell) { return cell.text == word; });
-    };
-    if (head && has("bench") && has("take_out") && has("put_in")) {
-      found.push_back(sheet.name);
-    }
-  }
-  return found;
-}
 
 ParsedJob take_done(const std::vector<std::unique_ptr<Input>>& inputs, const DoneOptions& options,
                     const DoneWords& words, Job& job, std::vector<Bench>& benches) {

@@ -29,17 +29,13 @@ struct DoneWords {
   std::string first_tests;  ///< where the set-ups that come first were read from
 };
 
-/// The sheets of a workbook that are run sheets of benches, in order; empty for other files, or if
-/// the path names a sheet.
-[[nodiscard]] std::vector<std::string> bench_sheets(const std::string& path);
-
-/// Removes the tests that were done from the job: the first ones if their number is given;
-/// otherwise those with a result, if any test has one; otherwise all. Tests whose result says that
-/// they were not run are ignored. First set-ups of the job that are among them need not run again.
-/// Several inputs are the sheets of one workbook. A test may give its bench by name or number; the
-/// bench then continues after its last test, with what was mounted there and the rest of its sheet.
-/// Tests with an unknown bench, or none, still count. Fills all members of the result except its
-/// job and its benches. O(size of the lists), besides mark_tested(). @throws BadOption, BadInput,
+/// Takes the tests that were done off the job: the first ones if their number is given, else those
+/// with a result if any has one, else all; without those whose result says that they were not run.
+/// Those of the job's first tests among them are not to be run again. Several inputs are sheets of
+/// one workbook. A test says by name or number on which bench it was; a bench then goes on after
+/// its last test, with what was mounted there and the rest of its sheet. Tests of a bench that is
+/// none any more, or of none, count all the same. Fills all of the answer but its job and its
+/// benches. O(size of the lists), besides mark_tested(). @throws BadOption, BadInput,
 /// MissingResource
 [[nodiscard]] ParsedJob take_done(const std::vector<std::unique_ptr<Input>>& inputs,
                                   const DoneOptions& options, const DoneWords& words, Job& job,

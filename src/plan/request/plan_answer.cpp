@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
+#include <iterator>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -19,30 +20,63 @@
 namespace changeover {
 namespace {
 
-// The next test runs on the first working bench with the most room.
-std::size_t bench_to_diagnose_on(const ParsedJob& asked) {
-  std::size_t best = 0;
-  std::ptrdiff_t fewest = std::numeric_limits<std::ptrdiff_t>::max();
+// The benches that work, those that can have the most parts first.
+std::vector<std::size_t> benches_to_diagnose_on(const ParsedJob& asked) {
+  std::vector<std::pair<std::ptrdiff_t, std::size_t>> by_lacking;
   for (std::size_t b = 0; b < asked.benches.size(); ++b) {
     const std::vector<bool> barred = barred_parts(*asked.job, asked.benches[b]);
-    const std::ptrdiff_t few = std::count(barred.begin(), barred.end(), true);
-    if (!asked.benches[b].down && few < fewest) {
-      best = b;
-      fewest = few;
+    if (!asked.benches[b].down) {
+      by_lacking.emplace_back(std::count(barred.begin(), barred.end(), true), b);
     }
   }
-  return best;
+  std::ranges::sort(by_lacking);
+  constexpr std::size_t most_looked_at = 8;
+  by_lacking.resize(std::min(by_lacking.size(), most_looked_at));
+  std::vector<std::size_t> benches;
+  for (const auto& [lacking, bench] : by_lacking) {
+    benches.push_back(bench);
+  }
+  return benches;
 }
 
-// The job of the bench for the next test.
-Job diagnosed_job(const ParsedJob& asked) {
-  return asked.benches.empty()
-             ? *asked.job
-             : job_by_itself(*asked.job, asked.benches[bench_to_diagnose_on(asked)]);
+// The job of the bench that the next test is for.
+Job diagnosed_job(const ParsedJob& asked, std::size_t bench) {
+  return asked.benches.empty() ? *asked.job : job_by_itself(*asked.job, asked.benches[bench]);
 }
 
-// The faults that explain the results, and the next test.
-Diagnosis diagnosis_of(const ParsedJob& asked) {
+// What comes next on each bench: the next test where it is for, and what was planned.
+BenchPlan next_on_benches(const ParsedJob& asked, std::size_t on, const Job& own,
+                          const Diagnosis& found) {
+  BenchPlan next;
+  next.benches = asked.benches;
+  for (std::size_t b = 0; b < next.benches.size(); ++b) {
+    Bench& bench = next.benches[b];
+    std::vector<Block> setups;
+    if (found.next && b == on) {
+      setups.push_back(found.next->setup);
+    }
+    std::ranges::copy_if(bench.rest, std::back_inserter(setups),
+                         [](const Block& setup) { return !setup.empty(); });
+    Job job = bench.down ? own : job_of_bench(*asked.job, bench);
+    job.first.clear();
+    next.sheets.push_back(run_sheet(job, bench.down ? std::vector<Block>() : setups));
+  }
+  return next;
+}
+
+// How many explanations are left at worst after the next test, and what it costs.
+std::tuple<bool, std::size_t, Amount> worth_of(const Diagnosis& found) {
+  if (!found.next) {
+    return {true, 0, Amount{}};
+  }
+  const std::size_t left =
+      std::max(found.next->if_it_fails.size(), found.next->if_it_passes.size());
+  return {false, left, found.next->cost};
+}
+
+// Which faults the results leave, and what to test next: of benches, where that tells most for the
+// least.
+void diagnose_results(const ParsedJob& asked, PlanAnswer& answer) {
   if (asked.results.empty()) {
     throw BadInput(
         asked.unread == 0
@@ -51,15 +85,22 @@ Diagnosis diagnosis_of(const ParsedJob& asked) {
                           asked.first_unread.front().place,
                           shown(asked.first_unread.front().text)));
   }
-  Diagnosis found = diagnose(diagnosed_job(asked), asked.results);
+  const std::vector<std::size_t> benches =
+      asked.benches.empty() ? std::vector<std::size_t>{0} : benches_to_diagnose_on(asked);
+  for (const std::size_t bench : benches) {
+    Diagnosis on_it = diagnose(diagnosed_job(asked, bench), asked.results);
+    if (!answer.diagnosis || worth_of(on_it) < worth_of(*answer.diagnosis)) {
+      answer.diagnosis = std::move(on_it);
+      answer.bench = bench;
+    }
+  }
+  Diagnosis& found = *answer.diagnosis;
   found.unread = asked.unread;
   found.first_unread = asked.first_unread;
   found.notes = asked.notes;
   if (asked.benches.size() > 1 && found.next) {
-    found.notes.push_back("the next test is for " +
-                          name_of(asked.benches, bench_to_diagnose_on(asked)));
+    found.notes.push_back("the next test is for " + name_of(asked.benches, answer.bench));
   }
-  return found;
 }
 
 // The request for a workbook, below its head.
@@ -97,7 +138,7 @@ PlanAnswer answer_to(const JobRequest& request, const ParsedJob& asked, RunContr
   PlanAnswer answer;
   answer.notes = asked.notes;
   if (request.diagnose) {
-    answer.diagnosis = diagnosis_of(asked);
+    diagnose_results(asked, answer);
     return answer;
   }
   answer.options = plan_options(request, asked);
@@ -129,13 +170,20 @@ std::string written(const JobRequest& request, const ParsedJob& asked, const Pla
                     const std::string& format, std::size_t width) {
   const Job& job = *asked.job;
   if (answer.diagnosis) {
-    const Job own = diagnosed_job(asked);
-    return written(DiagnosisDocument{.job = &own,
-                                     .found = &*answer.diagnosis,
-                                     .rest = asked.rest,
-                                     .done = &asked.record,
-                                     .question = question_in_pieces(asked)},
-                   format, width);
+    const Job own = diagnosed_job(asked, answer.bench);
+    DiagnosisDocument document{.job = &own,
+                               .found = &*answer.diagnosis,
+                               .rest = asked.rest,
+                               .done = &asked.record,
+                               .question = question_in_pieces(asked),
+                               .list = asked.question.benches};
+    BenchPlan next;
+    if (!asked.benches.empty()) {
+      next = next_on_benches(asked, answer.bench, own, *answer.diagnosis);
+      document.benches = &next;
+      document.of_benches = &job;
+    }
+    return written(document, format, width);
   }
   if (answer.what_if) {
     return written(job, *answer.what_if, format);
@@ -147,7 +195,10 @@ std::string written(const JobRequest& request, const ParsedJob& asked, const Pla
                            .notes = answer.notes,
                            .budget = answer.options.budget,
                            .first_day = request.first_day,
-                           .weekends = request.weekends};
+                           .weekends = request.weekends,
+                           .done = &asked.record,
+                           .question = question_in_pieces(asked),
+                           .list = asked.question.benches};
     document.title = request.title.empty() ? document.title : request.title;
     return written(document, format, width);
   }

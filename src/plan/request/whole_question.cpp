@@ -1,8 +1,11 @@
 #include "plan/request/whole_question.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "changeover/plan/model.hpp"
+#include "io/scan/row_reader.hpp"
 #include "plan/job/pair_numbers.hpp"
 
 namespace changeover {
@@ -60,13 +63,53 @@ RequestList weight_rows(const Job& job) {
   return list_of(std::move(rows));
 }
 
-RequestList setup_rows(const std::vector<Block>& setups, const Job& job) {
+RequestList setup_rows(const std::vector<Block>& setups, const Job& job,
+                       const std::vector<Bench>& benches) {
   std::vector<ListRow> rows;
-  for (const Block& setup : setups) {
+  const auto add = [&](const Block& setup, const std::string& bench) {
     ListRow& row = rows.emplace_back();
     for (const Element x : setup) {
       row.fields.push_back(job.names[x]);
     }
+    row.bench = bench;
+  };
+  for (const Block& setup : setups) {
+    add(setup, "");
+  }
+  for (std::size_t b = 0; b < benches.size(); ++b) {
+    for (std::size_t i = setups.size(); benches[b].first && i < benches[b].first->size(); ++i) {
+      add((*benches[b].first)[i], name_of(benches, b));
+    }
+  }
+  return list_of(std::move(rows));
+}
+
+RequestList bench_rows(const std::vector<Bench>& benches, const Job& job) {
+  // No part at all is more than saying nothing.
+  const auto parts = [&](const Block& block) {
+    return block.empty() ? std::string(",") : parts_text(block, job.names);
+  };
+  const auto some = [&](const Block& block) { return block.empty() ? "" : parts(block); };
+  const auto if_said = [&](const std::optional<Block>& block) {
+    return block ? parts(*block) : "";
+  };
+  const auto amount = [](const std::optional<Amount>& said) {
+    return said ? to_string(*said) : "";
+  };
+  std::vector<ListRow> rows;
+  for (const Bench& bench : benches) {
+    std::string slots;
+    for (const Slot& slot : bench.slots) {
+      const std::string limits =
+          fmt::format("{}={}..{}", slot.name, slot.least,
+                      slot.most == Slot{}.most ? "" : std::to_string(slot.most));
+      slots += (slots.empty() ? "" : ", ") + quoted_field(limits);
+    }
+    rows.push_back(
+        {{bench.name, bench.at_once ? std::to_string(*bench.at_once) : "", amount(bench.test_cost),
+          bench.change_factor == Bench{}.change_factor ? "" : to_string(bench.change_factor), slots,
+          if_said(bench.mounted), if_said(bench.start), some(bench.own), some(bench.without),
+          amount(bench.hours), bench.down ? "yes" : ""}});
   }
   return list_of(std::move(rows));
 }

@@ -15,8 +15,12 @@ namespace changeover {
 [[nodiscard]] RequestList pair_rows(const PairSet& pairs, const Job& job,
                                     const PairReasons& why = {});
 [[nodiscard]] RequestList weight_rows(const Job& job);
-[[nodiscard]] RequestList setup_rows(const std::vector<Block>& setups, const Job& job);
-/// The square table of costs by what is replaced, without further pieces of parts.
+/// The set-ups that come first: on all benches, and then those that do so on some.
+[[nodiscard]] RequestList setup_rows(const std::vector<Block>& setups, const Job& job,
+                                     const std::vector<Bench>& benches);
+[[nodiscard]] RequestList bench_rows(const std::vector<Bench>& benches, const Job& job);
+/// The square table of what changes cost by what is replaced, of the parts that are no further
+/// pieces of others.
 [[nodiscard]] RequestList change_cost_rows(const Job& job);
 /// The costs of setting values of a model, including those that depend on what is replaced.
 [[nodiscard]] RequestList value_cost_rows(const Job& job);

@@ -11,69 +11,29 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "changeover/plan/job_request.hpp"
 #include "core/utf8.hpp"
 #include "core/words.hpp"
 #include "io/request/request_document.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
 #include "io/workbook/workbook_sheet.hpp"
+#include "plan/job/bench_jobs.hpp"
+#include "plan/job/bench_list.hpp"
 #include "plan/job/parts/heading_words.hpp"
-#include "plan/request/done_tests.hpp"
+#include "plan/request/asked_benches.hpp"
+#include "plan/request/run_workbook.hpp"
+#include "plan/sheet/benches/bench_calendar.hpp"
 #include "plan/sheet/sheet_document.hpp"
 
 namespace changeover {
 namespace {
 
-constexpr std::size_t most_bytes_of_a_workbook = std::size_t{1} << 26;
-constexpr std::string_view how_to_mend = "save only the sheets that are needed";
 constexpr std::string_view marker = "changeover-";
 
-// A workbook in memory, and the names of lists on its sheets.
-struct Book {
-  std::string bytes;
-  std::string name;  // for messages
-  std::vector<SheetName> sheets;
-  RequestList list;  // as it was given
-
-  [[nodiscard]] const SheetName* sheet(std::string_view wanted) const {
-    const auto found = std::ranges::find_if(
-        sheets, [&](const SheetName& each) { return lower(each.name) == lower(wanted); });
-    return found == sheets.end() ? nullptr : &*found;
-  }
-  [[nodiscard]] RequestList on_sheet(const std::string& wanted) const {
-    RequestList on = list;
-    list.workbook ? on.sheet = wanted : on.file += ":" + wanted;
-    return on;
-  }
-};
-
-// The workbook of a list, if no sheet of it is named. A file that can be read only once is not
-// opened.
-std::optional<Book> book_of(const RequestList& list, const std::string& spelled) {
-  Book book{.bytes = {}, .name = spelled, .sheets = {}, .list = list};
-  if (list.workbook && list.sheet.empty()) {
-    book.bytes = *list.workbook;
-  } else {
-    std::error_code ignored;
-    if (list.file.empty() || !std::filesystem::is_regular_file(list.file, ignored)) {
-      return std::nullopt;
-    }
-    const auto input = open_input(list.file);
-    constexpr std::size_t mark = 8;
-    PeekedInput peeked(*input, mark);
-    if (!begins_like_a_workbook(peeked.beginning())) {
-      return std::nullopt;
-    }
-    book.bytes = read_to_end(peeked, most_bytes_of_a_workbook, how_to_mend);
-    book.name = input->name();
-  }
-  book.sheets = workbook_sheets(book.bytes, book.name);
-  return book;
-}
-
-// The content of the hidden sheet, in one piece.
-std::string document_in(const Book& book) {
-  WorkbookSheet sheet(book.bytes, book.name, std::string(question_sheet));
+// What the hidden sheet says, in one piece.
+std::string document_in(const RunWorkbook& book) {
+  WorkbookSheet sheet = book.rows(std::string(question_sheet));
   const auto fail = [&](std::uint64_t row, const std::string& what) {
     throw BadInput(
         fmt::format("{}: {}; delete the sheet {} and give the options, or save the "
@@ -101,7 +61,7 @@ std::string document_in(const Book& book) {
   return document;
 }
 
-JobRequest question_in(const Book& book) {
+JobRequest question_in(const RunWorkbook& book) {
   const std::string where = fmt::format("{}:{}", book.name, question_sheet);
   JobRequest question;
   try {
@@ -140,6 +100,10 @@ void drop_what_does_not_fit(JobRequest& question, const JobRequest& request) {
     question.slot.clear();
     question.slots = {};
   }
+  if (request.benches.number && request.hours.empty() && question.hours.empty()) {
+    question.first_day.clear();
+    question.weekends = false;
+  }
   if (request.diagnose || request.what_if) {
     question.budget.clear();
     question.title.clear();
@@ -155,25 +119,112 @@ void drop_what_does_not_fit(JobRequest& question, const JobRequest& request) {
   }
 }
 
-// Deducts the cost of tests on the run sheet that have a result from the budget.
-void take_off_budget(JobRequest& question, const Book& book, const ParsedJob& before,
+// What is written on the run sheets of a workbook, and the job that they were made for.
+struct Written {
+  ParsedJob before;  // after the tests on the sheet of those that were done
+  std::vector<DoneList> lists;
+
+  [[nodiscard]] bool has_results() const {
+    return std::ranges::any_of(lists, &DoneList::has_results);
+  }
+};
+
+Written written_on(const RunWorkbook& book, const std::vector<std::string>& run,
+                   const JobRequest& question) {
+  JobRequest before = question;
+  if (book.sheet(done_sheet) != nullptr) {
+    before.done = book.on_sheet(std::string(done_sheet));
+  }
+  Written written{.before = checked_job(before, Door::document), .lists = {}};
+  const Job& job = *written.before.job;
+  for (const std::string& sheet : run) {
+    const auto input = book.open(sheet);
+    written.lists.push_back(
+        job.model != nullptr
+            ? read_done(*input, job)
+            : read_done(*input, job.names, most_at_once(job, written.before.benches)));
+  }
+  return written;
+}
+
+// What tests on run sheets cost that have a result: so much of the budget is gone.
+void take_off_budget(JobRequest& question, const std::string& name, const Written& written,
                      std::vector<std::string>& notes) {
-  SheetInput sheet(input_from_text(book.bytes, book.name), std::string(steps_sheet));
-  const DoneList list = read_done(sheet, *before.job);
-  std::vector<Block> done;
-  for (std::size_t i = 0; i < list.setups.size(); ++i) {
-    const TestResult result = result_of(list.results[i]);
-    if (result != TestResult::none && result != TestResult::not_run) {
-      done.push_back(list.setups[i]);
+  const Job& job = *written.before.job;
+  const std::vector<Bench>& benches = written.before.benches;
+  std::vector<std::vector<Block>> done(std::max<std::size_t>(1, benches.size()));
+  std::uint64_t tests = 0;
+  for (const DoneList& list : written.lists) {
+    for (std::size_t i = 0; i < list.setups.size(); ++i) {
+      const TestResult result = result_of(list.results[i]);
+      if (result != TestResult::none && result != TestResult::not_run) {
+        done[find_bench(benches, list.benches[i]).value_or(0)].push_back(list.setups[i]);
+        ++tests;
+      }
+    }
+  }
+  Amount spent;
+  for (std::size_t b = 0; b < done.size(); ++b) {
+    if (!done[b].empty()) {
+      spent += run_sheet(benches.empty() ? job : job_of_bench(job, benches[b]), done[b]).cost;
     }
   }
   const Amount all = parse_amount(question.budget);
-  const Amount spent = run_sheet(*before.job, done).cost;
   const Amount left = spent < all ? all - spent : Amount{};
-  notes.push_back(fmt::format("{}: {} of the budget of {} is spent on {}, {} is left", book.name,
-                              to_string(spent), to_string(all), count_of(done.size(), "test"),
+  notes.push_back(fmt::format("{}: {} of the budget of {} is spent on {}, {} is left", name,
+                              to_string(spent), to_string(all), count_of(tests, "test"),
                               to_string(left)));
   question.budget = to_string(left);
+}
+
+bool is_day(const std::string& text) {
+  try {
+    static_cast<void>(parse_day(text));
+    return true;
+  } catch (const BadInput&) {
+    return false;
+  }
+}
+
+// The day of the next tests, as the sheets of benches have it: that of the first test without a
+// result, but no day before that of a test with one.
+void begin_where_it_ends(JobRequest& question, const RunWorkbook& book,
+                         const std::vector<std::string>& run, std::vector<std::string>& notes) {
+  std::string last_done;
+  std::string first_left;
+  for (const std::string& name : run) {
+    WorkbookSheet sheet = book.rows(name);
+    const auto head = sheet.next();
+    const auto column = [&](std::string_view word) {
+      const auto found = std::ranges::find(head->cells, word, &SheetCell::text);
+      return found == head->cells.end() ? std::optional<std::uint64_t>() : found->column;
+    };
+    const auto date = column("date");
+    const auto result = column("result");
+    while (const auto row = date && result ? sheet.next() : std::nullopt) {
+      const auto text = [&](std::uint64_t wanted) {
+        const auto found = std::ranges::find(row->cells, wanted, &SheetCell::column);
+        return found == row->cells.end() ? std::string() : found->text;
+      };
+      const std::string day = text(*date);
+      if (!is_day(day)) {
+        continue;
+      }
+      const TestResult said = result_of(text(*result));
+      if (said != TestResult::none && said != TestResult::not_run) {
+        last_done = std::max(last_done, day);
+      } else if (first_left.empty() || day < first_left) {
+        first_left = day;
+      }
+    }
+  }
+  const std::string day = std::max(last_done, first_left);
+  if (day > question.first_day) {
+    notes.push_back(fmt::format(
+        "{}: the rest begins on {}, by its sheets; give another first day if it does not",
+        book.name, day));
+    question.first_day = day;
+  }
 }
 
 bool is_one_of(const std::string& name, std::initializer_list<std::string_view> words) {
@@ -194,8 +245,8 @@ struct KnownSheet {
   std::initializer_list<std::string_view> names;
 };
 
-const std::array<KnownSheet, 4>& known_sheets() {
-  static const std::array<KnownSheet, 4> known{
+const std::array<KnownSheet, 5>& known_sheets() {
+  static const std::array<KnownSheet, 5> known{
       {{"slots", &JobRequest::slots, "slots", {"slots", "slot", "slot limits", "sockets", "bays"}},
        {"never",
         &JobRequest::never,
@@ -211,7 +262,8 @@ const std::array<KnownSheet, 4>& known_sheets() {
         &JobRequest::change_costs,
         "costs by what is replaced",
         {"change costs", "changeover costs", "changeover times", "cleaning", "cleaning costs",
-         "cleaning times", "rüstkosten", "reinigung"}}}};
+         "cleaning times", "rüstkosten", "reinigung"}},
+       {"benches", &JobRequest::benches, "benches", {"benches", "test benches", "prüfstände"}}}};
   return known;
 }
 
@@ -244,9 +296,9 @@ bool is_same(const std::string& one, const std::string& other) {
   }
 }
 
-// Whether a sheet still has the content of this table, which was written into the workbook.
-bool is_as_written(const Book& book, const std::string& name, const Table& table) {
-  WorkbookSheet sheet(book.bytes, book.name, name);
+// Whether a sheet says what this table said when the workbook was written.
+bool is_as_written(const RunWorkbook& book, const std::string& name, const Table& table) {
+  WorkbookSheet sheet = book.rows(name);
   const auto is_row = [&](const SheetRow& row, auto&& text_of) {
     std::size_t cell = 0;
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
@@ -273,14 +325,14 @@ bool is_as_written(const Book& book, const std::string& name, const Table& table
   return !sheet.next();
 }
 
-// Takes lists that the user changed on the sheets of a workbook since it was written for a job.
-void take_changed_sheets(JobRequest& request, JobRequest& question, const Book& book,
+// Takes the lists that the user changed on the sheets of a workbook since it was written for a job.
+void take_changed_sheets(JobRequest& request, JobRequest& question, const RunWorkbook& book,
                          const Job& job, std::vector<std::string>& notes) {
   if (job.model != nullptr) {
     return;  // its values and rules are in its text
   }
   TableDocument document;
-  add_lists_of_job(document, job, Money(job));
+  add_lists_of_job(document, job, Money(job), question.benches);
   const auto section = [&](const SheetName& sheet) -> const TableSection* {
     const auto found = std::ranges::find_if(document.sections, [&](const TableSection& each) {
       return lower(each.sheet) == lower(sheet.name);
@@ -314,8 +366,9 @@ void take_changed_sheets(JobRequest& request, JobRequest& question, const Book& 
   }
 }
 
-// Completes the request from the workbook, and takes what was filled in.
-JobRequest with_question(JobRequest request, const Book& book, std::vector<std::string>& notes) {
+// The question of the workbook comes first, then what was filled in.
+JobRequest with_question(JobRequest request, const RunWorkbook& book,
+                         std::vector<std::string>& notes) {
   JobRequest question = question_in(book);
   JobRequest plain = request;
   plain.parts = {};
@@ -323,27 +376,27 @@ JobRequest with_question(JobRequest request, const Book& book, std::vector<std::
                               question_sheet,
                               plain == JobRequest() ? "" : ", but for what is asked now"));
   request.parts = {};
-  const bool has_steps = book.sheet(steps_sheet) != nullptr;
+  const std::vector<std::string> run = book.run_sheets();
   const bool has_done = book.sheet(done_sheet) != nullptr;
-  if (has_done && !has_steps && !request.done.is_given()) {
+  if (has_done && run.empty() && !request.done.is_given()) {
     request.done = book.on_sheet(std::string(done_sheet));
   }
-  if (has_steps && !request.done.is_given()) {
-    JobRequest before = question;
-    if (has_done) {
-      before.done = book.on_sheet(std::string(done_sheet));
-    }
-    const ParsedJob asked = checked_job(before, Door::document);
-    SheetInput steps(input_from_text(book.bytes, book.name), std::string(steps_sheet));
-    const bool has_results = read_done(steps, *asked.job).has_results();
+  if (!run.empty() && !request.done.is_given()) {
+    const Written written = written_on(book, run, question);
+    const bool has_results = written.has_results();
     if (has_results || has_done || request.diagnose) {
       request.done = book.list;
     }
     if (has_results) {
       if (!question.budget.empty() && request.budget.empty() && !request.diagnose) {
-        take_off_budget(question, book, asked, notes);
+        take_off_budget(question, book.name, written, notes);
       }
-      question.start.clear();  // it was mounted before the first of these tests
+      if (!question.first_day.empty() && request.first_day.empty()) {
+        begin_where_it_ends(question, book, run, notes);
+      }
+      if (written.before.benches.empty()) {
+        question.start.clear();  // that was before the first of them
+      }
     }
   }
   const ParsedJob as_made = checked_job(question, Door::document);
@@ -353,7 +406,7 @@ JobRequest with_question(JobRequest request, const Book& book, std::vector<std::
   return request;
 }
 
-JobRequest with_other_sheets(JobRequest request, const Book& book,
+JobRequest with_other_sheets(JobRequest request, const RunWorkbook& book,
                              std::vector<std::string>& notes) {
   std::string taken;
   const SheetName* parts = nullptr;
@@ -379,14 +432,14 @@ JobRequest with_other_sheets(JobRequest request, const Book& book,
   if (!taken.empty()) {
     notes.push_back(fmt::format("{}: {}, by the names of its sheets", book.name, taken));
   }
-  // Without results they are a plan and no tests, so they are only taken on request.
-  const std::vector<std::string> benches =
-      request.done.is_given() ? std::vector<std::string>() : bench_sheets(book.list.file);
-  if (!benches.empty()) {
+  // Without results they count as a plan and not as tests, so they are not taken unasked.
+  const std::vector<std::string> run =
+      request.done.is_given() ? std::vector<std::string>() : book.run_sheets();
+  if (!run.empty()) {
     notes.push_back(
         fmt::format("{}: results on its run sheets '{}' are not read; give the "
                     "workbook as done tests, too, if there are any",
-                    book.name, fmt::join(benches, "', '")));
+                    book.name, fmt::join(run, "', '")));
   }
   return request;
 }
@@ -408,23 +461,9 @@ std::vector<std::string> question_pieces(const std::string& document) {
   return pieces;
 }
 
-std::vector<std::unique_ptr<Input>> open_done(const RequestList& list, const std::string& spelled) {
-  std::vector<std::unique_ptr<Input>> inputs;
-  if (const auto book = book_of(list, spelled);
-      book && book->sheet(done_sheet) != nullptr && book->sheet(steps_sheet) != nullptr) {
-    for (const std::string_view sheet : {done_sheet, steps_sheet}) {
-      inputs.push_back(std::make_unique<SheetInput>(input_from_text(book->bytes, book->name),
-                                                    std::string(sheet)));
-    }
-    return inputs;
-  }
-  inputs.push_back(open(list, option_of(job_table(), "done").record, spelled));
-  return inputs;
-}
-
 OpenedRequest open_workbook(JobRequest request) {
   OpenedRequest opened{.request = std::move(request), .notes = {}};
-  const auto book = book_of(opened.request.parts, "parts");
+  const auto book = run_workbook(opened.request.parts, "parts");
   if (!book) {
     return opened;
   }

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
+#include <map>
 #include <optional>
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/model.hpp"
 #include "core/words.hpp"
+#include "io/request/request_rows.hpp"
 #include "plan/job/pair_numbers.hpp"
 #include "plan/sheet/clock.hpp"
 #include "plan/sheet/page_style.hpp"
@@ -187,7 +190,13 @@ Table forbidden_pairs(const Job& job) {
 
 // Earlier tests, in the columns of the run sheet.
 Table tests_done(const DoneRecord& done) {
-  std::vector<std::pair<std::string, ColumnStyle>> heads{{"step", number_column}};
+  const bool on_benches = std::ranges::any_of(
+      done.tests, [](const DoneRecord::Test& test) { return !test.bench.empty(); });
+  std::vector<std::pair<std::string, ColumnStyle>> heads;
+  if (on_benches) {
+    heads.emplace_back("bench", ColumnStyle{});
+  }
+  heads.emplace_back("step", number_column);
   for (const DonePlace& place : done.places) {
     heads.emplace_back(
         fmt::format("slot_{}{}{}", place.number, place.slot.empty() ? "" : " ", place.slot),
@@ -196,13 +205,55 @@ Table tests_done(const DoneRecord& done) {
   heads.emplace_back("result", ColumnStyle{});
   heads.emplace_back("notes", ColumnStyle{.kind = ColumnKind::notes});
   std::vector<std::vector<std::string>> rows;
+  std::map<std::string, std::uint64_t> steps;  // by bench
   for (const DoneRecord::Test& test : done.tests) {
     std::vector<std::string>& row = rows.emplace_back();
-    row.push_back(text(rows.size()));
+    if (on_benches) {
+      row.push_back(test.bench);
+    }
+    row.push_back(text(++steps[test.bench]));
+    const std::size_t places = row.size();
     row.insert(row.end(), test.parts.begin(), test.parts.end());
-    row.resize(1 + done.places.size());
+    row.resize(places + done.places.size());
     row.push_back(test.result);
     row.push_back(test.notes);
+  }
+  return table_of(std::move(heads), std::move(rows));
+}
+
+// The list of benches as it was given, as read_benches() reads it: the columns that say something,
+// and one to put a bench down.
+Table bench_list(const RequestList& benches) {
+  const std::vector<std::string_view>& keys = row_keys(RowShape::benches);
+  std::vector<std::vector<std::string>> given(benches.number.value_or(0),
+                                              std::vector<std::string>(1));
+  for (const ListRow& row : benches.rows.value_or(std::vector<ListRow>())) {
+    given.push_back(row.fields);
+  }
+  std::vector<std::pair<std::string, ColumnStyle>> heads;
+  std::vector<std::vector<std::string>> rows(given.size());
+  for (std::size_t c = 0; c < keys.size(); ++c) {
+    const bool is_said = std::ranges::any_of(
+        given, [&](const auto& row) { return c < row.size() && !row[c].empty(); });
+    const bool is_name = c == 0;
+    const bool is_last = c + 1 == keys.size();
+    if (!is_said && !is_name && !is_last) {
+      continue;
+    }
+    std::string head(is_name ? "bench" : keys[c]);
+    std::ranges::replace(head, '_', ' ');
+    constexpr std::array<std::string_view, 4> numbers{"at_once", "test_cost", "change_factor",
+                                                      "hours"};
+    const bool is_number = std::ranges::find(numbers, keys[c]) != numbers.end();
+    const ColumnStyle down{.kind = ColumnKind::choice,
+                           .choices = {.words = {"yes"},
+                                       .title = "Out of order",
+                                       .message = "yes: no test is planned for this bench"}};
+    heads.emplace_back(std::move(head), is_last ? down : is_number ? number_column : ColumnStyle{});
+    for (std::size_t b = 0; b < given.size(); ++b) {
+      const std::string said = c < given[b].size() ? given[b][c] : "";
+      rows[b].push_back(is_name && said.empty() ? fmt::format("Bench {}", b + 1) : said);
+    }
   }
   return table_of(std::move(heads), std::move(rows));
 }
@@ -233,7 +284,8 @@ std::string style_of(const Job& job, bool compact) {
                               : std::string(page_style) + std::string(wide ? wide_page_style : "");
 }
 
-void add_lists_of_job(TableDocument& document, const Job& job, const Money& money) {
+void add_lists_of_job(TableDocument& document, const Job& job, const Money& money,
+                      const RequestList& benches) {
   if (job.model != nullptr) {
     document.sections.push_back(
         {.table = value_costs(job, money), .in = in_workbook, .sheet = "Costs"});
@@ -249,14 +301,19 @@ void add_lists_of_job(TableDocument& document, const Job& job, const Money& mone
                                  .in = in_html | in_workbook,
                                  .sheet = "Never"});
   }
+  if (benches.rows || benches.number) {
+    document.sections.push_back(
+        {.table = bench_list(benches), .in = in_workbook, .sheet = "Benches"});
+  }
 }
 
 void add_what_goes_on(TableDocument& document, const Job& job, const Money& money,
-                      const DoneRecord* done, const std::vector<std::string>& question) {
+                      const DoneRecord* done, const std::vector<std::string>& question,
+                      const RequestList& benches) {
   if (done != nullptr && !done->tests.empty()) {
     document.sections.push_back({.table = tests_done(*done), .in = in_workbook, .sheet = "Done"});
   }
-  add_lists_of_job(document, job, money);
+  add_lists_of_job(document, job, money, benches);
   add_question(document, question);
 }
 

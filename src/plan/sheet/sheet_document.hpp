@@ -21,14 +21,17 @@ namespace changeover {
 /// The page style of a job: landscape if there are many slots, which have a column each.
 [[nodiscard]] std::string style_of(const Job& job, bool compact = false);
 
-/// Adds the sheets of a workbook from which the lists of a job can be read again: `Parts`, `Slots`
-/// and `Never`. The job must outlive the document.
-void add_lists_of_job(TableDocument& document, const Job& job, const Money& money);
+/// Adds the sheets of a workbook from which the lists of a job can be read again: `Parts`, `Slots`,
+/// `Never` and, of rows or a number of them, `Benches`. The job must outlive the document.
+void add_lists_of_job(TableDocument& document, const Job& job, const Money& money,
+                      const RequestList& benches);
 
-/// Adds everything else that a workbook needs so that it is enough for continuing: the lists of the
-/// job, the earlier tests, and the request. `done` may be null, `question` empty.
+/// Adds what a workbook must have besides so that it is all that is needed to go on: the lists of
+/// the job, the tests that were done, and the question. `done` may be null, `question` and
+/// `benches` empty.
 void add_what_goes_on(TableDocument& document, const Job& job, const Money& money,
-                      const DoneRecord* done, const std::vector<std::string>& question);
+                      const DoneRecord* done, const std::vector<std::string>& question,
+                      const RequestList& benches = {});
 
 /// "Stay mounted: A · B", for a page; empty if no part does.
 [[nodiscard]] std::vector<std::string> mounted_on_page(const Job& job);
@@ -40,7 +43,10 @@ void set_lines(TableDocument& document, std::vector<std::string> lines);
 /// sheets.
 [[nodiscard]] std::vector<Job> jobs_on_sheets(const BenchDocument& document);
 
-/// JSON in one line.
+/// The steps of all benches in one table, with a column for the bench.
+[[nodiscard]] Table bench_step_table(const BenchDocument& document);
+
+/// One line for programs.
 [[nodiscard]] std::string json_of(const SheetDocument& document);
 [[nodiscard]] std::string json_of(const BenchDocument& document);
 [[nodiscard]] std::string json_of(const Job& job, const WhatIf& answer);

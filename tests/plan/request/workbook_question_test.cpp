@@ -13,14 +13,17 @@
 #include "io/workbook/workbook_sheet.hpp"
 #include "plan/request/workbook_question.hpp"
 #include "random_jobs.hpp"
+#include "run_workbooks.hpp"
 #include "some_names.hpp"
 #include "zip_files.hpp"
 
 namespace changeover::workbook_question_test {
 namespace {
 
+using test::filled_in;
 using test::some_number;
 using test::unzipped;
+using test::with_row;
 using test::workbook_of;
 using test::zipped;
 using testing::Contains;
@@ -159,57 +162,6 @@ TEST(WorkbookQuestion, SeveralPiecesOfAPartFillASlot) {
   const ParsedJob again = checked_job(opened(run), Door::document);
   EXPECT_EQ(again.job->names, asked.job->names);
   EXPECT_EQ(again.job->needed.size(), 3U);
-}
-
-// What a person does with a run sheet.
-std::string filled_in(const std::string& bytes, const std::vector<std::string>& results) {
-  WorkbookSheet sheet(bytes, "f.xlsx", "Run sheet");
-  std::uint64_t column = 0;
-  const std::optional<SheetRow> head = sheet.next();
-  for (const SheetCell& cell : head.value().cells) {
-    column = cell.text == "result" ? cell.column : column;
-  }
-  test::Members members = unzipped(bytes);
-  std::string& xml = members["xl/worksheets/sheet1.xml"];
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    if (results[i].empty()) {
-      continue;
-    }
-    const std::size_t start = xml.find(fmt::format("<row r=\"{}\"", i + 2));
-    if (start == std::string::npos) {
-      break;
-    }
-    const std::string letter(1, static_cast<char>('A' + column));
-    xml.insert(xml.find("</row>", start),
-               fmt::format("<c r=\"{}{}\" t=\"inlineStr\"><is><t>{}</t></is></c>", letter, i + 2,
-                           results[i]));
-  }
-  return zipped(members);
-}
-
-// The workbook with one more row on a sheet; texts and numbers.
-std::string with_row(const std::string& bytes, const std::string& name,
-                     const std::vector<std::string>& cells) {
-  const std::vector<SheetName> sheets = workbook_sheets(bytes, "f.xlsx");
-  const auto found = std::ranges::find(sheets, name, &SheetName::name);
-  WorkbookSheet sheet(bytes, "f.xlsx", name);
-  std::uint64_t last = 0;
-  while (const auto row = sheet.next()) {
-    last = row->number;
-  }
-  std::string xml = fmt::format("<row r=\"{}\">", last + 1);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::string place = fmt::format("{}{}", static_cast<char>('A' + i), last + 1);
-    const bool is_number = cells[i].find_first_not_of("0123456789.") == std::string::npos;
-    xml += cells[i].empty() ? ""
-           : is_number
-               ? fmt::format("<c r=\"{}\"><v>{}</v></c>", place, cells[i])
-               : fmt::format("<c r=\"{}\" t=\"inlineStr\"><is><t>{}</t></is></c>", place, cells[i]);
-  }
-  test::Members members = unzipped(bytes);
-  std::string& text = members[fmt::format("xl/worksheets/sheet{}.xml", found - sheets.begin() + 1)];
-  text.insert(text.find("</sheetData>"), xml + "</row>");
-  return zipped(members);
 }
 
 class RunSheetWorkbook : public testing::Test {

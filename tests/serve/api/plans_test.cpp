@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "changeover/plan/run_plan.hpp"
+#include "io/scan/base64.hpp"
+#include "run_workbooks.hpp"
 #include "served.hpp"
 
 namespace changeover::test::plans_test {
@@ -198,7 +200,8 @@ TEST(PlanFiles, AreReadAsTheFormHasThem) {
                                 "2,C,B,n.i.O. (hing),\n3,C,A,,\n"}}}});
   ASSERT_EQ(results["done"]["tests"].size(), 2U);
   EXPECT_EQ(results["done"]["tests"][0],
-            json::parse(R"({"places":["A","B"],"result":"ok","verdict":"pass","notes":"warm"})"));
+            json::parse(R"({"bench":null,"places":["A","B"],"result":"ok","verdict":"pass",
+                            "notes":"warm"})"));
   EXPECT_EQ(results["done"]["tests"][1]["verdict"], "fail");
   EXPECT_EQ(results["done"]["places"][1]["number"], 2);
   EXPECT_EQ(read({{"model", "A: a, b\nB: c, d\n"}})["request"]["model"], "A: a, b\nB: c, d\n");
@@ -209,6 +212,35 @@ TEST(PlanFiles, AreReadAsTheFormHasThem) {
   }
   EXPECT_THAT(message_of(act(own, "/api/plan/read", R"({"parts":{"workbook":""}})")),
               HasSubstr("parts: write {\"workbook\":the bytes of an .xlsx file in base64}"));
+}
+
+// A workbook of several benches is the whole question, also for who knows nothing else.
+TEST(PlanFiles, TheWorkbookOfBenchesIsAllThatIsNeeded) {
+  const OwnServer own;
+  const json lab = {{"parts", {"H100", "A40", "L4", "Epyc", "Xeon"}},
+                    {"at_once", 3},
+                    {"test_cost", 2},
+                    {"change_cost", 1},
+                    {"steps", 2000},
+                    {"benches", {"North", {{"name", "South"}, {"without", {"H100"}}}}}};
+  const int id = asked(own, "/api/plan/start", lab)["id"];
+  ASSERT_TRUE(eventually([&] { return followed(own, id)["state"] == "done"; }));
+  const std::string week =
+      get(own.port(), fmt::format("/api/plan/file?id={}&format=xlsx", id)).body;
+  const auto sent = [](const std::string& bytes) {
+    return json{{"parts", {{"workbook", base64_of(bytes)}}}};
+  };
+  const std::string filled = filled_in(filled_in(week, {"pass"}, "North"), {"FAILED"}, "South");
+  const json read = asked(own, "/api/plan/read", sent(filled));
+  EXPECT_EQ(read["request"]["benches"].size(), 2U) << read;
+  ASSERT_EQ(read["done"]["tests"].size(), 2U) << read;
+  EXPECT_EQ(read["done"]["tests"][0]["bench"], "North");
+  EXPECT_EQ(read["done"]["tests"][1]["bench"], "South");
+  EXPECT_EQ(read["done"]["tests"][1]["verdict"], "fail");
+  const json plan = asked(own, "/api/plan", sent(filled))["benches"];
+  EXPECT_EQ(plan["tests_done"], 2);
+  EXPECT_EQ(plan["sheets"][1]["tests_done"], 1);
+  EXPECT_EQ(asked(own, "/api/plan", sent(week))["benches"]["tests_done"], 0);
 }
 
 TEST(PlanFiles, NumbersOfPartsAreNamedAsTheyAreSent) {

@@ -1,8 +1,10 @@
 // changeover plan on benches as they are, and without parts that broke, as it is run.
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 #include "../cases.hpp"
-#include "zip_files.hpp"
+#include "run_workbooks.hpp"
 
 namespace changeover::test::plan_benches_test {
 namespace {
@@ -48,6 +50,26 @@ TEST(PlanBenches, AsTheyAre) {
       folder);
 }
 
+// Where each bench says how many parts fit, nothing else need say it.
+TEST(PlanBenches, SayHowManyPartsFit) {
+  const TemporaryFolder folder;
+  write_lab(folder);
+  spit(folder.file("each.csv"), "bench,at once\nNorth,4\nSouth,3\n");
+  spit(folder.file("some.csv"), "bench,at once\nNorth,4\nSouth,\n");
+  spit(folder.file("few.csv"), "bench,at once\nNorth,4\nSouth,1\n");
+  const auto with = [&](const std::string& rest) {
+    return "$changeover plan parts.csv --test-cost 1 --change-cost 1 --quiet --steps 500 " + rest;
+  };
+  expect({{with("--benches each.csv"), 0, "7 parts, 4 at a time, on 2 benches: "},
+          {with("--benches each.csv -k 1"), 0, "7 parts, 4 at a time, on 2 benches: "},
+          {with("--benches each.csv -k 3"), 0, "7 parts, 3 at a time, on 2 benches: "},
+          {with("--benches each.csv --strength 3"), 0, "needed triples tested"},
+          {with("--benches some.csv"), 2, "give --at-once K, how many parts fit at once"},
+          {with("--benches some.csv -k 1"), 2, "--at-once 1: no pair can meet; give at least 2"},
+          {with("--benches few.csv"), 3, "South: 1 at once: no pair can meet; give at least 2"}},
+         folder);
+}
+
 TEST(PlanBenches, SayWhatIsWrong) {
   const TemporaryFolder folder;
   write_lab(folder);
@@ -91,15 +113,12 @@ TEST(PlanBenches, GoOnAfterTheTestsOfEachBench) {
                 .code,
             0);
   spit(folder.file("other.csv"), "bench\nWest\nSouth\n");
-  ASSERT_EQ(run(plan(lab + "-o week.xlsx"), folder.path()).code, 0);
   expect({{plan(lab + "--done sheet.csv"), 0, ", after 4 tests done"},
           {plan(lab + "--done sheet.csv"), 0, "8 hours a day; 2 tests done before"},
           {plan(lab + "--done sheet.csv --format csv"), 0, "\nSouth,3,"},
           {plan(lab + "--done sheet.csv --json"), 0, "\"tests_done\":4"},
           {plan("parts.csv --benches other.csv --done sheet.csv"), 0,
            "sheet.csv: 'North' is none of the benches; what was tested there counts"},
-          {plan("week.xlsx --benches benches.csv"), 0,
-           "results on its run sheets 'North', 'South' are not read"},
           {plan(lab + "--done plan.csv"), 0, "nothing is left to do"},
           {"sed '2s/pass/fail/' sheet.csv > failed.csv; $changeover plan " + lab +
                "-k 4 --test-cost 1 --change-cost 1 --done failed.csv --diagnose",
@@ -115,6 +134,43 @@ TEST(PlanBenches, ReadTheirWorkbookBack) {
   expect({{plan(lab + "--done plan.xlsx"), 0, "nothing is left to do"},
           {plan(lab + "--done plan.xlsx:South"), 0, "South: 3 at a time; "}},
          folder);
+}
+
+// The workbook is all that is needed to go on, and what was there stays if anything fails.
+TEST(PlanBenches, GoOnWithTheirWorkbookAlone) {
+  const TemporaryFolder folder;
+  write_lab(folder);
+  const std::string fast = " --quiet --threads 1 --steps 5000 ";
+  ASSERT_EQ(run(plan("parts.csv --benches benches.csv -o week.xlsx"), folder.path()).code, 0);
+  for (const char* const list : {"parts.csv", "benches.csv"}) {
+    std::filesystem::remove(folder.file(list));
+  }
+  const std::string filled = filled_in(
+      filled_in(slurp(folder.file("week.xlsx")), {"pass"}, "North"), {"pass", "fail"}, "South");
+  spit(folder.file("monday.xlsx"), filled);
+  spit(folder.file("down.xlsx"), filled_in(filled, {"yes"}, "Benches", "down"));
+  spit(folder.file("wrong.xlsx"), filled_in(filled, {"perhaps"}, "Benches", "down"));
+  const auto go_on = [&](const std::string& rest) { return "$changeover plan " + rest + fast; };
+  expect(
+      {{go_on("week.xlsx"), 0, "on 2 benches: "},
+       {go_on("monday.xlsx"), 0, "3 of "},
+       {go_on("monday.xlsx"), 0, ", after 3 tests done"},
+       {go_on("monday.xlsx"), 0, "8 hours a day; 1 test done before"},
+       {go_on("monday.xlsx --json"), 0, "\"tests_done\":3"},
+       {go_on("down.xlsx"), 0, "on 2 benches, one of them down"},
+       {go_on("down.xlsx"), 0, "benches from 'Benches', changed since the plan was made"},
+       {go_on("monday.xlsx --without L4"), 0, "left out from now on: L4"},
+       {"$changeover plan monday.xlsx --diagnose", 0, "Diagnosis of 3 tests: 2 passed, 1 failed"},
+       {go_on("monday.xlsx -o tuesday.xlsx") + " && " + go_on("tuesday.xlsx"), 0,
+        ", after 3 tests done"},
+       {go_on("wrong.xlsx"), 3, "wrong.xlsx:Benches!"},
+       {go_on("monday.xlsx -o monday.xlsx"), 2, "is the same file as"},
+       {go_on("wrong.xlsx -o tuesday.xlsx"), 3, "write yes if the bench is down"}},
+      folder);
+  EXPECT_EQ(slurp(folder.file("monday.xlsx")), filled);
+  EXPECT_THAT(run(go_on("tuesday.xlsx"), folder.path()).out,
+              testing::HasSubstr(", after 3 tests done"))
+      << "what was there stays";
 }
 
 TEST(PlanBenches, APartBreaks) {

@@ -218,7 +218,9 @@ void write_done(JsonWriter& json, const DoneRecord& record) {
   }
   json.end_array().key("tests").begin_array();
   for (const DoneRecord::Test& test : record.tests) {
-    json.begin_object().key("places").value(test.parts).key("result").value(test.result);
+    json.begin_object().key("bench");
+    test.bench.empty() ? json.null() : json.value(test.bench);
+    json.key("places").value(test.parts).key("result").value(test.result);
     json.key("verdict").value(word_of(result_of(test.result)));
     json.key("notes").value(test.notes).end_object();
   }

@@ -92,6 +92,14 @@ std::string sheet_name(const std::string& name, std::set<std::string>& taken) {
   return clean;
 }
 
+// A table that holds on to the jobs that it refers to.
+Table kept_with(Table table, const std::shared_ptr<const std::vector<Job>>& jobs) {
+  for (TableColumn& column : table.columns) {
+    column.cell = [cell = std::move(column.cell), jobs](std::size_t row) { return cell(row); };
+  }
+  return table;
+}
+
 }  // namespace
 
 std::vector<Job> jobs_on_sheets(const BenchDocument& document) {
@@ -116,6 +124,18 @@ std::vector<Job> jobs_on_sheets(const BenchDocument& document) {
   return jobs;
 }
 
+Table bench_step_table(const BenchDocument& document) {
+  const auto jobs = std::make_shared<const std::vector<Job>>(jobs_on_sheets(document));
+  StepTableOptions options;
+  std::vector<const RunSheet*> sheets;
+  for (std::size_t b = 0; b < jobs->size(); ++b) {
+    options.benches.push_back(name_of(document.plan->benches, b));
+    options.jobs.push_back(&(*jobs)[b]);
+    sheets.push_back(&document.plan->sheets[b]);
+  }
+  return kept_with(step_table(*document.job, sheets, money_of(document), options), jobs);
+}
+
 TableDocument table_document(const BenchDocument& document) {
   const BenchPlan& plan = *document.plan;
   const Money money = money_of(document);
@@ -133,8 +153,9 @@ TableDocument table_document(const BenchDocument& document) {
       {.heading = "Compared", .table = compared_benches(document, money), .in = in_html});
   std::vector<const RunSheet*> all;
   StepTableOptions whole;
-  std::set<std::string> taken{"plan", "parts",     "slots",  "never",
-                              "done", "run sheet", "history"};  // Excel reserves the last one
+  std::set<std::string> taken{
+      "plan",      "parts",  "slots", "never", "done", "benches", "changeover-question",
+      "run sheet", "history"};  // Excel has a use for the last
   for (std::size_t b = 0; b < plan.sheets.size(); ++b) {
     const RunSheet& sheet = plan.sheets[b];
     const std::string name = name_of(plan.benches, b);
@@ -148,10 +169,6 @@ TableDocument table_document(const BenchDocument& document) {
     whole.benches.push_back(plan.benches[b].name.empty() ? number_text(b + 1) : name);
     whole.jobs.push_back(&job);
     whole.times.push_back(&plan.times[b]);
-    Table table = step_table(job, {&sheet}, money, options);
-    for (TableColumn& column : table.columns) {  // the columns keep the job alive
-      column.cell = [cell = std::move(column.cell), jobs](std::size_t row) { return cell(row); };
-    }
     std::vector<std::string> lines = mounted_on_page(job);
     if (!job.start.empty() && !sheet.steps.empty()) {
       lines.push_back("Mounted before the first step: " + joined(names_of(job, job.start), " · "));
@@ -160,7 +177,7 @@ TableDocument table_document(const BenchDocument& document) {
         {.heading = fmt::format("{}: {}, {}, cost {}", name, count_of(sheet.steps.size(), "test"),
                                 count_of(sheet.changes, "change"), money(sheet.cost)),
          .page_lines = std::move(lines),
-         .table = std::move(table),
+         .table = kept_with(step_table(job, {&sheet}, money, options), jobs),
          .in = everywhere & ~in_csv,
          .css = "bench",
          .sheet = sheet_name(name, taken),
@@ -175,7 +192,7 @@ TableDocument table_document(const BenchDocument& document) {
   made.sections.push_back({.heading = "Compared",
                            .table = compared_benches(document, money),
                            .in = everywhere & ~in_csv & ~in_html});
-  add_what_goes_on(made, *document.job, money, nullptr, {});
+  add_what_goes_on(made, *document.job, money, document.done, document.question, document.list);
   return made;
 }
 

@@ -25,13 +25,15 @@ function listed(list: string, job: Job): string[][] {
 export function requestOf(job: Job): Request {
   checkJob(job);
   const model = job.source === 'model';
-  const lists = { never: job.never, first: job.first, ...(model ? {} : { weights: job.weights }) };
+  const onBenches = /^bench\s*[,;\t]/i.test(job.first);
+  const lists = { never: job.never, ...(onBenches ? {} : { first: job.first }), ...(model ? {} : { weights: job.weights }) };
   const request: Request = {
     format: 'changeover-job/1',
     title: job.title,
     test_cost: job.testCost,
     change_cost: job.changeCost,
     ...Object.fromEntries(Object.entries(lists).flatMap(([key, rows]) => (rows.trim() === '' ? [] : [[key, listed(rows, job)]]))),
+    ...(onBenches ? { first: { text: `${job.first}\n` } } : {}),
     ...(job.changeCosts.trim() === '' ? {} : { change_costs: { text: `${job.changeCosts}\n` } }),
   };
   if (model) {
@@ -93,6 +95,17 @@ const rows = (list: unknown): string =>
       ? String(list.text)
       : '';
 
+/** Set-ups that come first, a line each; where some do so on one bench only, as a run sheet with a column for the bench. */
+function firstOf(list: Request['first']): string {
+  if (!Array.isArray(list) || list.every((row) => Array.isArray(row) || !row.bench)) {
+    return rows(list);
+  }
+  const all = list.map((row) => (Array.isArray(row) ? { bench: '', parts: row } : row));
+  const width = Math.max(...all.map(({ parts }) => parts.length));
+  const head = ['bench', ...Array.from({ length: width }, (_, i) => `slot_${i + 1}`)];
+  return [head, ...all.map(({ bench, parts }) => [text(bench), ...Array.from({ length: width }, (_, i) => text(parts[i]))])].map(lineOf).join('\n');
+}
+
 function benchOf(row: string | Record<string, unknown>): Bench {
   if (typeof row === 'string') {
     return { ...emptyBench(), name: row };
@@ -150,7 +163,7 @@ export function jobOf(request: Request, job: Job): Job {
     ...(request.strength ? { strength: request.strength } : {}),
     ...(request.pairs ? { pairMode: 'only', pairs: rows(request.pairs) } : {}),
     ...(request.never ? { never: rows(request.never) } : {}),
-    ...(request.first ? { first: rows(request.first) } : {}),
+    ...(request.first ? { first: firstOf(request.first) } : {}),
     ...(request.weights ? { weights: rows(request.weights) } : {}),
     ...(request.change_costs ? { changeCosts: rows(request.change_costs) } : {}),
     ...(request.mounted?.length ? { mounted: lineOf(request.mounted.map(text)) } : {}),

@@ -31,8 +31,8 @@ function understood(result: string, verdict: Verdict): string {
 
 function taken(answer: ReadJob, job: Job): Taken {
   const places = answer.done.places;
-  const tests = answer.done.tests.map(({ places: row, result, verdict, notes }): Test => ({
-    bench: null,
+  const tests = answer.done.tests.map(({ bench, places: row, result, verdict, notes }): Test => ({
+    bench,
     parts: row.filter((name) => name !== ''),
     places: places.map((_, i) => row[i] || null),
     cost: 0,
@@ -107,35 +107,8 @@ export async function readFile(file: File, job: Job, asked: () => Request, signa
       throw signal.aborted ? fault : named(fault);
     }
   };
-  /** The run sheets of benches, a sheet each: the job of the form says which benches there are. null: they are none of that job. */
-  const benchSheets = async (workbook: string, book: Taken): Promise<Taken | null> => {
-    let found: Taken;
-    try {
-      const request = asked();
-      if (!(request.parts as { name: string }[]).every(({ name }) => book.job.parts.some((part) => part.name === name))) {
-        return null;
-      }
-      found = taken(await post('plan/read', {}, { ...request, done: { workbook } }, signal), job);
-    } catch (fault) {
-      if (signal.aborted) {
-        throw fault;
-      }
-      return null;
-    }
-    const tests = found.done.tests;
-    if (tests.length === 0) {
-      return null;
-    }
-    // A sheet without any result counts as run. Here it is more likely to be a sheet that is still to be filled in.
-    const unfilled = tests.every(({ result, notes }) => result === 'done' && notes === '');
-    return unfilled
-      ? { ...found, done: { places: [], tests: [] }, notes: [`${file.name}: its run sheets have no results; write pass or fail into the column result`] }
-      : { ...found, notes: [...found.notes, `${file.name}: results of ${tests.length} tests, from the run sheets of its benches`] };
-  };
   if (bytes[0] === 0x50 && bytes[1] === 0x4b) {
-    const workbook = base64(bytes);
-    const book = await read({ parts: { workbook } });
-    return (job.benches.length > 0 && book.done.tests.length === 0 && (await benchSheets(workbook, book))) || book;
+    return read({ parts: { workbook: base64(bytes) } });
   }
   let text: string;
   try {

@@ -1,0 +1,58 @@
+// A workbook that was made as a run sheet, or as those of several benches: which sheets it has, and
+// what is written on them.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "changeover/io/input.hpp"
+#include "changeover/io/request.hpp"
+#include "io/workbook/workbook_sheet.hpp"
+
+namespace changeover {
+
+/// The hidden sheet with the question, below a head that is the format of the document: the
+/// document in pieces, one a row.
+inline constexpr std::string_view question_sheet = "changeover-question";
+/// The sheets of a run sheet: what is to be done on one bench, and what was done before.
+inline constexpr std::string_view steps_sheet = "Run sheet";
+inline constexpr std::string_view done_sheet = "Done";
+inline constexpr std::string_view parts_sheet = "Parts";
+
+/// A workbook in memory.
+struct RunWorkbook {
+  std::shared_ptr<const std::string> bytes;
+  std::string name;               ///< in messages
+  std::vector<SheetName> sheets;  ///< in the order of the tabs
+  RequestList list;               ///< that it came as
+
+  /// The sheet of this name, in whatever case; null if there is none.
+  [[nodiscard]] const SheetName* sheet(std::string_view wanted) const;
+  /// Such a list, of one sheet.
+  [[nodiscard]] RequestList on_sheet(const std::string& wanted) const;
+  /// The same to be read. It holds on to the bytes.
+  [[nodiscard]] std::unique_ptr<Input> open(std::string_view wanted) const;
+  /// A sheet, row by row.
+  [[nodiscard]] WorkbookSheet rows(const std::string& wanted) const;
+  /// The sheets with what is to be done, in their order: that of one bench, or those whose head
+  /// names a bench, a step and a result.
+  [[nodiscard]] std::vector<std::string> run_sheets() const;
+
+ private:
+  [[nodiscard]] bool heads_steps_of_benches(const std::string& wanted) const;
+};
+
+/// The workbook that a list is, if no sheet of it is named. A file that can be read once only is
+/// left alone. @throws BadInput for one that cannot be read; MissingResource
+[[nodiscard]] std::optional<RunWorkbook> run_workbook(const RequestList& list,
+                                                      const std::string& spelled);
+
+/// The inputs of a list of tests that were done, in their order: of a workbook with run sheets, its
+/// sheet `Done` and then these; else the list itself. @throws as open()
+[[nodiscard]] std::vector<std::unique_ptr<Input>> open_done(const RequestList& list,
+                                                            const std::string& spelled);
+
+}  // namespace changeover
