@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "changeover/plan/run_plan.hpp"
+#include "changeover/run/control.hpp"
 #include "cheapest.hpp"
 #include "plan/search/choices/equal_values.hpp"
 #include "random_models.hpp"
@@ -62,6 +63,28 @@ TEST(ChoiceBound, OfManyParametersWithTwoValuesIsAttained) {
     const Model model = test::model_of(model_text(std::vector<std::uint32_t>(k, 2)));
     const Job job = job_of(model, Amount{}, Amount{1});
     EXPECT_EQ(cost_bound(job).cost, Amount{3 * k - 1}) << k;
+  }
+}
+
+TEST(ChoiceBound, OfManyParametersCountsEachSizeByItself) {
+  const Model model = test::model_of(model_text({2, 2, 2, 2, 4, 4, 4}));
+  const Job job = job_of(model, Amount{}, Amount{1});
+  EXPECT_EQ(cost_bound(job).cost, Amount{11 + 26});  // 3 each but for one, and 9 each but for one
+}
+
+// One parameter after the other, from each of its values to each other: with rules, too.
+TEST(ChoiceBound, SweepsChangeLittle) {
+  std::vector<std::uint32_t> sizes(24, 2);
+  sizes.resize(32, 3);
+  sizes.resize(36, 4);
+  for (const std::string rule : {"", "IF [P0] = \"v0_0\" THEN [P30] <> \"v30_1\";\n"}) {
+    const Model model = test::model_of(model_text(sizes) + rule);
+    RunControl control({.threads = 1});
+    Job job = job_of(model, Amount{}, Amount{1});
+    drop_needed(job, cannot_meet(job));
+    const RunPlan plan = make_run_plan(job, {.steps = 1, .attempts = 1}, control);
+    EXPECT_TRUE(plan.sheet.does_the_job());
+    EXPECT_LE(plan.sheet.cost, Amount{24 * 3 + 8 * 7 + 4 * 13 + 20}) << rule;
   }
 }
 

@@ -186,21 +186,30 @@ std::uint64_t least_more(const std::vector<std::vector<std::uint64_t>>& wanted,
     const std::uint64_t often = (*each + 1) / 2;  // all but one change as often
     std::vector<bool> clique(slots, false);
     Wide all = 0;
-    Wide dearest = 0;
+    Wide unit = 0;  // once more, each of them
     for (std::size_t p = 0; p < slots; ++p) {
-      bool fits = is_in[p];
+      bool fits =
+          is_in[p] && there[p] <= often && *std::ranges::max_element(wanted[p]) >= 2 * often - 1;
       for (std::size_t q = 0; q < p && fits; ++q) {
-        fits = !clique[q] || wanted[p][q] + 1 >= 2 * often;
+        fits = !clique[q] || wanted[p][q] >= 2 * often - 1;
       }
       if (fits) {
         clique[p] = true;
-        const Wide cost = Wide{prices[p]} * (often - std::min(often, there[p]));
-        all += cost;
-        dearest = std::max(dearest, cost);
+        all += Wide{prices[p]} * (often - there[p]);
+        unit += prices[p];
       }
     }
-    if (all - dearest > by_two(clique)) {
-      by_cliques += all - dearest;
+    Wide saved = 0;  // by the one that changes less
+    for (std::size_t p = 0; p < slots; ++p) {
+      if (clique[p]) {
+        const bool once = unit - prices[p] >= prices[p];
+        const std::uint64_t most_fewer = often - there[p];
+        saved = std::max(
+            saved, Wide{prices[p]} * (once ? std::min<std::uint64_t>(1, most_fewer) : most_fewer));
+      }
+    }
+    if (all - saved > by_two(clique)) {
+      by_cliques += all - saved;
       for (std::size_t p = 0; p < slots; ++p) {
         is_in[p] = is_in[p] && !clique[p];
       }

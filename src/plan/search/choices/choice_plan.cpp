@@ -45,6 +45,7 @@ class ChoicePlanner {
     add(plan, greedy(few_tests() ? GreedyAim::tests : GreedyAim::cost, 0));
     keep_what_there_is(plan, [&] {
       add_rest(plan);
+      add_swept(plan);
       search(plan);
     });
     std::ranges::stable_sort(plan.candidates,
@@ -130,7 +131,33 @@ class ChoicePlanner {
     add(plan, rest_mended(list.setups()));
   }
 
-  // Moves of a first annealing run.
+  // Many tests with few changes: good where tests cost little.
+  void add_swept(RunPlan& plan) const {
+    constexpr std::uint64_t few_parameters = 8;
+    if (few_tests() || !job_.triples.empty() || job_.slots.size() < few_parameters) {
+      return;
+    }
+    constexpr std::uint64_t tries = 8;
+    std::optional<ChoiceList> best;
+    for (std::uint64_t i = 0; i < tries && !control_.stop_wanted(); ++i) {
+      Random random(control_.seed(), 9'000'000 + i);
+      const auto rows = swept(*choices_, random);
+      if (!rows) {
+        return;
+      }
+      ChoiceList list(*choices_, *rows);
+      complete_greedily(*choices_, list, GreedyAim::cost, random, control_);
+      prune_choices(*choices_, list);
+      if (!best || list.cost() < best->cost()) {
+        best = std::move(list);
+      }
+    }
+    if (best) {
+      add(plan, {"sweeps", "one parameter after the other takes its next value", best->setups()});
+    }
+  }
+
+  // Moves of a first annealing.
   [[nodiscard]] std::uint64_t suitable_moves(const Candidate& like) const {
     constexpr std::uint64_t a_cell = 6'000;
     constexpr std::uint64_t least = 300'000;

@@ -36,8 +36,9 @@ namespace changeover {
 ///      of each parameter, is a linear program; its dual is a fractional matching of parameters,
 ///      found as a transport problem.
 ///  (5) *Of many.* If every two of some parameters change 2s − 1 times together, or more, by (4),
-///      at most one of them changes less than s times. (4) alone says 2s − 1 for two of them, and
-///      half of that for each.
+///      at most one of them changes less than s times. If that is s − d times, each other one
+///      changes s − 1 + d times; so d = 1 is cheapest, if they cost together no less than it does.
+///      (4) alone says 2s − 1 for two of them, and half of that for each.
 void improve_choice_bound(const Job& job, CostBound& bound, std::string& known);
 
 }  // namespace changeover

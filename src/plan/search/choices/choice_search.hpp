@@ -24,7 +24,12 @@ enum class GreedyAim { cost, tests };
 void complete_greedily(const ChoiceJob& choices, ChoiceList& list, GreedyAim aim, Random& random,
                        RunControl& control);
 
-/// Removes needless set-ups and needless changes.
+/// Set-ups in which one parameter after the other goes from each of its values to each other, those
+/// that the rules allow: nearly complete, with many tests and few changes. Nothing if a parameter
+/// has many values.
+[[nodiscard]] std::optional<std::vector<Block>> swept(const ChoiceJob& choices, Random& random);
+
+/// Takes away set-ups that nothing needs, and changes that nothing needs.
 void prune_choices(const ChoiceJob& choices, ChoiceList& list);
 
 /// Removes set-ups one at a time and searches each time, with at most `moves` moves, for a complete
