@@ -203,7 +203,7 @@ class BenchPlanner {
     if (const auto alone = bench_for_all()) {
       plan_for_one(*alone, starts);
     } else {
-      ShareOfTime part = part_of_the_time();
+      ShareOfTime part = part_of_the_time(0.15);
       starts.push_back(each_anew(BenchLists(field_.size()), part.control(), true));
       add("one bench after the other", "each tests what it can of what those before it cannot",
           starts.back());
@@ -213,8 +213,8 @@ class BenchPlanner {
   }
 
   // For the first lists: the search for all benches needs more.
-  [[nodiscard]] ShareOfTime part_of_the_time() const {
-    return {*control_, field_.size() > 1 ? 0.15 : 1.0};
+  [[nodiscard]] ShareOfTime part_of_the_time(double share) const {
+    return {*control_, field_.size() > 1 ? share : 1.0};
   }
 
   // The list of one bench, and pieces of it for all.
@@ -225,7 +225,8 @@ class BenchPlanner {
     once.on_better = nullptr;
     once.rest.clear();
     const Job& rest = field_.rest(alone);
-    ShareOfTime part = part_of_the_time();
+    // A good list is good in pieces, too, unless parts are scarce or benches rest.
+    ShareOfTime part = part_of_the_time(field_.has_clock() ? 0.15 : 0.6);
     const RunPlan one = plan_of_valid_job(rest, once, part.control());
     plan_.shortage = one.shortage;
     plan_.steps += one.steps;
