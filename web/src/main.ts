@@ -27,6 +27,9 @@ function element(id: string): HTMLElement {
   return found;
 }
 
+/** Pages about one entry of the catalog. */
+const inCatalog: readonly Page[] = [cell, design];
+
 function navigation(current: Page): void {
   fill(
     element('top'),
@@ -39,7 +42,7 @@ function navigation(current: Page): void {
         {},
         pages
           .filter((page) => !page.hidden)
-          .map((page) => h('li', {}, h('a', { href: link(page.path), 'aria-current': page === current ? 'page' : null }, page.title))),
+          .map((page) => h('li', {}, h('a', { href: link(page.path), 'aria-current': page === current ? 'page' : page === catalog && inCatalog.includes(current) ? 'true' : null }, page.title))),
       ),
     ),
     h('button', { type: 'button', class: 'plain', onclick: openGlossary }, 'Glossary'),

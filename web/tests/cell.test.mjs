@@ -15,6 +15,7 @@ test('what is known, and why', async () => {
   assert.match(await page.locator('.known').textContent(), /\d+ blocks.*best known.*over the lower bound \d+/s);
   await page.locator('table.bounds math').first().waitFor();
   await page.locator('canvas.thumbnail').waitFor();
+  await page.locator('#top a[aria-current=true]', { hasText: 'Catalog' }).waitFor();
   await page.locator('.around-table a[aria-current]', { hasText: /^\d+$/ }).waitFor();
   assert.equal(await page.locator('.around-table tbody tr').count(), 5);
   assert.match(await page.locator('table.bounds').textContent(), /counting.*stays/s);
