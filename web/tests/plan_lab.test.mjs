@@ -259,6 +259,7 @@ test('three benches: a sheet each, with its times; a part is on one bench at a t
   play(planned_, half, 2, 'North');
   play(half, filled, 1, 'South');
   const fresh = await explorer.open('#/plan');
+  await fresh.getByRole('combobox', { name: 'Search for' }).selectOption('5');
   await give(fresh, 'week.xlsx', readFileSync(planned_));
   await fresh.getByText('week.xlsx: the question is that of its hidden sheet').waitFor();
   await fresh.locator('.group summary', { hasText: '3 benches' }).waitFor();
