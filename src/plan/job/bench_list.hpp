@@ -26,8 +26,8 @@ namespace changeover {
 [[nodiscard]] std::vector<Bench> read_benches(Input& input, const std::vector<std::string>& names,
                                               std::vector<std::string>* gone = nullptr);
 
-/// As parse_amount(), of a "cost", a "factor" or a "number of hours". @throws the same, but for
-/// what is no cost always BadInput, in its words.
+/// As parse_amount(), of a "cost", a "factor", a "number of hours". @throws the same, but always
+/// BadInput, in its own words, for what is no cost.
 [[nodiscard]] Amount parse_measure(std::string_view text, std::string_view what);
 
 /// The bench with this name, or with this number from 1; a name takes precedence. Nullopt if there
