@@ -176,9 +176,20 @@ export type LoadRequest = {
   items?: number | null;
   /** how many are in memory at once */
   room?: number | null;
-  /** only the pairs listed there, two items per line (text, CSV, .xlsx); "-": standard input */
+  /** only the pairs listed there, two items per line (text, CSV, .xlsx); "-": standard input; with --workers a third column may say what a pair costs */
   pairs?:
-    ([string | number | null, string | number | null][] | {file: string} | {text: string} | {workbook: string; sheet?: string}) | null;
+    | (
+        | [string | number | null, string | number | null]
+        | [string | number | null, string | number | null, string | number | null][]
+        | {file: string}
+        | {text: string}
+        | {workbook: string; sheet?: string}
+      )
+    | null;
+  /** only the pairs within the groups listed there, a group of items per line */
+  groups?:
+    | ([string | number | null, ...(string | number | null)[]][] | {file: string} | {text: string} | {workbook: string; sheet?: string})
+    | null;
   /** each of the P items with each of B others */
   against?: number | null;
   /** the pairs of the first N items are done */

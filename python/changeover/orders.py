@@ -276,9 +276,12 @@ def _item(argument: str, number: Any) -> int:
     return item
 
 
-def _ends(pairs: Any) -> array[int]:
-    """The item numbers of the pairs, in turn."""
+def _ends(pairs: Any, costs: Optional[List[List[str]]] = None) -> array[int]:
+    """Both items of each pair, one after the other. With `costs` rows may have a third column, all
+    or none, whose rows are put there."""
     ends = array("I")
+    most = "more than two items; a pair has two" if costs is None else (
+        "more than two items and a cost; a pair has two")
     for number, row in enumerate(rows_of("pairs", "rows of two items", pairs)):
         more = iter(listed("pairs", "rows of two items", row))
         for _ in range(2):
@@ -287,9 +290,21 @@ def _ends(pairs: Any) -> array[int]:
                 break
             else:
                 raise BadInput(f"pairs: row {number} has fewer than two items; a pair has two")
+        if costs is not None:
+            costs.extend([str(ends[-2]), str(ends[-1]), repr(float(cost))]
+                         for cost in itertools.islice(more, 1))
+            if len(costs) not in (0, number + 1):
+                raise BadInput(f"pairs: only some of the rows 0 to {number} have a cost; give one to "
+                               "every pair or to none")
         for _ in more:
-            raise BadInput(f"pairs: row {number} has more than two items; a pair has two")
+            raise BadInput(f"pairs: row {number} has {most}")
     return ends
+
+
+def _group_rows(groups: Any) -> List[List[str]]:
+    """Rows of the items of each group."""
+    return [[str(_item("groups", item)) for item in listed("groups", "groups of items", group)]
+            for group in rows_of("groups", "groups of items", groups)]
 
 
 def _cost_rows(pair_cost: Any) -> List[List[str]]:
@@ -323,7 +338,8 @@ def _size_rows(sizes: Any) -> List[List[str]]:
 @overload
 def load_order(
     items: Optional[int], room: Optional[int] = None, *,
-    pairs: Optional[Iterable[Iterable[SupportsIndex]]] = None,
+    pairs: Optional[Iterable[Iterable[Any]]] = None,
+    groups: Optional[Iterable[Iterable[SupportsIndex]]] = None,
     against: Optional[int] = None, done_items: Optional[int] = None, workers: None = None,
     disjoint: bool = False, write_back: bool = False, new_pairs: bool = False,
     prefetch: bool = False, ordered: bool = False, with_self: bool = False, shuffle: bool = False,
@@ -334,7 +350,8 @@ def load_order(
 @overload
 def load_order(
     items: Optional[int], room: Optional[int] = None, *,
-    pairs: Optional[Iterable[Iterable[SupportsIndex]]] = None,
+    pairs: Optional[Iterable[Iterable[Any]]] = None,
+    groups: Optional[Iterable[Iterable[SupportsIndex]]] = None,
     against: Optional[int] = None, done_items: Optional[int] = None, workers: int,
     disjoint: bool = False, write_back: bool = False, new_pairs: bool = False,
     prefetch: bool = False, ordered: bool = False, with_self: bool = False, shuffle: bool = False,
@@ -345,8 +362,9 @@ def load_order(
 
 
 def load_order(
-    items: Optional[int], room: Optional[int] = None, *, pairs: Any = None, against: Optional[int] = None,
-    done_items: Optional[int] = None, workers: Optional[int] = None, disjoint: bool = False,
+    items: Optional[int], room: Optional[int] = None, *, pairs: Any = None, groups: Any = None,
+    against: Optional[int] = None, done_items: Optional[int] = None, workers: Optional[int] = None,
+    disjoint: bool = False,
     write_back: bool = False, new_pairs: bool = False, prefetch: bool = False,
     ordered: bool = False, with_self: bool = False, shuffle: bool = False,
     first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
@@ -358,7 +376,8 @@ def load_order(
     steps (evict, load); work() gives everything that was requested. Orders can be pickled.
 
     pairs: only these must meet; rows of two item numbers, or a NumPy array of shape (n, 2); `items`
-    may then be None. against: pairs of each of the items with each of this many others, numbered
+    may then be None. With workers, rows may be (i, j, cost), as for pair_cost. groups: the pairs
+    within each of these groups of items. against: pairs of each of the items with each of this many others, numbered
     after them. done_items: the pairs of the first so many items have met before.
 
     workers: split the order for this many workers, which gives WorkerLoads. Pairs are spread evenly
@@ -378,9 +397,9 @@ def load_order(
     `memory` bytes are held at a time. verify_beside: return before the steps are verified;
     verified() waits for that. Raises BadInput, ImpossibleParameters.
     """
-    if sum(each is not None for each in (pairs, against, done_items)) > 1:
-        raise BadInput("give one of pairs, against and done_items")
-    if items is None and pairs is None and sizes is None:
+    if sum(each is not None for each in (pairs, groups, against, done_items)) > 1:
+        raise BadInput("give one of pairs, groups, against and done_items")
+    if items is None and pairs is None and groups is None and sizes is None:
         raise BadInput("give items, how many there are")
     if room is None and sizes is None:
         raise BadInput("give room, how many items are in memory at once, or sizes and memory")
@@ -398,7 +417,15 @@ def load_order(
         asked["pair_cost"] = _cost_rows(pair_cost)
     if sizes is not None:
         asked["sizes"] = _size_rows(sizes)
-    ends = None if pairs is None else _ends(pairs).tobytes()
+    if groups is not None:
+        asked["groups"] = _group_rows(groups)
+    costs: List[List[str]] = []
+    ends = None if pairs is None else _ends(pairs, costs).tobytes()
+    if costs:
+        if workers is None or pair_cost is not None:
+            raise BadInput("pairs: costs are for workers, and without pair_cost; give rows of two "
+                           "items")
+        asked["pair_cost"] = costs
     core, facts = _core.Loads.planned(json.dumps(asked), ends, time, threads, seed, progress)
     # What a search finds is not found again: a pickle holds its steps.
     facts["_asked"] = (asked, ends, seed, None if time is None else "")

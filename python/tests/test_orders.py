@@ -45,6 +45,25 @@ class Loads(unittest.TestCase):
         order = changeover.load_order(50, 8, pairs=rows)
         self.check(order, {frozenset(map(int, row)) for row in rows if row[0] != row[1]}, 8)
 
+    def test_pairs_within_groups(self):
+        groups = [(i, i + 1, i + 2, (7 * i) % 30) for i in range(28)]
+        wanted = {frozenset(pair) for group in groups for pair in itertools.combinations(group, 2)}
+        wanted = {pair for pair in wanted if len(pair) == 2}
+        order = changeover.load_order(None, 6, groups=groups)
+        self.check(order, wanted, 6)
+        listed = changeover.load_order(None, 6, pairs=[sorted(pair) for pair in wanted])
+        self.assertEqual(list(order), list(listed))
+        again = pickle.loads(pickle.dumps(order))
+        self.assertEqual(list(again), list(order))
+
+    def test_what_listed_pairs_cost_is_spread(self):
+        rows = [(i, j, 1 + i * j % 7) for j in range(24) for i in range(j)]
+        by_rows = changeover.load_order(None, 6, pairs=rows, workers=3)
+        by_both = changeover.load_order(None, 6, pairs=[row[:2] for row in rows], workers=3,
+                                        pair_cost=[*rows])
+        self.assertEqual(by_rows.worker_costs, by_both.worker_costs)
+        self.assertAlmostEqual(sum(by_rows.worker_costs), sum(row[2] for row in rows))
+
     def test_two_sets_and_what_is_new(self):
         self.check(
             changeover.load_order(5, 4, against=7),
@@ -59,13 +78,21 @@ class Loads(unittest.TestCase):
 
     def test_wrong_pairs_are_refused(self):
         for wrong, words in (
-            ({"pairs": [(1, 2, 3)]}, "row 0 has more than two items"),
+            ({"pairs": [(1, 2, 3)]}, "costs are for workers"),
+            ({"pairs": [(1, 2, 3)], "workers": 2, "pair_cost": {}}, "costs are for workers"),
+            ({"pairs": [(1, 2, 3), (2, 3)], "workers": 2}, "only some of the rows 0 to 1 have a cost"),
+            ({"pairs": [(1, 2), (2, 3, 1)], "workers": 2}, "only some of the rows"),
+            ({"pairs": [(1, 2, 3, 4)]}, "row 0 has more than two items"),
+            ({"groups": [(1, 2), (8, 9)]}, "item 8 is not one of 8 items"),
+            ({"groups": [(1, -2)]}, "groups: items are numbered from 0"),
+            ({"groups": [(1,)]}, "no pair is in a group"),
+            ({"groups": [(1, 2)], "pairs": [(1, 2)]}, "one of pairs, groups, against and"),
             ({"pairs": [(1, 2), (1,)]}, "row 1 has fewer than two items"),
             ({"pairs": [itertools.repeat(1)]}, "row 0 has more than two items"),
             ({"pairs": [(1, -2)]}, "items are numbered from 0"),
             ({"pairs": [(1, 10**8)]}, "items are numbered from 0"),
             ({"pairs": [(1, 9)]}, "9"),
-            ({"pairs": [(1, 2)], "against": 3}, "one of pairs, against and done_items"),
+            ({"pairs": [(1, 2)], "against": 3}, "one of pairs, groups, against and done_items"),
             ({"done_items": 8}, ""),
         ):
             with self.subTest(wrong=wrong), self.assertRaisesRegex(changeover.BadInput, words) as caught:

@@ -249,11 +249,13 @@ def check_loads(server, count):
     # What chance may pass over.
     together = [{"fast_room": 2, "item_bytes": 8}, {"workers": 3, "disjoint": True}, {"workers": 3, "worker": 2},
                 {"workers": 3, "pair_cost": [[0, 1, 2.5]]}, {"workers": 2, "first_holder": True},
+                {"items": None, "workers": 2, "pairs": [[0, 1, 2.5], [1, 2, 4]]},
                 {"epochs": 2, "new_pairs": True, "spread": True}, {"room": None, "sizes": [[i, 1 + i % 3] for i in range(20)], "memory": 9}]
     for number in range(count):
         ask = {"items": rng.choice([1, 9, 20, 64]), "room": rng.choice([2, 3, 8, 70])}
         pairs = [[[0, 1], [1, 2], [0, 8]], [["a", "b"], ["b", "a thing"]], {"text": "a,b\nb,\"c d\"\n"}]
-        may_be = {"pairs": rng.choice(pairs), "against": 5, "done_items": 4, "fast_room": 2, "item_bytes": 8, "workers": 3, "disjoint": True,
+        groups = [[[0, 1, 2], [2, 0, 8], [3]], {"text": "a,b,c\nb,\"c d\"\n"}]
+        may_be = {"pairs": rng.choice(pairs), "groups": rng.choice(groups), "against": 5, "done_items": 4, "fast_room": 2, "item_bytes": 8, "workers": 3, "disjoint": True,
                   "write_back": True, "prefetch": True, "new_pairs": True, "ordered": True, "self": True, "shuffle": True, "seed": 4,
                   "worker": 1, "from_step": 1, "epochs": 3, "spread": True, "sizes": [[i, 1 + i % 3] for i in range(20)], "memory": 9, "balance": True, "first_holder": True, "pair_cost": [[0, 1, 2.5]], "verify_beside": True}
         for key in rng.sample(list(may_be), rng.choice([0, 1, 1, 2, 3])):
@@ -269,13 +271,13 @@ def check_loads(server, count):
         if problem and by_line.returncode == 0:
             fault(f"answered, but against its schema ({problem}): {body}")
         shown = run("loadorder", "--request", "-", "--show-request", stdin=body)
-        if by_line.returncode == 0 and json.loads(shown.stdout) != {"format": "changeover-load-request/1", **ask} and not {"pairs", "pair_cost", "sizes"} & set(ask):
+        if by_line.returncode == 0 and json.loads(shown.stdout) != {"format": "changeover-load-request/1", **ask} and not {"pairs", "groups", "pair_cost", "sizes"} & set(ask):
             fault(f"--show-request says something else: {body} {shown.stdout}")
         by_server = server.post("api/loadorder", body)
-        for_all = not set(ask) - {"items", "room", "pairs", "against", "done_items", "workers", "balance", "first_holder", "epochs"}
+        for_all = not set(ask) - {"items", "room", "pairs", "groups", "against", "done_items", "workers", "balance", "first_holder", "epochs"}
         if for_all and (by_line.returncode == 0) != ("error" not in by_server):
             fault(f"the server and the command line disagree: {body} {by_line.stderr} {by_server.get('error')}")
-        if set(ask) - {"items", "room", "pairs", "against", "done_items", "workers", "prefetch", "balance", "first_holder", "epochs"} and "error" not in by_server:
+        if set(ask) - {"items", "room", "pairs", "groups", "against", "done_items", "workers", "prefetch", "balance", "first_holder", "epochs"} and "error" not in by_server:
             fault(f"the server answers what it does not know: {body}")
         for said in map(json.loads, by_line.stdout.splitlines() if by_line.returncode == 0 else []):
             keys |= said.keys()
@@ -283,10 +285,10 @@ def check_loads(server, count):
             if problem:
                 fault(f"a line of the answer is against its schema ({problem}): {body}")
                 break
-        of_python = not set(ask) & {"fast_room", "item_bytes", "worker", "from_step", "balance"} and ask.get("pairs") not in pairs[1:]
+        of_python = not set(ask) & {"fast_room", "item_bytes", "worker", "from_step", "balance"} and ask.get("pairs") not in pairs[1:] and ask.get("groups") not in groups[1:]
         if of_python and by_line.returncode == 0:
             arguments = {"with_self" if key == "self" else key: value for key, value in ask.items() if key not in ("items", "room")}
-            text = changeover.load_order(ask["items"], ask.get("room"), **({**arguments, "sizes": dict(ask["sizes"])} if "sizes" in ask else arguments)).to_json()
+            text = changeover.load_order(ask.get("items"), ask.get("room"), **({**arguments, "sizes": dict(ask["sizes"])} if "sizes" in ask else arguments)).to_json()
             if text != by_line.stdout:
                 fault(f"Python answers another document: {body}\n{by_line.stdout}\n{text}")
         if for_all and by_line.returncode == 0:

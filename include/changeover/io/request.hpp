@@ -38,6 +38,8 @@ enum class RowShape {
   none,     ///< not a list
   parts,    ///< "name" or {"name", "cost", "slot", "quantity"}
   pairs,    ///< [a, b]
+  costs,    ///< [a, b] or [a, b, cost]
+  groups,   ///< [a, b, …]
   reasons,  ///< [a, b] or [a, b, why]
   weights,  ///< [a, b, weight]
   slots,    ///< {"name", "least", "most"}

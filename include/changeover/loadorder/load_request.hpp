@@ -7,8 +7,8 @@
 //     const WorkerSplit split = split_load_order(asked.items(), asked.room(), *request.workers);
 //
 // The document, format "changeover-load-request/1": the keys of load_table(). "pairs" is an array
-// of rows [a, b], {"file": its path}, or {"text": what a file would hold}
-// (loadorder/wanted_pairs.hpp).
+// of rows [a, b] or [a, b, cost], {"file": its path}, or {"text": what a file would hold}; "groups"
+// the same with rows [a, b, …] (loadorder/wanted_pairs.hpp).
 #pragma once
 
 #include <cstdint>
@@ -28,6 +28,7 @@ struct LoadRequest {
   std::optional<std::uint64_t> items = {};
   std::optional<std::uint64_t> room = {};
   RequestList pairs = {};
+  RequestList groups = {};
   std::optional<std::uint64_t> against = {};
   std::optional<std::uint64_t> done_items = {};
   std::optional<std::uint64_t> fast_room = {};

@@ -13,16 +13,11 @@
 // begin with # or % are skipped, and so is a first line of two words above lines of numbers. A
 // workbook (.xlsx) is read, too: its first sheet, or the one that open_list() (io/input.hpp) names.
 //
-// If all items are whole numbers below 10⁷, they are the numbers of the items, from 0. Otherwise
-// they are names of up to 255 bytes, and items are numbered by their first occurrence. A pair may
-// occur twice and in either direction. An item paired with itself must be loaded, but needs no
-// other item. Items that do not occur are not loaded.
+// A file of groups has the items of a group in each line, any number of them, written in the same
+// way, and wants all pairs within each group. A group of one item wants none: it is not loaded for
+// it. At most 2³⁰ pairs.
 //
-// Refused are numbers in another form than the whole numbers before them ("01", "1.0"), two names
-// of one number, two numbers between separators (0 1,2), and names with invisible characters or a
-// '|'.
-//
-// Memory: 8 bytes per pair and 8 per item, and 16 per pair while a file is read.
+// Memory: 8 bytes a pair and 8 an item, and 16 a pair while a file of pairs is read.
 #pragma once
 
 #include <cstdint>
@@ -84,8 +79,12 @@ class PairGraph {
 };
 
 struct PairFileOptions {
-  std::optional<std::uint64_t> items =
-      {};  ///< the number of items, which are numbered from 0 or named
+  std::optional<std::uint64_t> items = {};  ///< there are so many, numbered from 0 or named
+  bool groups = false;  ///< a line is a group of items, of which all pairs are wanted
+  /// Of pairs: where what their third column says is put, the cost of a pair; left as it is if
+  /// there is no such column. Without it a third column is refused, and `no_costs` ends the message.
+  std::function<double(Element, Element)>* costs = nullptr;
+  std::string no_costs = {};
 };
 
 /// Reads a file as described above, or standard input for "-". @throws BadInput with line and

@@ -149,6 +149,10 @@ std::string_view words_of_rows(RowShape shape) {
       return "\"name\" or {\"name\":…,\"cost\":…,\"slot\":…,\"quantity\":…}";
     case RowShape::pairs:
       return "[a,b]";
+    case RowShape::costs:
+      return "[a,b] or [a,b,cost]";
+    case RowShape::groups:
+      return "[a,b,…]";
     case RowShape::reasons:
       return "[a,b] or [a,b,why]";
     case RowShape::weights:
@@ -194,8 +198,9 @@ std::optional<ListRow> row_of(RowShape shape, const JsonNode& node) {
     default: {
       auto fields = fields_of(node);
       const std::size_t size = fields ? fields->size() : 0;
+      const bool two_or_three = shape == RowShape::reasons || shape == RowShape::costs;
       const bool fits = shape == RowShape::pairs     ? size == 2
-                        : shape == RowShape::reasons ? size == 2 || size == 3
+                        : two_or_three               ? size == 2 || size == 3
                         : shape == RowShape::weights ? size == 3
                                                      : size > 0;
       return fits ? std::optional(ListRow{std::move(*fields)}) : std::nullopt;

@@ -32,6 +32,7 @@ std::string row(RowShape shape) {
                          field);
     case RowShape::pairs:
       return fields("2", "2");
+    case RowShape::costs:
     case RowShape::reasons:
       return fields("2", "3");
     case RowShape::weights:

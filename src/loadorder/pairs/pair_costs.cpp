@@ -100,19 +100,12 @@ class CostList {
     }
     const Element x = item(row[0]);
     const Element y = item(row[1]);
-    const auto cost = number_in<double>(row[2]);
-    if (!cost || !std::isfinite(*cost) || *cost < 0) {
-      rows_.fail(row[2], fmt::format("'{}' is not a cost; give a number, 0 or more", row[2].text));
-    }
-    if (*cost > highest_cost) {
-      rows_.fail(row[2], fmt::format("'{}' is too much for a cost; give {} at most", row[2].text,
-                                     highest_cost));
-    }
+    const double cost = cost_in(rows_, row[2]);
     if (x == y) {
       rows_.fail(row[1],
                  fmt::format("'{}' is both items; a pair has two different ones", row[1].text));
     }
-    if (!costs_.emplace(key_of(x, y), *cost).second) {
+    if (!costs_.emplace(key_of(x, y), cost).second) {
       rows_.fail(row[0],
                  fmt::format("the pair of '{}' and '{}' has a cost already; keep one of both",
                              row[0].text, row[1].text));
@@ -126,6 +119,20 @@ class CostList {
 };
 
 }  // namespace
+
+bool is_cost(const Field& field) { return number_in<double>(field).has_value(); }
+
+double cost_in(const RowReader& rows, const Field& field) {
+  const auto cost = number_in<double>(field);
+  if (!cost || !std::isfinite(*cost) || *cost < 0) {
+    rows.fail(field, fmt::format("'{}' is not a cost; give a number, 0 or more", field.text));
+  }
+  if (*cost > highest_cost) {
+    rows.fail(field, fmt::format("'{}' is too much for a cost; give {} at most", field.text,
+                                 highest_cost));
+  }
+  return *cost;
+}
 
 std::function<double(Element, Element)> read_pair_costs(Input& input, const WantedPairs& wanted) {
   const auto costs = std::make_shared<const Costs>(CostList(input, wanted).read());

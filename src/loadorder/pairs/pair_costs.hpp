@@ -7,12 +7,19 @@
 
 #include "changeover/io/input.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
+#include "io/scan/row_reader.hpp"
 
 namespace changeover {
 
-/// Items have the numbers 0, …, items − 1, or the names of the wanted pairs. Pairs that are not in
-/// the list cost 1. A first row of words over rows of numbers is a header. @throws BadInput with
-/// its place for an unknown item, a negative cost, or a pair that has a cost already.
+/// Whether it is a number at all.
+[[nodiscard]] bool is_cost(const Field& field);
+
+/// @throws BadInput with its place for what is no number, below 0 or too large
+[[nodiscard]] double cost_in(const RowReader& rows, const Field& field);
+
+/// Items have the numbers 0, …, items − 1, or the names that the wanted pairs give them. Pairs that
+/// are not in the list cost 1. A first row of words over rows of numbers is a header. @throws
+/// BadInput with its place for an unknown item, a cost below 0, or a pair that has a cost already
 [[nodiscard]] std::function<double(Element, Element)> read_pair_costs(Input& input,
                                                                       const WantedPairs& wanted);
 

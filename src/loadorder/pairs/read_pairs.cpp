@@ -5,18 +5,23 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
+#include "changeover/run/control.hpp"
 #include "io/scan/row_reader.hpp"
 #include "loadorder/pairs/item_names.hpp"
+#include "loadorder/pairs/listed_rows.hpp"
+#include "loadorder/pairs/pair_costs.hpp"
 
 namespace changeover {
 namespace {
 
-// Items with any separators. Lists are long, so rows are not kept.
-RowOptions row_options() {
+// Items with anything between them. Lists are long: a row is not kept.
+RowOptions row_options(bool groups) {
   RowOptions options = RowOptions::of_any_length();
   options.any_separator = options.blanks = options.percent_too = true;
-  options.longest_line = 65'536;
-  options.too_long = "a line of more than 65536 bytes; give two items a line";
+  if (!groups) {
+    options.longest_line = 65'536;
+    options.too_long = "a line of more than 65536 bytes; give two items a line";
+  }
   return options;
 }
 
@@ -60,38 +65,13 @@ std::optional<std::pair<Element, Element>> plain_pair(std::string_view line) {
   return std::nullopt;
 }
 
-/// Pairs in pieces, so that growing moves none of them. A piece is so large that freeing it returns
-/// it to the system at once, and its unused part takes no memory.
-class Pieces {
- public:
-  void add(Element x, Element y) {
-    if (pieces_.empty() || pieces_.back().size() == piece) {
-      pieces_.emplace_back().reserve(piece);
-    }
-    pieces_.back().emplace_back(x, y);
-  }
-
-  template <typename Visit>
-  void each(Visit&& visit) {
-    for (auto& of_piece : pieces_) {
-      for (auto& [x, y] : of_piece) {
-        visit(x, y);
-      }
-    }
-  }
-
-  [[nodiscard]] bool empty() const { return pieces_.empty(); }
-  void clear() { pieces_.clear(); }
-
- private:
-  static constexpr std::size_t piece = std::size_t{1} << 22;
-  std::vector<std::vector<ItemPair>> pieces_;
-};
-
 class PairReader {
  public:
   PairReader(Input& input, const PairFileOptions& options)
-      : rows_(input, row_options()), name_(input.name()), options_(options) {
+      : rows_(input, row_options(options.groups)),
+        name_(input.name()),
+        options_(options),
+        listed_(options.groups) {
     if (options_.items && (*options_.items == 0 || *options_.items > most_items)) {
       throw BadInput(fmt::format("{} items: give 1 to {}", *options_.items, most_items));
     }
@@ -99,10 +79,11 @@ class PairReader {
 
   std::shared_ptr<const PairGraph> read() {
     while (rows_.next_line()) {
-      if (!named_ && seen_any_ && first_line_.empty()) {
+      if (!named_ && seen_any_ && first_line_.empty() && columns_ <= 2 && !options_.groups) {
         const auto pair = plain_pair(rows_.line());
         if (pair && std::max(pair->first, pair->second) < options_.items.value_or(most_items)) {
-          add_numbers(pair->first, pair->second);
+          largest_ = std::max({largest_, pair->first, pair->second});
+          listed_.add(pair->first, pair->second);
           continue;
         }
       }
@@ -111,20 +92,28 @@ class PairReader {
       }
     }
     settle_first_line(false);
-    if (pairs_.empty()) {
-      throw BadInput(name_ + ": no pair is listed; give two items per line");
+    if (listed_.pairs() == 0) {
+      throw BadInput(name_ + (options_.groups
+                                  ? ": no pair is in a group; give two items or more per line"
+                                  : ": no pair is listed; give two items per line"));
+    }
+    if (options_.groups) {
+      constexpr std::uint64_t bytes_a_pair = 2 * sizeof(Element);
+      require_memory(
+          listed_.pairs() * bytes_a_pair,
+          fmt::format("{}: a list of the {} pairs within groups", name_, listed_.pairs()));
     }
     const std::uint64_t items = options_.items && names_.empty() ? *options_.items
                                 : names_.empty()                 ? std::uint64_t{largest_} + 1
                                                                  : names_.size();
     numbers_.clear();
     written_.clear();
-    return std::make_shared<const PairGraph>(
-        items,
-        [&](const PairGraph::Visit& visit) {
-          pairs_.each([&](Element x, Element y) { visit(x, y); });
-        },
-        std::move(names_));
+    auto graph = std::make_shared<const PairGraph>(
+        items, [&](const PairGraph::Visit& visit) { listed_.each_pair(visit); }, std::move(names_));
+    if (columns_ > 2) {
+      *options_.costs = costs_of(graph);
+    }
+    return graph;
   }
 
  private:
@@ -134,12 +123,16 @@ class PairReader {
     if (row_.size() == 1 && !row_.front().in_quotes) {
       row_ = at_blanks(row_.front(), rows_);
     }
-    if (row_.size() > 2) {
-      rows_.fail(row_[2],
-                 "more than two items; give two per line, and names with blanks in quotes");
-    }
-    if (row_.size() == 1) {
-      rows_.fail(row_[0], "one item stands alone; give two per line");
+    if (!options_.groups) {
+      if (row_.size() > 3 || (row_.size() == 3 && options_.costs == nullptr)) {
+        rows_.fail(row_[2],
+                   "more than two items; give two per line, and names with blanks in "
+                   "quotes" +
+                       options_.no_costs);
+      }
+      if (row_.size() == 1) {
+        rows_.fail(row_[0], "one item stands alone; give two per line");
+      }
     }
     for (const Field& field : row_) {
       if (!field.in_quotes && are_numbers(field.text)) {
@@ -152,11 +145,14 @@ class PairReader {
   }
 
   void take() {
-    const auto x = item_number(row_[0]);
-    const auto y = item_number(row_[1]);
-    const bool numbers = x && y;
-    if (!seen_any_ && !as_number(row_[0].text) &&
-        !as_number(row_[1].text)) {  // possibly column names
+    const bool numbers = std::all_of(row_.begin(), row_.end(),
+                                     [](const Field& field) { return item_number(field); });
+    const bool words = std::none_of(row_.begin(), row_.end(),
+                                    [](const Field& field) { return as_number(field.text); });
+    if (!options_.groups && !take_cost(words)) {
+      return;
+    }
+    if (!seen_any_ && words && columns_ < 3) {  // perhaps names of columns
       seen_any_ = true;
       first_line_ = row_;
       for (const Field& field : first_line_) {
@@ -167,7 +163,7 @@ class PairReader {
     seen_any_ = true;
     settle_first_line(numbers);
     if (named_ || !numbers) {
-      if (!named_ && !pairs_.empty()) {
+      if (!named_ && !listed_.empty()) {
         for (const Field& field : row_) {
           check_written_plainly(rows_, field);
         }
@@ -176,25 +172,83 @@ class PairReader {
       add_named(row_);
       return;
     }
-    for (const auto& [item, field] : {std::pair(*x, &row_[0]), std::pair(*y, &row_[1])}) {
+    items_.clear();
+    for (const Field& field : row_) {
+      const Element item = *item_number(field);
       if (options_.items && item >= *options_.items) {
-        rows_.fail(*field,
+        rows_.fail(field,
                    fmt::format("item {} is not one of {} items, which have the numbers 0 to {}",
                                item, *options_.items, *options_.items - 1));
       }
+      largest_ = std::max(largest_, item);
+      items_.push_back(item);
     }
-    add_numbers(*x, *y);
+    add_items(row_.front());
   }
 
   void add_named(const Row& row) {
-    const Element a = item_called(row[0]);
-    const Element b = item_called(row[1]);
-    pairs_.add(a, b);
+    items_.clear();
+    for (const Field& field : row) {
+      items_.push_back(item_called(field));
+    }
+    add_items(row.front());
   }
 
-  void add_numbers(Element x, Element y) {
-    largest_ = std::max({largest_, x, y});
-    pairs_.add(x, y);
+  void add_items(const Field& first) {
+    if (!listed_.add(items_)) {
+      rows_.fail(first, fmt::format("with this group more than {} pairs are wanted; give smaller "
+                                    "groups",
+                                    most_pairs_in_groups));
+    }
+  }
+
+  // Takes the third column off a row of a list of pairs; false if the row names columns.
+  bool take_cost(bool words) {
+    const std::size_t columns = row_.size();
+    const bool names_columns = !seen_any_ && words && columns == 3 && !is_cost(row_.back());
+    if (columns_ != 0 && columns != columns_) {
+      rows_.fail(row_[columns - 1],
+                 columns > columns_
+                     ? "the pairs before have no cost; give one to every pair or to none"
+                     : "the pairs before have a cost each; give one to every pair or to none");
+    }
+    columns_ = columns;
+    seen_any_ = seen_any_ || names_columns;
+    if (columns == 3 && !names_columns) {
+      if (row_[0].text == row_[1].text) {
+        rows_.fail(row_[1],
+                   fmt::format("'{}' is both items; a pair has two different ones", row_[1].text));
+      }
+      costs_.push_back(cost_in(rows_, row_[2]));
+    }
+    row_.resize(2);
+    return !names_columns;
+  }
+
+  std::function<double(Element, Element)> costs_of(const std::shared_ptr<const PairGraph>& graph) {
+    constexpr double none = -1;
+    std::vector<double> by_place(2 * graph->pairs(), none);
+    std::size_t row = 0;
+    listed_.each_pair([&](Element x, Element y) {
+      const double cost = costs_[row++];
+      double& known = by_place[*graph->place(x, y)];
+      if (known != none && known != cost) {
+        const auto called = [&](Element item) {
+          return graph->names().empty() ? std::to_string(item) : graph->names()[item];
+        };
+        throw BadInput(
+            fmt::format("{}: the pair of '{}' and '{}' has two costs, {} and {}; keep "
+                        "one of both",
+                        name_, called(x), called(y), known, cost));
+      }
+      known = cost;
+    });
+    costs_ = {};
+    return [graph, costs = std::make_shared<const std::vector<double>>(std::move(by_place))](
+               Element x, Element y) {
+      const auto place = graph->place(x, y);
+      return place ? (*costs)[*place] : 1.0;
+    };
   }
 
   // Words above numbers are column names.
@@ -217,11 +271,9 @@ class PairReader {
     }
     named_ = true;
     Field number;
-    pairs_.each([&](Element& x, Element& y) {
-      for (Element* const item : {&x, &y}) {
-        number.text = std::to_string(*item);
-        *item = item_called(number);
-      }
+    listed_.each_item([&](Element& item) {
+      number.text = std::to_string(item);
+      item = item_called(number);
     });
   }
 
@@ -243,7 +295,10 @@ class PairReader {
   std::string name_;
   PairFileOptions options_;
   Row row_;
-  Pieces pairs_;
+  std::vector<Element> items_;  // of a row
+  ListedRows listed_;
+  std::size_t columns_ = 0;    // of a list of pairs, 2 or 3; 0: not known yet
+  std::vector<double> costs_;  // of its rows
   bool seen_any_ = false;
   bool named_ = false;
   Row first_line_;

@@ -46,9 +46,16 @@ std::vector<RequestOption<R>> options() {
             .kind = K::list,
             .value = "FILE",
             .help = "only the pairs listed there, two items per line (text, CSV, .xlsx); \"-\": "
-                    "standard input",
-            .shape = RowShape::pairs},
+                    "standard input; with --workers a third column may say what a pair costs",
+            .shape = RowShape::costs},
            &R::pairs},
+          {{.key = "groups",
+            .flags = "--groups",
+            .kind = K::list,
+            .value = "FILE",
+            .help = "only the pairs within the groups listed there, a group of items per line",
+            .shape = RowShape::groups},
+           &R::groups},
           {{.key = "against",
             .flags = "--against",
             .kind = K::number,
@@ -216,16 +223,16 @@ std::vector<OptionRule> rules() {
       {Says::never_with, {"balance", "first_holder", "pair_cost"}, {"disjoint"}},
       {Says::never_with,
        {"fast_room"},
-       {"disjoint", "prefetch", "pairs", "against", "done_items", "seconds"}},
+       {"disjoint", "prefetch", "pairs", "groups", "against", "done_items", "seconds"}},
       {Says::only_with, {"item_bytes"}, {"fast_room"}},
-      {Says::never_with, {"disjoint"}, {"prefetch", "pairs", "against", "done_items"}},
+      {Says::never_with, {"disjoint"}, {"prefetch", "pairs", "groups", "against", "done_items"}},
       {Says::only_with, {"ordered", "self", "shuffle"}, {"new_pairs", "write_back", "prefetch"}},
       {Says::only_with, {"spread"}, {"new_pairs", "write_back"}},
       // Prefetch decides which step computes a pair.
       {Says::never_with, {"spread"}, {"prefetch"}},
       // In the other direction another worker has a pair first.
       {Says::never_with, {"epochs"}, {"first_holder"}},
-      {Says::exclude, {"pairs", "against", "done_items"}},
+      {Says::exclude, {"pairs", "groups", "against", "done_items"}},
       {Says::never_with, {"seconds"}, {"against", "done_items"}},
       {Says::only_with, {"threads"}, {"seconds"}},
   };
@@ -416,21 +423,50 @@ void take_sizes(const LoadRequest& request, Door door, std::shared_ptr<const Pai
   sizes = std::make_shared<const ItemSizes>(ItemSizes{std::move(bytes), *request.memory});
 }
 
+bool lists_pairs(const LoadRequest& request) {
+  return request.pairs.is_given() || request.groups.is_given();
+}
+
+// What a third column of the pairs would say has no meaning.
+std::string why_no_costs(const LoadRequest& request, Door door) {
+  for (const std::string_view other : {"pair_cost", "first_holder", "disjoint"}) {
+    if ((other == "pair_cost" && request.pair_cost.is_given()) ||
+        (other == "first_holder" && request.first_holder) ||
+        (other == "disjoint" && request.disjoint)) {
+      return fmt::format("; with {} no third column says what a pair costs", key(other, door));
+    }
+  }
+  return request.workers
+             ? ""
+             : fmt::format("; a third column, what a pair costs, is for {}", key("workers", door));
+}
+
+std::shared_ptr<const PairGraph> listed_pairs(const LoadRequest& request, Door door,
+                                              std::function<double(Element, Element)>& cost) {
+  const bool groups = request.groups.is_given();
+  const std::string_view name = groups ? "groups" : "pairs";
+  const auto input = open(groups ? request.groups : request.pairs,
+                          option_of(load_table(), name).record, key(name, door));
+  const std::string no_costs = why_no_costs(request, door);
+  return read_pairs(*input, {.items = request.items,
+                             .groups = groups,
+                             .costs = no_costs.empty() ? &cost : nullptr,
+                             .no_costs = no_costs});
+}
+
 }  // namespace
 
 void check_options(const LoadRequest& request, Door door) {
-  check(request, door, request.pairs.is_given());
+  check(request, door, lists_pairs(request));
 }
 
 CheckedLoads checked_loads(const LoadRequest& request, Door door,
                            std::shared_ptr<const PairGraph> pairs) {
-  check(request, door, request.pairs.is_given() || pairs != nullptr);
+  check(request, door, lists_pairs(request) || pairs != nullptr);
   CheckedLoads checked;
   checked.room_ = request.room.value_or(0);
-  if (request.pairs.is_given()) {
-    const auto input =
-        open(request.pairs, option_of(load_table(), "pairs").record, key("pairs", door));
-    pairs = read_pairs(*input, {.items = request.items});
+  if (lists_pairs(request)) {
+    pairs = listed_pairs(request, door, checked.cost_);
   }
   const bool listed = pairs != nullptr;
   if (request.sizes.is_given()) {

@@ -2,6 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <random>
+#include <set>
+
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
 
@@ -142,6 +146,103 @@ TEST(ReadPairs, SaysWhatIsWrongAndWhere) {
   EXPECT_THROW(PairGraph(2, std::vector<ItemPair>{{0, 2}}), BadInput);
   EXPECT_THROW(PairGraph(2, std::vector<ItemPair>{{0, 1}}, {"a"}), BadInput);
   EXPECT_THROW(read_pairs("no/such/file"), MissingResource);
+}
+
+TEST(ReadPairs, AllPairsWithinAGroupAreWanted) {
+  const auto graph = read("# clusters\n0 3 5\r\n3;4\n% none\n7\n2 2\n5,3,0\n", {.groups = true});
+  EXPECT_EQ(graph->items(), 8U);
+  EXPECT_EQ(graph->pairs(), 4U);
+  EXPECT_THAT(graph->partners(3), ElementsAre(0, 4, 5));
+  EXPECT_FALSE(graph->is_needed(7));  // alone
+  EXPECT_TRUE(graph->is_needed(2));   // with itself
+  EXPECT_TRUE(graph->names().empty());
+  EXPECT_THAT(read("a b \"c d\"\nb,x y,a\n", {.groups = true})->names(),
+              ElementsAre("a", "b", "c d", "x y"));
+  EXPECT_THAT(read("0 1 2\n3 x 0\n", {.groups = true})->names(),
+              ElementsAre("0", "1", "2", "3", "x"));
+  EXPECT_EQ(read("query first second\n0 1 2\n", {.groups = true})->pairs(), 3U);  // columns
+  EXPECT_EQ(read("0 1 2\n", {.items = 9, .groups = true})->items(), 9U);
+}
+
+// Against every pair of every row.
+TEST(ReadPairs, GroupsAreTheUnionOfTheirPairs) {
+  std::mt19937_64 random(5);
+  for (int round = 0; round < 300; ++round) {
+    const std::uint64_t items = 2 + random() % 12;
+    std::set<ItemPair> wanted;
+    std::string text = "0 1\n";
+    wanted.emplace(0, 1);
+    for (std::uint64_t line = random() % 6; line > 0; --line) {
+      std::vector<Element> group;
+      for (std::uint64_t i = 1 + random() % 5; i > 0; --i) {
+        group.push_back(static_cast<Element>(random() % items));
+        text += (i % 3 == 0 ? " " : "  ") + std::to_string(group.back());
+      }
+      text += '\n';
+      for (const Element x : group) {
+        for (const Element y : group) {
+          if (x < y) {
+            wanted.emplace(x, y);
+          }
+        }
+      }
+    }
+    const auto graph = read(text, {.items = items, .groups = true});
+    EXPECT_EQ(graph->pairs(), wanted.size()) << text;
+    for (const auto& [x, y] : wanted) {
+      EXPECT_TRUE(graph->place(x, y).has_value()) << text;
+    }
+  }
+}
+
+TEST(ReadPairs, AGroupThatCannotBeIsRefusedWithItsPlace) {
+  const PairFileOptions groups{.groups = true};
+  EXPECT_EQ(fault("1\n2\n", groups), "f: no pair is in a group; give two items or more per line");
+  EXPECT_THAT(fault("0 1 2\n1 03\n", groups), HasSubstr("f:2:3: '03' is not written like"));
+  EXPECT_THAT(fault("0 1 2\n1 9 3\n", {.items = 4, .groups = true}),
+              HasSubstr("f:2:3: item 9 is not one of 4 items"));
+  EXPECT_THAT(fault("a b\nc d\n", {.items = 3, .groups = true}), HasSubstr("f:2:3: 'd' is one"));
+  EXPECT_THAT(fault("0 1,2\n", groups), HasSubstr("'0 1' is more than one number"));
+  std::string all;
+  for (int i = 0; i < 50'000; ++i) {
+    all += std::to_string(i) + ' ';
+  }
+  EXPECT_THAT(fault("0 1\n" + all, groups),
+              HasSubstr("f:2:1: with this group more than 1073741824 pairs"));
+}
+
+TEST(ReadPairs, AThirdColumnIsWhatAPairCosts) {
+  std::function<double(Element, Element)> cost;
+  const PairFileOptions costs{.costs = &cost};
+  const auto numbers = read("0 1 2.5\n2 0 0\n1 0 2.5\n", costs);
+  EXPECT_EQ(numbers->pairs(), 2U);
+  ASSERT_TRUE(cost);
+  EXPECT_EQ(cost(0, 1), 2.5);
+  EXPECT_EQ(cost(2, 0), 0);
+  const auto named = read("from,to,seconds\nx,y,3\n\"a b\",x,1e2\n", costs);
+  EXPECT_THAT(named->names(), ElementsAre("x", "y", "a b"));
+  EXPECT_EQ(cost(0, 2), 100);
+  EXPECT_EQ(read("from to cost\n0 1 7\n", costs)->pairs(), 1U);
+  EXPECT_EQ(cost(0, 1), 7);
+  EXPECT_THAT(read("x y 7\n0 1 8\n", costs)->names(), ElementsAre("x", "y", "0", "1"));
+  EXPECT_EQ(cost(1, 0), 7);
+  cost = nullptr;
+  EXPECT_EQ(read("0 1\n1 2\n", costs)->pairs(), 2U);
+  EXPECT_FALSE(cost);
+
+  const std::string mend = "; give one to every pair or to none";
+  EXPECT_EQ(fault("0 1 2\n1 2\n", costs), "f:2:3: the pairs before have a cost each" + mend);
+  EXPECT_EQ(fault("0 1\n1 2 5\n", costs), "f:2:5: the pairs before have no cost" + mend);
+  EXPECT_EQ(fault("0 1 2\n0 2 1\n1 0 3\n", costs),
+            "f: the pair of '1' and '0' has two costs, 2 and 3; keep one of both");
+  EXPECT_EQ(fault("0 1 x\n", costs), "f:1:5: 'x' is not a cost; give a number, 0 or more");
+  EXPECT_EQ(fault("0 1 -2\n", costs), "f:1:5: '-2' is not a cost; give a number, 0 or more");
+  EXPECT_THAT(fault("0 1 1e101\n", costs), HasSubstr("f:1:5: '1e101' is too much for a cost"));
+  EXPECT_THAT(fault("a a 1\n", costs), HasSubstr("f:1:3: 'a' is both items"));
+  EXPECT_THAT(fault("0 1 2 3\n", costs), HasSubstr("f:1:5: more than two items"));
+  EXPECT_EQ(fault("0 1 2\n", {.no_costs = "; reason"}),
+            "f:1:5: more than two items; give two per line, and names with blanks in quotes; "
+            "reason");
 }
 
 }  // namespace

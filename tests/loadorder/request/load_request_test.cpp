@@ -74,6 +74,29 @@ TEST(LoadRequest, ThePairsAreTheSameByFileTextAndRows) {
   EXPECT_TRUE(numbers.wanted().contains(0, 8));
 }
 
+TEST(LoadRequest, GroupsAndCostsAreTheSameByFileTextAndRows) {
+  const test::TemporaryFolder folder;
+  test::spit(folder.file("groups.csv"), "a,b,\"c d\"\nc,a\ne\n");
+  for (const std::string& json :
+       {R"({"room":2,"groups":{"file":")" + folder.file("groups.csv") + "\"}}",
+        std::string(R"({"room":2,"groups":{"text":"a,b,\"c d\"\nc,a\ne\n"}})"),
+        std::string(R"({"room":2,"groups":[["a","b","c d"],["c","a"],["e"]]})")}) {
+    const CheckedLoads loads = checked_loads(load_request(json), Door::document);
+    EXPECT_EQ(loads.wanted().count(), 4U) << json;
+    EXPECT_EQ(loads.wanted().graph()->names(),
+              (std::vector<std::string>{"a", "b", "c d", "c", "e"}));
+    EXPECT_FALSE(loads.wanted().needs(4));
+  }
+  for (const std::string json :
+       {R"({"room":2,"workers":2,"pairs":{"text":"a,b,3\nb,c,0.5\n"}})",
+        R"({"room":2,"workers":2,"pairs":[["a","b",3],["b","c","0.5"]]})"}) {
+    const CheckedLoads loads = checked_loads(load_request(json), Door::document);
+    ASSERT_TRUE(loads.pair_cost()) << json;
+    EXPECT_EQ(loads.pair_cost()(0, 1), 3);
+    EXPECT_EQ(loads.pair_cost()(1, 2), 0.5);
+  }
+}
+
 TEST(LoadRequest, SaysWhatIsWrongInTheWordsOfTheDoor) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {R"({})", "items and room are required"},
@@ -92,6 +115,14 @@ TEST(LoadRequest, SaysWhatIsWrongInTheWordsOfTheDoor) {
       {R"({"items":10000000,"room":3,"against":2})", "together; at most 10000000"},
       {R"({"items":9,"room":3,"pairs":[[0,9]]})", "pairs"},
       {R"({"items":9,"room":3,"pairs":[[0]]})", "pairs[0]: write [a,b]"},
+      {R"({"items":9,"room":3,"groups":[[]]})", "groups[0]: write [a,b,…]"},
+      {R"({"items":9,"room":3,"groups":[[0]]})", "no pair is in a group"},
+      {R"({"items":9,"room":3,"groups":[[0,1]],"done_items":3})", "exclude each other"},
+      {R"({"room":3,"pairs":[[0,1,5]]})", "a third column, what a pair costs, is for workers"},
+      {R"({"room":3,"pairs":[[0,1,5]],"workers":2,"first_holder":true})",
+       "; with first_holder no third column says what a pair costs"},
+      {R"({"room":3,"pairs":[[0,1,5]],"workers":2,"pair_cost":[[0,1,2]]})",
+       "; with pair_cost no third column says what a pair costs"},
       {R"({"items":9,"room":3,"pairs":[]})", "pair"},
       {R"({"items":9,"room":"3"})", "room: write a whole number"},
       {R"({"items":9,"rooms":3})", "unknown key 'rooms'"},
