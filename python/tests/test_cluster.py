@@ -470,6 +470,10 @@ class Questions(unittest.TestCase):
         self.assertEqual(pairs_of(5, 3, with_self=True),
                          set(itertools.combinations_with_replacement(range(5), 2)))
 
+    def test_pairs_are_said_in_one_way(self):
+        with self.assertRaisesRegex(changeover.BadInput, "give one of pairs, against and done_items"):
+            wanted(5, 3, [(0, 1)], against=2)
+
     def test_sizes(self):
         self.assertEqual(_job.sizes_of(7, 3)(2), 7)
         self.assertEqual(_job.sizes_of([1, 2, 3], 3)(2), 3)
