@@ -377,8 +377,8 @@ def load_order(
 
     pairs: only these must meet; rows of two item numbers, or a NumPy array of shape (n, 2); `items`
     may then be None. With workers, rows may be (i, j, cost), as for pair_cost. groups: the pairs
-    within each of these groups of items. against: pairs of each of the items with each of this many others, numbered
-    after them. done_items: the pairs of the first so many items have met before.
+    within each of these groups of items. against: pairs of each of the items with each of this many
+    others, numbered after them. done_items: the pairs of the first so many items have met before.
 
     workers: split the order for this many workers, which gives WorkerLoads. Pairs are spread evenly
     over the workers that have them; with first_holder the first worker that has a pair computes it.
