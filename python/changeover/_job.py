@@ -51,7 +51,7 @@ def _in_places(setup: Any) -> list[Optional[str]]:
 def _rows(argument: str, rows: Iterable[Any]) -> Iterator[Any]:
     for number, row in enumerate(rows):
         if number == _most_rows:
-            raise BadInput(f"{argument} has more than 4194304 rows; give each once")
+            raise BadInput(f"{argument} has more than 4194304 rows; remove repetitions")
         yield row
 
 

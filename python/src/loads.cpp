@@ -386,7 +386,7 @@ py::tuple order(const std::string& document, const std::optional<py::bytes>& pai
   // What steps compute and store is verified now, or beside, as loads are.
   if (request.verify_beside) {
     loads.check = std::make_shared<const Check>(loads.answer);
-  } else if (loads.answer->says_work()) {
+  } else if (loads.answer->shows_work()) {
     stoppable([&] { return loads.answer->head(); });
   }
   const py::dict facts = facts_of(loads);

@@ -122,7 +122,7 @@ class Plans(unittest.TestCase):
             ({"slots": {"CPU": {1, 2}}, "slot_of": {"a": "CPU"}}, "slots says how many"),
             ({"slots": {"CPU": 1}, "slot_of": {"a": "disk"}}, "disk"),
             ({"weights": [("a", "b")]}, "weights is a dict"),
-            ({"first": [["a", "b", "c", "d"]]}, "^first.0.: 4 parts stand here, but only 3 fit"),
+            ({"first": [["a", "b", "c", "d"]]}, "^first.0.: 4 parts, but only 3 fit"),
             ({"never": [("a", "b")], "pairs": [("a", "b")]}, "a"),
         ):
             with self.subTest(wrong=wrong), self.assertRaisesRegex(changeover.BadInput, words) as caught:

@@ -18,8 +18,8 @@
 
 struct changeover_loadorder {
   explicit changeover_loadorder(changeover::LoadOrder given) : plan(std::move(given)) { begin(); }
-  changeover_loadorder(changeover::WorkerSplit given, bool says_pairs)
-      : plan(std::move(given)), with_pairs(says_pairs) {
+  changeover_loadorder(changeover::WorkerSplit given, bool shows_pairs)
+      : plan(std::move(given)), with_pairs(shows_pairs) {
     begin();
   }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Every message of the sources is run or has its reason.
 
-usage: check_messages.py ROOT [--all]   --all: also what is in LEFT_OUT
+usage: check_messages.py ROOT
 
 A message is accounted for if a row of the table (tests/data/errors, which errors.py runs) says its words, if a test of the
 project holds them, or if tests/data/errors/elsewhere.txt names it with a reason. What is thrown as an InternalError is a bug
@@ -15,8 +15,6 @@ import sys
 import errors
 import messages
 
-# The print of the paper, whose formulas are ours, and rooms that have no rows yet.
-LEFT_OUT = ("src/paper/", "src/loadorder/sizes/", "src/loadorder/training/", "apps/changeover/serve/plans/")
 TESTS = ("tests", "python/tests", "web/tests", "bench")
 SUFFIXES = (".cpp", ".hpp", ".c", ".py", ".sh", ".mjs")
 SHORTEST = 16  # characters in a row of a message that a test must repeat
@@ -81,32 +79,31 @@ def accounts(root, found):
     return how, used
 
 
-def faults(root, everything=False):
+def faults(root):
     found, bare = messages.of_sources(root)
-    inside = [message for message in found if everything or not message.path.startswith(LEFT_OUT)]
-    how, used = accounts(root, inside)
+    how, used = accounts(root, found)
     missing = [f"{message.path}:{message.line}: '{message.shown}': no row of {errors.TABLE} says it, and no test"
-               for message, account in zip(inside, how) if not account]
+               for message, account in zip(found, how) if not account]
     for number, shown, reason in elsewhere(root):
         place = f"{errors.TABLE}/elsewhere.txt:{number}"
         if not shown or not reason:
             missing.append(f"{place}: words of a message on a line, and below it a reason, indented by four blanks")
-        elif number not in used and not everything:
+        elif number not in used:
             missing.append(f"{place}: '{shown}': no message of the sources, or one that a row says")
         for test in re.findall(r"\btests/[\w./]+\w", reason):
             if not (root / test).exists():
                 missing.append(f"{place}: there is no {test}")
     missing += [f"{path}:{line}: {kind} is thrown with words that come from nowhere; word it here or in a function ..._defect()"
-                for path, line, kind in bare if everything or not path.startswith(LEFT_OUT)]
+                for path, line, kind in bare]
     counts = {account: how.count(account) for account in ("row", "test", "elsewhere", "bug")}
     return counts, missing
 
 
 def main(arguments):
-    if len(arguments) not in (1, 2):
+    if len(arguments) != 1:
         print(__doc__.strip(), file=sys.stderr)
         return 2
-    counts, missing = faults(pathlib.Path(arguments[0]), "--all" in arguments)
+    counts, missing = faults(pathlib.Path(arguments[0]))
     for line in missing:
         print(line)
     print(f"{sum(counts.values())} messages: {counts['row']} in the table, {counts['test']} in other tests, "

@@ -221,13 +221,13 @@ class Growth {
     if (alone > 0) {
       change(w, best_to_go(w, *in), *in);
     } else if (in) {
-      begin_anew(w, is_last && left_ == left_before);
+      load_most_open(w, is_last && left_ == left_before);
     }
   }
 
   // No item brings a new pair: the item with the most open pairs is loaded, if it helps or nothing
   // else has happened in this step.
-  void begin_anew(std::uint32_t w, bool must) {
+  void load_most_open(std::uint32_t w, bool must) {
     std::optional<Element> in;
     for (Element y = 0; y < items_; ++y) {
       if (holder_[y] == no_worker && open_pairs_[y] > (in ? open_pairs_[*in] : 0)) {

@@ -17,8 +17,8 @@ SeenPairs::SeenPairs(const WantedPairs& wanted, std::uint64_t items)
     : wanted_(wanted), items_(items), wanted_count_(wanted.among(items).count()) {
   if (wanted.graph() == nullptr && items > max_elements_in_memory) {
     throw MissingResource(
-        fmt::format("{} items have too many pairs to be followed one by one; {} is the most", items,
-                    max_elements_in_memory));
+        fmt::format("{} items have too many pairs to track; give at most {}, or watch some items",
+                    items, max_elements_in_memory));
   }
   const std::uint64_t bits =
       wanted.graph() != nullptr ? 2 * wanted.graph()->pairs() : binomial(items, 2);
@@ -149,7 +149,7 @@ MetPairs::MetPairs(const ScheduleRules& rules, const CheckOptions& options)
     watch(options);
   } else if (items_ > max_elements_in_memory) {
     throw MissingResource(
-        fmt::format("{} items have too many pairs to be followed one by one; {} is the most",
+        fmt::format("{} items have too many pairs to track; give at most {}, or watch some items",
                     items_, max_elements_in_memory));
   } else {
     pairs_.emplace(items_);

@@ -329,7 +329,7 @@ void check_together(const LoadRequest& request, Door door, bool all) {
                        max_elements_in_memory));
   }
   if (items > most_items || request.against.value_or(0) > most_items) {
-    refuse(fmt::format("{} and {} are at most {}", key("items", door), key("against", door),
+    refuse(fmt::format("{} and {}: give at most {}", key("items", door), key("against", door),
                        most_items));
   }
   if (request.against && items + *request.against > most_items) {

@@ -432,8 +432,9 @@ AllPairsReport run(ItemSource& source, const LoadOrder& order, const WorkerSplit
                                options.threads, options.readers, most_job_threads));
   }
   if (options.share.index >= options.share.of) {
-    throw BadInput(fmt::format("share {} of {}: shares are numbered from 0", options.share.index,
-                               options.share.of));
+    throw BadInput(fmt::format(
+        "share {} of {}: shares are numbered from 0; give a number below that of the shares",
+        options.share.index, options.share.of));
   }
   if (facts.every_step_read) {
     return Job(source, order, shares, compute, options).run();
@@ -474,7 +475,8 @@ AllPairsReport all_pairs(ItemSource& source, const WorkerSplit& shares, const Pa
                                shares.facts().workers.size()));
   }
   if (!options.earlier.empty()) {
-    throw BadInput("journals of an earlier run go with an order, whose shares may be cut anew");
+    throw BadInput(
+        "shares that were planned cannot use journals of an earlier run; give the order instead");
   }
   // With groups of items, the order that was cut has groups as items.
   LoadOrderFacts facts = shares.order().facts();

@@ -78,7 +78,9 @@ FileItems::FileItems(const std::string& path, std::uint64_t item_bytes,
   s.file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   struct stat status {};
   if (s.file < 0 || ::fstat(s.file, &status) != 0) {
-    throw MissingResource(fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
+    throw MissingResource(
+        fmt::format("{}: cannot be opened: {}; check the path and the permissions", path,
+                    std::strerror(errno)));
   }
   if (!S_ISREG(status.st_mode)) {
     throw BadInput(fmt::format(

@@ -77,8 +77,8 @@ WorkerSplit SplitMaker::stretches(LoadOrder order, std::uint64_t items, std::uin
     throw BadInput(fmt::format("{} items cannot be put into {} groups", items, whole.items));
   }
   if (whole.lockstep > 1) {
-    throw BadInput(fmt::format("an order for {} workers in lockstep cannot be cut for others",
-                               whole.lockstep));
+    throw BadInput(fmt::format(
+        "an order for {} workers in lockstep cannot be cut for other workers", whole.lockstep));
   }
   SplitFacts facts;
   facts.items = items;
@@ -346,9 +346,9 @@ void SplitMaker::verify(WorkerSplit& split, const LoadOrderOptions& options) {
     said.push_back(worker.pairs);
   }
   // Pairs that met first are the computed ones if they belong to the first worker that has them.
-  const bool are_said = facts.pairs_are_known && (computes || split.owners_ == nullptr);
+  const bool are_shown = facts.pairs_are_known && (computes || split.owners_ == nullptr);
   if (!verdict.valid() || verdict.loads != facts.loads ||
-      (are_said && verdict.worker_pairs != said)) {
+      (are_shown && verdict.worker_pairs != said)) {
     throw InternalError(
         fmt::format("the split of {} is wrong: {}{}", what, verdict.fault, verdict.example));
   }

@@ -139,8 +139,8 @@ const Order& order_in(const Prefetched<Order>& plan) {
 ScheduleRules LoadsAnswer::rules() const {
   ScheduleRules rules = std::visit(
       [&](const auto& loads) {
-        return order_in(loads).rules(says_work() ? std::optional<ComputeRules>(how_.compute)
-                                                 : std::nullopt);
+        return order_in(loads).rules(shows_work() ? std::optional<ComputeRules>(how_.compute)
+                                                  : std::nullopt);
       },
       loads_);
   rules.room = room_;

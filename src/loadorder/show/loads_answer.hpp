@@ -39,7 +39,7 @@ class LoadsAnswer {
   [[nodiscard]] std::string fault() const;
 
   /// Whether a step shows more than evictions and loads.
-  [[nodiscard]] bool says_work() const {
+  [[nodiscard]] bool shows_work() const {
     return how_.new_pairs || how_.write_back || std::holds_alternative<PrefetchPlan>(loads_) ||
            std::holds_alternative<PrefetchSplit>(loads_);
   }

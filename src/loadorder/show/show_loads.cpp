@@ -33,11 +33,11 @@ std::string over(std::uint64_t count, const LoadBound& bound) {
 
 /// A schedule in words: a head that depends on its kind, then its steps, which are generated again
 /// for each reading.
-class Said {
+class ScheduleText {
  public:
   using Maker = std::function<std::unique_ptr<StepSource>()>;
 
-  Said(LoadOrderFacts facts, Maker loads, const LoadsShown& how)
+  ScheduleText(LoadOrderFacts facts, Maker loads, const LoadsShown& how)
       : facts_(std::move(facts)),
         loads_(std::move(loads)),
         how_(how),
@@ -68,7 +68,7 @@ class Said {
   }
 
   void show(Sink& out) {
-    if (check_anew()) {
+    if (must_check()) {
       check();
     }
     const std::string verified = how_verified();
@@ -108,7 +108,7 @@ class Said {
   }
 
   // A schedule that is too large to be tracked is not read twice.
-  [[nodiscard]] bool check_anew() const {
+  [[nodiscard]] bool must_check() const {
     return !how_.beside && !how_.worker_by_itself && !how_.from_step && is_more_than_loads();
   }
 
@@ -124,7 +124,7 @@ class Said {
     checked_ = check_schedule(counted, rules_, options);
     if (!checked_.valid() || checked_.loads != facts_.loads ||
         checked_.transfers != facts_.transfers ||
-        (facts_.lockstep > 0 && checked_.span != facts_.span) || !are_as_said(counted.pairs())) {
+        (facts_.lockstep > 0 && checked_.span != facts_.span) || !match_head(counted.pairs())) {
       throw InternalError(fmt::format("what the steps do is wrong: {} missing, {} repeated; {}",
                                       checked_.missing, checked_.repeated, checked_.fault));
     }
@@ -135,7 +135,7 @@ class Said {
   }
 
   // Whether the computed pairs of each worker are those of the head.
-  [[nodiscard]] bool are_as_said(const std::vector<std::uint64_t>& computed) const {
+  [[nodiscard]] bool match_head(const std::vector<std::uint64_t>& computed) const {
     return split_ == nullptr || !split_->pairs_are_known ||
            std::ranges::equal(computed, split_->workers, {}, {}, &WorkerFacts::pairs);
   }
@@ -518,7 +518,7 @@ class Said {
 };
 
 // For the whole room, of which the order may leave some.
-Said said_of(const WorkerSplit& split, std::uint64_t room, const LoadsShown& how) {
+ScheduleText schedule_text_of(const WorkerSplit& split, std::uint64_t room, const LoadsShown& how) {
   const SplitFacts& facts = split.facts();
   // Groups of items have small orders, which were verified.
   LoadOrderFacts whole = split.order().facts();
@@ -544,7 +544,7 @@ Said said_of(const WorkerSplit& split, std::uint64_t room, const LoadsShown& how
   }
   // Without owners, the steps of earlier workers are needed to know what one worker computes.
   const bool alone = how.worker_by_itself && (split.owners() != nullptr || !how.new_pairs);
-  Said said(
+  ScheduleText said(
       std::move(whole),
       [&split, &how, alone] { return alone ? split.stream(*how.worker) : split.stream(); }, how);
   said.split(split);

@@ -99,7 +99,8 @@ class SizeList {
 
   void take(const Row& row) {
     if (row.size() > 2 || (columns_ != 0 && row.size() != columns_)) {
-      rows_.fail(row.back(), "give an item and its bytes in each row, or in each the bytes alone");
+      rows_.fail(row.back(),
+                 "rows have different forms; give an item and its bytes in each, or only bytes");
     }
     columns_ = row.size();
     const auto size = size_in(row.back());
@@ -112,7 +113,8 @@ class SizeList {
     const Element x = columns_ == 1 ? static_cast<Element>(sizes_.size()) : item(row.front());
     if (items_ && x >= *items_) {
       rows_.fail(row.front(),
-                 fmt::format("there are {} items, with the numbers 0 to {}", *items_, *items_ - 1));
+                 fmt::format("item {} is not one of {} items, which have the numbers 0 to {}", x,
+                             *items_, *items_ - 1));
     }
     if (x >= sizes_.size()) {
       sizes_.resize(x + 1, 0);
@@ -132,7 +134,9 @@ class SizeList {
     if (!by_name) {
       if (!is_number) {
         check_written_plainly(rows_, field);
-        rows_.fail(field, fmt::format("'{}' is not the number of an item", field.text));
+        rows_.fail(field, fmt::format("'{}' is not a number, but the items before it are; number "
+                                      "all items from 0, or name all of them",
+                                      field.text));
       }
       named_ = false;
       return *number;

@@ -360,9 +360,11 @@ void check_sizes(const ItemSizes& sizes, const WantedPairs& wanted) {
     if (size > sizes.memory || largest > sizes.memory - size) {
       throw BadInput(
           with == x
-              ? fmt::format("item {} has {} bytes, and memory {}", name(x), size, sizes.memory)
-              : fmt::format("items {} and {} have {} bytes together, and memory {}", name(x),
-                            name(with), size + largest, sizes.memory));
+              ? fmt::format("item {} has {} bytes, more than the {} of memory; allow more", name(x),
+                            size, sizes.memory)
+              : fmt::format("items {} and {} have {} bytes together, more than the {} of memory; "
+                            "allow more",
+                            name(x), name(with), size + largest, sizes.memory));
     }
   }
   if (wanted.are_all()) {
@@ -376,9 +378,12 @@ void check_sizes(const ItemSizes& sizes, const WantedPairs& wanted) {
     const std::uint64_t second = items > 1 ? sizes.bytes[order[1]] : 0;
     if (first > sizes.memory || second > sizes.memory - first) {
       throw BadInput(
-          items == 1 ? fmt::format("item 0 has {} bytes, and memory {}", first, sizes.memory)
-                     : fmt::format("items {} and {} have {} bytes together, and memory {}",
-                                   order[0], order[1], checked_add(first, second), sizes.memory));
+          items == 1
+              ? fmt::format("item 0 has {} bytes, more than the {} of memory; allow more", first,
+                            sizes.memory)
+              : fmt::format("items {} and {} have {} bytes together, more than the {} of memory; "
+                            "allow more",
+                            order[0], order[1], checked_add(first, second), sizes.memory));
     }
   }
 }
@@ -442,8 +447,8 @@ LoadOrder plan_sized_order(std::shared_ptr<const ItemSizes> sizes, const WantedP
   }
   if (best.moves.empty()) {
     throw BadInput(fmt::format(
-        "{} items, some of them of more than half of memory: at most {} such items are planned for "
-        "all pairs; split the largest ones",
+        "{} items, some of them larger than half of memory; give at most {} for all pairs, or "
+        "split the largest ones",
         facts.items, most_closed_all));
   }
   facts.method = best.method;

@@ -20,8 +20,8 @@ void check_moves_kept(std::uint64_t moves, std::uint64_t steps) {
   constexpr std::uint64_t moves_of_a_step = 8;  // memory for a step, apart from its moves
   if (moves > most_moves_kept || steps > (most_moves_kept - moves) / moves_of_a_step) {
     throw ImpossibleParameters(fmt::format(
-        "to go back, the {} loads and evictions and {} steps of an epoch would be kept in mind, "
-        "more than 1.6 GB; group items into larger ones",
+        "an epoch has {} loads and evictions in {} steps; to repeat it backwards, they would need "
+        "more than 1.6 GB of memory; group items into larger ones",
         moves, steps));
   }
 }

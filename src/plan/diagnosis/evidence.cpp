@@ -18,11 +18,11 @@ constexpr std::size_t bits_of_word = 64;
 Block tested_setup(const Job& job, Block setup) {
   // It may come from a bench with more room.
   if (setup.empty()) {
-    throw BadInput("a test that was done has no parts");
+    throw BadInput("a test that was done has no parts; name the parts of its set-up");
   }
   std::ranges::sort(setup);
   if (setup.back() >= job.parts() || std::ranges::adjacent_find(setup) != setup.end()) {
-    throw BadInput("a test that was done names a part twice, or one that there is not");
+    throw BadInput("a test that was done has a repeated or unknown part; name each part once");
   }
   return setup;
 }

@@ -195,8 +195,8 @@ class BenchReader {
       return true;
     }
     if (std::find(no.begin(), no.end(), word) == no.end()) {
-      rows_.fail(field,
-                 fmt::format("{}: write yes if the bench is down, or nothing", shown(field.text)));
+      rows_.fail(field, fmt::format("{} is not yes; write yes if the bench is down, or nothing",
+                                    shown(field.text)));
     }
     return false;
   }

@@ -24,8 +24,7 @@ std::optional<std::string> setup_defect(const Job& job, const Block& setup) {
     return "no part is mounted; remove the set-up or complete it";
   }
   if (setup.size() > job.at_once) {
-    return fmt::format("{} parts stand here, but only {} fit at once; remove some", setup.size(),
-                       job.at_once);
+    return fmt::format("{} parts, but only {} fit at once; remove some", setup.size(), job.at_once);
   }
   for (const Element m : job.mounted) {
     if (std::find(setup.begin(), setup.end(), m) == setup.end()) {

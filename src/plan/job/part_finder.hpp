@@ -187,7 +187,7 @@ Block find_parts(const PartFinder& finder, std::span<const Field> row, Find&& fi
       fail(field, finder.complaint(field.text));
     }
     if (seen[*part]) {
-      fail(field, fmt::format("{} stands here twice; remove one", shown(field.text)));
+      fail(field, fmt::format("{} occurs twice; remove one", shown(field.text)));
     }
     seen[*part] = true;
     parts.push_back(*part);

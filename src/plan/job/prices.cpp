@@ -45,13 +45,13 @@ Job at_prices(const Job& job, Price price) {
 void refuse_replacing(const Job& job, const std::string& what) {
   if (job.replaces()) {
     throw BadInput(what +
-                   " is not done where change costs depend on what is replaced; leave one out");
+                   " does not support change costs by what is replaced; leave one of them out");
   }
 }
 
 void refuse_triples(const Job& job, const std::string& what) {
   if (!job.triples.empty()) {
-    throw BadInput(what + " is not done where triples must meet; leave one out");
+    throw BadInput(what + " does not support triples; leave one of them out");
   }
 }
 

@@ -177,7 +177,7 @@ void check_shape(const Row& row, const Row& header, const SetupColumns& columns,
                  const RowReader& reader) {
   const auto same = [](const Field& a, const Field& b) { return a.text == b.text; };
   if (std::equal(row.begin(), row.end(), header.begin(), header.end(), same)) {
-    reader.fail(row.front(), "the header again; give one sheet at a time");
+    reader.fail(row.front(), "a second header; give one sheet at a time");
   }
   if (!columns.slots.empty() && row.size() <= columns.slots.back()) {
     reader.fail(row.back(), "the row ends before its last slot; it is cut off, complete it");
@@ -323,7 +323,7 @@ DoneList read_list(Input& input, const PartNames& names, std::uint64_t at_once, 
       reader.fail(place, "a row without a set-up; remove it or complete it");
     }
     if (setups.back().size() > at_once) {
-      reader.fail(place, fmt::format("{} parts stand here, but only {} fit at once; remove some",
+      reader.fail(place, fmt::format("{} parts, but only {} fit at once; remove some",
                                      setups.back().size(), at_once));
     }
   }

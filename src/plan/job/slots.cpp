@@ -132,7 +132,7 @@ std::vector<Slot> read_slots(Input& input) {
     }
     if (std::any_of(slots.begin(), slots.end(),
                     [&](const Slot& other) { return other.name == slot.name; })) {
-      reader.fail(*name, fmt::format("{} stands here twice; remove one", shown(slot.name)));
+      reader.fail(*name, fmt::format("{} occurs twice; remove one", shown(slot.name)));
     }
     if (slots.size() == max_parts) {
       reader.fail(*name, fmt::format("more than {} slots; use fewer", max_parts));
@@ -163,7 +163,7 @@ std::vector<Slot> parse_slots(std::string_view text) {
                                  shown(field.text), range->first, range->second));
     }
     if (std::any_of(slots.begin(), slots.end(), [&](const Slot& s) { return s.name == name; })) {
-      throw BadInput(fmt::format("{} stands here twice; remove one", shown(name)));
+      throw BadInput(fmt::format("{} occurs twice; remove one", shown(name)));
     }
     slots.push_back({name, range->first, range->second});
   }

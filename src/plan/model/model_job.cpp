@@ -42,7 +42,7 @@ std::vector<std::string> part_names(const Model& model) {
 
 Job job_of(Model model, Amount test_cost, Amount change_cost) {
   if (model.parameters.size() < 2) {
-    throw BadInput("a model needs two parameters, whose values meet");
+    throw BadInput("a model needs at least two parameters; add one");
   }
   Job job = make_job(model.values(), model.parameters.size(), test_cost, change_cost);
   job.names = part_names(model);

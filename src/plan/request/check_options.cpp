@@ -71,8 +71,8 @@ void check_options(const JobRequest& request, Door door) {
       {"diagnose", request.diagnose}};
   for (const auto& [name, given] : of_pairs) {
     if (of_triples && given) {
-      refuse(
-          fmt::format("{} is of pairs; it has no meaning with {} 3", key(name), key("strength")));
+      refuse(fmt::format("{} applies to pairs and has no meaning with {} 3", key(name),
+                         key("strength")));
     }
   }
   if (const auto defect = text_defect(request.title)) {

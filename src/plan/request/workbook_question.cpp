@@ -47,13 +47,13 @@ std::string document_in(const RunWorkbook& book) {
          said.starts_with(marker) ? fmt::format("{} is a question of another kind or version, and "
                                                 "this program reads {}",
                                                 shown(said), job_table().format)
-                                  : "this is not the question of a plan");
+                                  : "the sheet does not contain the request of a plan");
   }
   std::string document;
   std::uint64_t row = head->number;
   while (const auto next = sheet.next()) {
     if (next->number != row + 1 || next->cells.front().column != 0) {
-      fail(row + 1, "a piece of the question is missing");
+      fail(row + 1, "a part of the request is missing");
     }
     row = next->number;
     document += next->cells.front().text;

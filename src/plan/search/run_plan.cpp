@@ -46,7 +46,7 @@ RunPlan plan_of_valid_job(const Job& job, const PlanOptions& options, RunControl
       std::ranges::find_if(strategies, [&](const Strategy& each) { return each.serves(job); });
   if (options.objective == PlanObjective::tests && strategy->fewest == Fewest::cost) {
     throw BadInput(
-        "the fewest tests are looked for in plans of a model only; choose another objective");
+        "only plans of a model can have the objective of fewest tests; choose another objective");
   }
   return strategy->plan(job, options, control);
 }

@@ -81,12 +81,12 @@ std::vector<SeenPlace> seen(const Job& job, const Steps& steps, const Line& line
 
 // The parts by place, with new ones in bold; on request with what they replace: "Motor for Pump",
 // "– Pump out".
-TableCell place_cell(const Job& job, const std::vector<SeenPlace>& places, bool says_what_went) {
+TableCell place_cell(const Job& job, const std::vector<SeenPlace>& places, bool shows_replaced) {
   TableCell cell;
   for (const SeenPlace& place : places) {
     cell.words.emplace_back(place.part ? job.names[*place.part] : nothing_there);
     cell.bold.push_back(place.is_new);
-    if (says_what_went) {
+    if (shows_replaced) {
       cell.remarks.push_back(!place.was   ? ""
                              : place.part ? "for " + job.names[*place.was]
                                           : job.names[*place.was] + " out");

@@ -13,15 +13,16 @@ namespace {
 void check_supported(const Parameters& p, std::uint64_t b) {
   check(p);
   if (p.strength != 2) {
-    throw ImpossibleParameters("enumeration is for pairs: the strength must be 2");
+    throw ImpossibleParameters("enumeration supports strength 2 only; give strength 2");
   }
   if (p.v > max_enumeration_elements) {
-    throw ImpossibleParameters(fmt::format("enumeration is for at most {} elements, not {}",
-                                           max_enumeration_elements, p.v));
+    throw ImpossibleParameters(
+        fmt::format("enumeration supports at most {} elements, not {}; give fewer",
+                    max_enumeration_elements, p.v));
   }
   if (b > max_enumeration_blocks) {
-    throw ImpossibleParameters(
-        fmt::format("enumeration is for at most {} blocks, not {}", max_enumeration_blocks, b));
+    throw ImpossibleParameters(fmt::format(
+        "enumeration supports at most {} blocks, not {}; give fewer", max_enumeration_blocks, b));
   }
 }
 

@@ -51,7 +51,7 @@ void require_regular(const std::string& path) {
   std::error_code error;
   if (!fs::is_regular_file(path, error)) {
     throw MissingResource(
-        path + ": not a regular file, and a proof must be read back; name another folder");
+        path + ": not a regular file, so a proof in it cannot be checked; name another folder");
   }
 }
 

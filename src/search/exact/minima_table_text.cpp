@@ -45,7 +45,7 @@ class MinimaCells {
     const auto [rest, failure] =
         std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (failure != std::errc() || rest != digits.data() + digits.size()) {
-      fail(fmt::format("'{}' is not a number that fits here", digits));
+      fail(fmt::format("'{}' is not a number in the allowed range", digits));
     }
     return value;
   }
@@ -103,8 +103,8 @@ std::string defect(const MinimaRow& row) {
     return fault.what();
   }
   if (row.start > row.lower || (row.upper && row.lower > *row.upper)) {
-    return fmt::format("{} on paper, {} and {} blocks, which must not decrease", row.start,
-                       row.lower, row.upper.value_or(0));
+    return fmt::format("the bounds {}, {} and {} decrease", row.start, row.lower,
+                       row.upper.value_or(0));
   }
   for (const double seconds : {row.seconds, row.solve_seconds, row.check_seconds}) {
     if (!std::isfinite(seconds) || seconds < 0) {
@@ -300,9 +300,8 @@ void write_minima(const std::vector<MinimaRow>& rows, Sink& sink) {
 
 std::vector<MinimaRow> read_minima(Input& input) {
   constexpr std::size_t most_bytes = std::size_t{1} << 26;
-  const auto text = input_from_text(
-      read_to_end(input, most_bytes, "no table of minima is as long; name another file"),
-      input.name());
+  const auto text =
+      input_from_text(read_to_end(input, most_bytes, "name another file"), input.name());
   RowReader lines(*text);
   if (!lines.next_line()) {
     return {};
@@ -324,7 +323,7 @@ std::vector<MinimaRow> read_minima(Input& input) {
       reader.fail(wrong);
     }
     if (!places.insert(place(row)).second) {
-      reader.fail(name(row.parameters) + " stands here twice");
+      reader.fail(name(row.parameters) + " occurs twice");
     }
     rows.push_back(std::move(row));
   }

@@ -167,8 +167,7 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, const Paramet
   if (!std::filesystem::is_regular_file(status)) {
     throw BadInput(fmt::format("{}: a checkpoint must be a regular file; name another one", path));
   }
-  const std::string text =
-      read_to_end(*open_input(path), most_bytes, "no checkpoint is as long; name another file");
+  const std::string text = read_to_end(*open_input(path), most_bytes, "name another file");
   if (!text.starts_with("changeover-checkpoint ")) {
     throw BadInput(fmt::format("{}: this is not a checkpoint; name another file", path));
   }
@@ -188,8 +187,8 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, const Paramet
   }
   if (lines.line().substr(2) != header_words(p)) {
     throw BadInput(
-        fmt::format("{}: the checkpoint is of another search ({}, not {}); name another file", path,
-                    lines.line().substr(2), header_words(p)));
+        fmt::format("{}: the checkpoint belongs to another search ({}, not {}); name another file",
+                    path, lines.line().substr(2), header_words(p)));
   }
   Checkpoint checkpoint;
   checkpoint.parameters = p;

@@ -483,8 +483,9 @@ LockedResult search_locked(const Parameters& p, const Wanted& wanted, const Lock
     throw ImpossibleParameters(fmt::format("there is no {}: {}", name(p), *why));
   }
   if (p.v > largest_locked_v || p.v == p.k) {
-    throw BadInput(fmt::format("searches with locked cells are for v from k+1 = {} to {}, not {}",
-                               p.k + 1, largest_locked_v, p.v));
+    throw BadInput(
+        fmt::format("the search with locked cells supports v from k+1 = {} to {}, not {}", p.k + 1,
+                    largest_locked_v, p.v));
   }
   if (const std::string defect = wanted_defect(p, wanted); !defect.empty()) {
     throw BadInput(defect);

@@ -347,7 +347,8 @@ ChangeOrder order_for_change(std::span<const Block> blocks, const ChangeWanted& 
     throw BadInput("there are no blocks to order");
   }
   if (wanted.m == 0) {
-    throw ImpossibleParameters("blocks that follow each other must differ: m is at least 1");
+    throw ImpossibleParameters(
+        "consecutive blocks must differ; give a change number of at least 1");
   }
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     if (blocks[i].size() != blocks[0].size()) {

@@ -57,7 +57,9 @@ class Search {
     const std::vector<BaseBlockShape> shapes = base_block_shapes(p_, shape_options());
     for (const BaseBlockShape& shape : shapes) {
       if (std::gcd(options_.shift, shape.n) != 1) {
-        throw BadInput(fmt::format("the shift {} is no unit of Z_{}", options_.shift, shape.n));
+        throw BadInput(
+            fmt::format("the shift {} is not a unit of Z_{}; give a number coprime to {}",
+                        options_.shift, shape.n, shape.n));
       }
     }
     std::vector<bool> open(shapes.size(), true);
@@ -242,11 +244,13 @@ BaseBlockResult search_base_blocks(const Parameters& p, const BaseBlockOptions& 
                                    RunControl& control) {
   check(p);
   if (p.strength != 2) {
-    throw ImpossibleParameters("base blocks are searched for strength 2 only");
+    throw ImpossibleParameters(
+        "the search for base blocks supports strength 2 only; give strength 2");
   }
   if (p.v > most_elements) {
     throw ImpossibleParameters(
-        fmt::format("base blocks are searched for v up to {}, this is {}", most_elements, p.v));
+        fmt::format("the search for base blocks supports v up to {}, not {}; give fewer elements",
+                    most_elements, p.v));
   }
   return Search(p, options, control).run();
 }
@@ -255,7 +259,8 @@ Recipe developed_recipe(const Parameters& p, const BaseBlockShape& shape,
                         std::vector<Block> base_blocks, std::uint64_t shift,
                         std::string provenance) {
   if (shape.n == 0 || std::gcd(shift, shape.n) != 1) {
-    throw BadInput(fmt::format("the shift {} is no unit of Z_{}", shift, shape.n));
+    throw BadInput(fmt::format("the shift {} is not a unit of Z_{}; give a number coprime to {}",
+                               shift, shape.n, shape.n));
   }
   shift %= shape.n;
   if (shift != 1) {

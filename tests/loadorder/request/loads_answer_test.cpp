@@ -64,7 +64,7 @@ TEST(LoadsAnswer, WorkerPairsAreThoseOfTheSteps) {
     for (const std::uint64_t items : {6U, 9U}) {
       request.items = items;
       const auto loads = answer(request);
-      if (loads == nullptr || !loads->says_work()) {
+      if (loads == nullptr || !loads->shows_work()) {
         continue;
       }
       const std::string said = list_in(loads->head(), "worker_pairs");

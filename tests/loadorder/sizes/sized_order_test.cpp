@@ -217,11 +217,12 @@ TEST(SizedOrder, RefusesWhatDoesNotFit) {
     return message_of(
         [&] { static_cast<void>(plan_sized_order(sizes_of(std::move(bytes), memory), wanted)); });
   };
-  EXPECT_EQ(refusal({3, 5, 4}, 8), "items 1 and 2 have 9 bytes together, and memory 8");
+  EXPECT_EQ(refusal({3, 5, 4}, 8),
+            "items 1 and 2 have 9 bytes together, more than the 8 of memory; allow more");
   EXPECT_EQ(refusal({3, 5, 4}, 8, listed(3, {{0, 1}, {0, 2}})), "");
   EXPECT_EQ(refusal({3, 6, 4}, 8, listed(3, {{0, 1}, {0, 2}})),
-            "items 0 and 1 have 9 bytes together, and memory 8");
-  EXPECT_EQ(refusal({9}, 8), "item 0 has 9 bytes, and memory 8");
+            "items 0 and 1 have 9 bytes together, more than the 8 of memory; allow more");
+  EXPECT_EQ(refusal({9}, 8), "item 0 has 9 bytes, more than the 8 of memory; allow more");
   EXPECT_NE(refusal({}, 8), "");
   EXPECT_NE(refusal({1, 0, 2}, 8), "");
 }

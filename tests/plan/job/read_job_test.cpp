@@ -88,7 +88,7 @@ TEST(ReadPairs, SaysWhereItIsWrong) {
   EXPECT_THAT(says("1,3\n1,pump a\n"), StartsWith("p.csv:2:3: there is no part 'pump a'; did you"));
   EXPECT_THAT(says("1,9\n"), StartsWith("p.csv:1:3: there is no part '9'; give a name"));
   EXPECT_THAT(says("1,0\n"), StartsWith("p.csv:1:3: there is no part '0'"));
-  EXPECT_THAT(says("1,1\n"), StartsWith("p.csv:1:3: '1' stands here twice"));
+  EXPECT_THAT(says("1,1\n"), StartsWith("p.csv:1:3: '1' occurs twice"));
   EXPECT_THAT(says("1\n"), StartsWith("p.csv:1:1: one part stands here"));
   EXPECT_THAT(says("1,3,4\n"), StartsWith("p.csv:1:1: more than two stand here"));
 }
@@ -177,7 +177,7 @@ TEST(ReadJob, InputsWithoutAnEndAreRefused) {
 TEST(ReadSetUps, SaysWhereOneIsLargerThanWhatFits) {
   EXPECT_THAT(
       complaint([&] { (void)read_setups(*input_from_text("1,3\n1,3,5\n", "d.csv"), names, 2); }),
-      StartsWith("d.csv:2:1: 3 parts stand here, but only 2 fit at once; remove some"));
+      StartsWith("d.csv:2:1: 3 parts, but only 2 fit at once; remove some"));
 }
 
 TEST(ReadSetUps, TakesSheetsWithAColumnASlot) {

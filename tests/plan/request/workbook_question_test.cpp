@@ -362,7 +362,7 @@ TEST_F(RunSheetWorkbook, ADamagedOrForeignQuestionIsOneLine) {
   };
   const std::string head = row({"changeover-job/1"});
   for (const auto& [cells, what] : std::vector<std::pair<std::string, std::string>>{
-           {"", "changeover-question!A1: this is not the question of a plan"},
+           {"", "changeover-question!A1: the sheet does not contain the request of a plan"},
            {row({"hello"}), "changeover-question!A1: this is not the question"},
            {row({"", "changeover-job/1"}), "this is not the question"},
            {row({"changeover-job/2"}) + row({"{}"}),
@@ -371,7 +371,7 @@ TEST_F(RunSheetWorkbook, ADamagedOrForeignQuestionIsOneLine) {
            {head, "the question is damaged"},
            {head + row({"{\"parts\":3,"}), "the question is damaged"},
            {head + row({"{\"parts\":3,"}) + "<row r='9'><c t='str'><v>}</v></c></row>",
-            "A3: a piece of the question is missing"},
+            "A3: a part of the request is missing"},
            {head + row({"{}"}), "the question has no parts"},
            {head + row({"{\"parts\":3,\"spare\":1}"}), "unknown key 'spare'"},
            {head + row({"{\"parts\":{\"file\":\"/etc/passwd\"}}"}), "parts names a file"},

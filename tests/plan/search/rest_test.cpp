@@ -90,7 +90,7 @@ TEST(ReadDone, ADamagedSheetIsRefusedWhereItIsDamaged) {
   EXPECT_THAT(complaint(head + "1,a,b\n"), testing::StartsWith("d.csv:2:5: the row ends before"));
   EXPECT_THAT(complaint(head + "1,a,b,c,pass,x\n"), testing::HasSubstr("more fields than the 5"));
   EXPECT_THAT(complaint(head + "1,a,b,c,\n" + head),
-              testing::StartsWith("d.csv:3:1: the header again"));
+              testing::StartsWith("d.csv:3:1: a second header"));
   EXPECT_THAT(complaint("step,slot_1,slot_2,result,Result\n1,a,b,pass,fail\n"),
               testing::HasSubstr("two columns are called 'Result'"));
 }

@@ -253,7 +253,7 @@ TEST(Slots, AreRead) {
   EXPECT_EQ(says("CPU,one,1\n"),
             "s.csv:1:5: 'one' is not a number of parts; write a number, as in CPU,1,1");
   EXPECT_THAT(says("CPU,1,-1\n"), HasSubstr("s.csv:1:7: '-1' is not a number"));
-  EXPECT_THAT(says("CPU,1,1\nCPU,1,1\n"), HasSubstr("s.csv:2:1: 'CPU' stands here twice"));
+  EXPECT_THAT(says("CPU,1,1\nCPU,1,1\n"), HasSubstr("s.csv:2:1: 'CPU' occurs twice"));
   EXPECT_THAT(says("CPU\n"), HasSubstr("s.csv:1:1: expected a slot with its least"));
   EXPECT_THAT(says(""), HasSubstr("no slot is listed"));
   for (const char* text : {"CPU", "=1", "CPU=", "CPU=..", "CPU=1..x", "CPU=1,CPU=2", "CPU=-1"}) {

@@ -94,8 +94,7 @@ TEST(MinimaTable, RefusesRowsThatAreNone) {
   const auto rows = read_minima(*input_from_text(head + quoted));
   EXPECT_EQ(rows.at(0).by, "cut, \"twice\"");
   EXPECT_EQ(read_minima(*input_from_text(as_csv(rows))), rows);
-  EXPECT_THAT(refusal(head + good + good),
-              HasSubstr("a.csv:3: linear SCCD(9,4) stands here twice"));
+  EXPECT_THAT(refusal(head + good + good), HasSubstr("a.csv:3: linear SCCD(9,4) occurs twice"));
   for (const auto& [from, to] :
        std::vector<std::pair<std::string, std::string>>{{"9,11,12", "3,11,12"},
                                                         {"11,12", "12,11"},

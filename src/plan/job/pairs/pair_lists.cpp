@@ -116,8 +116,7 @@ class PairReader {
         finder_, parts, [&](const std::string& word) { return finder_.find(word); },
         [&](const Field& field, const std::string& what) { reader_.fail(field, what); });
     if (pair.size() != 2) {
-      reader_.fail(row.front(),
-                   fmt::format("one part stands here, and a pair has two; write {}", example));
+      reader_.fail(row.front(), fmt::format("only one part; write a pair as {}", example));
     }
     return {pair[0], pair[1]};
   }
@@ -151,20 +150,20 @@ PairSet pairs_in(Input& input, const PartNames& names, PairReasons* why,
   while (const auto row = rows.next(heads_reasons)) {
     const Field* const third = rows.third(*row);
     constexpr std::size_t most_fields = 3;
-    const bool says_why = third != nullptr &&
-                          (rows.has_header() || rows.reader().is_given() || !rows.is_part(*third));
+    const bool has_reason = third != nullptr && (rows.has_header() || rows.reader().is_given() ||
+                                                 !rows.is_part(*third));
     if (!rows.has_header() &&
         (row->size() > most_fields ||
-         (row->size() == most_fields && !says_why && third != nullptr) ||
+         (row->size() == most_fields && !has_reason && third != nullptr) ||
          (row->size() == most_fields && third == nullptr && !row->back().text.empty()))) {
-      rows.reader().fail(row->front(), "more than two stand here, and a pair has two; write A,B");
+      rows.reader().fail(row->front(), "more than two parts; write a pair as A,B");
     }
     if (rows.is_gone(*row, gone)) {
       continue;
     }
     const auto [one, other] = rows.pair(*row, "A,B");
     pairs.insert(one, other);
-    if (why != nullptr && says_why) {
+    if (why != nullptr && has_reason) {
       why->set(one, other, third->text);
     }
   }

@@ -325,12 +325,12 @@ PartColumns part_columns(const std::vector<Row>& rows, const PartListOptions& op
     reader.fail(rows.front().front(),
                 "this is a run sheet and no list of parts; give it to --done");
   }
-  const bool is_said = options.header != Header::guessed || !options.cost_column.empty();
+  const bool is_shown = options.header != Header::guessed || !options.cost_column.empty();
   const std::size_t above =
       options.header == Header::none || reader.is_given() ? 0 : rows_above(rows);
   const std::span<const Row> table = std::span(rows).subspan(above);
   std::string note;
-  if (options.header == Header::none || (!is_said && !is_header(table, reader, note))) {
+  if (options.header == Header::none || (!is_shown && !is_header(table, reader, note))) {
     return {.cost = 1, .note = note};
   }
   PartColumns columns = ColumnFinder(table, reader).columns(options);

@@ -205,7 +205,7 @@ class Annealer {
     if (s_->holds(at, y)) {
       return;
     }
-    if (const auto x = someone_for(at, y, std::nullopt)) {
+    if (const auto x = replacement_for(at, y, std::nullopt)) {
       try_replacing(at, *x, y);
     }
   }
@@ -220,7 +220,7 @@ class Annealer {
     if (!at || !s_->is_movable(coming)) {
       return;
     }
-    if (const auto x = someone_for(*at, coming, kept); x && *x != coming) {
+    if (const auto x = replacement_for(*at, coming, kept); x && *x != coming) {
       try_replacing(*at, *x, coming);
     }
   }
@@ -245,7 +245,7 @@ class Annealer {
       if (!at || !s_->is_movable(coming)) {
         return;
       }
-      const auto leaving = someone_for(*at, coming, kept);
+      const auto leaving = replacement_for(*at, coming, kept);
       if (!leaving || !s_->may_join(*at, coming, *leaving)) {
         return;
       }
@@ -275,7 +275,7 @@ class Annealer {
 
   // A movable part of a set-up other than `kept` that could be replaced by y: of its slot, if that
   // is full.
-  std::optional<Element> someone_for(std::size_t at, Element y, std::optional<Element> kept) {
+  std::optional<Element> replacement_for(std::size_t at, Element y, std::optional<Element> kept) {
     if (!s_->slot_full(at, y)) {
       return some_part(at, kept);
     }
@@ -293,7 +293,7 @@ class Annealer {
   void exchange() {
     const std::size_t at = below(s_->size());
     const Element y = s_->movable()[below(s_->movable().size())];
-    const auto x = someone_for(at, y, std::nullopt);
+    const auto x = replacement_for(at, y, std::nullopt);
     if (x && !s_->holds(at, y)) {
       exchange_around(at, *x, y);
     }
@@ -321,7 +321,7 @@ class Annealer {
       add_around(*at, coming);
       return;
     }
-    if (const auto leaving = someone_for(*at, coming, kept); leaving && *leaving != coming) {
+    if (const auto leaving = replacement_for(*at, coming, kept); leaving && *leaving != coming) {
       exchange_around(*at, *leaving, coming);
     }
   }
@@ -549,8 +549,8 @@ AnnealedPlan anneal(Sequence& sequence, const Annealing& options, Random& random
     return best;  // at once: run_sheet() counts the result
   }
   // A list that millions of moves have updated must equal one that is built from scratch.
-  const Sequence anew(sequence.job(), sequence.weights(), sequence.setups());
-  if (anew.cost() != sequence.cost() || anew.uncovered() != sequence.uncovered()) {
+  const Sequence rebuilt(sequence.job(), sequence.weights(), sequence.setups());
+  if (rebuilt.cost() != sequence.cost() || rebuilt.uncovered() != sequence.uncovered()) {
     throw InternalError("the search for cheap lists lost count");
   }
   return best;

@@ -7,15 +7,15 @@
 namespace changeover {
 
 BenchLists cut_list(const Job& job, const std::vector<Block>& setups, std::size_t benches) {
-  std::vector<std::uint64_t> going_on;  // by set-up: its cost after the one before
-  std::vector<std::uint64_t> anew;      // and at the beginning of a list
+  std::vector<std::uint64_t> going_on;          // by set-up: its cost after the one before
+  std::vector<std::uint64_t> at_start_of_list;  // and at the beginning of a list
   std::uint64_t most = 0;
   for (const Amount cost : step_costs(job, setups)) {
     going_on.push_back(cost.millionths);
     most += going_on.back();
   }
   for (const Block& setup : setups) {
-    anew.push_back(step_costs(job, {setup}).front().millionths);
+    at_start_of_list.push_back(step_costs(job, {setup}).front().millionths);
   }
   // The beginnings of pieces if none costs more than the limit.
   const auto pieces = [&](std::uint64_t limit) {
@@ -24,14 +24,15 @@ BenchLists cut_list(const Job& job, const std::vector<Block>& setups, std::size_
     for (std::size_t i = 0; i < setups.size(); ++i) {
       if (begins.empty() || cost + going_on[i] > limit) {
         begins.push_back(i);
-        cost = anew[i];
+        cost = at_start_of_list[i];
       } else {
         cost += going_on[i];
       }
     }
     return begins;
   };
-  std::uint64_t low = setups.empty() ? 0 : *std::max_element(anew.begin(), anew.end());
+  std::uint64_t low =
+      setups.empty() ? 0 : *std::max_element(at_start_of_list.begin(), at_start_of_list.end());
   for (std::uint64_t high = std::max(low, most); low < high;) {
     const std::uint64_t middle = low + (high - low) / 2;
     pieces(middle).size() <= benches ? high = middle : low = middle + 1;

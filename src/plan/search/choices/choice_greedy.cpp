@@ -125,7 +125,7 @@ class ChoiceGreedy {
       }
       const Element old = std::exchange(row[choices_.slot(best)], best);
       brings += gains_[best] - gains_[old];
-      count_gains_anew(row, hiding, old, best);
+      recount_gains(row, hiding, old, best);
       compare(row, brings);
     }
   }
@@ -138,7 +138,7 @@ class ChoiceGreedy {
     }
   }
 
-  void count_gains_anew(const Block& row, std::size_t hiding, Element old, Element now) {
+  void recount_gains(const Block& row, std::size_t hiding, Element old, Element now) {
     if (choices_.triples() || hiding < row.size()) {
       count_gains(row, hiding);
       return;

@@ -343,7 +343,7 @@ class ChoicePlanner {
 
 RunPlan plan_for_choices(const Job& job, const PlanOptions& options, RunControl& control) {
   if (!job.weights.empty()) {
-    throw BadInput("heavy pairs do not come first in plans of a model; leave the weights out");
+    throw BadInput("plans of a model do not support weights of pairs; leave the weights out");
   }
   return ChoicePlanner(job, options, control).run();
 }

@@ -118,8 +118,8 @@ FoundLists search_lists(const ListsJob& job, const std::vector<BenchLists>& star
       prune(lists, control);
       bests[i].take(lists, options);
     }
-    const Lists anew(job, lists.lists());
-    if (anew.total() != lists.total() || anew.missing() != lists.missing()) {
+    const Lists rebuilt(job, lists.lists());
+    if (rebuilt.total() != lists.total() || rebuilt.missing() != lists.missing()) {
       throw InternalError("the search for lists lost count");
     }
   });
