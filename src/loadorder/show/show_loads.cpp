@@ -560,7 +560,7 @@ LoadBound bound_of_loads(const ScheduleRules& rules, std::uint64_t room, std::ui
 }
 
 void show_loads(const LoadOrder& order, const LoadsShown& how, Sink& out) {
-  Said(
+  ScheduleText(
       order.facts(),
       [&order, &how] { return how.from_step ? order.stream_from(*how.from_step) : order.stream(); },
       how)
@@ -568,20 +568,20 @@ void show_loads(const LoadOrder& order, const LoadsShown& how, Sink& out) {
 }
 
 void show_loads(const WorkerSplit& split, const LoadsShown& how, Sink& out) {
-  said_of(split, split.facts().room, how).show(out);
+  schedule_text_of(split, split.facts().room, how).show(out);
 }
 
 void show_loads(const PrefetchPlan& plan, const LoadsShown& how, Sink& out) {
   LoadOrderFacts facts = plan.order.facts();
   facts.room += plan.spare;
-  Said said(
+  ScheduleText said(
       std::move(facts), [&plan] { return plan.order.stream(); }, how);
   said.overlap(plan.spare);
   said.show(out);
 }
 
 void show_loads(const PrefetchSplit& plan, const LoadsShown& how, Sink& out) {
-  Said said = said_of(plan.order, plan.order.facts().room + plan.spare, how);
+  ScheduleText said = schedule_text_of(plan.order, plan.order.facts().room + plan.spare, how);
   said.overlap(plan.spare);
   said.show(out);
 }

@@ -204,7 +204,7 @@ class BenchPlanner {
       plan_for_one(*alone, starts);
     } else {
       ShareOfTime part = part_of_the_time(0.15);
-      starts.push_back(each_anew(BenchLists(field_.size()), part.control(), true));
+      starts.push_back(replan_each(BenchLists(field_.size()), part.control(), true));
       add("one bench after the other", "each tests what it can of what those before it cannot",
           starts.back());
     }
@@ -318,7 +318,7 @@ class BenchPlanner {
       prune(lists, *control_);
       add("one list, cut and shortened", "without what other benches test anyway", lists.lists());
       add("each bench anew", "cut, and each bench planned anew for what only it tests",
-          each_anew(lists.lists(), *control_));
+          replan_each(lists.lists(), *control_));
     }
     for (std::size_t i = 0; i < starts.size(); ++i) {
       Lists lists(job, starts[i]);
@@ -342,7 +342,7 @@ class BenchPlanner {
       plan_.steps += found.steps;
       add(between_benches, "tests and parts moved between benches", found.lists);
       if (!control_->stop_wanted()) {
-        found.lists = each_anew(found.lists, *control_);
+        found.lists = replan_each(found.lists, *control_);
         add("local search, each bench anew", "then each bench planned anew for what only it tests",
             found.lists);
       }
@@ -373,7 +373,7 @@ class BenchPlanner {
 
   // One after the other, gives each bench the cheapest list for the pairs that only it tests.
   // `in_full`: also if no time is left.
-  BenchLists each_anew(BenchLists lists, RunControl& control, bool in_full = false) {
+  BenchLists replan_each(BenchLists lists, RunControl& control, bool in_full = false) {
     for (std::size_t bench = 0; bench < lists.size(); ++bench) {
       if (!in_full && control.stop_wanted()) {
         break;
