@@ -56,11 +56,11 @@ class LongWork {
 /// From now on all work is asked to stop when Python ends, which waits for it: what the work uses is then still there.
 void stop_long_work_at_the_end();
 
-/// The same for what has no limits of its own: the result of work().
+/// The same for what has no limits of its own but perhaps a time: the result of work().
 template <typename Work>
-auto stoppable(Work&& work) {
+auto stoppable(Work&& work, std::optional<double> seconds = std::nullopt) {
   std::optional<decltype(work())> result;
-  LongWork(LongOptions{}).run([&](RunControl&) { result.emplace(work()); });
+  LongWork(LongOptions{.seconds = seconds}).run([&](RunControl&) { result.emplace(work()); });
   return std::move(*result);
 }
 

@@ -23,14 +23,17 @@ struct Planned {
 
 std::unique_ptr<Planned> plan(const std::string& document, std::optional<double> time,
                               std::uint64_t threads, std::uint64_t seed, py::object progress) {
+  constexpr double more_seconds = 3;  // for rules of a model, as the command line has them
   auto planned = std::make_unique<Planned>();
-  planned->asked = stoppable([&] {
-    JobRequest request = job_request(document);
-    request.seconds = time;
-    const OpenedRequest opened = open_workbook(std::move(request));
-    planned->request = opened.request;
-    return checked_job(opened, Door::document);
-  });
+  planned->asked = stoppable(
+      [&] {
+        JobRequest request = job_request(document);
+        request.seconds = time;
+        const OpenedRequest opened = open_workbook(std::move(request));
+        planned->request = opened.request;
+        return checked_job(opened, Door::document);
+      },
+      time ? std::optional(*time + more_seconds) : std::nullopt);
   LongWork work(limits(time, threads, seed, std::move(progress)));
   work.run([&](RunControl& control) {
     planned->answer = answer_to(planned->request, planned->asked, control);

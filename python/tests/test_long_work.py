@@ -223,6 +223,14 @@ class Plans(unittest.TestCase):
         self.assertLess(rest.cost, first.cost)
         self.assertEqual(rest.steps[0]["number"], 4)
 
+    def test_rules_too_hard_to_decide_end_with_the_time(self):
+        parameters = [f"P{i}: " + ", ".join(map(str, range(11))) for i in range(12)]  # all different, of eleven values
+        rules = [f"[P{i}] <> [P{j}];" for i, j in itertools.combinations(range(12), 2)]
+        began = time.monotonic()
+        with self.assertRaises(TimeoutError):
+            changeover.plan(model="\n".join(parameters + rules), objective="tests", time=0.5)
+        self.assertLess(time.monotonic() - began, 30)
+
     def test_wrong_jobs_are_refused(self):
         for wrong in (
             {"parts": ["a", "a"], "at_once": 2, "test_cost": 1, "change_cost": 1},
