@@ -6,7 +6,7 @@
 // its neighbours without a further introduction.
 //
 // The lower bound: if r pairs are left, t steps with i introductions meet at most the number in (1)
-// of docs/theorems.md, Theorem 20. Every part outside with a pair left is introduced once; each
+// of docs/theorems.md, Theorem 23. Every part outside with a pair left is introduced once; each
 // further introduction costs at least as much as the cheapest part with a pair left. A part meets
 // at most K − 1 parts when it is introduced, and the j introduced ones when it stays, so
 // introductions have to make up for the rest, as in (6) there.

@@ -18,7 +18,7 @@ namespace changeover {
 
 /// cost_bound() for a job with triples and without first set-ups.
 ///
-/// Proof. F, K, S and the other symbols are those of docs/theorems.md, Theorem 20; let N be the
+/// Proof. F, K, S and the other symbols are those of docs/theorems.md, Theorem 23; let N be the
 /// number of needed triples within F. The needed pairs are those of the needed triples, so that
 /// theorem holds. In addition:
 ///   (1) A step that introduces j parts of F newly covers at most q(j) = C(K,3) − C(K−j,3) triples

@@ -1,4 +1,4 @@
-// The numbers of a job that its cost bound needs, named as in docs/theorems.md, Theorem 20.
+// The numbers of a job that its cost bound needs, named as in docs/theorems.md, Theorem 23.
 #pragma once
 
 #include <cstdint>
