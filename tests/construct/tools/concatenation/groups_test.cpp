@@ -242,8 +242,8 @@ TEST(ConcatenateGroups, AddsUpWaste) {
                 ASSERT_TRUE(naive_verdict(design).valid);
               }
               const auto a_block = static_cast<std::int64_t>(pairs(p.k) - pairs(n));
-              const auto repeated =
-                  static_cast<std::int64_t>((parts - classes) * q * g / w.change * pairs(w.change));
+              const auto repeated = static_cast<std::int64_t>(
+                  (parts - (q - 1) * g / (w.change - 1)) * q * g / w.change * pairs(w.change));
               EXPECT_EQ(waste(p, design.block_count()),
                         waste(w, offer.b) + a_block * static_cast<std::int64_t>(*blocks) +
                             repeated - static_cast<std::int64_t>(q * (pairs(g + h) - pairs(h))));
