@@ -11,6 +11,7 @@ SYMBOLS = {
     "≤": r"\le ", "≥": r"\ge ", "<": "<", ">": ">", "=": "=", "+": "+", "−": "-", "±": r"\pm ", "·": r"\cdot ", "/": "/",
     "⌈": r"\lceil ", "⌉": r"\rceil ", "⌊": r"\lfloor ", "⌋": r"\rfloor ", "…": r"\dots ", "⊂": r"\subset ", "∪": r"\cup ",
     "Σ": r"\sum ", "ℓ": r"\ell ", "²": "^2", "³": "^3", "′": "'", "∎": r"\blacksquare ", "{": r"\{", "}": r"\}",
+    "∈": r"\in ", "∋": r"\ni ", "∌": r"\not\ni ", "∩": r"\cap ", "|": "|", "π": r"\pi ",
     "(": "(", ")": ")", ",": ",", ".": ".", ":": ":", "*": "",
 }
 
@@ -35,8 +36,8 @@ def line_to_latex(line: str) -> str:
             i += 2
         elif word:
             letters = word.group()
-            if letters == "max":
-                out.append(r"\max")
+            if letters in ("max", "min"):
+                out.append("\\" + letters)
             elif letters in WORDS:
                 out.append(rf"\text{{ {letters} }}")
             elif len(letters) <= 2:

@@ -291,8 +291,12 @@ def _ends(pairs: Any, costs: Optional[List[List[str]]] = None) -> array[int]:
             else:
                 raise BadInput(f"pairs: row {number} has fewer than two items; a pair has two")
         if costs is not None:
-            costs.extend([str(ends[-2]), str(ends[-1]), repr(float(cost))]
-                         for cost in itertools.islice(more, 1))
+            for given in itertools.islice(more, 1):
+                cost = attempt(float, given)
+                if cost is None:
+                    raise BadInput(f"pairs: row {number} has {in_a_line(given)} for a cost; give a "
+                                   "number, 0 or more")
+                costs.append([str(ends[-2]), str(ends[-1]), repr(cost)])
             if len(costs) not in (0, number + 1):
                 raise BadInput(f"pairs: only some of the rows 0 to {number} have a cost; give one to "
                                "every pair or to none")

@@ -107,7 +107,7 @@ class Plans(unittest.TestCase):
             ({"pairs": [("a", "b", "c")]}, "pairs is pairs of two parts"),
             ({"mounted": ["z"]}, "^mounted: there is no part 'z'"),
             ({"strength": 4}, "^strength 4: give 2"),
-            ({"strength": 3, "pairs": [("a", "b")]}, "^pairs is of pairs"),
+            ({"strength": 3, "pairs": [("a", "b")]}, "^pairs applies to pairs"),
             ({"slots": {"CPU": 1}}, "slots and slot_of come together"),
             ({"slots": {"CPU": -1}, "slot_of": {"a": "CPU"}}, "slots says how many"),
             ({"slots": {"CPU": 2**64}, "slot_of": {"a": "CPU"}}, "slots says how many"),

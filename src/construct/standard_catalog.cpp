@@ -1,8 +1,12 @@
 #include "changeover/construct/standard_catalog.hpp"
 
+#include <sys/types.h>
+#include <unistd.h>
+
 #include <atomic>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -66,8 +70,20 @@ std::string standard_catalog_remark() {
 
 Catalog& standard_catalog() {
   catalog_was_asked = true;
-  static Catalog catalog({.shipped = shipped_catalog(), .user = standard_catalog_file()});
-  return catalog;
+  // A process that was forked may not close SQLite's files: at the time of the fork another thread
+  // may have held its lock, which is then never released.
+  struct Owner {
+    std::unique_ptr<Catalog> catalog;
+    pid_t process = ::getpid();
+    ~Owner() {
+      if (process != ::getpid()) {
+        static_cast<void>(catalog.release());
+      }
+    }
+  };
+  static Owner owner{std::make_unique<Catalog>(
+      Catalog::Files{.shipped = shipped_catalog(), .user = standard_catalog_file()})};
+  return *owner.catalog;
 }
 
 }  // namespace changeover

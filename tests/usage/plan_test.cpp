@@ -244,7 +244,7 @@ TEST(Plan, SaysInOneLineWhichFileIsAtFault) {
            {"one.csv" + costs, 3, "one.csv: one part is listed"},
            {"empty.csv" + costs, 3, "empty.csv:1:1: no part is listed"},
            {"parts.csv --pairs empty.csv" + costs, 3, "empty.csv: no pair is listed"},
-           {"parts.csv --done large.csv" + costs, 3, "large.csv:2:1: 4 parts stand here"},
+           {"parts.csv --done large.csv" + costs, 3, "large.csv:2:1: 4 parts, but only 3 fit"},
            {"parts.csv --done large.csv --done-first 9 -k 4 --test-cost 1", 2,
             "large.csv has 2 set-ups"},
            {"escape.csv" + costs, 3, "escape.csv:1:2: control byte 0x1b"},
@@ -463,7 +463,7 @@ TEST(Plan, BeginsWithWhatMustComeFirst) {
        {plan("--mounted 5"), 3, "first.csv:2:1: 5 stays mounted, but is not in this set-up"},
        {plan("-o first.csv"), 2, "same file as --first"},
        {"$changeover plan --items 6 -k 3 --test-cost 2 --change-cost 1 --first large.csv" + fast, 3,
-        "large.csv:2:1: 4 parts stand here"}},
+        "large.csv:2:1: 4 parts, but only 3 fit"}},
       folder);
 }
 
@@ -511,7 +511,7 @@ TEST(Plan, MakesTriplesMeet) {
        {plan("--strength 4"), 2, "--strength 4: give 2, for pairs, or 3, for triples"},
        {plan("--strength 3 --pairs pairs.csv"), 2,
         "--pairs applies to pairs and has no meaning with"},
-       {plan("--strength 3 --what-if"), 2, "--what-if is of pairs"},
+       {plan("--strength 3 --what-if"), 2, "--what-if applies to pairs"},
        {"$changeover plan --items 8 -k 2 --test-cost 1 --change-cost 1 --strength 3" + fast, 2,
         "no triple can meet"},
        {"$changeover plan --items 101 -k 4 --test-cost 1 --change-cost 1 --strength 3" + fast, 2,

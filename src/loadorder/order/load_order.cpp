@@ -55,7 +55,7 @@ std::unique_ptr<StepSource> LoadOrder::stream(std::uint64_t worker) const {
 std::unique_ptr<StepSource> LoadOrder::stream_from(std::uint64_t step) const {
   if (step == 0 || step > facts_.steps || facts_.lockstep > 0) {
     throw BadInput(facts_.lockstep > 0
-                       ? std::string("an order for workers in lockstep is read from its first step")
+                       ? std::string("an order for workers in lockstep can only be read from its first step")
                        : fmt::format("there is no step {}: the order has {}; count from 1", step,
                                      facts_.steps));
   }

@@ -187,7 +187,7 @@ LoadOrder load_order_of(std::shared_ptr<const Design> design, std::string method
                         std::string explanation) {
   const Parameters& p = design->parameters();
   if (p.kind != Kind::linear || design->block_count() == 0) {
-    throw BadInput("a load order is made of a linear design with one block or more");
+    throw BadInput("a load order needs a linear design with at least one block");
   }
   LoadOrderFacts facts;
   facts.items = p.v;

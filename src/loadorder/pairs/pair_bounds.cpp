@@ -247,7 +247,8 @@ LoadBound load_lower_bound(const WantedPairs& wanted, std::uint64_t room) {
     default:
       if (items > most_items) {
         throw ImpossibleParameters(
-            fmt::format("{} items: load orders are made for at most {}", items, most_items));
+            fmt::format("{} items: a load order has at most {}; group items into larger ones",
+                        items, most_items));
       }
       return bound_of_all(items, room);
   }

@@ -145,13 +145,13 @@ class PairReader {
   }
 
   void take() {
-    const bool numbers = std::all_of(row_.begin(), row_.end(),
-                                     [](const Field& field) { return item_number(field); });
     const bool words = std::none_of(row_.begin(), row_.end(),
                                     [](const Field& field) { return as_number(field.text); });
     if (!options_.groups && !take_cost(words)) {
       return;
     }
+    const bool numbers = std::all_of(row_.begin(), row_.end(),
+                                     [](const Field& field) { return item_number(field); });
     if (!seen_any_ && words && columns_ < 3) {  // perhaps names of columns
       seen_any_ = true;
       first_line_ = row_;

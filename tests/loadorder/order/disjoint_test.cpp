@@ -7,8 +7,8 @@
 #include <map>
 
 #include "changeover/core/error.hpp"
-#include "loadorder/order/lockstep_eras.hpp"
-#include "loadorder/order/lockstep_grown.hpp"
+#include "loadorder/order/lockstep/eras.hpp"
+#include "loadorder/order/lockstep/grown.hpp"
 #include "loadorder_support.hpp"
 
 namespace changeover::test::disjoint_test {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "changeover/loadorder/load_order.hpp"
 #include "../loadorder_support.hpp"
+#include "changeover/loadorder/load_order.hpp"
 #include "run/random.hpp"
 
 namespace changeover::test {

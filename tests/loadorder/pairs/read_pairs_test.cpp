@@ -215,6 +215,7 @@ TEST(ReadPairs, AThirdColumnIsWhatAPairCosts) {
   std::function<double(Element, Element)> cost;
   const PairFileOptions costs{.costs = &cost};
   const auto numbers = read("0 1 2.5\n2 0 0\n1 0 2.5\n", costs);
+  EXPECT_TRUE(numbers->names().empty());  // a cost with a point makes no names of numbers
   EXPECT_EQ(numbers->pairs(), 2U);
   ASSERT_TRUE(cost);
   EXPECT_EQ(cost(0, 1), 2.5);

@@ -249,7 +249,8 @@ TEST(SizedOrder, IsReadFromRequests) {
   EXPECT_THAT(facts(R"({"items":2,"sizes":[[0,5],[2,2]],"memory":30})"), HasSubstr("2 items"));
   EXPECT_THAT(facts(R"({"sizes":{"text":"0 5\n0 6\n"},"memory":30})"), HasSubstr("already"));
   EXPECT_THAT(facts(R"({"sizes":{"text":"0 5\n1 -6\n"},"memory":30})"), HasSubstr(":2:3: '-6'"));
-  EXPECT_THAT(facts(R"({"sizes":{"text":"0 5\n1 6 7\n"},"memory":30})"), HasSubstr("in each row"));
+  EXPECT_THAT(facts(R"({"sizes":{"text":"0 5\n1 6 7\n"},"memory":30})"),
+              HasSubstr("rows have different forms"));
   EXPECT_THAT(facts(R"({"sizes":[[0,5],[1,2]]})"), HasSubstr("memory"));
   EXPECT_THAT(facts(R"({"items":3,"room":2,"memory":30})"), HasSubstr("sizes"));
   EXPECT_THAT(facts(R"({"room":2,"sizes":[[0,5],[1,2]],"memory":30})"), HasSubstr("room"));

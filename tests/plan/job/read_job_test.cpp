@@ -89,8 +89,8 @@ TEST(ReadPairs, SaysWhereItIsWrong) {
   EXPECT_THAT(says("1,9\n"), StartsWith("p.csv:1:3: there is no part '9'; give a name"));
   EXPECT_THAT(says("1,0\n"), StartsWith("p.csv:1:3: there is no part '0'"));
   EXPECT_THAT(says("1,1\n"), StartsWith("p.csv:1:3: '1' occurs twice"));
-  EXPECT_THAT(says("1\n"), StartsWith("p.csv:1:1: one part stands here"));
-  EXPECT_THAT(says("1,3,4\n"), StartsWith("p.csv:1:1: more than two stand here"));
+  EXPECT_THAT(says("1\n"), StartsWith("p.csv:1:1: only one part"));
+  EXPECT_THAT(says("1,3,4\n"), StartsWith("p.csv:1:1: more than two parts"));
 }
 
 TEST(ReadSetUps, TakesEveryWayOfWritingThem) {
@@ -307,7 +307,7 @@ TEST(Pairs, MayHaveBlanksBetweenThemAndQuotesAroundThem) {
     return message_of([&] { pairs(text); });
   };
   EXPECT_THAT(says("1 2\n1 9\n"), StartsWith("pairs.csv:2:3: there is no part '9'"));
-  EXPECT_THAT(says("Pump A\n"), StartsWith("pairs.csv:1:1: one part stands here"));
+  EXPECT_THAT(says("Pump A\n"), StartsWith("pairs.csv:1:1: only one part"));
   EXPECT_THAT(says("\"Pump A\"x Valve\n"), StartsWith("pairs.csv:1:9: text after a closing quote"));
 }
 

@@ -363,8 +363,8 @@ TEST_F(RunSheetWorkbook, ADamagedOrForeignQuestionIsOneLine) {
   const std::string head = row({"changeover-job/1"});
   for (const auto& [cells, what] : std::vector<std::pair<std::string, std::string>>{
            {"", "changeover-question!A1: the sheet does not contain the request of a plan"},
-           {row({"hello"}), "changeover-question!A1: this is not the question"},
-           {row({"", "changeover-job/1"}), "this is not the question"},
+           {row({"hello"}), "changeover-question!A1: the sheet does not contain the request"},
+           {row({"", "changeover-job/1"}), "the sheet does not contain the request"},
            {row({"changeover-job/2"}) + row({"{}"}),
             "'changeover-job/2' is a question of another kind or version"},
            {row({"changeover-load-request/1"}), "of another kind or version"},

@@ -147,7 +147,7 @@ TEST(First, ARuleThatIsBrokenIsNamedWithItsLine) {
   EXPECT_THAT(complaint("# none\n"), HasSubstr("no set-up is listed"));
   EXPECT_EQ(complaint("1,3\n\n2,1\n"),
             "f.csv:3:1: 2 and 1 must never be in one set-up; remove one");
-  EXPECT_THAT(complaint("1,3,4,5\n"), HasSubstr("f.csv:1:1: 4 parts stand here"));
+  EXPECT_THAT(complaint("1,3,4,5\n"), HasSubstr("f.csv:1:1: 4 parts, but only 3 fit"));
   EXPECT_THAT(complaint("1,9\n"), HasSubstr("f.csv:1:3: there is no part '9'"));
   EXPECT_THAT(complaint("3,3\n"), HasSubstr("twice"));
   job.mounted = {4};

@@ -196,7 +196,7 @@ TEST(Priorities, AreReadOrRefusedWithTheirPlace) {
   EXPECT_THAT(complaint("a,b,2\na,b,heavy\n"), HasSubstr("p.csv:2:5: 'heavy' is not a weight"));
   EXPECT_THAT(complaint("a,x,2\n"), HasSubstr("p.csv:1:3: there is no part 'x'"));
   EXPECT_THAT(complaint("a,a,2\n"), HasSubstr("twice"));
-  EXPECT_THAT(complaint("a,,2\n"), HasSubstr("one part stands here"));
+  EXPECT_THAT(complaint("a,,2\n"), HasSubstr("only one part"));
   EXPECT_THAT(complaint("a,b,2\nb,a,3\n"), HasSubstr("p.csv:2:5: b and a have the weight 2"));
   EXPECT_THAT(complaint(""), HasSubstr("no pair is listed"));
 }

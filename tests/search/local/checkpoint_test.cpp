@@ -138,8 +138,8 @@ TEST_F(Checkpoints, IsRefusedForOtherParameters) {
   write_checkpoint(example(), path());
   Parameters other = asked;
   other.kind = Kind::linear;
-  expect_refused("of another search", other);
-  expect_refused("of another search", {.v = 20, .k = 5});
+  expect_refused("belongs to another search", other);
+  expect_refused("belongs to another search", {.v = 20, .k = 5});
 }
 
 TEST_F(Checkpoints, IsRefusedWhenAnyByteIsDamaged) {

@@ -27,10 +27,10 @@ struct Groups {
   std::uint64_t size = 0;
 };
 
-/// How many classes it takes that each pair of elements of two groups is together: (q−1)g/(m−1),
-/// and each is once, but 7 for three groups of 6. 0 if none are known: m = 2 takes an even number of
-/// elements; m ≥ 3 takes q = m and a g in which each prime comes with a power of m or more, or not
-/// at all, and m = 3 a g of 6 or 10, too.
+/// How many classes bring every two elements of different groups together: (q−1)g/(m−1), each pair
+/// once, but 7 for three groups of 6. 0 if none are known: m = 2 needs an even number of elements;
+/// m ≥ 3 needs q = m and a g in which each prime comes with a power of m or more, or not at all;
+/// m = 3 also has a g of 6 or 10.
 [[nodiscard]] std::uint64_t class_count(const Groups& groups, std::uint64_t m);
 
 /// Class `index` < class_count(): each element i·g+t, 0 ≤ t < g, of group i < q is in one of its

@@ -1,8 +1,8 @@
 // Lines through groups: rings of g elements in which the first m differ by units.
 //
-// Let c_0, …, c_{m−1} be elements of a ring of g elements, c_j − c_i a unit for i ≠ j. The sets of
-// a + c_i·d in group i, i = 0, …, m−1, for all a of the ring are a partition for each *slope* d, and
-// two elements of different groups tell d and a: each such pair is on one line.
+// Let c_0, …, c_{m−1} be elements of a ring of g elements, c_j − c_i a unit for i ≠ j. A line has
+// a + c_i·d in group i, i = 0, …, m−1. For each *slope* d the lines of all a of the ring are a
+// partition, and two elements of different groups determine d and a: each such pair is on one line.
 //
 //     Slopes slopes(4, 3);      // the field of 4 elements: m = 3 takes no 2, but 4, 8, …
 //     slopes.at(2, 3, 1);       // 1 + c_2·3
@@ -18,7 +18,7 @@ namespace changeover {
 
 class Slopes {
  public:
-  /// Whether there is such a ring: every prime power that divides g as often as it can is m or more.
+  /// Whether there is such a ring: for each prime, its largest power that divides g is m or more.
   [[nodiscard]] static bool known(std::uint64_t g, std::uint64_t m);
 
   /// g must be known().

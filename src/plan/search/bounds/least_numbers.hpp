@@ -74,8 +74,7 @@ class IntroductionCosts {
   std::vector<Extra> extra_;
 };
 
-/// (7): parts of which every two must meet, as many as come together by taking those with most pairs
-/// first.
+/// (7): parts of which every two must meet, chosen greedily, those with most pairs first.
 [[nodiscard]] std::vector<Element> all_meeting(const Job& job, const JobNumbers& n);
 
 /// (7): of all introductions of parts of F.

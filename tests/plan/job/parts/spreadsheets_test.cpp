@@ -205,10 +205,10 @@ TEST(Spreadsheets, PairsHaveHeadersAndReasons) {
   EXPECT_EQ(why(2, 0), "no driver");
   EXPECT_EQ(pairs("why,part,part 2,day\nheat,Xeon,Epyc,4\n"), "1");
   EXPECT_EQ(why(0, 1), "heat");
-  EXPECT_THAT(pairs("Xeon,RAID,Epyc\n"), StartsWith("n.csv:1:1: more than two stand here"));
-  EXPECT_THAT(pairs("Xeon,RAID,4\n"), StartsWith("n.csv:1:1: more than two stand here"));
+  EXPECT_THAT(pairs("Xeon,RAID,Epyc\n"), StartsWith("n.csv:1:1: more than two parts"));
+  EXPECT_THAT(pairs("Xeon,RAID,4\n"), StartsWith("n.csv:1:1: more than two parts"));
   EXPECT_EQ(pairs("part 1,part 2,why\nXeon,RAID,4\n"), "1") << "below a header it is a reason";
-  EXPECT_THAT(pairs("Xeon,RAID,a,b\n"), StartsWith("n.csv:1:1: more than two stand here"));
+  EXPECT_THAT(pairs("Xeon,RAID,a,b\n"), StartsWith("n.csv:1:1: more than two parts"));
   EXPECT_THAT(pairs("Xeom,RAID,why\n"), StartsWith("n.csv:1:1: there is no part 'Xeom'"));
   EXPECT_THAT(pairs("part 1,part 2\nXeon,RAID,late\n"), StartsWith("n.csv:2:11: more fields"));
 }

@@ -1,5 +1,5 @@
-// Circular SCCD(v, k) with 3v − 4k + 2 blocks for 3k−2 ≤ v ≤ (10k−5)/3, one more than the least that
-// Theorem 5 leaves [docs/theorems.md, Theorem 22].
+// Circular SCCD(v, k) with 3v − 4k + 2 blocks for 3k−2 ≤ v ≤ (10k−5)/3, one more than the bound of
+// Theorem 5 [docs/theorems.md, Theorem 22].
 //
 // K = k−1, M = 2K+1. There are 2M places, numbered modulo 2M, and the window before place j is
 // {j−K, …, j−1}. At j the element of place j+M visits it, and then that of place j comes to stay

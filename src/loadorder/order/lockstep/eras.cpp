@@ -1,4 +1,4 @@
-#include "loadorder/order/lockstep_eras.hpp"
+#include "loadorder/order/lockstep/eras.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -10,8 +10,8 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
-#include "loadorder/order/lockstep_eras.hpp"
-#include "loadorder/order/lockstep_grown.hpp"
+#include "loadorder/order/lockstep/eras.hpp"
+#include "loadorder/order/lockstep/grown.hpp"
 #include "loadorder/order/read_order.hpp"
 
 namespace changeover {

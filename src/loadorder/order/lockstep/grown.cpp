@@ -1,4 +1,4 @@
-#include "loadorder/order/lockstep_grown.hpp"
+#include "loadorder/order/lockstep/grown.hpp"
 
 #include <algorithm>
 #include <limits>
