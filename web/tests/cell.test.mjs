@@ -11,7 +11,7 @@ before(async () => {
 after(() => explorer.stop());
 
 test('what is known, and why', async () => {
-  const page = await explorer.open('#/cell?v=80&k=5&change=2&kind=circular');
+  const page = await explorer.open('#/cell?v=108&k=5&change=2&kind=circular');
   assert.match(await page.locator('.known').textContent(), /\d+ blocks.*best known.*over the lower bound \d+/s);
   await page.locator('table.bounds math').first().waitFor();
   await page.locator('canvas.thumbnail').waitFor();
