@@ -65,6 +65,19 @@ std::optional<std::pair<Element, Element>> plain_pair(std::string_view line) {
   return std::nullopt;
 }
 
+/// Whether a column may have this title, such as "cost (s)": letters above all, so that a cost that
+/// is mistyped is none.
+bool is_title(std::string_view word) {
+  const auto is = [](std::string_view among) {
+    return [among](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+             among.find(c) != std::string_view::npos;
+    };
+  };
+  return std::count_if(word.begin(), word.end(), is("")) >= 2 &&
+         std::all_of(word.begin(), word.end(), is(" _.()[]"));
+}
+
 class PairReader {
  public:
   PairReader(Input& input, const PairFileOptions& options)
@@ -205,7 +218,7 @@ class PairReader {
   // Takes the third column off a row of a list of pairs; false if the row names columns.
   bool take_cost(bool words) {
     const std::size_t columns = row_.size();
-    const bool names_columns = !seen_any_ && words && columns == 3 && !is_cost(row_.back());
+    const bool names_columns = !seen_any_ && words && columns == 3 && is_title(row_.back().text);
     if (columns_ != 0 && columns != columns_) {
       rows_.fail(row_[columns - 1],
                  columns > columns_
@@ -258,6 +271,11 @@ class PairReader {
     }
     const Row row = std::move(first_line_);
     first_line_.clear();
+    if (numbers_follow && options_.groups) {  // a title would be a loss, if it is a group
+      throw BadInput(name_ +
+                     ": words in the first line, numbers below; begin the line with # if it "
+                     "names columns, or write every item as a word");
+    }
     if (!numbers_follow) {
       become_named();
       add_named(row);

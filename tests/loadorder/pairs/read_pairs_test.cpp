@@ -160,7 +160,8 @@ TEST(ReadPairs, AllPairsWithinAGroupAreWanted) {
               ElementsAre("a", "b", "c d", "x y"));
   EXPECT_THAT(read("0 1 2\n3 x 0\n", {.groups = true})->names(),
               ElementsAre("0", "1", "2", "3", "x"));
-  EXPECT_EQ(read("query first second\n0 1 2\n", {.groups = true})->pairs(), 3U);  // columns
+  EXPECT_THAT(fault("query first second\n0 1 2\n", {.groups = true}),
+              HasSubstr("f: words in the first line, numbers below; begin the line with #"));
   EXPECT_EQ(read("0 1 2\n", {.items = 9, .groups = true})->items(), 9U);
 }
 
@@ -236,6 +237,10 @@ TEST(ReadPairs, AThirdColumnIsWhatAPairCosts) {
   EXPECT_EQ(fault("0 1\n1 2 5\n", costs), "f:2:5: the pairs before have no cost" + mend);
   EXPECT_EQ(fault("0 1 2\n0 2 1\n1 0 3\n", costs),
             "f: the pair of '1' and '0' has two costs, 2 and 3; keep one of both");
+  for (const std::string wrong : {"1e", "x5", "0x10", "-", "n/a", "\"12 min\"", "\"1,5\""}) {
+    EXPECT_THAT(fault("a,b," + wrong + "\nc,d,2\n", costs), HasSubstr("f:1:5: ")) << wrong;
+  }
+  EXPECT_EQ(read("from,to,cost (s)\nx,y,3\n", costs)->pairs(), 1U);
   EXPECT_EQ(fault("0 1 x\n", costs), "f:1:5: 'x' is not a cost; give a number, 0 or more");
   EXPECT_EQ(fault("0 1 -2\n", costs), "f:1:5: '-2' is not a cost; give a number, 0 or more");
   EXPECT_THAT(fault("0 1 1e101\n", costs), HasSubstr("f:1:5: '1e101' is too much for a cost"));
