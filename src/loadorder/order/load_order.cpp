@@ -54,10 +54,11 @@ std::unique_ptr<StepSource> LoadOrder::stream(std::uint64_t worker) const {
 
 std::unique_ptr<StepSource> LoadOrder::stream_from(std::uint64_t step) const {
   if (step == 0 || step > facts_.steps || facts_.lockstep > 0) {
-    throw BadInput(facts_.lockstep > 0
-                       ? std::string("an order for workers in lockstep can only be read from its first step")
-                       : fmt::format("there is no step {}: the order has {}; count from 1", step,
-                                     facts_.steps));
+    throw BadInput(
+        facts_.lockstep > 0
+            ? std::string("an order for workers in lockstep can only be read from its first step")
+            : fmt::format("there is no step {}: the order has {}; count from 1", step,
+                          facts_.steps));
   }
   return std::make_unique<Renumbered>(stretch_steps(std::make_shared<OrderRelay>(), *this, step,
                                                     facts_.steps - step + 1, facts_.items, 0),

@@ -218,7 +218,8 @@ constexpr Description description{
     .summary = "a window slides over a cycle; new elements visit windows that cover it",
     .preconditions = "m = 1, k >= 3, v = 2c(k-1)+1+w with c >= 1 and 1 <= w < 2(k-1)",
     .guarantee =
-        "b = c(2c(k-1)+1) + (2c+1)w, +w-k+1 if w >= k; linear 1 less; minimum 3v-4k+1 if 2k<=v<3k, k>3",
+        "b = c(2c(k-1)+1) + (2c+1)w, +w-k+1 if w >= k; linear 1 less; "
+        "minimum 3v-4k+1 if 2k<=v<3k, k>3",
     .place = "docs/theorems.md, Theorem 6",
 };
 
