@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/expansion.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
@@ -196,7 +197,44 @@ inline void expect_as_promised(const Offer& offer) {
   EXPECT_FALSE(maker.explain(recipe).empty());
 }
 
-/// The same, and that the design is not better than promised.
+inline Parameters circular_single_change(std::uint64_t v, std::uint64_t k) {
+  return {v, k, 1, Kind::circular, 2};
+}
+
+/// A family of circular single-change designs with 3v − 4k + more blocks: over all k from 2 to
+/// most_k and v to 4k it serves what it should, within more − 1 of the bound.
+template <typename Serves>
+void expect_circular_family(const std::string& name, std::uint64_t most_k, std::uint64_t more,
+                            Serves serves) {
+  for (std::uint64_t k = 2; k <= most_k; ++k) {
+    for (std::uint64_t v = k + 1; v <= 4 * k; ++v) {
+      const auto offer = offer_of(name, circular_single_change(v, k));
+      ASSERT_EQ(offer.has_value(), serves(v, k)) << v << ' ' << k;
+      if (offer) {
+        const std::uint64_t bound = lower_bound(circular_single_change(v, k)).blocks;
+        EXPECT_EQ(offer->b, 3 * v - 4 * k + more);
+        EXPECT_GE(offer->b, bound);
+        EXPECT_LE(offer->b, bound + more - 1);
+        if (k <= 14) {
+          expect_as_promised(*offer);
+        } else {
+          EXPECT_TRUE(verify(*standard().build(offer->recipe)).valid()) << v << ' ' << k;
+        }
+      }
+    }
+  }
+}
+
+inline void expect_valid_circular(const std::string& name, const std::vector<std::uint64_t>& all_v,
+                                  std::uint64_t k) {
+  for (const std::uint64_t v : all_v) {
+    const auto offer = offer_of(name, circular_single_change(v, k));
+    ASSERT_TRUE(offer);
+    EXPECT_TRUE(verify(*standard().build(offer->recipe)).valid()) << v;
+  }
+}
+
+/// As expect_as_promised(), and that the design is not better than promised.
 inline void expect_exactly_as_promised(const Offer& offer) {
   expect_as_promised(offer);
   const Verdict verdict = verify(*standard().build(offer.recipe));

@@ -105,7 +105,11 @@ std::optional<RunWorkbook> run_workbook(const RequestList& list, const std::stri
     const auto input = open_input(list.file);
     constexpr std::size_t mark = 8;
     PeekedInput peeked(*input, mark);
-    if (!begins_like_a_workbook(peeked.beginning())) {
+    if (peeked.beginning().empty() && lower(list.file).ends_with(".xlsx")) {
+      throw BadInput(list.file + ": the file is empty; save the workbook again");
+    }
+    const bool is_cut = peeked.beginning().size() < mark && lower(list.file).ends_with(".xlsx");
+    if (!begins_like_a_workbook(peeked.beginning()) && !is_cut) {
       return std::nullopt;
     }
     bytes = read_to_end(peeked, most_bytes_of_a_workbook, how_to_mend);

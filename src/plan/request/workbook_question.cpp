@@ -147,6 +147,33 @@ Written written_on(const RunWorkbook& book, const std::vector<std::string>& run,
   return written;
 }
 
+// A bench whose sheet was taken out of the workbook takes its results along.
+void note_lost_sheets(const RunWorkbook& book, const Written& written,
+                      std::vector<std::string>& notes) {
+  const std::vector<Bench>& benches = written.before.benches;
+  if (written.lists.size() >= benches.size()) {
+    return;
+  }
+  std::vector<bool> named(benches.size(), false);
+  for (const DoneList& list : written.lists) {
+    for (const std::string& word : list.benches) {
+      if (const auto bench = find_bench(benches, word)) {
+        named[*bench] = true;
+      }
+    }
+  }
+  std::string without;
+  for (std::size_t b = 0; b < benches.size(); ++b) {
+    if (!named[b] && !benches[b].down) {
+      without += (without.empty() ? "" : ", ") + name_of(benches, b);
+    }
+  }
+  notes.push_back(fmt::format("{}: {} for {}{}; put back a sheet that had results", book.name,
+                              count_of(written.lists.size(), "sheet"),
+                              count_of(benches.size(), "bench", "benches"),
+                              without.empty() ? "" : ", none with tests of " + without));
+}
+
 // What tests on run sheets cost that have a result: so much of the budget is gone.
 void take_off_budget(JobRequest& question, const std::string& name, const Written& written,
                      std::vector<std::string>& notes) {
@@ -384,6 +411,7 @@ JobRequest with_question(JobRequest request, const RunWorkbook& book,
   if (!run.empty() && !request.done.is_given()) {
     const Written written = written_on(book, run, question);
     const bool has_results = written.has_results();
+    note_lost_sheets(book, written, notes);
     if (has_results || has_done || request.diagnose) {
       request.done = book.list;
     }

@@ -9,25 +9,23 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
 #include "plan/request/workbook_question.hpp"
+#include "planned_workbook.hpp"
 #include "run_workbooks.hpp"
 #include "some_names.hpp"
+#include "zip_files.hpp"
 
 namespace changeover::bench_workbook_test {
 namespace {
 
 using test::filled_in;
+using test::opened;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-OpenedRequest opened(const std::string& bytes, JobRequest request = {}) {
-  request.parts.workbook = bytes;
-  return open_workbook(std::move(request));
-}
-
-class BenchWorkbook : public testing::Test {
+class BenchWorkbook : public test::PlannedWorkbook {
  protected:
   BenchWorkbook() {
     request.at_once = 3;
@@ -52,22 +50,9 @@ class BenchWorkbook : public testing::Test {
     request.first_day = "2025-03-31";
   }
 
-  std::string planned(const OpenedRequest& what) {
-    check_options(what.request, Door::document);
-    asked = checked_job(what, Door::document);
-    RunControl control({.threads = 1});
-    answer = answer_to(what.request, asked, control);
-    return written(what.request, asked, answer, "xlsx");
-  }
-  std::string planned() { return planned({.request = request, .notes = {}}); }
-
   [[nodiscard]] std::uint64_t done_on(std::size_t bench) const {
     return asked.benches.at(bench).tests_done;
   }
-
-  JobRequest request;
-  ParsedJob asked;
-  PlanAnswer answer;
 };
 
 TEST_F(BenchWorkbook, AsksTheSameQuestionAgain) {
@@ -115,6 +100,19 @@ TEST_F(BenchWorkbook, IsPlannedAnewWithTheResultsOfEachBenchAgainAndAgain) {
   EXPECT_GT(south, 0U);
   EXPECT_THAT(workbook_sheets(bytes, "f"), Contains(SheetName{"Done", false}));
   EXPECT_THAT(workbook_sheets(bytes, "f"), Contains(SheetName{"changeover-question", true}));
+}
+
+TEST_F(BenchWorkbook, ALostSheetIsNoted) {
+  const std::string bytes = filled_in(planned(), {"pass"}, "North");
+  EXPECT_THAT(opened(bytes).notes, Not(Contains(HasSubstr("put back"))));
+  test::Members members = test::unzipped(bytes);
+  std::string& sheets = members["xl/workbook.xml"];
+  const std::size_t begin = sheets.find("<sheet name=\"North\"");
+  ASSERT_NE(begin, std::string::npos);
+  sheets.erase(begin, sheets.find("/>", begin) + 2 - begin);
+  EXPECT_THAT(opened(test::zipped(members)).notes,
+              Contains("parts: 2 sheets for 3 benches, none with tests of North; put back a sheet "
+                       "that had results"));
 }
 
 TEST_F(BenchWorkbook, ResultsStandWithTheirBench) {

@@ -12,6 +12,7 @@
 #include "damage.hpp"
 #include "io/workbook/workbook_sheet.hpp"
 #include "plan/request/workbook_question.hpp"
+#include "planned_workbook.hpp"
 #include "random_jobs.hpp"
 #include "run_workbooks.hpp"
 #include "some_names.hpp"
@@ -21,6 +22,7 @@ namespace changeover::workbook_question_test {
 namespace {
 
 using test::filled_in;
+using test::opened;
 using test::some_number;
 using test::unzipped;
 using test::with_row;
@@ -54,11 +56,6 @@ std::string fault_of(const std::function<void()>& work) {
     return fault.what();
   }
   return "none";
-}
-
-OpenedRequest opened(const std::string& bytes, JobRequest request = {}) {
-  request.parts.workbook = bytes;
-  return open_workbook(std::move(request));
 }
 
 const std::string stock = rows({{"Component", "Slot", "Swap time (min)"},
@@ -164,7 +161,7 @@ TEST(WorkbookQuestion, SeveralPiecesOfAPartFillASlot) {
   EXPECT_EQ(again.job->needed.size(), 3U);
 }
 
-class RunSheetWorkbook : public testing::Test {
+class RunSheetWorkbook : public test::PlannedWorkbook {
  protected:
   RunSheetWorkbook() {
     request.at_once = 4;
@@ -180,18 +177,6 @@ class RunSheetWorkbook : public testing::Test {
     request.slots.rows = {{{{"CPU", "1", "1"}}, {{"NIC", "1", "1"}}}};
     request.never.rows = {{{{"Epyc", "X710", "no driver"}}}};
   }
-
-  std::string planned(const OpenedRequest& what) {
-    asked = checked_job(what, Door::document);
-    RunControl control({.threads = 1});
-    answer = answer_to(what.request, asked, control);
-    return written(what.request, asked, answer, "xlsx");
-  }
-  std::string planned() { return planned({.request = request, .notes = {}}); }
-
-  JobRequest request;
-  ParsedJob asked;
-  PlanAnswer answer;
 };
 
 TEST_F(RunSheetWorkbook, AsksTheSameQuestionAgain) {

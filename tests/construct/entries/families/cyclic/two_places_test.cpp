@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include "changeover/bounds/lower_bound.hpp"
 #include "construction_checks.hpp"
 
 namespace changeover::two_places_test {
@@ -8,33 +7,14 @@ namespace {
 
 using namespace test;
 
-Parameters circular(std::uint64_t v, std::uint64_t k) { return {v, k, 1, Kind::circular, 2}; }
-
 TEST(TwoPlaces, AreOneOverTheBoundOfStaysOverTheirWholeRegion) {
-  for (std::uint64_t k = 2; k <= 45; ++k) {
-    for (std::uint64_t v = k + 1; v <= 4 * k; ++v) {
-      const auto offer = offer_of("two-places", circular(v, k));
-      ASSERT_EQ(offer.has_value(), k >= 4 && v + 2 >= 3 * k && 3 * v <= 10 * k - 5)
-          << v << ' ' << k;
-      if (offer) {
-        EXPECT_EQ(offer->b, 3 * v - 4 * k + 2);
-        EXPECT_LE(offer->b, lower_bound(circular(v, k)).blocks + 1);
-        if (k <= 14) {
-          expect_as_promised(*offer);
-        } else {
-          EXPECT_TRUE(verify(*standard().build(offer->recipe)).valid()) << v << ' ' << k;
-        }
-      }
-    }
-  }
+  expect_circular_family("two-places", 45, 2, [](std::uint64_t v, std::uint64_t k) {
+    return k >= 4 && v + 2 >= 3 * k && 3 * v <= 10 * k - 5;
+  });
 }
 
 TEST(TwoPlaces, AreValidForLargeBlocks) {
-  for (const std::uint64_t v : {std::uint64_t{898}, std::uint64_t{950}, std::uint64_t{998}}) {
-    const auto offer = offer_of("two-places", circular(v, 300));
-    ASSERT_TRUE(offer);
-    EXPECT_TRUE(verify(*standard().build(offer->recipe)).valid()) << v;
-  }
+  expect_valid_circular("two-places", {898, 950, 998}, 300);
 }
 
 // 4k−2−v elements stay once, all others twice.
@@ -42,7 +22,7 @@ TEST(TwoPlaces, HaveElementsThatStayOnce) {
   for (std::uint64_t k = 4; k <= 20; ++k) {
     for (std::uint64_t v = 3 * k - 2; 3 * v <= 10 * k - 5; ++v) {
       const Verdict verdict =
-          verify(*standard().build(offer_of("two-places", circular(v, k))->recipe));
+          verify(*standard().build(offer_of("two-places", circular_single_change(v, k))->recipe));
       std::uint64_t once = 0;
       for (const ElementCount& count : verdict.elements) {
         once += count.introductions == 1 ? 1 : 0;
@@ -55,7 +35,7 @@ TEST(TwoPlaces, HaveElementsThatStayOnce) {
 
 TEST(TwoPlaces, RefuseSpoiltRecipes) {
   for (const auto& [v, k] : {std::pair<std::uint64_t, std::uint64_t>{10, 4}, {15, 5}, {25, 9}}) {
-    const Recipe recipe = offer_of("two-places", circular(v, k))->recipe;
+    const Recipe recipe = offer_of("two-places", circular_single_change(v, k))->recipe;
     const auto spoil = [&](const std::string& how, const auto& change) {
       Recipe spoilt = recipe;
       change(spoilt);
