@@ -216,5 +216,24 @@ TEST(HardTimes, StoppingEndsEverything) {
   EXPECT_NE(worker.reply().status, 200);
 }
 
+TEST(HardTimes, WhoComesWhileTheServerStopsIsToldSo) {
+  for (int round = 0; round < 20; ++round) {
+    const OwnServer own;
+    std::vector<std::unique_ptr<Connection>> late;
+    for (int i = 0; i < 8; ++i) {
+      late.push_back(std::make_unique<Connection>(own.port()));
+    }
+    std::thread stopping([&] { EXPECT_TRUE(own.server->stop(std::chrono::minutes(1))); });
+    for (const auto& connection : late) {
+      connection->send(request_text(own.port(), "GET", "/api/constructions"));
+    }
+    for (const auto& connection : late) {
+      const int status = connection->reply().status;
+      EXPECT_TRUE(status == 200 || status == 503 || status == 0) << status;
+    }
+    stopping.join();
+  }
+}
+
 }  // namespace
 }  // namespace changeover::test::hard_times_test

@@ -542,10 +542,9 @@ Server::~Server() {
 
 bool Server::stop(std::chrono::duration<double> patience) {
   state_->stopping = true;
-  const int listening = MHD_quiesce_daemon(state_->daemon);
-  if (listening != MHD_INVALID_SOCKET) {
-    ::close(listening);
-  }
+  // New clients get status 503 until the daemon ends. MHD_quiesce_daemon would turn them away, but
+  // with epoll it and a thread of the daemon may both take the listening socket out of the set, and
+  // the library then ends the process.
   if (!state_->lanes.stop(patience)) {
     return false;
   }
