@@ -33,7 +33,7 @@ void add_slots(const Job& job, const std::vector<bool>& mounted, JobNumbers& n) 
   for (Element x = 0; x < job.slot_of.size(); ++x) {
     n.slot_of[x] = job.slot_of[x] == no_slot ? n.slot_of[x] : job.slot_of[x];
   }
-  std::vector<std::vector<Element>> members(slots + 1);  // parts of F with a needed pair
+  std::vector<std::vector<Element>> members(slots + 1);  // of F
   for (const Element x : n.parts) {
     members[n.slot_of[x]].push_back(x);
   }
@@ -44,7 +44,7 @@ void add_slots(const Job& job, const std::vector<bool>& mounted, JobNumbers& n) 
     std::uint64_t most = clique_bound(job, members[s]);
     if (s < slots) {
       std::uint64_t stay = 0;
-      std::uint64_t on_bench = 0;    // parts of F, with or without a needed pair
+      std::uint64_t on_bench = 0;    // parts that may go, with a needed pair or without
       std::uint64_t idle_there = 0;  // of these on the bench, without one
       std::vector<Amount> idle;      // costs of parts to be mounted without a needed pair
       for (Element x = 0; x < job.parts(); ++x) {

@@ -11,11 +11,11 @@ namespace changeover {
 struct JobNumbers {
   std::uint64_t room = 0;             // K
   std::uint64_t pairs = 0;            // P
-  std::vector<Element> parts;         // parts of F with a needed pair
+  std::vector<Element> parts;         // F
   std::vector<std::uint64_t> degree;  // by part: number of needed pairs
   std::vector<std::uint64_t> inner;   // by part: number of needed pairs within F
-  std::vector<bool> at_start;         // by part: whether it is in S
-  std::uint64_t start = 0;            // |S|
+  std::vector<bool> at_start;         // by part: whether it is there at the start
+  std::uint64_t start = 0;            // |S| or more: parts without a needed pair count
   std::uint64_t start_pairs = 0;      // needed pairs within S
   Amount mounting;                    // cost of the parts that stay mounted
   std::uint64_t mounted_introductions = 0;
