@@ -327,7 +327,8 @@ def _parts(given: Any, slots: Any, slot_of: Any, quantities: Any, needs_costs: b
         for part, value in _items(argument, said) if said is not None else ():
             name = words_of(part)
             if name not in by_name:
-                raise BadInput(f"{argument}: there is no part {_core.quoted(name)}")
+                raise BadInput(f"{argument}: there is no part {_core.quoted(name)}; give a name that "
+                               "parts has")
             by_name[name][key] = words_of(value)
     if needs_costs and not all(part.get("cost") for part in parts):
         raise BadInput("give change_cost, or parts as a dict from names to their change costs")

@@ -34,7 +34,7 @@ WORDS = [
     ("what the words mean", "Glossary"),
     ("colou?r says what|what a colou?r says", "Colour by, what a colour shows"),
     ("point at a cell", "select a cell"),
-    ("a (test|set-up|part|pair|slot|bench|block|file|line|step|row|item) a (line|row|kind|file|bench|cell|block)",
+    ("a (test|set-up|part|pair|slot|bench|block|file|line|step|row|item|object|rule) a (line|row|kind|file|bench|cell|block)",
      "one … per …"),
     ("parts called", "parts named"),
     ("the results of --done blame", "explain the failed tests"),

@@ -116,7 +116,7 @@ void OutputRequest::add_to(Verb& verb, const std::vector<std::string>& formats) 
     if (word == "json" || word == "jsonl") {
       json_word_ = word;
       verb.flag("--json", json_,
-                "the same as --format " + word + (word == "json" ? "" : ": one object a line"));
+                "the same as --format " + word + (word == "json" ? "" : ": one object per line"));
     }
   }
   verb.require([this] {

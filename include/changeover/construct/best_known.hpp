@@ -88,7 +88,7 @@ struct CellRange {
   std::uint64_t k_from = 0;
   std::uint64_t k_to = 0;
   std::uint64_t change = 2;
-  std::optional<Kind> kind = {};  ///< only these cells; nothing: both kinds
+  std::optional<Kind> kind = {};  ///< only these cells; nullopt: both kinds
 };
 
 /// What is known of one set of parameters.

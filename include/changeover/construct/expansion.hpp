@@ -281,10 +281,10 @@ struct IntervalCoverSize {
 
 struct EnlargeOptions {
   /// How many elements are inserted at subsets that may overlap; 0: the best number up to 2k + 2.
-  /// Nothing: an expansion set if there is one, else as 0.
+  /// nullopt: they are inserted at an expansion set if there is one, and else as for 0.
   std::optional<std::uint64_t> new_elements = {};
-  /// The number of the expansion set, as they are found, from 1; this one and nothing else.
-  /// Nothing: the first, if there is any.
+  /// Only the expansion set with this number is used. They are numbered from 1, in the order in
+  /// which they are found. nullopt: the first one, if there is any.
   std::optional<std::uint64_t> set = {};
   FactorizationKind factorization = FactorizationKind::circle;  ///< of the new elements
   SearchLimits limits = {};  ///< of each search; without nodes, 200,000 for subsets that overlap

@@ -71,12 +71,12 @@ class BlockSource {
   BlockSource& operator=(const BlockSource&) = default;
 };
 
-/// A source that makes one block at a time: `class Mine final : public BlockByBlock<Mine>` has this
-/// public function:
+/// Base of a source that makes one block at a time. `class Mine final : public BlockByBlock<Mine>`
+/// has this public function, which writes the next block, or returns false if there is none:
 ///
-///     bool make(std::span<Element> block);  // writes the next block; false from the end on
+///     bool make(std::span<Element> block);
 ///
-/// Name a subclass of BlockSource, such as DesignInput, as Base to implement that one.
+/// To implement a subclass of BlockSource, such as DesignInput, give it as Base.
 template <typename Source, typename Base = BlockSource>
 class BlockByBlock : public Base {
  public:

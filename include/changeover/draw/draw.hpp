@@ -45,7 +45,7 @@ namespace changeover {
 
 enum class PictureKind : std::uint8_t { array, stays, coverage, circle, recipe };
 
-/// "array", "stays", …
+/// The word for a kind of picture: "array", "stays", …
 [[nodiscard]] std::string_view to_string(PictureKind kind);
 
 /// The kind of that name; nullopt for any other word.
@@ -72,7 +72,7 @@ struct DrawOptions {
   bool leaving = false;                             ///< array: mark leaving elements too
   std::vector<UnchangedSubset> expansion_set = {};  ///< array: marked by carets
   std::uint64_t from = 1;                           ///< the first block that is drawn, from 1
-  std::optional<std::uint64_t> to = {};             ///< the last one; nothing: to the end
+  std::optional<std::uint64_t> to = {};             ///< the last one; nullopt: to the end
   std::string name = {};  ///< in the headline; empty: the parameters and the number of blocks
   std::string note = {};  ///< below the headline: one line, for instance the verdict
 };

@@ -129,8 +129,8 @@ struct RequestTable {
   std::vector<OptionRule> rules;
 };
 
-/// The spelling of a key there: "--at-once", "at_once"; for a positional argument its name in the
-/// help.
+/// How this door spells the key of an option: "--at-once" on the command line, "at_once" in a
+/// document. A positional argument has the name that the help gives it.
 [[nodiscard]] std::string spelled(const OptionRecord& record, Door door);
 /// The same with its value on the command line: "--at-once K".
 [[nodiscard]] std::string spelled_with_value(const OptionRecord& record, Door door);

@@ -112,7 +112,7 @@ struct LatexOptions {
   std::vector<std::uint64_t> positions =
       {};  ///< of an expansion set: i is after block i, 0 before all
   BlockNames names = {};
-  std::optional<std::string> caption = {};  ///< LaTeX; nothing: the design's name, "": no caption
+  std::optional<std::string> caption = {};  ///< LaTeX; nullopt: the design's name, "": no caption
   std::string label = {};                   ///< for \label, or empty
 };
 

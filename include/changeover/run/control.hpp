@@ -83,9 +83,9 @@ class RunControl {
   using Clock = std::chrono::steady_clock;
 
   struct Settings {
-    std::optional<std::chrono::duration<double>> time = {};  ///< nothing: no limit
+    std::optional<std::chrono::duration<double>> time = {};  ///< nullopt: no limit
     std::optional<std::uint64_t> memory_bytes =
-        {};  ///< for one table or formula; nothing: no limit
+        {};  ///< for one table or formula; nullopt: no limit
     unsigned threads = 1;
     std::uint64_t seed = 1;
     WorkShare share = {};                            ///< of several processes

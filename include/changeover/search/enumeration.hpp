@@ -57,7 +57,8 @@ inline constexpr std::uint64_t max_enumeration_elements = 64;
 inline constexpr std::uint64_t max_enumeration_blocks = 4096;
 
 struct EnumerationRun {
-  /// `exhausted` if these are all; otherwise what stopped the search, and there may be more.
+  /// `exhausted` if all standard forms were found; otherwise what stopped the search: there may be
+  /// more forms.
   WhyStopped why_stopped = WhyStopped::running;
   std::uint64_t forms = 0;     ///< standard forms passed on
   std::uint64_t nodes = 0;     ///< partial designs that were not pruned

@@ -219,7 +219,7 @@ struct LeastChangeWanted {
 struct LeastChangeOptions {
   std::size_t exact_blocks = 15;             ///< dynamic programming up to here; at most 20
   std::size_t neighbours = 12;               ///< of each block, in the local search
-  std::optional<std::uint64_t> kicks = {};   ///< double bridges; nothing: 50 a block
+  std::optional<std::uint64_t> kicks = {};   ///< double bridges; nullopt: 50 per block
   std::uint64_t bound_effort = 300'000'000;  ///< overlaps counted for the lower bound, about
 };
 
@@ -299,7 +299,7 @@ struct RepairResult {
 
 struct ExtendOptions {
   std::optional<std::uint64_t> blocks =
-      {};  ///< altogether, that are enough; nothing: as few as possible
+      {};  ///< altogether, that are enough; nullopt: as few as possible
   std::optional<std::uint64_t> moves = {};  ///< the most moves
 };
 

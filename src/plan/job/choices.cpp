@@ -263,8 +263,8 @@ std::optional<std::string> no_setup_of_model(const Job& job) {
     (has_setup(middle) ? possible : impossible) = middle;
   }
   const ModelConstraint& last = model.constraints[impossible - 1];
-  return fmt::format("{}:{}: no test follows this rule and those before it{}: {}", model.name,
-                     last.line,
+  return fmt::format("{}:{}: no test obeys this rule and those before it{}; change one of them: {}",
+                     model.name, last.line,
                      job.mounted.empty() && job.never.size() == 0
                          ? ""
                          : ", with what stays mounted and what must never meet",

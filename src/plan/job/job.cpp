@@ -136,7 +136,7 @@ void find_impossible_slots(const Job& job, std::vector<std::string>& found) {
           fmt::format("no part is in slot {}; name it as the parts list does", shown(slot.name)));
     } else if (slot.least > members) {
       found.push_back(fmt::format(
-          "slot {} needs {} in every set-up, but only {} listed; need fewer, or list more",
+          "slot {} needs {} in every set-up, but only {} listed; let it need fewer, or list more",
           shown(slot.name), count_of(slot.least, "part"), count_of(members, "is", "are")));
     } else if (mounted > slot.most) {
       found.push_back(fmt::format("{} of slot {} {} mounted, but at most {} fit it; mount fewer",

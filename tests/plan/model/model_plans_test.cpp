@@ -326,10 +326,12 @@ TEST(ModelPlans, SaysWhichRuleLeavesNoTest) {
         defects(job_of(test::model_of(text), Amount{}, Amount{}));
     return found.empty() ? "" : found.front();
   };
-  EXPECT_EQ(complaint("A: a, b\nB: a, b\n[A] = [B];\n[A] = \"a\";\n[B] = \"b\";\n[A] = \"b\";\n"),
-            "m.txt:5: no test follows this rule and those before it: [B] = \"b\"");
-  EXPECT_EQ(complaint("A: a, b\nB: a, b\n[A] = \"x\";\n"),
-            "m.txt:3: no test follows this rule and those before it: [A] = \"x\"");
+  EXPECT_EQ(
+      complaint("A: a, b\nB: a, b\n[A] = [B];\n[A] = \"a\";\n[B] = \"b\";\n[A] = \"b\";\n"),
+      "m.txt:5: no test obeys this rule and those before it; change one of them: [B] = \"b\"");
+  EXPECT_EQ(
+      complaint("A: a, b\nB: a, b\n[A] = \"x\";\n"),
+      "m.txt:3: no test obeys this rule and those before it; change one of them: [A] = \"x\"");
   EXPECT_EQ(complaint("A: a, b\nB: a, b\n[A] <> \"x\";\n"), "");
   Job job = test::job_of_text("A: a, b\nB: a, b\n[A] = [B];\n");
   job.mounted = {0, 3};

@@ -18,7 +18,7 @@ struct TableRange {
   Range k;
   Range v;
   std::uint64_t change = 2;
-  std::optional<Kind> kind = {};  ///< only the cells of this kind; nothing: both
+  std::optional<Kind> kind = {};  ///< only the cells of this kind; nullopt: both
 };
 
 /// As --k, --v and --change say it, where it is not too large. @throws UsageError.

@@ -7,7 +7,6 @@
 #include "answer/catalog/entry_words.hpp"
 #include "answer/dossier/dossier.hpp"
 #include "changeover/catalog/entry.hpp"
-#include "core/printable.hpp"
 #include "serve/api/request/query.hpp"
 #include "serve/api/request/selection.hpp"
 #include "serve/api/routes.hpp"
@@ -85,11 +84,7 @@ Response cite(const Explorer& explorer, const Request& request) {
   if (!label) {
     return text_response(cli::bibtex_of(explorer.catalog), text);
   }
-  const auto entry = explorer.catalog.find(*label);
-  if (!entry) {
-    throw Refusal{404, fmt::format("the catalog has no design {}", printable(*label))};
-  }
-  return text_response(cli::bibtex_of(*entry), text);
+  return text_response(cli::bibtex_of(entry_of(explorer, *label)), text);
 }
 
 }  // namespace

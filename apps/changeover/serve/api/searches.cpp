@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "changeover/io/input.hpp"
+#include "io/scan/place.hpp"
 #include "io/write/json_writer.hpp"
 #include "serve/api/request/json_body.hpp"
 #include "serve/api/request/query.hpp"
@@ -37,7 +38,8 @@ Block elements_in(JsonBody& body, const std::string& name) {
   }
   for (const nlohmann::json& each : *list) {
     if (!each.is_number_unsigned() || each.get<std::uint64_t>() > max_elements_in_memory) {
-      throw Refusal{422, fmt::format("{}: write a list of elements such as [0,1,2]", name)};
+      throw Refusal{422, fmt::format("{}: {} is not an element; write whole numbers from 0 to v-1",
+                                     name, changeover::shown(each.dump()))};
     }
     elements.push_back(each.get<Element>());
   }

@@ -353,7 +353,8 @@ void SearchJobs::publish(const Job& job) {
 std::shared_ptr<SearchJobs::Job> SearchJobs::find(std::uint64_t id) const {
   auto found = jobs_->find(id);
   if (found == nullptr) {
-    throw Refusal{404, fmt::format("there is no search {}", id)};
+    throw Refusal{404,
+                  fmt::format("there is no search {}; api/search lists those that there are", id)};
   }
   return found;
 }

@@ -136,7 +136,7 @@ void read_sheet(JsonBody& body, KeptRun& run) {
   run.sheet = sheet->dump();
   if (const nlohmann::json* const results = body.find("results")) {
     if (!results->is_array() || results->size() > run.tests) {
-      throw Refusal{422, "results: write a list, with a result a test at most"};
+      throw Refusal{422, "results: write a list with at most one result per test"};
     }
     for (const nlohmann::json& each : *results) {
       JsonBody one(each.dump());

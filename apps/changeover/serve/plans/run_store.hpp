@@ -52,7 +52,7 @@ class RunStore {
  private:
   struct Listed {
     std::array<std::int64_t, 4> stamp = {};  ///< of the file, whatever is in it
-    std::optional<KeptRun> run = {};         ///< without sheet and results; nothing: it is none
+    std::optional<KeptRun> run = {};         ///< without sheet and results; nullopt: it is none
     std::uint64_t done = 0;
   };
 

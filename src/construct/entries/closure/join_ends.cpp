@@ -1,8 +1,9 @@
 // Join ends: a linear design closed to a circular one by the blocks of a shortest way from its last
 // block to its first.
 //
-// All pairs stay covered. Ends that differ in d elements are ⌈d/m⌉ steps apart, rarely one more, so
-// one block less is added.
+// All pairs stay covered. If s is the least number of steps from the last block to the first, s − 1
+// blocks are added: those between them. Where the two differ in d elements, s is ⌈d/m⌉ or more. It
+// is more if d < m, and in some narrow cases (construct/tools/path.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,9 +27,10 @@ Parameters linear(Parameters p) {
 
 constexpr Description description{
     .name = "join-ends",
-    .summary = "a linear design closed by a shortest way from its last block to its first",
-    .preconditions = "circular; a linear design with the same m, v, k, as input, with two ends",
-    .guarantee = "a block less than there are steps between the ends is added",
+    .summary = "a linear design, and after it a shortest way from its last block back to its first",
+    .preconditions =
+        "circular; as input a linear design on (v,k), same m, >= 3 blocks, the last not the first",
+    .guarantee = "s-1 more blocks, if s is the least number of steps from the last to the first",
 };
 
 class JoinEnds final : public Entry {
@@ -46,7 +48,8 @@ class JoinEnds final : public Entry {
     std::vector<Block> blocks = design.blocks();
     if (!join_ends_recipe(recipe.inputs.front(), design)) {
       throw BadInput(fmt::format(
-          "join-ends takes a linear design of 3 blocks or more whose ends differ; the {} is none",
+          "join-ends needs a linear design of 3 blocks or more, the last not the first; this "
+          "{} is none",
           changeover::name(design.parameters())));
     }
     for (Block& each : connecting_blocks(blocks.back(), blocks.front(), p.change, p.v)) {

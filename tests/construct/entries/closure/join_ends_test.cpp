@@ -60,9 +60,10 @@ TEST(JoinEnds, RefusesWhatIsNoLinearDesign) {
     (void)standard().build({"join-ends", of(4, 2, 1, Kind::circular), {}, {same}, {}});
     ADD_FAILURE();
   } catch (const BadInput& fault) {
-    EXPECT_STREQ(fault.what(),
-                 "join-ends takes a linear design of 3 blocks or more whose ends differ; the "
-                 "linear SCCD(4,2) is none");
+    EXPECT_STREQ(
+        fault.what(),
+        "join-ends needs a linear design of 3 blocks or more, the last not the first; this "
+        "linear SCCD(4,2) is none");
   }
 }
 

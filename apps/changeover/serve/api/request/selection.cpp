@@ -57,14 +57,6 @@ Selection held(const Explorer& explorer, std::shared_ptr<const Design> design) {
   return selection;
 }
 
-CatalogEntry entry_of(const Explorer& explorer, const std::string& label) {
-  const auto entry = explorer.catalog.find(label);
-  if (!entry) {
-    throw Refusal{404, fmt::format("the catalog has no design {}", printable(label))};
-  }
-  return *entry;
-}
-
 Offer offer_of(const std::vector<Parameters>& asked) {
   auto offer = cli::best_offer(asked, "");
   if (!offer) {
@@ -105,6 +97,16 @@ std::string way_of(const Request& request, const std::vector<std::string>& ways)
 }
 
 }  // namespace
+
+CatalogEntry entry_of(const Explorer& explorer, const std::string& label) {
+  const auto entry = explorer.catalog.find(label);
+  if (!entry) {
+    throw Refusal{404, fmt::format("the catalog has no design {}; api/table gives the labels of "
+                                   "the designs that it has",
+                                   printable(label))};
+  }
+  return *entry;
+}
 
 std::vector<std::string> selectors() {
   return {"v", "k", "change", "kind", "strength", "label", "file", "job"};

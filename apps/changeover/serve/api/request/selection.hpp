@@ -24,6 +24,9 @@ struct Selection {
 /// The recipe of what is selected: by parameters or by label. @throws Refusal
 [[nodiscard]] Recipe selected_recipe(Explorer& explorer, const Request& request);
 
+/// The entry of the catalog with this label. @throws Refusal 404
+[[nodiscard]] CatalogEntry entry_of(const Explorer& explorer, const std::string& label);
+
 /// The design with its verdict in the format of files, and its label.
 [[nodiscard]] std::string design_json(const Selection& selection);
 
