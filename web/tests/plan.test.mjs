@@ -66,13 +66,16 @@ test('parts are pasted from a spreadsheet, with costs, slots and quantities; wha
   assert.equal(await field('Cost of putting in part 1').inputValue(), '9.5');
   assert.equal(await field('Slot of part 1').inputValue(), 'white');
   assert.equal(await field('How many there are of part 4').inputValue(), '3');
-  await open(page, 'Slots');
+  // Slots that the list names hold one part each, and the bench as many as the slots.
   assert.equal(await field('Name of slot 2').inputValue(), 'red');
-  await field('Most of slot 2').fill('1');
-  await page.getByRole('spinbutton', { name: 'How many fit at once' }).fill('2');
+  await page.locator('.group.set summary', { hasText: 'white 1, red 1' }).waitFor();
+  assert.equal(await page.getByRole('spinbutton', { name: 'How many fit at once' }).inputValue(), '');
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
   await planned(page);
   assert.equal(await sheetRows(page).count(), 3, 'two reds never meet');
+  assert.deepEqual(await page.locator('.run-sheet thead th').allTextContents(), ['result', 'test', 'white', 'red', 'cost', 'so far', 'notes']);
+  assert.match((await setUps(page))[1], /^white Riesling\s+red \w+$/);
+  assert.match(await sheetRows(page).nth(1).locator('.replaced').textContent(), /^for \w+$/);
 });
 
 test('pairs that need not meet are left out', async () => {

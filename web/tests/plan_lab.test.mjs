@@ -39,6 +39,14 @@ test('a workbook as a lab has it: slots, quantities and forbidden pairs are in t
     assert.ok(!(set.includes('CX-6') && set.includes('PSU 800')), set);
     assert.equal((set.match(/CPU/g) ?? []).length, 1);
   }
+  // A column for each slot: no test needs more than three lines, on the screen as on paper, which is wide then.
+  for (const { height } of await sheetRows(page).evaluateAll((rows) => rows.map((row) => row.getBoundingClientRect()))) {
+    assert.ok(height < 90, `a row of the sheet is ${height} px high`);
+  }
+  const paper = (await page.pdf({ preferCSSPageSize: true })).toString('latin1');
+  assert.equal(paper.match(/\/Type \/Page\b/g).length, 1, 'one page');
+  const [, width, high] = /MediaBox \[0 0 ([\d.]+) ([\d.]+)\]/.exec(paper);
+  assert.ok(Number(width) > Number(high), 'landscape');
   await look(page, 'plan-server');
 
   // The workbook that the page gives is a whole question: with results filled in it comes back as a run.

@@ -5,6 +5,7 @@ import {
   cells,
   decimal,
   emptyBench,
+  emptyJob,
   namesIn,
   partOf,
   type Bench,
@@ -69,7 +70,9 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
   const slotNames = h('datalist', { id: 'slot-names' });
   const model = area('OS: Debian, Windows 11\nBrowser: Firefox, Chrome, Edge\n\nIF [Browser] = "Edge" THEN [OS] = "Windows 11";');
   const title = h('input', { type: 'text', oninput: touched });
-  const atOnce = h('input', { type: 'number', min: 2, placeholder: 'by slots', oninput: touched });
+  /** Whether the room was said, and is not what every new job begins with. */
+  let ownRoom = false;
+  const atOnce = h('input', { type: 'number', min: 2, placeholder: 'by slots', oninput: () => ((ownRoom = true), touched()) });
   const testCost = cost();
   const changeCost = cost();
   const unit = select('', units, touched);
@@ -122,13 +125,15 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
   const many = h('input', { type: 'number', min: 2, max: 1000, placeholder: '12', 'aria-label': 'How many parts, to be called 1, 2, 3, …' });
   const go = h('button', { type: 'submit' }, 'Plan');
 
-  /** Slots that parts are of have a row, so that only their limits are to be written. */
+  /** Slots that parts are of hold one part each until their limits are written: a slot that is named is never passed over. */
   function namedSlots(names: string[]): void {
     const there = slots.read();
     const missing = names.filter((name) => !there.some((slot) => slot.name === name));
     if (missing.length > 0) {
-      slots.set([...there, ...missing.map((name) => ({ name, least: '', most: '' }))]);
+      slots.set([...there, ...missing.map((name) => ({ name, least: '1', most: '1' }))]);
+      groups['slots']!.element.open = true;
       groups['slots']!.refresh();
+      atOnce.value = ownRoom ? atOnce.value : '';
     }
     fill(slotNames, names.map((name) => h('option', { value: name })));
   }
@@ -163,7 +168,7 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
       'slots',
       'Slots',
       () => join(...slots.read().map(span)),
-      h('p', { class: 'hint' }, 'A server has exactly one processor and two to four disks: name the slot of each part in the list, and write here how many parts of it a set-up has. An empty field is no limit.'),
+      h('p', { class: 'hint' }, 'A server has exactly one processor and two to four disks: name the slot of each part in the list, and write here how many parts of it a set-up has. It is one until you write another number; an empty field is no limit.'),
       slots.element,
     ),
   ];
@@ -361,6 +366,8 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
       weekends.checked = job.weekends;
       trustFailed.checked = job.trustFailed;
       seconds.value = times.some(([value]) => value === String(job.seconds)) ? String(job.seconds) : '0';
+      ownRoom = job.atOnce !== null && job.atOnce !== emptyJob().atOnce;
+      namedSlots([...new Set(job.parts.map(({ slot }) => slot))].filter((slot) => slot !== ''));
       setSource(job.source);
       Object.values(groups).forEach((each) => each.refresh());
     },

@@ -17,14 +17,16 @@ export function nextTests(outcome: Outcome, mounted: readonly string[], written:
   function card(i: number): HTMLElement {
     const test = outcome.tests[i]!;
     const { out, in: put } = step(outcome.tests, i, mounted);
+    // On an empty bench what is put in is all that is then in.
+    const all = out.length === 0 && put.length === test.parts.length;
     const of = outcome.tests.filter(({ bench }) => bench === test.bench).length;
     const line = (label: string, kind: string, parts: string[]) => h('p', { class: kind }, h('span', { class: 'label' }, label), parts.length > 0 ? parts.join(', ') : 'nothing');
     return h(
       'section',
       { class: 'next-test', 'aria-label': `Next test, ${names[i]}` },
       h('h3', {}, `Next: test ${names[i]} of ${of}`, h('span', { class: 'hint' }, ` costs ${money(test.cost)}${test.when ? `, ${test.when}` : ''}`)),
-      ...(test.values ? [] : [out.length > 0 ? line('Take out', 'leave', out) : null, line('Put in', 'enter', put)]),
-      h('p', { class: 'set-up' }, h('span', { class: 'label' }, test.values ? 'Set' : 'Then in'), ...setUp(test, outcome.places, new Set(put))),
+      ...(test.values || all ? [] : [out.length > 0 ? line('Take out', 'leave', out) : null, line('Put in', 'enter', put)]),
+      h('p', { class: 'set-up' }, h('span', { class: 'label' }, test.values ? 'Set' : all ? 'Put in' : 'Then in'), ...setUp(test, outcome.places, new Set(put))),
       resultButtons(test, names[i]!, () => written(i), { pass: '✓ pass', fail: '✗ fail' }).element,
     );
   }

@@ -57,6 +57,38 @@ export function setUp(test: Test, places: readonly Place[], fresh: ReadonlySet<s
   });
 }
 
+/** More columns than that make a line unreadable. */
+const mostSlots = 9;
+
+/** The slots that get a column each; null if the sheet has none, too many, or tests whose places are not known. */
+function slotColumns({ places, tests }: Outcome): (string | null)[] | null {
+  const slots = [...new Set(places.map(({ slot }) => slot))];
+  const whole = tests.every(({ places: filled, values }) => filled !== null && values === undefined);
+  return whole && slots.length <= mostSlots && slots.some((slot) => slot !== null) ? slots : null;
+}
+
+/** What is in a slot; what was put in stands out, and beside it what it replaces. */
+function inSlot(slot: string | null, tests: readonly Test[], i: number, places: readonly Place[], out: readonly string[], put: ReadonlySet<string>): Child[] {
+  const earlier = before(tests, i)?.places ?? null;
+  const left = new Set(out);
+  const many = places.filter((place) => place.slot === slot).length > 1;
+  return places.flatMap((place, at): Child[] => {
+    const now = place.slot === slot ? (tests[i]!.places?.[at] ?? null) : null;
+    const was = place.slot === slot ? (earlier?.[at] ?? null) : null;
+    const gone = was !== null && left.has(was) ? was : null;
+    // Where there are several parts, a part and what it replaces share a line if they are short.
+    const kind = many && now !== null && now.length + (gone ?? '').length <= 26 ? 'place whole' : 'place';
+    return now === null
+      ? gone === null
+        ? []
+        : [h('span', { class: 'place leave' }, unbroken(gone), ' out'), ' ']
+      : [
+          h('span', { class: kind }, put.has(now) ? h('strong', { class: 'enter' }, unbroken(now)) : unbroken(now), ...(put.has(now) && gone !== null ? [' ', h('small', { class: gone.length <= 24 ? 'replaced whole' : 'replaced' }, 'for ', gone)] : [])),
+          ' ',
+        ];
+  });
+}
+
 /** `written` is called with the number of a test whose result or notes have changed. */
 export function runSheet(outcome: Outcome, mounted: readonly string[], written: (test: number) => void, signal: AbortSignal): Sheet {
   const { tests, places, benches } = outcome;
@@ -76,6 +108,7 @@ export function runSheet(outcome: Outcome, mounted: readonly string[], written: 
   const hasTimes = tests.some(({ when }) => when !== undefined);
   const parameters = Object.keys(tests.find(({ values }) => values !== undefined)?.values ?? {});
   const ofModel = parameters.length > 0;
+  const slots = ofModel ? null : slotColumns(outcome);
   const rows: HTMLTableRowElement[] = [];
 
   function refresh(): void {
@@ -118,8 +151,9 @@ export function runSheet(outcome: Outcome, mounted: readonly string[], written: 
       h('td', { class: 'of-result' }, buttons.element),
       h('td', { class: 'number of-number' }, benches ? names[i]!.slice((test.bench ?? '').length + 1) : number(i + 1)),
       hasTimes ? h('td', { class: 'of-when' }, test.when ?? '') : null,
-      ...(test.values ? [] : [h('td', { class: 'leave', 'data-label': 'take out' }, list(out)), h('td', { class: 'enter', 'data-label': 'put in' }, list(put))]),
-      ...(test.values
+      ...(test.values || slots ? [] : [h('td', { class: 'leave', 'data-label': 'take out' }, list(out)), h('td', { class: 'enter', 'data-label': 'put in' }, list(put))]),
+      ...(slots ?? []).map((slot) => h('td', { class: places.filter((place) => place.slot === slot).length > 2 ? 'in-slot several' : 'in-slot', 'data-label': slot ?? 'other' }, inSlot(slot, tests, i, places, out, new Set(put)))),
+      ...(slots ? [] : test.values
         ? Object.entries(test.values).map(([parameter, value]) =>
             h('td', { class: 'of-value', 'data-label': parameter }, value === before(tests, i)?.values?.[parameter] ? value : h('strong', {}, value)),
           )
@@ -152,7 +186,7 @@ export function runSheet(outcome: Outcome, mounted: readonly string[], written: 
       h(
         'table',
         {
-          class: ofModel ? 'run-sheet of-model' : 'run-sheet',
+          class: ofModel ? 'run-sheet of-model' : slots ? 'run-sheet of-slots' : 'run-sheet',
           onkeydown: (event) => {
             const { key, target } = event as KeyboardEvent;
             const row = (target as Element).closest('tbody tr');
@@ -174,8 +208,11 @@ export function runSheet(outcome: Outcome, mounted: readonly string[], written: 
             h('th', {}, 'result'),
             h('th', { class: 'number' }, 'test'),
             hasTimes ? h('th', {}, 'begins') : null,
-            ...(ofModel ? [] : [h('th', {}, 'take out'), h('th', {}, 'put in')]),
-            ...(ofModel ? parameters.map((name) => h('th', {}, name)) : [h('th', {}, 'what is in')]),
+            ...(ofModel
+              ? parameters.map((name) => h('th', {}, name))
+              : slots
+                ? slots.map((slot) => h('th', {}, slot ?? 'other'))
+                : [h('th', {}, 'take out'), h('th', {}, 'put in'), h('th', {}, 'what is in')]),
             h('th', { class: 'number' }, 'cost'),
             h('th', { class: 'number' }, clock ? 'clock' : 'so far'),
             h('th', { class: 'of-notes' }, 'notes'),
