@@ -52,7 +52,8 @@ class _Recorded:
 
     def in_format(self, format: str) -> str:
         if format != "jsonl":
-            raise BadInput("an order from a pickle has no buckets for Marius; plan it anew")
+            raise BadInput("an order from a pickle has only its steps, nothing for Marius or COLMAP; "
+                           "plan it anew")
         return self._text
 
     def fault(self) -> str:
@@ -118,6 +119,12 @@ class _Loads(Made):
         if fault:
             raise InternalError(fault)
         return True
+
+    def for_colmap(self) -> str:
+        """The pairs in the order of the steps, as COLMAP's match list: two items a line, and an
+        empty line between steps. Raises BadInput if a pair would be there twice."""
+        text: str = self._core.in_format("colmap")
+        return text
 
     def __reduce_ex__(self, _protocol: Any = 2) -> Any:
         facts = dict(self._facts)

@@ -300,6 +300,22 @@ class Epochs(unittest.TestCase):
                 self.assertTrue(set(sum(each, [])) <= set(state))
         with self.assertRaisesRegex(changeover.BadInput, "one buffer"):
             changeover.load_order(16, 4, prefetch=True).for_marius()
+        # Not only the command line holds to what fits into memory.
+        with self.assertRaisesRegex(changeover.BadInput, "epochs 100000: with spread or for Marius"):
+            changeover.load_order(64, 16, epochs=100000).for_marius()
+        with self.assertRaisesRegex(changeover.BadInput, "give epochs 49603 or less"):
+            changeover.load_order(64, 16, epochs=100000, new_pairs=True, spread=True)
+
+    def test_colmap_is_given_each_pair_once(self):
+        groups = [[0, 1, 2], [1, 2, 3], [3, 4]]
+        wanted = {pair for group in groups for pair in itertools.combinations(group, 2)}
+        for more in (dict(), dict(workers=2)):
+            text = changeover.load_order(None, 3, groups=groups, **more).for_colmap()
+            pairs = [tuple(map(int, line.split())) for line in text.splitlines() if line]
+            self.assertEqual(sorted(pairs), sorted(wanted))
+            self.assertTrue(all(len(set(block.split())) <= 3 for block in text.split("\n\n")))
+        with self.assertRaisesRegex(changeover.BadInput, "each pair once"):
+            changeover.load_order(16, 4, epochs=2).for_colmap()
 
     def test_items_change_and_a_job_that_raised_goes_on(self):
         def run(folder, workers, stops=()):

@@ -40,19 +40,6 @@ void require_memory_for_a_step(const CheckedLoads& asked, bool ordered) {
                  fmt::format("a step of --new-pairs with --room {}", room));
 }
 
-// All steps are read and made again before the first one is written.
-void require_few_epochs(const CheckedLoads& asked, std::uint64_t epochs) {
-  constexpr std::uint64_t most_pairs = 100'000'000;
-  const std::uint64_t pairs = asked.wanted().count();
-  if (epochs > 1 && pairs > most_pairs / epochs) {
-    throw BadOption(fmt::format(
-        "--epochs {}: with --spread or --format marius all epochs have at most {} pairs; give {}",
-        epochs, most_pairs,
-        most_pairs / pairs < 2 ? "fewer items"
-                               : fmt::format("--epochs {} or less", most_pairs / pairs)));
-  }
-}
-
 Answer run(const LoadOrderRequest& typed) {
   RunRequest run = typed.run;
   LoadRequest request =
@@ -67,6 +54,15 @@ Answer run(const LoadOrderRequest& typed) {
     }
     request.new_pairs = request.ordered = request.self = true;
   }
+  if (typed.output.format() == "colmap") {
+    if (request.prefetch || request.epochs || request.ordered || request.self ||
+        request.from_step || request.write_back) {
+      throw UsageError{
+          "--format colmap has each pair once: without --prefetch, --epochs, --ordered, --self, "
+          "--from-step and --write-back"};
+    }
+    request.new_pairs = true;
+  }
   check_options(request, Door::command_line);
   OutputRequest output = typed.output;
   output.precious = false;  // Without a search the same command makes it again.
@@ -77,8 +73,8 @@ Answer run(const LoadOrderRequest& typed) {
   if (request.new_pairs) {
     require_memory_for_a_step(asked, request.ordered);
   }
-  if (request.spread || typed.output.format() == "marius") {
-    require_few_epochs(asked, request.epochs.value_or(1));
+  if (typed.output.format() == "marius") {
+    check_whole_epochs(request.epochs.value_or(1), asked.wanted(), Door::command_line);
   }
   LoadOrderOptions options;
   options.seed = request.seed.value_or(1);
@@ -115,7 +111,7 @@ void add_loadorder(Program& program) {
   add_request_options(verb, request.load, load_table());
   request.file.add_to(verb, load_table().format);
   request.run.add_to(verb, "0s", request.output);
-  request.output.add_to(verb, {"text", "jsonl", "csv", "marius"});
+  request.output.add_to(verb, {"text", "jsonl", "csv", "marius", "colmap"});
   verb.require([&request = request] {
     if (!request.run.memory.empty() && request.run.time.empty() && request.file.path.empty() &&
         !request.load.sizes.is_given()) {
@@ -133,6 +129,7 @@ void add_loadorder(Program& program) {
        "changeover loadorder --items 200 --room 40 --fast-room 8      two levels",
        "changeover loadorder --items 64 --room 16 --prefetch",
        "changeover loadorder --pairs edges.txt --room 10       only some pairs",
+       "changeover loadorder --groups clusters.txt --room 500 --format colmap -o pairs.txt",
        "changeover loadorder --sizes parts.csv --memory 8G     items of different size",
        "changeover loadorder --items 12 --against 20 --room 4  two sets",
        "changeover loadorder --items 1024 --done-items 1000 --room 64"});

@@ -98,6 +98,11 @@ class CheckedLoads {
   std::function<double(Element, Element)> cost_;
 };
 
+/// Several epochs are kept in memory for "spread" and for Marius. checked_loads() calls this for
+/// "spread". @throws BadOption, naming options as the door does, if all epochs together have more
+/// than 10⁸ pairs.
+void check_whole_epochs(std::uint64_t epochs, const WantedPairs& wanted, Door door);
+
 /// Reads the pairs of a request and checks all of it, for every door. `pairs`, if given, replace
 /// those of the request. @throws BadOption, naming options as the door does, for wrong keys;
 /// BadInput for wrong pairs; MissingResource for a file that cannot be read. O(pairs · log pairs).

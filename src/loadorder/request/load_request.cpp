@@ -460,6 +460,19 @@ void check_options(const LoadRequest& request, Door door) {
   check(request, door, lists_pairs(request));
 }
 
+void check_whole_epochs(std::uint64_t epochs, const WantedPairs& wanted, Door door) {
+  constexpr std::uint64_t most_pairs = 100'000'000;
+  const std::uint64_t pairs = wanted.count();
+  if (epochs > 1 && pairs > most_pairs / epochs) {
+    const std::uint64_t most = most_pairs / pairs;
+    refuse(fmt::format(
+        "{} {}: with {} or {} all epochs have at most {} pairs; give {}", key("epochs", door),
+        epochs, key("spread", door), door == Door::command_line ? "--format marius" : "for Marius",
+        most_pairs,
+        most < 2 ? "fewer items" : fmt::format("{} {} or less", key("epochs", door), most)));
+  }
+}
+
 CheckedLoads checked_loads(const LoadRequest& request, Door door,
                            std::shared_ptr<const PairGraph> pairs) {
   check(request, door, lists_pairs(request) || pairs != nullptr);
@@ -485,6 +498,9 @@ CheckedLoads checked_loads(const LoadRequest& request, Door door,
   if (checked.sizes_) {
     check_sizes(*checked.sizes_, checked.wanted_);
     checked.room_ = most_held(*checked.sizes_, checked.wanted_);
+  }
+  if (request.spread) {
+    check_whole_epochs(request.epochs.value_or(1), checked.wanted_, door);
   }
   if (request.pair_cost.is_given()) {
     const auto input = open(request.pair_cost, option_of(load_table(), "pair_cost").record,

@@ -1,5 +1,8 @@
 #include "loadorder/show/loads_answer.hpp"
 
+#include <fmt/format.h>
+
+#include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/workers.hpp"
@@ -177,6 +180,23 @@ void LoadsAnswer::write(const std::string& format, Sink& sink) const {
   how.format = format;
   if (format == "marius") {  // pairs are edge buckets
     how.new_pairs = how.compute.ordered = how.compute.self = true;
+    how.write_back = false;
+    const ScheduleRules all = rules();
+    check_whole_epochs(all.epochs, all.wanted.among(all.items), Door::document);
+  }
+  if (format == "colmap") {
+    const ScheduleRules all = rules();
+    if (all.overlap || all.epochs > 1 || how.compute.ordered || how.compute.self) {
+      throw BadInput(
+          "a list for COLMAP has each pair once; ask without prefetch, epochs, ordered and self");
+    }
+    if (all.wanted.graph() == nullptr && all.items > max_elements_in_memory) {
+      throw BadInput(
+          fmt::format("a list for COLMAP has each pair once: give at most {} items, or "
+                      "list the pairs",
+                      max_elements_in_memory));
+    }
+    how.new_pairs = true;
     how.write_back = false;
   }
   std::visit([&](const auto& loads) { show_loads(loads, how, sink); }, loads_);

@@ -49,8 +49,9 @@ class LoadsAnswer {
   /// @throws BadInput if there is no such worker
   [[nodiscard]] std::unique_ptr<StepSource> steps(std::optional<std::uint64_t> worker) const;
 
-  /// Writes the format "jsonl", "csv", "text" or "marius" (show/marius_writer.hpp; @throws BadInput
-  /// unless one worker and one level). @throws InternalError if a step is wrong
+  /// Writes the format "jsonl", "csv", "text", "colmap" (show/step_writer.hpp) or "marius"
+  /// (show/marius_writer.hpp; @throws BadInput unless one worker and one level). @throws
+  /// InternalError if a step is wrong
   void write(const std::string& format, Sink& sink) const;
 
   /// The first line of "jsonl", without its line end.

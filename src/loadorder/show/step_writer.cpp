@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <iterator>
 #include <span>
+#include <utility>
 
+#include "changeover/core/error.hpp"
 #include "io/scan/row_reader.hpp"
 #include "io/write/csv_cell.hpp"
 #include "io/write/json_writer.hpp"
@@ -24,6 +26,10 @@ const char* name_of(Column column) {
 }  // namespace
 
 void StepWriter::begin(const std::string& json, const std::string& text) {
+  if (colmap_) {
+    check_names_for_colmap();
+    return;
+  }
   std::string names;
   for (const Column column : columns_) {
     names += names.empty() ? "" : ",";
@@ -32,7 +38,45 @@ void StepWriter::begin(const std::string& json, const std::string& text) {
   out_.write(json_ ? json + "\n" : csv_ ? names + "\n" : text + "\n");
 }
 
+// COLMAP skips empty lines and those that begin with #, and splits the others at blanks.
+void StepWriter::check_names_for_colmap() const {
+  if (names_ == nullptr) {
+    return;
+  }
+  for (const std::string& name : *names_) {
+    if (name.starts_with('#') || name.find_first_of(" \t\n\v\f\r") != std::string::npos) {
+      throw BadInput(
+          fmt::format("the name '{}' has a blank or begins with #: COLMAP cannot read it "
+                      "in a list of pairs; rename the image",
+                      name));
+    }
+  }
+}
+
+void StepWriter::write_for_colmap(const std::vector<ItemPair>& pairs) {
+  if (pairs.empty()) {
+    return;
+  }
+  text_ += std::exchange(is_first_block_, false) ? "" : "\n";
+  const auto put = [&](Element item, char after) {
+    text_ += names_ == nullptr ? std::to_string(item) : (*names_)[item];
+    text_ += after;
+  };
+  for (const auto& [x, y] : pairs) {
+    put(x, ' ');
+    put(y, '\n');
+  }
+}
+
 void StepWriter::write(const Step& step) {
+  constexpr std::size_t piece = 1 << 16;
+  if (colmap_) {
+    write_for_colmap(step.compute);
+    if (text_.size() >= piece) {
+      end();
+    }
+    return;
+  }
   const auto late = step.evict.end() - static_cast<std::ptrdiff_t>(step.late);
   for (const Column column : columns_) {
     switch (column) {
@@ -75,7 +119,6 @@ void StepWriter::write(const Step& step) {
         break;
     }
   }
-  constexpr std::size_t piece = 1 << 16;
   if (!json_ && !csv_ && text_.size() == head_) {
     text_ += " nothing to do";
   }

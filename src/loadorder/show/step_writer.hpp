@@ -33,7 +33,8 @@ enum class Column : std::uint8_t {
 };
 
 /// Writes a schedule in a format: a head, then a line for each step. Empty lists are omitted in
-/// text.
+/// text. For COLMAP only the computed pairs are written, two names per line, with an empty line
+/// between steps.
 class StepWriter {
  public:
   /// Items are written as `names`, if there are any.
@@ -42,10 +43,12 @@ class StepWriter {
       : out_(out),
         json_(format == "jsonl"),
         csv_(format == "csv"),
+        colmap_(format == "colmap"),
         names_(names != nullptr && !names->empty() ? names : nullptr),
         columns_(std::move(columns)) {}
 
-  /// The head in JSON or in text; in CSV the header.
+  /// The head in JSON or in text; in CSV the header. @throws BadInput for names that COLMAP cannot
+  /// read
   void begin(const std::string& json, const std::string& text);
 
   void write(const Step& step);
@@ -53,6 +56,8 @@ class StepWriter {
   void end();
 
  private:
+  void check_names_for_colmap() const;
+  void write_for_colmap(const std::vector<ItemPair>& pairs);
   void add(Element item);
   void add(const ItemPair& pair);
   void number(Column column, std::uint64_t value);
@@ -62,9 +67,11 @@ class StepWriter {
   Sink& out_;
   bool json_;
   bool csv_;
+  bool colmap_;
   const std::vector<std::string>* names_;
   std::vector<Column> columns_;
   std::string text_;
+  bool is_first_block_ = true;
   std::size_t head_ = 0;  // end of the numbers of the line, where its lists begin
 };
 

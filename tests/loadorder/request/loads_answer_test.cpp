@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <sstream>
 
 #include "changeover/core/error.hpp"
 #include "pairs/pairs_support.hpp"
@@ -178,6 +180,78 @@ TEST(LoadsAnswer, MariusFindsItsBufferFullInEveryState) {
       // A state has room - 1 commas in it, and one stands between two states.
       EXPECT_EQ(commas, ends * static_cast<std::ptrdiff_t>(room) - 1) << seed << " " << text;
     }
+  }
+}
+
+// The list that COLMAP reads, or why there is none.
+std::string as_colmap(const LoadRequest& request, std::shared_ptr<const PairGraph> pairs = {}) {
+  const auto loads = answer(request, std::move(pairs));
+  StringSink sink;
+  try {
+    loads->write("colmap", sink);
+  } catch (const BadInput& fault) {
+    return fault.what();
+  }
+  return sink.text();
+}
+
+TEST(LoadsAnswer, ColmapReadsEachPairOnceInBlocksThatFit) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const std::uint64_t items = 4 + seed % 9;
+    std::vector<std::string> names;
+    for (std::uint64_t x = 0; x < items; ++x) {
+      names.push_back("image" + std::to_string(x) + ".jpg");
+    }
+    const std::vector<ItemPair> pairs = random_pairs(items, 1 + seed % 5, seed);
+    const auto graph = std::make_shared<const PairGraph>(items, pairs, names);
+    for (const std::uint64_t workers : {0U, 2U}) {
+      LoadRequest request;
+      request.room = 2 + seed % 4;
+      request.workers = workers > 0 ? std::optional(workers) : std::nullopt;
+      std::istringstream lines(as_colmap(request, graph));
+      std::multiset<std::string> listed;
+      std::set<std::string> block;
+      for (std::string line; std::getline(lines, line);) {
+        if (line.empty()) {
+          EXPECT_FALSE(block.empty());
+          block.clear();
+          continue;
+        }
+        const std::size_t blank = line.find(' ');
+        block.insert(line.substr(0, blank));
+        block.insert(line.substr(blank + 1));
+        EXPECT_LE(block.size(), *request.room);
+        listed.insert(line);
+      }
+      std::multiset<std::string> wanted;
+      for (Element x = 0; x < items; ++x) {
+        for (const Element y : graph->partners(x)) {
+          if (x < y) {
+            wanted.insert(names[x] + " " + names[y]);
+          }
+        }
+      }
+      EXPECT_EQ(listed, wanted) << seed << " " << workers;
+    }
+  }
+}
+
+TEST(LoadsAnswer, ColmapIsGivenNoPairTwiceAndNoNameThatItCannotRead) {
+  LoadRequest request;
+  request.items = 70'000;
+  request.room = 30'000;
+  EXPECT_THAT(as_colmap(request), HasSubstr("at most 65535 items"));
+  request.items = 7;
+  request.room = 3;
+  request.epochs = 2;
+  EXPECT_THAT(as_colmap(request), HasSubstr("each pair once"));
+  request.epochs = {};
+  for (const char* name : {"a b", "a\tb", "a\nb", "#a"}) {
+    EXPECT_THAT(
+        as_colmap(request, std::make_shared<const PairGraph>(2, std::vector<ItemPair>{{0, 1}},
+                                                             std::vector<std::string>{name, "c"})),
+        HasSubstr("rename the image"))
+        << name;
   }
 }
 
