@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Writes src/catalog/entry/classified.cpp anew: how many designs there are with as few blocks as possible, cell by cell, as
+"""Writes catalog/classified.txt anew: how many designs there are with as few blocks as possible, cell by cell, as
 `changeover classify` counts them within some seconds each.
 
-    docs/tools/classified.py build/release/changeover | clang-format-14 > src/catalog/entry/classified.cpp
+    docs/tools/classified.py build/release/changeover > catalog/classified.txt
 """
 
 import json
@@ -13,37 +13,9 @@ import sys
 SECONDS = 12
 GIVE_UP_AFTER = 3  # cells in a row, of one block size, that take longer
 
-HEAD = """// How many designs there are: written by docs/tools/classified.py, checked by tests/search/enumerate.
-#include <array>
-
-#include "changeover/catalog/catalog.hpp"
-
-namespace changeover {
-namespace {
-
-constexpr Kind in_line = Kind::linear;
-constexpr Kind in_circle = Kind::circular;
-
-// Parameters, blocks, standard forms, classes, tight classes; then for each order of a group how many classes have it.
-constexpr std::array classified_counts{
-"""
-
-FOOT = """};
-
-}  // namespace
-
-std::optional<Classified> classified(const Parameters& p, std::uint64_t b) {
-  for (const Classified& each : classified_counts) {
-    if (each.parameters == p && each.b == b) {
-      return each;
-    }
-  }
-  return std::nullopt;
-}
-
-std::span<const Classified> classified_cells() { return classified_counts; }
-
-}  // namespace changeover
+HEAD = """# How many designs there are with as few blocks as possible: written by docs/tools/classified.py, checked by
+# tests/search/enumerate. v, k, change, kind, blocks, standard forms, classes, tight classes; then for each order of a group
+# how many classes have it.
 """
 
 
@@ -64,10 +36,8 @@ def cells(program):
 
 def row(counted):
     groups = " ".join(f"{order}:{classes}" for order, classes in sorted(counted["group_orders"].items(), key=lambda each: int(each[0])))
-    kind = "in_circle" if counted["kind"] == "circular" else "in_line"
-    parameters = f'{counted["v"]}, {counted["k"]}, {counted["change"]}, {kind}'
-    numbers = f'{counted["b"]}, {counted["standard_forms"]}, {counted["classes"]}, {counted["tight"]}'
-    return f'    Classified{{{{{parameters}}}, {numbers}, "{groups}"}},'
+    keys = ("v", "k", "change", "kind", "b", "standard_forms", "classes", "tight")
+    return " ".join(str(counted[key]) for key in keys) + " " + groups
 
 
 def main():
@@ -81,7 +51,7 @@ def main():
         if counted.get("complete"):
             rows.append(((change, kind, k, v), row(counted)))
         late[change, kind, k] = 0 if counted.get("complete") else late.get((change, kind, k), 0) + 1
-    print(HEAD + "\n".join(text for _, text in sorted(rows)) + "\n" + FOOT, end="")
+    print(HEAD + "\n".join(text for _, text in sorted(rows)))
 
 
 if __name__ == "__main__":

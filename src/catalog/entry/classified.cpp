@@ -1,296 +1,61 @@
-// The counts of all designs: written by docs/tools/classified.py, checked by
-// tests/search/enumerate.
-#include <array>
+// The counts of all designs, as catalog/classified.txt has them.
+#include <algorithm>
+#include <charconv>
+#include <vector>
 
 #include "changeover/catalog/catalog.hpp"
+#include "core/lines.hpp"
 
 namespace changeover {
+
+std::string_view classified_text();  // made of the file by the build
+
 namespace {
 
-constexpr Kind in_line = Kind::linear;
-constexpr Kind in_circle = Kind::circular;
-
-// Parameters, blocks, standard forms, classes, tight classes; then for each order of a group how
-// many classes have it.
-constexpr std::array classified_counts{
-    Classified{{4, 3, 1, in_circle}, 3, 1, 1, 1, "3:1"},
-    Classified{{5, 3, 1, in_circle}, 5, 1, 1, 1, "5:1"},
-    Classified{{6, 3, 1, in_circle}, 8, 72, 9, 0, "1:9"},
-    Classified{{7, 3, 1, in_circle}, 11, 1342, 122, 0, "1:122"},
-    Classified{{8, 3, 1, in_circle}, 14, 1764, 126, 126, "1:126"},
-    Classified{{9, 3, 1, in_circle}, 18, 188036, 10466, 10466, "1:10438 3:24 9:4"},
-    Classified{{5, 4, 1, in_circle}, 3, 1, 1, 0, "6:1"},
-    Classified{{6, 4, 1, in_circle}, 5, 1, 1, 1, "5:1"},
-    Classified{{7, 4, 1, in_circle}, 7, 1, 1, 1, "7:1"},
-    Classified{{8, 4, 1, in_circle}, 10, 400, 40, 0, "1:40"},
-    Classified{{9, 4, 1, in_circle}, 12, 16, 2, 2, "1:1 3:1"},
-    Classified{{10, 4, 1, in_circle}, 15, 136, 12, 12, "1:8 3:2 5:2"},
-    Classified{{12, 4, 1, in_circle}, 22, 28776, 1308, 1308, "1:1308"},
-    Classified{{6, 5, 1, in_circle}, 3, 1, 1, 0, "18:1"},
-    Classified{{7, 5, 1, in_circle}, 5, 1, 1, 0, "10:1"},
-    Classified{{8, 5, 1, in_circle}, 7, 1, 1, 1, "7:1"},
-    Classified{{9, 5, 1, in_circle}, 9, 1, 1, 1, "9:1"},
-    Classified{{10, 5, 1, in_circle}, 12, 1784, 150, 0, "1:148 3:2"},
-    Classified{{11, 5, 1, in_circle}, 14, 112, 8, 0, "1:8"},
-    Classified{{12, 5, 1, in_circle}, 17, 2822, 166, 0, "1:166"},
-    Classified{{7, 6, 1, in_circle}, 3, 1, 1, 0, "72:1"},
-    Classified{{8, 6, 1, in_circle}, 5, 1, 1, 0, "30:1"},
-    Classified{{9, 6, 1, in_circle}, 7, 1, 1, 0, "14:1"},
-    Classified{{10, 6, 1, in_circle}, 9, 1, 1, 1, "9:1"},
-    Classified{{11, 6, 1, in_circle}, 11, 1, 1, 1, "11:1"},
-    Classified{{12, 6, 1, in_circle}, 14, 7000, 500, 0, "1:500"},
-    Classified{{13, 6, 1, in_circle}, 16, 448, 28, 0, "1:28"},
-    Classified{{8, 7, 1, in_circle}, 3, 1, 1, 0, "360:1"},
-    Classified{{9, 7, 1, in_circle}, 5, 1, 1, 0, "120:1"},
-    Classified{{10, 7, 1, in_circle}, 7, 1, 1, 0, "42:1"},
-    Classified{{11, 7, 1, in_circle}, 9, 1, 1, 0, "18:1"},
-    Classified{{12, 7, 1, in_circle}, 11, 1, 1, 1, "11:1"},
-    Classified{{13, 7, 1, in_circle}, 13, 1, 1, 1, "13:1"},
-    Classified{{14, 7, 1, in_circle}, 16, 25392, 1587, 0, "1:1587"},
-    Classified{{15, 7, 1, in_circle}, 18, 1344, 76, 0, "1:74 3:2"},
-    Classified{{9, 8, 1, in_circle}, 3, 1, 1, 0, "2160:1"},
-    Classified{{10, 8, 1, in_circle}, 5, 1, 1, 0, "600:1"},
-    Classified{{11, 8, 1, in_circle}, 7, 1, 1, 0, "168:1"},
-    Classified{{12, 8, 1, in_circle}, 9, 1, 1, 0, "54:1"},
-    Classified{{13, 8, 1, in_circle}, 11, 1, 1, 0, "22:1"},
-    Classified{{14, 8, 1, in_circle}, 13, 1, 1, 1, "13:1"},
-    Classified{{15, 8, 1, in_circle}, 15, 1, 1, 1, "15:1"},
-    Classified{{16, 8, 1, in_circle}, 18, 87840, 4882, 0, "1:4879 3:3"},
-    Classified{{4, 3, 1, in_line}, 3, 1, 1, 0, "1:1"},
-    Classified{{5, 3, 1, in_line}, 5, 5, 5, 0, "1:5"},
-    Classified{{6, 3, 1, in_line}, 7, 2, 2, 2, "1:2"},
-    Classified{{7, 3, 1, in_line}, 10, 32, 32, 32, "1:32"},
-    Classified{{8, 3, 1, in_line}, 14, 53530, 53530, 0, "1:53530"},
-    Classified{{5, 4, 1, in_line}, 3, 1, 1, 0, "2:1"},
-    Classified{{6, 4, 1, in_line}, 5, 7, 7, 0, "1:7"},
-    Classified{{7, 4, 1, in_line}, 7, 59, 59, 0, "1:59"},
-    Classified{{8, 4, 1, in_line}, 9, 64, 64, 0, "1:64"},
-    Classified{{9, 4, 1, in_line}, 12, 6318, 6318, 0, "1:6318"},
-    Classified{{10, 4, 1, in_line}, 15, 153134, 153134, 0, "1:153134"},
-    Classified{{11, 4, 1, in_line}, 18, 340732, 340732, 0, "1:340732"},
-    Classified{{12, 4, 1, in_line}, 21, 2554, 2554, 2554, "1:2554"},
-    Classified{{6, 5, 1, in_line}, 3, 1, 1, 0, "6:1"},
-    Classified{{7, 5, 1, in_line}, 5, 7, 7, 0, "1:2 2:5"},
-    Classified{{8, 5, 1, in_line}, 7, 103, 103, 0, "1:101 2:2"},
-    Classified{{9, 5, 1, in_line}, 9, 1201, 1201, 0, "1:1201"},
-    Classified{{10, 5, 1, in_line}, 11, 2180, 2180, 0, "1:2180"},
-    Classified{{11, 5, 1, in_line}, 14, 667486, 667486, 0, "1:667486"},
-    Classified{{7, 6, 1, in_line}, 3, 1, 1, 0, "24:1"},
-    Classified{{8, 6, 1, in_line}, 5, 7, 7, 0, "2:2 6:5"},
-    Classified{{9, 6, 1, in_line}, 7, 109, 109, 0, "1:50 2:57 6:2"},
-    Classified{{10, 6, 1, in_line}, 9, 2475, 2475, 0, "1:2411 2:64"},
-    Classified{{11, 6, 1, in_line}, 11, 36101, 36101, 0, "1:36101"},
-    Classified{{12, 6, 1, in_line}, 13, 89916, 89916, 0, "1:89916"},
-    Classified{{8, 7, 1, in_line}, 3, 1, 1, 0, "120:1"},
-    Classified{{9, 7, 1, in_line}, 5, 7, 7, 0, "6:2 24:5"},
-    Classified{{10, 7, 1, in_line}, 7, 109, 109, 0, "1:6 2:44 6:57 24:2"},
-    Classified{{11, 7, 1, in_line}, 9, 2821, 2821, 0, "1:1620 2:1137 6:64"},
-    Classified{{12, 7, 1, in_line}, 11, 85673, 85673, 0, "1:83493 2:2180"},
-    Classified{{9, 8, 1, in_line}, 3, 1, 1, 0, "720:1"},
-    Classified{{10, 8, 1, in_line}, 5, 7, 7, 0, "24:2 120:5"},
-    Classified{{11, 8, 1, in_line}, 7, 109, 109, 0, "2:6 6:44 24:57 120:2"},
-    Classified{{12, 8, 1, in_line}, 9, 2845, 2845, 0, "1:370 2:1274 6:1137 24:64"},
-    Classified{{13, 8, 1, in_line}, 11, 105945, 105945, 0, "1:69844 2:33921 6:2180"},
-    Classified{{5, 3, 2, in_circle}, 5, 1, 1, 0, "5:1"},
-    Classified{{6, 3, 2, in_circle}, 6, 8, 3, 0, "1:1 6:2"},
-    Classified{{7, 3, 2, in_circle}, 7, 30, 6, 6, "1:4 7:2"},
-    Classified{{8, 3, 2, in_circle}, 11, 3043700, 276700, 0, "1:276700"},
-    Classified{{9, 3, 2, in_circle}, 12, 101880, 8506, 8506, "1:8482 3:24"},
-    Classified{{6, 4, 2, in_circle}, 3, 1, 1, 1, "24:1"},
-    Classified{{7, 4, 2, in_circle}, 5, 5, 1, 0, "1:1"},
-    Classified{{8, 4, 2, in_circle}, 6, 20, 4, 0, "2:1 4:1 16:1 48:1"},
-    Classified{{9, 4, 2, in_circle}, 8, 304, 38, 0, "1:20 2:18"},
-    Classified{{10, 4, 2, in_circle}, 9, 6, 2, 2, "24:2"},
-    Classified{{11, 4, 2, in_circle}, 11, 2, 2, 2, "11:2"},
-    Classified{{7, 5, 2, in_circle}, 3, 1, 1, 1, "24:1"},
-    Classified{{8, 5, 2, in_circle}, 5, 25, 5, 0, "1:5"},
-    Classified{{9, 5, 2, in_circle}, 6, 272, 48, 0, "1:12 2:16 3:2 4:12 8:3 16:1 24:1 48:1"},
-    Classified{{10, 5, 2, in_circle}, 8, 161248, 20157, 0, "1:11607 2:7567 4:963 8:20"},
-    Classified{
-        {11, 5, 2, in_circle}, 9, 74337, 8265, 0, "1:1804 2:4298 4:1894 6:2 8:261 24:4 48:2"},
-    Classified{{8, 6, 2, in_circle}, 3, 1, 1, 0, "48:1"},
-    Classified{{9, 6, 2, in_circle}, 5, 35, 7, 0, "1:6 2:1"},
-    Classified{{10, 6, 2, in_circle}, 5, 1, 1, 1, "160:1"},
-    Classified{{11, 6, 2, in_circle}, 7, 245, 35, 0, "2:12 4:20 8:3"},
-    Classified{{12, 6, 2, in_circle}, 8, 552, 69, 0, "2:4 4:21 8:20 16:15 64:9"},
-    Classified{{9, 7, 2, in_circle}, 3, 1, 1, 0, "144:1"},
-    Classified{{10, 7, 2, in_circle}, 5, 36, 8, 0, "1:2 2:4 5:1 6:1"},
-    Classified{{11, 7, 2, in_circle}, 5, 1, 1, 1, "160:1"},
-    Classified{{12, 7, 2, in_circle}, 7, 1113, 159, 0, "1:9 2:57 4:77 8:16"},
-    Classified{{13, 7, 2, in_circle}, 8, 5904, 738, 0, "1:22 2:135 4:264 8:197 16:91 32:20 64:9"},
-    Classified{{15, 7, 2, in_circle}, 10, 2, 1, 0, "160:1"},
-    Classified{{10, 8, 2, in_circle}, 3, 1, 1, 0, "576:1"},
-    Classified{{11, 8, 2, in_circle}, 5, 36, 8, 0, "2:2 5:1 6:4 24:1"},
-    Classified{{12, 8, 2, in_circle}, 5, 1, 1, 0, "320:1"},
-    Classified{{13, 8, 2, in_circle}, 7, 1463, 209, 0, "1:12 2:61 4:92 8:41 16:3"},
-    Classified{{14, 8, 2, in_circle}, 7, 1, 1, 1, "896:1"},
-    Classified{{15, 8, 2, in_circle}, 9, 3186, 358, 0, "4:55 8:175 16:108 24:5 32:14 192:1"},
-    Classified{
-        {16, 8, 2, in_circle}, 10, 7142, 715, 0, "2:2 4:46 8:150 16:231 32:147 64:98 160:1 256:40"},
-    Classified{{18, 8, 2, in_circle}, 12, 16, 2, 0, "512:1 1536:1"},
-    Classified{{5, 3, 2, in_line}, 5, 2, 2, 0, "1:1 2:1"},
-    Classified{{6, 3, 2, in_line}, 6, 10, 10, 0, "1:10"},
-    Classified{{7, 3, 2, in_line}, 7, 30, 30, 30, "1:30"},
-    Classified{{9, 3, 2, in_line}, 12, 123912, 123912, 123912, "1:123912"},
-    Classified{{6, 4, 2, in_line}, 3, 1, 1, 0, "8:1"},
-    Classified{{7, 4, 2, in_line}, 5, 9, 9, 0, "1:6 2:3"},
-    Classified{{8, 4, 2, in_line}, 6, 30, 30, 0, "2:10 4:10 16:10"},
-    Classified{{9, 4, 2, in_line}, 8, 868, 868, 0, "1:498 2:370"},
-    Classified{{10, 4, 2, in_line}, 9, 14, 14, 0, "8:14"},
-    Classified{{11, 4, 2, in_line}, 11, 2, 2, 0, "1:2"},
-    Classified{{7, 5, 2, in_line}, 3, 1, 1, 0, "8:1"},
-    Classified{{8, 5, 2, in_line}, 5, 58, 58, 0, "1:42 2:12 4:4"},
-    Classified{{9, 5, 2, in_line}, 6, 658, 658, 0, "1:200 2:266 4:142 8:40 16:10"},
-    Classified{{10, 5, 2, in_line}, 7, 162, 162, 0, "1:8 2:72 4:76 8:6"},
-    Classified{{12, 5, 2, in_line}, 10, 2272, 2272, 0, "1:102 2:814 4:1030 8:306 16:20"},
-    Classified{{8, 6, 2, in_line}, 3, 1, 1, 0, "16:1"},
-    Classified{{9, 6, 2, in_line}, 5, 106, 106, 0, "1:54 2:39 4:12 8:1"},
-    Classified{{10, 6, 2, in_line}, 5, 12, 12, 0, "4:2 8:5 32:5"},
-    Classified{{11, 6, 2, in_line}, 7, 9706, 9706, 0, "1:762 2:4772 4:3767 8:392 16:13"},
-    Classified{{12, 6, 2, in_line}, 7, 2, 2, 0, "64:2"},
-    Classified{{14, 6, 2, in_line}, 10, 78, 78, 0, "16:20 32:26 128:32"},
-    Classified{{16, 6, 2, in_line}, 13, 52, 52, 0, "64:52"},
-    Classified{{9, 7, 2, in_line}, 3, 1, 1, 0, "48:1"},
-    Classified{{10, 7, 2, in_line}, 5, 123, 123, 0, "1:19 2:68 4:19 6:6 8:8 12:3"},
-    Classified{{11, 7, 2, in_line}, 5, 21, 21, 0, "4:2 8:9 16:5 32:5"},
-    Classified{{12, 7, 2, in_line}, 7, 66780, 66780, 0, "1:4424 2:30328 4:27388 8:4294 16:346"},
-    Classified{{13, 7, 2, in_line}, 7, 24, 24, 0, "4:2 8:6 16:8 32:6 64:2"},
-    Classified{{14, 7, 2, in_line},
-               9,
-               319231,
-               319231,
-               0,
-               "1:2860 2:49234 4:151829 8:96384 16:17998 32:926"},
-    Classified{{16, 7, 2, in_line}, 11, 136, 136, 0, "4:4 8:38 16:62 32:32"},
-    Classified{{10, 8, 2, in_line}, 3, 1, 1, 0, "192:1"},
-    Classified{{11, 8, 2, in_line}, 5, 125, 125, 0, "1:1 2:26 4:30 6:36 8:9 12:9 16:1 24:10 48:3"},
-    Classified{{12, 8, 2, in_line}, 5, 24, 24, 0, "8:6 16:11 64:7"},
-    Classified{{13, 8, 2, in_line},
-               7,
-               152355,
-               152355,
-               0,
-               "1:6106 2:54172 4:69971 6:8 8:19804 12:72 16:2075 24:76 32:65 48:6"},
-    Classified{{14, 8, 2, in_line}, 7, 893, 893, 0, "4:24 8:301 16:330 32:179 128:59"},
-    Classified{{16, 8, 2, in_line}, 9, 270, 270, 0, "16:34 32:72 64:100 256:64"},
-    Classified{{7, 3, 3, in_circle}, 10, 2, 1, 0, "10:1"},
-    Classified{{8, 3, 3, in_circle}, 12, 12, 4, 0, "6:2 12:2"},
-    Classified{{9, 3, 3, in_circle}, 14, 288, 24, 0, "1:12 2:8 14:4"},
-    Classified{{7, 4, 3, in_circle}, 7, 1, 1, 0, "7:1"},
-    Classified{{8, 4, 3, in_circle}, 6, 2, 1, 0, "6:1"},
-    Classified{{9, 4, 3, in_circle}, 8, 848, 106, 0, "1:22 2:84"},
-    Classified{{10, 4, 3, in_circle}, 9, 684, 80, 0, "1:26 2:48 3:6"},
-    Classified{{13, 4, 3, in_circle}, 13, 1108800, 85296, 85296, "1:85292 13:4"},
-    Classified{{8, 5, 3, in_circle}, 5, 5, 1, 0, "4:1"},
-    Classified{{9, 5, 3, in_circle}, 6, 410, 73, 0, "1:34 2:33 3:1 4:1 6:3 18:1"},
-    Classified{{10, 5, 3, in_circle}, 6, 24, 6, 0, "1:1 3:3 8:2"},
-    Classified{{11, 5, 3, in_circle}, 7, 168, 24, 0, "4:24"},
-    Classified{{9, 6, 3, in_circle}, 3, 1, 1, 1, "648:1"},
-    Classified{{10, 6, 3, in_circle}, 5, 16, 4, 0, "2:2 4:1 5:1"},
-    Classified{{11, 6, 3, in_circle}, 6, 2892, 486, 0, "1:98 2:195 3:3 4:122 6:2 8:53 16:11 48:2"},
-    Classified{{12, 6, 3, in_circle}, 6, 40, 8, 0, "24:2 48:2 144:2 1296:1 3888:1"},
-    Classified{{10, 7, 3, in_circle}, 3, 1, 1, 1, "648:1"},
-    Classified{{11, 7, 3, in_circle}, 5, 66, 14, 0, "1:3 2:6 4:3 5:1 8:1"},
-    Classified{{12, 7, 3, in_circle}, 5, 5, 1, 0, "16:1"},
-    Classified{{13, 7, 3, in_circle},
-               6,
-               646,
-               111,
-               0,
-               "4:3 8:20 12:6 16:8 24:33 36:1 48:13 72:10 144:11 432:3 648:1 1296:1 3888:1"},
-    Classified{{14, 7, 3, in_circle}, 7, 2, 2, 0, "7:2"},
-    Classified{{11, 8, 3, in_circle}, 3, 1, 1, 0, "1296:1"},
-    Classified{{12, 8, 3, in_circle}, 5, 136, 28, 0, "1:5 2:7 4:10 8:5 10:1"},
-    Classified{{13, 8, 3, in_circle}, 5, 25, 5, 0, "8:1 16:3 32:1"},
-    Classified{
-        {14, 8, 3, in_circle},
-        6,
-        3194,
-        537,
-        0,
-        "2:1 4:24 6:1 8:126 12:22 16:76 24:109 32:8 36:4 48:71 72:29 96:13 144:30 216:1 288:11 "
-        "432:4 648:1 864:3 1296:1 2592:1 7776:1"},
-    Classified{{15, 8, 3, in_circle},
-               7,
-               3285,
-               471,
-               0,
-               "2:14 4:102 6:8 7:2 8:109 12:40 16:69 24:69 32:16 48:40 96:2"},
-    Classified{{7, 3, 3, in_line}, 10, 4, 4, 0, "2:4"},
-    Classified{{8, 3, 3, in_line}, 12, 38, 38, 0, "1:14 2:24"},
-    Classified{{9, 3, 3, in_line}, 14, 2432, 2432, 0, "1:2228 2:204"},
-    Classified{{7, 4, 3, in_line}, 7, 5, 5, 0, "1:1 2:3 6:1"},
-    Classified{{8, 4, 3, in_line}, 6, 2, 2, 0, "2:2"},
-    Classified{{9, 4, 3, in_line}, 8, 1728, 1728, 0, "1:498 2:1230"},
-    Classified{{10, 4, 3, in_line}, 9, 1004, 1004, 0, "1:428 2:576"},
-    Classified{{13, 4, 3, in_line}, 13, 1108800, 1108800, 1108800, "1:1108800"},
-    Classified{{8, 5, 3, in_line}, 5, 11, 11, 0, "2:1 4:7 12:3"},
-    Classified{{9, 5, 3, in_line}, 6, 938, 938, 0, "1:438 2:456 4:40 6:2 12:2"},
-    Classified{{10, 5, 3, in_line}, 6, 32, 32, 0, "1:12 8:20"},
-    Classified{{11, 5, 3, in_line}, 7, 228, 228, 0, "4:228"},
-    Classified{{9, 6, 3, in_line}, 3, 1, 1, 0, "216:1"},
-    Classified{{10, 6, 3, in_line}, 5, 38, 38, 0, "1:1 2:15 4:17 12:5"},
-    Classified{
-        {11, 6, 3, in_line}, 6, 5384, 5384, 0, "1:902 2:1970 4:1610 8:746 12:4 16:130 24:12 48:10"},
-    Classified{{12, 6, 3, in_line}, 6, 64, 64, 0, "8:2 24:12 48:20 144:20 1296:10"},
-    Classified{{13, 6, 3, in_line}, 7, 2, 2, 0, "8:2"},
-    Classified{{10, 7, 3, in_line}, 3, 1, 1, 0, "216:1"},
-    Classified{{11, 7, 3, in_line}, 5, 193, 193, 0, "1:19 2:60 4:71 8:20 12:14 24:5 36:2 72:2"},
-    Classified{{12, 7, 3, in_line}, 5, 12, 12, 0, "16:9 24:1 48:2"},
-    Classified{
-        {13, 7, 3, in_line},
-        6,
-        1504,
-        1504,
-        0,
-        "2:2 4:58 6:4 8:320 12:102 16:158 24:384 36:10 48:200 72:104 144:114 216:4 432:34 1296:10"},
-    Classified{
-        {14, 7, 3, in_line},
-        7,
-        3626,
-        3626,
-        0,
-        "1:2 2:44 4:424 6:32 8:906 12:408 16:558 24:664 32:118 36:66 48:238 72:130 144:30 216:2 "
-        "432:4"},
-    Classified{{11, 8, 3, in_line}, 3, 1, 1, 0, "432:1"},
-    Classified{
-        {12, 8, 3, in_line}, 5, 412, 412, 0, "1:30 2:79 4:151 6:4 8:88 12:24 24:28 36:4 72:4"},
-    Classified{
-        {13, 8, 3, in_line}, 5, 101, 101, 0, "4:1 8:22 16:38 24:3 32:20 48:8 96:5 144:2 288:2"},
-    Classified{{14, 8, 3, in_line},
-               6,
-               11790,
-               11790,
-               0,
-               "2:76 4:1058 6:54 8:3002 12:738 16:1638 24:2224 32:126 36:76 48:1506 72:396 96:186 "
-               "144:482 216:16 288:112 432:56 864:34 2592:10"},
-    Classified{
-        {15, 8, 3, in_line},
-        7,
-        287350,
-        287350,
-        0,
-        "1:432 2:10122 4:48584 6:8980 8:66660 12:48101 16:29840 24:46564 32:4864 36:4668 48:12162 "
-        "64:62 72:4576 96:845 144:842 216:22 288:16 432:10"},
-    Classified{{16, 8, 3, in_line},
-               7,
-               138,
-               138,
-               0,
-               "32:2 48:12 64:6 72:2 96:28 144:14 192:20 288:32 576:16 864:2 1728:4"},
-};
+Classified counted(std::string_view line) {
+  const auto word = [&line] {
+    const std::string_view first = line.substr(0, line.find(' '));
+    line.remove_prefix(std::min(first.size() + 1, line.size()));
+    return first;
+  };
+  const auto number = [&word] {
+    std::uint64_t value = 0;
+    const std::string_view text = word();
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+  };
+  Classified cell;
+  cell.parameters = {.v = number(), .k = number(), .change = number()};
+  cell.parameters.kind = word() == "circular" ? Kind::circular : Kind::linear;
+  for (std::uint64_t* each : {&cell.b, &cell.standard_forms, &cell.classes, &cell.tight}) {
+    *each = number();
+  }
+  cell.groups = line;
+  return cell;
+}
 
 }  // namespace
 
+std::span<const Classified> classified_cells() {
+  static const std::vector<Classified> cells = [] {
+    std::vector<Classified> all;
+    for (Lines lines(classified_text()); lines.next();) {
+      if (!lines.line().starts_with('#')) {
+        all.push_back(counted(lines.line()));
+      }
+    }
+    return all;
+  }();
+  return cells;
+}
+
 std::optional<Classified> classified(const Parameters& p, std::uint64_t b) {
-  for (const Classified& each : classified_counts) {
+  for (const Classified& each : classified_cells()) {
     if (each.parameters == p && each.b == b) {
       return each;
     }
   }
   return std::nullopt;
 }
-
-std::span<const Classified> classified_cells() { return classified_counts; }
 
 }  // namespace changeover
