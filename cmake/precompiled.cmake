@@ -12,7 +12,6 @@ set(CHANGEOVER_COMMON_HEADERS
   "${PROJECT_SOURCE_DIR}/src/core/checked.hpp"
   "${PROJECT_SOURCE_DIR}/include/changeover/core/design.hpp"
   "${PROJECT_SOURCE_DIR}/include/changeover/core/error.hpp"
-  "${PROJECT_SOURCE_DIR}/include/changeover/core/design.hpp"
   "${PROJECT_SOURCE_DIR}/include/changeover/run/control.hpp")
 
 function(changeover_precompile target owner)

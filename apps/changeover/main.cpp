@@ -1,5 +1,5 @@
-#include "cli/process.hpp"
 #include "cli/team.hpp"
+#include "cli/terminal.hpp"
 #include "request/run_request.hpp"
 #include "verbs.hpp"
 

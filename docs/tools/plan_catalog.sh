@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Writes what constructions and closure rules know today into the catalog that comes with the program: catalog/planned/mM-KIND-kK.jsonl, a
-# file for block sizes from K up to the next, gets a line for each cell of its range (construct/standard_catalog.hpp) that has no design
+# file for block sizes from K up to the next, gets a line for each cell of its range (construct/registry.hpp) that has no design
 # yet, or a better one. Lines that are there stay: labels last.
 # Takes some minutes; build the program anew afterwards, and once more from here if designs were added, until nothing is added.
 # usage: docs/tools/plan_catalog.sh [M…]   change numbers, all if none is named

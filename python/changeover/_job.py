@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import itertools
+import json
 import operator
 import os
 from typing import Any, Iterable, Iterator, NoReturn, Optional
@@ -224,7 +225,7 @@ def _check_columns(columns: list[Any]) -> None:
         return  # names and costs, without a heading
     of: dict[str, list[str]] = {"name": [], "slot": [], "cost": [], "quantity": [], "": []}
     for heading in headings:
-        of[_core.meaning(heading)].append(heading)
+        of[_core.read_as("heading", heading)].append(heading)
     others = of[""]
     if not of["name"] and others:
         of["name"].append(others.pop(0))
@@ -240,7 +241,7 @@ def _check_columns(columns: list[Any]) -> None:
 def _parts_in_columns(frame: Any) -> list[dict[str, str]]:
     """A table of columns is read as a file of it would be: the same headers, the same refusals."""
     index = frame.index
-    has_names = any(_core.meaning(words_of(column)) == "name" for column in frame.columns)
+    has_names = any(_core.read_as("heading", words_of(column)) == "name" for column in frame.columns)
     # Rows that were left out leave numbers that say nothing.
     says_nothing = type(index).__name__ == "RangeIndex" or (has_names and has_numbered_rows(frame))
     if index.name is not None or not says_nothing:
@@ -256,7 +257,7 @@ def _parts_in_columns(frame: Any) -> list[dict[str, str]]:
     rows = [["" if is_missing(field) else field for field in row]
             for row in frame.itertuples(index=False, name=None)]
     writer.writerows(rows)
-    parts: list[dict[str, str]] = _core.read_parts(words_of(text.getvalue()))
+    parts: list[dict[str, str]] = json.loads(_core.read_as("parts", words_of(text.getvalue())))
     if any(all(words_of(field) == "" for field in row) for row in rows):
         raise BadInput("parts: a row without a name; name the part")
     return parts

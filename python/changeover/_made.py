@@ -6,6 +6,7 @@ from __future__ import annotations
 import collections.abc
 import functools
 import inspect
+import json
 import operator
 import pickle
 import reprlib
@@ -79,6 +80,17 @@ def made(kind: Type[T], facts: dict[str, Any], core: Any = None) -> T:
     one._facts = facts
     one._core = core
     return typing.cast(T, one)
+
+
+def known(about: str, **asked: Any) -> Any:
+    """The document of "bounds", of a "table", of the "tree" of a design, or of "constructions"."""
+    return json.loads(_core.known(about, **asked))
+
+
+def name_of(v: int, k: int, change: int, kind: str, strength: int = 2, **_: Any) -> str:
+    """What designs with these parameters are called."""
+    short = {1: "SCCD", 2: "DCCD"}.get(change, f"{change}-change covering design ")
+    return f"{kind} {short}({v},{k})" + ("" if strength == 2 else f", t = {strength}")
 
 
 def _made_again(kind: Any, *state: Any) -> Any:

@@ -11,7 +11,7 @@ from typing import Any, Dict, Iterator, List, Literal, Optional, SupportsIndex, 
 
 from . import _core
 from ._given import attempt, listed, rows_of, words_of
-from ._made import Kind, Made, check_calls, fact, in_a_line, made
+from ._made import Kind, Made, check_calls, fact, in_a_line, known, made
 from ._notebook import shown, table
 from .errors import BadInput
 from .pictures import Picture, PictureKind, Theme, picture_of
@@ -442,13 +442,14 @@ def explain(
     """How the design of design() is built: a dict with construction, v, k, change, kind,
     explanation, citation, b and inputs, a list of the same for the designs that it is made of. None
     if nothing serves."""
-    tree: Optional[Dict[str, Any]] = _core.explain(v, k, change, kind, strength)
+    tree: Optional[Dict[str, Any]] = known("tree", v=v, k=k, change=change, kind=kind,
+                                           strength=strength)
     return tree
 
 
 def constructions() -> List[Dict[str, str]]:
     """A dict for each construction: name, summary, preconditions, guarantee, citation."""
-    listed_: List[Dict[str, str]] = _core.constructions()
+    listed_: List[Dict[str, str]] = known("constructions")
     return listed_
 
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 import importlib
 from typing import Any, Iterable, List, Optional, Tuple, Union
 
-from . import _core
 from ._given import attempt
-from ._made import Kind, Made, check_calls, fact, in_a_line, made, whole
+from ._made import Kind, Made, check_calls, fact, in_a_line, known, made, name_of, whole
 from ._notebook import shown, table as html_table
 from .designs import Design
 from .errors import BadInput
@@ -103,14 +102,13 @@ def bounds(v: int, k: int, change: int = 2, kind: Kind = "linear", strength: int
 
     Raises ImpossibleParameters if no such blocks can be written down.
     """
-    name, facts, listed = _core.bounds(v, k, change, kind, strength)
-    best, worst = facts["best_known"], facts["lower_bound"]
-    facts["all"] = [made(Bound, {"blocks": blocks, "name": of, "reason": reason}) for blocks, of,
-                    reason in listed]
-    facts["status"] = (
-        "impossible" if worst is None else "open" if best is None
-        else "minimum" if best == worst else "best-known")
-    return made(Bounds, facts, name)
+    facts = known("bounds", v=v, k=k, change=change, kind=kind, strength=strength)
+    facts["all"] = [made(Bound, {**each, "blocks": each.pop("lower_bound")})
+                    for each in facts.pop("bounds")]
+    facts["construction"] = facts["construction"] or ""
+    reported = facts["reported"]
+    facts["reported"] = reported and (reported["blocks"], reported["cites"])
+    return made(Bounds, facts, name_of(**facts))
 
 
 def _ends(what: Any, name: str) -> Tuple[int, int]:
@@ -134,8 +132,10 @@ def table(k: Range, v: Range, change: int = 2, kind: Optional[Kind] = None) -> T
     by kind (circular first if none is named), k, v. A few milliseconds a cell; raises BadInput
     beyond v = 1000.
     """
-    cells = _core.table(*_ends(k, "k"), *_ends(v, "v"), change, kind)
-    return Table(made(Cell, facts, name) for name, facts in cells)
+    (k_from, k_to), (v_from, v_to) = _ends(k, "k"), _ends(v, "v")
+    cells = known("table", k_from=k_from, k_to=k_to, v_from=v_from, v_to=v_to, change=change,
+                  kind=kind)
+    return Table(made(Cell, facts, name_of(**facts)) for facts in cells)
 
 
 def to_pandas(what: Union[Design, RunSheet, Iterable[Cell]]) -> Any:

@@ -208,7 +208,7 @@ class RunSheet(_Sheets):
             said = result_of(result)
             if said is None or (result is None and setup is not None):
                 raise BadInput(wanted)
-            read = _core.meaning(said, of_a_result=True)
+            read = _core.read_as("result", said)
             if read in ("pass", "fail"):
                 tested.append((steps[of_sheet - 1]["setup"] if setup is None else setup,
                                read == "fail"))

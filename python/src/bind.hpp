@@ -23,7 +23,7 @@ namespace py = pybind11;
 void register_errors();
 void bind_memory(py::module_& module);
 void bind_designs(py::module_& module);
-void bind_bounds(py::module_& module);
+void bind_known(py::module_& module);
 void bind_search(py::module_& module);
 void bind_catalog(py::module_& module);
 void bind_plan(py::module_& module);

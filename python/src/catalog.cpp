@@ -2,7 +2,6 @@
 #include "changeover/catalog/catalog.hpp"
 #include "bind.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/curator/curator.hpp"
 #include "changeover/io/formats.hpp"

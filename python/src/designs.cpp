@@ -227,31 +227,6 @@ std::unique_ptr<Stream> stream(std::uint64_t v, std::uint64_t k, std::uint64_t c
   });
 }
 
-py::dict as_dict_of(const RecipeNode& node) {
-  py::dict one(py::arg("construction") = std::string(node.construction->name()));
-  one.attr("update")(facts_of(node.parameters));
-  one.attr("pop")("strength");
-  one["explanation"] = node.explanation;
-  one["citation"] = node.citation;
-  one["b"] = node.b;
-  py::list inputs;
-  for (const RecipeNode& input : node.inputs) {
-    inputs.append(as_dict_of(input));
-  }
-  one["inputs"] = inputs;
-  return one;
-}
-
-py::object explain(std::uint64_t v, std::uint64_t k, std::uint64_t change,
-                   const std::optional<std::string>& kind, std::uint64_t strength) {
-  const std::vector<Parameters> asked = asked_for(v, k, change, kind, strength);
-  const auto tree = stoppable([&]() -> std::optional<RecipeNode> {
-    const auto offer = best_of(asked, "");
-    return offer ? std::optional(explained(Registry::standard(), offer->recipe)) : std::nullopt;
-  });
-  return tree ? py::object(as_dict_of(*tree)) : py::none();
-}
-
 HeldDesign enlarged(const HeldDesign& self, std::optional<std::uint64_t> new_elements,
                     std::optional<std::uint64_t> set, const std::string& factorization) {
   const auto kind = factorization_kind_from_string(factorization);
@@ -266,20 +241,6 @@ HeldDesign enlarged(const HeldDesign& self, std::optional<std::uint64_t> new_ele
         enlarge(*self.design, {.new_elements = new_elements, .set = set, .factorization = *kind});
     return held(surely_verified(std::move(larger.design), "the expanded design"));
   });
-}
-
-std::vector<py::dict> constructions() {
-  std::vector<py::dict> all;
-  for (const Construction* each : Registry::standard().constructions()) {
-    py::dict one;
-    one["name"] = std::string(each->name());
-    one["summary"] = std::string(each->summary());
-    one["preconditions"] = std::string(each->preconditions());
-    one["guarantee"] = std::string(each->guarantee());
-    one["citation"] = each->citation().to_string();
-    all.push_back(one);
-  }
-  return all;
 }
 
 py::dict facts_of_design(const HeldDesign& self) {
@@ -427,8 +388,6 @@ void bind_designs(py::module_& module) {
       .def_static("of", &stream)
       .def("facts", &Stream::facts)
       .def("next", &Stream::next);
-  module.def("explain", &explain);
-  module.def("constructions", &constructions);
   module.def("write_file", [](const std::string& path, const std::string& text) {
     OutputFile file(path);
     file.write(text);

@@ -10,7 +10,7 @@ PYBIND11_MODULE(_core, module) {
   register_errors();
   bind_memory(module);
   bind_designs(module);
-  bind_bounds(module);
+  bind_known(module);
   bind_search(module);
   bind_catalog(module);
   bind_plan(module);

@@ -5,6 +5,7 @@
 #include "changeover/plan/diagnosis.hpp"
 #include "changeover/plan/job_request.hpp"
 #include "core/printable.hpp"
+#include "io/write/json_writer.hpp"
 #include "long_work.hpp"
 #include "plan/job/bench_list.hpp"
 #include "plan/job/parts/heading_words.hpp"
@@ -93,24 +94,25 @@ std::string diagnosis_of(const Planned& self,
   });
 }
 
-// The parts of a table, read as a file of it would be.
-py::list parts_in(const std::string& text) {
+// The parts of a table as a document, read as a file of it would be.
+std::string parts_in(const std::string& text) {
   const PartList list = read_parts(*input_from_text(text, "parts"), Header::given);
-  py::list parts;
+  JsonWriter parts;
+  parts.begin_array();
   for (std::size_t i = 0; i < list.names.size(); ++i) {
-    py::dict part(py::arg("name") = list.names[i]);
+    parts.begin_object().key("name").value(list.names[i]);
     if (list.change_costs[i]) {
-      part["cost"] = to_string(*list.change_costs[i]);
+      parts.key("cost").value(to_string(*list.change_costs[i]));
     }
     if (!list.slots.empty()) {
-      part["slot"] = list.slots[i];
+      parts.key("slot").value(list.slots[i]);
     }
     if (!list.quantities.empty()) {
-      part["quantity"] = std::to_string(list.quantities[i]);
+      parts.key("quantity").value(std::to_string(list.quantities[i]));
     }
-    parts.append(part);
+    parts.end_object();
   }
-  return parts;
+  return parts.end_array().take();
 }
 
 // Words as a fault quotes them: a long text is cut, but not within a character.
@@ -135,20 +137,27 @@ void check_amount(const std::string& argument, const std::string& words) {
   }
 }
 
-// What the heading of a column says of it, or what a test said; "" if that is nothing.
-const char* meaning(const std::string& words, bool of_a_result) {
-  if (of_a_result) {
-    const TestResult result = result_of(words);
-    return result == TestResult::pass     ? "pass"
-           : result == TestResult::fail   ? "fail"
-           : result == TestResult::unread ? "unread"
-                                          : "";
-  }
-  return heads_parts(words)                         ? "name"
-         : heads_slots(words)                       ? "slot"
-         : heads_quantities(words)                  ? "quantity"
-         : heads_costs(words) || heads_times(words) ? "cost"
-                                                    : "";
+// What the heading of a column says of it; "" if that is nothing.
+std::string meaning(const std::string& heading) {
+  return heads_parts(heading)                           ? "name"
+         : heads_slots(heading)                         ? "slot"
+         : heads_quantities(heading)                    ? "quantity"
+         : heads_costs(heading) || heads_times(heading) ? "cost"
+                                                        : "";
+}
+
+// What a test said; "" if that is nothing.
+std::string outcome(const std::string& words) {
+  const TestResult result = result_of(words);
+  return result == TestResult::pass     ? "pass"
+         : result == TestResult::fail   ? "fail"
+         : result == TestResult::unread ? "unread"
+                                        : "";
+}
+
+// A text as a file with it would be read: a table of parts, the heading of a column, a result.
+std::string read_as(const std::string& what, const std::string& text) {
+  return what == "parts" ? parts_in(text) : what == "heading" ? meaning(text) : outcome(text);
 }
 
 }  // namespace
@@ -173,10 +182,9 @@ void bind_plan(py::module_& module) {
            })
       .def("what_if", &ratios)
       .def("diagnose", &diagnosis_of);
-  module.def("read_parts", &parts_in);
   module.def("quoted", &quoted);
   module.def("check_amount", &check_amount);
-  module.def("meaning", &meaning, py::arg(), py::kw_only(), py::arg("of_a_result") = false);
+  module.def("read_as", &read_as);
 }
 
 }  // namespace changeover::python

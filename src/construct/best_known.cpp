@@ -1,11 +1,10 @@
-#include "changeover/construct/best_known.hpp"
-
 #include <fmt/format.h>
 
 #include <memory>
 #include <optional>
 #include <utility>
 
+#include "changeover/construct/best_known.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "construct/known_designs.hpp"
@@ -123,6 +122,34 @@ VerifiedDesign built_design(const Offer& offer) {
 std::optional<VerifiedDesign> best_known_design(const Parameters& p) {
   const auto best = best_known(Registry::standard(), p);
   return best ? std::optional(built_design(*best)) : std::nullopt;
+}
+
+std::optional<Offer> best_offer(const Registry& registry, std::span<const Parameters> asked,
+                                const Construction* only) {
+  std::optional<Offer> best;
+  for (const Parameters& p : asked) {
+    std::optional<Offer> offer = only != nullptr    ? only->offer(p, registry)
+                                 : impossibility(p) ? std::nullopt
+                                                    : best_known(registry, p);
+    if (offer && (!best || offer->b < best->b)) {
+      best = std::move(offer);
+    }
+  }
+  return best;
+}
+
+RecipeNode explained(const Registry& registry, const Recipe& recipe) {
+  const Construction& construction = registry.construction_of(recipe);
+  RecipeNode node{.construction = &construction,
+                  .parameters = recipe.parameters,
+                  .b = registry.build(recipe)->block_count(),
+                  .explanation = construction.explain(recipe),
+                  .citation = construction.citation().to_string(),
+                  .inputs = {}};
+  for (const Recipe& input : recipe.inputs) {
+    node.inputs.push_back(explained(registry, input));
+  }
+  return node;
 }
 
 }  // namespace changeover

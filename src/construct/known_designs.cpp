@@ -8,7 +8,7 @@
 
 #include "bounds/counting_bound.hpp"
 #include "changeover/catalog/catalog.hpp"
-#include "changeover/construct/standard_catalog.hpp"
+#include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "changeover/verify/verdict.hpp"

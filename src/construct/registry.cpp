@@ -9,10 +9,8 @@
 
 #include "bounds/counting_bound.hpp"
 #include "changeover/catalog/catalog.hpp"
-#include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
-#include "construct/tools/read_within_memory.hpp"
 #include "construct/trusted_entry.hpp"
 
 namespace changeover {

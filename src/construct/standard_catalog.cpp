@@ -1,4 +1,5 @@
-#include "changeover/construct/standard_catalog.hpp"
+#include "changeover/catalog/catalog.hpp"
+#include "changeover/construct/registry.hpp"
 
 #include <sys/types.h>
 #include <unistd.h>

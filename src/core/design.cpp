@@ -6,7 +6,7 @@
 #include <unordered_set>
 
 #include "changeover/core/error.hpp"
-#include "core/utf8.hpp"
+#include "core/printable.hpp"
 
 namespace changeover {
 

@@ -1,10 +1,9 @@
-#include "changeover/core/developed.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "changeover/core/developed.hpp"
 #include "changeover/core/error.hpp"
 #include "core/checked.hpp"
 
@@ -51,6 +50,12 @@ std::span<const Element> DevelopedSource::read(std::span<Element> room) {
     }
   }
   return room.first(filled);
+}
+
+std::uint64_t Automorphism::pair_orbits() const {
+  const std::uint64_t within = checked_multiply(cycles, n / 2);
+  const std::uint64_t between = checked_multiply(binomial(cycles, 2), n);
+  return checked_add(checked_add(within, between), cycles * fixed + binomial(fixed, 2));
 }
 
 }  // namespace changeover

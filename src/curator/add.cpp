@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "changeover/bounds/lower_bound.hpp"
+#include "changeover/catalog/catalog.hpp"
 #include "changeover/catalog/entry.hpp"
 #include "changeover/construct/best_known.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"
 #include "changeover/verify/verdict.hpp"

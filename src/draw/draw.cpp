@@ -6,7 +6,7 @@
 
 #include "changeover/core/error.hpp"
 #include "core/words.hpp"
-#include "draw/design/pictures.hpp"
+#include "draw/design/frame.hpp"
 
 namespace changeover {
 namespace {

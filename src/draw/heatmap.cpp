@@ -15,7 +15,7 @@
 namespace changeover {
 namespace {
 
-constexpr double usual_width = 1100;
+constexpr double usual_grid_width = 1100;
 constexpr double axis_font = 11;
 constexpr double largest_ratio = 2;  // what is worse has the colour of this
 
@@ -53,7 +53,7 @@ class Heatmap {
                       "fewer",
                       v_from_, v_to_, k_from_, k_to_, most_cells_of_a_heatmap));
     }
-    cell_ = std::clamp(usual_width / static_cast<double>(columns), 7.0, 24.0);
+    cell_ = std::clamp(usual_grid_width / static_cast<double>(columns), 7.0, 24.0);
     left_ = text_width(std::to_string(k_to_), axis_font) + 26;
     top_ = 2 * axis_font + 14;
   }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "changeover/catalog/catalog.hpp"
-#include "changeover/construct/standard_catalog.hpp"
+#include "changeover/construct/registry.hpp"
 #include "run_program.hpp"
 
 namespace changeover::known_designs_test {

@@ -11,7 +11,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/catalog/catalog.hpp"
 #include "changeover/construct/best_known.hpp"
-#include "changeover/construct/standard_catalog.hpp"
+#include "changeover/construct/registry.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "run_program.hpp"
 

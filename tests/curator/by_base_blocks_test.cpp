@@ -6,8 +6,8 @@
 #include <numeric>
 #include <random>
 
+#include "changeover/catalog/catalog.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/construct/standard_catalog.hpp"
 
 namespace changeover::test::by_base_blocks_test {
 namespace {

@@ -13,7 +13,7 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/draw/picture.hpp"
-#include "core/utf8.hpp"
+#include "core/printable.hpp"
 #include "message_of.hpp"
 
 namespace changeover {

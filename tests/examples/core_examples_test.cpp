@@ -55,6 +55,13 @@ TEST(CoreExamples, Design) {
   EXPECT_TRUE(std::ranges::equal(again.elements(), design.elements()));
 }
 
+TEST(CoreExamples, Recipe) {
+  Recipe cyclic{"cyclic-paper", {.v = 7, .k = 3, .kind = Kind::circular}, {{"c", 1}}, {}, {}};
+  const Parameters expanded{.v = 15, .k = 3, .kind = Kind::circular};
+  Recipe recipe{"expansion", expanded, {{"w", 8}}, {cyclic}, {}};
+  EXPECT_TRUE(verify(*Registry::standard().build(recipe)).tight());
+}
+
 TEST(CoreExamples, Transitions) {
   const Design design = three_blocks();
   std::vector<Block> drawn;
@@ -123,13 +130,6 @@ TEST(CoreExamples, Parameters) {
   check(p);                            // throws when no such list of blocks could be written down
   auto g2 = newly_covered_at_most(p);  // 2k − 3 = 5 pairs a block
   EXPECT_EQ(g2, 5U);
-}
-
-TEST(CoreExamples, Recipe) {
-  Recipe cyclic{"cyclic-paper", {.v = 7, .k = 3, .kind = Kind::circular}, {{"c", 1}}, {}, {}};
-  const Parameters expanded{.v = 15, .k = 3, .kind = Kind::circular};
-  Recipe recipe{"expansion", expanded, {{"w", 8}}, {cyclic}, {}};
-  EXPECT_TRUE(verify(*Registry::standard().build(recipe)).tight());
 }
 
 TEST(CoreExamples, Sha256) {

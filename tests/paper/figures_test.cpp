@@ -1,4 +1,4 @@
-#include "paper/figures.hpp"
+#include "paper/report.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include "changeover/catalog/catalog.hpp"
 #include "changeover/catalog/entry.hpp"
-#include "changeover/construct/standard_catalog.hpp"
+#include "changeover/construct/registry.hpp"
 #include "paper/print/printed.hpp"
 
 namespace changeover::literature_test {

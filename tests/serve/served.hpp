@@ -7,7 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "changeover/construct/standard_catalog.hpp"
+#include "changeover/catalog/catalog.hpp"
+#include "changeover/construct/registry.hpp"
 #include "client.hpp"
 #include "run_program.hpp"
 #include "serve/explorer_server.hpp"

@@ -4,9 +4,10 @@
 #include <random>
 
 #include "cases.hpp"
+#include "changeover/catalog/catalog.hpp"
 #include "changeover/catalog/entry.hpp"
 #include "changeover/construct/best_known.hpp"
-#include "changeover/construct/standard_catalog.hpp"
+#include "changeover/construct/registry.hpp"
 
 namespace changeover::test::agreement_test {
 namespace {

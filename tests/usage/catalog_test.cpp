@@ -88,6 +88,7 @@ TEST_F(CatalogUsage, RetractAndAlias) {
           {mine("alias word --remove"), 0, "word leads to 4.3.1.linear.3.fdc879cf no more"},
           {mine("alias word --remove"), 3, "there is no alias word"},
           {mine("show word"), 4, "has no design word"},
+          {mine("show ''"), 2, "name a label of the catalog, or V and K"},
           {mine("retract nice --why 'a misprint'"), 0,
            "retracted: 4.3.1.linear.3.fdc879cf (found by nice)"},
           {mine("retract 4.3.1.linear.4 --why again"), 0, "(found by 4.3.1.linear.4)"},

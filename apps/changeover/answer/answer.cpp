@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "cli/process.hpp"
 #include "cli/status_line.hpp"
+#include "cli/terminal.hpp"
 #include "io/write/json_writer.hpp"
 
 namespace changeover::cli {

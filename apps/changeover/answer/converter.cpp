@@ -21,7 +21,7 @@
 namespace changeover::cli {
 namespace {
 
-constexpr const char* program = "rsvg-convert";
+constexpr const char* converter_name = "rsvg-convert";
 
 struct Closer {
   void operator()(std::FILE* file) const { static_cast<void>(std::fclose(file)); }
@@ -90,7 +90,7 @@ std::string converter_path() {
   const char* const path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "/usr/local/bin:/usr/bin:/bin" : path);
   for (std::string folder; std::getline(folders, folder, ':');) {
-    const std::string file = (folder.empty() ? "." : folder) + "/" + program;
+    const std::string file = (folder.empty() ? "." : folder) + "/" + converter_name;
     std::error_code ignored;
     if (std::filesystem::is_regular_file(file, ignored) && ::access(file.c_str(), X_OK) == 0) {
       return file;
@@ -114,14 +114,15 @@ std::string converted(const std::string& svg, const std::string& format, unsigne
   actions.connect(input, STDIN_FILENO);
   actions.connect(output, STDOUT_FILENO);
   actions.connect(complaints, STDERR_FILENO);
-  std::array<std::string, 5> words = {program, "--format", format, "--zoom", std::to_string(zoom)};
+  std::array<std::string, 5> words = {converter_name, "--format", format, "--zoom",
+                                      std::to_string(zoom)};
   std::array<char*, 6> arguments{};
   for (std::size_t i = 0; i < words.size(); ++i) {
     arguments[i] = words[i].data();
   }
   pid_t process = 0;
   const int failure =
-      posix_spawnp(&process, program, actions.get(), nullptr, arguments.data(), environ);
+      posix_spawnp(&process, converter_name, actions.get(), nullptr, arguments.data(), environ);
   int status = 0;
   if (failure == 0) {
     while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
@@ -134,16 +135,16 @@ std::string converted(const std::string& svg, const std::string& format, unsigne
     throw MissingResource(fmt::format(
         "--format {} needs {}, which is not installed; install the Debian package librsvg2-bin, "
         "or write svg",
-        format, program));
+        format, converter_name));
   }
   std::string picture = contents(output);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || picture.empty()) {
-    throw MissingResource(fmt::format("{} could not write {}: {}", program, format,
+    throw MissingResource(fmt::format("{} could not write {}: {}", converter_name, format,
                                       first_line(contents(complaints))));
   }
   if (!is_whole(picture, format)) {
-    throw MissingResource(fmt::format("{} wrote {} bytes that are no whole {}; write svg", program,
-                                      picture.size(), format));
+    throw MissingResource(fmt::format("{} wrote {} bytes that are no whole {}; write svg",
+                                      converter_name, picture.size(), format));
   }
   return picture;
 }

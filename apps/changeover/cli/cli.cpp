@@ -13,17 +13,18 @@
 #include <system_error>
 
 #include "answer/answer.hpp"
-#include "changeover/construct/standard_catalog.hpp"
+#include "changeover/catalog/catalog.hpp"
+#include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/io/output.hpp"
 #include "changeover/run/control.hpp"
-#include "cli/process.hpp"
 #include "cli/spelling.hpp"
 #include "cli/status_line.hpp"
+#include "cli/terminal.hpp"
 #include "core/printable.hpp"
 #include "io/request/request_document.hpp"
-#include "request/inputs.hpp"
+#include "request/output.hpp"
 #include "shell/features.hpp"
 
 namespace changeover::cli {

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include "catalog/entry/day.hpp"
-#include "changeover/construct/standard_catalog.hpp"
+#include "changeover/catalog/catalog.hpp"
+#include "changeover/construct/registry.hpp"
 #include "core/printable.hpp"
-#include "request/range.hpp"
+#include "request/parameters.hpp"
 
 namespace changeover::cli {
 
@@ -36,6 +37,9 @@ std::optional<CellsOrEntry> cells_or_entry(const Catalog& catalog, const Paramet
                                            const std::string& what, const std::string& k) {
   if (!k.empty()) {
     return CellsOrEntry{asked.of_each_kind(what, k), {}};
+  }
+  if (what.find_first_not_of(' ') == std::string::npos) {
+    throw UsageError{"name a label of the catalog, or V and K"};
   }
   if (const auto cell = parse_cell_label(what)) {
     return CellsOrEntry{{*cell}, {}};

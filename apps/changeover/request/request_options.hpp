@@ -14,7 +14,7 @@
 #include "changeover/io/request.hpp"
 #include "cli/cli.hpp"
 #include "io/request/request_document.hpp"
-#include "request/inputs.hpp"
+#include "request/output.hpp"
 #include "request/run_request.hpp"
 
 namespace changeover::cli {

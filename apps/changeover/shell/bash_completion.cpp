@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "shell/completion_scripts.hpp"
+#include "shell/completion.hpp"
 
 namespace changeover::cli {
 namespace {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "shell/completion_scripts.hpp"
-
 namespace changeover::cli {
 
 const std::vector<std::string>& shell_names() {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "shell/completion_scripts.hpp"
+#include "shell/completion.hpp"
 
 namespace changeover::cli {
 namespace {

@@ -1,8 +1,9 @@
 // changeover bounds V K: each lower bound with its reason, the best design known, the gap.
 #include <fmt/format.h>
 
+#include "answer/answer.hpp"
 #include "answer/catalog/entry_words.hpp"
-#include "answer/known/known_bounds.hpp"
+#include "construct/known_documents.hpp"
 #include "io/write/latex_prose.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
@@ -24,7 +25,7 @@ std::string text(const KnownBounds& answer) {
     text += fmt::format("  b >= {:<8} {}: {}\n", bound.blocks, bound.name, bound.reason);
   }
   const std::string reported =
-      answer.reported ? fmt::format("  {}\n", in_words(*answer.reported)) : "";
+      answer.reported ? fmt::format("  {}\n", reported_words(*answer.reported)) : "";
   if (!answer.best) {
     return text + reported + "  no construction serves these parameters: open\n";
   }

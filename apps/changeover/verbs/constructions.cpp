@@ -3,7 +3,7 @@
 
 #include "answer/answer.hpp"
 #include "changeover/construct/registry.hpp"
-#include "io/write/json_writer.hpp"
+#include "construct/known_documents.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
@@ -33,23 +33,8 @@ std::string as_markdown() {
   return text;
 }
 
-std::string as_json() {
-  JsonWriter json;
-  json.begin_array();
-  for (const Construction* each : Registry::standard().constructions()) {
-    json.begin_object().key("name").value(each->name()).key("summary").value(each->summary());
-    json.key("preconditions")
-        .value(each->preconditions())
-        .key("guarantee")
-        .value(each->guarantee());
-    json.key("citation").value(each->citation().to_string()).end_object();
-  }
-  json.end_array();
-  return json.take() + "\n";
-}
-
 Answer run(const OutputRequest& output) {
-  return text_answer(output.json()                   ? as_json()
+  return text_answer(output.json()                   ? constructions_json() + "\n"
                      : output.format() == "markdown" ? as_markdown()
                                                      : as_text(),
                      output);

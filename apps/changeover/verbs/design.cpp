@@ -1,7 +1,7 @@
 // changeover design V K: the best design that a construction gives, verified.
 #include "answer/design/chosen_design.hpp"
 #include "answer/design/show_design.hpp"
-#include "answer/known/offers.hpp"
+#include "answer/known/known_table.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
 

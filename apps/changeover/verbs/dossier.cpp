@@ -1,8 +1,8 @@
 // changeover dossier V K | LABEL: what a paper or its referee needs of one design.
 #include "answer/dossier/dossier.hpp"
 #include "answer/known/known_table.hpp"
-#include "answer/known/offers.hpp"
-#include "changeover/construct/standard_catalog.hpp"
+#include "changeover/catalog/catalog.hpp"
+#include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "request/catalog_request.hpp"
 #include "request/parameters.hpp"

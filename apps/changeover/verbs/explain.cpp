@@ -5,7 +5,7 @@
 
 #include "answer/catalog/entry_words.hpp"
 #include "answer/design/recipe_tree.hpp"
-#include "answer/known/offers.hpp"
+#include "answer/known/known_table.hpp"
 #include "changeover/bounds/lower_bound.hpp"
 #include "core/words.hpp"
 #include "io/write/latex_prose.hpp"

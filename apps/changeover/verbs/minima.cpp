@@ -9,7 +9,7 @@
 #include "answer/answer.hpp"
 #include "changeover/search/exact.hpp"
 #include "io/file/file_lock.hpp"
-#include "request/inputs.hpp"
+#include "request/output.hpp"
 #include "request/parameters.hpp"
 #include "request/run_request.hpp"
 #include "verbs.hpp"

@@ -6,7 +6,6 @@
 #include "answer/answer.hpp"
 #include "changeover/core/error.hpp"
 #include "io/file/remedies.hpp"
-#include "paper/figures.hpp"
 #include "paper/report.hpp"
 #include "verbs.hpp"
 

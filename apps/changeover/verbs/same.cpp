@@ -6,7 +6,7 @@
 #include "changeover/isomorphism/isomorphism.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
-#include "request/inputs.hpp"
+#include "request/output.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
 

@@ -8,7 +8,8 @@
 #include <thread>
 
 #include "answer/answer.hpp"
-#include "changeover/construct/standard_catalog.hpp"
+#include "changeover/catalog/catalog.hpp"
+#include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/run/control.hpp"
@@ -16,7 +17,7 @@
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "request/catalog_request.hpp"
-#include "request/range.hpp"
+#include "request/parameters.hpp"
 #include "request/run_request.hpp"
 #include "serve/explorer_server.hpp"
 #include "serve/export/addresses.hpp"

@@ -6,10 +6,10 @@
 
 #include "answer/answer.hpp"
 #include "answer/catalog/entry_words.hpp"
-#include "answer/catalog/today.hpp"
 #include "answer/known/known_table.hpp"
+#include "changeover/catalog/catalog.hpp"
 #include "changeover/catalog/entry.hpp"
-#include "changeover/construct/standard_catalog.hpp"
+#include "changeover/construct/registry.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "core/words.hpp"

@@ -12,7 +12,7 @@
 #include "changeover/io/input.hpp"
 #include "changeover/io/tables.hpp"
 #include "core/words.hpp"
-#include "request/inputs.hpp"
+#include "request/output.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
 

@@ -6,7 +6,7 @@
 //     catalog.best(entry.parameters)->b;                       // fewest blocks
 //     catalog.find(entry.label());  // by label, or by the beginning of one
 //
-// The designs of the program are a read-only database in memory (construct/standard_catalog.hpp).
+// The designs of the program are a read-only database in memory (construct/registry.hpp).
 // The designs of a user are in a file, an SQLite database of version `catalog_schema_version`,
 // which is opened when it is first needed and made when it is first written. Looking up an entry
 // costs a few microseconds; rows are read only when they are needed.

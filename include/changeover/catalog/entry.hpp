@@ -17,7 +17,7 @@
 //
 // Keys come in this order; those in brackets may be missing: label, b, lower_bound, reason, recipe,
 // sha256, [cites], [note], [credit], [retracted]. The label has the parameters. A recipe is data
-// (core/recipe.hpp): blocks ("literal"), base blocks ("developed"), or a tree of constructions
+// (core/design.hpp): blocks ("literal"), base blocks ("developed"), or a tree of constructions
 // whose leaf "found" names a design of the catalog by its label. Every program writes the same
 // bytes for an entry, so that files can be compared line by line.
 #pragma once
@@ -30,8 +30,8 @@
 #include <vector>
 
 #include "changeover/core/block.hpp"
+#include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/core/recipe.hpp"
 #include "changeover/core/sha256.hpp"
 
 namespace changeover {

@@ -38,8 +38,8 @@
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/registry.hpp"
+#include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/core/recipe.hpp"
 #include "changeover/verify/verdict.hpp"
 
 namespace changeover {

@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "changeover/core/design.hpp"
-#include "changeover/core/recipe.hpp"
 
 namespace changeover {
 

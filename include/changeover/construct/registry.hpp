@@ -24,7 +24,6 @@
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/developed.hpp"
-#include "changeover/core/recipe.hpp"
 
 namespace changeover {
 
@@ -110,7 +109,7 @@ inline constexpr std::size_t max_recipe_depth = 64;
 class Registry {
  public:
   /// The constructions of this library, and what the standard catalog knows
-  /// (construct/standard_catalog.hpp).
+  /// (standard_catalog()).
   [[nodiscard]] static const Registry& standard();
 
   /// A registry of some constructions only, which must outlive it, and of a catalog, if one is
@@ -161,5 +160,38 @@ class Registry {
 
 /// The constructions in src/construct/entries; this function is written by the build.
 [[nodiscard]] std::vector<const Construction*> registry_entries();
+
+// The catalog that everybody asks: the designs that come with the program, and the user's own.
+//
+//     if (const auto entry = standard_catalog().best({.v = 20, .k = 6, .change = 1})) {
+//       entry->label();                                         // "20.6.1.linear.37.…"
+//     }
+//
+// The user's file is $CHANGEOVER_CATALOG if that is set (empty: none), else changeover/catalog.db
+// in $XDG_DATA_HOME, else in ~/.local/share. It is looked at when the catalog is first asked for
+// anything.
+
+/// Names another file for the user's designs, before the catalog is first asked; empty for none.
+/// @throws InternalError if it was asked already.
+void choose_catalog(std::string path);
+
+/// The user's file, whether it is there or not; empty for none.
+[[nodiscard]] std::string standard_catalog_file();
+
+/// Whether the catalog that comes with the program has the best design of p that was known to all
+/// constructions, closure rules and searches when it was made: strength 2, m = 1, 2, 3, and 3 ≤ k ≤
+/// 40 and v ≤ 160.
+[[nodiscard]] bool is_stored_cell(const Parameters& p);
+
+/// What is wrong with the user's file, as Catalog::problem(); empty if the catalog was not asked
+/// for anything.
+[[nodiscard]] std::string standard_catalog_problem();
+
+/// What else is to be said of it, as Catalog::remark(); empty if the catalog was not asked for
+/// anything.
+[[nodiscard]] std::string standard_catalog_remark();
+
+/// The one catalog of this process.
+[[nodiscard]] Catalog& standard_catalog();
 
 }  // namespace changeover

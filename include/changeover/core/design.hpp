@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,9 +20,32 @@
 
 #include "changeover/core/block.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/core/recipe.hpp"
 
 namespace changeover {
+
+// How a design is made: a small tree of named constructions, data and not code.
+//
+// A recipe is deterministic: everyone who builds it gets the same blocks and can verify them again.
+//
+//     // The expansion of a cyclic design on 7 elements by 8 more:
+//     Recipe cyclic{"cyclic-paper", {.v = 7, .k = 3, .kind = Kind::circular}, {{"c", 1}}, {}, {}};
+//     const Parameters expanded{.v = 15, .k = 3, .kind = Kind::circular};
+//     Recipe recipe{"expansion", expanded, {{"w", 8}}, {cyclic}, {}};
+//
+// The registry (construct/registry.hpp) turns it into blocks.
+
+/// One construction with its arguments and the designs that it starts from.
+struct Recipe {
+  std::string construction;                       ///< name in the registry
+  Parameters parameters;                          ///< of the design that it makes
+  std::map<std::string, std::int64_t> arguments;  ///< whole numbers, by name
+  std::vector<Recipe> inputs;                     ///< recipes of the designs that it works on
+  std::vector<Block> blocks;  ///< of a literal recipe, or as its construction defines them
+  std::string provenance =
+      {};  ///< where a literal recipe's blocks come from, one line; may be empty
+
+  bool operator==(const Recipe&) const = default;
+};
 
 /// Returns why no element can have this name, and how to correct it; nullopt if one can. A name is
 /// printable UTF-8 (src/core/printable.hpp), not empty, and has no white space, comma, double quote

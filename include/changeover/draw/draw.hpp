@@ -38,7 +38,6 @@
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/developed.hpp"
-#include "changeover/core/recipe.hpp"
 #include "changeover/draw/picture.hpp"
 
 namespace changeover {

@@ -32,7 +32,6 @@
 
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
-#include "changeover/core/recipe.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/io/output.hpp"
 #include "changeover/verify/verdict.hpp"

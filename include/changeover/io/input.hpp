@@ -20,7 +20,6 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/core/recipe.hpp"
 
 namespace changeover {
 

@@ -39,7 +39,6 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/developed.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/core/recipe.hpp"
 #include "changeover/run/control.hpp"
 #include "changeover/verify/verdict.hpp"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "catalog/store/database.hpp"
-#include "catalog/store/kinds.hpp"
+#include "catalog/store/schema.hpp"
 #include "changeover/catalog/entry.hpp"
 
 namespace changeover {

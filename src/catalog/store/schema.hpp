@@ -1,10 +1,12 @@
 // The schema of a catalog's database, and the migration of older files.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
 #include "catalog/store/database.hpp"
+#include "changeover/core/parameters.hpp"
 
 namespace changeover {
 
@@ -34,5 +36,9 @@ void make_tables(const Database& database);
 /// beside it: "mine.db.version-1". An existing file of that name stays, and the copy gets another
 /// name. Does nothing if it is of that version. @throws as Database.
 void migrate(const Database& database, int version, std::span<const Migration> migrations);
+
+// Kinds as numbers, as a catalog's database has them.
+
+inline std::uint64_t code_of(Kind kind) { return kind == Kind::linear ? 0 : 1; }
 
 }  // namespace changeover

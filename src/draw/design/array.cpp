@@ -6,7 +6,7 @@
 #include <set>
 
 #include "changeover/io/tables.hpp"
-#include "draw/design/pictures.hpp"
+#include "draw/design/frame.hpp"
 #include "draw/text/measure.hpp"
 
 namespace changeover {

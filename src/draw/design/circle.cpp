@@ -6,7 +6,7 @@
 
 #include "changeover/draw/draw.hpp"
 #include "core/words.hpp"
-#include "draw/design/pictures.hpp"
+#include "draw/design/frame.hpp"
 #include "draw/text/measure.hpp"
 
 namespace changeover {

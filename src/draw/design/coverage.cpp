@@ -7,7 +7,7 @@
 #include <map>
 
 #include "changeover/core/design.hpp"
-#include "draw/design/pictures.hpp"
+#include "draw/design/frame.hpp"
 #include "draw/design/stays_of.hpp"
 #include "draw/text/measure.hpp"
 

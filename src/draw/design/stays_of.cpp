@@ -1,10 +1,15 @@
 #include "draw/design/stays_of.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "changeover/core/design.hpp"
+#include "draw/design/frame.hpp"
+#include "draw/text/measure.hpp"
 
 namespace changeover {
 namespace {
@@ -98,5 +103,193 @@ std::vector<Element> ordered(const DrawnStays& stays, ElementOrder order) {
   std::stable_sort(elements.begin(), elements.end(), before);
   return elements;
 }
+
+// A row an element, a bar a stay.
+
+namespace {
+
+constexpr double field_width = 900, field_height = 560;  // of the field of bars
+constexpr double small_font = 8, usual_font = 11;
+constexpr double longest_bar_name = 120;
+constexpr double beyond = 5;  // by so much a bar that goes on stands out of the frame
+constexpr double axis_height = 18;
+constexpr double thinnest_bar = 1.8;  // of a bar
+
+class Stays {
+ public:
+  explicit Stays(const Drawing& drawing)
+      : drawing_(drawing),
+        stays_(stays_of(drawing)),
+        order_(ordered(stays_, drawing.options.order)),
+        blocks_(static_cast<double>(stays_.last - stays_.first + 1)),
+        unit_(std::clamp(field_width / blocks_, 1.0, 24.0)),
+        row_(std::clamp(field_height / static_cast<double>(order_.size()), 3.0, 18.0)) {
+    font_ = row_ >= usual_font + 2 ? usual_font : small_font;
+    for (const Element x : order_) {
+      widest_ = std::max(widest_, text_width(drawing.name(x), font_));
+      for (const DrawnStay& stay : stays_.of[x]) {
+        longest_ = std::max(longest_, stay.length);
+        ++count_;
+      }
+      most_ = std::max(most_, stays_.of[x].size());
+    }
+    left_ = std::min(widest_, longest_bar_name) + 6 + beyond;
+  }
+
+  Picture draw() {
+    const double height = row_ * static_cast<double>(order_.size());
+    Picture content;
+    content.width = left_ + blocks_ * unit_ + beyond;
+    content.height = axis_height + height;
+    add_axis(content, height);
+    content.add(
+        {.shape =
+             Rectangle{.x = left_, .y = axis_height, .width = blocks_ * unit_, .height = height},
+         .kind = "field",
+         .style = {.fill = Paint(Paint::Role::none), .stroke = Paint(Paint::Role::soft)}});
+    Group names;
+    const auto every = static_cast<std::size_t>(std::ceil((font_ + 1) / row_));
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      const double y = axis_height + row_ * static_cast<double>(i);
+      content.add(bars(order_[i], y));
+      if (i % every == 0) {
+        const std::string name = drawing_.name(order_[i]);
+        names.marks.push_back(
+            {.shape = Text{.at = {left_ - beyond - 4, y + row_ / 2 + 0.36 * font_},
+                           .content = fitted(name, longest_bar_name, font_),
+                           .element = true},
+             .title = name});
+      }
+    }
+    content.add({.shape = std::move(names),
+                 .kind = "names",
+                 .style = {.font_size = font_, .anchor = Anchor::end}});
+    content.description = fmt::format(
+        "{}: a row for each element, a bar for each of its {} stays; the longest takes {} blocks.",
+        drawing_.summary(), count_, longest_);
+    return framed(drawing_.heading(), std::move(content), legend());
+  }
+
+ private:
+  double x_of(std::uint64_t block) const {
+    return left_ + static_cast<double>(block - stays_.first) * unit_;
+  }
+
+  void add_axis(Picture& content, double height) {
+    Group numbers;
+    Group lines;
+    const double room = text_width(std::to_string(stays_.last), usual_font) + 8;
+    const std::uint64_t step = axis_step(room / unit_);
+    for (std::uint64_t i = stays_.first; i <= stays_.last; ++i) {
+      const std::uint64_t next = (i / step + 1) * step;
+      const bool first = i == stays_.first && static_cast<double>(next - i) * unit_ >= room;
+      if (i % step != 0 && !first) {
+        continue;
+      }
+      const double x = x_of(i) + unit_ / 2;
+      numbers.marks.push_back(
+          {.shape = Text{.at = {x, axis_height - 6}, .content = std::to_string(i)}});
+      lines.marks.push_back({.shape = Segment{{x, axis_height - 3}, {x, axis_height + height}}});
+    }
+    content.add({.shape = std::move(lines),
+                 .kind = "grid",
+                 .style = {.stroke = Paint(Paint::Role::hairline), .stroke_width = 0.75}});
+    content.add(
+        {.shape = std::move(numbers),
+         .kind = "axis",
+         .style = {
+             .fill = Paint(Paint::Role::soft), .font_size = usual_font, .anchor = Anchor::middle}});
+  }
+
+  Paint paint_of(const DrawnStay& stay, std::size_t ordinal) const {
+    if (drawing_.options.colour == StayColour::ordinal) {
+      return Paint::series(ordinal);
+    }
+    // By ratios: one block more says much of a short stay and little of a long one.
+    return Paint::ramp(longest_ > 1 ? std::log(static_cast<double>(stay.length)) /
+                                          std::log(static_cast<double>(longest_))
+                                    : 0);
+  }
+
+  // A bar from the left of one block to the right of another, out of the frame where it goes on.
+  Rectangle bar(std::uint64_t from, std::uint64_t to, bool before, bool after, double y) const {
+    const double gap = std::min(0.15 * row_, 2.0);
+    // A stay of one block is seen however narrow blocks are.
+    const double wider =
+        std::max(0.0, thinnest_bar - static_cast<double>(to - from + 1) * unit_) / 2;
+    const double left = x_of(from) - (before ? beyond : wider);
+    const double right = x_of(to) + unit_ + (after ? beyond : wider);
+    return {.x = left, .y = y + gap, .width = right - left, .height = row_ - 2 * gap};
+  }
+
+  Mark bars(Element x, double y) const {
+    const std::string name = drawing_.name(x);
+    const std::vector<DrawnStay>& own = stays_.of[x];
+    Group row;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      const DrawnStay& stay = own[i];
+      Mark mark{.kind = "stay",
+                .title = title(name, stay),
+                .data = {{"from", std::to_string(stay.from)},
+                         {"to", std::to_string(stay.to)},
+                         {"length", std::to_string(stay.length)}},
+                .style = {.fill = paint_of(stay, i)}};
+      if (stay.over_the_end && stay.length < stays_.last - stays_.first + 1) {
+        mark.shape = Group{{{.shape = bar(stay.from, stays_.last, false, true, y)},
+                            {.shape = bar(stays_.first, stay.to, true, false, y)}}};
+      } else {
+        mark.shape = bar(stay.from, stay.to, stay.began_before || stay.over_the_end,
+                         stay.goes_on || stay.over_the_end, y);
+      }
+      row.marks.push_back(std::move(mark));
+    }
+    return {.shape = std::move(row), .kind = "element", .data = {{"element", name}}};
+  }
+
+  static std::string title(const std::string& name, const DrawnStay& stay) {
+    if (stay.over_the_end && stay.from <= stay.to) {
+      return fmt::format("{}: in every block", name);
+    }
+    return fmt::format("{}: blocks {} to {}{} ({})", name, stay.from, stay.to,
+                       stay.over_the_end ? ", over the end" : "", stay.length);
+  }
+
+  std::vector<LegendEntry> legend() const {
+    std::vector<LegendEntry> legend;
+    bool goes_on = false;
+    for (const std::vector<DrawnStay>& each : stays_.of) {
+      for (const DrawnStay& stay : each) {
+        goes_on = goes_on || stay.over_the_end || stay.began_before || stay.goes_on;
+      }
+    }
+    if (drawing_.options.colour == StayColour::length) {
+      legend.push_back(ramp_legend("blocks of a stay", "1", std::to_string(longest_)));
+    } else {
+      for (std::size_t i = 0; i < std::min(most_, Paint::series_length); ++i) {
+        const bool again = i + Paint::series_length < most_;
+        legend.push_back(
+            swatch(Paint::series(i), fmt::format("stay {}{}", i + 1, again ? ", …" : "")));
+      }
+    }
+    if (goes_on) {
+      legend.push_back(remark(drawing_.parameters().kind == Kind::circular
+                                  ? "a bar over the frame goes on at the other side"
+                                  : "a bar over the frame goes on"));
+    }
+    return legend;
+  }
+
+  const Drawing& drawing_;
+  DrawnStays stays_;
+  std::vector<Element> order_;
+  double blocks_, unit_, row_;
+  double font_ = 0, widest_ = 0, left_ = 0;
+  std::uint64_t longest_ = 0;
+  std::size_t count_ = 0, most_ = 0;
+};
+
+}  // namespace
+
+Picture draw_stays(const Drawing& drawing) { return Stays(drawing).draw(); }
 
 }  // namespace changeover

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "draw/design/pictures.hpp"
+#include "draw/design/frame.hpp"
 
 namespace changeover {
 

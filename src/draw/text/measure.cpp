@@ -4,7 +4,7 @@
 
 #include "changeover/draw/picture.hpp"
 #include "changeover/io/tables.hpp"
-#include "core/utf8.hpp"
+#include "core/printable.hpp"
 
 namespace changeover {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "changeover/draw/picture.hpp"
-#include "core/utf8.hpp"
+#include "core/printable.hpp"
 #include "draw/text/measure.hpp"
 #include "draw/write/number.hpp"
 

@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "changeover/core/error.hpp"
-#include "io/file/links.hpp"
+#include "io/file/left_behind.hpp"
 
 namespace changeover {
 namespace {

@@ -18,7 +18,6 @@
 
 #include "changeover/core/error.hpp"
 #include "io/file/left_behind.hpp"
-#include "io/file/links.hpp"
 #include "io/file/remedies.hpp"
 
 namespace changeover {

@@ -8,11 +8,10 @@
 #include <optional>
 #include <span>
 
-#include "io/read/collector.hpp"
 #include "io/read/declared.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
-#include "io/scan/token_table.hpp"
+#include "io/scan/text_scanner.hpp"
 #include "io/write/csv_cell.hpp"
 
 namespace changeover {

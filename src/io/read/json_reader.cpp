@@ -4,7 +4,6 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/io/formats.hpp"
-#include "io/read/collector.hpp"
 #include "io/read/declared.hpp"
 #include "io/read/recipe_handler.hpp"
 #include "io/scan/json_events.hpp"

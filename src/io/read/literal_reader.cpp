@@ -5,7 +5,7 @@
 
 #include "changeover/io/formats.hpp"
 #include "io/read/point_blocks.hpp"
-#include "io/scan/token_table.hpp"
+#include "io/scan/text_scanner.hpp"
 
 namespace changeover {
 namespace {

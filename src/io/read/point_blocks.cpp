@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "io/read/collector.hpp"
-#include "io/scan/token_table.hpp"
+#include "io/read/declared.hpp"
+#include "io/scan/text_scanner.hpp"
 
 namespace changeover {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "changeover/core/recipe.hpp"
+#include "changeover/core/design.hpp"
 #include "io/scan/json_events.hpp"
 
 namespace changeover {

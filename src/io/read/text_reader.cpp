@@ -9,7 +9,6 @@
 #include "io/read/declared.hpp"
 #include "io/scan/json_events.hpp"
 #include "io/scan/text_scanner.hpp"
-#include "io/scan/token_table.hpp"
 
 namespace changeover {
 namespace {

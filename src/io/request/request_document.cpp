@@ -11,7 +11,6 @@
 #include "core/printable.hpp"
 #include "io/request/request_rows.hpp"
 #include "io/scan/base64.hpp"
-#include "io/scan/given_rows.hpp"
 #include "io/scan/row_reader.hpp"
 
 namespace changeover {

@@ -16,7 +16,7 @@
 
 #include "changeover/io/input.hpp"
 #include "changeover/io/request.hpp"
-#include "io/scan/json_tree.hpp"
+#include "io/scan/json_events.hpp"
 #include "io/write/json_writer.hpp"
 
 namespace changeover {

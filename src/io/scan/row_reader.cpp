@@ -9,7 +9,6 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "io/scan/place.hpp"
-#include "io/scan/plain_text.hpp"
 
 namespace changeover {
 namespace {
@@ -300,6 +299,9 @@ bool RowReader::split(Row& row) {
   const std::string_view rest = line.substr(begin);
   if (rest.starts_with('#') || (options_.percent_too && rest.starts_with('%')) ||
       std::all_of(rest.begin(), rest.end(), is_blank)) {
+    if (const std::size_t at = line.find('\r'); at != std::string_view::npos) {
+      fail(at, lone_carriage_return);
+    }
     return false;
   }
   if (const auto defect = first_defect(line, true)) {

@@ -19,7 +19,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/io/tables.hpp"
-#include "core/utf8.hpp"
+#include "core/printable.hpp"
 #include "io/table/table_document.hpp"
 #include "io/workbook/cell_text.hpp"
 

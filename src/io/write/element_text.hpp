@@ -12,6 +12,7 @@
 
 #include "changeover/core/block.hpp"
 #include "changeover/io/output.hpp"
+#include "changeover/io/tables.hpp"
 
 namespace changeover {
 
@@ -81,5 +82,16 @@ class ElementText {
   char* p_;
   char* end_;
 };
+
+// The index of a block in its name: "3", or "i,j" for a developed design.
+
+/// `index` from 0 in the order of the blocks.
+[[nodiscard]] inline std::string block_name(const BlockNames& names, std::uint64_t index) {
+  if (names.base_blocks && *names.base_blocks > 0) {
+    return std::to_string(index % *names.base_blocks) + "," +
+           std::to_string(index / *names.base_blocks);
+  }
+  return std::to_string(names.first + index);
+}
 
 }  // namespace changeover

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/utf8.hpp"
+#include "changeover/io/formats.hpp"
+#include "core/printable.hpp"
+#include "io/write/element_text.hpp"
 
 namespace changeover {
 
@@ -99,5 +101,154 @@ JsonWriter& JsonWriter::raw(std::string_view json) {
 }
 
 std::string JsonWriter::take() { return std::exchange(text_, std::string()); }
+
+namespace {
+
+// v, k, change, kind and, if it is not 2 or `always`, strength.
+void write_parameters(JsonWriter& json, const Parameters& p, bool always = false) {
+  json.key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
+  json.key("kind").value(to_string(p.kind));
+  if (always || p.strength != 2) {
+    json.key("strength").value(p.strength);
+  }
+}
+
+void write_recipe(JsonWriter& json, const Recipe& recipe) {
+  json.begin_object().key("construction").value(recipe.construction);
+  write_parameters(json, recipe.parameters);
+  json.key("arguments").begin_object();
+  for (const auto& [name, value] : recipe.arguments) {
+    json.key(name).value(value);
+  }
+  json.end_object().key("inputs").begin_array();
+  for (const Recipe& input : recipe.inputs) {
+    write_recipe(json, input);
+  }
+  json.end_array();
+  if (!recipe.blocks.empty()) {
+    json.key("blocks").value(recipe.blocks);
+  }
+  if (!recipe.provenance.empty()) {
+    json.key("provenance").value(recipe.provenance);
+  }
+  json.end_object();
+}
+
+// An element as its label or its number.
+void write_element(JsonWriter& json, Element x, const std::vector<std::string>& labels) {
+  if (x < labels.size()) {
+    json.value(labels[x]);
+  } else {
+    json.value(x);
+  }
+}
+
+void write_elements(JsonWriter& json, const Block& block, const std::vector<std::string>& labels) {
+  json.begin_array();
+  for (const Element x : block) {
+    write_element(json, x, labels);
+  }
+  json.end_array();
+}
+
+}  // namespace
+
+std::uint64_t write_json(BlockSource& source, Sink& sink, const TextHeader& header,
+                         const std::function<std::optional<DesignVerdict>()>& verdict) {
+  const Parameters& p = source.parameters();
+  const std::vector<std::string> numbers_only;
+  ElementText text(sink, p.v, numbers_only, ',');
+  JsonWriter json;
+  json.begin_object().key("format").value("changeover-design/1");
+  write_parameters(json, p);
+  json.key("blocks").begin_array();
+  text.put(json.take());
+  std::uint64_t blocks = 0;
+  for_each_block(source, [&](std::span<const Element> block) {
+    text.put(blocks++ == 0 ? "\n[" : ",\n[");
+    text.elements(block, ']');
+  });
+  text.put('\n');
+  json.end_array();
+  if (!header.labels.empty()) {
+    json.key("labels").value(header.labels);
+  }
+  if (header.recipe) {
+    json.key("recipe").raw(recipe_to_json(*header.recipe));
+  }
+  if (const auto found = verdict ? verdict() : std::nullopt) {
+    json.key("verdict").raw(verdict_to_json(*found));
+  }
+  json.end_object();
+  text.put(json.take());
+  text.put('\n');
+  text.flush();
+  return blocks;
+}
+
+void write_json(const Design& design, Sink& sink, const std::optional<DesignVerdict>& verdict) {
+  DesignSource source(design);
+  write_json(source, sink, {design.labels(), design.recipe}, [&] { return verdict; });
+}
+
+std::string verdict_to_json(const DesignVerdict& verdict) {
+  JsonWriter json;
+  json.begin_object();
+  json.key("valid").value(verdict.valid).key("tight").value(verdict.tight);
+  json.key("economical").value(verdict.economical).key("b").value(verdict.b);
+  json.key("lower_bound").value(verdict.lower_bound);
+  json.key("minimum").value(verdict.minimum_proved ? "proved" : "unknown");
+  json.end_object();
+  return json.take();
+}
+
+std::string verdict_to_json(const Verdict& verdict, const std::vector<std::string>& labels) {
+  JsonWriter json;
+  json.begin_object();
+  write_parameters(json, verdict.parameters, true);
+  json.key("valid").value(verdict.valid()).key("tight").value(verdict.tight());
+  json.key("economical").value(verdict.economical()).key("b").value(verdict.b);
+  json.key("counting_bound").value(verdict.counting_bound);
+  json.key("bad_steps").value(verdict.bad_steps).key("bad_step_examples").begin_array();
+  for (const BadStep& step : verdict.bad_step_examples) {
+    json.begin_object().key("from").value(step.from).key("to").value(step.to);
+    json.key("changes").value(step.changes).end_object();
+  }
+  json.end_array();
+  json.key("subsets").value(verdict.subsets).key("uncovered").value(verdict.uncovered);
+  json.key("uncovered_examples").begin_array();
+  for (const Block& subset : verdict.uncovered_examples) {
+    write_elements(json, subset, labels);
+  }
+  json.end_array();
+  json.key("covered").value(verdict.covered);
+  json.key("never_newly_covered").value(verdict.never_newly_covered);
+  json.key("excess").value(verdict.excess).key("fixed");
+  write_elements(json, verdict.fixed, labels);
+  json.key("degree_identity");
+  if (verdict.parameters.strength == 2) {
+    json.value(verdict.degree_identity);
+  } else {
+    json.null();
+  }
+  json.key("unchanged_subsets").value(verdict.unchanged_subsets).key("never_unchanged");
+  write_elements(json, verdict.never_unchanged, labels);
+  json.key("elements").begin_array();
+  for (std::size_t x = 0; x < verdict.elements.size(); ++x) {
+    const ElementCount& count = verdict.elements[x];
+    json.begin_object().key("element");
+    write_element(json, static_cast<Element>(x), labels);
+    json.key("introductions").value(count.introductions).key("blocks").value(count.blocks);
+    json.key("covered").value(count.covered).key("excess").value(count.excess).end_object();
+  }
+  json.end_array().end_object();
+  return json.take();
+}
+
+std::string recipe_to_json(const Recipe& recipe) {
+  JsonWriter json;
+  write_recipe(json, recipe);
+  return json.take();
+}
 
 }  // namespace changeover

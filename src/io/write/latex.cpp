@@ -7,7 +7,7 @@
 
 #include "changeover/core/parameters.hpp"
 #include "core/printable.hpp"
-#include "io/write/block_name.hpp"
+#include "io/write/element_text.hpp"
 
 namespace changeover {
 namespace {

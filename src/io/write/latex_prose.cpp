@@ -6,11 +6,11 @@
 #include <array>
 #include <cctype>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "changeover/io/tables.hpp"
 #include "core/words.hpp"
-#include "io/write/latex_formula.hpp"
 
 namespace changeover {
 namespace {
@@ -180,6 +180,249 @@ class Prose {
 
 std::string latex_prose(std::string_view text, const std::vector<std::string>& keys) {
   return Prose(text, keys).take();
+}
+
+namespace {
+
+using Signs = std::pair<std::string_view, std::string_view>;
+
+constexpr std::array<Signs, 11> relations{{{">=", "\\geq"},
+                                           {"<=", "\\leq"},
+                                           {"≥", "\\geq"},
+                                           {"≤", "\\leq"},
+                                           {"≠", "\\neq"},
+                                           {"≡", "\\equiv"},
+                                           {"=", "="},
+                                           {"<", "<"},
+                                           {">", ">"},
+                                           {"∈", "\\in"},
+                                           {"⊂", "\\subset"}}};
+constexpr std::array<Signs, 10> operators{{{"+", "+"},
+                                           {"-", "-"},
+                                           {"−", "-"},
+                                           {"±", "\\pm"},
+                                           {"/", "/"},
+                                           {"*", "\\cdot"},
+                                           {"·", "\\cdot"},
+                                           {"×", "\\times"},
+                                           {"∪", "\\cup"},
+                                           {"∩", "\\cap"}}};
+constexpr std::array<Signs, 3> powers{{{"²", "^{2}"}, {"³", "^{3}"}, {"⁴", "^{4}"}}};
+constexpr std::array<std::array<std::string_view, 4>, 3> ceilings{{
+    {"⌈", "⌉", "\\lceil ", "\\rceil"},
+    {"⌊", "⌋", "\\lfloor ", "\\rfloor"},
+    {"ceil(", ")", "\\lceil ", "\\rceil"},
+}};
+
+// A recursive descent that takes as much of the text as is a formula. Each function either takes
+// all that it names, or puts everything back and says false.
+class Formula {
+ public:
+  explicit Formula(std::string_view text) : rest_(text), whole_(text) {}
+
+  std::optional<LatexFormula> take() {
+    constexpr int no_brackets = 0;
+    if (!sum(no_brackets) || !(seen_.relation || (seen_.joint && seen_.letter))) {
+      return std::nullopt;
+    }
+    return LatexFormula{latex_, whole_.size() - rest_.size()};
+  }
+
+ private:
+  struct Seen {
+    bool relation = false;
+    bool joint = false;  // a sign, a power, a call or a ceiling
+    bool letter = false;
+  };
+  struct Place {
+    std::string_view rest;
+    std::size_t length;
+    Seen seen;
+  };
+  [[nodiscard]] Place here() const { return {rest_, latex_.size(), seen_}; }
+  bool back(const Place& place) {
+    rest_ = place.rest;
+    latex_.resize(place.length);
+    seen_ = place.seen;
+    return false;
+  }
+
+  bool literal(std::string_view written, std::string_view meant) {
+    if (!rest_.starts_with(written)) {
+      return false;
+    }
+    rest_.remove_prefix(written.size());
+    latex_ += meant;
+    return true;
+  }
+
+  bool one_of(std::span<const Signs> any) {
+    return std::any_of(any.begin(), any.end(),
+                       [&](const Signs& sign) { return literal(sign.first, sign.second); });
+  }
+
+  void spaces() { rest_.remove_prefix(std::min(rest_.find_first_not_of(' '), rest_.size())); }
+
+  // Operands with signs between them.
+  bool sum(int depth) {
+    if (depth > deepest || !operand(depth)) {
+      return false;
+    }
+    while (joined(depth)) {
+    }
+    return true;
+  }
+
+  // A sign and what it joins; spaces stand on both sides of it, or on none.
+  bool joined(int depth) {
+    const Place before = here();
+    const bool spaced = rest_.starts_with(' ');
+    spaces();
+    latex_ += ' ';
+    const bool relation = one_of(relations);
+    if (!relation && !one_of(operators)) {
+      return back(before);
+    }
+    latex_ += ' ';
+    if (rest_.starts_with(' ') != spaced) {
+      return back(before);
+    }
+    spaces();
+    if (!operand(depth)) {
+      return back(before);
+    }
+    seen_.relation = seen_.relation || relation;
+    seen_.joint = true;
+    return true;
+  }
+
+  bool operand(int depth) {
+    const Place before = here();
+    if (rest_.starts_with("-") && rest_.size() > 1 && is_digit(rest_[1])) {
+      literal("-", "-");
+    }
+    bool any = number();
+    if (letter()) {
+      any = true;
+    }
+    if (!any) {
+      any = ceiling(depth);
+    }
+    while (bracket(depth, any)) {
+      seen_.joint = seen_.joint || any;
+      any = true;
+    }
+    if (!any) {
+      return back(before);
+    }
+    if (one_of(powers)) {
+      seen_.joint = true;
+    }
+    // A word, or a number with a mark in it, is no operand.
+    if (!rest_.empty() && (is_letter(rest_.front()) || is_digit(rest_.front()) ||
+                           rest_.front() == '_' || rest_.front() == '^' ||
+                           (rest_.front() == '.' && rest_.size() > 1 && is_digit(rest_[1])))) {
+      return back(before);
+    }
+    return true;
+  }
+
+  bool number() {
+    std::size_t length = std::min(rest_.find_first_not_of("0123456789"), rest_.size());
+    if (length == 0) {
+      return false;
+    }
+    if (length + 1 < rest_.size() && rest_[length] == '.' && is_digit(rest_[length + 1])) {
+      length = std::min(rest_.find_first_not_of("0123456789", length + 1), rest_.size());
+    }
+    return literal(rest_.substr(0, length), rest_.substr(0, length));
+  }
+
+  // A letter, and its index: n, n_j, n1.
+  bool letter() {
+    if (rest_.empty() || !is_letter(rest_.front()) || (rest_.size() > 1 && is_letter(rest_[1]))) {
+      return false;
+    }
+    std::size_t mark = rest_.size() > 1 && rest_[1] == '_' ? 2 : 1;
+    const std::string_view after = rest_.substr(std::min(mark, rest_.size()));
+    const std::size_t length =
+        mark == 2 || (!after.empty() && is_digit(after.front())) ? latex_index_length(after) : 0;
+    latex_ += rest_.front();
+    if (length > 0) {
+      std::string_view index = after.substr(0, length);
+      if (index.front() == '{') {
+        index = index.substr(1, length - 2);
+      }
+      latex_ += "_{" + std::string(index) + "}";
+    } else {
+      mark = 1;
+    }
+    rest_.remove_prefix(mark + length);
+    seen_.letter = true;
+    return true;
+  }
+
+  bool ceiling(int depth) {
+    const Place before = here();
+    for (const auto& [open, close, left, right] : ceilings) {
+      if (literal(open, left)) {
+        spaces();
+        if (sum(depth + 1)) {
+          spaces();
+          if (literal(close, right)) {
+            seen_.joint = seen_.letter = true;
+            return true;
+          }
+        }
+        return back(before);
+      }
+    }
+    return false;
+  }
+
+  // "(k - 1)", or after something: what it is multiplied with, or the arguments of a call.
+  bool bracket(int depth, bool called) {
+    const Place before = here();
+    if (!literal("(", "(")) {
+      return false;
+    }
+    do {
+      spaces();
+      if (!sum(depth + 1)) {
+        return back(before);
+      }
+    } while (called && literal(",", ", "));
+    return literal(")", ")") || back(before);
+  }
+
+  static constexpr int deepest = 20;
+  std::string_view rest_;
+  std::string_view whole_;
+  std::string latex_;
+  Seen seen_;
+};
+
+}  // namespace
+
+std::optional<LatexFormula> latex_formula(std::string_view text) { return Formula(text).take(); }
+
+std::size_t latex_index_length(std::string_view text) {
+  const auto is_simple = [](char c) {
+    return is_letter(c) || is_digit(c) || c == ',' || c == '+' || c == '-';
+  };
+  if (text.empty()) {
+    return 0;
+  }
+  if (text.front() == '{') {
+    const std::size_t end = text.find('}');
+    return end == std::string_view::npos || !std::ranges::all_of(text.substr(1, end - 1), is_simple)
+               ? 0
+               : end + 1;
+  }
+  if (is_digit(text.front())) {
+    return std::min(text.find_first_not_of("0123456789"), text.size());
+  }
+  return is_letter(text.front()) && (text.size() == 1 || !is_letter(text[1])) ? 1 : 0;
 }
 
 }  // namespace changeover

@@ -1,6 +1,8 @@
 // Sentences of the program in LaTeX: mathematics as mathematics, references as citations.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,5 +15,25 @@ namespace changeover {
 /// mathematical signs stay as they are. Needs no package. O(length · number of keys).
 [[nodiscard]] std::string latex_prose(std::string_view text,
                                       const std::vector<std::string>& keys = {});
+
+// Formulas in the program's sentences, as LaTeX writes them.
+
+/// A formula at the beginning of a text, and how many bytes of the text it is.
+struct LatexFormula {
+  std::string latex;  ///< between dollars
+  std::size_t length = 0;
+};
+
+/// The longest formula that `text` begins with: numbers, single letters with an index ("n_j",
+/// "n1"), calls such as C(12,2), brackets, ⌈ ⌉, ⌊ ⌋ and ceil( ), joined by signs, with at least one
+/// sign and one letter or relation. Nothing if there is none: "12", "2026-11-21", "a file". The
+/// caller looks at what stands before. O(length).
+///
+///     latex_formula("b >= 3 blocks")->latex    // b \geq 3
+[[nodiscard]] std::optional<LatexFormula> latex_formula(std::string_view text);
+
+/// The bytes of an index at the beginning of a text: digits, one letter, or simple words in braces;
+/// 0 if there is none.
+[[nodiscard]] std::size_t latex_index_length(std::string_view text);
 
 }  // namespace changeover

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "changeover/loadorder/wanted_pairs.hpp"
-#include "core/utf8.hpp"
+#include "core/printable.hpp"
 #include "core/words.hpp"
 
 namespace changeover {

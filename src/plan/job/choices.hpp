@@ -13,7 +13,7 @@
 
 #include "changeover/plan/job.hpp"
 #include "plan/model/compiled_rules.hpp"
-#include "search/sat/incremental_solver.hpp"
+#include "search/sat/sat_solver.hpp"
 
 namespace changeover {
 

@@ -9,7 +9,6 @@
 #include "changeover/core/error.hpp"
 #include "core/words.hpp"
 #include "io/scan/place.hpp"
-#include "io/scan/plain_text.hpp"
 #include "plan/job/choices.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/pair_numbers.hpp"

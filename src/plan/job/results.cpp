@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "changeover/plan/job.hpp"
-#include "core/utf8.hpp"
+#include "core/printable.hpp"
 #include "core/words.hpp"
 
 namespace changeover {

@@ -9,7 +9,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/model.hpp"
-#include "io/scan/plain_text.hpp"
+#include "io/scan/place.hpp"
 #include "plan/model/model_text.hpp"
 
 namespace changeover {

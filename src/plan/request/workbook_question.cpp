@@ -12,7 +12,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
-#include "core/utf8.hpp"
+#include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/request/request_document.hpp"
 #include "io/scan/place.hpp"

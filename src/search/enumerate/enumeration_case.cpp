@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "changeover/search/enumeration.hpp"
 #include "core/checked.hpp"
@@ -75,6 +76,164 @@ std::vector<EnumerationCase> enumeration_cases(const Parameters& p, std::uint64_
     }
   }
   return cases;
+}
+
+namespace {
+
+constexpr std::int64_t prices = 4;
+constexpr std::int64_t most_cost = 511;  // stands for "impossible" too
+constexpr unsigned lane_bits = 16;
+
+std::int64_t lane(std::uint64_t word, std::int64_t price) {
+  return static_cast<std::int64_t>((word >> (lane_bits * static_cast<unsigned>(price))) & 0xffffU);
+}
+
+std::uint64_t in_lane(std::int64_t value, std::int64_t price) {
+  return static_cast<std::uint64_t>(value) << (lane_bits * static_cast<unsigned>(price));
+}
+
+}  // namespace
+
+DegreeTable::DegreeTable(const EnumerationCase& own) : change_(own.change), rows_(own.b) {
+  const auto stay = static_cast<std::int64_t>(own.change);
+  const auto introduction = static_cast<std::int64_t>(own.k) - 1;
+  constexpr std::array roles{EndRole::anywhere, EndRole::in, EndRole::out};
+  for (std::size_t left = 0; left < own.b; ++left) {
+    for (const EndRole role : roles) {
+      for (const bool in : {false, true}) {
+        for (std::int64_t missing = 0; missing < 64; ++missing) {
+          std::uint64_t word = 0;
+          for (std::int64_t price = 0; price < prices; ++price) {
+            std::int64_t cost = most_cost;
+            if (left == 0) {
+              const bool allowed = role == EndRole::anywhere || (role == EndRole::in) == in;
+              cost = allowed && missing == 0 ? 0 : most_cost;
+            } else {
+              const auto after = [&](bool next_in, std::int64_t covers) {
+                const auto still =
+                    static_cast<std::size_t>(std::max<std::int64_t>(missing - covers, 0));
+                return lane(rows_[left - 1][offset(role, next_in) + still], price) +
+                       std::max<std::int64_t>(covers - missing, 0);
+              };
+              const std::int64_t next_in =
+                  in ? after(true, stay) : after(true, introduction) + price;
+              cost = std::min({most_cost, next_in, after(false, 0)});
+            }
+            word |= in_lane(cost, price);
+          }
+          rows_[left][offset(role, in) + static_cast<std::size_t>(missing)] = word;
+        }
+      }
+    }
+  }
+}
+
+std::uint64_t DegreeTable::allowance(std::int64_t excess, std::size_t blocks_left) const {
+  constexpr std::int64_t top = 0x7fff;
+  const auto introductions = static_cast<std::int64_t>(change_ * blocks_left);
+  std::uint64_t word = 0;
+  for (std::int64_t price = 0; price < prices; ++price) {
+    word |= in_lane(std::min(top, 2 * excess + price * introductions), price);
+  }
+  return word;
+}
+
+namespace {
+
+Mask above(std::size_t x) { return ~Mask{0} << x << 1; }
+
+constexpr int most_steps = 2000;
+
+class Reach {
+ public:
+  Reach(const EnumerationCase& own, const Position& position)
+      : own_(own), excess_(position.excess) {
+    for (std::size_t x = 0; x < own.v; ++x) {
+      alive_[x] = position.missing[x];
+      if ((position.block & bit(x)) != 0) {
+        alive_[x] |= position.block & ~bit(x);
+      }
+    }
+  }
+
+  // Whether the set can grow by `more` elements, from `from` on, with at most `budget` dead pairs.
+  bool grows(Mask set, Mask from, std::size_t more, std::int64_t budget) {
+    if (budget == 0) {
+      Mask common = from;
+      for (Mask rest = set; rest != 0; rest &= rest - 1) {
+        common &= alive_[lowest(rest)];
+      }
+      return clique(common, more);
+    }
+    if (more == 0) {
+      return true;
+    }
+    for (Mask rest = from; rest != 0; rest &= rest - 1) {
+      const std::size_t x = lowest(rest);
+      const auto dead = static_cast<std::int64_t>(count(set & ~alive_[x]));
+      if (++steps_ > most_steps ||
+          (dead <= budget && grows(set | bit(x), rest & (rest - 1), more - 1, budget - dead))) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool unchanged_subset_meets() const {
+    const Mask unchanged = own_.last_unchanged();
+    std::size_t dead = 0;
+    for (Mask rest = unchanged; rest != 0; rest &= rest - 1) {
+      const std::size_t x = lowest(rest);
+      dead += count(unchanged & above(x) & ~alive_[x]);
+    }
+    return static_cast<std::int64_t>(dead) <= excess_;
+  }
+
+ private:
+  bool clique(Mask from, std::size_t size) {
+    if (size <= 1) {
+      return size == 0 || from != 0;
+    }
+    for (Mask rest = from; rest != 0; rest &= rest - 1) {
+      const Mask beside = alive_[lowest(rest)] & rest & (rest - 1);
+      if (size == 2 ? beside != 0 : ++steps_ > most_steps || clique(beside, size - 1)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const EnumerationCase& own_;
+  std::int64_t excess_;
+  std::array<Mask, 64> alive_{};
+  int steps_ = 0;
+};
+
+}  // namespace
+
+bool all_within_reach(const EnumerationCase& own, const Position& position) {
+  Reach reach(own, position);
+  if (own.circular && !reach.unchanged_subset_meets()) {
+    return false;
+  }
+  const Mask all = own.all();
+  // Start with whole blocks around each element that has to return: fewer cases, which decide most.
+  for (Mask out = all & ~position.block; out != 0; out &= out - 1) {
+    const std::size_t x = lowest(out);
+    if (position.missing[x] != 0 &&
+        !reach.grows(bit(x), all & ~bit(x), own.k - 1, position.excess)) {
+      return false;
+    }
+  }
+  for (std::size_t x = 0; x < own.v; ++x) {
+    for (Mask later = position.missing[x] & above(x); later != 0; later &= later - 1) {
+      const Mask pair = bit(x) | bit(lowest(later));
+      if (!reach.grows(pair, all & ~pair, own.k - 2, position.excess)) {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 }  // namespace changeover

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "search/enumerate/enumeration_reach.hpp"
-#include "search/enumerate/masks.hpp"
+#include "search/enumerate/enumeration_case.hpp"
 
 namespace changeover {
 namespace {

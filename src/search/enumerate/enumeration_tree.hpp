@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "search/enumerate/enumeration_case.hpp"
-#include "search/enumerate/enumeration_degrees.hpp"
 
 namespace changeover {
 

@@ -35,7 +35,6 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/search/exact.hpp"
 #include "search/sat/cnf.hpp"
-#include "search/sat/cnf_size.hpp"
 
 namespace changeover {
 

@@ -23,7 +23,6 @@
 #include "search/local/checkpoint.hpp"
 #include "search/local/imposed.hpp"
 #include "search/local/local_search_arms.hpp"
-#include "search/local/local_search_states.hpp"
 #include "search/local/random_list.hpp"
 #include "search/repair/repair_cover.hpp"
 

@@ -14,7 +14,7 @@
 #include "core/sorted.hpp"
 #include "run/grace.hpp"
 #include "run/threads.hpp"
-#include "search/local/local_search_states.hpp"
+#include "search/local/local_search_arms.hpp"
 #include "search/local/random_list.hpp"
 
 namespace changeover {

@@ -24,7 +24,7 @@
 #include "changeover/core/developed.hpp"
 #include "changeover/core/parameters.hpp"
 #include "run/random.hpp"
-#include "search/local/coverage.hpp"
+#include "search/local/segment_pairs.hpp"
 #include "search/local/segment_swap.hpp"
 #include "search/pair_orbits.hpp"
 

@@ -19,7 +19,7 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
 #include "run/random.hpp"
-#include "search/local/coverage.hpp"
+#include "search/local/segment_pairs.hpp"
 #include "search/local/segment_swap.hpp"
 #include "search/subset_ranks.hpp"
 

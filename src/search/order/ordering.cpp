@@ -9,7 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
-#include "search/order/ordering_overlap.hpp"
+#include "search/order/ordering_bound.hpp"
 
 namespace changeover {
 namespace {

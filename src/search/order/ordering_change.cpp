@@ -11,9 +11,9 @@
 #include "changeover/run/control.hpp"
 #include "changeover/search/local_search.hpp"
 #include "run/random.hpp"
-#include "search/order/ordering_overlap.hpp"
+#include "search/order/ordering_bound.hpp"
 #include "search/sat/cardinality.hpp"
-#include "search/sat/incremental_solver.hpp"
+#include "search/sat/sat_solver.hpp"
 
 namespace changeover {
 namespace {

@@ -10,7 +10,6 @@
 #include "changeover/search/local_search.hpp"
 #include "run/random.hpp"
 #include "search/order/ordering_bound.hpp"
-#include "search/order/ordering_overlap.hpp"
 #include "search/order/ordering_tour.hpp"
 
 namespace changeover {

@@ -11,9 +11,8 @@
 #include "changeover/core/error.hpp"
 #include "construct/tools/path.hpp"
 #include "run/grace.hpp"
-#include "search/local/local_search_states.hpp"
+#include "search/local/local_search_arms.hpp"
 #include "search/local/random_list.hpp"
-#include "search/repair/repair_anneal.hpp"
 #include "search/repair/repair_cover.hpp"
 
 namespace changeover {

@@ -7,7 +7,6 @@
 #include "changeover/run/control.hpp"
 #include "construct/tools/path.hpp"
 #include "search/local/random_list.hpp"
-#include "search/repair/repair_subsets.hpp"
 
 namespace changeover {
 namespace {

@@ -7,9 +7,8 @@
 #include "changeover/search/local_search.hpp"
 #include "core/checked.hpp"
 #include "run/grace.hpp"
-#include "search/local/local_search_states.hpp"
+#include "search/local/local_search_arms.hpp"
 #include "search/local/random_list.hpp"
-#include "search/repair/repair_anneal.hpp"
 #include "search/repair/repair_cover.hpp"
 
 namespace changeover {

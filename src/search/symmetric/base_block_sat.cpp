@@ -6,8 +6,8 @@
 #include "core/checked.hpp"
 #include "search/pair_orbits.hpp"
 #include "search/sat/cardinality.hpp"
-#include "search/sat/incremental_solver.hpp"
-#include "search/symmetric/base_block_degrees.hpp"
+#include "search/sat/sat_solver.hpp"
+#include "search/symmetric/base_block_anneal.hpp"
 
 namespace changeover {
 namespace {

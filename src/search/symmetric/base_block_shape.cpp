@@ -10,7 +10,7 @@
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
-#include "search/symmetric/base_block_degrees.hpp"
+#include "search/symmetric/base_block_anneal.hpp"
 
 namespace changeover {
 namespace {

@@ -14,7 +14,7 @@
 #include "../entries.hpp"
 #include "catalog/store/database.hpp"
 #include "catalog/store/schema.hpp"
-#include "catalog/store/shelf.hpp"
+#include "catalog/store/store.hpp"
 #include "changeover/catalog/catalog.hpp"
 #include "changeover/catalog/entry.hpp"
 #include "run_program.hpp"

@@ -79,6 +79,7 @@ TEST(RowReader, SaysLineAndColumn) {
   EXPECT_THAT(fault("a,b\n\"c\"d,e\n"), StartsWith("f:2:4: text after a closing quote"));
   EXPECT_THAT(fault("a,b\nc,\x01\n"), StartsWith("f:2:3: control byte 0x01"));
   EXPECT_THAT(fault("a,b\rc\n"), StartsWith("f:1:4: carriage return inside a line"));
+  EXPECT_THAT(fault("# a\rb\r"), StartsWith("f:1:4: carriage return inside a line"));
   EXPECT_THAT(fault("a,\xFF\n"), StartsWith("f:1:3: byte 0xff is not UTF-8"));
   EXPECT_EQ(fault("a\nbbbbb\n", {.longest_line = 4, .too_long = "too long a line"}),
             "f:2:1: too long a line");

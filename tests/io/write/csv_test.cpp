@@ -114,6 +114,7 @@ TEST(CsvTest, EachFaultHasItsLineColumnAndRemedy) {
       {"0,\"1", "f:1:3: a quote is opened and not closed on this line; close it"},
       {"0,\"1\"2\n", "f:1:6: text after a closing quote; double each quote within quotes"},
       {"0,1\r2,3\n", "f:1:4: carriage return inside a line; end lines with LF or CR LF"},
+      {"# a\r0,1\r", "f:1:4: carriage return inside a line; end lines with LF or CR LF"},
       {std::string("0,\0", 3), "f:1:3: control byte 0x00; the input must be plain text"},
       {"a,b c\n", "f:1:3: a name with a blank or control character; use '_' or '-' instead"},
       {"a,\"b,c\"\n",

@@ -166,6 +166,7 @@ TEST(TextTest, EachFaultHasItsLineColumnAndRemedy) {
       {"0 a\x7f\n", "f:1:4: control byte 0x7f; the input must be plain text"},
       {"# \x02\n0 1\n", "f:1:3: control byte 0x02; the input must be plain text"},
       {"0 1\r2 3\n", "f:1:4: carriage return inside a line; end lines with LF or CR LF"},
+      {"# a\r0 1\r", "f:1:4: carriage return inside a line; end lines with LF or CR LF"},
       {"# changeover design v=0\n0 1\n",
        "f:1:21: v='0': bad value; give a whole number from 1 to 65535"},
       {"# changeover design v=65536\n0 1\n",

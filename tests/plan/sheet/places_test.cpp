@@ -14,7 +14,7 @@
 #include "changeover/plan/benches.hpp"
 #include "changeover/plan/job_request.hpp"
 #include "damage.hpp"
-#include "io/scan/json_tree.hpp"
+#include "io/scan/json_events.hpp"
 #include "io/scan/row_reader.hpp"
 #include "random_jobs.hpp"
 #include "replacing_jobs.hpp"

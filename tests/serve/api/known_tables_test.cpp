@@ -8,7 +8,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "cli/cli.hpp"
-#include "serve/api/known_tables.hpp"
+#include "serve/api/explorer.hpp"
 
 namespace changeover::test::known_tables_test {
 namespace {

@@ -1,13 +1,16 @@
 #include "answer/catalog/entry_words.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ctime>
 #include <string_view>
 
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/io/tables.hpp"
+#include "io/write/json_writer.hpp"
 
 namespace changeover::cli {
 
@@ -160,5 +163,36 @@ std::string bibtex_of(const Catalog& catalog) {
               fmt::format("Changeover {}; {} designs as of {}; SHA-256 of their checksums {}",
                           version, count, latest, to_hex(hash.finish())));
 }
+
+Completeness completeness(const Catalog& catalog, const CatalogFilter& filter) {
+  Completeness tallies;
+  catalog.each(filter, [&](const CatalogEntry& entry) {
+    const Parameters& p = entry.parameters;
+    Tally& tally = tallies[{p.strength, p.change, p.kind, p.k}];
+    ++tally.cells;
+    tally.minimum += entry.status() == "minimum" ? 1U : 0U;
+    tally.v_from = std::min(tally.v_from, p.v);
+    tally.v_to = std::max(tally.v_to, p.v);
+    tally.ratios += static_cast<double>(entry.b) / static_cast<double>(entry.lower_bound);
+    return true;
+  });
+  return tallies;
+}
+
+std::string completeness_json(const Completeness& found) {
+  JsonWriter json;
+  json.begin_array();
+  for (const auto& [key, tally] : found) {
+    const auto& [strength, change, kind, k] = key;
+    json.begin_object().key("strength").value(std::uint64_t{strength}).key("change").value(change);
+    json.key("kind").value(to_string(kind)).key("k").value(k).key("v_from").value(tally.v_from);
+    json.key("v_to").value(tally.v_to).key("cells").value(tally.cells);
+    json.key("minimum").value(tally.minimum).key("mean_ratio").value(tally.mean_ratio());
+    json.end_object();
+  }
+  return json.end_array().take();
+}
+
+std::string today() { return fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))); }
 
 }  // namespace changeover::cli

@@ -6,7 +6,7 @@
 
 #include "answer/answer.hpp"
 #include "answer/design/judgement.hpp"
-#include "changeover/construct/best_known.hpp"
+#include "construct/known_documents.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 
@@ -56,23 +56,6 @@ void add_text(const RecipeNode& node, const Recipe& recipe, const std::string& i
   }
 }
 
-void add_json(const RecipeNode& node, const Recipe& recipe, JsonWriter& json) {
-  json.begin_object();
-  json.key("construction").value(node.construction->name());
-  json.key("v").value(node.parameters.v).key("k").value(node.parameters.k);
-  json.key("change").value(node.parameters.change);
-  json.key("kind").value(to_string(node.parameters.kind));
-  json.key("explanation").value(node.explanation).key("citation").value(node.citation);
-  json.key("b").value(node.b.value_or(0)).key("verdict");
-  const std::optional<Judgement> judgement = judgement_of(recipe);
-  judgement ? json.raw(verdict_to_json(judgement->verdict)) : json.null();
-  json.key("inputs").begin_array();
-  for (std::size_t i = 0; i < node.inputs.size(); ++i) {
-    add_json(node.inputs[i], recipe.inputs[i], json);
-  }
-  json.end_array().end_object();
-}
-
 void add_steps(const RecipeNode& node, std::size_t depth, std::vector<RecipeStep>& steps) {
   steps.push_back({depth,
                    node.b ? fmt::format("{}: {}", name(node.parameters), count_of(*node.b, "block"))
@@ -100,7 +83,10 @@ std::string tree_text(const Recipe& recipe) {
 std::string explanation_json(const Recipe& recipe) {
   JsonWriter json;
   json.begin_object().key("recipe").raw(recipe_to_json(recipe)).key("tree");
-  add_json(explained(Registry::standard(), recipe), recipe, json);
+  write_tree(recipe, json, [](const Recipe& node, JsonWriter& to) {
+    const auto judgement = judgement_of(node);
+    judgement ? to.raw(verdict_to_json(judgement->verdict)) : to.null();
+  });
   return json.end_object().take();
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "changeover/core/recipe.hpp"
+#include "changeover/core/design.hpp"
 
 namespace changeover::cli {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "answer/catalog/entry_words.hpp"
-#include "answer/known/offers.hpp"
+#include "answer/known/known_table.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/draw/draw.hpp"

@@ -15,10 +15,10 @@
 
 #include "answer/design/chosen_design.hpp"
 #include "answer/design/recipe_tree.hpp"
-#include "answer/known/known_bounds.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/sha256.hpp"
 #include "changeover/draw/picture.hpp"
+#include "construct/known_documents.hpp"
 
 namespace changeover::cli {
 

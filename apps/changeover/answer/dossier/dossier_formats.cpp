@@ -59,8 +59,8 @@ void say_bounds(const Dossier& dossier, Form& form) {
   }
   form.end_of_items();
   if (dossier.known.reported) {
-    form.paragraph(
-        fmt::format("A publication reports fewer blocks: {}.", in_words(*dossier.known.reported)));
+    form.paragraph(fmt::format("A publication reports fewer blocks: {}.",
+                               reported_words(*dossier.known.reported)));
   }
 }
 

@@ -9,8 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "changeover/construct/best_known.hpp"
-#include "request/range.hpp"
+#include "answer/answer.hpp"
+#include "changeover/construct/registry.hpp"
+#include "construct/known_documents.hpp"
+#include "request/parameters.hpp"
 
 namespace changeover::cli {
 
@@ -24,8 +26,6 @@ struct TableRange {
 /// As --k, --v and --change say it, where it is not too large. @throws UsageError.
 [[nodiscard]] TableRange table_range(const std::string& k, const std::string& v,
                                      std::optional<std::uint64_t> change);
-
-using Cells = std::vector<const KnownCell*>;
 
 class KnownTable {
  public:
@@ -48,11 +48,20 @@ void check_table(const TableRange& asked);
 /// @throws as check_table() and best_known_table().
 [[nodiscard]] KnownTable known_table(const TableRange& asked, Stored stored = Stored::as_shipped);
 
-/// The document of `table --json`; `with_labels`: each cell has "label" too, of its design in the
-/// catalog, or null.
-[[nodiscard]] std::string table_json(const Cells& cells, bool with_labels = false);
+// What constructions offer for parameters, and the answer where nothing serves them.
 
-/// The label in the catalog of the design that is offered; empty if it is not there.
-[[nodiscard]] std::string label_of(const Offer& offer);
+/// The best that is known of some parameters, by construct/best_known.hpp with the standard
+/// registry.
+[[nodiscard]] std::optional<Offer> best_known(const Parameters& p);
+
+/// The best offer over some kinds, circular before linear among equals; `construction` is the only
+/// one that is asked, or empty. @throws UsageError if no construction has that name.
+[[nodiscard]] std::optional<Offer> best_offer(const std::vector<Parameters>& asked,
+                                              const std::string& construction);
+
+/// What is known of parameters that nothing serves: why no design exists, or the lower bound, what
+/// is near, what would help.
+[[nodiscard]] Answer decline(const std::vector<Parameters>& asked, const std::string& construction,
+                             const OutputRequest& output);
 
 }  // namespace changeover::cli

@@ -5,7 +5,7 @@
 #include <map>
 #include <string_view>
 
-#include "answer/catalog/completeness.hpp"
+#include "answer/catalog/entry_words.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/run/control.hpp"

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <map>
 
-#include "answer/known/known_bounds.hpp"
+#include "changeover/catalog/catalog.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/construct/standard_catalog.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"
 #include "changeover/run/control.hpp"
+#include "construct/known_documents.hpp"
 #include "io/write/json_writer.hpp"
 #include "serve/api/cells.hpp"
 #include "serve/api/request/query.hpp"
@@ -26,7 +26,7 @@ KnownCell known_cell(const Parameters& p) {
   } else if (p.change > p.k) {
     cell.impossible = "a block has at least m elements";
   } else {
-    cli::KnownBounds known = cli::known_bounds(p);
+    KnownBounds known = known_bounds(p);
     cell.impossible = std::move(known.impossible);
     if (!known.bounds.empty()) {
       cell.bound = std::move(known.bounds.front());
@@ -45,7 +45,7 @@ void begin_atlas(JsonWriter& json, const AtlasQuestion& asked) {
 }
 
 template <typename Write>
-void write_column(JsonWriter& json, const char* name, const cli::Cells& cells, Write&& write) {
+void write_column(JsonWriter& json, const char* name, const Cells& cells, Write&& write) {
   json.key(name).begin_array();
   for (const KnownCell* const cell : cells) {
     write(*cell);
@@ -79,7 +79,7 @@ Response atlas_answer(Explorer& explorer, const Request& request, Json&& documen
   }
   cli::check_table(asked.range);
   const std::deque<KnownCell> held = cells_of_strength(asked);
-  cli::Cells cells;
+  Cells cells;
   for (const KnownCell& cell : held) {
     cells.push_back(&cell);
   }
@@ -117,7 +117,7 @@ std::deque<KnownCell> cells_of_strength(const AtlasQuestion& asked) {
   return cells;
 }
 
-std::string atlas_json(const AtlasQuestion& asked, const cli::Cells& cells) {
+std::string atlas_json(const AtlasQuestion& asked, const Cells& cells) {
   std::map<std::string, std::uint64_t> numbers;
   for (const KnownCell* const cell : cells) {
     if (cell->best) {
@@ -142,13 +142,13 @@ std::string atlas_json(const AtlasQuestion& asked, const cli::Cells& cells) {
     cell.best ? json.value(numbers.at(cell.best->recipe.construction)) : json.null();
   });
   write_column(json, "label", cells, [&](const KnownCell& cell) {
-    const std::string label = cell.best ? cli::label_of(*cell.best) : "";
+    const std::string label = cell.best ? label_of(*cell.best) : "";
     label.empty() ? json.null() : json.value(label.substr(label.rfind('.') + 1));
   });
   return json.end_object().take();
 }
 
-std::string groups_json(const AtlasQuestion& asked, const cli::Cells& cells) {
+std::string groups_json(const AtlasQuestion& asked, const Cells& cells) {
   // Beyond, a design is too long to be looked through for each of many cells.
   constexpr std::uint64_t most_numbers = 2'000'000;
   JsonWriter json;
@@ -167,7 +167,7 @@ std::string groups_json(const AtlasQuestion& asked, const cli::Cells& cells) {
 
 void add_atlas(Router& router, Explorer& explorer) {
   const auto add = [&](const std::string& path,
-                       std::string (*document)(const AtlasQuestion&, const cli::Cells&)) {
+                       std::string (*document)(const AtlasQuestion&, const Cells&)) {
     Route route = question(explorer, path, {"v", "k", "change", "kind", "strength"},
                            Again::while_unchanged, [&explorer, document](const Request& request) {
                              return atlas_answer(explorer, request, document);

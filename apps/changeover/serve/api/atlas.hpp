@@ -30,10 +30,10 @@ struct AtlasQuestion {
 
 /// Parameters that every cell shares, then the columns. A label has only what its cell and number
 /// of blocks do not say: its digits at the end.
-[[nodiscard]] std::string atlas_json(const AtlasQuestion& asked, const cli::Cells& cells);
+[[nodiscard]] std::string atlas_json(const AtlasQuestion& asked, const Cells& cells);
 
 /// The order of the group of each best design, in decimal, null where there is no design. Builds
 /// them; listens to the scope.
-[[nodiscard]] std::string groups_json(const AtlasQuestion& asked, const cli::Cells& cells);
+[[nodiscard]] std::string groups_json(const AtlasQuestion& asked, const Cells& cells);
 
 }  // namespace changeover::serve

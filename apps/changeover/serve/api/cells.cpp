@@ -5,11 +5,11 @@
 
 #include "answer/catalog/entry_words.hpp"
 #include "answer/design/recipe_tree.hpp"
-#include "answer/known/known_bounds.hpp"
 #include "answer/known/known_table.hpp"
 #include "changeover/catalog/catalog.hpp"
-#include "changeover/construct/standard_catalog.hpp"
+#include "changeover/construct/registry.hpp"
 #include "changeover/io/formats.hpp"
+#include "construct/known_documents.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/parameters.hpp"
 #include "serve/api/cells.hpp"
@@ -22,22 +22,22 @@ namespace {
 
 Response table(Explorer& explorer, const Request& request) {
   const auto table = explorer.tables.of(table_range_of(request), explorer.generation());
-  cli::Cells cells;
+  Cells cells;
   for (const Kind kind : cli::kinds_of(kind_of(request))) {
-    const cli::Cells more = table->cells(kind);
+    const Cells more = table->cells(kind);
     cells.insert(cells.end(), more.begin(), more.end());
   }
-  return json_response(cli::table_json(cells, true) + "\n");
+  return json_response(table_json(cells, CellKeys::with_label) + "\n");
 }
 
-void write_best(JsonWriter& json, const cli::KnownBounds& known) {
+void write_best(JsonWriter& json, const KnownBounds& known) {
   json.key("best");
   if (!known.best) {
     json.null();
     return;
   }
   const Offer& offer = *known.best;
-  const std::string label = cli::label_of(offer);
+  const std::string label = label_of(offer);
   json.begin_object().key("b").value(offer.b).key("label");
   label.empty() ? json.null() : json.value(label);
   json.key("status").value(known.status());
@@ -46,7 +46,7 @@ void write_best(JsonWriter& json, const cli::KnownBounds& known) {
 }
 
 // All designs with so many blocks, where they were counted. "1:11 3:1" becomes a list.
-void write_classified(JsonWriter& json, const cli::KnownBounds& known) {
+void write_classified(JsonWriter& json, const KnownBounds& known) {
   const auto all = known.best ? classified(known.parameters, known.best->b) : std::nullopt;
   json.key("classified");
   if (!all) {
@@ -90,11 +90,11 @@ bool is_quick_table(const Request& request) {
 }
 
 std::string cell_json(const Catalog& catalog, const Parameters& p, Offers how) {
-  const cli::KnownBounds known = cli::known_bounds(p);
+  const KnownBounds known = known_bounds(p);
   JsonWriter json;
-  cli::begin_known(json, known);
+  begin_known(json, known);
   json.key("status").value(known.status());
-  cli::write_reported(json, known);
+  write_reported(json, known);
   json.key("bounds").begin_array();
   for (const Bound& bound : known.bounds) {
     json.begin_object().key("name").value(bound.name).key("blocks").value(bound.blocks);
@@ -158,7 +158,7 @@ void add_cells(Router& router, Explorer& explorer) {
     return json_response(cell_json(explorer.catalog, cell_of(request)) + "\n");
   });
   of_cell("api/bounds", cell, [](const Request& request) {
-    return json_response(cli::bounds_json(cli::known_bounds(cell_of(request))) + "\n");
+    return json_response(bounds_json(known_bounds(cell_of(request))) + "\n");
   });
   std::vector<std::string> or_label = cell;
   or_label.emplace_back("label");

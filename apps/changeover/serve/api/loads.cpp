@@ -18,7 +18,7 @@
 #include "io/request/request_document.hpp"
 #include "io/write/json_writer.hpp"
 #include "loadorder/show/loads_answer.hpp"
-#include "serve/api/request/request_body.hpp"
+#include "serve/api/request/query.hpp"
 #include "serve/api/routes.hpp"
 
 namespace changeover::serve {

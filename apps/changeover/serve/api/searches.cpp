@@ -8,7 +8,6 @@
 #include "changeover/io/input.hpp"
 #include "io/scan/place.hpp"
 #include "io/write/json_writer.hpp"
-#include "serve/api/request/json_body.hpp"
 #include "serve/api/request/query.hpp"
 #include "serve/api/routes.hpp"
 #include "serve/api/verify.hpp"

@@ -11,7 +11,6 @@
 #include <string_view>
 #include <vector>
 
-#include "answer/catalog/completeness.hpp"
 #include "answer/catalog/entry_words.hpp"
 #include "answer/design/chosen_design.hpp"
 #include "answer/design/recipe_tree.hpp"
@@ -112,7 +111,7 @@ class Site {
     for (const Kind kind : {Kind::circular, Kind::linear}) {
       const AtlasQuestion asked{.range = range, .kind = kind, .strength = strength};
       const std::deque<KnownCell> held = cells_of_strength(asked);
-      cli::Cells cells;
+      Cells cells;
       for (const KnownCell& cell : held) {
         cells.push_back(&cell);
       }
@@ -151,8 +150,7 @@ class Site {
   [[nodiscard]] std::uint64_t designs() const { return written_.size(); }
 
  private:
-  void write_selection(const std::string& name, const AtlasQuestion& asked,
-                       const cli::Cells& cells) {
+  void write_selection(const std::string& name, const AtlasQuestion& asked, const Cells& cells) {
     workshop_.write("data/atlas/" + name + ".json.gz", packed(atlas_json(asked, cells)));
     workshop_.write("data/groups/" + name + ".json.gz", packed(groups_json(asked, cells)));
     write_cells(name, cells);
@@ -160,7 +158,7 @@ class Site {
 
   // A file for each k: an object by v; and one with the designs. What is no list of blocks at all,
   // with k > v, is in the atlas only.
-  void write_cells(const std::string& name, cli::Cells cells) {
+  void write_cells(const std::string& name, Cells cells) {
     std::erase_if(cells, [](const KnownCell* cell) {
       const Parameters& p = cell->parameters;
       return p.k > p.v || p.change > p.k;

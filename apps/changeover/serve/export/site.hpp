@@ -15,7 +15,7 @@
 
 #include "changeover/catalog/catalog.hpp"
 #include "changeover/run/control.hpp"
-#include "request/range.hpp"
+#include "request/parameters.hpp"
 #include "serve/pages/pages.hpp"
 
 namespace changeover::serve {

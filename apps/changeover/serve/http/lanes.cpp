@@ -1,6 +1,10 @@
 #include "serve/http/lanes.hpp"
 
+#include <sys/socket.h>
+
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "run/threads.hpp"
 
@@ -69,6 +73,117 @@ void Lanes::serve(One& lane) {
     lock.lock();
     --busy_;
     idle_.notify_all();
+  }
+}
+
+Deadlines::Deadlines(const Settings& settings, std::string timed_out)
+    : settings_(settings), timed_out_(std::move(timed_out)), thread_([this] { run(); }) {}
+
+Deadlines::~Deadlines() {
+  {
+    const std::scoped_lock lock(mutex_);
+    ended_ = true;
+    ending_.notify_all();
+  }
+  thread_.join();
+}
+
+void Deadlines::open(int socket) {
+  const std::scoped_lock lock(mutex_);
+  open_[socket] = {Stage::head, Clock::now()};
+}
+
+void Deadlines::enter(int socket, Stage stage) {
+  const std::scoped_lock lock(mutex_);
+  if (const auto found = open_.find(socket); found != open_.end()) {
+    found->second = {stage, Clock::now()};
+  }
+}
+
+void Deadlines::hear(int socket) {
+  const std::scoped_lock lock(mutex_);
+  if (const auto found = open_.find(socket); found != open_.end()) {
+    found->second.begun = true;
+  }
+}
+
+void Deadlines::close(int socket) {
+  const std::scoped_lock lock(mutex_);
+  open_.erase(socket);
+}
+
+std::size_t Deadlines::open_connections() {
+  const std::scoped_lock lock(mutex_);
+  return open_.size();
+}
+
+bool Deadlines::is_late(const Open& open, Clock::time_point now) const {
+  const Seconds waited = now - open.since;
+  switch (open.stage) {
+    case Stage::head:
+      return waited > settings_.head;
+    case Stage::body:
+      return waited > settings_.body;
+    case Stage::reading:
+      return waited > settings_.reading;
+    case Stage::answer:
+    case Stage::listening:
+      break;
+  }
+  return false;
+}
+
+// Whether all that came was read, and no more will come: libmicrohttpd does not look while it waits
+// for the rest of a body.
+static bool has_gone(int socket) {
+  char byte = 0;
+  return ::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
+}
+
+void Deadlines::let_go(int socket, Open& open, Clock::time_point now) const {
+  if (open.stage == Stage::body || (open.stage == Stage::head && open.begun)) {
+    static_cast<void>(
+        ::send(socket, timed_out_.data(), timed_out_.size(), MSG_DONTWAIT | MSG_NOSIGNAL));
+  }
+  // The thread that reads from it sees the end, and closes it.
+  ::shutdown(socket, SHUT_RDWR);
+  open = {Stage::answer, now};
+}
+
+void Deadlines::make_room(Clock::time_point now) {
+  if (open_.size() <= settings_.crowd) {
+    return;
+  }
+  using Waiting = std::map<int, Open>::value_type;
+  std::vector<Waiting*> waiting;
+  for (Waiting& each : open_) {
+    const Stage stage = each.second.stage;
+    if (stage != Stage::answer && stage != Stage::listening &&
+        now - each.second.since > settings_.in_a_crowd) {
+      waiting.push_back(&each);
+    }
+  }
+  std::ranges::sort(waiting, {}, [](const Waiting* each) { return each->second.since; });
+  waiting.resize(std::min(waiting.size(), open_.size() - settings_.crowd));
+  for (Waiting* const each : waiting) {
+    let_go(each->first, each->second, now);
+  }
+}
+
+void Deadlines::run() {
+  constexpr std::chrono::milliseconds between_looks{200};
+  std::unique_lock lock(mutex_);
+  while (!ending_.wait_for(lock, between_looks, [this] { return ended_; })) {
+    const Clock::time_point now = Clock::now();
+    for (auto& [socket, open] : open_) {
+      if (open.stage == Stage::body && has_gone(socket)) {
+        ::shutdown(socket, SHUT_RDWR);
+        open = {Stage::answer, now};
+      } else if (is_late(open, now)) {
+        let_go(socket, open, now);
+      }
+    }
+    make_room(now);
   }
 }
 

@@ -17,7 +17,6 @@
 #include <memory>
 #include <string>
 
-#include "serve/http/deadlines.hpp"
 #include "serve/http/events.hpp"
 #include "serve/http/guard.hpp"
 #include "serve/http/lanes.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "answer/answer.hpp"
-#include "answer/catalog/today.hpp"
+#include "answer/catalog/entry_words.hpp"
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/best_known.hpp"
 #include "changeover/construct/closure.hpp"

@@ -10,7 +10,7 @@
 #include "changeover/plan/run_plan.hpp"
 #include "io/request/request_document.hpp"
 #include "io/write/json_writer.hpp"
-#include "serve/api/request/request_body.hpp"
+#include "serve/api/request/query.hpp"
 
 namespace changeover::serve {
 namespace {

@@ -3,7 +3,7 @@
 //     const std::string text = run_json(run);
 //     const KeptRun again = run_in(text, run.id);      // the same run
 //
-// Files and bodies are read by the same rules (serve/api/request/json_body.hpp).
+// Files and bodies are read by the same rules (serve/api/request/query.hpp).
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "io/write/json_writer.hpp"
-#include "serve/api/request/json_body.hpp"
+#include "serve/api/request/query.hpp"
 
 namespace changeover::serve {
 

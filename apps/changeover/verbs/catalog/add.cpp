@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "answer/answer.hpp"
-#include "answer/catalog/today.hpp"
+#include "answer/catalog/entry_words.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/curator/curator.hpp"
 #include "changeover/io/input.hpp"
@@ -10,7 +10,7 @@
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/catalog_request.hpp"
-#include "request/inputs.hpp"
+#include "request/output.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
 

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "answer/answer.hpp"
-#include "answer/catalog/completeness.hpp"
+#include "answer/catalog/entry_words.hpp"
 #include "request/catalog_request.hpp"
 #include "verbs.hpp"
 

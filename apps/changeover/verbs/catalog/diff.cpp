@@ -6,7 +6,7 @@
 #include "changeover/curator/curator.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/catalog_request.hpp"
-#include "request/inputs.hpp"
+#include "request/output.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "answer/answer.hpp"
-#include "answer/catalog/today.hpp"
+#include "answer/catalog/entry_words.hpp"
 #include "changeover/catalog/entry.hpp"
 #include "changeover/curator/curator.hpp"
 #include "cli/status_line.hpp"

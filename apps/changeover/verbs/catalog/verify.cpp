@@ -14,7 +14,7 @@
 #include "io/file/file_lock.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/catalog_request.hpp"
-#include "request/inputs.hpp"
+#include "request/output.hpp"
 #include "request/run_request.hpp"
 #include "verbs.hpp"
 

@@ -13,7 +13,7 @@
 #include "cli/team.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
-#include "request/inputs.hpp"
+#include "request/output.hpp"
 #include "request/parameters.hpp"
 #include "request/search_request.hpp"
 #include "run/grace.hpp"

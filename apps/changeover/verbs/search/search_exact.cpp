@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "answer/answer.hpp"
-#include "answer/known/offers.hpp"
+#include "answer/known/known_table.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/run/control.hpp"

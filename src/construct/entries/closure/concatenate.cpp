@@ -13,7 +13,7 @@
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 #include "construct/tools/concatenation/pieces.hpp"
-#include "construct/tools/read_within_memory.hpp"
+#include "construct/trusted_entry.hpp"
 #include "core/checked.hpp"
 
 namespace changeover::concatenate_entry {

@@ -16,7 +16,7 @@
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 #include "construct/tools/concatenation/groups.hpp"
-#include "construct/tools/read_within_memory.hpp"
+#include "construct/trusted_entry.hpp"
 
 namespace changeover::concatenate_groups_entry {
 namespace {

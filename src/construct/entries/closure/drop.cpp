@@ -16,7 +16,7 @@
 #include "changeover/core/pair_set.hpp"
 #include "changeover/run/control.hpp"
 #include "construct/entry.hpp"
-#include "construct/tools/read_within_memory.hpp"
+#include "construct/trusted_entry.hpp"
 #include "core/checked.hpp"
 
 namespace changeover::drop_entry {

@@ -15,7 +15,7 @@
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 #include "construct/tools/path.hpp"
-#include "construct/tools/read_within_memory.hpp"
+#include "construct/trusted_entry.hpp"
 
 namespace changeover::join_ends_entry {
 namespace {

@@ -24,7 +24,7 @@
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
-#include "construct/tools/read_within_memory.hpp"
+#include "construct/trusted_entry.hpp"
 #include "core/checked.hpp"
 
 namespace changeover::partial_expansion_entry {

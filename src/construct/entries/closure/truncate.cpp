@@ -13,7 +13,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "construct/entry.hpp"
-#include "construct/tools/read_within_memory.hpp"
+#include "construct/trusted_entry.hpp"
 
 namespace changeover::truncate_entry {
 namespace {

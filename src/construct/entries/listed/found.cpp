@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "bounds/counting_bound.hpp"
+#include "changeover/catalog/catalog.hpp"
 #include "changeover/catalog/entry.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 #include "construct/trusted_entry.hpp"

@@ -11,7 +11,6 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "construct/tools/concatenation/slopes.hpp"
-#include "construct/tools/concatenation/written_classes.hpp"
 #include "core/checked.hpp"
 #include "core/sorted.hpp"
 

@@ -10,7 +10,6 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
 #include "io/scan/place.hpp"
-#include "io/scan/plain_text.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/parts/cost_reader.hpp"
 #include "plan/job/parts/part_columns.hpp"

@@ -1,10 +1,11 @@
 // Partial expansion of any design at hand: the cover by unchanged subsets that a recipe names by positions.
 #include <gtest/gtest.h>
 
+#include "changeover/catalog/catalog.hpp"
 #include "changeover/construct/best_known.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/expansion.hpp"
-#include "changeover/construct/standard_catalog.hpp"
+#include "changeover/construct/registry.hpp"
 #include "changeover/core/design.hpp"
 #include "construction_checks.hpp"
 #include "naive_verdict.hpp"

@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "changeover/bounds/lower_bound.hpp"
+#include "changeover/catalog/catalog.hpp"
 #include "changeover/catalog/entry.hpp"
-#include "changeover/construct/standard_catalog.hpp"
+#include "changeover/construct/registry.hpp"
 #include "construction_checks.hpp"
 
 namespace changeover::found_test {

@@ -4,14 +4,22 @@
 //     const Range k = range_of(request, "k", {3, 8});
 #pragma once
 
+#include <fmt/format.h>
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
-#include "request/range.hpp"
+#include "changeover/io/request.hpp"
+#include "io/request/request_document.hpp"
+#include "request/parameters.hpp"
 #include "serve/http/message.hpp"
 
 namespace changeover::serve {
@@ -37,5 +45,76 @@ namespace changeover::serve {
 /// "A..B" or "A". @throws Refusal 400
 [[nodiscard]] cli::Range range_of(const Request& request, std::string_view name,
                                   const cli::Range& usual);
+
+// Bodies of JSON: an object whose members are asked for by name, and by type.
+//
+//     const JsonBody body(request.body);
+//     const std::uint64_t items = body.needed_number("items");
+//     body.finish();                                   // refuses members that were not read
+
+class JsonBody {
+ public:
+  /// @throws Refusal 422 with line and column if it is no JSON, nests deeper than 256 levels or is
+  /// no object.
+  explicit JsonBody(const std::string& text);
+  ~JsonBody();
+  JsonBody(const JsonBody&) = delete;
+  JsonBody& operator=(const JsonBody&) = delete;
+
+  /// nullptr if it is missing or null.
+  [[nodiscard]] const nlohmann::json* find(const std::string& name);
+
+  /// A whole number that is not negative. @throws Refusal 422 if it is something else.
+  [[nodiscard]] std::optional<std::uint64_t> number(const std::string& name);
+  [[nodiscard]] std::uint64_t needed_number(const std::string& name);
+  /// An amount in decimal: a number or a string, as it is written.
+  [[nodiscard]] std::optional<std::string> decimal(const std::string& name);
+  [[nodiscard]] std::optional<double> seconds(const std::string& name);
+  [[nodiscard]] std::optional<bool> boolean(const std::string& name);
+  [[nodiscard]] std::optional<std::string> text(const std::string& name);
+
+  /// @throws Refusal 422 if there are members that were not read.
+  void finish() const;
+
+ private:
+  std::unique_ptr<nlohmann::json> object_;
+  std::set<std::string> asked_;
+};
+
+// Bodies that are request documents (changeover/io/request.hpp): what the server does not take of
+// them.
+
+/// @throws Refusal 422 for a file, of which the server opens none, and for keys that are not for
+/// this door, with the reason.
+template <typename Request>
+void require_of_server(const Request& request, const RequestTable<Request>& table) {
+  for (const auto& option : table.options) {
+    const OptionRecord& record = option.record;
+    if (!is_given(request, option)) {
+      continue;
+    }
+    if (!record.not_in_server.empty()) {
+      throw Refusal{422, fmt::format("{}: not here; {}", record.key, record.not_in_server)};
+    }
+    const auto* const field = std::get_if<RequestList Request::*>(&option.field);
+    if (field != nullptr && !(request.**field).file.empty()) {
+      throw Refusal{422,
+                    fmt::format("{}: the server opens no files; send its rows, or {{\"text\":…}}",
+                                record.key)};
+    }
+  }
+}
+
+/// What is wrong with the body, whichever of its keys, is 422. Calls `read`.
+template <typename Read>
+auto from_body(Read&& read) {
+  try {
+    return read();
+  } catch (const BadInput& fault) {
+    throw Refusal{422, fault.what()};
+  } catch (const ImpossibleParameters& fault) {
+    throw Refusal{422, fault.what()};
+  }
+}
 
 }  // namespace changeover::serve

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "answer/known/known_table.hpp"
-#include "answer/known/offers.hpp"
+#include "changeover/catalog/catalog.hpp"
 #include "changeover/catalog/entry.hpp"
-#include "changeover/construct/standard_catalog.hpp"
+#include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "core/printable.hpp"
@@ -133,7 +133,7 @@ Selection selected(Explorer& explorer, const Request& request) {
   }
   const Offer offer = offer_of(cells_of(request));
   refuse_if_long(offer.recipe.parameters, offer.b);
-  return {cli::built(offer), cli::label_of(offer)};
+  return {cli::built(offer), label_of(offer)};
 }
 
 Recipe selected_recipe(Explorer& explorer, const Request& request) {

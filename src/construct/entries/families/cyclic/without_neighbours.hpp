@@ -21,7 +21,6 @@
 
 #include "construct/entry.hpp"
 #include "construct/tools/swaps.hpp"
-#include "construct/tools/unions.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {

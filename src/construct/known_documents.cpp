@@ -1,0 +1,159 @@
+#include "construct/known_documents.hpp"
+
+#include <fmt/format.h>
+
+#include "io/write/json_writer.hpp"
+
+namespace changeover {
+
+std::string KnownBounds::status() const {
+  if (impossible) {
+    return "impossible";
+  }
+  if (!best) {
+    return "open";
+  }
+  return best->b == bounds.front().blocks ? "minimum" : "best-known";
+}
+
+KnownBounds known_bounds(const Parameters& p) {
+  KnownBounds answer{
+      .parameters = p, .impossible = impossibility(p), .bounds = {}, .best = {}, .reported = {}};
+  if (!answer.impossible) {
+    answer.bounds = lower_bounds(p);
+    answer.best = best_known(Registry::standard(), p);
+    answer.reported = reported_below(p, answer.best ? std::optional(answer.best->b) : std::nullopt);
+  }
+  return answer;
+}
+
+std::string reported_words(const Reported& reported) {
+  return fmt::format("{} reported [{}], blocks not held here", reported.blocks, reported.cites);
+}
+
+void write_reported(JsonWriter& json, const KnownBounds& known) {
+  json.key("reported");
+  if (!known.reported) {
+    json.null();
+    return;
+  }
+  json.begin_object().key("blocks").value(known.reported->blocks);
+  json.key("cites").value(known.reported->cites).end_object();
+}
+
+void begin_known(JsonWriter& json, const KnownBounds& known) {
+  const Parameters& p = known.parameters;
+  json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
+  json.key("kind").value(to_string(p.kind)).key("strength").value(std::uint64_t{p.strength});
+  json.key("lower_bound");
+  known.impossible ? json.null() : json.value(known.bounds.front().blocks);
+  json.key("reason").value(known.impossible ? *known.impossible : known.bounds.front().reason);
+}
+
+std::string bounds_json(const KnownBounds& answer) {
+  JsonWriter json;
+  begin_known(json, answer);
+  json.key("best_known");
+  answer.best ? json.value(answer.best->b) : json.null();
+  json.key("construction");
+  answer.best ? json.value(answer.best->recipe.construction) : json.null();
+  json.key("status").value(answer.status());
+  write_reported(json, answer);
+  json.key("bounds").begin_array();
+  for (const Bound& bound : answer.bounds) {
+    json.begin_object().key("lower_bound").value(bound.blocks).key("name").value(bound.name);
+    json.key("reason").value(bound.reason).end_object();
+  }
+  json.end_array().end_object();
+  return json.take();
+}
+
+std::string table_json(const Cells& cells, CellKeys keys) {
+  JsonWriter json;
+  json.begin_array();
+  for (const KnownCell* cell : cells) {
+    const Parameters& p = cell->parameters;
+    json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
+    json.key("kind").value(to_string(p.kind)).key("b");
+    cell->best ? json.value(cell->best->b) : json.null();
+    json.key("lower_bound");
+    cell->impossible ? json.null() : json.value(cell->bound.blocks);
+    json.key("status").value(cell->status()).key("construction");
+    cell->best ? json.value(cell->best->recipe.construction) : json.null();
+    if (keys == CellKeys::with_label) {
+      const std::string label = cell->best ? label_of(*cell->best) : "";
+      json.key("label");
+      label.empty() ? json.null() : json.value(label);
+    }
+    if (keys == CellKeys::with_reason) {
+      json.key("reason").value(cell->impossible ? *cell->impossible : cell->bound.reason);
+    }
+    json.end_object();
+  }
+  json.end_array();
+  return json.take();
+}
+
+std::string label_of(const Offer& offer) {
+  const Recipe& recipe = offer.recipe;
+  if (recipe.construction == "found" && recipe.inputs.empty()) {
+    return recipe.provenance;
+  }
+  // A label names blocks: other designs with as many blocks have others. The same recipe makes the
+  // same blocks.
+  const auto known = standard_catalog().fewest(recipe.parameters);
+  if (!known || known->b != offer.b) {
+    return "";
+  }
+  for (const CatalogEntry& entry : standard_catalog().cell(recipe.parameters)) {
+    if (entry.b == offer.b && entry.retracted.empty() && entry.recipe == recipe) {
+      return entry.label();
+    }
+  }
+  return "";
+}
+
+namespace {
+
+void add_node(const RecipeNode& node, const Recipe& recipe, JsonWriter& json,
+              const WriteVerdict& verdict) {
+  json.begin_object();
+  json.key("construction").value(node.construction->name());
+  json.key("v").value(node.parameters.v).key("k").value(node.parameters.k);
+  json.key("change").value(node.parameters.change);
+  json.key("kind").value(to_string(node.parameters.kind));
+  json.key("explanation").value(node.explanation).key("citation").value(node.citation);
+  json.key("b").value(node.b.value_or(0));
+  if (verdict) {
+    json.key("verdict");
+    verdict(recipe, json);
+  }
+  json.key("inputs").begin_array();
+  for (std::size_t i = 0; i < node.inputs.size(); ++i) {
+    add_node(node.inputs[i], recipe.inputs[i], json, verdict);
+  }
+  json.end_array().end_object();
+}
+
+}  // namespace
+
+void write_tree(const Recipe& recipe, JsonWriter& json, const WriteVerdict& verdict) {
+  add_node(explained(Registry::standard(), recipe), recipe, json, verdict);
+}
+
+std::string constructions_json() {
+  JsonWriter json;
+  json.begin_array();
+  for (const Construction* each : Registry::standard().constructions()) {
+    json.begin_object().key("name").value(each->name()).key("summary").value(each->summary());
+    json.key("preconditions")
+        .value(each->preconditions())
+        .key("guarantee")
+        .value(each->guarantee());
+    json.key("citation").value(each->citation().to_string()).end_object();
+  }
+  json.end_array();
+  return json.take();
+}
+
+}  // namespace changeover
