@@ -81,7 +81,7 @@ class SwapSource final : public BlockByBlock<SwapSource> {
 // each of the g that enter in it was away for 2g−1 blocks. Every pair that was in a block still
 // is in one. If g does not divide b, the last union is short of elements. It gets the first that
 // are neither in it nor in the union before nor, in a circular design, in the first union, so
-// that they enter there and leave at once. coarsened() (construct/tools/close_up.hpp) is for
+// that they enter there and leave at once. coarsened() (construct/tools/coarsen.hpp) is for
 // designs that lack this property.
 
 /// Whether unions of g fit a list in which K−1 blocks or more stand between two stays of an

@@ -1,4 +1,4 @@
-// Coarsen: g consecutive blocks of a single-change design in one. See construct/tools/close_up.hpp.
+// Coarsen: g consecutive blocks of a single-change design in one. See construct/tools/coarsen.hpp.
 #include <fmt/format.h>
 
 #include <utility>
@@ -7,7 +7,7 @@
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
-#include "construct/tools/close_up.hpp"
+#include "construct/tools/coarsen.hpp"
 
 namespace changeover::coarsen_entry {
 namespace {
@@ -24,7 +24,7 @@ constexpr Description description{
     .summary = "m consecutive blocks of a single-change design in one, for an m-change design",
     .preconditions = "m >= 2; a single-change design on (v,k-m+1) of the same kind as input",
     .guarantee = "the m-th part of the input's blocks, rarely a few more",
-    .place = "src/construct/tools/close_up.hpp",
+    .place = "src/construct/tools/coarsen.hpp",
 };
 
 class Coarsen final : public Entry {

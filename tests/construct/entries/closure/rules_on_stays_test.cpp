@@ -5,6 +5,7 @@
 #include "changeover/construct/closure.hpp"
 #include "changeover/run/control.hpp"
 #include "construct/tools/close_up.hpp"
+#include "construct/tools/coarsen.hpp"
 #include "construction_checks.hpp"
 #include "stays.hpp"
 
