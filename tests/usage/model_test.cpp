@@ -201,7 +201,7 @@ TEST(ModelUsage, WhatMeansNothingIsRefused) {
        {"$changeover plan --model sub.txt --objective tests", 3,
         "sub.txt:4:1: sub-models are not supported"},
        {"$changeover plan --model none.txt --objective tests", 3,
-        "none.txt:6: no test obeys this rule and those before it; change one of them: [OS] <> \"Windows\""},
+        "none.txt:6: no test obeys this rule and those before it: [OS] <> \"Windows\"; change one of them"},
        {"$changeover plan --model m.txt --objective tests -o m.txt", 2, "m.txt"}},
       folder);
 }

@@ -263,7 +263,7 @@ std::optional<std::string> no_setup_of_model(const Job& job) {
     (has_setup(middle) ? possible : impossible) = middle;
   }
   const ModelConstraint& last = model.constraints[impossible - 1];
-  return fmt::format("{}:{}: no test obeys this rule and those before it{}; change one of them: {}",
+  return fmt::format("{}:{}: no test obeys this rule and those before it{}: {}; change one of them",
                      model.name, last.line,
                      job.mounted.empty() && job.never.size() == 0
                          ? ""

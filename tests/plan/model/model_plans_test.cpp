@@ -328,10 +328,10 @@ TEST(ModelPlans, SaysWhichRuleLeavesNoTest) {
   };
   EXPECT_EQ(
       complaint("A: a, b\nB: a, b\n[A] = [B];\n[A] = \"a\";\n[B] = \"b\";\n[A] = \"b\";\n"),
-      "m.txt:5: no test obeys this rule and those before it; change one of them: [B] = \"b\"");
+      "m.txt:5: no test obeys this rule and those before it: [B] = \"b\"; change one of them");
   EXPECT_EQ(
       complaint("A: a, b\nB: a, b\n[A] = \"x\";\n"),
-      "m.txt:3: no test obeys this rule and those before it; change one of them: [A] = \"x\"");
+      "m.txt:3: no test obeys this rule and those before it: [A] = \"x\"; change one of them");
   EXPECT_EQ(complaint("A: a, b\nB: a, b\n[A] <> \"x\";\n"), "");
   Job job = test::job_of_text("A: a, b\nB: a, b\n[A] = [B];\n");
   job.mounted = {0, 3};
