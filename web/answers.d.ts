@@ -887,7 +887,12 @@ export interface SearchJob {
   seed: number;
   restarts: number | null;
   message: string;
-  points?: {seconds: number; best: number | null; rate: number}[];
+  steps: number;
+  /** What a step is: moves, or kB of proof. */
+  unit: string;
+  /** Of an exact search: whether there is a design with so many blocks. */
+  decisions: {blocks: number; outcome: 'running' | 'found' | 'none' | 'unknown'; seconds: number; steps: number}[];
+  points?: {seconds: number; best: number | null; lower_bound: number | null; rate: number}[];
 }
 /** A plan that is searched for: the best so far against its bound; the answer at last. */
 export interface PlanJob {

@@ -70,6 +70,9 @@ test('tabs by arrow keys, in the link', async () => {
   assert.equal(await page.getByLabel('Order of elements').inputValue(), 'stays');
   await page.getByRole('tab', { name: 'Coverage' }).click();
   await page.locator('.matrix-canvas').waitFor();
+  // What the colours mean stands beside the picture, with the number of pairs of each: together all pairs.
+  const often = await page.locator('.matrix-key tbody td.number').allTextContents();
+  assert.equal(often.reduce((sum, n) => sum + Number(n), 0), 190);
   assert.equal(await page.getByRole('tab', { name: 'Circle' }).count(), 0, 'this design has no symmetry');
   await page.getByRole('tab', { name: 'Recipe' }).click();
   await page.locator('.recipe-node', { hasText: 'found' }).waitFor();

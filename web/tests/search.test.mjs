@@ -84,6 +84,16 @@ test('exact, from base blocks, with locked sets', async () => {
   await begin(page, 8, 4, { change: '1', seconds: '60' });
   await watched(page).getByText(/^Done after .*minimum/).waitFor({ timeout: 60_000 });
   await watched(page).locator('.advice', { hasText: 'Nothing is left to find' }).waitFor();
+  // Number by number: what was decided, how long it took, and the bound that rises with it.
+  await begin(page, 9, 5, { seconds: '60' });
+  await watched(page).locator('.decisions tr.none', { hasText: 'there is none: the proof was checked' }).waitFor({ timeout: 60_000 });
+  assert.match(await watched(page).locator('.figures').textContent(), /^gap0best6lower bound6decided1 number$/);
+  assert.ok(!(await watched(page).textContent()).includes('not decided'));
+  await begin(page, 15, 6, { seconds: '60' });
+  await watched(page).locator('.decisions tr.running', { hasText: /^12being decided/ }).waitFor();
+  assert.match(await watched(page).locator('.figures').textContent(), /^gap1best13lower bound12deciding now12 blocks$/);
+  await watched(page).getByRole('button', { name: 'Stop' }).click();
+  await watched(page).locator('.decisions tr.unknown').waitFor();
   await page.getByRole('combobox', { name: 'Method' }).selectOption('locked');
   await page.getByRole('button', { name: 'Start' }).click();
   await page.getByRole('alert').filter({ hasText: 'first, last or expansion_set' }).waitFor();

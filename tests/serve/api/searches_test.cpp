@@ -90,6 +90,38 @@ TEST(Searches, GoAboutItInEachWay) {
   EXPECT_EQ(triples["strength"], 3) << triples;
 }
 
+// What an exact search has decided is seen while it goes on, and what it came to is no riddle.
+TEST(Searches, ShowWhatWasDecided) {
+  const OwnServer own;
+  ASSERT_EQ(
+      act(own, "/api/search", R"({"v":9,"k":5,"kind":"linear","seconds":60,"way":"exact"})").status,
+      200);
+  ASSERT_TRUE(ends(own, 1));
+  const auto job = search(own, 1);
+  EXPECT_EQ(job["lower_bound"], 6) << job;
+  EXPECT_EQ(job["start_best"], 6) << job;
+  EXPECT_EQ(job["message"],
+            "minimum: as many blocks as the lower bound; 5 blocks: none, by a checked DRAT proof");
+  ASSERT_EQ(job["decisions"].size(), 1U) << job;
+  EXPECT_EQ(job["decisions"][0]["blocks"], 5);
+  EXPECT_EQ(job["decisions"][0]["outcome"], "none");
+  EXPECT_EQ(job["unit"], "kB of proof");
+  EXPECT_EQ(job["points"].front()["lower_bound"], 5) << job;
+  EXPECT_EQ(job["points"].back()["lower_bound"], 6) << job;
+  // One that goes on says which number it decides, and what was known before.
+  ASSERT_EQ(act(own, "/api/search", R"({"v":15,"k":6,"kind":"linear","seconds":600,"way":"exact"})")
+                .status,
+            200);
+  ASSERT_TRUE(eventually([&] { return !search(own, 2)["decisions"].empty(); }));
+  const auto running = search(own, 2);
+  EXPECT_EQ(running["decisions"][0]["outcome"], "running") << running;
+  EXPECT_EQ(running["decisions"][0]["blocks"], running["lower_bound"]);
+  EXPECT_FALSE(running["best"].is_null()) << running;
+  EXPECT_EQ(act(own, "/api/search/stop?id=2").status, 200);
+  ASSERT_TRUE(ends(own, 2));
+  EXPECT_EQ(search(own, 2)["decisions"][0]["outcome"], "unknown");
+}
+
 TEST(Searches, AreLimited) {
   const OwnServer own;
   const std::string long_one = R"({"v":30,"k":6,"seconds":3600})";

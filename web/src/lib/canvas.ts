@@ -37,3 +37,18 @@ export function placeTip(tip: HTMLElement, canvas: HTMLCanvasElement, event: Mou
   tip.style.left = `${Math.max(4, Math.min(box.width - tip.offsetWidth - 4, event.clientX - box.left + 14))}px`;
   tip.style.top = `${Math.max(2, event.clientY - box.top - 38)}px`;
 }
+
+/** Colours side by side, to be stretched by its style. */
+export function colourBar(colours: readonly string[]): HTMLCanvasElement {
+  const bar = document.createElement('canvas');
+  bar.className = 'colour-bar';
+  [bar.width, bar.height] = [colours.length, 1];
+  const pen = bar.getContext('2d');
+  colours.forEach((colour, i) => {
+    if (pen) {
+      pen.fillStyle = colour;
+      pen.fillRect(i, 0, 1, 1);
+    }
+  });
+  return bar;
+}

@@ -17,6 +17,7 @@ import { facts } from './design/facts';
 import { arrayView } from './design/array';
 import { circleView } from './design/circle';
 import { matrix } from './design/matrix';
+import { matrixKey } from './design/matrix_key';
 import { recipePicture, savePicture } from './design/pictures';
 import { openPlayer } from './design/player';
 import { Chosen } from './design/selection';
@@ -71,7 +72,7 @@ function verified(asked: Asked, design: Design, frozen: boolean): string {
     return 'Refuted: not every pair is covered, or a step is wrong.';
   }
   const when = frozen ? 'when this copy was written' : 'local' in asked ? 'on the page Verify' : 'before it was shown';
-  return `Verified ${when}, every step and every pair, by a checker that shares no code with what made the design.`;
+  return `Verified ${when}: every step and every pair was checked, by code that shares nothing with what made the design.`;
 }
 
 export const design: Page = {
@@ -149,7 +150,7 @@ export const design: Page = {
           pairs?.order(orderOf(order));
           fill(
             panel,
-            h('p', { class: 'hint' }, 'A row for each element, a bar for each stay. Drag on the strip to choose blocks, drag below to pan; Ctrl + wheel or + and − zoom. Pairs that first meet in the blocks in sight are lit on the right.'),
+            h('p', { class: 'hint' }, 'A row for each element, a bar for each stay. Drag on the strip to choose blocks, drag below to pan; Ctrl + wheel or + and − zoom. On the right a square for each pair, its colour says when it first meets; pairs that first meet in the blocks in sight are lit.'),
             h('div', { class: 'row' }, field('Order of elements', select(order, orders, (value) => {
               order = value as Order;
               line.order(orderOf(order));
@@ -174,7 +175,6 @@ export const design: Page = {
           sort(order);
           fill(
             panel,
-            h('p', { class: 'hint' }, 'A square for each pair. Below the diagonal: the block in which the pair first meets, from early to late as the colours go. Above it: how often the pair is newly covered, empty for once.'),
             h('div', { class: 'row' }, field('Order of elements', select(order, orders, (value) => {
               order = value;
               sort(order);
@@ -183,7 +183,7 @@ export const design: Page = {
               chosen.setRange(null);
               (event.target as HTMLElement).parentElement!.remove();
             } }, 'Show all'))),
-            pairs.element,
+            h('div', { class: 'pairs-and-key' }, pairs.element, matrixKey(b, pairs, signal)),
           );
         },
       },

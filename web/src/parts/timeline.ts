@@ -179,6 +179,14 @@ export function timeline(steps: TimelineData, chosen: Choice, first: readonly nu
     pen.fillStyle = faint;
     pen.font = `12px ${token('--text-font')}`;
     pen.fillText(steps.step, 8, axis - 12);
+    if (rows.length * row > 120) {
+      pen.save();
+      pen.translate(10, axis);
+      pen.rotate(-Math.PI / 2);
+      pen.textAlign = 'right';
+      pen.fillText(`← ${steps.item}`, 0, 0);
+      pen.restore();
+    }
     drawStrip();
   }
 

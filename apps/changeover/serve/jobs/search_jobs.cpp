@@ -33,7 +33,17 @@ constexpr std::size_t most_points = 2000;
 struct Point {
   double seconds = 0;
   std::optional<std::uint64_t> best = {};
-  double rate = 0;  // moves a second
+  std::optional<std::uint64_t> lower_bound = {};
+  double rate = 0;  // steps a second
+};
+
+// Whether there is a design with so many blocks, as an exact search decides it.
+struct DecidedBlocks {
+  std::uint64_t blocks = 0;
+  std::string outcome = "running";  // then that of the decision
+  double begin = 0;
+  double end = 0;
+  std::uint64_t steps = 0;  // kB of proof
 };
 
 // As the command line says it.
@@ -82,8 +92,10 @@ struct SearchJobs::Job {
   std::optional<std::uint64_t> restarts = {};
   double seconds = 0;
   std::uint64_t moves = 0;
+  std::string unit = "moves";
   std::string message = "searching";
   std::vector<Point> points = {};
+  std::vector<DecidedBlocks> decisions = {};
   std::shared_ptr<const Design> design = {};
 
   [[nodiscard]] bool running() const {
@@ -91,6 +103,10 @@ struct SearchJobs::Job {
     return state == "running";
   }
   void tell(const Progress& progress);
+  void begin_deciding(std::uint64_t blocks);
+  void end_deciding(const Decision& decision);
+  void give_up_deciding();
+  void add_point(Point point);
   void write(JsonWriter& json, bool with_points) const;
 };
 
@@ -102,10 +118,19 @@ void SearchJobs::Job::tell(const Progress& progress) {
                           : 0;
   seconds = now;
   moves = progress.steps;
+  unit = progress.unit;
+  if (!decisions.empty()) {
+    decisions.back().end = now;
+    decisions.back().steps = std::max(decisions.back().steps, moves);
+  }
   best = progress.best ? progress.best : best;
   lower_bound = progress.lower_bound ? progress.lower_bound : lower_bound;
   start_best = start_best ? start_best : progress.best;
   message = progress.phase;
+  add_point({now, best, lower_bound, rate});
+}
+
+void SearchJobs::Job::add_point(Point point) {
   if (points.size() == most_points) {
     // Every second point goes, as often as need be: the curve keeps its shape.
     for (std::size_t i = 1; 2 * i < points.size(); ++i) {
@@ -113,7 +138,29 @@ void SearchJobs::Job::tell(const Progress& progress) {
     }
     points.resize(most_points / 2);
   }
-  points.push_back({now, best, rate});
+  points.push_back(point);
+}
+
+void SearchJobs::Job::begin_deciding(std::uint64_t blocks) {
+  const std::scoped_lock lock(mutex);
+  const double now = control->elapsed().count();
+  unit = "kB of proof";
+  decisions.push_back({.blocks = blocks, .begin = now, .end = now});
+  add_point({now, best, lower_bound, 0});
+}
+
+void SearchJobs::Job::end_deciding(const Decision& decision) {
+  const std::scoped_lock lock(mutex);
+  DecidedBlocks& decided = decisions.back();
+  decided.outcome = to_string(decision.outcome);
+  decided.end = control->elapsed().count();
+  if (decision.excluded() && lower_bound < decision.b + 1) {
+    lower_bound = decision.b + 1;
+  }
+  if (decision.outcome == Outcome::found) {
+    best = decision.b;
+  }
+  add_point({decided.end, best, lower_bound, 0});
 }
 
 void SearchJobs::Job::write(JsonWriter& json, bool with_points) const {
@@ -126,16 +173,32 @@ void SearchJobs::Job::write(JsonWriter& json, bool with_points) const {
   json.key("start_best").value(start_best).key("seconds").value(seconds);
   json.key("limit").value(order.seconds).key("threads").value(order.threads);
   json.key("seed").value(order.seed).key("restarts").value(restarts);
-  json.key("message").value(message);
+  json.key("message").value(message).key("steps").value(moves).key("unit").value(unit);
+  json.key("decisions").begin_array();
+  for (const DecidedBlocks& decided : decisions) {
+    json.begin_object().key("blocks").value(decided.blocks).key("outcome").value(decided.outcome);
+    json.key("seconds").value(decided.end - decided.begin).key("steps").value(decided.steps);
+    json.end_object();
+  }
+  json.end_array();
   if (with_points) {
     json.key("points").begin_array();
     for (const Point& point : points) {
       json.begin_object().key("seconds").value(point.seconds).key("best").value(point.best);
+      json.key("lower_bound").value(point.lower_bound);
       json.key("rate").value(point.rate).end_object();
     }
     json.end_array();
   }
   json.end_object();
+}
+
+// What was under way when the search ended stays open.
+void SearchJobs::Job::give_up_deciding() {
+  const std::scoped_lock lock(mutex);
+  if (!decisions.empty() && decisions.back().outcome == "running") {
+    decisions.back().outcome = to_string(Outcome::unknown);
+  }
 }
 
 Kept keep_in_catalog(Catalog& catalog, const Design& design) {
@@ -207,6 +270,7 @@ void SearchJobs::run(Job& job) {
     job.state = "failed";
     job.message = fault;
   }
+  job.give_up_deciding();
   publish(job);
 }
 
@@ -231,7 +295,7 @@ void SearchJobs::finish(Job& job, Found found) {
   job.lower_bound = found.lower ? found.lower : job.lower_bound;
   job.restarts = found.attempts;
   job.seconds = job.control->elapsed().count();
-  job.points.push_back({job.seconds, job.best, found.moves_per_second});
+  job.points.push_back({job.seconds, job.best, job.lower_bound, found.moves_per_second});
   job.state = found.why_stopped == WhyStopped::interrupted ? "stopped" : "done";
   job.message = found.message;
   if (job.design && job.lower_bound == job.best) {
@@ -289,9 +353,23 @@ void SearchJobs::search(Job& job) {
       const std::optional<Offer> offer = order.parameters.strength == 2
                                              ? best_known(Registry::standard(), order.parameters)
                                              : std::nullopt;
-      MinimumResult result =
-          find_minimum(order.parameters, {}, control,
-                       offer ? std::optional<Design>(built_design(*offer).take()) : std::nullopt);
+      MinimumOptions options;
+      options.decider = [&](std::uint64_t b, const ExactOptions& exact) {
+        job.begin_deciding(b);
+        publish(job);
+        Decision decision = decide(order.parameters, b, exact, control);
+        job.end_deciding(decision);
+        publish(job);
+        return decision;
+      };
+      std::optional<Design> known;
+      if (offer) {
+        known = built_design(*offer).take();
+        const std::scoped_lock lock(job.mutex);
+        job.best = job.start_best = offer->b;
+      }
+      MinimumResult result = find_minimum(order.parameters, options, control, known);
+      const bool settled = result.settled();
       Found found{.known = offer ? std::optional(offer->b) : std::nullopt,
                   .lower = result.lower,
                   .attempts = result.steps.size(),
@@ -307,7 +385,7 @@ void SearchJobs::search(Job& job) {
         Design design = (*std::move(result.best)).take();
         found.design = design.recipe ? design : credited(std::move(design), "--exact");
       }
-      if (!result.settled()) {
+      if (!settled) {
         found.message += fmt::format("{}not decided ({})", found.message.empty() ? "" : "; ",
                                      to_string(result.why_stopped));
       }

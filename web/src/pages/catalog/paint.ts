@@ -1,4 +1,5 @@
 // What the colours of the map say, and the legend that says it.
+import { colourBar } from '../../lib/canvas';
 import type { Atlas, AtlasCell } from '../../lib/atlas';
 import { token } from '../../lib/canvas';
 import { hues, scale } from '../../lib/colours';
@@ -80,14 +81,7 @@ export function paintOf(atlas: Atlas, measure: string): Paint {
   const known = new Map<number, string>();
   const ends = [values[0] ?? 0, values.find((x) => place(x) >= 0.5) ?? 0, values.at(-1) ?? 0] as const;
   const said = (x: number): string => (measure === 'gap' ? `+${x}` : (1 + x).toFixed(x < 0.1 ? 3 : 2));
-  const bar = h('canvas', { class: 'legend-bar', width: colours.length, height: 1 });
-  const pen = bar.getContext('2d');
-  colours.forEach((colour, i) => {
-    if (pen) {
-      pen.fillStyle = colour;
-      pen.fillRect(i, 0, 1, 1);
-    }
-  });
+  const bar = colourBar(colours);
   return {
     ink,
     of(cell) {

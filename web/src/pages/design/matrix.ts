@@ -11,9 +11,12 @@ import type { Steps } from './steps';
 export interface Matrix {
   readonly element: HTMLElement;
   order(rows: readonly number[]): void;
+  /** How many pairs are newly covered how often, by the number of times. */
+  often(): Map<number, number>;
 }
 
-const margin = 40;
+/** Of the names and, outside of them, of what they are. */
+const margin = 52;
 
 /** Null if there are too many elements to keep their pairs apart. */
 export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, largest = 720): Matrix | null {
@@ -184,6 +187,16 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
     }
     pen.restore();
     pen.font = `12px ${token('--text-font')}`;
+    pen.fillStyle = faint;
+    pen.textBaseline = 'middle';
+    pen.textAlign = 'left';
+    pen.fillText('element →', margin, 10);
+    pen.save();
+    pen.translate(9, margin);
+    pen.rotate(-Math.PI / 2);
+    pen.textAlign = 'right';
+    pen.fillText('← element', 0, 0);
+    pen.restore();
     const step = Math.max(1, Math.ceil(16 / cell));
     const strongAt = lit.map(rowOf);
     for (let i = 0; i < v; ++i) {
@@ -198,7 +211,7 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
       pen.textBaseline = 'middle';
       pen.textAlign = 'center';
       if (across > margin && across + name.length * 3.5 < side && (cell * step >= name.length * 7 || strong)) {
-        pen.fillText(name, across, margin - 10);
+        pen.fillText(name, across, margin - 9);
       }
       pen.textAlign = 'right';
       if (down > margin && down < side) {
@@ -313,6 +326,17 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
   });
   return {
     element,
+    often() {
+      const counts = times();
+      const found = new Map<number, number>();
+      for (let x = 0; x < v; ++x) {
+        for (let y = 0; y < x; ++y) {
+          const n = counts[x * v + y]!;
+          found.set(n, (found.get(n) ?? 0) + 1);
+        }
+      }
+      return new Map([...found].sort(([a], [z]) => a - z));
+    },
     order(next) {
       rows = [...next];
       later();

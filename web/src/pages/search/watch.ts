@@ -1,10 +1,10 @@
 // One search, watched: best and bound as they were over time, how fast it goes, and what can be done with what it found.
 import { get, post, type SearchJob } from '../../lib/api';
-import { fill, h } from '../../lib/dom';
-import { nameOf, number } from '../../lib/words';
+import { fill, h, scroll } from '../../lib/dom';
+import { count, nameOf, number } from '../../lib/words';
 import { plot } from '../../parts/plot';
 import { link, problem } from '../../shell/router';
-import { found, rate, seconds, wayWords } from './words';
+import { found, rate, seconds, size, wayWords } from './words';
 
 export interface Watch {
   readonly element: HTMLElement;
@@ -50,10 +50,11 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     yText: number,
     whole: true,
   });
-  const speed = plot({ label: 'Moves per second over time', x: 'seconds', y: 'moves per second', height: 160, signal, fromZero: true, yText: rate });
+  const speed = plot({ label: 'Speed over time', x: 'seconds', y: 'a second', height: 160, signal, fromZero: true, yText: rate });
   const speeds = h('details', {}, h('summary', {}, 'Speed'), speed.element);
   const figures = h('dl', { class: 'figures' });
   const advice = h('p', { class: 'advice', role: 'status' });
+  const decided = h('div', { class: 'decisions' });
   const element = h(
     'section',
     { class: 'watch' },
@@ -62,6 +63,7 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     advice,
     h('div', { class: 'row' }, progress, words),
     message,
+    decided,
     h('div', { class: 'row' }, stop, open, keep),
     said,
     chart.element,
@@ -80,6 +82,8 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     }
   }
 
+  /** As it was asked for last. */
+  let curve: NonNullable<SearchJob['points']> = [];
   let asking = false;
   let wanted = false;
   async function points(): Promise<void> {
@@ -90,6 +94,7 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     asking = true;
     try {
       const job = await get('search?id', { id }, signal);
+      curve = job.points ?? [];
       show(job);
       advise(job);
       const points = (job.points ?? []).filter((point, i, all) => i === 0 || point.seconds > all[i - 1]!.seconds);
@@ -99,12 +104,12 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
           points.map((point) => point.seconds),
           [
             { label: 'best', colour: 1, values: points.map((point) => point.best), steps: true, width: 3 },
-            { label: 'lower bound', colour: 3, values: points.map(() => job.lower_bound), dash: [8, 4] },
+            { label: 'lower bound', colour: 3, values: points.map((point) => point.lower_bound ?? job.lower_bound), dash: [8, 4], steps: true },
           ],
         );
         speed.set(
           points.map((point) => point.seconds),
-          [{ label: 'moves per second', colour: 6, values: points.map((point) => point.rate), width: 1 }],
+          [{ label: `${job.unit} a second`, colour: 6, values: points.map((point) => point.rate), width: 1 }],
         );
       }
     } catch (fault) {
@@ -139,14 +144,18 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
       ['lower bound', job.lower_bound === null ? '–' : number(job.lower_bound)],
       ['last improvement', last === null ? (job.state === 'running' ? 'none yet' : 'none') : job.state === 'running' ? `${seconds(since)} ago` : `after ${seconds(last)}`],
     ];
-    fill(figures, facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))));
     const running = job.state === 'running';
+    const open = job.decisions.find(({ outcome }) => outcome === 'running');
+    if (job.way === 'exact') {
+      facts[3] = open ? ['deciding now', count(open.blocks, 'block')] : ['decided', count(job.decisions.filter(({ outcome }) => outcome !== 'unknown').length, 'number')];
+    }
+    fill(figures, facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))));
     fill(
       advice,
       gap === 0
         ? 'Nothing is left to find: the best has as many blocks as the lower bound, so it is a minimum.'
         : running && job.way === 'exact'
-          ? 'Each number of blocks below the best is being excluded or found.'
+          ? `Is there a design with ${count(open?.blocks ?? job.lower_bound ?? 1, 'block')}? A solver looks for one, or for a proof that there is none. How long that takes cannot be told.`
           : running && job.seconds > 20 && since > job.seconds / 2
             ? `No improvement for ${seconds(since)}, more than half of the time: stopping, another seed or another way may pay more than waiting.`
             : running
@@ -157,14 +166,40 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     );
   }
 
+  /** Of an exact search: number by number, what came of it. */
+  function showDecisions(job: SearchJob): void {
+    const outcomes = { running: 'being decided', found: 'there is one', none: 'there is none: the proof was checked', unknown: 'not decided' };
+    fill(
+      decided,
+      job.decisions.length === 0
+        ? null
+        : scroll(
+            'Decided number by number',
+            h(
+              'table',
+              {},
+              h('thead', {}, h('tr', {}, h('th', { class: 'number' }, 'blocks'), h('th', {}, 'is there a design?'), h('th', { class: 'number' }, 'time'), h('th', { class: 'number' }, 'proof'))),
+              h(
+                'tbody',
+                {},
+                job.decisions.map(({ blocks, outcome, seconds: took, steps }) =>
+                  h('tr', { class: outcome }, h('td', { class: 'number' }, number(blocks)), h('td', {}, outcomes[outcome]), h('td', { class: 'number' }, seconds(took)), h('td', { class: 'number' }, steps === 0 ? '' : size(steps))),
+                ),
+              ),
+            ),
+          ),
+    );
+  }
+
   function show(job: SearchJob): void {
+    showDecisions(job);
     const running = job.state === 'running';
     const name = nameOf(job);
     title.textContent = `${name[0]!.toUpperCase()}${name.slice(1)}${job.strength > 2 ? `, strength ${job.strength}` : ''}: ${wayWords[job.way]}`;
     const known = job.best !== null && job.best === job.lower_bound;
     words.textContent = `${running ? 'Running' : job.state === 'done' ? 'Done' : job.state === 'stopped' ? 'Stopped' : 'Failed'} after ${seconds(job.seconds)}${running ? ` of ${seconds(job.limit)}` : ''}: ${found(job)}${known ? '' : `; ${job.lower_bound === null ? 'no lower bound is known' : `the lower bound is ${number(job.lower_bound)}`}`}.`;
-    // What the figures say already is not said again.
-    message.textContent = job.message.startsWith('minimum: as many blocks as the lower bound') ? job.message.replace(/^minimum: as many blocks as the lower bound(; )?/, '') : job.message;
+    // What the figures and the table say already is not said again.
+    message.textContent = job.way === 'exact' && job.decisions.length > 0 && job.state !== 'failed' ? '' : job.message.startsWith('minimum: as many blocks as the lower bound') ? job.message.replace(/^minimum: as many blocks as the lower bound(; )?/, '') : job.message;
     message.classList.toggle('problem', job.state === 'failed');
     progress.hidden = !running;
     progress.value = Math.min(1, job.seconds / job.limit);
@@ -182,6 +217,7 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     element,
     update(job) {
       show(job);
+      advise({ ...job, points: curve });
       void points();
     },
   };

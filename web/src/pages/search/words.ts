@@ -32,3 +32,8 @@ export function rate(perSecond: number): string {
       ? `${(perSecond / 1e3).toFixed(0)} k/s`
       : `${Math.round(perSecond)}/s`;
 }
+
+/** A size in kB: "340 kB", "12 MB" */
+export function size(kilobytes: number): string {
+  return kilobytes < 1000 ? `${number(kilobytes)} kB` : kilobytes < 1e6 ? `${(kilobytes / 1000).toFixed(kilobytes < 10_000 ? 1 : 0)} MB` : `${(kilobytes / 1e6).toFixed(1)} GB`;
+}
