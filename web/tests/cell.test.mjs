@@ -31,8 +31,12 @@ test('what is known, and why', async () => {
 
 test('a minimum says by which argument', async () => {
   const page = await explorer.open('#/cell?v=20&k=5');
-  assert.match(await page.locator('.known').textContent(), /29.*minimum.*lower bound “degree”/s);
+  assert.match(await page.locator('.known').textContent(), /29.*minimum.*No design has fewer blocks\. The bound “degree” proves it/s);
   assert.equal(await page.getByRole('link', { name: 'Search for a better one' }).count(), 0);
+  // What made it is a construction that the page Theorems has, in the summary and in the history.
+  for (const to of await page.locator('a[href*="construction="]').evaluateAll((links) => links.map((link) => link.getAttribute('href')))) {
+    assert.ok(!to.includes('literal'), to);
+  }
   await page.getByRole('link', { name: 'Open the design' }).click();
   await page.getByRole('heading', { name: /29 blocks/ }).waitFor();
   await page.close();

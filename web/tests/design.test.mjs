@@ -21,6 +21,14 @@ test('the player is moved by keys, and its block is in the link', async () => {
   await words.filter({ hasText: 'Block 7 of 29' }).waitFor();
   assert.equal(await page.locator('.slots .entering').count(), 2);
   assert.equal(await page.locator('.slots del').count(), 2);
+  // The pairs that are new are named, and the blocks around stand below, each element in its slot.
+  const [, n, pairs] = /(\d+) pairs meet for the first time here: (.*)\./.exec(await page.locator('.step-words p').last().textContent());
+  assert.equal(pairs.split(', ').length, Number(n));
+  assert.deepEqual(await page.locator('.around-blocks th').allTextContents(), ['5', '6', '7', '8', '9', '10']);
+  assert.deepEqual(
+    (await page.locator('.around-blocks .own td').allTextContents()).join(' '),
+    (await page.locator('.slots .name').allTextContents()).join(' '),
+  );
   await page.keyboard.press('ArrowRight');
   await words.filter({ hasText: 'Block 8 of 29' }).waitFor();
   await page.keyboard.press('End');

@@ -7,6 +7,7 @@ import { dirname, join } from 'node:path';
 import { after, afterEach, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { look, start } from './support/browser.mjs';
+import { phone } from './support/phone.mjs';
 import { give, nameOf, planNine, planned, press, setUps, sheetRows, withoutToken } from './support/plan.mjs';
 
 const lab = join(dirname(fileURLToPath(import.meta.url)), '../../examples/lab');
@@ -48,6 +49,8 @@ test('a workbook as a lab has it: slots, quantities and forbidden pairs are in t
   const [, width, high] = /MediaBox \[0 0 ([\d.]+) ([\d.]+)\]/.exec(paper);
   assert.ok(Number(width) > Number(high), 'landscape');
   await look(page, 'plan-server');
+  await phone(page, 'plan-server');
+  await page.setViewportSize({ width: 1280, height: 900 });
 
   // The workbook that the page gives is a whole question: with results filled in it comes back as a run.
   const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('link', { name: 'Workbook' }).click()]);

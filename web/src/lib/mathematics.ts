@@ -7,8 +7,15 @@ type Setter = (tex: string, place: HTMLElement, display: boolean) => void;
 
 let setter: Setter | null = null;
 let asked = false;
-/** Formulas that wait for the setter. */
+/** Formulas that are to be set, and whether that is under way. */
 let waiting: [HTMLElement, string, boolean][] = [];
+let setting = false;
+/** Whether some came since they were put in order. */
+let unordered = false;
+/** So long, in milliseconds, formulas are set before the page may draw and listen again. */
+const slice = 16;
+/** More formulas than that are set in the order in which they are seen. */
+const few = 30;
 
 async function ask(): Promise<void> {
   const temml = await import('temml');
@@ -21,22 +28,42 @@ async function ask(): Promise<void> {
     }
     place.classList.remove('plain');
   };
-  for (const [place, tex, display] of waiting) {
-    setter(tex, place, display);
+}
+
+function inSight([place]: [HTMLElement, string, boolean]): boolean {
+  const { top, bottom } = place.getBoundingClientRect();
+  return place.isConnected && bottom >= 0 && top <= window.innerHeight;
+}
+
+/** Sets some formulas, those in sight first; a page of hundreds does not stand still for them. */
+function work(): void {
+  const deadline = performance.now() + slice;
+  if (unordered && waiting.length > few) {
+    const seen = waiting.map(inSight);
+    waiting = [...waiting.filter((_, i) => seen[i]), ...waiting.filter((_, i) => !seen[i])];
   }
-  waiting = [];
+  unordered = false;
+  let done = 0;
+  do {
+    const next = waiting[done++];
+    next && setter!(next[1], next[0], next[2]);
+  } while (done < waiting.length && performance.now() < deadline);
+  waiting = waiting.slice(done);
+  setting = waiting.length > 0;
+  setting && setTimeout(work, 0);
 }
 
 function set(place: HTMLElement, tex: string, display: boolean): HTMLElement {
-  if (setter) {
-    setter(tex, place, display);
-    return place;
-  }
   waiting.push([place, tex, display]);
-  if (!asked) {
+  unordered = true;
+  if (setter && !setting) {
+    setting = true;
+    queueMicrotask(work); // Before the page is drawn, if there are few.
+  } else if (!asked) {
     asked = true;
+    setting = true;
     // Without it formulas stay as they are written.
-    ask().catch(() => undefined);
+    ask().then(work, () => undefined);
   }
   return place;
 }

@@ -221,7 +221,7 @@ export const catalog: Page = {
     }
     fill(
       view.root,
-      h('div', { class: 'title-row' }, h('div', {}, h('h1', {}, 'Catalog'), h('p', { class: 'lead' }, 'The best known design for every choice of v elements, block size k and change number m. A cell of the map is one choice; its number says how many blocks are needed.')), lookUp(selection)),
+      h('div', { class: 'title-row' }, h('div', {}, h('h1', {}, 'Catalog'), h('p', { class: 'lead' }, 'The best known design for every choice of v elements, block size k and change number m. A cell of the map is one choice. Zoom in to read how many blocks it needs.')), lookUp(selection)),
       h(
         'div',
         { class: 'row controls' },

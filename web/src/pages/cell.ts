@@ -15,7 +15,7 @@ import { badge } from '../parts/status';
 import { thumbnail } from '../parts/thumbnail';
 import { isCopy } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
-import { origins } from './cell/designs';
+import { madeBy, origins } from './cell/designs';
 import { neighbourhood } from './cell/neighbours';
 
 function at(cell: Cell, changes: Partial<Cell> = {}): string {
@@ -57,12 +57,6 @@ function walk(view: View, cell: Cell): void {
   );
 }
 
-/** The name of the bound that the best design attains, in words. */
-function argument(detail: CellDetail): string {
-  const best = detail.best;
-  return best?.status === 'minimum' ? `its ${count(best.b, 'block')} are the lower bound “${detail.bounds[0]!.name}”: ${detail.reason}` : '';
-}
-
 /** What a publication reports and the catalog cannot verify. */
 function reported(detail: CellDetail): Child[] {
   return detail.reported ? [`${count(detail.reported.blocks, 'block')} are reported by `, work(detail.reported.cites), '; the blocks are not held here, so this is not verified.'] : [];
@@ -77,7 +71,7 @@ function summary(cell: Cell, detail: CellDetail, frozen: boolean, figure: HTMLEl
     return h('p', { class: 'note' }, 'No design with these parameters is known. ', !frozen && [h('a', { href: link('search', { ...cell }) }, 'Search for one'), '.'], ' ', reported(detail));
   }
   const over = detail.lower_bound === null ? 0 : best.b - detail.lower_bound;
-  const why = argument(detail);
+  const strongest = detail.bounds[0];
   return h(
     'div',
     { class: 'known' },
@@ -87,8 +81,8 @@ function summary(cell: Cell, detail: CellDetail, frozen: boolean, figure: HTMLEl
       { class: 'known-words' },
       over > 0 && h('p', {}, `${count(over, 'block')} over the lower bound ${number(detail.lower_bound!)} (b / bound ${ratio(best.b, detail.lower_bound!)}). A design with fewer blocks may exist.`),
       detail.reported && h('p', {}, reported(detail)),
-      why && h('p', {}, 'Minimum: ', reason(why), '.'),
-      h('p', {}, 'Made by ', h('a', { href: link('theorems', { construction: best.construction }) }, best.construction), best.label && [', label ', h('a', { class: 'code', href: link('design', { label: best.label }) }, best.label)], '.'),
+      best.status === 'minimum' && h('p', {}, h('strong', {}, 'No design has fewer blocks. '), strongest && `The bound “${strongest.name}” proves it: `, detail.reason && reason(detail.reason), detail.reason && '.'),
+      h('p', {}, madeBy(best.construction), best.label && [', label ', h('a', { class: 'code', href: link('design', { label: best.label }) }, best.label)], '.'),
       h(
         'p',
         { class: 'buttons' },
@@ -201,13 +195,19 @@ export const cell: Page = {
     fill(
       body,
       summary(wanted, detail, frozen, figure),
-      h('div', { class: 'cell-columns' }, h('div', {}, bounds(detail), howMany(detail)), around),
-      detail.best && [h('h2', {}, 'How it is made'), recipe],
-      origins(detail, view.signal),
-      offers(detail),
-      detail.best && [h('h2', {}, 'Download the best design'), files],
-      !frozen && h('p', { class: 'hint' }, 'On the command line: ', h('code', {}, command(wanted)), ' ', copyButton('Copy', () => command(wanted))),
-      !frozen && detail.best && forAPaper(wanted),
+      h(
+        'div',
+        { class: 'cell-columns' },
+        h('div', {}, bounds(detail), howMany(detail), detail.best && [h('h2', {}, 'How it is made'), recipe], origins(detail, view.signal), offers(detail)),
+        h(
+          'div',
+          { class: 'cell-side' },
+          around,
+          detail.best && [h('h2', {}, 'Download the best design'), files],
+          !frozen && detail.best && forAPaper(wanted),
+          !frozen && [h('h2', {}, 'On the command line'), h('p', {}, h('code', {}, command(wanted)), ' ', copyButton('Copy', () => command(wanted)))],
+        ),
+      ),
     );
     neighbourhood(wanted, view.signal).then((map) => map && fill(around, h('h2', {}, 'Around this cell'), map), () => undefined);
     if (!detail.best) {
@@ -244,5 +244,5 @@ function command(cell: Cell): string {
 
 function forAPaper(cell: Cell): HTMLElement {
   const link = (format: string, words: string): HTMLElement => h('a', { href: dossierAddress(cell, format), target: '_blank', rel: 'noopener' }, words);
-  return h('p', { class: 'hint' }, 'For a paper, bounds, construction, blocks, how to check and what to cite: ', link('html', 'a page'), ', ', link('latex', 'LaTeX'), ', ', link('markdown', 'Markdown'));
+  return h('p', { class: 'hint' }, 'For a paper, with bounds, construction, blocks, how to check and what to cite: ', link('html', 'a page'), ', ', link('latex', 'LaTeX'), ', ', link('markdown', 'Markdown'));
 }

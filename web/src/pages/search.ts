@@ -20,7 +20,7 @@ const times: readonly (readonly [string, string])[] = [
 const ways: readonly (readonly [SearchWay, string, string])[] = [
   ['local', 'local search', 'Starts from the best design known and changes it step by step. It suits cells with a small gap.'],
   ['base-blocks', 'base blocks', 'Builds designs with a symmetry from a few blocks and their images. It suits large v.'],
-  ['exact', 'exact, with proof', 'Excludes one number of blocks after another by SAT, each with a checked proof, until a design is found. It suits small v only.'],
+  ['exact', 'exact, with proof', 'Goes up from the lower bound: a SAT solver finds a design with so many blocks, or proves that there is none, and the proof is checked. It suits small v only.'],
   ['locked', 'locked sets', 'Looks for a design with certain elements in its first or last block, or with an expansion set, as constructions need them.'],
 ];
 const strengths: readonly (readonly [string, string])[] = [

@@ -223,7 +223,7 @@ export const theorems: Page = {
         h(
           'div',
           {},
-          h('p', {}, 'These theorems go beyond the published ones; each has its proof. The constructions below them are all that the program builds with. SCCD(v, k) and DCCD(v, k) are the single-change and double-change covering designs on v elements in blocks of k.'),
+          h('p', {}, 'These theorems go beyond the published ones; each has its proof. Below them stand all constructions of the program. SCCD(v, k) and DCCD(v, k) are the single-change and double-change covering designs on v elements in blocks of k.'),
           h('h2', {}, 'Theorems'),
           proved.map((each) => theorem(each, gallery, each.number === wanted.theorem)),
           h('h2', { id: 'constructions', tabindex: -1 }, 'Constructions'),

@@ -311,7 +311,7 @@ async function render(view: View): Promise<void> {
       h(
         'p',
         { class: 'hint' },
-        'One block per line, JSON, CSV, GAP, Sage, designtheory.org or the La Jolla repository: the format is recognised. You can drop a file here. What it does not say is taken from the blocks: as many changes as the first step has, and linear.',
+        'One block per line, JSON, CSV, GAP, Sage, designtheory.org or the La Jolla repository: the format is recognised. You can drop a file here. If the text does not say it, the change number is that of the first step, and the design is linear.',
       ),
     ),
     h(
@@ -336,7 +336,7 @@ async function render(view: View): Promise<void> {
     h(
       'p',
       {},
-      'Check a list of blocks and see its quality as a change covering design. Every pair of elements must be in some block, and every step from a block to the next must change exactly m elements.',
+      'Is a list of blocks a change covering design, and how good is it? Every pair of elements must be in some block, and every step to the next block must change exactly m elements.',
     ),
     h(
       'p',

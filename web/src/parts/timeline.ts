@@ -1,5 +1,6 @@
 // Stays over time, as a profiler shows them: a row for each element or item, a bar for each time that it is there. Zoomed, panned and brushed; the strip above
 // has the whole design and the part that is in sight.
+import { inkOn } from '../lib/colours';
 import { clear, placeTip, resize, stride, token } from '../lib/canvas';
 import { h } from '../lib/dom';
 import { number } from '../lib/words';
@@ -116,13 +117,13 @@ export function timeline(steps: TimelineData, chosen: Choice, first: readonly nu
         const long = Math.max((to - from + 1) * scale - (scale >= 4 ? 1 : 0), 0.8);
         pen.fillStyle = strong ? mark : kept;
         pen.fillRect(start, y, long, row - gap);
-        if (scale >= 3 && from > 1) {
+        if (scale >= 3 && (from > 1 || steps.item === 'item')) {
           pen.fillStyle = fresh;
           pen.fillRect(start, y, Math.min(long, Math.max(2, scale * 0.35)), row - gap);
         }
         if (row >= 12 && long >= 22) {
           pen.globalAlpha = 1;
-          pen.fillStyle = token('--ground');
+          pen.fillStyle = inkOn(strong ? mark : kept);
           pen.font = `10px ${token('--text-font')}`;
           pen.textAlign = 'center';
           pen.textBaseline = 'middle';

@@ -9,6 +9,12 @@ import { copyButton } from '../../parts/copy';
 import { badge } from '../../parts/status';
 import { link, problem } from '../../shell/router';
 
+/** A design whose blocks are written down, and which no construction made, was found. */
+export function madeBy(construction: string): Child[] {
+  const found = construction === 'found' || construction === 'literal';
+  return found ? [h('a', { href: link('theorems', { construction: 'found' }) }, 'Found'), ' and written down'] : ['Made by ', h('a', { href: link('theorems', { construction }) }, construction)];
+}
+
 function origin(entry: CatalogEntry, best: boolean, signal: AbortSignal): HTMLElement {
   const { who, date, program, command } = entry.credit;
   const shown = h('div', { class: 'bibtex', role: 'status' });
@@ -41,7 +47,7 @@ function origin(entry: CatalogEntry, best: boolean, signal: AbortSignal): HTMLEl
       (best || entry.retracted) && badge(entry.status),
       button,
     ),
-    h('p', {}, 'Made by ', h('a', { href: link('theorems', { construction: entry.construction }) }, entry.construction), who && ` · ${who}`, program && ` · ${program}`, entry.cites.length > 0 && [' · from ', entry.cites.map((key, i) => [i > 0 ? ', ' : '', work(key)]).flat()].flat()),
+    h('p', {}, madeBy(entry.construction), who && ` · ${who}`, program && ` · ${program}`, entry.cites.length > 0 && [' · from ', entry.cites.map((key, i) => [i > 0 ? ', ' : '', work(key)]).flat()].flat()),
     command && h('p', {}, h('code', {}, command)),
     entry.note && h('p', { class: 'hint' }, entry.note),
     entry.retracted && h('p', { class: 'hint' }, `Retracted: ${entry.retracted}`),

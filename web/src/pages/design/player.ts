@@ -1,6 +1,6 @@
 // Stepping through a design: the memory of k slots, who enters and leaves, and which pairs have met so far.
 import type { Design } from '../../lib/api';
-import { fill, h, select } from '../../lib/dom';
+import { fill, h, scroll, select } from '../../lib/dom';
 import { count, number } from '../../lib/words';
 import { busyKey } from '../../parts/fields';
 import { coverage } from './coverage';
@@ -14,6 +14,11 @@ const speeds: readonly (readonly [string, string])[] = [
   ['30', '30 blocks a second'],
   ['200', '200 blocks a second'],
 ];
+
+/** More new pairs than that are not named. */
+const mostPairs = 20;
+/** So many blocks are seen beside each other. */
+const seen = 6;
 
 interface Options {
   /** The block to begin with, from 1. */
@@ -54,6 +59,7 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
   const many = design.k > 24;
   const slots = h('ol', { class: many ? 'slots many' : 'slots', 'aria-label': 'Memory: the block, slot by slot' });
   const words = h('div', { class: 'step-words' });
+  const around = h('tbody');
   const met = h('p', { class: 'met' });
   const bar = h('progress', { max: steps.allPairs || 1, value: 0, 'aria-label': 'Pairs that have met' });
   const slider = h('input', { type: 'range', min: 1, max: b, value: at, step: 1, 'aria-label': 'Block', oninput: () => go(Number(slider.value)) });
@@ -67,6 +73,22 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
   const last = button('»', 'Last block', 'End', () => go(b));
   play.classList.remove('plain');
   play.classList.add('play');
+
+  function freshPairs(): string[] {
+    const block = [...steps.block(at)];
+    return block.flatMap((x, i) => block.slice(i + 1).flatMap((y) => (steps.first![x * steps.v + y] === at ? [`${steps.names[x]}–\u2060${steps.names[y]}`] : [])));
+  }
+
+  /** A block as a row, each element in its slot. */
+  function rowOf(n: number): HTMLElement {
+    const { slots: memory, entered } = steps.step(n);
+    return h(
+      'tr',
+      { class: n === at ? 'own' : null, 'aria-current': n === at ? 'step' : null },
+      h('th', { scope: 'row' }, h('button', { type: 'button', class: 'as-link', tabindex: -1, onclick: () => go(n) }, number(n))),
+      [...memory].map((x) => h('td', { class: [n > 1 && entered.includes(x) ? 'in' : '', chosen.elements.includes(x) ? 'lit' : ''].join(' ').trim() || null }, x < 0 ? '' : steps.names[x]!)),
+    );
+  }
 
   function show(): void {
     const { slots: memory, entered, left } = steps.step(at);
@@ -99,8 +121,12 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
       at === 1
         ? h('p', {}, 'The first block: all its elements come in.', circular && ' As the design is circular, it also follows the last one.')
         : h('p', {}, h('span', { class: 'in' }, `Introduced: ${list(entered)}`), ' · ', h('span', { class: 'out' }, `leaving: ${list(left)}`), ` · unchanged: ${steps.block(at).length - entered.length}`),
-      fresh !== null && h('p', {}, `${count(fresh, 'pair')} ${fresh === 1 ? 'meets' : 'meet'} for the first time here.`),
+      fresh !== null && h('p', {}, `${count(fresh, 'pair')} ${fresh === 1 ? 'meets' : 'meet'} for the first time here${fresh > 0 && fresh <= mostPairs && steps.first ? `: ${freshPairs().join(', ')}` : ''}.`),
     );
+    if (!many) {
+      const top = Math.max(1, Math.min(at - 2, b - seen + 1));
+      fill(around, Array.from({ length: Math.min(seen, b) }, (_, i) => rowOf(top + i)));
+    }
     if (steps.pairs) {
       const done = steps.pairs[at]!;
       bar.value = done;
@@ -201,16 +227,16 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
     h(
       'div',
       { class: 'player-left' },
-      h('div', { class: 'transport', role: 'group', 'aria-label': 'Steps' }, first, back, play, next, last, where, h('span', { class: 'hint' }, `of ${number(b)}`)),
-      slider,
-      h('div', { class: 'speed' }, h('label', {}, 'Speed ', select(speed, speeds, (value) => {
+      h('div', { class: 'transport', role: 'group', 'aria-label': 'Steps' }, first, back, play, next, last, where, h('span', { class: 'hint' }, `of ${number(b)}`), h('label', { class: 'speed' }, 'Speed ', select(speed, speeds, (value) => {
         speed = value;
         remember();
-      })), h('span', { class: 'hint keys' }, h('kbd', {}, '←'), ' ', h('kbd', {}, '→'), ' step, ', h('kbd', {}, 'Home'), ' ', h('kbd', {}, 'End'), ', ', h('kbd', {}, 'space'), ' plays')),
+      }))),
+      slider,
+      h('p', { class: 'speed' }, h('span', { class: 'hint keys' }, h('kbd', {}, '←'), ' ', h('kbd', {}, '→'), ' step, ', h('kbd', {}, 'Home'), ' ', h('kbd', {}, 'End'), ', ', h('kbd', {}, 'space'), ' plays')),
       many ? null : slots,
       words,
       steps.pairs ? [met, bar] : h('p', { class: 'hint' }, 'There are too many elements to count pairs in a page.'),
-      many && slots,
+      many ? slots : scroll('Blocks before and after', h('table', { class: 'around-blocks' }, h('caption', {}, 'Blocks before and after; bold is introduced'), around)),
     ),
     map
       ? h('figure', { class: 'player-map' }, map.element, h('figcaption', { class: 'hint' }, 'A square for each pair of elements. ', h('span', { class: 'key key-anew' }), ' meets in this block, ', h('span', { class: 'key key-met' }), ' has met, ', h('span', { class: 'key key-not' }), ' not yet.', pair))

@@ -93,7 +93,7 @@ export function memory(answer: Ordered, signal: AbortSignal): HTMLElement {
     'section',
     {},
     h('h2', {}, 'What memory holds'),
-    h('p', { class: 'hint' }, 'A row for each item, a bar for each time that it is in memory. Drag on the strip to choose steps; Ctrl + wheel or + and − zoom.'),
+    h('p', { class: 'hint' }, 'A row for each item, a bar for each time that it is in memory: ', h('span', { class: 'key key-loaded' }), ' loaded, ', h('span', { class: 'key key-met' }), ' held. Drag on the strip to choose steps; Ctrl + wheel or + and − zoom.'),
     workers.length > 1 &&
       h('div', { class: 'row' }, h('div', { class: 'field' }, h('label', { for: 'memory-worker' }, 'Worker'), h('select', { id: 'memory-worker', onchange: (event) => show(Number((event.target as HTMLSelectElement).value)) }, workers.map((worker) => h('option', { value: worker }, worker))))),
     answer.truncated && h('p', { class: 'hint' }, `The first ${number(answer.steps.length)} of ${number(answer.step_count)} steps.`),
