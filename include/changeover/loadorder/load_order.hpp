@@ -290,12 +290,16 @@ improve_by_search(RunControl& control);
 // transfers / bound is taken. If c is close to C no size is good; then plan_load_order(P, c), the
 // order for the accelerator alone, may be better, with memory as a cache that evicts the item
 // needed last.
+//
+// Of some pairs only, memory follows an order for fewer places, b less: b loads are made at once,
+// and all pairs that they bring together are done on the accelerator before anything is evicted.
 
 /// Returns the best known order, verified by ScheduleCheck: every pair meets on the accelerator;
-/// for up to 7,746 items the pairs of StepWork are checked, too. @throws BadInput unless 2 ≤
-/// fast_room ≤ room and items ≥ 1; ImpossibleParameters above 65,535 items.
-[[nodiscard]] LoadOrder plan_two_levels(std::uint64_t items, std::uint64_t room,
-                                        std::uint64_t fast_room);
+/// for up to 30·10⁶ pairs those of StepWork are checked, too. @throws BadInput unless 2 ≤ fast_room
+/// ≤ room and items ≥ 1; ImpossibleParameters above 65,535 items, unless pairs are listed.
+[[nodiscard]] LoadOrder plan_two_levels(const WantedPairs& wanted, std::uint64_t room,
+                                        std::uint64_t fast_room,
+                                        const LoadOrderOptions& options = {});
 
 // The pairs that each step of a schedule computes, and the items that it stores.
 //

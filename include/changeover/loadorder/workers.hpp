@@ -178,10 +178,11 @@ class WorkerSplit {
                                            std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
 
-/// Cuts an order for two levels (loadorder/load_order.hpp) into stretches; each worker has its own
-/// memory and accelerator. The cut minimises the transfers on both levels of the busiest worker.
-/// Verified. @throws as plan_two_levels() and split_order().
-[[nodiscard]] WorkerSplit split_two_levels(std::uint64_t items, std::uint64_t room,
+/// For two levels (loadorder/load_order.hpp); each worker has its own memory and accelerator. An
+/// order for all pairs is cut into stretches such that the transfers on both levels of the busiest
+/// worker are few. Some pairs only are given to workers as by split_load_order(), and each worker
+/// has an order for its own. Verified. @throws as plan_two_levels() and split_order().
+[[nodiscard]] WorkerSplit split_two_levels(const WantedPairs& wanted, std::uint64_t room,
                                            std::uint64_t fast_room, std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
 

@@ -49,7 +49,7 @@ class PairAssigner {
         in_lockstep_(lockstep > 0),
         owners_(std::move(owners)),
         memories_(std::max<std::size_t>(1, lockstep)),
-        there_(static_cast<std::size_t>(items), false),
+        at_(static_cast<std::size_t>(items), 0),
         loaded_(static_cast<std::size_t>(items), false) {
     begin_epoch(1);
   }
@@ -77,22 +77,22 @@ class PairAssigner {
       worker_ = out.step.worker;
       take_rule();
     }
-    evict(out.step, memories_[0]);
+    evict(out.step, 0);
     const bool begins = out.step.epoch != epoch_;
     if (begins) {
       begin_epoch(out.step.epoch);
     }
-    const std::size_t last_arrival = arrive(out, memories_[0], begins);
+    const std::size_t last_arrival = arrive(out, 0, begins);
     choose_first(out);
     for (const Element x : out.evicted_first) {
-      there_[x] = false;  // temporarily: marks evicted items
+      at_[x] = 0;  // temporarily: marks evicted items
     }
     const auto middle = std::stable_partition(
         out.pairs.begin() + static_cast<std::ptrdiff_t>(last_arrival), out.pairs.end(),
-        [&](const ItemPair& pair) { return !there_[pair.first] || !there_[pair.second]; });
+        [&](const ItemPair& pair) { return at_[pair.first] == 0 || at_[pair.second] == 0; });
     out.before = static_cast<std::size_t>(middle - out.pairs.begin());
     for (const Element x : out.evicted_first) {
-      there_[x] = true;
+      at_[x] = 1;
     }
     return true;
   }
@@ -103,14 +103,14 @@ class PairAssigner {
       if (!steps_->next(out[w].step)) {
         return false;
       }
-      evict(out[w].step, memories_[w]);
+      evict(out[w].step, w);
     }
     const bool begins = out.front().step.epoch != epoch_;
     if (begins) {
       begin_epoch(out.front().step.epoch);
     }
     for (std::size_t w = 0; w < out.size(); ++w) {
-      arrive(out[w], memories_[w], begins);
+      arrive(out[w], w, begins);
     }
     return true;
   }
@@ -134,7 +134,7 @@ class PairAssigner {
   }
 
   void forget() {
-    std::fill(there_.begin(), there_.end(), false);
+    std::fill(at_.begin(), at_.end(), 0);
     memories_.assign(memories_.size(), {});
   }
 
@@ -152,28 +152,28 @@ class PairAssigner {
   // Whether the worker has another step.
   [[nodiscard]] bool goes_on() const { return has_ahead_ && ahead_.worker == worker_; }
 
-  void evict(const Step& step, std::vector<Element>& memory) {
+  void evict(const Step& step, std::size_t memory) {
     if ((step.*leave_).empty()) {
       return;
     }
     for (const Element x : step.*leave_) {
-      there_[x] = false;
+      at_[x] = 0;
     }
-    std::erase_if(memory, [&](Element x) { return !there_[x]; });
+    std::erase_if(memories_[memory], [&](Element x) { return at_[x] == 0; });
   }
 
   // Returns the index of the first pair of the last arrival. At the beginning of an epoch, items in
   // memory arrive, too.
-  std::size_t arrive(AssignedStep& out, std::vector<Element>& memory, bool begins) {
+  std::size_t arrive(AssignedStep& out, std::size_t memory, bool begins) {
     out.pairs.clear();
     out.arrival_end.clear();
     out.is_new.clear();
     out.stayed.clear();
     if (begins) {
-      for (const Element x : memory) {
-        there_[x] = false;
+      for (const Element x : memories_[memory]) {
+        at_[x] = 0;
       }
-      for (const Element x : std::exchange(memory, {})) {
+      for (const Element x : std::exchange(memories_[memory], {})) {
         if (come(out, x, memory)) {
           out.stayed.push_back(x);
         }
@@ -190,12 +190,14 @@ class PairAssigner {
   }
 
   // Whether the item is computed alone now.
-  bool come(AssignedStep& out, Element x, std::vector<Element>& memory) {
+  bool come(AssignedStep& out, Element x, std::size_t worker) {
+    std::vector<Element>& memory = memories_[worker];
+    const auto here = static_cast<std::uint32_t>(worker + 1);
     const auto add = [&](Element y) { out.pairs.emplace_back(std::min(x, y), std::max(x, y)); };
     const std::uint64_t number = out.step.number;
     if (done_) {
       done_->insert_all(
-          x, memory, [&](Element y) { return there_[y]; },
+          x, memory, [&](Element y) { return at_[y] == here; },
           [&](Element y) { return is_due(number, x, y); }, add);
     } else {
       for (const Element y : memory) {
@@ -205,7 +207,7 @@ class PairAssigner {
       }
     }
     memory.push_back(x);
-    there_[x] = true;
+    at_[x] = here;
     const bool is_new = !loaded_[x] && is_due(number, x, x);
     loaded_[x] = loaded_[x] || is_new;
     return is_new;
@@ -246,7 +248,7 @@ class PairAssigner {
   std::uint64_t worker_ = 0;
   std::uint64_t epoch_ = 1;
   std::vector<std::vector<Element>> memories_;  // by worker, in lockstep
-  std::vector<bool> there_;
+  std::vector<std::uint32_t> at_;               // by item: its memory plus one, 0 if in none
   std::vector<bool> loaded_;
   std::optional<WantedSet> done_;
 };

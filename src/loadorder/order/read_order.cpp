@@ -15,7 +15,8 @@ ScheduleVerdict read_order(const LoadOrder::Maker& maker, ScheduleRules rules,
                            const std::string& what, bool compute) {
   constexpr std::uint64_t most_pairs = 30'000'000;
   std::unique_ptr<StepSource> steps = maker();
-  if (compute && checked_multiply(binomial(rules.items, 2), rules.epochs) <= most_pairs) {
+  if (compute &&
+      checked_multiply(rules.wanted.among(rules.items).count(), rules.epochs) <= most_pairs) {
     rules.compute = ComputeRules{};
     steps = std::make_unique<StepWork>(std::move(steps), rules);
   }

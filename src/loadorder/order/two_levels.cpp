@@ -12,6 +12,8 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "loadorder/listed/listed_levels.hpp"
+#include "loadorder/order/accelerator.hpp"
 #include "loadorder/order/kept_steps.hpp"
 #include "loadorder/order/pair_assigner.hpp"
 #include "loadorder/order/read_order.hpp"
@@ -72,7 +74,7 @@ class Steps final : public StepSource {
       : shape_(shape),
         assigner_(shape.groups(), group_room),
         inner_orders_(std::move(inner_orders)),
-        at_(static_cast<std::size_t>(shape.items)) {
+        accelerator_(shape.items, shape.fast_room) {
     assigner_.start(std::move(groups));
   }
 
@@ -121,8 +123,8 @@ class Steps final : public StepSource {
       shape_.put(group, step.evict);
     }
     for (const Element x : step.evict) {
-      if (at_[x].fast) {
-        take_off(x, step);
+      if (accelerator_.has(x)) {
+        accelerator_.take_off(x, step.fast_evict);
       }
     }
     for (const Element group : groups_.step.load) {
@@ -146,7 +148,7 @@ class Steps final : public StepSource {
       begin = groups_.arrival_end[i];
       // Items on the accelerator already come first.
       std::stable_partition(task.items.begin(), task.items.end(),
-                            [&](Element x) { return at_[x].fast; });
+                            [&](Element x) { return accelerator_.has(x); });
       const std::size_t others = task.items.size();
       shape_.put(group, task.items);
       task.fresh = task.items.size() - others;
@@ -159,71 +161,23 @@ class Steps final : public StepSource {
 
   void begin(const Task& task) {
     for (const Element x : names_) {
-      unwant(x);
+      accelerator_.unwant(x);
     }
     names_ = task.items;
     inner_ = inner_orders_->get(names_.size() - task.fresh, task.fresh, task.each_other).stream();
   }
 
-  // A step of the order for the accelerator. Items that are still there are not transferred again,
-  // and items are only removed when their place is needed.
+  // A step of the order for the accelerator.
   void follow(Step& step) {
     for (const Element i : inner_step_.evict) {
-      unwant(names_[i]);
+      accelerator_.unwant(names_[i]);
     }
     coming_.clear();
     for (const Element i : inner_step_.load) {
-      const Element x = names_[i];
-      if (at_[x].fast) {
-        idle_.erase(place_of(x));
-      } else {
-        coming_.push_back(x);
-      }
-      at_[x].wanted = true;
-      at_[x].used = ++uses_;
+      coming_.push_back(names_[i]);
     }
-    while (on_accelerator_ + coming_.size() > shape_.fast_room) {
-      if (idle_.empty()) {
-        throw InternalError("an order for the accelerator needs more room than there is");
-      }
-      take_off(idle_.front(), step);
-    }
-    for (const Element x : coming_) {
-      ++on_accelerator_;
-      at_[x].fast = true;
-      at_[x].used = ++uses_;
-      step.fast_load.push_back(x);
-    }
+    accelerator_.bring(coming_, step.fast_evict, step.fast_load);
   }
-
-  // The order that is followed needs the item no more.
-  void unwant(Element x) {
-    if (at_[x].wanted && at_[x].fast) {
-      idle_.insert(place_of(x), x);
-    }
-    at_[x].wanted = false;
-  }
-
-  // By value, since it is erased from the list.
-  void take_off(Element x, Step& step) {
-    if (!at_[x].wanted) {
-      idle_.erase(place_of(x));
-    }
-    at_[x].fast = false;
-    --on_accelerator_;
-    step.fast_evict.push_back(x);
-  }
-
-  [[nodiscard]] std::vector<Element>::iterator place_of(Element x) {
-    return std::lower_bound(idle_.begin(), idle_.end(), x,
-                            [&](Element a, Element b) { return at_[a].used < at_[b].used; });
-  }
-
-  struct Item {
-    bool wanted = false;     // needed by the order that is followed
-    bool fast = false;       // on the accelerator
-    std::uint64_t used = 0;  // time of the last use
-  };
 
   Shape shape_;
   PairAssigner assigner_;
@@ -234,10 +188,7 @@ class Steps final : public StepSource {
   std::unique_ptr<StepSource> inner_;
   Step inner_step_;
   std::vector<Element> names_;  // of the items in the order that is followed
-  std::vector<Item> at_;        // by item
-  std::uint64_t uses_ = 0;
-  std::uint64_t on_accelerator_ = 0;
-  std::vector<Element> idle_;  // on the accelerator but not wanted, most recently used last
+  Accelerator accelerator_;
   std::vector<Element> coming_;
   std::uint64_t number_ = 0;
 };
@@ -381,25 +332,11 @@ Offer best_of(std::vector<Offer> offers, const LoadOrderFacts& bounds) {
   return std::move(offers[best]);
 }
 
-}  // namespace
-
-LoadOrder plan_two_levels(std::uint64_t items, std::uint64_t room, std::uint64_t fast_room) {
-  LoadOrderFacts facts;
-  facts.items = items;
-  facts.room = room;
-  facts.fast_room = fast_room;
-  facts.bound = load_lower_bound(items, room);
-  facts.transfer_bound = load_lower_bound(items, fast_room);
-  if (fast_room > room) {
-    throw BadInput(fmt::format(
-        "the accelerator has room for {} items, but memory only for {}; give less, or one level",
-        fast_room, room));
-  }
-  if (items > max_elements_in_memory) {
-    throw ImpossibleParameters(
-        fmt::format("{} items: two levels have at most {}; group items into larger ones", items,
-                    max_elements_in_memory));
-  }
+// The best order of groups, or of what leaves the accelerator for memory. Describes it in `facts`.
+LoadOrder::Maker steps_of_groups(LoadOrderFacts& facts) {
+  const std::uint64_t items = facts.items;
+  const std::uint64_t room = facts.room;
+  const std::uint64_t fast_room = *facts.fast_room;
   // Limits the time to some seconds.
   constexpr std::uint64_t most_work = 30'000'000;
   const std::uint64_t most_tried =
@@ -425,15 +362,39 @@ LoadOrder plan_two_levels(std::uint64_t items, std::uint64_t room, std::uint64_t
                 "is done at once: up to {} of its items stay on the accelerator while the "
                 "others pass.",
                 best.group_items, fast_room - 1);
+  return std::move(best.maker);
+}
+
+}  // namespace
+
+LoadOrder plan_two_levels(const WantedPairs& wanted, std::uint64_t room, std::uint64_t fast_room,
+                          const LoadOrderOptions& options) {
+  const std::uint64_t items = wanted.items();
+  LoadOrderFacts facts;
+  facts.items = items;
+  facts.room = room;
+  facts.fast_room = fast_room;
+  facts.wanted = wanted.are_all() ? WantedPairs() : wanted;
+  facts.bound = load_lower_bound(wanted, room);
+  facts.transfer_bound = load_lower_bound(wanted, fast_room);
+  check_rooms(room, fast_room);
+  if (wanted.graph() == nullptr && items > max_elements_in_memory) {
+    throw ImpossibleParameters(
+        fmt::format("{} items: two levels have at most {}; group items into larger ones", items,
+                    max_elements_in_memory));
+  }
+  LoadOrder::Maker maker =
+      wanted.are_all() ? steps_of_groups(facts) : listed_levels(facts, options);
   const ScheduleVerdict verdict =
-      read_order(best.maker, LoadOrder(facts, best.maker).rules(),
-                 fmt::format("{} items with room for {} and {}, in groups of {}", items, room,
-                             fast_room, best.group_items));
+      read_order(maker, LoadOrder(facts, maker).rules(),
+                 fmt::format("{} with room for {} and {}",
+                             wanted.are_all() ? fmt::format("{} items", items) : wanted.describe(),
+                             room, fast_room));
   static_cast<ScheduleFacts&>(facts) = verdict;
   facts.every_step_read = true;
   facts.certificate = "every step read: room at both levels, " +
-                      pairs_read(verdict, binomial(items, 2), " on the accelerator");
-  return {std::move(facts), std::move(best.maker)};
+                      pairs_read(verdict, wanted.count(), " on the accelerator");
+  return {std::move(facts), std::move(maker)};
 }
 
 }  // namespace changeover

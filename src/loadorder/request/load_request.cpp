@@ -221,9 +221,7 @@ std::vector<OptionRule> rules() {
        {"disjoint", "fast_room", "prefetch", "write_back"}},
       {Says::never_with, {"from_step"}, {"workers", "new_pairs", "verify_beside"}},
       {Says::never_with, {"balance", "first_holder", "pair_cost"}, {"disjoint"}},
-      {Says::never_with,
-       {"fast_room"},
-       {"disjoint", "prefetch", "pairs", "groups", "against", "done_items", "seconds"}},
+      {Says::never_with, {"fast_room"}, {"disjoint", "prefetch", "seconds"}},
       {Says::only_with, {"item_bytes"}, {"fast_room"}},
       {Says::never_with, {"disjoint"}, {"prefetch", "pairs", "groups", "against", "done_items"}},
       {Says::only_with, {"ordered", "self", "shuffle"}, {"new_pairs", "write_back", "prefetch"}},
@@ -323,7 +321,7 @@ void check_together(const LoadRequest& request, Door door, bool all) {
         "workers",
         key("disjoint", door), *request.workers, *request.room, count_of(items, "item"), less));
   }
-  if ((request.disjoint || request.fast_room) && items > max_elements_in_memory) {
+  if ((request.disjoint || request.fast_room) && all && items > max_elements_in_memory) {
     refuse(fmt::format("{}: at most {} items; group items into larger ones",
                        key(request.disjoint ? "disjoint" : "fast_room", door),
                        max_elements_in_memory));

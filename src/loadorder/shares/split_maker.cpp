@@ -12,6 +12,7 @@
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
+#include "loadorder/listed/listed_levels.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/order/streamed_order.hpp"
 #include "loadorder/shares/few_workers.hpp"
@@ -238,7 +239,7 @@ bool SplitMaker::are_few(const WorkerSplit& split) {
 }
 
 void SplitMaker::spread(WorkerSplit& split, const std::function<bool(Element, Element)>& computed,
-                        const std::function<double(Element, Element)>& cost) {
+                        const std::function<double(Element, Element)>& cost, bool first_holder) {
   SplitFacts& facts = split.facts_;
   if (!are_few(split) || (facts.workers.size() == 1 && !computed && !cost)) {
     if (computed) {
@@ -249,7 +250,7 @@ void SplitMaker::spread(WorkerSplit& split, const std::function<bool(Element, El
   const ScheduleRules rules = split.rules();
   SpreadPairs spread = spread_pairs(
       rules, facts.workers, [&](std::uint64_t worker) { return split.stream(worker); }, cost,
-      computed);
+      computed, first_holder);
   facts.workers = std::move(spread.workers);
   facts.has_costs = cost != nullptr;
   facts.pairs_are_known = true;
@@ -257,6 +258,9 @@ void SplitMaker::spread(WorkerSplit& split, const std::function<bool(Element, El
   if (spread.steps) {
     facts.cut_by_loads = false;
     take_steps(split, std::move(spread.steps));
+    if (first_holder) {  // What stays longer now may be the first to have a pair.
+      SplitMaker::spread(split, computed, cost, first_holder);
+    }
   }
   sum_up(facts);
 }
@@ -282,6 +286,8 @@ void SplitMaker::give_pairs(WorkerSplit& split, const LoadOrderOptions& options)
   if (facts.workers.size() == 1 && !options.pair_cost) {
     facts.workers[0].pairs = facts.all_pairs;
     facts.pairs_are_known = true;
+  } else if (!options.balance && is_short) {
+    spread(split, {}, options.pair_cost, true);
   } else if (!options.balance) {
     split.owners_ = nullptr;
   } else if (const auto* const groups = dynamic_cast<const GroupSteps*>(split.steps_.get());
@@ -300,6 +306,63 @@ void SplitMaker::give_pairs(WorkerSplit& split, const LoadOrderOptions& options)
     take(std::make_shared<const StreamedOwners>(split.order_, facts.workers));
   }
   sum_up(facts);
+}
+
+WorkerSplit SplitMaker::two_levels(WorkerSplit split, std::uint64_t fast_room,
+                                   const LoadOrderOptions& options) {
+  constexpr std::size_t most_searched = 4;  // workers, some seconds each
+  SplitFacts& facts = split.facts_;
+  LoadOrderFacts whole = split.order_.facts();
+  const PairGraph& graph = *whole.wanted.graph();
+  std::vector<std::vector<ItemPair>> pairs(facts.workers.size());
+  StepWork work(split.stream(), split.rules(ComputeRules{.self = true}), split.owners_);
+  for (Step step; work.next(step);) {
+    for (const auto& [x, y] : step.compute) {
+      if (x != y || graph.partners(x).empty()) {
+        pairs[static_cast<std::size_t>(step.worker)].emplace_back(x, y);
+      }
+    }
+  }
+  auto lists = std::make_shared<StepLists>();
+  std::vector<std::vector<Element>> alone(pairs.size());
+  std::vector<bool> is_loaded(static_cast<std::size_t>(facts.items), false);
+  facts.transfers = 0;
+  for (std::size_t w = 0; w < pairs.size(); ++w) {
+    const std::vector<Move> moves =
+        listed_levels_of(pairs[w], facts.room, fast_room, pairs.size() <= most_searched, options);
+    WorkerFacts& worker = facts.workers[w];
+    worker.first_step = worker.loads = 0;
+    worker.steps = moves.size();
+    for (const Move& move : moves) {
+      worker.loads += move.load.size();
+      facts.transfers += move.fast_load.size();
+      for (const Element x : move.load) {
+        if (!is_loaded[x]) {
+          is_loaded[x] = true;
+          alone[w].push_back(x);
+        }
+      }
+    }
+    lists->add(moves);
+  }
+  facts.cut_by_loads = false;
+  facts.groups = facts.items;
+  facts.group_room = facts.room;
+  whole.fast_room = fast_room;
+  whole.transfer_bound = load_lower_bound(whole.wanted, fast_room);
+  whole.transfers = facts.transfers;
+  whole.method = "two levels";
+  whole.explanation =
+      "Pairs are given to workers as at one level; each worker has an order for its pairs.";
+  if (pairs.size() <= most_workers_of_a_table) {
+    split.owners_ = owners_of_lists(whole.wanted, pairs, alone);
+  } else {  // The first that has a pair computes it, which is known when all is read.
+    facts.pairs_are_known = false;
+  }
+  split.order_ = LoadOrder(std::move(whole), split.order_.maker());
+  take_steps(split, std::move(lists));
+  put_in_words(split);
+  return split;
 }
 
 void SplitMaker::verify(WorkerSplit& split, const LoadOrderOptions& options) {

@@ -33,7 +33,12 @@ class SplitMaker {
   /// The same, pair by pair, if there are few; pairs or items that were `computed` before are left
   /// out. @throws BadInput if some were, and there are too many pairs for that
   static void spread(WorkerSplit& split, const std::function<bool(Element, Element)>& computed = {},
-                     const std::function<double(Element, Element)>& cost = {});
+                     const std::function<double(Element, Element)>& cost = {},
+                     bool first_holder = false);
+  /// Two levels for some pairs: each worker has the pairs of a split of one level, with an order of
+  /// its own for them.
+  static WorkerSplit two_levels(WorkerSplit split, std::uint64_t fast_room,
+                                const LoadOrderOptions& options);
   /// Repeats the shares of one epoch.
   static void repeat(WorkerSplit& split, std::uint64_t epochs);
   /// Reads all steps; for few items also what is computed. @throws InternalError

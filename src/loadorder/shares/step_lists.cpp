@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <queue>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -59,15 +60,39 @@ std::vector<Move> lazily(std::vector<Move> moves, std::uint64_t room) {
 struct StepLists::Lists {
   std::vector<Element> items;  // for each step its evictions, then its loads
   std::vector<std::pair<std::size_t, std::size_t>> ends;  // ends of both lists
+  std::shared_ptr<const Lists> fast;  // the same on the accelerator, if anything moves there
+
+  template <typename From>
+  static std::shared_ptr<Lists> of(const std::vector<Move>& moves, From&& lists_of) {
+    auto lists = std::make_shared<Lists>();
+    for (const Move& move : moves) {
+      const auto& [leave, come] = lists_of(move);
+      lists->items.insert(lists->items.end(), leave.begin(), leave.end());
+      const std::size_t middle = lists->items.size();
+      lists->items.insert(lists->items.end(), come.begin(), come.end());
+      lists->ends.emplace_back(middle, lists->items.size());
+    }
+    return lists;
+  }
+
+  // Reads step `at`, which begins at `begin`; returns where it ends.
+  std::size_t read(std::size_t at, std::size_t begin, std::vector<Element>& leave,
+                   std::vector<Element>& come) const {
+    const auto [middle, end] = ends[at];
+    const auto place = [&](std::size_t i) {
+      return items.begin() + static_cast<std::ptrdiff_t>(i);
+    };
+    leave.assign(place(begin), place(middle));
+    come.assign(place(middle), place(end));
+    return end;
+  }
 };
 
 void StepLists::add(const std::vector<Move>& moves) {
-  auto lists = std::make_shared<Lists>();
-  for (const Move& move : moves) {
-    lists->items.insert(lists->items.end(), move.evict.begin(), move.evict.end());
-    const std::size_t middle = lists->items.size();
-    lists->items.insert(lists->items.end(), move.load.begin(), move.load.end());
-    lists->ends.emplace_back(middle, lists->items.size());
+  auto lists = Lists::of(moves, [](const Move& move) { return std::tie(move.evict, move.load); });
+  if (std::ranges::any_of(moves, [](const Move& move) { return !move.fast_load.empty(); })) {
+    lists->fast = Lists::of(
+        moves, [](const Move& move) { return std::tie(move.fast_evict, move.fast_load); });
   }
   workers_.push_back(std::move(lists));
 }
@@ -82,13 +107,10 @@ std::unique_ptr<StepSource> StepLists::of(std::uint64_t worker) const {
       if (at_ == lists_->ends.size()) {
         return false;
       }
-      const auto [middle, end] = lists_->ends[at_];
-      const auto place = [&](std::size_t i) {
-        return lists_->items.begin() + static_cast<std::ptrdiff_t>(i);
-      };
-      step.evict.assign(place(begin_), place(middle));
-      step.load.assign(place(middle), place(end));
-      begin_ = end;
+      begin_ = lists_->read(at_, begin_, step.evict, step.load);
+      if (lists_->fast) {
+        fast_begin_ = lists_->fast->read(at_, fast_begin_, step.fast_evict, step.fast_load);
+      }
       step.number = ++at_;
       step.worker = worker_;
       return true;
@@ -99,6 +121,7 @@ std::unique_ptr<StepSource> StepLists::of(std::uint64_t worker) const {
     std::uint64_t worker_;
     std::size_t at_ = 0;
     std::size_t begin_ = 0;
+    std::size_t fast_begin_ = 0;
   };
   return std::make_unique<Reader>(workers_[static_cast<std::size_t>(worker)], worker);
 }
@@ -119,24 +142,31 @@ class AsOneOrder final : public StepSource {
     }
     if (step.number == 1) {
       step.evict = held_;
+      step.fast_evict = fast_held_;
     }
-    std::vector<Element> left = step.evict;
-    std::sort(left.begin(), left.end());
-    std::erase_if(held_,
-                  [&](Element x) { return std::binary_search(left.begin(), left.end(), x); });
-    held_.insert(held_.end(), step.load.begin(), step.load.end());
+    follow(step.evict, step.load, held_);
+    follow(step.fast_evict, step.fast_load, fast_held_);
     step.number = ++number_;
     step.worker = 0;
     return true;
   }
 
  private:
+  static void follow(std::vector<Element> leave, const std::vector<Element>& come,
+                     std::vector<Element>& held) {
+    std::sort(leave.begin(), leave.end());
+    std::erase_if(held,
+                  [&](Element x) { return std::binary_search(leave.begin(), leave.end(), x); });
+    held.insert(held.end(), come.begin(), come.end());
+  }
+
   std::shared_ptr<const WorkerSteps> steps_;
   std::uint64_t workers_;
   std::unique_ptr<StepSource> one_;
   std::uint64_t worker_ = 0;
   std::uint64_t number_ = 0;
   std::vector<Element> held_;
+  std::vector<Element> fast_held_;  // on the accelerator
 };
 
 }  // namespace

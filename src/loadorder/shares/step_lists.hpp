@@ -1,4 +1,4 @@
-// Internal: steps of workers in memory, 4 bytes per load and 4 per eviction.
+// Internal: steps of workers in memory, 4 bytes per load and 4 per eviction, at each level.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,12 @@
 
 namespace changeover {
 
-/// The evictions and loads of a step.
+/// The evictions and loads of a step, in memory and, for two levels, on the accelerator.
 struct Move {
-  std::vector<Element> evict;
-  std::vector<Element> load;
+  std::vector<Element> evict = {};
+  std::vector<Element> load = {};
+  std::vector<Element> fast_evict = {};
+  std::vector<Element> fast_load = {};
 };
 
 /// The same with fewer loads, if there is room: an item that is evicted and loaded again stays as

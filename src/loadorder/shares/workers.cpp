@@ -7,6 +7,8 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "core/checked.hpp"
+#include "loadorder/listed/listed_levels.hpp"
+#include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/pairs/held_blocks.hpp"
 #include "loadorder/shares/few_workers.hpp"
 #include "loadorder/shares/known_shares.hpp"
@@ -146,11 +148,21 @@ WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room, std:
                           : split_some_pairs(wanted, room, workers, options);
 }
 
-WorkerSplit split_two_levels(std::uint64_t items, std::uint64_t room, std::uint64_t fast_room,
+WorkerSplit split_two_levels(const WantedPairs& wanted, std::uint64_t room, std::uint64_t fast_room,
                              std::uint64_t workers, const LoadOrderOptions& options) {
   check_workers(workers);
-  WorkerSplit split = split_order(plan_two_levels(items, room, fast_room), items, room, workers);
-  SplitMaker::give_pairs(split, options);
+  WorkerSplit split = [&] {
+    if (wanted.are_all()) {
+      WorkerSplit cut =
+          split_order(plan_two_levels(wanted, room, fast_room), wanted.items(), room, workers);
+      SplitMaker::give_pairs(cut, options);
+      return cut;
+    }
+    check_rooms(room, fast_room);
+    return SplitMaker::two_levels(
+        split_some_pairs(as_list(wanted), room, workers, unread(options, workers)), fast_room,
+        options);
+  }();
   SplitMaker::verify(split, options);
   return split;
 }

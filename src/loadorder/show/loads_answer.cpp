@@ -54,9 +54,9 @@ AnyLoads planned(const CheckedLoads& asked, const LoadRequest& request, LoadOrde
   }
   if (request.fast_room) {
     if (request.workers) {
-      return split_two_levels(wanted.items(), room, *request.fast_room, *request.workers, options);
+      return split_two_levels(wanted, room, *request.fast_room, *request.workers, options);
     }
-    return plan_two_levels(wanted.items(), room, *request.fast_room);
+    return plan_two_levels(wanted, room, *request.fast_room, options);
   }
   if (request.prefetch) {
     if (request.workers) {

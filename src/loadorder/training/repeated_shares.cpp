@@ -42,7 +42,8 @@ void SplitMaker::repeat(WorkerSplit& split, std::uint64_t epochs) {
   }
   // Owners may assign a pair by the step in which it meets; a table assigns it by the pair.
   const bool by_table = are_few(split);
-  if (workers > 1 && by_table && split.owners_ != nullptr && !split.facts_.has_costs) {
+  if (workers > 1 && by_table && split.owners_ != nullptr &&
+      !are_given_one_by_one(*split.owners_)) {
     spread(split);
   }
   WorkerSplit once_only(split.facts_, LoadOrder(split.order_.facts(), split.order_.maker()));

@@ -1,14 +1,17 @@
 // The fewest loads for a few pairs, by trying everything, and graphs to try.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
 
 #include "../loadorder_support.hpp"
 #include "changeover/loadorder/load_order.hpp"
+#include "changeover/run/control.hpp"
 #include "run/random.hpp"
 
 namespace changeover::test {
@@ -96,6 +99,17 @@ inline std::vector<ItemPair> close_points(std::uint32_t items, std::size_t count
     pairs.push_back(all[i].second);
   }
   return pairs;
+}
+
+/// Without the search that takes some seconds, of which the result would be better.
+inline LoadOrderOptions hardly_searched() {
+  LoadOrderOptions options;
+  options.search_pairs = [](const std::function<void()>& search) {
+    RunControl control({.time = std::chrono::milliseconds(2)});
+    const RunScope scope(control);
+    search();
+  };
+  return options;
 }
 
 inline WantedPairs listed(std::uint64_t items, const std::vector<ItemPair>& pairs) {

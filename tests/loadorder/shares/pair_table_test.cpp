@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <functional>
 #include <numeric>
 #include <set>
@@ -7,6 +8,7 @@
 #include "../loadorder_support.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/workers.hpp"
+#include "changeover/run/control.hpp"
 #include "loadorder/shares/owners/pouring.hpp"
 #include "loadorder/shares/step_lists.hpp"
 #include "run/random.hpp"
@@ -145,20 +147,57 @@ TEST(FairShares, AreEven) {
   EXPECT_LE(evenness(20'000, 100, 7), 1.05);
 }
 
-TEST(FairShares, TheFirstHolderIsStillToBeHad) {
+// The first worker that has a pair computes it, and loads nothing for pairs that others have had.
+TEST(FairShares, TheFirstHolderComputesAndLoadsNothingInVain) {
   LoadOrderOptions options;
   options.balance = false;
-  const WorkerSplit split = split_load_order(40, 10, 4, options);
-  EXPECT_EQ(split.owners(), nullptr);
-  StepWork work(split.stream(), split.rules(ComputeRules{}));
-  std::vector<std::uint64_t> pairs(4, 0);
-  for (Step step; work.next(step);) {
-    pairs[step.worker] += step.compute.size();
+  for (const std::uint64_t workers : {2U, 3U, 9U}) {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+      const auto items = static_cast<Element>(12 + 4 * (seed % 8));
+      const std::vector<ItemPair> pairs = random_pairs(items, items + 5 * seed, seed);
+      const std::set<ItemPair> wanted(pairs.begin(), pairs.end());
+      options.search_pairs = [](const std::function<void()>& search) {
+        RunControl control({.time = std::chrono::milliseconds(2)});
+        const RunScope scope(control);
+        search();
+      };
+      const WorkerSplit split =
+          split_load_order(WantedPairs::listed(std::make_shared<const PairGraph>(items, pairs)),
+                           3 + seed % 5, workers, options);
+      expect_fair(split, wanted);
+      std::set<ItemPair> met;
+      for (std::uint64_t w = 0; w < workers; ++w) {
+        std::set<ItemPair> here;
+        std::set<Element> memory;
+        std::uint64_t computed = 0;
+        StepWork work(split.stream(w), split.rules(ComputeRules{}), split.owners());
+        for (Step step; work.next(step);) {
+          computed += step.compute.size();
+          for (const Element x : step.evict) {
+            memory.erase(x);
+          }
+          for (const Element x : step.load) {
+            for (const Element y : memory) {
+              if (const ItemPair pair(std::min(x, y), std::max(x, y)); wanted.contains(pair)) {
+                here.insert(pair);
+              }
+            }
+            memory.insert(x);
+          }
+        }
+        const std::size_t before = met.size();
+        met.insert(here.begin(), here.end());
+        EXPECT_EQ(computed, met.size() - before) << seed << ": worker " << w;
+      }
+    }
+    std::set<ItemPair> all;
+    for (Element y = 0; y < 40; ++y) {
+      for (Element x = 0; x < y; ++x) {
+        all.emplace(x, y);
+      }
+    }
+    expect_fair(split_load_order(40, 10, workers, options), all);
   }
-  for (std::size_t w = 0; w < 4; ++w) {
-    EXPECT_EQ(split.facts().workers[w].pairs, pairs[w]);
-  }
-  EXPECT_EQ(std::accumulate(pairs.begin(), pairs.end(), std::uint64_t{0}), 780U);
 }
 
 TEST(Pouring, FillsToTheSameHeight) {

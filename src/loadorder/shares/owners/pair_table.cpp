@@ -105,19 +105,24 @@ class Spreading {
   Spreading(const ScheduleRules& rules, const std::vector<WorkerFacts>& workers,
             const std::function<std::unique_ptr<StepSource>(std::uint64_t worker)>& of,
             const std::function<double(Element, Element)>& cost,
-            const std::function<bool(Element, Element)>& computed)
+            const std::function<bool(Element, Element)>& computed, bool first_holder)
       : rules_(rules),
         workers_(workers),
         of_(of),
         cost_(cost),
         computed_(computed),
+        first_holder_(first_holder),
         come_(rules.fast_room ? &Step::fast_load : &Step::load),
         leave_(rules.fast_room ? &Step::fast_evict : &Step::evict),
         table_{PairPlaces(rules.wanted, rules.items), {}, {}} {}
 
   SpreadPairs result() {
-    find_workers_of_pairs();
-    give_pairs();
+    if (first_holder_) {
+      give_to_the_first();
+    } else {
+      find_workers_of_pairs();
+      give_pairs();
+    }
     SpreadPairs spread;
     spread.workers = workers_;
     for (std::size_t w = 0; w < workers_.size(); ++w) {
@@ -181,13 +186,31 @@ class Spreading {
     return cost;
   }
 
+  void begin() {
+    table_.owner.assign(table_.places.count(), no_worker);
+    has_pair_.assign(static_cast<std::size_t>(rules_.items), false);
+    load_.assign(workers_.size(), 0);
+    pairs_.assign(workers_.size(), 0);
+  }
+
+  void give_to_the_first() {
+    begin();
+    play_pairs([&](std::uint64_t w, Element x, Element y, std::size_t place) {
+      has_pair_[x] = has_pair_[y] = true;
+      if (table_.owner[place] == no_worker) {
+        table_.owner[place] = static_cast<Worker>(w);
+        load_[w] += cost_of(x, y);
+        ++pairs_[w];
+      }
+    });
+  }
+
   // Assigns pairs that only one worker has; for the others, records which workers have them.
   void find_workers_of_pairs() {
+    begin();
     const std::size_t places = table_.places.count();
     std::vector<Worker> last(places, no_worker);
     std::vector<bool> is_shared(places, false);
-    table_.owner.assign(places, no_worker);
-    has_pair_.assign(static_cast<std::size_t>(rules_.items), false);
     play_pairs([&](std::uint64_t w, Element x, Element y, std::size_t place) {
       has_pair_[x] = has_pair_[y] = true;
       const auto worker = static_cast<Worker>(w);
@@ -195,8 +218,6 @@ class Spreading {
           is_shared[place] || (table_.owner[place] != no_worker && table_.owner[place] != worker);
       table_.owner[place] = worker;
     });
-    load_.assign(workers_.size(), 0);
-    pairs_.assign(workers_.size(), 0);
     nodes_.assign(1, {});
     std::map<std::pair<std::uint32_t, Worker>, std::uint32_t> children;
     std::vector<std::uint32_t> number(places, 0);  // among the shared ones, plus one
@@ -392,6 +413,7 @@ class Spreading {
   const std::function<std::unique_ptr<StepSource>(std::uint64_t)>& of_;
   const std::function<double(Element, Element)>& cost_;
   const std::function<bool(Element, Element)>& computed_;
+  bool first_holder_;
   std::vector<Element> Step::*come_;
   std::vector<Element> Step::*leave_;
   Table table_;
@@ -412,8 +434,31 @@ class Spreading {
 SpreadPairs spread_pairs(const ScheduleRules& rules, const std::vector<WorkerFacts>& workers,
                          const std::function<std::unique_ptr<StepSource>(std::uint64_t worker)>& of,
                          const std::function<double(Element, Element)>& cost,
-                         const std::function<bool(Element, Element)>& computed) {
-  return Spreading(rules, workers, of, cost, computed).result();
+                         const std::function<bool(Element, Element)>& computed, bool first_holder) {
+  return Spreading(rules, workers, of, cost, computed, first_holder).result();
+}
+
+std::shared_ptr<const PairOwners> owners_of_lists(const WantedPairs& wanted,
+                                                  const std::vector<std::vector<ItemPair>>& pairs,
+                                                  const std::vector<std::vector<Element>>& alone) {
+  Table table{PairPlaces(wanted, wanted.items()), {}, {}};
+  table.owner.assign(table.places.count(), no_worker);
+  table.alone.assign(static_cast<std::size_t>(wanted.items()), no_worker);
+  for (std::size_t w = 0; w < pairs.size(); ++w) {
+    for (const auto& [x, y] : pairs[w]) {
+      if (x != y) {
+        table.owner[static_cast<std::size_t>(*table.places.place(x, y))] = static_cast<Worker>(w);
+      }
+    }
+    for (const Element x : alone[w]) {
+      table.alone[x] = static_cast<Worker>(w);
+    }
+  }
+  return std::make_shared<TableOwners>(std::move(table));
+}
+
+bool are_given_one_by_one(const PairOwners& owners) {
+  return dynamic_cast<const TableOwners*>(&owners) != nullptr;
 }
 
 }  // namespace changeover

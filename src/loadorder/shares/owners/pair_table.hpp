@@ -1,7 +1,8 @@
 // Internal: assigns pairs to workers one by one, and leaves out loads that are then needless.
 //
 // The steps of all workers are replayed, and the workers that have a pair are recorded. Pairs that
-// several workers have are spread evenly, by cost. A stay of an item at a worker that computes none
+// several workers have are spread evenly, by cost, or belong to the first worker that has them. A
+// stay of an item at a worker that computes none
 // of its pairs in that stay is left out.
 #pragma once
 
@@ -34,6 +35,14 @@ struct SpreadPairs {
     const ScheduleRules& rules, const std::vector<WorkerFacts>& workers,
     const std::function<std::unique_ptr<StepSource>(std::uint64_t worker)>& of,
     const std::function<double(Element, Element)>& cost,
-    const std::function<bool(Element, Element)>& computed = {});
+    const std::function<bool(Element, Element)>& computed = {}, bool first_holder = false);
+
+/// Owners of the pairs that are given to each worker; `alone` are the items that it loads first.
+[[nodiscard]] std::shared_ptr<const PairOwners> owners_of_lists(
+    const WantedPairs& wanted, const std::vector<std::vector<ItemPair>>& pairs,
+    const std::vector<std::vector<Element>>& alone);
+
+/// Whether pairs are given one by one, and not by the step in which they meet.
+[[nodiscard]] bool are_given_one_by_one(const PairOwners& owners);
 
 }  // namespace changeover

@@ -1,0 +1,381 @@
+#include "loadorder/listed/listed_levels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/run/control.hpp"
+#include "core/words.hpp"
+#include "loadorder/listed/quick_moves.hpp"
+#include "loadorder/order/accelerator.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::size_t never = ~std::size_t{0};
+
+// The loads of an order one by one, each with what goes for it.
+std::vector<LoadMove> one_by_one(const LoadOrder& order) {
+  std::vector<LoadMove> moves;
+  const auto steps = order.stream();
+  for (Step step; steps->next(step);) {
+    for (std::size_t i = 0; i < step.load.size(); ++i) {
+      moves.push_back({step.load[i], i < step.evict.size() ? step.evict[i] : LoadMove::nothing});
+    }
+  }
+  return moves;
+}
+
+/// When the loads of an order load the same item again.
+class NextLoads {
+ public:
+  NextLoads(const std::vector<LoadMove>& moves, std::uint64_t items)
+      : after_(moves.size(), never), next_(static_cast<std::size_t>(items), never) {
+    for (std::size_t i = moves.size(); i > 0; --i) {
+      after_[i - 1] = std::exchange(next_[moves[i - 1].load], i - 1);
+    }
+  }
+
+  /// Load number i is over.
+  void pass(std::size_t i, Element x) { next_[x] = after_[i]; }
+  [[nodiscard]] std::size_t of(Element x) const { return next_[x]; }
+
+ private:
+  std::vector<std::size_t> after_;  // by load: the next one of its item
+  std::vector<std::size_t> next_;   // by item
+};
+
+/// Items that may leave memory; the one that is needed last goes first.
+class Idle {
+ public:
+  explicit Idle(std::uint64_t items) : needed_(static_cast<std::size_t>(items), never) {}
+
+  void add(Element x, std::size_t needed) {
+    needed_[x] = needed;
+    idle_.emplace(needed, x);
+  }
+  void erase(Element x) { idle_.erase({needed_[x], x}); }
+  Element take_last() {
+    const Element x = idle_.rbegin()->second;
+    idle_.erase(std::prev(idle_.end()));
+    return x;
+  }
+
+ private:
+  std::vector<std::size_t> needed_;
+  std::set<std::pair<std::size_t, Element>> idle_;
+};
+
+// Steps that evict nothing are part of the step before.
+void merge_fills(std::vector<Move>& moves) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    Move& move = moves[i];
+    if (kept > 0 && move.evict.empty() && move.fast_evict.empty()) {
+      Move& last = moves[kept - 1];
+      last.load.insert(last.load.end(), move.load.begin(), move.load.end());
+      last.fast_load.insert(last.fast_load.end(), move.fast_load.begin(), move.fast_load.end());
+    } else if (kept++ != i) {
+      moves[kept - 1] = std::move(move);
+    }
+  }
+  moves.resize(kept);
+}
+
+// Memory as a cache of what the accelerator needs.
+std::vector<Move> with_a_cache(const std::vector<LoadMove>& fast, std::uint64_t items,
+                               std::uint64_t room) {
+  NextLoads next(fast, items);
+  Idle idle(items);
+  std::vector<bool> in_memory(static_cast<std::size_t>(items), false);
+  std::uint64_t held = 0;
+  std::vector<Move> moves;
+  for (std::size_t i = 0; i < fast.size(); ++i) {
+    const auto& [x, out] = fast[i];
+    Move& move = moves.emplace_back();
+    if (out != LoadMove::nothing) {
+      move.fast_evict.push_back(out);
+      idle.add(out, next.of(out));
+    }
+    if (in_memory[x]) {
+      idle.erase(x);
+    } else {
+      if (held == room) {
+        const Element goes = idle.take_last();
+        in_memory[goes] = false;
+        move.evict.push_back(goes);
+        --held;
+      }
+      in_memory[x] = true;
+      ++held;
+      move.load.push_back(x);
+    }
+    next.pass(i, x);
+    move.fast_load.push_back(x);
+  }
+  merge_fills(moves);
+  return moves;
+}
+
+/// Loads in batches: what a batch brings together is done before the next one.
+class Batches {
+ public:
+  Batches(const PairGraph& graph, std::uint64_t room, std::uint64_t fast_room)
+      : graph_(graph),
+        items_(static_cast<std::size_t>(graph.items())),
+        room_(room),
+        fast_room_(fast_room),
+        accelerator_(graph.items(), fast_room) {}
+
+  /// `loads` is an order for less room.
+  std::vector<Move> steps(const std::vector<LoadMove>& loads) {
+    find_batches(loads);
+    for (const Batch& batch : batches_) {
+      stop_if_asked();
+      add_steps(batch);
+    }
+    merge_fills(moves_);
+    return std::move(moves_);
+  }
+
+ private:
+  struct Stay {
+    Element item = 0;
+    std::size_t number = 0;
+  };
+  struct Batch {
+    std::vector<Stay> evict;
+    std::vector<Stay> load;
+    std::vector<ItemPair> pairs;  // that come together, and items that are only loaded
+  };
+
+  // Nothing that the order keeps or loads in a batch goes before the batch is over.
+  void find_batches(const std::vector<LoadMove>& loads) {
+    NextLoads next(loads, items_);
+    Idle idle(items_);
+    std::vector<bool> in_memory(items_, false);
+    std::vector<bool> kept(items_, false);  // by the order
+    std::vector<std::size_t> stay_of(items_, 0);
+    std::vector<bool> met(static_cast<std::size_t>(2 * graph_.pairs()), false);
+    std::uint64_t kept_items = 0;
+    std::uint64_t held = 0;
+    for (std::size_t begin = 0; begin < loads.size();) {
+      Batch batch;
+      const std::size_t end =
+          std::min<std::size_t>(loads.size(), begin + static_cast<std::size_t>(room_ - kept_items));
+      std::vector<Element> come;
+      for (std::size_t i = begin; i < end; ++i) {
+        const Element x = loads[i].load;
+        if (!in_memory[x]) {
+          in_memory[x] = true;
+          come.push_back(x);
+        } else {
+          idle.erase(x);
+        }
+      }
+      for (; held + come.size() > room_; --held) {
+        const Element goes = idle.take_last();
+        in_memory[goes] = false;
+        batch.evict.push_back({goes, stay_of[goes]});
+      }
+      held += come.size();
+      for (const Element x : come) {
+        stay_of[x] = is_used_.size();
+        is_used_.push_back(graph_.partners(x).empty());
+        batch.load.push_back({x, stay_of[x]});
+        if (is_used_.back()) {
+          batch.pairs.emplace_back(x, x);
+        }
+      }
+      for (const Element x : come) {
+        for (const Element y : graph_.partners(x)) {
+          const auto place = static_cast<std::size_t>(*graph_.place(x, y));
+          if (in_memory[y] && !met[place]) {
+            met[place] = true;
+            is_used_[stay_of[x]] = is_used_[stay_of[y]] = true;
+            batch.pairs.emplace_back(x, y);
+          }
+        }
+      }
+      batches_.push_back(std::move(batch));
+      std::vector<Element> left;
+      for (; begin < end; ++begin) {
+        const auto& [x, out] = loads[begin];
+        if (out != LoadMove::nothing) {
+          kept[out] = false;
+          --kept_items;
+          left.push_back(out);
+        }
+        next.pass(begin, x);
+        kept[x] = true;
+        ++kept_items;
+      }
+      for (const Element x : left) {
+        if (!kept[x]) {
+          idle.add(x, next.of(x));
+        }
+      }
+    }
+  }
+
+  // Stays that bring no pair together are left out.
+  void add_steps(const Batch& batch) {
+    for (const auto& [x, stay] : batch.evict) {
+      if (is_used_[stay]) {
+        next_.evict.push_back(x);
+        if (accelerator_.has(x)) {
+          accelerator_.take_off(x, next_.fast_evict);
+        }
+      }
+    }
+    for (const auto& [x, stay] : batch.load) {
+      if (is_used_[stay]) {
+        next_.load.push_back(x);
+      }
+    }
+    const std::vector<Element> items = items_of(batch.pairs);
+    for (const LoadMove& move : quick_moves(batch.pairs, items, fast_room_)) {
+      if (move.evict != LoadMove::nothing) {
+        accelerator_.unwant(move.evict);
+      }
+      accelerator_.bring({move.load}, next_.fast_evict, next_.fast_load);
+      if (!next_.fast_load.empty()) {
+        moves_.push_back(std::exchange(next_, {}));
+      }
+    }
+    for (const Element x : items) {
+      accelerator_.unwant(x);
+    }
+  }
+
+  const PairGraph& graph_;
+  std::size_t items_;
+  std::uint64_t room_;
+  std::uint64_t fast_room_;
+  Accelerator accelerator_;
+  std::vector<Batch> batches_;
+  std::vector<bool> is_used_;  // by stay
+  Move next_;                  // evictions and loads of the next step
+  std::vector<Move> moves_;
+};
+
+// How many loads a batch may have, the most promising numbers first.
+std::vector<std::uint64_t> batches_to_try(std::uint64_t room, std::uint64_t fast_room) {
+  std::vector<std::uint64_t> sizes;
+  for (const std::uint64_t size : {room / 4, room / 2, 2 * (fast_room - 1), room / 8, 3 * room / 4,
+                                   fast_room - 1, std::uint64_t{1}}) {
+    if (size >= 1 && size + 2 <= room &&
+        std::find(sizes.begin(), sizes.end(), size) == sizes.end()) {
+      sizes.push_back(size);
+    }
+  }
+  return sizes;
+}
+
+double cost_of(const std::vector<Move>& moves, const LoadOrderFacts& bounds) {
+  std::uint64_t loads = 0;
+  std::uint64_t transfers = 0;
+  for (const Move& move : moves) {
+    loads += move.load.size();
+    transfers += move.fast_load.size();
+  }
+  return static_cast<double>(loads) / static_cast<double>(bounds.bound.loads) +
+         static_cast<double>(transfers) / static_cast<double>(bounds.transfer_bound.loads);
+}
+
+std::vector<Move> best_moves(LoadOrderFacts& facts, bool searched,
+                             const LoadOrderOptions& options) {
+  const WantedPairs list = as_list(facts.wanted);
+  const PairGraph& graph = *list.graph();
+  const std::uint64_t fast_room = *facts.fast_room;
+  std::vector<Move> best;
+  double least = 0;
+  std::uint64_t best_batch = 0;
+  const auto consider = [&](std::vector<Move> moves, std::uint64_t batch) {
+    if (const double cost = cost_of(moves, facts); best.empty() || cost < least) {
+      best = std::move(moves);
+      least = cost;
+      best_batch = batch;
+    }
+  };
+  LoadOrderOptions quick = options;
+  quick.read_first = false;  // both levels are read together
+  quick.improve = nullptr;
+  const auto order_for = [&](std::uint64_t room, bool is_last) {
+    return (is_last && searched) || facts.wanted.graph() == nullptr
+               ? one_by_one(plan_load_order(facts.wanted, room, quick))
+               : quick_moves(graph, room);
+  };
+  consider(with_a_cache(order_for(fast_room, true), facts.items, facts.room), 0);
+  constexpr std::uint64_t most_work = 20'000'000;  // some seconds
+  std::uint64_t work = 0;
+  for (const std::uint64_t size : batches_to_try(facts.room, fast_room)) {
+    if ((work += graph.pairs()) <= most_work) {
+      consider(Batches(graph, facts.room, fast_room).steps(order_for(facts.room - size, false)),
+               size);
+    }
+  }
+  if (best_batch > 0 && searched) {
+    consider(Batches(graph, facts.room, fast_room).steps(order_for(facts.room - best_batch, true)),
+             best_batch);
+  }
+  facts.method = best_batch == 0 ? "cache" : "batches";
+  facts.explanation =
+      best_batch == 0
+          ? "An order for the accelerator alone; what leaves it stays in memory, from which goes "
+            "what is needed last."
+          : fmt::format(
+                "An order for memory with {} less; what its next loads bring together is "
+                "done on the accelerator before anything goes.",
+                count_of(best_batch, "place"));
+  return best;
+}
+
+}  // namespace
+
+void check_rooms(std::uint64_t room, std::uint64_t fast_room) {
+  if (fast_room > room) {
+    throw BadInput(fmt::format(
+        "the accelerator has room for {} items, but memory only for {}; give less, or one level",
+        fast_room, room));
+  }
+}
+
+LoadOrder::Maker listed_levels(LoadOrderFacts& facts, const LoadOrderOptions& options) {
+  const auto lists = std::make_shared<StepLists>();
+  lists->add(best_moves(facts, true, options));
+  return [lists] { return lists->of(0); };
+}
+
+std::vector<Move> listed_levels_of(const std::vector<ItemPair>& pairs, std::uint64_t room,
+                                   std::uint64_t fast_room, bool searched,
+                                   const LoadOrderOptions& options) {
+  if (pairs.empty()) {
+    return {};
+  }
+  std::vector<Element> items = items_of(pairs);
+  LoadOrderFacts facts;
+  facts.items = items.size();
+  facts.room = room;
+  facts.fast_room = fast_room;
+  facts.wanted =
+      WantedPairs::listed(std::make_shared<const PairGraph>(items.size(), numbered(pairs, items)));
+  facts.bound = load_lower_bound(facts.wanted, room);
+  facts.transfer_bound = load_lower_bound(facts.wanted, fast_room);
+  std::vector<Move> moves = best_moves(facts, searched, options);
+  for (Move& move : moves) {
+    for (std::vector<Element>* const list :
+         {&move.evict, &move.load, &move.fast_evict, &move.fast_load}) {
+      for (Element& x : *list) {
+        x = items[x];
+      }
+    }
+  }
+  return moves;
+}
+
+}  // namespace changeover

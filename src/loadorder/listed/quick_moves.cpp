@@ -1,0 +1,97 @@
+#include "loadorder/listed/quick_moves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/run/control.hpp"
+#include "loadorder/pairs/starts.hpp"
+
+namespace changeover {
+
+std::vector<LoadMove> quick_moves(const PairGraph& graph, std::uint64_t room) {
+  std::vector<LoadMove> best;
+  bool found = false;
+  std::uint64_t least = 0;
+  for (Element x = 0; x < graph.items(); ++x) {
+    least += graph.is_needed(x) ? 1U : 0U;
+  }
+  each_start(graph, room, [&](const std::string&, std::vector<Element> start) {
+    stop_if_asked();
+    Closing closing(graph, room, start);
+    const std::uint64_t limit = found ? best.size() - 1 : Closing::no_limit;
+    if (closing.run(limit) <= limit) {
+      best = closing.take_moves();
+      found = true;
+    }
+    return best.size() > least;
+  });
+  return best;
+}
+
+std::vector<Element> items_of(std::span<const ItemPair> pairs) {
+  std::vector<Element> items;
+  items.reserve(2 * pairs.size());
+  for (const auto& [x, y] : pairs) {
+    items.push_back(x);
+    items.push_back(y);
+  }
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+  return items;
+}
+
+std::vector<ItemPair> numbered(std::span<const ItemPair> pairs, const std::vector<Element>& items) {
+  const auto number = [&](Element x) {
+    return static_cast<Element>(std::lower_bound(items.begin(), items.end(), x) - items.begin());
+  };
+  std::vector<ItemPair> found;
+  found.reserve(pairs.size());
+  for (const auto& [x, y] : pairs) {
+    found.emplace_back(number(x), number(y));
+  }
+  return found;
+}
+
+std::vector<LoadMove> quick_moves(std::span<const ItemPair> pairs,
+                                  const std::vector<Element>& items, std::uint64_t room) {
+  std::vector<LoadMove> moves = quick_moves(PairGraph(items.size(), numbered(pairs, items)), room);
+  for (LoadMove& move : moves) {
+    move.load = items[move.load];
+    move.evict = move.evict == LoadMove::nothing ? LoadMove::nothing : items[move.evict];
+  }
+  return moves;
+}
+
+WantedPairs as_list(const WantedPairs& wanted) {
+  constexpr std::uint64_t most_pairs = 10'000'000;
+  if (wanted.graph() != nullptr) {
+    return wanted;
+  }
+  if (wanted.count() > most_pairs) {
+    throw ImpossibleParameters(fmt::format(
+        "{} are {} pairs; at two levels, and for disjoint workers, at most {}; group items into "
+        "larger ones",
+        wanted.describe(), wanted.count(), most_pairs));
+  }
+  const auto items = static_cast<Element>(wanted.items());
+  return WantedPairs::listed(std::make_shared<const PairGraph>(
+      items,
+      [&](const PairGraph::Visit& visit) {
+        for (Element y = static_cast<Element>(wanted.first()); y < items; ++y) {
+          const Element end = wanted.kind() == WantedPairs::Kind::between
+                                  ? static_cast<Element>(wanted.first())
+                                  : y;
+          for (Element x = 0; x < end; ++x) {
+            visit(x, y);
+          }
+        }
+      },
+      std::vector<std::string>()));
+}
+
+}  // namespace changeover

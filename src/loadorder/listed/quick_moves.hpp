@@ -1,0 +1,30 @@
+// Internal: small orders for parts of a list, many of them, without a search.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "changeover/loadorder/wanted_pairs.hpp"
+#include "loadorder/pairs/closing.hpp"
+
+namespace changeover {
+
+/// The loads of the best start (pairs/starts.hpp). O(pairs) for each start
+[[nodiscard]] std::vector<LoadMove> quick_moves(const PairGraph& graph, std::uint64_t room);
+
+/// The same for some pairs, whose items are items_of(pairs).
+[[nodiscard]] std::vector<LoadMove> quick_moves(std::span<const ItemPair> pairs,
+                                                const std::vector<Element>& items,
+                                                std::uint64_t room);
+
+/// The items of pairs, in increasing order, each once; and the pairs with their places there.
+[[nodiscard]] std::vector<Element> items_of(std::span<const ItemPair> pairs);
+[[nodiscard]] std::vector<ItemPair> numbered(std::span<const ItemPair> pairs,
+                                             const std::vector<Element>& items);
+
+/// The wanted pairs, some only, as a list. @throws ImpossibleParameters if they are not listed and
+/// more than 10⁷
+[[nodiscard]] WantedPairs as_list(const WantedPairs& wanted);
+
+}  // namespace changeover
