@@ -82,7 +82,7 @@ def _forbidden(pairs: Any) -> list[list[str]]:
 def _items(argument: str, value: Any) -> list[tuple[Any, Any]]:
     """What is in a dict now: to read it runs code of the caller, which may change it."""
     if not isinstance(value, dict):
-        raise BadInput(f"{argument} is a dict")
+        raise BadInput(f"{argument} is a dict, not {_core.quoted(words_of(repr(value)))}")
     return list(value.items())
 
 
@@ -212,7 +212,7 @@ def _table(costs: Any) -> list[list[str]]:
         out, into = _pair("change_costs", pair)
         heads.update({out: None, into: None})
         if len(heads) > _most_parts:
-            raise BadInput("change_costs names more parts than there are")
+            raise BadInput(f"change_costs names more than {_most_parts} parts; give fewer")
         by_pair[out, into] = _amount("change_costs", cost)
     return [["", *heads],
             *([out, *(by_pair.get((out, into), "") for into in heads)] for out in heads)]
@@ -300,8 +300,9 @@ def _parts(given: Any, slots: Any, slot_of: Any, quantities: Any, needs_costs: b
     if isinstance(given, os.PathLike):
         for argument, said in (("slot", slot_of), ("quantity", quantities)):
             if said is not None:
-                raise BadInput("parts is a file, which says in a column " + argument + " what "
-                               + ("slot_of" if argument == "slot" else "quantities") + " would")
+                given_twice = "slot_of" if argument == "slot" else "quantities"
+                raise BadInput(f"parts is a file, whose column {argument} says what {given_twice} "
+                               "would; leave it out")
         return {"file": words_of(os.fsdecode(given))}
     if is_whole(given):
         count = operator.index(given)

@@ -77,21 +77,13 @@ py::dict search(std::uint64_t v, std::uint64_t k, std::uint64_t change, const st
                   py::arg("moves") = found.moves, py::arg("seconds") = found.seconds);
 }
 
-// Part `share.first` of `share.second`.
-WorkShare share_of(const std::pair<std::uint64_t, std::uint64_t>& share) {
-  if (share.first >= share.second) {
-    throw BadInput("share is (part, parts): a number below that of the parts");
-  }
-  return {share.first, share.second};
-}
-
 py::dict classify(std::uint64_t v, std::uint64_t k, std::uint64_t b, std::uint64_t change,
                   const std::string& kind, bool reversal, std::uint64_t keep,
                   std::optional<double> time, std::uint64_t threads, py::object progress,
                   const std::pair<std::uint64_t, std::uint64_t>& share) {
   const Parameters p = parameters(v, k, change, kind_of(kind));
   LongOptions options = limits(time, threads, 1, std::move(progress));
-  options.share = share_of(share);
+  options.share = {share.first, share.second};
   LongWork work(std::move(options));
   Classification all;
   work.run([&](RunControl& control) {
@@ -119,7 +111,7 @@ py::dict decide_share(std::uint64_t v, std::uint64_t k, std::uint64_t change,
                       std::optional<double> time, std::uint64_t threads, py::object progress) {
   const Parameters p = parameters(v, k, change, kind_of(kind), strength);
   LongOptions limited = limits(time, threads, 1, std::move(progress));
-  limited.share = share_of(share);
+  limited.share = {share.first, share.second};
   LongWork work(std::move(limited));
   Decision decision;
   work.run([&](RunControl& control) { decision = decide(p, b, {.cubes = cubes}, control); });

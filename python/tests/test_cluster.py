@@ -409,7 +409,7 @@ class Teams(unittest.TestCase):
         original = _simulation._Simulated
         _simulation._Simulated = Kills
         try:
-            with self.assertRaisesRegex(_team.NoWorkers, r"the pair \(3, 8\) was under way on 8"):
+            with self.assertRaisesRegex(_team.NoWorkers, r"the pair \(3, 8\) was under way on 8 workers when they were lost; does it take more memory than they have\?"):
                 play(14, 5, 3, None, 1, None, restart=1.0)
         finally:
             _simulation._Simulated = original

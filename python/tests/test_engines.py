@@ -8,10 +8,11 @@ import sys
 import tempfile
 import types
 import unittest
+from unittest import mock
 
 import changeover
 from changeover import cluster
-from changeover.cluster import _bag, _exact
+from changeover.cluster import _bag, _dask, _exact
 
 
 class Bags(unittest.TestCase):
@@ -67,8 +68,31 @@ class Bags(unittest.TestCase):
         bag = _bag.Bag(lambda *_: None)
         bag.put({})
         engine = self.Engine(lambda over, threads: 1, ["a"], dies=range(1, 10))
-        with self.assertRaisesRegex(changeover.MissingResource, "8 workers were lost"):
+        with self.assertRaisesRegex(changeover.MissingResource, " workers were lost, one after the other, while they had the same part"):
             bag.run(engine, lambda _: None)
+
+    def test_without_workers_a_run_ends(self):
+        bag = _bag.Bag(lambda *_: None)
+        with self.assertRaisesRegex(changeover.MissingResource, "there are no workers; start some, and wait for them"):
+            bag.run(self.Engine(lambda over, threads: 1, []), lambda _: None)
+        bag.put({})
+        engine = self.Engine(lambda over, threads: 1, ["a"], dies=[1])
+        engine.wait = lambda _: [_team_event("lost", "a", 1)] if engine.names else []
+        with mock.patch.object(_bag, "_without_workers", -1.0), \
+                self.assertRaisesRegex(changeover.MissingResource, "all workers were lost, and none came for"):
+            bag.run(engine, lambda _: None)
+
+    def test_a_client_of_dask_that_cannot_be_used_is_named(self):
+        class Client:
+            asynchronous = False
+            status = "closed"
+
+        client = Client()
+        with self.assertRaisesRegex(changeover.BadInput, "client is closed; give one that is connected"):
+            _dask.DaskEngine(client, None)
+        client.asynchronous = True
+        with self.assertRaisesRegex(TypeError, "client is asynchronous; give one that is not: Client"):
+            _dask.DaskEngine(client, None)
 
     def test_cubes_that_leave_something_out_are_noticed(self):
         walk = _exact.Walk((9, 4, 1, "linear", 2), 1.0, 1e18, 2, None)

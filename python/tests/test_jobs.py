@@ -227,8 +227,8 @@ class Plans(unittest.TestCase):
         # Rows that were left out leave gaps in the index, and a part may be called "nan".
         self.assertEqual(plan(frame(columns)[lambda each: each.cost != 2]).cost, plan({"nan": 1, "c": 3, "d": 4}).cost)
         for wrong, said in (
-            (frame({"name": ["a", None, "c"]}), "a row without a name"),
-            (frame({"name": ["a", "b"], "weight": [5, 6]}), "the column 'weight' is not read"),
+            (frame({"name": ["a", None, "c"]}), "parts: a row without a name; name the part"),
+            (frame({"name": ["a", "b"], "weight": [5, 6]}), " is not read; leave it out, or have one column each called name"),
             (frame({**columns, "colour": "red"}), "the column 'colour' is not read"),
             (frame({**columns, "part": "x"}), "the column 'part' is not read"),
             (frame(columns, index=list("pqrs")), "the column 'index' is not read"),
@@ -239,7 +239,7 @@ class Plans(unittest.TestCase):
             with self.subTest(wrong=wrong), self.assertRaisesRegex(changeover.BadInput, said):
                 plan(wrong)
         for wrong in (pandas.Series(["a", "b"]), pandas.Series([5, 6]), pandas.Series(["a", "b"], index=[3, 5])):
-            with self.subTest(wrong=wrong), self.assertRaisesRegex(TypeError, "^parts is a Series with numbers"):
+            with self.subTest(wrong=wrong), self.assertRaisesRegex(TypeError, "^parts is a Series with numbers as its index; give list"):
                 plan(wrong)
         self.assertEqual(plan(list(pandas.Series(["a", "b"]))).tests, 1)
         # Within a list a table would be the names of its columns; an index says something.
@@ -247,7 +247,7 @@ class Plans(unittest.TestCase):
         for name in ("pairs", "never", "first", "done"):
             with self.subTest(name=name), self.assertRaisesRegex(TypeError, f"^{name} has parts, not a DataFrame"):
                 plan(list("abcd"), **{name: [table]})
-            with self.subTest(name=name), self.assertRaisesRegex(TypeError, f"^{name}: the index .* would be lost"):
+            with self.subTest(name=name), self.assertRaisesRegex(TypeError, f"^{name}" ": the index of the DataFrame would be lost; give reset_index"):
                 plan(list("abcd"), **{name: frame({"x": ["b"], "y": ["c"]}, index=["a"])})
         with self.assertRaisesRegex(TypeError, "^start has parts, not a DataFrame"):
             plan(list("abcd"), start=table)
@@ -280,8 +280,10 @@ class Plans(unittest.TestCase):
         room = {"x": 1, "y": (0, 1)}
         by_dicts = plan(dict(zip(names, costs)), slots=room, slot_of=dict(zip(names, slots[:3])))
         self.assertEqual(plan(in_slots, slots=room), by_dicts)
-        for more in ({}, {"slots": room, "slot_of": {"f": "x"}}):
-            with self.subTest(more=more), self.assertRaisesRegex(changeover.BadInput, "^parts has a column slot"):
+        for more, words in (({}, "parts has a column slot; give slots, how many parts each has, or leave the column out"),
+                            ({"slots": room, "slot_of": {"f": "x"}},
+                             "parts has a column slot, and slot_of says the same; give one of them")):
+            with self.subTest(more=more), self.assertRaisesRegex(changeover.BadInput, words):
                 plan(in_slots, **more)
         with self.assertRaisesRegex(changeover.BadInput, "same name|twice"):
             plan(pandas.Series([1, 2, 3], index=["a", "b", "a"]))

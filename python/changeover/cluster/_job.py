@@ -11,7 +11,7 @@ from typing import Any, Callable, Dict, Iterable, Iterator, List, Optional, Tupl
 
 from .. import _core
 from .._given import listed
-from ..errors import BadInput, ImpossibleParameters
+from ..errors import BadInput, ImpossibleParameters, InternalError
 from ..orders import _ends
 from ._failed import failed
 from ._journal import Journal, PairSet, ends_of, name_of_job
@@ -103,7 +103,7 @@ class Wanted:
         shares = [Run(trimmed(steps), self.cost) for steps in self._steps(core)]
         planned = sum(run.pairs for run in shares)
         if planned != self.count:
-            raise _core_bug(f"{planned} of {self.count} pairs are planned")
+            raise InternalError(f"{planned} of {self.count} pairs are planned: this is a bug")
         return shares, facts["lower_bound"] if workers <= 1 else 0
 
     def _steps(self, core: Any) -> Iterator[List[Step]]:
@@ -122,11 +122,6 @@ class Wanted:
             ends.frombytes(pairs)
             current.append(step_of(evict, load, ends, self.cost))
         yield current
-
-
-def _core_bug(what: str) -> Exception:
-    from ..errors import InternalError
-    return InternalError(f"{what}: this is a bug")
 
 
 def _plan(asked: Dict[str, Any], ends: Optional[array[int]],

@@ -13,6 +13,7 @@ import itertools
 import math
 from typing import Callable, Deque, Dict, List, NamedTuple, Optional, Protocol, Tuple
 
+from ..errors import InternalError
 from ._engine import Engine, Lost
 from ._stretches import Run, Stretch
 from ._worker import Outcome
@@ -122,7 +123,7 @@ class Team:
         if not self.members:
             self._wait_for_workers()
         elif not self._flights and not any(each.queue for each in self.members.values()):
-            raise RuntimeError("pairs are left that no stretch has: this is a bug")
+            raise InternalError("pairs are left that no stretch has: this is a bug")
         for event in self.engine.wait(_patience):
             if event.kind == "joined":
                 self._join(event.worker)

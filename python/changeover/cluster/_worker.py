@@ -13,6 +13,7 @@ import traceback
 from array import array
 from typing import Any, Callable, Dict, Iterator, List, Optional, Protocol, Tuple
 
+from ..errors import InternalError
 from ._stretches import Stretch
 
 Load = Callable[[int], Any]
@@ -271,7 +272,7 @@ class Memory:
             if not coming.cancel() and not isinstance(coming.result()[0], Failure):
                 self._take(x, coming.result(), outcome)
         if not self._drop(held, next_load, len(missing)):
-            raise RuntimeError("a stretch needs more room than there is: this is a bug")
+            raise InternalError("a stretch needs more room than there is: this is a bug")
         if self._pool is None or len(missing) == 1:
             for x in missing:
                 if stopped():
