@@ -24,7 +24,7 @@ class Heatmap {
   Heatmap(std::span<const KnownCell> cells, HeatMeasure measure)
       : cells_(cells), measure_(measure) {
     if (cells.empty()) {
-      throw BadInput("a heat map of no cells");
+      throw BadInput("a heat map of no cells; give at least one");
     }
     const Parameters& one = cells.front().parameters;
     v_from_ = v_to_ = one.v;

@@ -190,7 +190,8 @@ changeover_loadorder* changeover_loadorder_open_with(uint64_t items, uint64_t ro
 
 int changeover_loadorder_next(changeover_loadorder* order, changeover_loadorder_step* step) {
   if (order == nullptr || step == nullptr) {
-    return order == nullptr ? CHANGEOVER_LOADORDER_ERROR : fail(order, "step is NULL");
+    return order == nullptr ? CHANGEOVER_LOADORDER_ERROR
+                            : fail(order, "step is NULL; give the address of a step");
   }
   return without_throwing(
       [&]() -> int {

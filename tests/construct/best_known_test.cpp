@@ -11,6 +11,7 @@
 #include "changeover/run/control.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "construct/entry.hpp"
+#include "message_of.hpp"
 #include "naive_verdict.hpp"
 #include "oracle_minima.hpp"
 
@@ -99,15 +100,19 @@ TEST(Planner, RefusesADesignThatItsConstructionDoesNotKeep) {
 }
 
 TEST(Planner, RefusesRangesThatMakeNoSense) {
-  EXPECT_THROW((void)best_known_table(
-                   registry(), {.v_from = 9, .v_to = 5, .k_from = 3, .k_to = 4, .change = 2}),
-               ImpossibleParameters);
-  EXPECT_THROW((void)best_known_table(
-                   registry(), {.v_from = 5, .v_to = 5000, .k_from = 3, .k_to = 4, .change = 2}),
-               ImpossibleParameters);
+  EXPECT_REFUSAL((void)best_known_table(
+                     registry(), {.v_from = 9, .v_to = 5, .k_from = 3, .k_to = 4, .change = 2}),
+                 ImpossibleParameters, "the range v = 9..5, k = 3..4 is empty or has k < 2");
+  EXPECT_REFUSAL((void)best_known_table(
+                     registry(), {.v_from = 5, .v_to = 5000, .k_from = 3, .k_to = 4, .change = 2}),
+                 ImpossibleParameters, "v = 5000 exceeds 1000, the most that is looked at at once");
   EXPECT_THROW((void)best_known_table(
                    registry(), {.v_from = 5, .v_to = 9, .k_from = 1, .k_to = 4, .change = 2}),
                ImpossibleParameters);
+  EXPECT_REFUSAL((void)best_known_table(
+                     registry(), {.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 0}),
+                 ImpossibleParameters,
+                 "change = 0: consecutive blocks must differ in at least 1 element");
   // The number of cells would be 0 modulo 2⁶⁴.
   EXPECT_THROW(
       (void)best_known_table(
@@ -116,7 +121,8 @@ TEST(Planner, RefusesRangesThatMakeNoSense) {
       ImpossibleParameters);
   const BestKnownTable plan =
       best_known_table(registry(), {.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 2});
-  EXPECT_THROW((void)plan.at({.v = 10, .k = 3}), BadInput);
+  EXPECT_REFUSAL((void)plan.at({.v = 10, .k = 3}), BadInput,
+                 "linear DCCD(10,3) is outside the range");
 }
 
 // No divisor of so large a change number is looked for: that would take for ever.
@@ -246,7 +252,8 @@ TEST(Unfix, IsTheConverseOfFix) {
 
 TEST(Cut, RecipeNeedsACircularDesign) {
   const auto offer = registry().best({.v = 11, .k = 4, .kind = Kind::linear});
-  EXPECT_THROW((void)cut_recipe(offer->recipe), BadInput);
+  EXPECT_REFUSAL((void)cut_recipe(offer->recipe), BadInput,
+                 "cut: only a circular design can be cut open");
 }
 
 }  // namespace

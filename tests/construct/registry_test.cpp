@@ -10,6 +10,7 @@
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "construction_checks.hpp"
+#include "message_of.hpp"
 #include "oracle_minima.hpp"
 
 namespace changeover::registry_test {
@@ -261,7 +262,7 @@ TEST(Registry, RefusesRecipesThatAreNestedTooDeep) {
 
 TEST(Registry, RefusesTwoConstructionsOfOneName) {
   const Construction* cut = standard().find("cut");
-  EXPECT_THROW(Registry({cut, cut}), BadInput);
+  EXPECT_REFUSAL(Registry({cut, cut}), BadInput, "two constructions are named 'cut'");
 }
 
 TEST(Registry, OfSomeConstructionsOnlyOffersOnlyThose) {

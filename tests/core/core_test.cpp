@@ -77,18 +77,23 @@ TEST(Design, RefusesMalformedBlocksAndStaysAsItWas) {
   design.append(Block{3, 4, 5});
   design.append(Block{3, 4, 0});
   EXPECT_EQ(design.block_count(), 3U);
-  EXPECT_THROW(Design({.v = 65'536, .k = 3}), ImpossibleParameters);
+  EXPECT_REFUSAL(Design({.v = 65'536, .k = 3}), ImpossibleParameters,
+                 "v = 65536 exceeds the 65535 elements of a design in memory");
 }
 
 TEST(Design, KeepsLabelsThatEveryFormatCanCarry) {
   Design design({.v = 3, .k = 2, .change = 1});
   design.set_labels({"∞_s", "0_l", "a"});
   EXPECT_EQ(design.label(0), "∞_s");
-  EXPECT_THROW(design.set_labels({"a", "b"}), BadInput);
-  EXPECT_THROW(design.set_labels({"a", "b", "a"}), BadInput);
-  EXPECT_THROW(design.set_labels({"a", "b c", "d"}), BadInput);
-  EXPECT_THROW(design.set_labels({"a", "b,c", "d"}), BadInput);
-  EXPECT_THROW(design.set_labels({"a", "", "d"}), BadInput);
+  EXPECT_REFUSAL(design.set_labels({"a", "b"}), BadInput,
+                 "2 labels for v = 3 elements: give one each");
+  EXPECT_REFUSAL(design.set_labels({"a", "b", "a"}), BadInput, "the label 'a' names two elements");
+  EXPECT_REFUSAL(design.set_labels({"a", "b c", "d"}), BadInput,
+                 "the label 'b c': a name with a blank");
+  EXPECT_REFUSAL(design.set_labels({"a", "b,c", "d"}), BadInput,
+                 "the label 'b,c': a name with a comma");
+  EXPECT_REFUSAL(design.set_labels({"a", "", "d"}), BadInput,
+                 "the label '': an element has an empty name; name it");
   EXPECT_EQ(design.label(2), "a");
   design.set_labels({"0", "1", "2"});
   EXPECT_TRUE(design.labels().empty());
@@ -112,7 +117,8 @@ TEST(DevelopedSource, AddsEachElementOfZvInTurn) {
   ASSERT_EQ(design.block_count(), 10U);
   EXPECT_EQ(Block(design.block(9).begin(), design.block(9).end()), (Block{0, 2}));
   EXPECT_THROW(DevelopedSource({{.v = 5, .k = 2}, {}}), BadInput);
-  EXPECT_THROW(DevelopedSource({{.v = 5, .k = 2}, {{0, 5}}}), BadInput);
+  EXPECT_REFUSAL(DevelopedSource({{.v = 5, .k = 2}, {{0, 5}}}), BadInput,
+                 "base block 1 does not have k = 2 elements below v = 5");
 }
 
 TEST(PairSet, HoldsWhatWasInserted) {

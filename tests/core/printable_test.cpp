@@ -5,6 +5,7 @@
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
+#include "message_of.hpp"
 
 namespace changeover::printable_test {
 namespace {
@@ -51,7 +52,7 @@ TEST(LabelDefect, RefusesWhatNotEveryFormatAndTerminalCanCarry) {
                                   "\u202e", "\u2028", "\xff", "M\xfcller"}) {
     EXPECT_TRUE(label_defect(label)) << printable(label);
     Design design(Parameters{.v = 2, .k = 2}, std::vector<Block>{{0, 1}});
-    EXPECT_THROW(design.set_labels({"x", label}), BadInput) << printable(label);
+    EXPECT_REFUSAL(design.set_labels({"x", label}), BadInput, "the label '") << printable(label);
   }
   for (const std::string label : {"a", "=1", "∞", "'", "-", "漢"}) {
     EXPECT_FALSE(label_defect(label)) << label;

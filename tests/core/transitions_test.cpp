@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "changeover/core/error.hpp"
+#include "message_of.hpp"
 
 namespace changeover::transitions_test {
 namespace {
@@ -27,6 +28,20 @@ TEST(Transitions, MarkTheEndsOfALinearDesign) {
   EXPECT_EQ(copy(steps.leaving()), (Block{2, 4, 3}));
   EXPECT_FALSE(steps.next());
   EXPECT_FALSE(steps.next());
+}
+
+TEST(Transitions, OfACircleNeedItsBlocksTwice) {
+  class Once final : public BlockSource {
+   public:
+    const Parameters& parameters() const override { return parameters_; }
+    std::span<const Element> read(std::span<Element>) override { return {}; }
+
+   private:
+    Parameters parameters_{.v = 4, .k = 3, .change = 1, .kind = Kind::circular};
+  };
+  Once source;
+  EXPECT_REFUSAL(Transitions{source}, BadInput,
+                 "the marks of a circular design need its blocks twice: read it into memory first");
 }
 
 TEST(Transitions, CloseTheCircle) {

@@ -16,6 +16,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"
 #include "construct/trusted_entry.hpp"
+#include "message_of.hpp"
 #include "naive_verdict.hpp"
 #include "run_program.hpp"
 
@@ -116,6 +117,9 @@ TEST(Newcomer, CreditsWhatTheFileSays) {
 
 TEST(Newcomer, RefusesWordsThatAreNoText) {
   const Design design = best_design(six);
+  EXPECT_REFUSAL(
+      static_cast<void>(newcomer_of(design, {.credit = {}, .cites = {}, .note = "a\nb"})), BadInput,
+      "the credit or note of the design has unprintable characters; write one plain line");
   for (const std::string& bad :
        {std::string("a\nb"), std::string("\x1b[2J"), std::string("\xff"), std::string(3000, 'x')}) {
     EXPECT_THROW(static_cast<void>(newcomer_of(design, {.credit = {}, .cites = {}, .note = bad})),

@@ -100,11 +100,12 @@ TEST(Exchange, ARecipeTakesNoMoreThanIsAllowed) {
   entry.recipe = Recipe{"drop", p, {}, {developed}, {}, ""};
   EXPECT_THAT(refusal(file_of({entry}), {.memory_each = 1U << 20}), HasSubstr("of memory"));
   EXPECT_THAT(refusal(file_of({entry}), {.time_each = std::chrono::microseconds(1)}),
-              HasSubstr("takes longer than"));
+              HasSubstr("building and verifying it takes longer than "));
   // Blocks that are read one by one take no memory, but time.
   entry.recipe = developed;
   entry.b = 10'000;
-  EXPECT_THAT(refusal(file_of({entry}), {.memory_each = 1U << 20}), HasSubstr("checksum"));
+  EXPECT_THAT(refusal(file_of({entry}), {.memory_each = 1U << 20}),
+              HasSubstr("its blocks do not have the checksum that it names"));
   EXPECT_THAT(refusal(file_of({entry}), {.time_each = std::chrono::microseconds(1)}),
               HasSubstr("takes longer than"));
 }
@@ -133,7 +134,7 @@ TEST(Exchange, NothingIsBelieved) {
                 DesignSource source(shorter);
                 e.checksum = design_digest(source).checksum;
               }),
-              HasSubstr("no such design"));
+              HasSubstr("its blocks are no such design"));
   EXPECT_THAT(with([](CatalogEntry& e) {
                 e.recipe.construction = "magic";
                 e.checksum[0] = {};
@@ -158,11 +159,12 @@ TEST(Exchange, NothingIsBelieved) {
 TEST(Exchange, Limits) {
   const std::vector<CatalogEntry> entries = some_entries();
   const std::string text = file_of(entries);
-  EXPECT_THAT(refusal(text, {.entries = 3}), HasSubstr("theirs.jsonl:5: more than 3 entries"));
+  EXPECT_THAT(refusal(text, {.entries = 3}),
+              HasSubstr("theirs.jsonl:5: more than 3 entries; split the file"));
   EXPECT_THAT(refusal(text, {.line = 300}), HasSubstr("too long"));
   EXPECT_THAT(refusal(text, {.v = 7}), HasSubstr("more than 7 elements"));
   EXPECT_THAT(refusal(text, {.b = 5}), HasSubstr("or 5 blocks"));
-  EXPECT_THAT(refusal(""), HasSubstr("the file is empty"));
+  EXPECT_THAT(refusal(""), HasSubstr("the file is empty; the first line of a catalog must be "));
   EXPECT_THAT(refusal("0 1 2\n0 1 3\n"), HasSubstr("theirs.jsonl:1:"));
   EXPECT_THAT(refusal("{\"format\":\"changeover-catalog/2\"}\n"), HasSubstr("newer"));
   EXPECT_THAT(refusal(text + "x\n"), HasSubstr("theirs.jsonl:"));
@@ -345,6 +347,9 @@ TEST(Audit, FindsWhatIsWrong) {
   proud.b += 3;
   proud.lower_bound = proud.b;
   EXPECT_THAT(fault_of_entry(proud), HasSubstr("blocks and not"));
+  CatalogEntry claims = entries[5];
+  claims.lower_bound = 1000;
+  EXPECT_THAT(fault_of_entry(claims), HasSubstr("it claims the lower bound 1000, but only "));
   RunControl stopped(RunControl::Settings{});
   stopped.stop(WhyStopped::interrupted);
   EXPECT_FALSE(audit_catalog(mine, {}, stopped).complete());

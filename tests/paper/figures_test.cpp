@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "changeover/core/error.hpp"
+#include "message_of.hpp"
 
 namespace changeover::figures_test {
 namespace {
@@ -24,10 +25,14 @@ TEST(PaperFigures, draws_all_five_in_both_formats) {
 TEST(PaperFigures, refuses_a_picture_of_blocks_that_are_in_no_table) {
   Paper paper = printed_paper();
   paper.circles[0].first = "0 1 2 6";
-  EXPECT_THROW((void)paper_figures(paper), BadInput);
+  EXPECT_REFUSAL((void)paper_figures(paper), BadInput,
+                 "Figure 3: its first block is not in the table");
   paper = printed_paper();
   paper.circles[0].v = 12;
-  EXPECT_THROW((void)paper_figures(paper), BadInput);
+  EXPECT_REFUSAL((void)paper_figures(paper), BadInput,
+                 "Figure 3: its first block is not in the table");
+  paper.circles[0].v = 999;
+  EXPECT_REFUSAL((void)paper_figures(paper), BadInput, "Figure 3: no table over Z_999");
 }
 
 }  // namespace

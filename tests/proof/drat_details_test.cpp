@@ -5,6 +5,7 @@
 #include <streambuf>
 #include <utility>
 
+#include "message_of.hpp"
 #include "proof_texts.hpp"
 
 namespace changeover::drat_details_test {
@@ -61,7 +62,7 @@ TEST(DratBinary, ReadsSixBytesForANumberAndNoMore) {
   }
   EXPECT_THAT(refusal(eight, "a\x8a\x80\x80\x80\x80\x80\x00\x00"s, binary), HasSubstr("exceeds"));
   EXPECT_THAT(refusal(eight, "a"s, binary),
-              HasSubstr("a.drat:1: the last clause is not ended by 0"));
+              HasSubstr("a.drat:1: the last clause is not ended by 0: the file seems cut off"));
   EXPECT_THAT(refusal(eight, "a\x0a"s, binary),
               HasSubstr("a.drat:1: the last clause is not ended by 0"));
   EXPECT_THAT(refusal(eight, "a\x8a"s, binary),
@@ -94,7 +95,8 @@ TEST(DratText, TakesBlanksCommentsAndLinesAsTheyCome) {
 }
 
 TEST(DratText, ShowsWhatItFound) {
-  EXPECT_THAT(refusal("", ""), HasSubstr("found the end"));
+  EXPECT_THAT(refusal("", ""),
+              HasSubstr("expected the header 'p cnf VARIABLES CLAUSES', found the end"));
   EXPECT_THAT(refusal("p c nf 1 1\n", ""), HasSubstr("found byte 32"));
   EXPECT_THAT(refusal("p \ncnf 1 1\n1 0\n", ""), HasSubstr("found byte 10"));
   EXPECT_THAT(refusal("!", ""), HasSubstr("found '!'"));
@@ -251,13 +253,15 @@ TEST(DratResolvents, AreTriedEachByItself) {
 TEST(DratLimits, AreMetExactly) {
   // Eight clauses of three literals, three words more for each.
   EXPECT_NO_THROW((void)check_text(eight, "", {.max_literals = 48}));
-  EXPECT_THROW((void)check_text(eight, "", {.max_literals = 47}), MissingResource);
+  EXPECT_REFUSAL((void)check_text(eight, "", {.max_literals = 47}), MissingResource,
+                 "more than 47 literals at once: raise the checker's limit");
   std::string proof;
   for (int i = 0; i < 30; ++i) {
     proof += "1 2 0\nd 1 2 0\n";
   }
   EXPECT_EQ(check_text(eight, proof, {.max_literals = 53}).deleted, 30U);
-  EXPECT_THROW((void)check_text(eight, "1 2 0\n1 2 5 0\n", {.max_literals = 53}), MissingResource);
+  EXPECT_REFUSAL((void)check_text(eight, "1 2 0\n1 2 5 0\n", {.max_literals = 53}), MissingResource,
+                 "more than 53 literals at once: raise the checker's limit");
   // So may one clause be, of the formula or the proof.
   EXPECT_THAT(refusal("p cnf 4 0\n", "1 2 3 4 0\n", {.max_literals = 3}),
               HasSubstr("a.drat:1: a clause has more than 3 literals"));

@@ -5,6 +5,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include "message_of.hpp"
 #include "proof_texts.hpp"
 
 namespace changeover::drat_test {
@@ -125,7 +126,8 @@ TEST(Drat, ReadsBinaryProofs) {
   EXPECT_EQ(check_text(eight, step('a', {2, 3}), binary).line, 1U);
   EXPECT_THAT(refusal(eight, "x", binary), HasSubstr("a.drat:1: expected 'a' or 'd', found 'x'"));
   EXPECT_THAT(refusal(eight, step('a', {1, 2}) + "a\x03", binary), HasSubstr("a.drat:2:"));
-  EXPECT_THAT(refusal(eight, std::string("a\x01\0", 3), binary), HasSubstr("no literal"));
+  EXPECT_THAT(refusal(eight, std::string("a\x01\0", 3), binary),
+              HasSubstr("the number 1 is no literal"));
   EXPECT_THAT(refusal(eight, "a\xff\xff\xff\xff\xff\xff\xff", binary), HasSubstr("exceeds"));
 }
 
@@ -149,7 +151,8 @@ TEST(Drat, RefusesMalformedFormulasInOneLine) {
 
 TEST(Drat, RefusesMalformedProofsInOneLine) {
   EXPECT_THAT(refusal(eight, "1 2 0\nfoo\n"), HasSubstr("a.drat:2: expected a literal's variable"));
-  EXPECT_THAT(refusal(eight, "1 2 0\nd1 2 0\n"), HasSubstr("a.drat:2: expected a blank after 'd'"));
+  EXPECT_THAT(refusal(eight, "1 2 0\nd1 2 0\n"),
+              HasSubstr("a.drat:2: expected a blank after 'd', found '1'"));
   EXPECT_THAT(refusal(eight, "1 2 0\n1"), HasSubstr("not ended by 0"));
   EXPECT_THAT(refusal(eight, "1 99999999 0\n"), HasSubstr("exceeds 4000000"));
   EXPECT_THAT(refusal(eight, "- 0\n"), HasSubstr("a.drat:1:"));
@@ -178,8 +181,10 @@ TEST(Drat, StopsWhileItReadsTheFormula) {
 }
 
 TEST(Drat, SaysWhenItsLimitsDoNotSuffice) {
-  EXPECT_THROW((void)check_text(eight, "", {.max_literals = 20}), MissingResource);
-  EXPECT_THROW((void)check_proof_files("/nowhere/a.cnf", "/nowhere/a.drat"), MissingResource);
+  EXPECT_REFUSAL((void)check_text(eight, "", {.max_literals = 20}), MissingResource,
+                 "more than 20 literals at once: raise the checker's limit");
+  EXPECT_REFUSAL((void)check_proof_files("/nowhere/a.cnf", "/nowhere/a.drat"), MissingResource,
+                 "/nowhere/a.cnf: cannot open; check the path and the permissions");
 }
 
 bool satisfiable(int variables, const Clauses& clauses) {

@@ -16,6 +16,7 @@
 namespace changeover::scope_test {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 
 TEST(RunScope, DoesNothingWhereNoneIsOpen) {
@@ -128,7 +129,8 @@ TEST(RunTogether, SaysSoWhereTheSystemHasNoRoomForTheThreads) {
     run_together(control, 4000, [&](unsigned) { ++calls; });
     ADD_FAILURE() << "4000 threads were started";
   } catch (const MissingResource& fault) {
-    EXPECT_THAT(fault.what(), HasSubstr("cannot start 3999 threads"));
+    EXPECT_THAT(fault.what(), HasSubstr("cannot start 3999 threads: "));
+    EXPECT_THAT(fault.what(), EndsWith("; use fewer, or allow more"));
   }
   ::setrlimit(RLIMIT_AS, &old);
   EXPECT_EQ(calls, 0U);

@@ -1,6 +1,8 @@
 // What a call complains of.
 #pragma once
 
+#include <gmock/gmock.h>
+
 #include <string>
 
 #include "changeover/core/error.hpp"
@@ -19,3 +21,7 @@ std::string message_of(Action&& action) {
 }
 
 }  // namespace changeover
+
+/// Is that thrown, and does its message hold these words?
+#define EXPECT_REFUSAL(statement, Exception, words) \
+  EXPECT_THAT([&] { statement; }, ::testing::ThrowsMessage<Exception>(::testing::HasSubstr(words)))

@@ -9,6 +9,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "message_of.hpp"
 
 namespace changeover::interval_difference_test {
 namespace {
@@ -261,9 +262,9 @@ TEST(IntervalDifferences, RefusesMalformedBaseBlocks) {
   refused({{.v = 4, .k = 4, .kind = Kind::circular}, 0, 2, {3, 3}}, "repeats the element 3");
   EXPECT_THROW((void)verify_differences(IntervalBaseBlocks{{.v = 3, .k = 4}, 0, 2, {2, 3}}),
                ImpossibleParameters);
-  EXPECT_THROW((void)verify_differences(IntervalBaseBlocks{
-                   {.v = 11, .k = 4, .kind = Kind::circular, .strength = 3}, 0, 2, {2, 5}}),
-               ImpossibleParameters);
+  EXPECT_REFUSAL((void)verify_differences(IntervalBaseBlocks{
+                     {.v = 11, .k = 4, .kind = Kind::circular, .strength = 3}, 0, 2, {2, 5}}),
+                 ImpossibleParameters, "differences certify pairs only: use strength 2");
 }
 
 TEST(IntervalDifferences, StaysExactNearTheLargestNumberOfElements) {
@@ -310,13 +311,18 @@ TEST(IntervalDevelopedSource, StreamsWhatTheWrittenOutBaseBlocksDevelopInto) {
 TEST(IntervalDevelopedSource, RefusesWhatHasNoShape) {
   const Parameters p{.v = 11, .k = 4, .kind = Kind::circular};
   const auto nothing = [](std::uint64_t, std::span<Element>) {};
-  EXPECT_THROW(IntervalDevelopedSource(p, 0, 4, 1, nothing), BadInput);
-  EXPECT_THROW(IntervalDevelopedSource(p, 11, 2, 1, nothing), BadInput);
+  EXPECT_REFUSAL(IntervalDevelopedSource(p, 0, 4, 1, nothing), BadInput,
+                 "an interval of 4 elements leaves no point in a block of k = 4");
+  EXPECT_REFUSAL(IntervalDevelopedSource(p, 11, 2, 1, nothing), BadInput,
+                 "the interval starts at 11, not below v = 11");
   EXPECT_THROW(IntervalDevelopedSource(p, 0, 2, 0, nothing), BadInput);
   EXPECT_THROW(IntervalDevelopedSource(p, 0, 2, ~std::uint64_t{0}, nothing), ImpossibleParameters);
-  EXPECT_THROW(IntervalDevelopedSource({p, 0, 2, {2}}), BadInput);
-  EXPECT_THROW(IntervalDevelopedSource({p, 0, 4, {2}}), BadInput);
-  EXPECT_THROW((void)(IntervalBaseBlocks{p, 0, 4, {2}}.written_out()), BadInput);
+  EXPECT_REFUSAL(IntervalDevelopedSource({p, 0, 2, {2}}), BadInput,
+                 "1 points cannot be shared out among base blocks: each takes 2");
+  EXPECT_REFUSAL(IntervalDevelopedSource({p, 0, 4, {2}}), BadInput,
+                 "an interval of 4 elements leaves no point in a block of k = 4");
+  EXPECT_REFUSAL((void)(IntervalBaseBlocks{p, 0, 4, {2}}.written_out()), BadInput,
+                 "an interval of 4 elements leaves no point in a block of k = 4");
 }
 
 }  // namespace

@@ -153,7 +153,10 @@ TEST(VerdictDetails, RefusesWhatNoDesignCanBe) {
     const RunningVerdict running({.v = 6500, .k = 3, .strength = 3});
     ADD_FAILURE() << "4 GiB are the limit";
   } catch (const MissingResource& fault) {
-    EXPECT_NE(std::string(fault.what()).find("need more than 4 GiB"), std::string::npos);
+    EXPECT_NE(
+        std::string(fault.what())
+            .find(" subsets to verify need more than 4 GiB of memory: use a smaller v or strength"),
+        std::string::npos);
   }
   try {
     const RunningVerdict running({.v = 65'536, .k = 3});
@@ -245,9 +248,10 @@ TEST(DifferenceDetails, MessagesHaveTheNumbers) {
 
 TEST(DifferenceDetails, AreOfPairsOnly) {
   const Parameters triples{11, 4, 2, Kind::circular, 3};
-  EXPECT_THROW((void)verify_differences(BaseBlocks{triples, {{0, 1, 2, 5}}}), ImpossibleParameters);
-  EXPECT_THROW((void)verify_differences(IntervalBaseBlocks{triples, 0, 3, {5}}),
-               ImpossibleParameters);
+  EXPECT_REFUSAL((void)verify_differences(BaseBlocks{triples, {{0, 1, 2, 5}}}),
+                 ImpossibleParameters, "differences certify pairs only: use strength 2");
+  EXPECT_REFUSAL((void)verify_differences(IntervalBaseBlocks{triples, 0, 3, {5}}),
+                 ImpossibleParameters, "differences certify pairs only: use strength 2");
 }
 
 TEST(IntervalDifferenceDetails, MessagesHaveTheNumbers) {

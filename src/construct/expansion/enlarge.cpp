@@ -23,12 +23,12 @@ std::optional<ExpansionSet> odd_expansion_set(const Design& design, const Enlarg
       return std::nullopt;
     }
     const std::size_t there = search.sets.size();
-    throw MissingResource(fmt::format("{} expansion {}: {}",
-                                      there == 0 ? "no" : fmt::format("only {}", there),
-                                      there < 2 ? "set" : "sets",
-                                      !search.complete        ? "the search stopped at its limit"
-                                      : search.reason.empty() ? "every exact cover was tried"
-                                                              : search.reason));
+    throw MissingResource(
+        fmt::format("{} expansion {}: {}", there == 0 ? "no" : fmt::format("only {}", there),
+                    there < 2 ? "set" : "sets",
+                    !search.complete        ? "the search stopped at its limit; allow more"
+                    : search.reason.empty() ? "every exact cover was tried"
+                                            : search.reason));
   }
   ExpansionSet& set = search.sets[static_cast<std::size_t>(which - 1)];
   return set.size() % 2 == 0 ? std::nullopt : std::optional(std::move(set));

@@ -89,7 +89,7 @@ UnchangedCover interval_cover(const Parameters& p, std::uint64_t c, std::uint64_
                               const IntervalDevelopedSource::Points& points) {
   const std::optional<IntervalCoverSize> size = interval_cover_size(p, c, w);
   if (!size) {
-    throw BadInput(fmt::format("no intervals cover {} for w = {}", name(p), w));
+    throw InternalError(fmt::format("no intervals cover {} for w = {}", name(p), w));
   }
   const std::uint64_t n = p.k - p.change;
   const auto points_of = [&](std::uint64_t which) {
@@ -115,7 +115,7 @@ UnchangedCover interval_cover(const Parameters& p, std::uint64_t c, std::uint64_
     }
     sort();
     if (cover.subsets.front().position != 1) {
-      throw BadInput("the point of the first base block cannot be left out");
+      throw InternalError("the point of the first base block cannot be left out");
     }
     cover.minimum = true;
     return cover;
@@ -141,7 +141,7 @@ UnchangedCover interval_cover(const Parameters& p, std::uint64_t c, std::uint64_
       return !holds(p, last, shift + p.v - 1, y) && !holds(p, first, shift, y);
     });
     if (!served) {
-      throw BadInput("what is left out cannot be put beside new elements");
+      throw InternalError("what is left out cannot be put beside new elements");
     }
   }
   cover.minimum = true;
@@ -173,7 +173,7 @@ UnchangedCover interval_cover_for_one_more(const Parameters& p, std::uint64_t c,
                                            const IntervalDevelopedSource::Points& points) {
   const auto count = interval_cover_for_one_more_size(p, c, w);
   if (!count) {
-    throw BadInput(
+    throw InternalError(
         fmt::format("no intervals cover {} with {} new elements for one more", name(p), w));
   }
   const std::uint64_t n = p.k - 2;

@@ -64,7 +64,7 @@ std::optional<std::string> factor_defect(const OneFactor& factor, std::uint32_t 
       return wrong(fmt::format("has a vertex outside 0..{}", order - 1));
     }
     if (edge.a == edge.b) {
-      return wrong("is a loop");
+      return wrong("joins a vertex with itself");
     }
     if (edge.a > edge.b) {
       return wrong("is not written with the smaller vertex first");

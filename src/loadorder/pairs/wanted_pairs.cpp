@@ -25,7 +25,8 @@ PairGraph::PairGraph(std::uint64_t items, const std::function<void(const Visit&)
                      std::vector<std::string> names)
     : names_(std::move(names)) {
   if (items > most_items) {
-    throw ImpossibleParameters(fmt::format("{} items: at most {}", items, most_items));
+    throw ImpossibleParameters(
+        fmt::format("{} items: at most {}; group items into larger ones", items, most_items));
   }
   if (!names_.empty() && names_.size() != items) {
     throw BadInput(fmt::format("{} items have {} names; give all or none", items, names_.size()));

@@ -75,7 +75,9 @@ WorkerSplit SplitMaker::stretches(LoadOrder order, std::uint64_t items, std::uin
   check_workers(workers);
   const LoadOrderFacts& whole = order.facts();
   if (whole.items > items) {
-    throw BadInput(fmt::format("{} items cannot be put into {} groups", items, whole.items));
+    throw BadInput(
+        fmt::format("{} items cannot be put into {} groups; give no more groups than items", items,
+                    whole.items));
   }
   if (whole.lockstep > 1) {
     throw BadInput(fmt::format(

@@ -216,7 +216,7 @@ LoadOrder repeat_order(LoadOrder order, std::uint64_t epochs) {
   }
   LoadOrderFacts facts = order.facts();
   if (facts.epochs != 1) {
-    throw BadInput("an order of several epochs is not repeated");
+    throw BadInput("an order of several epochs is not repeated; give that of one epoch");
   }
   const std::uint64_t all_workers = std::max<std::uint64_t>(1, facts.lockstep);
   // Items in memory at the end are not evicted.

@@ -110,7 +110,7 @@ WorkerSplit repeat_shares(WorkerSplit split, std::uint64_t epochs) {
     return split;
   }
   if (split.facts().epochs != 1) {
-    throw BadInput("shares of several epochs are not repeated");
+    throw BadInput("shares of several epochs are not repeated; give those of one epoch");
   }
   SplitMaker::repeat(split, epochs);
   return split;

@@ -33,10 +33,12 @@ void Meetings::add(const Job& job, const Block& setup) {
   for (const Element x : setup) {
     if (x >= parts_) {
       throw BadInput(
-          fmt::format("a test that was done names part {} of {}", std::uint64_t{x} + 1, parts_));
+          fmt::format("a test that was done names part {} of {}; name parts that there are",
+                      std::uint64_t{x} + 1, parts_));
     }
     if (has(together_, 0, x)) {
-      throw BadInput(fmt::format("a test that was done has {} twice", job.names[x]));
+      throw BadInput(
+          fmt::format("a test that was done has {} twice; name each part once", job.names[x]));
     }
     together_[x / 64] |= std::uint64_t{1} << (x % 64);
   }

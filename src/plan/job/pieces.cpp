@@ -64,7 +64,7 @@ void share_quantities(Job& job, const std::vector<std::uint64_t>& quantities) {
 std::uint64_t add_pieces(Job& job, const std::vector<std::uint64_t>& quantities) {
   const std::size_t listed = job.names.size();
   if (quantities.size() != listed) {
-    throw BadInput("the quantities do not fit the number of parts");
+    throw BadInput("the quantities do not fit the number of parts; give one each");
   }
   Job more = job;
   more.piece_of.clear();

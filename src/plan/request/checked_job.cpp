@@ -482,11 +482,9 @@ class JobMaker {
     }
     if (is_all && !has_benches()) {
       throw BadInput(
-          job_.model != nullptr
-              ? "no two values can be in one test; leave out a rule or a pair"
-              : fmt::format("no two parts can be in one set-up within the slots; let a slot hold "
-                            "more parts, or raise {}",
-                            question_.key("at_once")));
+          fmt::format("no two parts can be in one set-up within the slots; let a slot "
+                      "hold more parts, or raise {}",
+                      question_.key("at_once")));
     }
     constexpr std::uint64_t few = 3;
     std::string examples;

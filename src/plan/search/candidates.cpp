@@ -43,8 +43,8 @@ bool is_sound(const Job& job, const Block& setup) {
   std::vector<bool> seen(job.names.size());
   for (const Element x : setup) {
     if (x >= job.parts()) {
-      throw BadInput(
-          fmt::format("a set-up names part {} of {}", std::uint64_t{x} + 1, job.parts()));
+      throw BadInput(fmt::format("a set-up names part {} of {}; name parts that there are",
+                                 std::uint64_t{x} + 1, job.parts()));
     }
     if (seen[x]) {
       return false;

@@ -84,7 +84,8 @@ class TripleTable {
 Block sorted(const Job& job, Block block) {
   for (const Element x : block) {
     if (x >= job.parts()) {
-      throw BadInput(fmt::format("a set-up names part {} of {}", x + 1, job.parts()));
+      throw BadInput(fmt::format("a set-up names part {} of {}; name parts that there are", x + 1,
+                                 job.parts()));
     }
   }
   std::sort(block.begin(), block.end());

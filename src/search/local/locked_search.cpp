@@ -408,7 +408,7 @@ std::string wanted_defect(const Parameters& p, const Wanted& wanted) {
   for (const Block& block : wanted.contained) {
     all.push_back(&block);
     if (block.size() != p.k) {
-      return fmt::format("a block has {} elements, not {}", p.k, block.size());
+      return fmt::format("a block has {} elements, not {}; give whole blocks", p.k, block.size());
     }
   }
   for (const Block* block : all) {

@@ -183,7 +183,7 @@ TEST(Catalog, Aliases) {
   catalog.alias("nice", five.label());
   EXPECT_EQ(catalog.find("nice"), five);
   EXPECT_THAT(fault_of([&] { catalog.alias("nice", four.label()); }),
-              HasSubstr("choose another word"));
+              HasSubstr(" already; choose another word"));
   EXPECT_THAT(fault_of([&] { catalog.alias(four.label(), five.label()); }),
               HasSubstr("is a label"));
   EXPECT_THAT(fault_of([&] { catalog.alias(cell_label(cell), five.label()); }),
@@ -351,7 +351,8 @@ TEST(Catalog, AllOrNothing) {
   other.checksum.back() = static_cast<std::remove_reference_t<decltype(other.checksum.back())>>(
       ~static_cast<unsigned>(five.checksum.back()));
   const std::vector<CatalogEntry> both{random_entry(cell, 4, random), other};
-  EXPECT_THAT(fault_of([&] { catalog.add(both); }), HasSubstr("another design has that label"));
+  EXPECT_THAT(fault_of([&] { catalog.add(both); }),
+              HasSubstr(": another design has that label; write its elements by other numbers"));
   EXPECT_EQ(catalog.cell(cell), std::vector{five});
 }
 

@@ -121,7 +121,7 @@ TEST(CatalogFile, ReadOnly) {
     EXPECT_EQ(catalog.problem(), "");
     if (::geteuid() != 0) {  // Who may do anything is refused nothing.
       EXPECT_THAT(fault_of([&] { catalog.add(some_entry(4, 3)); }),
-                  HasSubstr("name another file with --catalog"));
+                  HasSubstr("; allow writing there, or name another file with --catalog"));
       EXPECT_EQ(slurp(path), before);
       EXPECT_EQ(catalog.best(cell), some_entry());
     }

@@ -107,18 +107,19 @@ TEST(CatalogName, OfWhatIsNoFile) {
   const std::string deep(240, 'd');
   const std::string long_path = deep + "/" + deep + "/" + deep + "/mine.db";
   std::filesystem::create_directories(std::filesystem::path(long_path).parent_path());
-  const std::pair<std::string, std::string> names[] = {{"folder", "a folder"},
-                                                       {"fifo", "a FIFO"},
-                                                       {"link", "a FIFO"},
-                                                       {"socket", "a socket"},
-                                                       {"/dev/null", "a device"},
-                                                       {"/dev/full", "a device"},
-                                                       {"loop", "symbolic links"},
-                                                       {"file/mine.db", ""},
-                                                       {"journal.db", "journal.db-wal: a FIFO"},
-                                                       {long_path, "a shorter path"},
-                                                       {std::string(300, 'x'), "too long"},
-                                                       {std::string("a\0b", 3), "not a path"}};
+  const std::pair<std::string, std::string> names[] = {
+      {"folder", "a folder"},
+      {"fifo", "a FIFO"},
+      {"link", "a FIFO"},
+      {"socket", "a socket"},
+      {"/dev/null", "a device"},
+      {"/dev/full", "a device"},
+      {"loop", "symbolic links"},
+      {"file/mine.db", ""},
+      {"journal.db", "journal.db-wal: a FIFO"},
+      {long_path, "a shorter path"},
+      {std::string(300, 'x'), "too long"},
+      {std::string("a\0b", 3), "not a path of a file; name a file with --catalog"}};
   for (const auto& [name, words] : names) {
     Catalog catalog({.user = name});
     EXPECT_FALSE(catalog.best(cell)) << name;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "changeover/core/error.hpp"
+#include "message_of.hpp"
 #include "partial_expansion_designs.hpp"
 
 namespace changeover::enlarge_test {
@@ -66,9 +67,13 @@ TEST(Enlarge, TakesNothingElseForASetThatCannotServe) {
   ASSERT_TRUE(verify(even).valid());
   ASSERT_EQ(find_expansion_sets(even, {.how_many = 1}).sets.at(0).size(), 2U);
   EXPECT_FALSE(enlarge(even).by_expansion_set);
-  EXPECT_THROW((void)enlarge(even, {.set = 1}), MissingResource);
+  EXPECT_REFUSAL(
+      (void)enlarge(even, {.set = 1}), MissingResource,
+      "no expansion set serves: each has an even number of members; ask for a number of new elements");
 
-  EXPECT_THROW((void)enlarge(built("mcsorley-circular", 5, 3, 1), {.set = 1}), MissingResource);
+  EXPECT_REFUSAL(
+      (void)enlarge(built("mcsorley-circular", 5, 3, 1), {.set = 1}), MissingResource,
+      "no expansion set serves: the recursion is for change number 2; ask for a number of new elements");
 }
 
 TEST(Enlarge, SaysWhyNothingCanBeInserted) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "construction_checks.hpp"
+#include "message_of.hpp"
 
 namespace changeover::expansion_test {
 namespace {
@@ -77,7 +78,7 @@ TEST(ExpansionSet, ThatIsSpoiltInOnePlaceIsRefused) {
                   std::rotate(set.begin(), set.end() - 1, set.end());
                   set.front().position = 0;
                 }),
-                "no position 0");
+                "a circular design has no position 0: before its first block is ");
   for (std::size_t i = 0; i < g.set.size(); ++i) {
     for (const std::size_t shift : {std::size_t{1}, ~std::size_t{0}}) {
       expect_defect(g.design, spoilt([&](auto& set) { set[i].position += shift; }),
@@ -171,13 +172,16 @@ TEST(Expand, OrdersTheBlocksAtAPositionByTheEdgesOfItsFactor) {
 
 TEST(Expand, RefusesAFactorizationThatIsSpoiltInOnePlace) {
   const Given g = fifteen();
-  const auto refused = [&](const auto& change) {
+  const auto refused = [&](const auto& change,
+                           const std::string& words = "not a 1-factorization: ") {
     OneFactorization k6 = factors(g.set);
     change(k6);
-    EXPECT_THROW((void)expand(g.design, g.set, k6), BadInput);
+    EXPECT_REFUSAL((void)expand(g.design, g.set, k6), BadInput, words);
   };
-  refused([](auto& k) { k = one_factorization(8); });
-  refused([](auto& k) { k = one_factorization(4); });
+  refused([](auto& k) { k = one_factorization(8); },
+          "5 unchanged subsets need a 1-factorization of K_6, not of K_8");
+  refused([](auto& k) { k = one_factorization(4); },
+          "5 unchanged subsets need a 1-factorization of K_6, not of K_4");
   refused([](auto& k) { k.factors.pop_back(); });
   refused([](auto& k) { k.factors[1] = k.factors[0]; });
   refused([](auto& k) { k.factors[2].pop_back(); });
@@ -185,7 +189,8 @@ TEST(Expand, RefusesAFactorizationThatIsSpoiltInOnePlace) {
   refused([](auto& k) { std::swap(k.factors[0][0].a, k.factors[0][0].b); });
   refused([](auto& k) { std::swap(k.factors[0][0].b, k.factors[0][1].b); });
   refused([](auto& k) { k.factors[0][0].b = 6; });
-  refused([](auto& k) { k.order = 8; });
+  refused([](auto& k) { k.order = 8; },
+          "5 unchanged subsets need a 1-factorization of K_6, not of K_8");
 }
 
 TEST(Expand, RefusesWhatTheTheoremDoesNotCover) {
@@ -200,7 +205,8 @@ TEST(Expand, RefusesWhatTheTheoremDoesNotCover) {
   const Design even(eight, std::vector<Block>{{0, 1, 2, 3}, {2, 3, 4, 5}, {4, 5, 6, 7}});
   const ExpansionSet four{{0, {0, 1}}, {1, {2, 3}}, {2, {4, 5}}, {3, {6, 7}}};
   EXPECT_EQ(expansion_set_defect(even, four), std::nullopt);
-  EXPECT_THROW((void)expand(even, four, one_factorization(6)), ImpossibleParameters);
+  EXPECT_REFUSAL((void)expand(even, four, one_factorization(6)), ImpossibleParameters,
+                 "expansion needs an odd number of subsets, not 4: K_5 has no 1-factorization");
   EXPECT_THROW((void)expand(std::make_unique<DesignSource>(even), four), ImpossibleParameters);
 }
 
@@ -208,14 +214,15 @@ TEST(Expand, AsAStreamChecksTheShapeOfTheSet) {
   const Given g = fifteen();
   ExpansionSet set = g.set;
   std::swap(set[0], set[1]);
-  EXPECT_THROW((void)expand(std::make_unique<DesignSource>(g.design), set), BadInput);
+  EXPECT_REFUSAL((void)expand(std::make_unique<DesignSource>(g.design), set), BadInput,
+                 "not an expansion set: position 3 follows position 6");
   set = g.set;
   set[0].elements[0] = 0;
   EXPECT_THROW((void)expand(std::make_unique<DesignSource>(g.design), set), BadInput);
   set = g.set;
   set.back().position = 16;
   const auto source = expand(std::make_unique<DesignSource>(g.design), set);
-  EXPECT_THROW((void)blocks_of(*source), BadInput);
+  EXPECT_REFUSAL((void)blocks_of(*source), BadInput, "position 16 is past the last block, ");
 }
 
 TEST(Expand, LabelsNewElementsWithFreshNumbers) {

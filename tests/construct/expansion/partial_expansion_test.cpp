@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "changeover/bounds/lower_bound.hpp"
+#include "message_of.hpp"
 #include "partial_expansion_designs.hpp"
 
 namespace changeover::partial_expansion_test {
@@ -151,7 +152,8 @@ TEST(PartialExpansion, TakesAnyNumberOfChangesUpToThatOfNewElements) {
     EXPECT_EQ(verdict.b, 7 + cover->subsets.size());
     EXPECT_LE(cover->subsets.size(), 3U);
   }
-  EXPECT_THROW((void)find_cover(triple, for_w(4)), ImpossibleParameters);
+  EXPECT_REFUSAL((void)find_cover(triple, for_w(4)), ImpossibleParameters,
+                 "m = 3 takes at most 3 new elements, not 4");
 }
 
 TEST(PartialExpansion, AddsPositionsAndSweepsWhenThereAreManyNewElements) {
@@ -217,12 +219,16 @@ TEST(PartialExpansion, OfAStreamIsTheSameAndCanBeReadAgain) {
 
 TEST(PartialExpansion, RefusesWhatDoesNotFit) {
   const Parameters p{11, 4, 2, Kind::circular, 2};
-  EXPECT_THROW((void)blocks_added(p, 6, 0), ImpossibleParameters);
-  EXPECT_THROW((void)blocks_added({11, 4, 2, Kind::circular, 3}, 6, 2), ImpossibleParameters);
+  EXPECT_REFUSAL((void)blocks_added(p, 6, 0), ImpossibleParameters,
+                 "partial expansion needs w >= 1 new elements");
+  EXPECT_REFUSAL((void)blocks_added({11, 4, 2, Kind::circular, 3}, 6, 2), ImpossibleParameters,
+                 "partial expansion is for strength 2, not for circular DCCD(11,4), t = 3");
   EXPECT_THROW((void)blocks_added({11, 4, 4, Kind::circular, 2}, 6, 2), ImpossibleParameters);
-  EXPECT_THROW((void)blocks_added({11, 4, 3, Kind::circular, 2}, 6, 4), ImpossibleParameters);
+  EXPECT_REFUSAL((void)blocks_added({11, 4, 3, Kind::circular, 2}, 6, 4), ImpossibleParameters,
+                 "m = 3 takes at most 3 new elements, not 4");
   EXPECT_THROW((void)blocks_added({6, 4, 2, Kind::circular, 2}, 3, 1), ImpossibleParameters);
-  EXPECT_THROW((void)blocks_added(p, 6, 0xffff'ffff), ImpossibleParameters);
+  EXPECT_REFUSAL((void)blocks_added(p, 6, 0xffff'ffff), ImpossibleParameters,
+                 "v + w = 11 + 4294967295 is too large");
   EXPECT_EQ(blocks_added(p, 6, 4), 12U);
   EXPECT_EQ(blocks_added(p, 6, 5), 18U);
   EXPECT_EQ(least_positions({7, 3, 2, Kind::circular, 2}, 6), 5U);
@@ -239,8 +245,10 @@ TEST(BestNewElements, FindsTheEconomicalNumbers) {
   const auto even = best_new_elements(design, 6, 6);
   ASSERT_TRUE(even);
   EXPECT_EQ(even->b, 30U);
-  EXPECT_THROW((void)best_new_elements(design, 0, 3), BadInput);
-  EXPECT_THROW((void)best_new_elements(design, 4, 3), BadInput);
+  EXPECT_REFUSAL((void)best_new_elements(design, 0, 3), BadInput,
+                 "the range 0..3 of new elements is empty or begins with 0");
+  EXPECT_REFUSAL((void)best_new_elements(design, 4, 3), BadInput,
+                 "the range 4..3 of new elements is empty or begins with 0");
 }
 
 TEST(BestNewElements, AgreesWithTryingAllOfThem) {

@@ -6,6 +6,7 @@
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "construction_checks.hpp"
+#include "message_of.hpp"
 #include "oracle_minima.hpp"
 
 namespace changeover::single_change_expansion_test {
@@ -116,16 +117,22 @@ TEST(SingleChangeExpansion, NamesWhatStandsInTheWay) {
 }
 
 TEST(SingleChangeExpansion, RefusesWhatDoesNotFit) {
-  EXPECT_THROW((void)expand_single_change(linear_four(), {0, 4}), BadInput);
-  EXPECT_THROW((void)expand_single_change(linear_four(), {0, 0, 2}), BadInput);
-  EXPECT_THROW((void)expand_single_change(linear_four(), {0, 1}), BadInput);
-  EXPECT_THROW((void)expand_single_change(linear_four(), ExpansionSet{}), BadInput);
-  EXPECT_THROW((void)expand_single_change(Design({9, 3, 2, Kind::linear, 2}), ExpansionSet{}),
-               ImpossibleParameters);
+  EXPECT_REFUSAL((void)expand_single_change(linear_four(), {0, 4}), BadInput,
+                 "one element cannot be added: there is no position 4");
+  EXPECT_REFUSAL((void)expand_single_change(linear_four(), {0, 0, 2}), BadInput,
+                 "one element cannot be added: there is no position 0 twice");
+  EXPECT_REFUSAL((void)expand_single_change(linear_four(), {0, 1}), BadInput,
+                 "one element cannot be added: element 3 is in no chosen subset");
+  EXPECT_REFUSAL((void)expand_single_change(linear_four(), ExpansionSet{}), BadInput,
+                 "one element cannot be added: element 0 is in no chosen subset");
+  EXPECT_REFUSAL(
+      (void)expand_single_change(Design({9, 3, 2, Kind::linear, 2}), ExpansionSet{}),
+      ImpossibleParameters,
+      "the v + 1 expansion needs a single-change design of strength 2, not a linear DCCD(9,3)");
   const Design design = linear_four();
-  EXPECT_THROW(
+  EXPECT_REFUSAL(
       (void)expand_single_change(std::make_unique<DesignSource>(design), ExpansionSet{{0, {0, 1}}}),
-      BadInput);
+      BadInput, "one element cannot be added: element 2 is in no chosen subset");
   const auto short_source = expand_single_change(std::make_unique<DesignSource>(design),
                                                  ExpansionSet{{0, {0, 1}}, {9, {2, 3}}});
   EXPECT_THROW((void)blocks_of(*short_source), BadInput);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "construction_checks.hpp"
+#include "message_of.hpp"
 
 namespace changeover::single_change_extension_test {
 namespace {
@@ -106,8 +107,10 @@ TEST(SingleChangeExtension, NamesWhatStandsInTheWay) {
   const Design passing({.v = 6, .k = 4, .change = 1, .kind = Kind::linear},
                        std::vector<Block>{{0, 1, 2, 3}, {0, 1, 2, 5}, {0, 1, 2, 4}, {0, 1, 2, 3}});
   EXPECT_NE(defect(passing).find("stay until the last block"), std::string::npos);
-  EXPECT_THROW((void)extend_single_change(passing, 1), BadInput);
-  EXPECT_THROW((void)extended_expansion_set(passing, 1), BadInput);
+  EXPECT_REFUSAL((void)extend_single_change(passing, 1), BadInput,
+                 "cannot be extended: the last 2 blocks do not introduce different elements");
+  EXPECT_REFUSAL((void)extended_expansion_set(passing, 1), BadInput,
+                 "blocks do not introduce different elements that all stay until the");
 }
 
 TEST(SingleChangeExtension, RefusesMoreElementsThanThereAre) {

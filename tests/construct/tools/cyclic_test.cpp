@@ -11,6 +11,7 @@
 
 #include "changeover/verify/difference.hpp"
 #include "construction_checks.hpp"
+#include "message_of.hpp"
 
 namespace changeover::cyclic_test {
 namespace {
@@ -261,12 +262,18 @@ TEST(Cyclic, ServesTheLargestParametersWithoutWrapping) {
     EXPECT_FALSE(construction("cyclic").explain(offer->recipe).empty());
   }
   EXPECT_FALSE(offer_of("cyclic", parameters(most + 1, 3)));
-  EXPECT_THROW((void)double_change_base_blocks(most + 1, 3), ImpossibleParameters);
-  EXPECT_THROW((void)double_change_base_blocks(1, largest_v), ImpossibleParameters);
-  EXPECT_THROW((void)double_change_base_blocks(~std::uint64_t{0} / 2, 4), ImpossibleParameters);
-  EXPECT_THROW((void)double_change_base_blocks(0, 4), ImpossibleParameters);
-  EXPECT_THROW((void)double_change_base_blocks(1, 2), ImpossibleParameters);
-  EXPECT_THROW((void)double_change_base_blocks(1, ~std::uint64_t{0}), ImpossibleParameters);
+  EXPECT_REFUSAL((void)double_change_base_blocks(most + 1, 3), ImpossibleParameters,
+                 "c = 715827883 and k = 3: c must be at least 1, and v below 2^32");
+  EXPECT_REFUSAL((void)double_change_base_blocks(1, largest_v), ImpossibleParameters,
+                 "c = 1 and k = 4294967295: c must be at least 1, and v below 2^32");
+  EXPECT_REFUSAL((void)double_change_base_blocks(~std::uint64_t{0} / 2, 4), ImpossibleParameters,
+                 "c = 9223372036854775807 and k = 4: c must be at least 1, and v below 2^32");
+  EXPECT_REFUSAL((void)double_change_base_blocks(0, 4), ImpossibleParameters,
+                 "c = 0 and k = 4: c must be at least 1, and v below 2^32");
+  EXPECT_REFUSAL((void)double_change_base_blocks(1, 2), ImpossibleParameters,
+                 "k = 2: a cyclic DCCD needs 3 <= k < 2^32");
+  EXPECT_REFUSAL((void)double_change_base_blocks(1, ~std::uint64_t{0}), ImpossibleParameters,
+                 "k = 18446744073709551615: a cyclic DCCD needs 3 <= k < 2^32");
 }
 
 TEST(Cyclic, CoversAllPairsButBreaksTheChangeIfTheLinkBlockIsElsewhere) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "changeover/core/error.hpp"
+#include "message_of.hpp"
 
 namespace changeover::one_factorization_test {
 namespace {
@@ -211,8 +212,10 @@ TEST(OneFactorization, odd_and_zero_orders_are_impossible) {
 
 TEST(OneFactorization, a_factor_beyond_the_last_is_bad_input) {
   EXPECT_EQ(circle_factor(8, 6).size(), 4U);
-  EXPECT_THROW((void)circle_factor(8, 7), BadInput);
-  EXPECT_THROW((void)doubled_factor(8, 7), BadInput);
+  EXPECT_REFUSAL((void)circle_factor(8, 7), BadInput,
+                 "factor 7 of K_8: factors are numbered from 0 to 6");
+  EXPECT_REFUSAL((void)doubled_factor(8, 7), BadInput,
+                 "factor 7 of K_8: factors are numbered from 0 to 6");
 }
 
 TEST(OneFactorization, near_factors_miss_one_vertex_each_and_cover_every_edge_once) {
@@ -380,7 +383,8 @@ TEST(FactorizationDefect, names_the_defect_in_one_line) {
             "factor 1 meets vertex 0 twice");
   EXPECT_EQ(defect_after([](F& f) { f.factors[3][1].b = 6; }),
             "edge {2, 6} of factor 3 has a vertex outside 0..5");
-  EXPECT_EQ(defect_after([](F& f) { f.factors[3][1].b = 2; }), "edge {2, 2} of factor 3 is a loop");
+  EXPECT_EQ(defect_after([](F& f) { f.factors[3][1].b = 2; }),
+            "edge {2, 2} of factor 3 joins a vertex with itself");
   EXPECT_EQ(defect_after([](F& f) {
               f.factors[0][1] = {4, 1};
             }),

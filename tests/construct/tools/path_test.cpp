@@ -11,6 +11,7 @@
 #include "all_blocks.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
+#include "message_of.hpp"
 
 namespace changeover::path_test {
 namespace {
@@ -53,7 +54,8 @@ TEST(Path, IsAsShortAsASearchOverAllBlocksSaysAndChangesExactlyMElements) {
           ASSERT_EQ(steps.has_value(), found != distance.end())
               << v << " " << k << " " << m << " " << d;
           if (!steps) {
-            EXPECT_THROW((void)connecting_blocks(from, to, m, v), ImpossibleParameters);
+            EXPECT_REFUSAL((void)connecting_blocks(from, to, m, v), ImpossibleParameters,
+                           "no way from a block to another by changes of");
             continue;
           }
           ASSERT_EQ(*steps, found->second) << v << " " << k << " " << m << " " << d;
@@ -73,7 +75,8 @@ TEST(Path, IsAsShortAsASearchOverAllBlocksSaysAndChangesExactlyMElements) {
 
 TEST(Path, FromABlockToItselfIsNone) {
   EXPECT_EQ(connecting_steps(0, 4, 2, 10), 0U);
-  EXPECT_THROW((void)connecting_blocks({0, 1}, {0, 1}, 1, 5), ImpossibleParameters);
+  EXPECT_REFUSAL((void)connecting_blocks({0, 1}, {0, 1}, 1, 5), ImpossibleParameters,
+                 "no way from a block to another by changes of 1 for v = 5, k = 2");
 }
 
 TEST(Path, AWayHandsOutTheSameBlocksOneByOne) {

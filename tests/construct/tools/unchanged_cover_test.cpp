@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "changeover/construct/expansion.hpp"
+#include "message_of.hpp"
 #include "partial_expansion_designs.hpp"
 
 namespace changeover::unchanged_cover_test {
@@ -166,7 +167,8 @@ void expect_defect(const Design& design, const UnchangedCover& cover, std::uint6
   ASSERT_TRUE(defect) << words;
   EXPECT_NE(defect->find(words), std::string::npos) << *defect;
   EXPECT_EQ(defect->find('\n'), std::string::npos);
-  EXPECT_THROW((void)expand_by(design, cover, w), BadInput) << words;
+  EXPECT_REFUSAL((void)expand_by(design, cover, w), BadInput, "not a cover by unchanged subsets: ")
+      << words;
   EXPECT_THROW(
       {
         const auto source = expand_by(std::make_unique<DesignSource>(design), cover, w);
@@ -184,7 +186,8 @@ TEST(UnchangedCover, ThatIsSpoiltInOnePlaceIsRefused) {
     change(cover);
     return cover;
   };
-  expect_defect(design, spoilt([](auto& c) { c.subsets.pop_back(); }), 4, "is in no subset");
+  expect_defect(design, spoilt([](auto& c) { c.subsets.pop_back(); }), 4,
+                "is in no subset of the cover, nor beside every new element");
   expect_defect(design, spoilt([](auto& c) { std::swap(c.subsets[0], c.subsets[1]); }), 4,
                 "must increase");
   expect_defect(design, spoilt([](auto& c) { c.subsets[1].position = c.subsets[0].position; }), 4,
@@ -197,19 +200,26 @@ TEST(UnchangedCover, ThatIsSpoiltInOnePlaceIsRefused) {
                 4, "do not increase");
   expect_defect(design, spoilt([](auto& c) { c.subsets[0].elements.back() = 99; }), 4,
                 "do not increase below v = 15");
-  expect_defect(design, spoilt([](auto& c) { c.subsets.back().position = 99; }), 4, "position");
+  expect_defect(design, spoilt([](auto& c) { c.subsets.back().position = 99; }), 4,
+                "the design has no position 99");
   expect_defect(design, spoilt([](auto& c) { c.subsets.front().position = 0; }), 4, "position 0");
-  expect_defect(design, spoilt([](auto& c) { ++c.subsets.front().position; }), 4, "is not in");
-  expect_defect(design, spoilt([](auto& c) { c.sweep = 5; }), 4, "sweep");
-  expect_defect(design, spoilt([](auto& c) { c.beside.resize(2); }), 4, "lists");
-  expect_defect(design, spoilt([](auto& c) { c.beside.assign(5, {0}); }), 4, "at most 0");
-  expect_defect(design, spoilt([](auto& c) { c.beside.assign(5, {0, 1}); }), 5, "at most 1");
+  expect_defect(design, spoilt([](auto& c) { ++c.subsets.front().position; }), 4,
+                "the subset at position 2 is not in the block after it");
+  expect_defect(design, spoilt([](auto& c) { c.sweep = 5; }), 4, "the sweep is at subset 6 of 5");
+  expect_defect(design, spoilt([](auto& c) { c.beside.resize(2); }), 4,
+                "5 subsets but 2 lists of what comes beside");
+  expect_defect(design, spoilt([](auto& c) { c.beside.assign(5, {0}); }), 4,
+                "1 old elements beside new ones at position 1: at most 0 can be");
+  expect_defect(design, spoilt([](auto& c) {
+                  c.beside.assign(5, {0, 1});
+                }),
+                5, "2 old elements beside new ones at position 1: at most 1 can be");
   expect_defect(design, spoilt([](auto& c) {
                   for (const auto& subset : c.subsets) {
                     c.beside.push_back({subset.elements.front()});
                   }
                 }),
-                5, "beside it");
+                5, "an element is in the subset at position 1 and beside it");
 }
 
 TEST(UnchangedCover, WithElementsLeftOutIsRefusedWhenTheyAreNotServed) {
@@ -231,7 +241,8 @@ TEST(UnchangedCover, WithElementsLeftOutIsRefusedWhenTheyAreNotServed) {
   cover.beside.front() = difference(design.block(subset.position - 1), subset.elements);
   cover.beside.front().resize(1);
   EXPECT_TRUE(cover_defect(design, cover, 1));
-  EXPECT_THROW((void)expand_by(design, cover, 1), BadInput);
+  EXPECT_REFUSAL((void)expand_by(design, cover, 1), BadInput,
+                 "is in no subset of the cover, nor beside every new element");
 }
 
 TEST(UnchangedCover, WithAWanderingElementIsRefusedAtAnotherPlace) {

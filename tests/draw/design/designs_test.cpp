@@ -394,12 +394,16 @@ TEST(LimitsTest, WhatIsTooMuchIsSaidInOneLine) {
   EXPECT_NE(defect({.v = 501, .k = 4}, 5, PictureKind::coverage), "");
   EXPECT_NE(defect({.v = 2001, .k = 4}, 5, PictureKind::stays), "");
   EXPECT_NE(defect({.v = 1001, .k = 4}, 5, PictureKind::circle), "");
+  EXPECT_NE(defect(p, 1'000'000'000, PictureKind::circle)
+                .find("blocks of 4 elements are too many to look for a rotation in them"),
+            std::string::npos);
   EXPECT_NE(draw_defect(p, 9, {.from = 0}).value_or(""), "");
   EXPECT_NE(draw_defect(p, 9, {.from = 5, .to = 4}).value_or(""), "");
   const Design none(p);
   for (const PictureKind kind :
        {PictureKind::array, PictureKind::stays, PictureKind::coverage, PictureKind::circle}) {
-    EXPECT_NE(message_of([&] { (void)draw(none, {.picture = kind}); }), "") << to_string(kind);
+    EXPECT_EQ(message_of([&] { (void)draw(none, {.picture = kind}); }), "there is no block to draw")
+        << to_string(kind);
     EXPECT_EQ(picture_kind_from_string(to_string(kind)), kind);
   }
   EXPECT_NE(message_of([&] { (void)draw(three_blocks(), {.picture = PictureKind::recipe}); }), "");

@@ -112,17 +112,24 @@ TEST(HeatmapTest, SignsSayWhatColoursSay) {
 
 TEST(HeatmapTest, WhatIsNoTableIsRefused) {
   std::vector<KnownCell> cells;
-  EXPECT_NE(message_of([&] { (void)draw_heatmap(cells, HeatMeasure::gap); }), "");
+  EXPECT_EQ(message_of([&] { (void)draw_heatmap(cells, HeatMeasure::gap); }),
+            "a heat map of no cells; give at least one");
   cells = some_cells(5, 6, 3, 4);
   cells.push_back(cells.front());
-  EXPECT_NE(message_of([&] { (void)draw_heatmap(cells, HeatMeasure::gap); }).find("twice"),
+  EXPECT_NE(message_of([&] {
+              (void)draw_heatmap(cells, HeatMeasure::gap);
+            }).find("linear DCCD(5,3) is in a heat map twice"),
             std::string::npos);
   cells.back().parameters.kind = Kind::circular;
-  EXPECT_NE(message_of([&] { (void)draw_heatmap(cells, HeatMeasure::gap); }).find("one kind"),
+  EXPECT_NE(message_of([&] {
+              (void)draw_heatmap(cells, HeatMeasure::gap);
+            }).find("one heat map is of one kind and change number, not of "),
             std::string::npos);
   cells.resize(2);
   cells[1].parameters.v = 1'000'000;
-  EXPECT_NE(message_of([&] { (void)draw_heatmap(cells, HeatMeasure::gap); }).find("more than"),
+  EXPECT_NE(message_of([&] {
+              (void)draw_heatmap(cells, HeatMeasure::gap);
+            }).find("a heat map of v = 5 to 1000000 and k = 3 to 4 has more than "),
             std::string::npos);
 }
 

@@ -78,14 +78,18 @@ TEST(FiguresTest, ManyPointsAreDrawnSmall) {
 }
 
 TEST(FiguresTest, WhatDoesNotFitIsRefused) {
-  EXPECT_NE(message_of([] { (void)draw_factors(FactorFigure{.order = 1}); }), "");
-  EXPECT_NE(message_of([] { (void)draw_factors(FactorFigure{.order = 4, .centre = 4}); }), "");
-  EXPECT_NE(message_of([] {
+  EXPECT_EQ(message_of([] { (void)draw_factors(FactorFigure{.order = 1}); }),
+            "order 1: a picture has 2 to 1000 vertices");
+  EXPECT_EQ(message_of([] { (void)draw_factors(FactorFigure{.order = 4, .centre = 4}); }),
+            "the centre 4 is not a vertex of K_4");
+  EXPECT_EQ(message_of([] {
               (void)draw_factors(FactorFigure{.order = 4, .factors = {{{0, 4}}}});
             }),
-            "");
-  EXPECT_NE(message_of([] { (void)draw_factors(FactorFigure{.order = 4, .names = {"a"}}); }), "");
-  EXPECT_NE(message_of([] { (void)draw_circle(CircleFigure{.v = 1001}); }), "");
+            "{0,4} is no edge of K_4");
+  EXPECT_EQ(message_of([] { (void)draw_factors(FactorFigure{.order = 4, .names = {"a"}}); }),
+            "1 names for 4 points; give one each");
+  EXPECT_EQ(message_of([] { (void)draw_circle(CircleFigure{.v = 1001}); }),
+            "v = 1001: a picture has 1 to 1000 points");
   EXPECT_NE(message_of([] { (void)draw_circle(CircleFigure{.v = 3, .blocks = {{{3}, {}}}}); }), "");
 }
 

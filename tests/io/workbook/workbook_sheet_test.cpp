@@ -7,6 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "io/workbook/zip_archive.hpp"
+#include "message_of.hpp"
 #include "zip_files.hpp"
 
 namespace changeover::workbook_sheet_test {
@@ -109,13 +110,13 @@ TEST(WorkbookSheet, OneLineForEachFault) {
   EXPECT_THAT(cell("<c r='B1'><v>1</v></c><c r='A1'/>"), HasSubstr("a cell called 'A1'"));
   EXPECT_THAT(cell("<c r='XFD1'/><c/>"), HasSubstr("beyond the last"));
   EXPECT_THAT(cell("<c t='str'><v>" + std::string(140'000, 'x') + "</v></c>"),
-              HasSubstr("more than 32,767 characters"));
+              HasSubstr("more than 32,767 characters; this is no list"));
   EXPECT_THAT(cell("<c>"), HasSubstr("not XML: mismatched tag"));
   EXPECT_THAT(cell("<c t='str'><v>&nbsp;</v></c>"), HasSubstr("not XML"));
   EXPECT_THAT(fault(one_sheet("<row r='2'/><row r='2'/>")), HasSubstr("misnumbered"));
   EXPECT_THAT(fault(one_sheet("<row r='1048577'/>")), HasSubstr("misnumbered"));
   EXPECT_THAT(fault(one_sheet("", "<si><t>" + std::string(140'000, 'x') + "</t></si>")),
-              HasSubstr("more than 32,767 characters"));
+              HasSubstr(": a cell of more than 32,767 characters; this is no list"));
 }
 
 TEST(WorkbookSheet, OtherFilesAreNamed) {
@@ -133,7 +134,8 @@ TEST(WorkbookSheet, OtherFilesAreNamed) {
               HasSubstr("an OpenDocument file"));
   EXPECT_THAT(fault(zipped({{"xl/workbook.bin", "b"}})), HasSubstr("(.xlsb)"));
   const Members book = workbook_of({{"A", ""}});
-  EXPECT_THAT(fault(zipped(book, "secret")), HasSubstr("need a password"));
+  EXPECT_THAT(fault(zipped(book, "secret")),
+              HasSubstr("f.xlsx: its members need a password; save it without one"));
   for (const char* part :
        {"xl/workbook.xml", "xl/sharedStrings.xml", "xl/styles.xml", "xl/worksheets/sheet1.xml"}) {
     Members less = book;
@@ -186,12 +188,12 @@ TEST(ZipArchive, UnpacksNoMoreThanItMay) {
   }
   EXPECT_EQ(text, std::string(100'000, 'x'));
   auto less = archive.open("a/B.txt", 99'999);
-  EXPECT_THROW(
+  EXPECT_REFUSAL(
       {
         while (!less->next().empty()) {
         }
       },
-      BadInput);
+      BadInput, "f.zip: a/B.txt has more than 0 MiB when it is unpacked; this is no list");
 }
 
 // Whatever is damaged, there is an answer or one line.

@@ -2,6 +2,7 @@
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/developed.hpp"
+#include "message_of.hpp"
 #include "random_designs.hpp"
 
 namespace changeover::write_table_test {
@@ -33,6 +34,20 @@ Design minimum() {
           {0, 2, 5, 3, 7}, {6, 2, 5, 3, 4}, {6, 2, 0, 1, 4}, {6, 2, 3, 7, 4}, {5, 1, 3, 7, 4}});
   design.set_labels({"∞_l", "∞_s", "0_l", "1_l", "2_l", "0_s", "1_s", "2_s"});
   return design;
+}
+
+TEST(MarksTest, OfTooManyElementsAreRefused) {
+  class Wide final : public BlockSource {
+   public:
+    const Parameters& parameters() const override { return parameters_; }
+    std::span<const Element> read(std::span<Element>) override { return {}; }
+
+   private:
+    Parameters parameters_{.v = 70'000, .k = 3};
+  };
+  Wide source;
+  EXPECT_REFUSAL((void)aligned_rows(source, 0, 1), ImpossibleParameters,
+                 "v = 70000 exceeds 65535: too many elements to lay out");
 }
 
 TEST(MarksTest, ElementsKeepTheirRowsAndAreMarked) {

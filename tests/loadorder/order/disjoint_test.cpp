@@ -10,6 +10,7 @@
 #include "loadorder/order/lockstep/eras.hpp"
 #include "loadorder/order/lockstep/grown.hpp"
 #include "loadorder_support.hpp"
+#include "message_of.hpp"
 
 namespace changeover::test::disjoint_test {
 namespace {
@@ -293,14 +294,18 @@ TEST(Disjoint, ComesCloseToTheBound) {
 
 TEST(Disjoint, RefusesTooManyWorkersAndTooManyItems) {
   EXPECT_THROW(static_cast<void>(plan_disjoint_order(15, 8, 2)), BadInput);
-  EXPECT_THROW(static_cast<void>(plan_disjoint_order(15, 4, 0)), BadInput);
-  EXPECT_THROW(static_cast<void>(plan_disjoint_order(15, 4, 70'000)), BadInput);
+  EXPECT_REFUSAL(static_cast<void>(plan_disjoint_order(15, 4, 0)), BadInput,
+                 "0 workers: give 1 to 65536");
+  EXPECT_REFUSAL(static_cast<void>(plan_disjoint_order(15, 4, 70'000)), BadInput,
+                 "70000 workers: give 1 to 65536");
   EXPECT_THROW(static_cast<void>(plan_disjoint_order(70'000, 4, 2)), ImpossibleParameters);
-  EXPECT_THROW(static_cast<void>(plan_disjoint_order(12, 4, 2).stream(2)), BadInput);
-  EXPECT_THROW(static_cast<void>(split_order(plan_disjoint_order(12, 4, 2), 12, 4, 2)), BadInput);
-  EXPECT_THROW(
+  EXPECT_REFUSAL(static_cast<void>(plan_disjoint_order(12, 4, 2).stream(2)), BadInput,
+                 "there is no worker 2: the order is for 2; count from 0");
+  EXPECT_REFUSAL(static_cast<void>(split_order(plan_disjoint_order(12, 4, 2), 12, 4, 2)), BadInput,
+                 "an order for 2 workers in lockstep cannot be cut for other workers");
+  EXPECT_REFUSAL(
       ScheduleCheck({.items = 70'000, .room = 4, .lockstep = 2, .compute = ComputeRules{}}),
-      MissingResource);
+      MissingResource, "items have too many pairs to track; give at most");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "core/checked.hpp"
+#include "message_of.hpp"
 #include "pairs/pairs_support.hpp"
 
 namespace changeover::test::epochs_test {
@@ -335,7 +336,8 @@ TEST(Epochs, AreAtLeastOne) {
   EXPECT_THROW(static_cast<void>(repeat_order(repeat_order(plan_load_order(8, 4), 2), 2)),
                BadInput);
   EXPECT_THROW(static_cast<void>(repeat_shares(split_load_order(8, 4, 2), 0)), BadInput);
-  EXPECT_THROW(ScheduleCheck({.items = 3, .room = 2, .epochs = 0}), BadInput);
+  EXPECT_REFUSAL(ScheduleCheck({.items = 3, .room = 2, .epochs = 0}), BadInput,
+                 "0 epochs of a load order: give 1 to 1000000");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "loadorder_support.hpp"
+#include "message_of.hpp"
 
 namespace changeover::test::load_order_test {
 namespace {
@@ -166,10 +167,12 @@ TEST(LoadOrder, TakesAnImprovedDesignOnlyIfItIsBetterAndRight) {
 }
 
 TEST(LoadOrder, RefusesWhatHasNoOrder) {
-  EXPECT_THROW(static_cast<void>(plan_load_order(0, 4)), BadInput);
+  EXPECT_REFUSAL(static_cast<void>(plan_load_order(0, 4)), BadInput,
+                 "a load order of 0 items: give at least 1 item");
   EXPECT_THROW(static_cast<void>(plan_load_order(9, 1)), BadInput);
   EXPECT_THROW(static_cast<void>(plan_load_order(9, 0)), BadInput);
-  EXPECT_THROW(static_cast<void>(plan_load_order(1'000'000'000, 4)), ImpossibleParameters);
+  EXPECT_REFUSAL(static_cast<void>(plan_load_order(1'000'000'000, 4)), ImpossibleParameters,
+                 "items: a load order has at most");
 }
 
 TEST(LoadOrder, OfADesignLoadsWhatBlocksIntroduce) {
@@ -182,7 +185,8 @@ TEST(LoadOrder, OfADesignLoadsWhatBlocksIntroduce) {
   EXPECT_EQ(simulation.fault, "");
   EXPECT_EQ(simulation.missing(), 0U);
   design->set_kind(Kind::circular);
-  EXPECT_THROW(static_cast<void>(load_order_of(design, "", "")), BadInput);
+  EXPECT_REFUSAL(static_cast<void>(load_order_of(design, "", "")), BadInput,
+                 "a load order needs a linear design with at least one block");
 }
 
 // The bound is reached by exhaustive minima and never passed: it holds for steps that load several too.

@@ -13,6 +13,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "loadorder_support.hpp"
+#include "message_of.hpp"
 
 namespace changeover::test::schedule_check_test {
 namespace {
@@ -79,8 +80,10 @@ TEST(ScheduleCheck, FollowsAFewItemsWhenNotAllPairsAreAskedFor) {
   EXPECT_FALSE(verdict_of(steps, 12, 4, few).valid());
   few.watched = 3;
   EXPECT_EQ(verdict_of(steps, 12, 4, few).watched_items, 3U);
-  EXPECT_THROW(ScheduleCheck({.items = 70'000, .room = 4}), MissingResource);
-  EXPECT_THROW(ScheduleCheck({.items = 0, .room = 4}), BadInput);
+  EXPECT_REFUSAL(ScheduleCheck({.items = 70'000, .room = 4}), MissingResource,
+                 "items have too many pairs to track; give at most");
+  EXPECT_REFUSAL(ScheduleCheck({.items = 0, .room = 4}), BadInput,
+                 "a load order of 0 items with room for 4: give at least 1 of each");
 }
 
 TEST(ScheduleCheck, HasTheSameVerdictUnderOtherNames) {
@@ -105,7 +108,8 @@ TEST(ScheduleCheck, HasTheSameVerdictUnderOtherNames) {
   check.read({2, {0}, {1}});
   EXPECT_EQ(check.finish().example, "{0,1}");
   for (const auto& names : std::vector<std::vector<Element>>{{0, 1}, {0, 1, 1}, {0, 1, 3}}) {
-    EXPECT_THROW(ScheduleCheck({.items = 3, .room = 2}, {.kept_as = names}), BadInput);
+    EXPECT_REFUSAL(ScheduleCheck({.items = 3, .room = 2}, {.kept_as = names}), BadInput,
+                   "the other names of the items are not a permutation of them");
   }
 }
 

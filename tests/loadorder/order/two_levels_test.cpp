@@ -9,6 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "loadorder_support.hpp"
+#include "message_of.hpp"
 
 namespace changeover::test::two_levels_test {
 namespace {
@@ -211,12 +212,17 @@ TEST(TwoLevels, ManyItemsAreReadWithoutTheirPairs) {
 }
 
 TEST(TwoLevels, RefusesWhatCannotBe) {
-  EXPECT_THROW(static_cast<void>(plan_two_levels(16, 4, 5)), BadInput);
+  EXPECT_REFUSAL(static_cast<void>(plan_two_levels(16, 4, 5)), BadInput,
+                 "the accelerator has room for");
   EXPECT_THROW(static_cast<void>(plan_two_levels(16, 4, 1)), BadInput);
-  EXPECT_THROW(static_cast<void>(plan_two_levels(0, 4, 2)), BadInput);
+  EXPECT_REFUSAL(static_cast<void>(plan_two_levels(0, 4, 2)), BadInput,
+                 "a load order of 0 items: give at least 1 item");
   EXPECT_THROW(static_cast<void>(plan_two_levels(70'000, 40, 4)), ImpossibleParameters);
-  EXPECT_THROW(ScheduleCheck({.items = 7, .room = 4, .fast_room = 0}), BadInput);
-  EXPECT_THROW(ScheduleCheck({.items = 7, .room = 0, .fast_room = 4}), BadInput);
+  EXPECT_REFUSAL(
+      ScheduleCheck({.items = 7, .room = 4, .fast_room = 0}), BadInput,
+      "a load order of 7 items with room for 4 and for 0 on the accelerator: give at least 1 of each");
+  EXPECT_REFUSAL(ScheduleCheck({.items = 7, .room = 0, .fast_room = 4}), BadInput,
+                 ": give at least 1 of each");
 }
 
 }  // namespace

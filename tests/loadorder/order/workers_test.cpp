@@ -7,6 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "loadorder_support.hpp"
+#include "message_of.hpp"
 
 namespace changeover::test::workers_test {
 namespace {
@@ -136,9 +137,12 @@ TEST(Workers, ManyOfThemWorkOnGroupsOfItems) {
 }
 
 TEST(Workers, RefuseNoneAndTooMany) {
-  EXPECT_THROW(static_cast<void>(split_load_order(9, 4, 0)), BadInput);
-  EXPECT_THROW(static_cast<void>(split_load_order(9, 4, 1'000'000)), BadInput);
-  EXPECT_THROW(static_cast<void>(split_load_order(9, 4, 2).stream(2)), BadInput);
+  EXPECT_REFUSAL(static_cast<void>(split_load_order(9, 4, 0)), BadInput,
+                 "0 workers: give 1 to 65536");
+  EXPECT_REFUSAL(static_cast<void>(split_load_order(9, 4, 1'000'000)), BadInput,
+                 "1000000 workers: give 1 to 65536");
+  EXPECT_REFUSAL(static_cast<void>(split_load_order(9, 4, 2).stream(2)), BadInput,
+                 "there is no worker 2: the order is for 2; count from 0");
 }
 
 }  // namespace

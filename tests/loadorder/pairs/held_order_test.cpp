@@ -8,6 +8,7 @@
 #include "changeover/loadorder/workers.hpp"
 #include "loadorder/pairs/held_blocks.hpp"
 #include "loadorder/pairs/pair_bounds.hpp"
+#include "message_of.hpp"
 #include "pairs_support.hpp"
 
 namespace changeover::test::held_order_test {
@@ -186,10 +187,13 @@ TEST(WantedPairs, KnowWhatTheyAre) {
   EXPECT_EQ(pairs_of(fresh).size(), fresh.count());
   EXPECT_NE(two.hash(), WantedPairs::between(4, 3).hash());
   EXPECT_TRUE(WantedPairs().are_all());
-  EXPECT_THROW(WantedPairs::between(0, 4), BadInput);
-  EXPECT_THROW(WantedPairs::beyond(4, 4), BadInput);
+  EXPECT_REFUSAL((void)WantedPairs::between(0, 4), BadInput,
+                 "0 items with 4 others: give at least 1 of both");
+  EXPECT_REFUSAL((void)WantedPairs::beyond(4, 4), BadInput,
+                 "items are done, and nothing is left to load; give fewer that are done");
   EXPECT_THROW(plan_load_order(two, 1), BadInput);
-  EXPECT_THROW(plan_load_order(WantedPairs(), 4), BadInput);
+  EXPECT_REFUSAL((void)plan_load_order(WantedPairs(), 4), BadInput,
+                 "a load order of 0 items: give at least 1 item");
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "changeover/run/control.hpp"
 #include "loadorder/pairs/closing.hpp"
 #include "loadorder/pairs/pair_bounds.hpp"
+#include "message_of.hpp"
 #include "pairs_support.hpp"
 
 namespace changeover::test::listed_order_test {
@@ -112,7 +113,8 @@ TEST(ListedOrder, CheckSeesEachPairAndEachLonelyItemThatIsMissed) {
   EXPECT_EQ(verdict_of({right[0], {2, {1}, {2}}, {3, {2}, {3}}}).example, "{1,2}");
   EXPECT_EQ(verdict_of({right[0], {2, {}, {2}}}).fault, "step 2 loads 2 when memory is full");
   EXPECT_EQ(verdict_of({right[0], {2, {4}, {2}}}).fault, "step 2 evicts 4, which is not in memory");
-  EXPECT_THROW(ScheduleCheck({.items = 6, .room = 2, .wanted = wanted}), BadInput);
+  EXPECT_REFUSAL(ScheduleCheck({.items = 6, .room = 2, .wanted = wanted}), BadInput,
+                 "pairs of 5 items are wanted of 6");
 }
 
 TEST(ListedOrder, IsTheSameForTheSameSeed) {

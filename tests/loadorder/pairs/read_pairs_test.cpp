@@ -8,6 +8,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
+#include "message_of.hpp"
 
 namespace changeover::test::read_pairs_test {
 namespace {
@@ -144,7 +145,8 @@ TEST(ReadPairs, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(fault("0 1", {.items = 0}), HasSubstr("give 1 to"));
   EXPECT_THAT(fault("0 1\n" + std::string(3 << 20, 'x')), HasSubstr("f:2:1: a line of more"));
   EXPECT_THROW(PairGraph(2, std::vector<ItemPair>{{0, 2}}), BadInput);
-  EXPECT_THROW(PairGraph(2, std::vector<ItemPair>{{0, 1}}, {"a"}), BadInput);
+  EXPECT_REFUSAL(PairGraph(2, std::vector<ItemPair>{{0, 1}}, {"a"}), BadInput,
+                 "2 items have 1 names; give all or none");
   EXPECT_THROW(read_pairs("no/such/file"), MissingResource);
 }
 

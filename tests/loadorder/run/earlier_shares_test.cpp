@@ -12,6 +12,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/all_pairs.hpp"
 #include "changeover/loadorder/workers.hpp"
+#include "message_of.hpp"
 #include "run_program.hpp"
 
 namespace changeover::test::earlier_shares_test {
@@ -171,7 +172,8 @@ TEST(EarlierShares, OfAnotherJobOrIncompleteAreRefused) {
   }
   job.run(0, 2, job.journals(3), 2);
   // A run that continues one whose journals are not there.
-  EXPECT_THROW(job.run(0, 5, job.journals(2)), BadInput);
+  EXPECT_REFUSAL(job.run(0, 5, job.journals(2)), BadInput,
+                 ": continues a run whose journals are missing or have changed; name all of them");
   // Its own journal continues another selection.
   EXPECT_THROW(job.run(0, 2, {job.journal(0, 3)}), BadInput);
   EXPECT_THROW(job.run(0, 5, {job.folder.file("missing")}), MissingResource);
@@ -206,9 +208,9 @@ TEST(AllPairsOfShares, ComputeEachPairOnceAndEvenly) {
     AllPairsOptions options;
     options.share = {0, workers + 1};
     CallbackItems source = numbers();
-    EXPECT_THROW(all_pairs(
-                     source, shares, [](const PairWork&) {}, options),
-                 BadInput);
+    EXPECT_REFUSAL(all_pairs(
+                       source, shares, [](const PairWork&) {}, options),
+                   BadInput, ": these are shares of");
   }
 }
 
@@ -237,9 +239,9 @@ TEST(AllPairsVerifiedBeside, FailIfTheOrderIsWrong) {
     int count_ = 0;
   };
   const LoadOrder wrong(right.facts(), [&] { return std::make_unique<Short>(right.stream()); });
-  EXPECT_THROW(all_pairs(
-                   source, wrong, [](const PairWork&) {}, options),
-               BadInput);
+  EXPECT_REFUSAL(all_pairs(
+                     source, wrong, [](const PairWork&) {}, options),
+                 BadInput, "this is not a load order of 24 items with room for 6: {0,1}");
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include <sstream>
 
 #include "changeover/core/error.hpp"
+#include "message_of.hpp"
 #include "run_program.hpp"
 
 namespace changeover::test::job_results_test {
@@ -168,7 +169,8 @@ TEST(JobResults, OfDataThatChangedWhileTheyWereReadAreAFault) {
       spit(work.data(), "abcdefghijkz");
     }
   };
-  EXPECT_THROW(work.run(), BadInput);
+  EXPECT_REFUSAL(work.run(), BadInput,
+                 ": has changed while it was read, so the results are of neither; start again");
   work.options.on_step_done = nullptr;
   EXPECT_THROW(work.run(), BadInput);  // the journal is of the data before
   std::filesystem::remove(work.options.journal);
@@ -182,9 +184,11 @@ TEST(JobResults, ThatAreRemovedWhileTheyAreWrittenAreAFault) {
       std::filesystem::remove(work.results());
     }
   };
-  EXPECT_THROW(work.run(), MissingResource);
+  EXPECT_REFUSAL(work.run(), MissingResource,
+                 ": was removed, replaced or resized while it was written; start again");
   work.options.journal = "";
-  EXPECT_THROW(work.run(), MissingResource);
+  EXPECT_REFUSAL(work.run(), MissingResource,
+                 ": was removed, replaced or resized while it was written; start again");
 }
 
 TEST(JobResults, OfDataWhoseTimeWasSetBackAreNotTaken) {
@@ -336,7 +340,7 @@ TEST(Journal, IsRefusedBeforeMuchOfAnotherFileIsRead) {
 TEST(Journal, GoesAwayAgainIfTheJobCannotBegin) {
   Work work;
   std::filesystem::create_directory(work.results());
-  EXPECT_THROW(work.run(), Error);
+  EXPECT_REFUSAL(work.run(), Error, "cannot be opened for writing");
   EXPECT_FALSE(std::filesystem::exists(work.options.journal));
 }
 
@@ -353,9 +357,14 @@ TEST(ResultFile, BelongsToOneJobAndToOneProcessOfEachShare) {
     first.write("x", 1, 999);
     ResultFile second(path);
     second.open(1000, claim("a", 2, 3));
-    for (const ResultsClaim& other : {claim("b", 1, 3), claim("b"), claim("a", 0, 3)}) {
+    const std::string another = ": another job writes its results there; wait until it finishes";
+    for (const auto& [other, words] : std::vector<std::pair<ResultsClaim, std::string>>{
+             {claim("b", 1, 3), another},
+             {claim("b"), another},
+             {claim("a", 0, 3),
+              ": another process computes share 0 of 3 of this job; wait until it finishes"}}) {
       ResultFile refused(path);
-      EXPECT_THROW(refused.open(10, other), MissingResource);
+      EXPECT_REFUSAL(refused.open(10, other), MissingResource, words);
       EXPECT_EQ(std::filesystem::file_size(path), 1000U);
     }
     ResultFile third(path);
@@ -363,7 +372,8 @@ TEST(ResultFile, BelongsToOneJobAndToOneProcessOfEachShare) {
     char last = ' ';
     third.read(&last, 1, 999);
     EXPECT_EQ(last, 'x');
-    EXPECT_THROW(third.read(&last, 1, 1000), MissingResource);
+    EXPECT_REFUSAL(third.read(&last, 1, 1000), MissingResource,
+                   ": has become shorter while it was written; leave it alone");
   }
   ResultFile next(path);
   next.open(10, claim("b"));
@@ -432,8 +442,10 @@ TEST(ResultFile, ThatDoesNotFitLeavesTheOldOneAsItWas) {
   EXPECT_EQ(open_limited(), 4);
   EXPECT_EQ(slurp(path), "precious");
   ResultFile file(path);
-  EXPECT_THROW(file.open(UINT64_MAX, claim("a")), MissingResource);
-  EXPECT_THROW(ResultFile("/dev/null").open(1, claim("a")), BadInput);
+  EXPECT_REFUSAL(file.open(UINT64_MAX, claim("a")), MissingResource,
+                 "bytes of results; compute fewer");
+  EXPECT_REFUSAL(ResultFile("/dev/null").open(1, claim("a")), BadInput,
+                 ": is not a regular file, so results cannot be written into it; name another");
 }
 
 TEST(JobThreads, ThatCannotBeStartedAreOneFaultAndNoAbort) {
@@ -469,9 +481,9 @@ TEST(JobThreads, ThatCannotBeStartedAreOneFaultAndNoAbort) {
   for (const unsigned many : {most_job_threads + 1, UINT_MAX}) {
     AllPairsOptions options;
     options.threads = many;
-    EXPECT_THROW(all_pairs(
-                     source, plan_load_order(5, 3), [](const PairWork&) {}, options),
-                 BadInput);
+    EXPECT_REFUSAL(all_pairs(
+                       source, plan_load_order(5, 3), [](const PairWork&) {}, options),
+                   BadInput, "readers: give at most");
   }
 }
 

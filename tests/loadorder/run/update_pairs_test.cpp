@@ -1,6 +1,7 @@
 // Items that change, killed at every write: the result is that of a run without a crash, byte for byte.
 #include "changeover/loadorder/all_pairs.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -10,10 +11,13 @@
 #include <filesystem>
 
 #include "changeover/core/error.hpp"
+#include "message_of.hpp"
 #include "run_program.hpp"
 
 namespace changeover::test::update_pairs_test {
 namespace {
+
+using ::testing::HasSubstr;
 
 constexpr std::size_t item_bytes = 24;
 
@@ -188,7 +192,8 @@ TEST(UpdatePairs, WithoutTheJournalWhatIsHalfChangedIsRefusedUnchanged) {
   };
   UpdateOptions other = options_in(folder);
   other.journal = folder.file("another");
-  refused(other, "may be half changed");
+  refused(other,
+          " may be half changed; bring the journal back, or restore the data and remove this file");
   EXPECT_FALSE(std::filesystem::exists(folder.file("another")));
   other = options_in(folder);
   other.work.shuffle = 5;
@@ -208,7 +213,10 @@ TEST(UpdatePairs, WithoutTheJournalWhatIsHalfChangedIsRefusedUnchanged) {
     wrong_version[at] = static_cast<char>(wrong_version[at] ^ 1);
     spit(folder.file("data"), wrong);
     spit(folder.file("data.versions"), wrong_version);
-    EXPECT_THROW(update_pairs(order, mixer(), options_in(folder)), BadInput) << at;
+    EXPECT_REFUSAL(
+        update_pairs(order, mixer(), options_in(folder)), BadInput,
+        ": something else has changed it; restore both, or restart from the original data")
+        << at;
     EXPECT_EQ(slurp(folder.file("data")), wrong);
     ++seen;
   }
@@ -228,10 +236,11 @@ TEST(UpdatePairs, ADamagedJournalOrSecondFileIsRefusedUnchanged) {
   const std::string data = slurp(folder.file("data"));
   const std::string versions = slurp(folder.file("data.versions"));
   const std::string journal = slurp(folder.file("journal"));
-  const auto refused = [&](const std::string& a_journal, const std::string& a_version) {
+  const auto refused = [&](const std::string& a_journal, const std::string& a_version,
+                           const testing::Matcher<std::string>& said) {
     spit(folder.file("journal"), a_journal);
     spit(folder.file("data.versions"), a_version);
-    EXPECT_THROW(update_pairs(order, mixer(), options_in(folder, 1)), BadInput);
+    EXPECT_THAT(message_of([&] { update_pairs(order, mixer(), options_in(folder, 1)); }), said);
     EXPECT_TRUE(slurp(folder.file("data")) == data);
     EXPECT_TRUE(slurp(folder.file("data.versions")) == a_version);
     EXPECT_EQ(slurp(folder.file("journal")), a_journal);
@@ -242,12 +251,22 @@ TEST(UpdatePairs, ADamagedJournalOrSecondFileIsRefusedUnchanged) {
        end = journal.find('\n', end + 1)) {
     std::string wrong = journal;
     wrong[end - 1] = wrong[end - 1] == '0' ? '1' : '0';
-    refused(wrong, versions);
+    refused(
+        wrong, versions,
+        testing::AnyOf(
+            HasSubstr("; restore both, or restart from the original data"),
+            HasSubstr(
+                " may be half changed; bring the journal back, or restore the data and remove both")));
     ++lines;
   }
   EXPECT_GE(lines, 2U);
-  refused(journal, versions.substr(0, versions.size() - 1));
-  refused(journal, versions + "x");
+  const std::string size =
+      "; restore both, or restore the data and remove this file and the journal";
+  refused(journal, versions.substr(0, versions.size() - 1), size);
+  refused(journal, versions + "x", size);
+  std::filesystem::remove(folder.file("data.versions"));
+  EXPECT_REFUSAL(update_pairs(order, mixer(), options_in(folder, 1)), BadInput,
+                 " cannot go on; restore both, or restore the data and remove the journal");
   spit(folder.file("journal"), journal);
   spit(folder.file("data.versions"), versions);
   EXPECT_TRUE(update_pairs(order, mixer(), options_in(folder, 1)).finished);
@@ -282,7 +301,8 @@ TEST(UpdatePairs, RefusesWhatIsWrongAndEndsWithWhatIsThrown) {
   const LoadOrder order = plan_disjoint_order(12, 3, 2);
   const TemporaryFolder folder;
   UpdateOptions options = options_in(folder);
-  EXPECT_THROW(update_pairs(order, mixer(), options), BadInput);
+  EXPECT_REFUSAL(update_pairs(order, mixer(), options), BadInput,
+                 ": is not there, or not a regular file; name the file of the items");
   spit(folder.file("data"), content(11));
   EXPECT_THROW(update_pairs(order, mixer(), options), BadInput);
   spit(folder.file("data"), content(12));

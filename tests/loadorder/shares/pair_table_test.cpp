@@ -11,6 +11,7 @@
 #include "changeover/run/control.hpp"
 #include "loadorder/shares/owners/pouring.hpp"
 #include "loadorder/shares/step_lists.hpp"
+#include "message_of.hpp"
 #include "run/random.hpp"
 
 namespace changeover::test::pair_table_test {
@@ -126,7 +127,8 @@ TEST(FairShares, SpreadCostsInsteadOfNumbers) {
                               }),
               1e-6);
   options.pair_cost = [](Element, Element) { return -1.0; };
-  EXPECT_THROW(static_cast<void>(split_load_order(20, 5, 3, options)), BadInput);
+  EXPECT_REFUSAL(static_cast<void>(split_load_order(20, 5, 3, options)), BadInput,
+                 "the pair of 1 and 6 costs -1: give 0 or more");
   EXPECT_THROW(static_cast<void>(split_load_order(6000, 50, 3, options)), BadInput);
 }
 

@@ -7,6 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "loadorder/shares/owners/plane_owners.hpp"
+#include "message_of.hpp"
 
 namespace changeover::test::planes_test {
 namespace {
@@ -19,7 +20,8 @@ TEST(FiniteFields, AreThoseOfPrimePowers) {
   }
   EXPECT_TRUE(FiniteField::of_order(256).has_value());
   EXPECT_FALSE(FiniteField::of_order(257).has_value());
-  EXPECT_THROW(Plane(6, false), BadInput);
+  EXPECT_REFUSAL(Plane(6, false), BadInput,
+                 "there is no field with 6 elements, or it is too large; give a prime power");
 }
 
 TEST(FiniteFields, HaveTheLawsOfAField) {

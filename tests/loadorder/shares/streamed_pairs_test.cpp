@@ -5,6 +5,7 @@
 #include "../loadorder_support.hpp"
 #include "changeover/core/error.hpp"
 #include "loadorder/order/streamed_order.hpp"
+#include "message_of.hpp"
 
 namespace changeover::test::streamed_pairs_test {
 namespace {
@@ -114,7 +115,8 @@ TEST(StreamedOrders, StreamFromLoadsWhatIsThere) {
   EXPECT_EQ(second.load.size(), 1U);
   EXPECT_THROW(static_cast<void>(order.stream_from(0)), BadInput);
   EXPECT_THROW(static_cast<void>(order.stream_from(order.facts().steps + 1)), BadInput);
-  EXPECT_THROW(static_cast<void>(plan_disjoint_order(12, 4, 2).stream_from(1)), BadInput);
+  EXPECT_REFUSAL(static_cast<void>(plan_disjoint_order(12, 4, 2).stream_from(1)), BadInput,
+                 "an order for workers in lockstep can only be read from its first step");
 }
 
 // Whatever the order is made of.

@@ -5,6 +5,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "core/checked.hpp"
+#include "message_of.hpp"
 
 namespace changeover::enumeration_test {
 namespace {
@@ -47,7 +48,8 @@ TEST(Enumeration, gives_up_without_a_claim) {
       enumerate({.v = 10, .k = 5, .change = 2, .kind = Kind::linear}, 6, {.nodes = 10});
   EXPECT_FALSE(cut.complete);
   EXPECT_EQ(cut.found, 0U);
-  EXPECT_THROW((void)enumerate({.v = 17, .k = 4, .kind = Kind::linear}, 3), BadInput);
+  EXPECT_REFUSAL((void)enumerate({.v = 17, .k = 4, .kind = Kind::linear}, 3), BadInput,
+                 "enumeration is for v <= 16 and at least one block");
   EXPECT_THROW((void)enumerate({.v = 6, .k = 4, .kind = Kind::linear}, 0), BadInput);
 }
 

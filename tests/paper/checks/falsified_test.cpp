@@ -3,6 +3,7 @@
 
 #include "changeover/core/error.hpp"
 #include "falsified.hpp"
+#include "message_of.hpp"
 
 namespace changeover::falsified_test {
 namespace {
@@ -387,10 +388,12 @@ TEST(FalsifiedPaper, conclusion) {
 TEST(FalsifiedPaper, what_cannot_be_read_is_refused) {
   Paper paper = printed_paper();
   paper.six_base_blocks.further[0] = "4;19";
-  EXPECT_THROW((void)run(check_corollaries, paper), BadInput);
+  EXPECT_REFUSAL((void)run(check_corollaries, paper), BadInput,
+                 "formula \"4;19\", character 2: nothing is expected here");
   paper = printed_paper();
   paper.families.clear();
-  EXPECT_THROW((void)run(check_doubling, paper), BadInput);
+  EXPECT_REFUSAL((void)run(check_doubling, paper), BadInput,
+                 "the paper has no family \"Theorem 3\"");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "changeover/core/error.hpp"
+#include "message_of.hpp"
 
 namespace changeover::formula_test {
 namespace {
@@ -39,12 +40,24 @@ TEST(Formula, says_what_a_fraction_is) {
 }
 
 TEST(Formula, refuses_what_it_cannot_read) {
-  for (const std::string_view wrong :
-       {"", "v", "2+", "(2", "2)", R"(\frac{1})", R"(\frac{1}{0})", "1/0", R"(\binom{1/2}{2})",
-        R"(\sqrt{2})", "2;3", "2^(1/2)", "2^99", "1_2"}) {
-    EXPECT_THROW((void)at(wrong), BadInput) << wrong;
+  for (const auto& [wrong, words] : std::vector<std::pair<std::string, std::string>>{
+           {"", "formula \"\", character 1: it ends here"},
+           {"v", "formula \"v\", character 1: no value is known for this"},
+           {"2+", "formula \"2+\", character 3: it ends here"},
+           {"(2", ""},
+           {"2)", "formula \"2)\", character 2: nothing is expected here"},
+           {R"(\frac{1})", ""},
+           {R"(\frac{1}{0})", "a division by zero"},
+           {"1/0", "formula \"1/0\", character 4: a division by zero"},
+           {R"(\binom{1/2}{2})", "a binomial coefficient takes whole numbers"},
+           {R"(\sqrt{2})", "no value is known for this"},
+           {"2;3", "formula \"2;3\", character 2: nothing is expected here"},
+           {"2^(1/2)", "formula \"2^(1/2)\", character 8: an exponent is a small whole number"},
+           {"2^99", "formula \"2^99\", character 5: an exponent is a small whole number"},
+           {"1_2", ""}}) {
+    EXPECT_REFUSAL((void)at(wrong), BadInput, words) << wrong;
   }
-  EXPECT_THROW((void)at(std::string(1000, '(')), BadInput);
+  EXPECT_REFUSAL((void)at(std::string(1000, '(')), BadInput, "nested too deeply");
   EXPECT_THROW((void)at("99999999999999999999"), ImpossibleParameters);
   EXPECT_THROW((void)at("v^9", {{'v', 1U << 31}}), ImpossibleParameters);
 }

@@ -10,6 +10,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
+#include "message_of.hpp"
 #include "random_jobs.hpp"
 #include "run/random.hpp"
 
@@ -373,8 +374,10 @@ TEST(Diagnosis, SaysSo) {
       written(job, one, "table", 80),
       HasSubstr("One fault alone explains all results, and is proven:\n  pair Pump with Motor\n"
                 "Nothing is left to find out"));
-  EXPECT_THROW((void)diagnose(job, {{{0, 0}, true}}), BadInput);
-  EXPECT_THROW((void)diagnose(job, {{{0, 9}, true}}), BadInput);
+  EXPECT_REFUSAL((void)diagnose(job, {{{0, 0}, true}}), BadInput,
+                 "a test that was done has a repeated or unknown part; name each part once");
+  EXPECT_REFUSAL((void)diagnose(job, {{{0, 9}, true}}), BadInput,
+                 "a test that was done has a repeated or unknown part; name each part once");
 }
 
 TEST(Diagnosis, IsOpenWhereResultsAreNotUnderstood) {

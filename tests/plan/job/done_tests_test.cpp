@@ -9,6 +9,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
+#include "message_of.hpp"
 
 namespace changeover::done_tests_test {
 namespace {
@@ -136,8 +137,8 @@ TEST(DoneTests, OnesThatWereNotRunAreNotCountedAndNotOnTheBench) {
 
 TEST(DoneTests, AFaultLeavesTheJobAsItWas) {
   Job job = make_job(5, 3, Amount{1}, Amount{1});
-  EXPECT_THROW(mark_tested(job, {{{0, 1}, TestResult::pass}, {{2, 2}, TestResult::fail}}),
-               BadInput);
+  EXPECT_REFUSAL(mark_tested(job, {{{0, 1}, TestResult::pass}, {{2, 2}, TestResult::fail}}),
+                 BadInput, "a test that was done has 3 twice; name each part once");
   EXPECT_EQ(job.needed.size(), 10U);
   EXPECT_EQ(job.tests_done, 0U);
 }

@@ -5,6 +5,7 @@
 
 #include "changeover/core/error.hpp"
 #include "cheapest.hpp"
+#include "message_of.hpp"
 #include "random_jobs.hpp"
 
 namespace changeover::job_test {
@@ -118,9 +119,13 @@ TEST(Job, NeedsTheRestOnceTestsAreDone) {
   other.start = {4};
   mark_done(other, {{0, 1, 2}});
   EXPECT_THAT(other.start, ElementsAre(4));
-  EXPECT_THROW(mark_done(other, {{0, 1, 2, 3}}), BadInput);
-  EXPECT_THROW(mark_done(other, {{0, 1}, {0, 5}}), BadInput) << "there is no part 5";
-  EXPECT_THROW(mark_done(other, {{2, 2}}), BadInput);
+  EXPECT_REFUSAL(mark_done(other, {{0, 1, 2, 3}}), BadInput,
+                 "a test that was done has 4 parts, but only 3 fit at once; remove some");
+  EXPECT_REFUSAL(mark_done(other, {{0, 1}, {0, 5}}), BadInput,
+                 "a test that was done names part 6 of 5; name parts that there are")
+      << "there is no part 5";
+  EXPECT_REFUSAL(mark_done(other, {{2, 2}}), BadInput,
+                 "a test that was done has 3 twice; name each part once");
   EXPECT_EQ(other.needed.size(), 7U);
   EXPECT_EQ(other.tests_done, 1U);
 }

@@ -8,6 +8,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
+#include "message_of.hpp"
 #include "plan/search/first_pieces.hpp"
 #include "run/random.hpp"
 
@@ -71,7 +72,8 @@ TEST(Pieces, NamesOfPiecesAreNoParts) {
   job.names[1] = "p1 #2";
   EXPECT_THROW(add_pieces(job, {2, 1, 1}), BadInput);
   EXPECT_EQ(job.names.size(), 3U) << "the job is as it was";
-  EXPECT_THROW(add_pieces(job, {1, 1}), BadInput);
+  EXPECT_REFUSAL(add_pieces(job, {1, 1}), BadInput,
+                 "the quantities do not fit the number of parts; give one each");
 }
 
 // The least cost of any list in which a set-up is how many pieces of each part are mounted, by a

@@ -171,7 +171,9 @@ TEST(ReadJob, InputsWithoutAnEndAreRefused) {
   };
   EXPECT_THAT(says(std::string(1, '\0')), StartsWith("endless:1:1: control byte 0x00"));
   EXPECT_THAT(says("a"), StartsWith("endless:1:1: a line of more than 16 MiB"));
-  EXPECT_THAT(says("1,3\n"), StartsWith("endless:4194305:1: more than 4194304 rows"));
+  EXPECT_THAT(
+      says("1,3\n"),
+      StartsWith("endless:4194305:1: more than 4194304 rows; give a list without repetitions"));
 }
 
 TEST(ReadSetUps, SaysWhereOneIsLargerThanWhatFits) {

@@ -7,6 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
+#include "message_of.hpp"
 #include "random_models.hpp"
 
 namespace changeover::model_plans_test {
@@ -364,11 +365,14 @@ TEST(ModelPlans, CostsByWhatIsReplacedAreThoseOfTheParameter) {
 TEST(ModelPlans, WhatIsNotDoneForModelsIsRefused) {
   Job job = test::job_of_text("A: a, b\nB: c, d\n");
   job.weights.set(0, 2, parse_amount("5"));
-  EXPECT_THROW((void)planned(job), BadInput);
+  EXPECT_REFUSAL((void)planned(job), BadInput,
+                 "plans of a model do not support weights of pairs; leave the weights out");
   RunControl control({.threads = 1});
-  EXPECT_THROW((void)make_run_plan(make_job(4, 2, Amount{1}, Amount{1}),
-                                   {.objective = PlanObjective::tests}, control),
-               BadInput);
+  EXPECT_REFUSAL(
+      (void)make_run_plan(make_job(4, 2, Amount{1}, Amount{1}), {.objective = PlanObjective::tests},
+                          control),
+      BadInput,
+      "only plans of a model can have the objective of fewest tests; choose another objective");
 }
 
 }  // namespace

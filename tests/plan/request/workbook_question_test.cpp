@@ -359,7 +359,8 @@ TEST_F(RunSheetWorkbook, ADamagedOrForeignQuestionIsOneLine) {
             "A3: a part of the request is missing"},
            {head + row({"{}"}), "the question has no parts"},
            {head + row({"{\"parts\":3,\"spare\":1}"}), "unknown key 'spare'"},
-           {head + row({"{\"parts\":{\"file\":\"/etc/passwd\"}}"}), "parts names a file"},
+           {head + row({"{\"parts\":{\"file\":\"/etc/passwd\"}}"}),
+            "parts names a file, which the question of a workbook may not; delete the sheet "},
            {head + row({"{\"parts\":3,\"never\":{\"file\":\"/etc/passwd\"}}"}),
             "never names a file"}}) {
     const std::string said = fault(cells);

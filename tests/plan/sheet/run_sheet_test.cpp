@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "changeover/core/error.hpp"
+#include "message_of.hpp"
 
 namespace changeover::run_sheet_test {
 namespace {
@@ -57,7 +58,8 @@ TEST(RunSheet, ListsEveryFault) {
   EXPECT_THAT(faults({0, 1, 4}), ElementsAre(HasSubstr("holds 1 and 5")));
   EXPECT_THAT(faults({1, 2, 3, 4}), ElementsAre(HasSubstr("has 4 parts, 3 fit")));
   EXPECT_THAT(faults({1, 2, 2}), testing::Contains(HasSubstr("twice")));
-  EXPECT_THROW((void)run_sheet(job, {{1, 5}}), BadInput);
+  EXPECT_REFUSAL((void)run_sheet(job, {{1, 5}}), BadInput,
+                 "a set-up names part 6 of 5; name parts that there are");
 }
 
 TEST(RunSheet, RefusesAnyChangeOfACompleteList) {

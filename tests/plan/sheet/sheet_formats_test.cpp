@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "changeover/plan/job.hpp"
+#include "message_of.hpp"
 
 namespace changeover::sheet_formats_test {
 namespace {
@@ -236,9 +237,12 @@ TEST_F(SheetFormats, ListsOfSeveralBenchesHaveAColumnForEachSlot) {
 }
 
 TEST_F(SheetFormats, AnotherFormatIsRefused) {
-  EXPECT_THROW(static_cast<void>(written(document, "latex")), BadOption);
-  EXPECT_THROW(static_cast<void>(written(job, WhatIf{}, "xlsx")), BadOption);
-  EXPECT_THROW(static_cast<void>(written(job, Diagnosis{}, "csv")), BadOption);
+  EXPECT_REFUSAL(static_cast<void>(written(document, "latex")), BadOption,
+                 "a plan is not written as latex");
+  EXPECT_REFUSAL(static_cast<void>(written(job, WhatIf{}, "xlsx")), BadOption,
+                 "a table of ratios is not written as xlsx");
+  EXPECT_REFUSAL(static_cast<void>(written(job, Diagnosis{}, "csv")), BadOption,
+                 "a diagnosis is not written as csv");
 }
 
 // The cells of a line of CSV, without their quotes.

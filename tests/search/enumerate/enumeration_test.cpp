@@ -10,6 +10,7 @@
 #include "changeover/verify/verdict.hpp"
 #include "core/checked.hpp"
 #include "enumeration_oracle.hpp"
+#include "message_of.hpp"
 
 namespace changeover::test::enumeration_test {
 namespace {
@@ -262,7 +263,8 @@ TEST(Enumeration, RefusesWhatItCannotDo) {
                ImpossibleParameters);
   Parameters triples = parameters(9, 4, 1, Kind::linear);
   triples.strength = 3;
-  EXPECT_THROW((void)enumerate_designs(triples, 9, control), ImpossibleParameters);
+  EXPECT_REFUSAL((void)enumerate_designs(triples, 9, control), ImpossibleParameters,
+                 "enumeration supports strength 2 only; give strength 2");
 }
 
 TEST(Enumeration, StopsInTimeWhateverIsAsked) {

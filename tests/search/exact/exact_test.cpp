@@ -14,6 +14,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/proof/proof.hpp"
+#include "message_of.hpp"
 #include "naive_verdict.hpp"
 #include "run_program.hpp"
 #include "search/exact/exact_encoding.hpp"
@@ -232,7 +233,8 @@ TEST(Decide, SharesTheCubesBetweenProcesses) {
   }
   EXPECT_TRUE(cubes_cover_everything(cubes));
   RunControl wrong({.share = {3, 3}});
-  EXPECT_THROW((void)decide(sccd_9_4, 11, {}, wrong), BadInput);
+  EXPECT_REFUSAL((void)decide(sccd_9_4, 11, {}, wrong), BadInput,
+                 "share 3 of 3: the index must be below the number of shares");
 }
 
 TEST(Decide, DividesSharesOfTheSameCubesFurther) {

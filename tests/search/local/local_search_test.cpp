@@ -12,6 +12,7 @@
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "message_of.hpp"
 #include "naive_verdict.hpp"
 #include "oracle_minima.hpp"
 #include "search/local/imposed.hpp"
@@ -280,8 +281,10 @@ TEST(Imposed, RefusesAnAutomorphismThatDoesNotFit) {
   Random random(1);
   RunControl control({});
   const Parameters p{.v = 10, .k = 4};
-  EXPECT_THROW(static_cast<void>(search_imposed(p, {4, 2}, 3, {}, random, control)), BadInput);
-  EXPECT_THROW(static_cast<void>(search_imposed(p, {5, 2}, 0, {}, random, control)), BadInput);
+  EXPECT_REFUSAL(static_cast<void>(search_imposed(p, {4, 2}, 3, {}, random, control)), BadInput,
+                 "base blocks; the order must divide v less the fixed elements, v ≤");
+  EXPECT_REFUSAL(static_cast<void>(search_imposed(p, {5, 2}, 0, {}, random, control)), BadInput,
+                 "base blocks; the order must divide v less the fixed elements, v ≤");
 }
 
 }  // namespace

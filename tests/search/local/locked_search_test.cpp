@@ -143,10 +143,13 @@ TEST(LockedSearch, RefusesWhatNoDesignHas) {
   EXPECT_NE(wanted_defect(linear, {.first = {0, 1, 2, 3, 4}}), "");
   EXPECT_NE(wanted_defect(linear, {.last = {1, 1}}), "");
   EXPECT_NE(wanted_defect(linear, {.last = {12}}), "");
-  EXPECT_NE(wanted_defect({13, 4, 1, Kind::linear, 2}, {.expansion_set = true}), "");
-  EXPECT_NE(wanted_defect(linear, {.contained = {{0, 1, 2}}}), "");
+  EXPECT_EQ(wanted_defect({13, 4, 1, Kind::linear, 2}, {.expansion_set = true}),
+            "13 elements are no whole number of unchanged subsets of 3");
+  EXPECT_EQ(wanted_defect(linear, {.contained = {{0, 1, 2}}}),
+            "a block has 4 elements, not 3; give whole blocks");
   EXPECT_NE(wanted_defect(linear, {.contained = {{0, 1, 2, 3}, {0, 1, 4, 5}}}), "");
-  EXPECT_NE(wanted_defect({9, 4, 1, Kind::linear, 3}, {.first = {0}}), "");
+  EXPECT_EQ(wanted_defect({9, 4, 1, Kind::linear, 3}, {.first = {0}}),
+            "cells are locked for strength 2 only");
   RunControl control({.threads = 1});
   EXPECT_THROW((void)search_locked(circular, {.first = {0}}, {}, control), BadInput);
   EXPECT_THROW((void)search_locked({5, 4, 2, Kind::linear, 2}, {}, {}, control),

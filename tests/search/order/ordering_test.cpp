@@ -11,6 +11,7 @@
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "message_of.hpp"
 #include "run/random.hpp"
 
 namespace changeover::ordering_test {
@@ -250,11 +251,13 @@ TEST(OrderForChange, TakesOneAndTwoBlocks) {
 
 TEST(OrderForChange, RefusesMalformedBlocks) {
   const ChangeWanted wanted{5, 1, Kind::linear};
-  EXPECT_THROW((void)ordered({}, wanted), BadInput);
-  EXPECT_THROW((void)ordered({{0, 1}, {0, 1, 2}}, wanted), BadInput);
+  EXPECT_REFUSAL((void)ordered({}, wanted), BadInput, "there are no blocks to order");
+  EXPECT_REFUSAL((void)ordered({{0, 1}, {0, 1, 2}}, wanted), BadInput,
+                 "block 2 has 3 elements and block 1 has 2; all need the same");
   EXPECT_THROW((void)ordered({{0, 5}}, wanted), BadInput);
-  EXPECT_THROW((void)ordered({{1, 1}}, wanted), BadInput);
-  EXPECT_THROW((void)ordered({{0, 1}}, ChangeWanted{5, 0, Kind::linear}), ImpossibleParameters);
+  EXPECT_REFUSAL((void)ordered({{1, 1}}, wanted), BadInput, "block 1 has the element 1 twice");
+  EXPECT_REFUSAL((void)ordered({{0, 1}}, ChangeWanted{5, 0, Kind::linear}), ImpossibleParameters,
+                 "consecutive blocks must differ; give a change number of at least 1");
 }
 
 // ---- For the least total change.
@@ -383,18 +386,23 @@ RC_GTEST_PROP(OrderForLeastChange, CostsWhatARecountSays, ()) {
 }
 
 TEST(OrderForLeastChange, RefusesMalformedInput) {
-  EXPECT_THROW((void)ordered({}, LeastChangeWanted{5}), BadInput);
+  EXPECT_REFUSAL((void)ordered({}, LeastChangeWanted{5}), BadInput, "there are no blocks to order");
   EXPECT_THROW((void)ordered({{0, 5}}, LeastChangeWanted{5}), BadInput);
-  EXPECT_THROW((void)ordered({{1, 1}}, LeastChangeWanted{5}), BadInput);
+  EXPECT_REFUSAL((void)ordered({{1, 1}}, LeastChangeWanted{5}), BadInput,
+                 "block 1 has the element 1 twice");
   const std::vector<Block> two{{0}, {1}};
-  EXPECT_THROW((void)change_cost(two, Order{0, 0}, {2}), BadInput);
-  EXPECT_THROW((void)change_cost(two, Order{0}, {2}), BadInput);
-  EXPECT_THROW((void)change_cost(two, Order{0, 2}, {2}), BadInput);
+  EXPECT_REFUSAL((void)change_cost(two, Order{0, 0}, {2}), BadInput,
+                 "an order must name each block exactly once");
+  EXPECT_REFUSAL((void)change_cost(two, Order{0}, {2}), BadInput,
+                 "an order must name each block exactly once");
+  EXPECT_REFUSAL((void)change_cost(two, Order{0, 2}, {2}), BadInput,
+                 "an order must name each block exactly once");
   EXPECT_THROW((void)arranged(two, Order{2}), BadInput);
   RunControl control({});
   const std::vector<Block> many(10'000, Block{0});
-  EXPECT_THROW((void)order_for_least_change(many, {std::uint64_t{1} << 32}, {}, control),
-               MissingResource);
+  EXPECT_REFUSAL((void)order_for_least_change(many, {std::uint64_t{1} << 32}, {}, control),
+                 MissingResource,
+                 "10000 blocks on 4294967296 elements need more than 4 GiB as bit sets");
 }
 
 TEST(OrderForLeastChange, SlowOrdersTwentyThousandBlocks) {

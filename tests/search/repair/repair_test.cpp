@@ -8,6 +8,7 @@
 #include "changeover/construct/best_known.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "message_of.hpp"
 #include "naive_verdict.hpp"
 #include "run/random.hpp"
 #include "search/local/random_list.hpp"
@@ -94,7 +95,8 @@ TEST(Repair, KeepsLabels) {
 }
 
 TEST(Repair, RefusesWhatCannotBe) {
-  EXPECT_THROW(mend(Design({.v = 6, .k = 4})), BadInput);
+  EXPECT_REFUSAL(mend(Design({.v = 6, .k = 4})), BadInput,
+                 "the list has no block; give at least one, or search from scratch");
   const Design list({.v = 4, .k = 2}, std::vector<Block>{{0, 1}});
   EXPECT_THROW(mend(list), ImpossibleParameters);
 }
@@ -149,7 +151,8 @@ TEST(Extend, RefusesAWrongStep) {
                  "the step from block 1 to block 2 changes 1 elements, not 2; repair the list "
                  "first");
   }
-  EXPECT_THROW(static_cast<void>(extend(Design(p), {}, control)), BadInput);
+  EXPECT_REFUSAL(static_cast<void>(extend(Design(p), {}, control)), BadInput,
+                 "there is no block to begin with; give at least one, or search from scratch");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/proof/proof.hpp"
 #include "changeover/run/control.hpp"
+#include "message_of.hpp"
 #include "run_program.hpp"
 #include "search/exact/exact_encoding.hpp"
 
@@ -85,11 +86,11 @@ TEST(SatSolver, StopsWithItsControl) {
 
 TEST(SatSolver, SaysWhenTheProofCannotBeWritten) {
   RunControl control({});
-  EXPECT_THROW((void)solve_sat(pigeons(4), {}, {.proof_path = "/nowhere/a.drat"}, control),
-               MissingResource);
+  EXPECT_REFUSAL((void)solve_sat(pigeons(4), {}, {.proof_path = "/nowhere/a.drat"}, control),
+                 MissingResource, "; free some space or name another directory");
   if (test::has_full_device()) {
-    EXPECT_THROW((void)solve_sat(pigeons(8), {}, {.proof_path = "/dev/full"}, control),
-                 MissingResource);
+    EXPECT_REFUSAL((void)solve_sat(pigeons(8), {}, {.proof_path = "/dev/full"}, control),
+                   MissingResource, "; free some space or name another directory");
   }
 }
 

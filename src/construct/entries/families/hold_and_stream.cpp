@@ -234,7 +234,7 @@ class HoldAndStreamSource final : public BlockByBlock<HoldAndStreamSource> {
     // them.
     Block first(static_cast<std::size_t>(p_.k));
     if (!tail_->next(first)) {
-      throw BadInput("hold-and-stream: the design at the end has no blocks");
+      throw InternalError("hold-and-stream: the design at the end has no blocks");
     }
     renamed_.assign(rest_.size(), 0);
     std::vector<bool> used(rest_.size(), false);

@@ -442,7 +442,7 @@ Amount StepProgram::proved() const {
   const Whole cost = base_ + (sum > 0 ? sum >> fraction_bits : 0);
   constexpr Whole most = std::numeric_limits<std::int64_t>::max();
   if (cost > most) {
-    throw ImpossibleParameters("the costs are too large to be added up");
+    throw ImpossibleParameters("the costs are too large to be added up; use a larger unit");
   }
   return Amount{static_cast<std::uint64_t>(cost)};
 }

@@ -21,7 +21,7 @@ Amount times_factor(Amount cost, Amount factor) {
   constexpr std::uint64_t one = 1'000'000;
   const Wide product = Wide{cost.millionths} * factor.millionths;
   if (product % one != 0 || product / one > Wide{1} << 62U) {
-    throw BadInput("a change cost times the factor of a bench is no amount");
+    throw InternalError("a change cost times the factor of a bench is no amount");
   }
   return Amount{static_cast<std::uint64_t>(product / one)};
 }

@@ -9,6 +9,7 @@
 #include "construct/tools/concatenation/pieces.hpp"
 #include "construct/tools/short_blocks.hpp"
 #include "construction_checks.hpp"
+#include "message_of.hpp"
 
 namespace changeover::concatenate_test {
 namespace {
@@ -222,7 +223,7 @@ TEST(Ring, RefusesADesignWhoseEndsMeet) {
   blocks.push_back(blocks.front());
   input = literal_recipe(Design(design.parameters(), blocks));
   const auto source = standard().build(recipe);
-  EXPECT_THROW((void)read_all(*source), BadInput);
+  EXPECT_REFUSAL((void)read_all(*source), BadInput, "have too many elements in common for a ring");
 }
 
 TEST(Pieces, AreWhatTheySay) {

@@ -7,6 +7,7 @@
 #include "construct/tools/close_up.hpp"
 #include "construct/tools/coarsen.hpp"
 #include "construction_checks.hpp"
+#include "message_of.hpp"
 #include "stays.hpp"
 
 namespace changeover::rules_on_stays_test {
@@ -103,7 +104,8 @@ TEST(Interpolate, MakesEachStepInSmallerOnes) {
   }
   const Recipe input = best(9, 5, 4, Kind::linear);
   EXPECT_EQ(interpolate_recipe(input, 4), input);
-  EXPECT_THROW((void)interpolate_recipe(input, 3), BadInput);
+  EXPECT_REFUSAL((void)interpolate_recipe(input, 3), BadInput,
+                 "3 does not divide the change number 4");
   EXPECT_THROW((void)interpolate_recipe(input, 0), BadInput);
 }
 

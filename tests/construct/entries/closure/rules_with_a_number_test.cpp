@@ -7,6 +7,7 @@
 
 #include "changeover/construct/closure.hpp"
 #include "construction_checks.hpp"
+#include "message_of.hpp"
 
 namespace changeover::rules_with_a_number_test {
 namespace {
@@ -27,7 +28,8 @@ TEST(RulesWithANumber, AreNothingForNothing) {
 
 TEST(RulesWithANumber, RefuseNumbersThatDoNotFit) {
   const Recipe input = best({11, 4, 2, Kind::circular, 2});
-  EXPECT_THROW((void)blow_up_recipe(input, 0), BadInput);
+  EXPECT_REFUSAL((void)blow_up_recipe(input, 0), BadInput,
+                 "an element cannot be replaced by no copies at all");
   EXPECT_THROW((void)blow_up_recipe(input, ~std::uint64_t{0}), ImpossibleParameters);
   EXPECT_THROW((void)fix_recipe(input, ~std::uint64_t{0}), ImpossibleParameters);
   for (const std::uint64_t s : {beyond, std::uint64_t{1} << 60U}) {

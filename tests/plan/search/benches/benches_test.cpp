@@ -10,6 +10,7 @@
 
 #include "changeover/core/error.hpp"
 #include "cheapest.hpp"
+#include "message_of.hpp"
 #include "plan/search/benches/step_costs.hpp"
 #include "random_jobs.hpp"
 #include "replacing_jobs.hpp"
@@ -150,11 +151,13 @@ TEST(Benches, TheSameForAnyNumberOfThreadsAndWhenStopped) {
 
 TEST(Benches, RefuseWhatTheyDoNotServe) {
   Job job = make_job(5, 3, units(1), units(1));
-  EXPECT_THROW((void)planned(job, {.benches = 0}), BadInput);
-  EXPECT_THROW((void)planned(job, {.benches = 65}), BadInput);
-  EXPECT_THROW((void)planned(job, {.plan = {.rest = {{0, 1}}}}), BadInput);
+  EXPECT_REFUSAL((void)planned(job, {.benches = 0}), BadInput, "0 benches; give 1 to 64");
+  EXPECT_REFUSAL((void)planned(job, {.benches = 65}), BadInput, "65 benches; give 1 to 64");
+  EXPECT_REFUSAL((void)planned(job, {.plan = {.rest = {{0, 1}}}}), BadInput,
+                 "tests that were done on several benches need the bench of each; give it");
   job.weights.set(0, 1, units(3));
-  EXPECT_THROW((void)planned(job, {}), BadInput);
+  EXPECT_REFUSAL((void)planned(job, {}), BadInput,
+                 "weights of pairs need a budget in plans for several benches; give one");
   EXPECT_NO_THROW((void)planned(job, {.plan = {.budget = units(3)}}));
 }
 

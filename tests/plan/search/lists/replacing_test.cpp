@@ -9,6 +9,7 @@
 #include "changeover/plan/diagnosis.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "cheapest.hpp"
+#include "message_of.hpp"
 #include "plan/job/prices.hpp"
 #include "plan/search/lists/lists_search.hpp"
 #include "random_jobs.hpp"
@@ -222,13 +223,18 @@ TEST(Replacing, WhatIsNotDoneIsRefused) {
   RunControl control({.threads = 1});
   const RunPlan plan = planned(job);
   std::uint64_t exchanged = 0;
-  EXPECT_THROW((void)shuffled(job, plan, 1, exchanged), BadInput);
-  EXPECT_THROW((void)what_if(job, plan, {}, control), BadInput);
-  EXPECT_THROW((void)envelope(job, plan.candidates), BadInput);
-  EXPECT_THROW((void)diagnose(job, {{{0, 1}, true}}), BadInput);
+  EXPECT_REFUSAL((void)shuffled(job, plan, 1, exchanged), BadInput,
+                 "does not support change costs by what is replaced; leave one of them out");
+  EXPECT_REFUSAL((void)what_if(job, plan, {}, control), BadInput,
+                 "does not support change costs by what is replaced; leave one of them out");
+  EXPECT_REFUSAL((void)envelope(job, plan.candidates), BadInput,
+                 "does not support change costs by what is replaced; leave one of them out");
+  EXPECT_REFUSAL((void)diagnose(job, {{{0, 1}, true}}), BadInput,
+                 "does not support change costs by what is replaced; leave one of them out");
   Job weighed = job;
   weighed.weights.set(0, 1, Amount{5});
-  EXPECT_THROW((void)make_run_plan(weighed, {}, control), BadInput);
+  EXPECT_REFUSAL((void)make_run_plan(weighed, {}, control), BadInput,
+                 "does not support change costs by what is replaced; leave one of them out");
   Job cut = job;
   cut.replace_costs.pop_back();
   EXPECT_FALSE(defects(cut).empty());

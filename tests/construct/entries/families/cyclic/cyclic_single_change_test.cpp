@@ -6,6 +6,7 @@
 #include "changeover/verify/difference.hpp"
 #include "construct/tools/cyclic.hpp"
 #include "construction_checks.hpp"
+#include "message_of.hpp"
 
 namespace changeover::cyclic_single_change_test {
 namespace {
@@ -116,7 +117,8 @@ TEST(CyclicSingleChange, ServesNothingElse) {
   EXPECT_FALSE(offer_of("cyclic-single-change", {9, 5, 2, Kind::circular, 2}));
   EXPECT_FALSE(offer_of("cyclic-single-change", {9, 5, 1, Kind::circular, 3}));
   EXPECT_FALSE(offer_of("cyclic-single-change", {10, 5, 1, Kind::circular, 2}));
-  EXPECT_THROW((void)single_change_base_blocks(1, 1), ImpossibleParameters);
+  EXPECT_REFUSAL((void)single_change_base_blocks(1, 1), ImpossibleParameters,
+                 "k = 1: a cyclic SCCD needs 2 <= k < 2^32");
   EXPECT_THROW((void)single_change_base_blocks(0, 3), ImpossibleParameters);
   EXPECT_THROW((void)single_change_base_blocks(std::uint64_t{1} << 40, 3), ImpossibleParameters);
 }
