@@ -4,7 +4,7 @@
 usage: check_messages.py ROOT
 
 A message is accounted for if a row of the table (tests/data/errors, which errors.py runs) says its words, if a test of the
-project holds them, or if tests/data/errors/elsewhere.txt names it with a reason. What is thrown as an InternalError is a bug
+project holds them, or else if tests/data/errors/elsewhere.txt names it with a reason. What is thrown as an InternalError is a bug
 of ours, and no row can show it.
 """
 
@@ -17,7 +17,10 @@ import messages
 
 TESTS = ("tests", "python/tests", "web/tests", "bench")
 SUFFIXES = (".cpp", ".hpp", ".c", ".py", ".sh", ".mjs")
+NO_TESTS = ("tests/errors", "tests/docs")  # they hold words of messages, and run none
+LIMITS = "docs/limits.md"  # tests try each row of its tables, and hold the last column to what is said
 SHORTEST = 16  # characters in a row of a message that a test must repeat
+LEAST = 10     # characters of a message that has holes between them, where a test has all of it
 LITERALS = re.compile(r'"((?:[^"\\\n]|\\.)*)"|\'((?:[^\'\\\n]|\\.)*)\'')
 
 
@@ -26,17 +29,34 @@ def words_of_tests(root):
     words = set()
     for top in TESTS:
         for path in sorted((root / top).rglob("*")) if (root / top).is_dir() else []:
-            if path.suffix in SUFFIXES and "data/errors" not in path.as_posix() and "__pycache__" not in path.parts:
+            if (path.suffix in SUFFIXES and "__pycache__" not in path.parts
+                    and not path.relative_to(root).as_posix().startswith(NO_TESTS)):
                 text = re.sub(r'"\s*\n\s*f?"', "", path.read_text(encoding="utf-8", errors="replace"))
-                words.update(literal for quoted in LITERALS.findall(text) for literal in quoted
-                             if len(literal) >= SHORTEST and " " in literal.strip())
-    return {literal.replace('\\"', '"').replace("\\\\", "\\") for literal in words}
+                words.update(literal for quoted in LITERALS.findall(text) for literal in quoted)
+    # Those of Python are patterns.
+    words = {re.sub(r"\\(.)", r"\1", literal).strip("^$") for literal in words}
+    if (root / LIMITS).is_file():
+        words.update(re.findall(r"`([^`]+)` \|$", (root / LIMITS).read_text(encoding="utf-8"), re.MULTILINE))
+    return {literal for literal in words if len(literal) >= SHORTEST and " " in literal.strip()}
 
 
 def holds(literal, message):
-    """Are the words of a test those of a message, or a part of them?"""
-    return any(literal in part for part in message.parts) or (
-        len(longest(message)) >= SHORTEST and longest(message) in literal)
+    """Are the words of a test those of a message, with what fills its holes or without?"""
+    return (len(longest(message)) >= SHORTEST and longest(message) in literal) or (
+        sum(len(part.strip()) for part in message.parts) >= LEAST and message.is_in(literal))
+
+
+def held(found, tests):
+    """The messages, as they are shown, that a test holds: it has their words, or words that are of no other message."""
+    all_words = "\n".join(tests)
+    shown = {message.shown for message in found if message.parts and max(message.parts, key=len).strip() in all_words
+             and any(holds(literal, message) for literal in tests)}
+    all_parts = "\n".join(part for message in found for part in message.parts)
+    for literal in tests:
+        if literal in all_parts:
+            of = {message.shown for message in found for part in message.parts if literal in part}
+            shown |= of if len(of) == 1 else set()
+    return shown
 
 
 def elsewhere(root):
@@ -60,7 +80,7 @@ def longest(message):
 def accounts(root, found):
     """For each message how it is accounted for: "row", "test", "elsewhere", "bug" or ""; and the rows of elsewhere that were used."""
     said = [row.message for section in errors.table(root) for row in section.rows()]
-    tests = words_of_tests(root)
+    in_tests = held(found, words_of_tests(root))
     reasons = elsewhere(root)
     used = set()
     how = []
@@ -69,11 +89,11 @@ def accounts(root, found):
             how.append("row")
         elif message.kind == messages.BUG:
             how.append("bug")
+        elif message.shown in in_tests:
+            how.append("test")
         elif matching := [number for number, shown, _ in reasons if shown and shown in (message.shown, f"{message.path}: *")]:
             used.update(matching)
             how.append("elsewhere")
-        elif any(holds(literal, message) for literal in tests):
-            how.append("test")
         else:
             how.append("")
     return how, used
@@ -89,7 +109,7 @@ def faults(root):
         if not shown or not reason:
             missing.append(f"{place}: words of a message on a line, and below it a reason, indented by four blanks")
         elif number not in used:
-            missing.append(f"{place}: '{shown}': no message of the sources, or one that a row says")
+            missing.append(f"{place}: '{shown}': no message of the sources, or one that a row or a test says")
         for test in re.findall(r"\btests/[\w./]+\w", reason):
             if not (root / test).exists():
                 missing.append(f"{place}: there is no {test}")

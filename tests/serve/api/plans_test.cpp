@@ -50,7 +50,10 @@ TEST(Plans, ThatAreStoppedHaveTheBestSoFar) {
   const int id = asked(own, "/api/plan/start", large)["id"];
   ASSERT_TRUE(eventually([&] { return !followed(own, id)["best"].is_null(); }));
   EXPECT_EQ(followed(own, id)["answer"], nullptr);
-  EXPECT_EQ(get(own.port(), "/api/plan/file?id=" + std::to_string(id)).status, 404);
+  const Reply early = get(own.port(), "/api/plan/file?id=" + std::to_string(id));
+  EXPECT_EQ(early.status, 404);
+  EXPECT_EQ(message_of(early),
+            "plan " + std::to_string(id) + " has no answer yet; wait for it, or stop it");
   ASSERT_EQ(act(own, "/api/plan/stop?id=" + std::to_string(id)).status, 200);
   ASSERT_TRUE(eventually([&] { return followed(own, id)["state"] != "running"; }));
   const json job = followed(own, id);
@@ -92,7 +95,9 @@ TEST(Plans, OfWhichTheAnswerIsTooLargeAreTakenAsFiles) {
   const OwnServer own(std::move(settings));
   const Reply at_once = act(own, "/api/plan", nine.dump());
   EXPECT_EQ(at_once.status, 413);
-  EXPECT_THAT(message_of(at_once), HasSubstr("the answer has more than 2000 bytes"));
+  EXPECT_EQ(message_of(at_once),
+            "the answer has more than 2000 bytes; take a file of csv with api/plan/start and "
+            "api/plan/file, or use changeover plan");
   const int id = asked(own, "/api/plan/start", nine)["id"];
   ASSERT_TRUE(eventually([&] { return followed(own, id)["state"] != "running"; }));
   const json job = followed(own, id);

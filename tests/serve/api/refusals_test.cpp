@@ -174,7 +174,9 @@ TEST_F(Refusals, DesignsThatAreTooLongAreNotBuiltFirst) {
   // 5.4 GB of text, and a minute to build.
   const Reply reply = ask(port(), "GET", "/api/design?v=60000&k=30000");
   EXPECT_EQ(reply.status, 413);
-  EXPECT_NE(reply.body.find("too many for a page"), std::string::npos);
+  EXPECT_NE(reply.body.find(
+                " bytes, too many for a page; changeover design --format text -o FILE writes it"),
+            std::string::npos);
 }
 
 TEST_F(Refusals, BodiesThatAreNotTaken) {

@@ -198,7 +198,7 @@ TEST(RunsFolder, OnlyRunsAreCounted) {
   }
   const Reply full = act(own, "/api/run", empty.dump());
   EXPECT_EQ(full.status, 422);
-  EXPECT_THAT(message_of(full), HasSubstr("202 runs are kept"));
+  EXPECT_THAT(message_of(full), HasSubstr("202 runs are kept, as many as may be; remove one"));
 }
 
 TEST(RunsFolder, ThatCannotBeUsedIsNamed) {
@@ -223,6 +223,9 @@ TEST(RunsFolder, ThatCannotBeUsedIsNamed) {
   std::filesystem::remove(folder);
   std::filesystem::create_symlink("runs", folder);  // leads in a circle
   all_are_503();
+  EXPECT_THAT(message_of(get(own.port(), "/api/run")), HasSubstr(": cannot read this folder: "));
+  EXPECT_THAT(message_of(get(own.port(), "/api/run" + one)),
+              HasSubstr("; allow reading it, or move it away"));
 }
 
 // A list reads what has changed since the list before, and nothing else.

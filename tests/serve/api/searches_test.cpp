@@ -127,11 +127,26 @@ TEST(Searches, AreLimited) {
   const std::string long_one = R"({"v":30,"k":6,"seconds":3600})";
   EXPECT_EQ(act(own, "/api/search", long_one).status, 200);
   EXPECT_EQ(act(own, "/api/search", long_one).status, 200);
-  EXPECT_EQ(act(own, "/api/search", long_one).status, 429);
+  const Reply third = act(own, "/api/search", long_one);
+  EXPECT_EQ(third.status, 429);
+  EXPECT_THAT(message_of(third), HasSubstr(", as many as may; wait for one to end, or stop it"));
   EXPECT_EQ(act(own, "/api/search/stop?id=2").status, 200);
   EXPECT_TRUE(ends(own, 2));
   EXPECT_EQ(act(own, "/api/search", long_one).status, 200);
   EXPECT_EQ(json_of(get(own.port(), "/api/search")).size(), 3U);
+}
+
+TEST(Searches, ThatHaveNoDesignSaySo) {
+  const OwnServer own;
+  const std::string hopeless = R"({"v":100,"k":8,"seconds":3600})";
+  const std::string id =
+      std::to_string(asked(own, "/api/search", nlohmann::json::parse(hopeless))["id"].get<int>());
+  EXPECT_EQ(message_of(get(own.port(), "/api/design?job=" + id)),
+            "search " + id + " has no design yet; stop it to see the best");
+  EXPECT_EQ(act(own, "/api/search/stop?id=" + id).status, 200);
+  EXPECT_TRUE(ends(own, std::stoi(id)));
+  EXPECT_EQ(message_of(get(own.port(), "/api/design?job=" + id)),
+            "search " + id + " ended without a design; search longer");
 }
 
 TEST(Searches, RefuseWhatCannotBe) {
@@ -165,7 +180,10 @@ TEST(Searches, AreNotBegunWithoutLeave) {
   settings.may_write = false;
   const OwnServer own(std::move(settings));
   EXPECT_EQ(json_of(get(own.port(), "/api/about"))["write"], false);
-  EXPECT_EQ(act(own, "/api/search", R"({"v":20,"k":5})").status, 403);
+  const Reply search = act(own, "/api/search", R"({"v":20,"k":5})");
+  EXPECT_EQ(search.status, 403);
+  EXPECT_EQ(message_of(search),
+            "the server was started with --no-write: it searches nothing and keeps nothing");
   EXPECT_EQ(act(own, "/api/catalog/add", "0 1 2\n").status, 403);
 }
 
@@ -190,7 +208,9 @@ TEST(CatalogAdd, TakesDesignsAndNothingElse) {
   EXPECT_EQ(
       json_of(act(own, "/api/catalog/add?kind=circular", "3 1 2 0\n4 5 2 0\n4 5 3 1\n"))["label"],
       added["label"]);
-  EXPECT_EQ(act(own, "/api/catalog/add?kind=circular", "0 1 2 3\n4 5 2 3\n4 5 0 2\n").status, 422);
+  const Reply none = act(own, "/api/catalog/add?kind=circular", "0 1 2 3\n4 5 2 3\n4 5 0 2\n");
+  EXPECT_EQ(none.status, 422);
+  EXPECT_THAT(message_of(none), HasSubstr("it is no change covering design: "));
   const std::string label = added["label"];
   EXPECT_EQ(json_of(get(own.port(), "/api/design?label=" + label))["label"], label);
   // What was answered before is not given again.

@@ -15,13 +15,17 @@ Request asked(std::map<std::string, std::string> headers, const std::string& pat
   return request;
 }
 
-int status_of(const Guard& guard, const Request& request, Action action = Action::asks) {
+Refusal refusal_of(const Guard& guard, const Request& request, Action action = Action::asks) {
   try {
     guard.check(request, action);
-    return 200;
+    return {200, ""};
   } catch (const Refusal& refusal) {
-    return refusal.status;
+    return refusal;
   }
+}
+
+int status_of(const Guard& guard, const Request& request, Action action = Action::asks) {
+  return refusal_of(guard, request, action).status;
 }
 
 const Guard& guard() {
@@ -71,6 +75,7 @@ TEST(Guard, RefusesHeadersThatAreThereTwice) {
   Request request = asked({{"host", "127.0.0.1:8080"}});
   request.repeated = {"host"};
   EXPECT_EQ(status_of(guard(), request), 400);
+  EXPECT_EQ(refusal_of(guard(), request).message, "the header host is there twice");
 }
 
 TEST(Token, IsNewEachTimeAndLong) {

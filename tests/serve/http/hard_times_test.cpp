@@ -137,7 +137,9 @@ TEST(HardTimes, ListenersAreLimited) {
     all.back()->send(request_text(own.port(), "GET", "/api/events"));
     ASSERT_TRUE(all.back()->read_until("event: hello"));
   }
-  EXPECT_EQ(get(own.port(), "/api/events").status, 503);
+  const Reply one_more = get(own.port(), "/api/events");
+  EXPECT_EQ(one_more.status, 503);
+  EXPECT_EQ(message_of(one_more), "64 streams of events are open; close one");
 }
 
 TEST(HardTimes, WorkOfWhoLeavesIsGivenUp) {

@@ -126,6 +126,46 @@ TEST_F(Heads, AFormIsNoFile) {
   EXPECT_EQ(post("Content-Type: multipart/form-data; boundary=x\r\n", design), 415);
 }
 
+TEST_F(Heads, RefusalsSayWhatIsWrong) {
+  struct Case {
+    std::string first;
+    std::string lines;
+    int status;
+    std::string words;
+  };
+  const std::string get = "GET /api/about HTTP/1.1";
+  const std::string post = "POST /api/verify HTTP/1.1";
+  const std::string form = "Content-Type: application/x-www-form-urlencoded\r\n";
+  for (
+      const auto& [first, lines, status, words] : std::vector<Case>{
+          {"GET /" + std::string(9000, 'a') + " HTTP/1.1", host(), 414,
+           "the address has more than 8192 bytes; ask for less"},
+          {get, "Host: evil.example\r\n", 403,
+           "this server does not go by the name in the header Host; use the address that it printed"},
+          {get, host() + "Origin: http://evil.example\r\n", 403,
+           "pages of other sites are not answered"},
+          {get, host() + "X-A : b\r\n", 400, "there is a blank in the name of a header"},
+          {get, host() + std::string("X-A: a\0b\r\n", 9), 400,
+           "the head of the request has zero bytes, or blanks in its first line"},
+          {get, host() + "X: " + std::string(33'000, 'y') + "\r\n", 431,
+           "the head of the request has more than 32768 bytes"},
+          {get, host() + "Content-Length: 3\r\n", 413, "api/about takes no body"},
+          {post, host(), 411, "say in the header Content-Length how many bytes are sent"},
+          {post, host() + "Content-Length: 99999999999\r\n", 413,
+           "api/verify takes at most 67108864 bytes, not 99999999999"},
+          {post, host() + "Content-Length: 0\r\nContent-Encoding: gzip\r\n", 415,
+           "send the body as it is, without Content-Encoding"},
+          {post, host() + form + "Content-Length: 3\r\n\r\na=b", 415,
+           "send the file itself as the body, not a form"},
+          {"POST /api/search HTTP/1.1", host() + "Content-Length: 0\r\n", 401,
+           "this needs the token of the address that the server printed, in the header "
+           "X-Changeover-Token"}}) {
+    const Reply reply = reply_to(first, lines);
+    EXPECT_EQ(reply.status, status) << words;
+    EXPECT_EQ(message_of(reply), words);
+  }
+}
+
 TEST_F(Heads, LinesOfAnyNumberAndLengthAreAnswered) {
   for (const int count : {300, 370, 390, 400, 440, 450, 480, 500, 550, 600, 700, 900, 3000}) {
     EXPECT_EQ(with(times(count, "X: y\r\n")).status, count <= 370 ? 200 : 431) << count;

@@ -149,7 +149,8 @@ std::optional<Refusal> address_defect(const std::string& target) {
   constexpr std::size_t longest_target = 8192;
   constexpr std::size_t most_parameters = 100;
   if (target.size() > longest_target) {
-    return Refusal{414, "the address is too long"};
+    return Refusal{414,
+                   fmt::format("the address has more than {} bytes; ask for less", longest_target)};
   }
   if (std::ranges::count(target, '&') >= static_cast<std::ptrdiff_t>(most_parameters)) {
     return Refusal{414, fmt::format("the address has more than {} parameters", most_parameters)};

@@ -328,7 +328,7 @@ void Server::State::check(Exchange& exchange) const {
   exchange.expected = request.headers.contains("transfer-encoding") ? read_though_refused + 1
                                                                     : declared_length(request);
   if (stopping) {
-    throw Refusal{503, "the server is stopping"};
+    throw Refusal{503, "the server is stopping; start it again"};
   }
   if (exchange.target.find("%00") != std::string::npos) {
     throw Refusal{400, "there is a zero byte in the address"};
@@ -354,14 +354,14 @@ void Server::State::take(Exchange& exchange, const char* bytes, std::size_t coun
 Response Server::State::answer(const Exchange& exchange) const {
   try {
     if (stopping) {
-      throw Refusal{503, "the server is stopping"};
+      throw Refusal{503, "the server is stopping; start it again"};
     }
     refuse_form(*exchange.route, exchange.request);
     return exchange.route->answer(exchange.request);
   } catch (const Refusal& refusal) {
     return refused(refusal);
   } catch (const std::bad_alloc&) {
-    return refused({503, "the server has no memory left for this"});
+    return refused({503, "the server has no memory left for this; try again later"});
   } catch (const std::exception& fault) {
     complain(fmt::format("{} {}: {}", exchange.request.method, printable(exchange.request.path),
                          fault.what()));

@@ -447,9 +447,9 @@ std::shared_ptr<const Design> SearchJobs::design_of(std::uint64_t id) const {
   const auto job = find(id);
   const std::scoped_lock lock(job->mutex);
   if (!job->design) {
-    throw Refusal{
-        404, fmt::format("search {} has no design {}", id,
-                         job->state == "running" ? "yet; stop it to see the best" : "to show")};
+    throw Refusal{404, job->state == "running"
+                           ? fmt::format("search {} has no design yet; stop it to see the best", id)
+                           : fmt::format("search {} ended without a design; search longer", id)};
   }
   return job->design;
 }

@@ -106,8 +106,9 @@ std::vector<std::string> Pages::paths() const {
       all.push_back(path);
     }
     if (all.size() > most_files) {
-      throw MissingResource(
-          fmt::format("--assets {}: there are more than {} files", printable(folder_), most_files));
+      throw MissingResource(fmt::format(
+          "--assets {}: there are more than {} files; name the folder of the pages alone",
+          printable(folder_), most_files));
     }
   }
   return all;

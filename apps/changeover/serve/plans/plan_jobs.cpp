@@ -187,8 +187,9 @@ std::string PlanJobs::file(std::uint64_t id, const std::string& format) const {
   const auto job = find(id);
   const std::scoped_lock lock(job->mutex);
   if (!job->answer) {
-    throw Refusal{404, fmt::format("plan {} has no answer {}", id,
-                                   job->state == "running" ? "yet" : "to write")};
+    throw Refusal{404, job->state == "running"
+                           ? fmt::format("plan {} has no answer yet; wait for it, or stop it", id)
+                           : fmt::format("plan {} ended without an answer; plan anew", id)};
   }
   return plan_file(job->opened.request, job->asked, *job->answer, format, settings_.answer_bytes);
 }
