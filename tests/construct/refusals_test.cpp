@@ -84,6 +84,8 @@ TEST(Refusals, SayWhatIsWrongWithACall) {
             "the search stopped at its limit; allow more"},
            {[&] { (void)expand_by(design, *find_cover(design, {.new_elements = 2}), 23); },
             "23 new elements take at least 23 positions: there are only 7"},
+           {[] { (void)ExactCover(4'000'000'000U, 294'967'295U); },
+            "4000000000 primary and 294967295 secondary columns are too many"},
            {[] {
               ExactCover cover(0xffff'fffd, 0);
               (void)cover.add_row(std::vector<std::uint32_t>{0});
