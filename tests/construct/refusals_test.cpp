@@ -84,6 +84,11 @@ TEST(Refusals, SayWhatIsWrongWithACall) {
             "the search stopped at its limit; allow more"},
            {[&] { (void)expand_by(design, *find_cover(design, {.new_elements = 2}), 23); },
             "23 new elements take at least 23 positions: there are only 7"},
+           {[] {
+              ExactCover cover(2);
+              (void)cover.count_solutions(std::vector<std::uint64_t>(5, 1));
+            },
+            "5 multiplicities for 0 rows"},
            {[] { (void)ExactCover(4'000'000'000U, 294'967'295U); },
             "4000000000 primary and 294967295 secondary columns are too many"},
            {[] {

@@ -164,7 +164,7 @@ TEST(Exchange, Limits) {
   EXPECT_THAT(refusal(text, {.line = 300}), HasSubstr("too long"));
   EXPECT_THAT(refusal(text, {.v = 7}), HasSubstr("more than 7 elements"));
   EXPECT_THAT(refusal(text, {.b = 5}), HasSubstr("or 5 blocks"));
-  EXPECT_THAT(refusal(""), HasSubstr("the file is empty; the first line of a catalog must be "));
+  EXPECT_THAT(refusal(""), HasSubstr("the file is empty; name one that catalog export wrote"));
   EXPECT_THAT(refusal("0 1 2\n0 1 3\n"), HasSubstr("theirs.jsonl:1:"));
   EXPECT_THAT(refusal("{\"format\":\"changeover-catalog/2\"}\n"), HasSubstr("newer"));
   EXPECT_THAT(refusal(text + "x\n"), HasSubstr("theirs.jsonl:"));

@@ -145,11 +145,11 @@ TEST_F(Heads, RefusalsSayWhatIsWrong) {
           {get, host() + "Origin: http://evil.example\r\n", 403,
            "pages of other sites are not answered"},
           {get, host() + "X-A : b\r\n", 400, "there is a blank in the name of a header"},
-          {get, host() + std::string("X-A: a\0b\r\n", 9), 400,
+          {get, host() + std::string("X-A: a\0b\r\n", 10), 400,
            "the head of the request has zero bytes, or blanks in its first line"},
           {get, host() + "X: " + std::string(33'000, 'y') + "\r\n", 431,
            "the head of the request has more than 32768 bytes"},
-          {get, host() + "Content-Length: 3\r\n", 413, "api/about takes no body"},
+          {get, host() + "Content-Length: 3\r\n\r\nabc", 413, "api/about takes no body"},
           {post, host(), 411, "say in the header Content-Length how many bytes are sent"},
           {post, host() + "Content-Length: 99999999999\r\n", 413,
            "api/verify takes at most 67108864 bytes, not 99999999999"},
@@ -157,7 +157,8 @@ TEST_F(Heads, RefusalsSayWhatIsWrong) {
            "send the body as it is, without Content-Encoding"},
           {post, host() + form + "Content-Length: 3\r\n\r\na=b", 415,
            "send the file itself as the body, not a form"},
-          {"POST /api/search HTTP/1.1", host() + "Content-Length: 0\r\n", 401,
+          {"POST /api/search HTTP/1.1",
+           host() + "Content-Type: application/json\r\nContent-Length: 0\r\n", 401,
            "this needs the token of the address that the server printed, in the header "
            "X-Changeover-Token"}}) {
     const Reply reply = reply_to(first, lines);
