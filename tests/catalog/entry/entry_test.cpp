@@ -216,7 +216,7 @@ TEST(Header, FilesAreReadLineByLine) {
   EXPECT_EQ(read_catalog(header + "\n" + line + "\n\n" + line, "f").entries.size(), 2U);
   EXPECT_EQ(read_catalog(header, "f").entries.size(), 0U);
   EXPECT_THAT(fault_of([&] { static_cast<void>(read_catalog("", "f")); }),
-              HasSubstr("f: the file is empty; the first line of a catalog must be "));
+              HasSubstr(": the file is empty; the first line of a catalog must be "));
   EXPECT_THAT(
       fault_of([&] { static_cast<void>(read_catalog(header + "\n" + line + "\nx\n", "f")); }),
       StartsWith("f:3:1: "));
