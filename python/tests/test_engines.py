@@ -12,7 +12,7 @@ from unittest import mock
 
 import changeover
 from changeover import cluster
-from changeover.cluster import _bag, _dask, _exact
+from changeover.cluster import _bag, _dask, _exact, _team
 
 
 class Bags(unittest.TestCase):
@@ -205,6 +205,19 @@ class Ray(unittest.TestCase):
     def test_actors_that_die_are_done_without(self):
         ray, report = self.run_job(24, (3, 9, 20))
         self.assertEqual((report.lost, ray.killed), (3, 1))
+
+    def test_without_actors_a_run_ends(self):
+        with mock.patch.object(_team, "_without_workers", -1.0), self.assertRaisesRegex(
+                changeover.MissingResource, "all workers were lost, and none came for -1 s; 0 of 276 pairs are done"):
+            self.run_job(24, (1, 2, 3, 4))
+
+    def test_what_goes_wrong_with_an_actor_is_named(self):
+        def fails(_ray, _ref):
+            raise RayStandIn.exceptions.RayError("it is full")
+
+        with mock.patch.object(RayStandIn, "get", fails), \
+                self.assertRaisesRegex(changeover.MissingResource, " cannot do its part: it is full"):
+            self.run_job(24)
 
     def test_what_raises_is_named(self):
         with self.assertRaisesRegex(ValueError, r"compute\(2, 50\) raised ValueError: odd \(on actor"):

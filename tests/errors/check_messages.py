@@ -49,7 +49,7 @@ def holds(literal, message):
 def held(found, tests):
     """The messages, as they are shown, that a test holds: it has their words, or words that are of no other message."""
     all_words = "\n".join(tests)
-    shown = {message.shown for message in found if message.parts and max(message.parts, key=len).strip() in all_words
+    shown = {message.shown for message in found if longest(message) in all_words
              and any(holds(literal, message) for literal in tests)}
     all_parts = "\n".join(part for message in found for part in message.parts)
     for literal in tests:

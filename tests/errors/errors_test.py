@@ -61,6 +61,30 @@ class Check(unittest.TestCase):
         self.throws('BadInput("other words of a message; read them")')
         self.assertEqual(self.faults(), [])
 
+    def test_words_of_two_messages_are_those_of_none(self):
+        self.throws('BadInput("a brush is lost; some words of a message")')
+        self.assertEqual(len(self.faults()), 1)
+        self.write("tests/lost_test.cpp", 'TEST(Lost, Is) { says("; some words of a message"); }\n')
+        self.assertEqual(self.faults(), [])
+        self.write("src/ladder.cpp", 'void h() { throw BadInput("a ladder is lost; some words of a message"); }\n')
+        self.assertEqual(len(self.faults()), 2)
+
+    def test_words_with_what_fills_them_do(self):
+        self.throws('BadInput(fmt::format("row {} has {} twice", n, m))')
+        self.assertEqual(len(self.faults()), 1)
+        self.write("tests/row_test.cpp", 'TEST(Row, Is) { says("row 1 has column 0 twice"); }\n')
+        self.assertEqual(self.faults(), [])
+
+    def test_and_so_does_the_page_of_limits(self):
+        self.throws('BadInput(fmt::format("{} pots; buy {} at most", n, m))')
+        self.write("docs/limits.md", "| pots | 9 | `10 pots; buy 9 at most` |\n")
+        self.assertEqual(self.faults(), [])
+
+    def test_a_reason_for_what_a_test_holds_is_a_fault(self):
+        self.throws('BadInput("other words of a message; read them")')
+        self.write("tests/data/errors/elsewhere.txt", "other words of a message; read them\n    needs luck\n")
+        self.assertEqual(len(self.faults()), 1)
+
     def test_or_a_reason_and_a_test_that_is_there(self):
         self.throws('MissingResource("no paint is left; buy some")')
         for reason, faults in (("    needs an empty shop\n", 0), ("", 2), ("    tests/shop_test.cpp\n", 1),
