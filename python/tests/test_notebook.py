@@ -193,9 +193,11 @@ class Pickles(unittest.TestCase):
             self.assertGreater(len(names), 1)
             names += kind._hidden
             for name in names:
-                with self.assertRaisesRegex(changeover.BadInput, f"another version .* has no {name}; make it"):
+                with self.assertRaisesRegex(
+                        changeover.BadInput,
+                        f"another version of changeover pickled this .*, which has no {name}; make it anew"):
                     again({key: value for key, value in facts.items() if key != name})
-            with self.assertRaisesRegex(changeover.BadInput, "another version of changeover pickled this"):
+            with self.assertRaisesRegex(changeover.BadInput, "another version of changeover pickled this .*; make it anew"):
                 rebuild(kind, facts, core)  # As 0.1 did.
 
     def test_processes_exchange_them(self):

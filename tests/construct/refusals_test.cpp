@@ -116,6 +116,8 @@ TEST(Refusals, SayWhyACoverDoesNotServe) {
   EXPECT_EQ(cover_defect(design, none, 2), "0 subsets: 2 new elements take at least 1 positions");
   UnchangedCover cover = *find_cover(design, {.new_elements = 1});
   cover.beside.assign(cover.subsets.size(), {});
+  EXPECT_EQ(cover_defect(design, cover, 1),
+            "element 0 is in no subset of the cover, nor beside every new element");
   cover.beside.front() = {9};
   EXPECT_THAT(*cover_defect(design, cover, 1),
               HasSubstr("the elements beside new ones at position "));

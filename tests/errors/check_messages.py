@@ -40,22 +40,23 @@ def words_of_tests(root):
     return {literal for literal in words if len(literal) >= SHORTEST and " " in literal.strip()}
 
 
-def holds(literal, message):
-    """Are the words of a test those of a message, with what fills its holes or without?"""
-    return (len(longest(message)) >= SHORTEST and longest(message) in literal) or (
-        sum(len(part.strip()) for part in message.parts) >= LEAST and message.is_in(literal))
-
-
 def held(found, tests):
-    """The messages, as they are shown, that a test holds: it has their words, or words that are of no other message."""
-    all_words = "\n".join(tests)
-    shown = {message.shown for message in found if longest(message) in all_words
-             and any(holds(literal, message) for literal in tests)}
+    """The messages, as they are shown, that a test holds: it has all their words, with what fills the holes, or words that are of no
+    other message."""
+    by_longest, shown = {}, set()
+    for message in found:
+        by_longest.setdefault(longest(message), []).append(message)
     all_parts = "\n".join(part for message in found for part in message.parts)
+    all_words = "\n".join(tests)
+    candidates = [(words, messages) for words, messages in by_longest.items() if words in all_words]
     for literal in tests:
+        within = [message for words, messages in candidates if words in literal for message in messages]
+        shown |= {message.shown for message in within
+                  if sum(len(part.strip()) for part in message.parts) >= LEAST and message.is_in(literal)}
+        parts = {message.shown for message in within if len(longest(message)) >= SHORTEST}
         if literal in all_parts:
-            of = {message.shown for message in found for part in message.parts if literal in part}
-            shown |= of if len(of) == 1 else set()
+            parts |= {message.shown for message in found for part in message.parts if literal in part}
+        shown |= parts if len(parts) == 1 else set()
     return shown
 
 

@@ -67,7 +67,8 @@ TEST(ExpansionSet, ThatIsSpoiltInOnePlaceIsRefused) {
   expect_defect(g.design,
                 spoilt([](auto& set) { std::swap(set[0].elements[0], set[0].elements[1]); }),
                 "do not increase");
-  expect_defect(g.design, spoilt([](auto& set) { set[0].elements.pop_back(); }), "not k - m = 3");
+  expect_defect(g.design, spoilt([](auto& set) { set[0].elements.pop_back(); }),
+                "the subset at position 3 has 2 elements, not k - m = 3");
   expect_defect(g.design, spoilt([](auto& set) { set[0].elements.back() = 15; }),
                 "not below v = 15");
   expect_defect(g.design, spoilt([](auto& set) { std::swap(set[0].elements, set[1].elements); }),

@@ -199,7 +199,7 @@ TEST(UnchangedCover, ThatIsSpoiltInOnePlaceIsRefused) {
                 }),
                 4, "do not increase");
   expect_defect(design, spoilt([](auto& c) { c.subsets[0].elements.back() = 99; }), 4,
-                "do not increase below v = 15");
+                "the elements of the subset at position 1 do not increase below v = 15");
   expect_defect(design, spoilt([](auto& c) { c.subsets.back().position = 99; }), 4,
                 "the design has no position 99");
   expect_defect(design, spoilt([](auto& c) { c.subsets.front().position = 0; }), 4, "position 0");

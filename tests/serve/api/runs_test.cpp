@@ -224,8 +224,10 @@ TEST(RunsFolder, ThatCannotBeUsedIsNamed) {
   std::filesystem::create_symlink("runs", folder);  // leads in a circle
   all_are_503();
   EXPECT_THAT(message_of(get(own.port(), "/api/run")), HasSubstr(": cannot read this folder: "));
-  EXPECT_THAT(message_of(get(own.port(), "/api/run" + one)),
-              HasSubstr("; allow reading it, or move it away"));
+  EXPECT_THAT(
+      message_of(get(own.port(), "/api/run" + one)),
+      HasSubstr(
+          ": cannot be read: Too many levels of symbolic links; allow reading it, or move it away"));
 }
 
 // A list reads what has changed since the list before, and nothing else.
