@@ -74,7 +74,7 @@ TEST(ExpansionSet, ThatIsSpoiltInOnePlaceIsRefused) {
   expect_defect(g.design, spoilt([](auto& set) { std::swap(set[0].elements, set[1].elements); }),
                 "is not what blocks");
   expect_defect(g.design, spoilt([](auto& set) { set.back().position = 16; }),
-                "past the last block");
+                "position 16 is past the last block, 15");
   expect_defect(g.design, spoilt([](auto& set) {
                   std::rotate(set.begin(), set.end() - 1, set.end());
                   set.front().position = 0;
@@ -223,7 +223,8 @@ TEST(Expand, AsAStreamChecksTheShapeOfTheSet) {
   set = g.set;
   set.back().position = 16;
   const auto source = expand(std::make_unique<DesignSource>(g.design), set);
-  EXPECT_REFUSAL((void)blocks_of(*source), BadInput, "position 16 is past the last block, ");
+  EXPECT_REFUSAL((void)blocks_of(*source), BadInput,
+                 "position 16 of the expansion set is past the last block, 15");
 }
 
 TEST(Expand, LabelsNewElementsWithFreshNumbers) {
