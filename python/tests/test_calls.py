@@ -24,6 +24,19 @@ class Calls(unittest.TestCase):
         self.assertIsNone(caught.exception.__context__)
         return text
 
+    def test_a_table_with_an_index_of_several_levels_is_refused(self):
+        class Index:
+            name, levels = None, ((), ())
+
+        class Table:
+            columns, index = ["name", "cost"], Index()
+
+            def itertuples(self, **_):
+                return iter([("a", 1), ("b", 2)])
+
+        with self.assertRaisesRegex(TypeError, "parts: an index of several levels; give reset_index"):
+            changeover.plan(Table(), 2, test_cost=1)
+
     def test_the_argument_is_named_and_what_it_may_be(self):
         design = changeover.design(6, 4)
         whole = "a whole number from 0 to 2**64 - 1"
