@@ -91,6 +91,9 @@ struct SearchFind {
 [[nodiscard]] std::optional<Answer> proved_none(const SearchRequest& request, const Parameters& p,
                                                 RunControl& control, std::optional<Bound>& bound);
 
+/// The options that say what is wanted: "--first 0,1 --expansion-set".
+[[nodiscard]] std::string way_of(const Wanted& wanted);
+
 /// The command line in one form, for provenance: "changeover 0.2.0: search 20 5 --linear --seed 1".
 /// `way` are its own options.
 [[nodiscard]] std::string provenance(const SearchRequest& request, const Parameters& p,

@@ -1,7 +1,6 @@
 #include "serve/jobs/search_jobs.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <atomic>
@@ -46,36 +45,11 @@ struct DecidedBlocks {
   std::uint64_t steps = 0;  // kB of proof
 };
 
-// As the command line says it.
-std::string way_of(const Wanted& wanted) {
-  std::string way;
-  const auto add = [&way](const std::string& words) { way += (way.empty() ? "" : " ") + words; };
-  if (!wanted.first.empty()) {
-    add(fmt::format("--first {}", fmt::join(wanted.first, ",")));
-  }
-  if (!wanted.last.empty()) {
-    add(fmt::format("--last {}", fmt::join(wanted.last, ",")));
-  }
-  if (wanted.expansion_set) {
-    add("--expansion-set");
-  }
-  return way;
-}
-
 }  // namespace
 
 std::string_view to_string(SearchWay way) {
-  switch (way) {
-    case SearchWay::local:
-      return "local";
-    case SearchWay::exact:
-      return "exact";
-    case SearchWay::base_blocks:
-      return "base-blocks";
-    case SearchWay::locked:
-      return "locked";
-  }
-  return "";
+  constexpr std::string_view names[] = {"local", "exact", "base-blocks", "locked"};
+  return names[static_cast<std::size_t>(way)];
 }
 
 struct SearchJobs::Job {
@@ -412,7 +386,7 @@ void SearchJobs::search(Job& job) {
                                           {.blocks = order.blocks, .moves = {}}, control);
       Found found{.attempts = result.attempts, .why_stopped = result.why_stopped};
       if (result.design) {
-        found.design = credited((*std::move(result.design)).take(), way_of(order.wanted));
+        found.design = credited((*std::move(result.design)).take(), cli::way_of(order.wanted));
       }
       found.message = found.design ? "found with what was to be in its place"
                                    : stopped_early(result.why_stopped);

@@ -9,25 +9,25 @@
 #include "request/search_request.hpp"
 
 namespace changeover::cli {
-namespace {
 
-std::string way_of(const LockedSearch& request) {
-  std::string way;
-  const auto add = [&way](const std::string& words) { way += (way.empty() ? "" : " ") + words; };
-  if (!request.wanted.first.empty()) {
-    add(fmt::format("--first {}", fmt::join(request.wanted.first, ",")));
+std::string way_of(const Wanted& wanted) {
+  std::vector<std::string> way;
+  if (!wanted.first.empty()) {
+    way.push_back(fmt::format("--first {}", fmt::join(wanted.first, ",")));
   }
-  if (!request.wanted.last.empty()) {
-    add(fmt::format("--last {}", fmt::join(request.wanted.last, ",")));
+  if (!wanted.last.empty()) {
+    way.push_back(fmt::format("--last {}", fmt::join(wanted.last, ",")));
   }
-  if (request.wanted.expansion_set) {
-    add("--expansion-set");
+  if (wanted.expansion_set) {
+    way.emplace_back("--expansion-set");
   }
-  if (!request.contains_file.empty()) {
-    add("--contains FILE");
+  if (!wanted.contained.empty()) {
+    way.emplace_back("--contains FILE");
   }
-  return way;
+  return fmt::format("{}", fmt::join(way, " "));
 }
+
+namespace {
 
 std::vector<std::string> said_of(const LockedResult& result, const Wanted& wanted) {
   std::vector<std::string> lines{
@@ -75,7 +75,7 @@ Answer search(const LockedSearch& request) {
   const bool reached = !request.blocks || result.design->block_count() <= *request.blocks;
   std::vector<std::string> lines = said_of(result, wanted);
   SearchFind find{(*std::move(result.design)).take(), std::move(lines)};
-  find.design.recipe = literal_recipe(find.design, provenance(request, p, way_of(request)));
+  find.design.recipe = literal_recipe(find.design, provenance(request, p, way_of(wanted)));
   return final_answer(
       running, show_find(find, request, reached ? exit_code::found : exit_code::limit_reached));
 }
