@@ -348,8 +348,8 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
       };
     },
     set(job) {
-      grid.set(job.parts);
       slots.set(job.slots);
+      grid.set(job.parts);
       benches.set(job.benches);
       const texts = { model, title, pairs, never, mounted, start, first, weights, budget, changeCosts, hours, firstDay };
       for (const [key, control] of Object.entries(texts)) {
