@@ -336,7 +336,7 @@ async function render(view: View): Promise<void> {
     h(
       'p',
       {},
-      'Is a list of blocks a change covering design, and how good is it? Every pair of elements must be in some block, and every step to the next block must change exactly m elements.',
+      'Is a list of blocks a change covering design, and of what quality? Every pair of elements must be in some block, and every step to the next block must change exactly m elements.',
     ),
     h(
       'p',

@@ -166,7 +166,7 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     );
   }
 
-  /** Of an exact search: number by number, what came of it. */
+  /** Of an exact search: each number of blocks and its result. */
   function showDecisions(job: SearchJob): void {
     const outcomes = { running: 'being decided', found: 'there is one', none: 'there is none: the proof was checked', unknown: 'not decided' };
     fill(
