@@ -62,7 +62,7 @@ void prepare_tables(Explorer& explorer) {
       for (const Kind kind : {Kind::circular, Kind::linear}) {
         cli::TableRange range = atlas_range(change, 2);
         range.kind = kind;
-        static_cast<void>(explorer.tables.of(range, explorer.generation()));
+        static_cast<void>(explorer.tables.of(range, explorer.generation(), Haste::sometime));
       }
       constexpr int gives_way = 10;
       static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), gives_way));

@@ -1,7 +1,10 @@
 // Tables are made once for all who ask at the same time, and anew when the catalog changes.
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <future>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "answer/known/known_table.hpp"
@@ -31,6 +34,34 @@ TEST(KnownTables, OneForAllWhoAsk) {
   EXPECT_EQ(got.front()->cells(Kind::linear).size(), 16U);
   EXPECT_NE(tables.of(range, "2"), got.front());
   EXPECT_EQ(tables.of(range, "1"), got.front());
+}
+
+// A table that is made for sometime may rest for long; a request does not wait for it.
+TEST(KnownTables, WhoNeedsItDoesNotWaitForSometime) {
+  serve::KnownTables tables;
+  const cli::TableRange large{.k = {3, 6}, .v = {5, 60}, .change = 2};
+  std::promise<void> begun;
+  std::promise<void> released;
+  std::atomic<bool> resting = false;
+  std::thread preparing([&] {
+    RunControl::Settings settings;
+    settings.found_elsewhere = [&] {
+      if (!resting.exchange(true)) {
+        begun.set_value();
+        released.get_future().wait();
+      }
+      return false;
+    };
+    RunControl control(std::move(settings));
+    const RunScope scope(control);
+    EXPECT_TRUE(tables.of(large, "1", serve::Haste::sometime));
+  });
+  begun.get_future().wait();
+  const auto table = tables.of(large, "1");
+  EXPECT_TRUE(table);
+  released.set_value();
+  preparing.join();
+  EXPECT_EQ(tables.of(large, "1"), table);
 }
 
 TEST(KnownTables, TheOldestGoes) {

@@ -161,7 +161,7 @@ KnownTables::Place KnownTables::find(const std::string& key) {
 }
 
 std::shared_ptr<const cli::KnownTable> KnownTables::of(const cli::TableRange& range,
-                                                       const std::string& generation) {
+                                                       const std::string& generation, Haste haste) {
   constexpr std::size_t most_tables = 12;
   constexpr auto between_looks = std::chrono::milliseconds(50);
   const std::string key = fmt::format(
@@ -172,16 +172,20 @@ std::shared_ptr<const cli::KnownTable> KnownTables::of(const cli::TableRange& ra
     for (;;) {
       const Place place = find(key);
       if (place == entries_.end()) {
+        entries_.push_front({key, nullptr, haste});
         break;
       }
       if (place->table) {
         entries_.splice(entries_.begin(), entries_, place);
         return entries_.front().table;
       }
+      if (haste == Haste::wanted && place->haste == Haste::sometime) {
+        place->haste = haste;  // It is mine now.
+        break;
+      }
       changed_.wait_for(lock, between_looks);
       stop_if_asked();
     }
-    entries_.push_front({key, nullptr});
   }
   std::shared_ptr<const cli::KnownTable> table;
   try {
@@ -189,12 +193,22 @@ std::shared_ptr<const cli::KnownTable> KnownTables::of(const cli::TableRange& ra
   } catch (...) {
     // A request that waits makes it anew: the limits were those of this request.
     const std::lock_guard lock(mutex_);
-    entries_.erase(find(key));
+    const Place place = find(key);
+    if (place != entries_.end() && !place->table && place->haste == haste) {
+      entries_.erase(place);
+    }
     changed_.notify_all();
     throw;
   }
   const std::lock_guard lock(mutex_);
-  find(key)->table = table;
+  const Place place = find(key);
+  if (place == entries_.end()) {
+    return table;  // Another made it, and it has gone since.
+  }
+  if (place->table) {
+    return place->table;
+  }
+  place->table = table;
   auto last = entries_.end();
   while (entries_.size() > most_tables && last != entries_.begin()) {
     --last;

@@ -20,9 +20,12 @@
 #include "serve/http/events.hpp"
 #include "serve/http/message.hpp"
 
-namespace changeover::serve {}  // namespace changeover::serve
-
 namespace changeover::cli {
+class KnownTable;
+struct TableRange;
+}  // namespace changeover::cli
+
+namespace changeover::serve {
 
 // Tables that were asked for: a page asks for a table and for pictures of it at once, and to look
 // for the best of each cell takes time.
@@ -30,25 +33,24 @@ namespace changeover::cli {
 //     const auto table = explorer.tables.of(range, explorer.generation());
 //     table->cells(Kind::linear);
 
-class KnownTable;
-struct TableRange;
-}  // namespace changeover::cli
-
-namespace changeover::serve {
+/// Why a table is made: a request wants it, or it will be wanted sometime.
+enum class Haste : std::uint8_t { wanted, sometime };
 
 /// The last few tables. Thread-safe: who asks for a table that another request is making waits for
-/// it.
+/// it; not if it is made for sometime, which may take long: then it is made at once.
 class KnownTables {
  public:
   /// The table of a range, while the catalog is of this generation. @throws as known_table();
   /// Stopped if the control of this thread's scope wants to stop.
   [[nodiscard]] std::shared_ptr<const cli::KnownTable> of(const cli::TableRange& range,
-                                                          const std::string& generation);
+                                                          const std::string& generation,
+                                                          Haste haste = Haste::wanted);
 
  private:
   struct Entry {
     std::string key;
     std::shared_ptr<const cli::KnownTable> table;  // nothing while it is being made
+    Haste haste = Haste::wanted;                   // of who makes it
   };
   using Place = std::list<Entry>::iterator;
 
