@@ -16,7 +16,7 @@ test('statements with subscripts, and no raw marks', async () => {
   // Those in sight are set first, in pieces of some milliseconds, and then the hundreds below: the page never stands still for long.
   const seen = await page.evaluate(() => [...document.querySelectorAll('.math')].filter((each) => each.getBoundingClientRect().top < innerHeight && each.checkVisibility()).map((each) => each.matches('.plain')));
   assert.ok(seen.length > 5 && !seen.includes(true), 'what is in sight is set');
-  await page.waitForFunction(() => document.querySelectorAll('.math.plain').length === 0, null, { timeout: 60_000 });
+  await page.waitForFunction(() => [...document.querySelectorAll('article .prose')].every((prose) => prose.childElementCount > 0) && document.querySelectorAll('.math.plain').length === 0, null, { timeout: 60_000 });
   const all = await page.locator('#main').textContent();
   assert.ok(!/\*\*|_\{/.test(all), /.{20}(\*\*|_\{).{20}/.exec(all)?.[0]);
   await page.locator('#theorem-5 math msub').first().waitFor();

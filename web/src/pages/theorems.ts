@@ -67,23 +67,40 @@ class Gallery {
   }
 }
 
-function theorem(it: Theorem, gallery: Gallery, chosen: boolean): HTMLElement {
-  return h(
+/** A theorem; its statement is written by `write`. */
+function theorem(it: Theorem, gallery: Gallery, chosen: boolean): { element: HTMLElement; write(): void } {
+  const prose = h('div', { class: 'prose' });
+  const element = h(
     'article',
     { id: `theorem-${it.number}`, class: chosen ? 'statement chosen' : 'statement', tabindex: -1 },
     h('h3', {}, h('a', { href: link('theorems', { theorem: it.number }) }, `Theorem ${it.number}`), it.title && it.title !== `Theorem ${it.number}` ? [': ', ...line(it.title)] : ''),
-    h(
-      'div',
-      { class: 'with-example' },
-      h(
-        'div',
-        { class: 'prose' },
+    h('div', { class: 'with-example' }, prose, it.example && gallery.add(it.example)),
+  );
+  return {
+    element,
+    write: () =>
+      fill(
+        prose,
         markup(it.statement.replace(new RegExp(`^\\s*\\*\\*Theorem ${it.number}\\.\\*\\*\\s*`), ''), inPages), // The heading says its name.
         it.proof && h('details', { class: 'proof' }, h('summary', {}, 'Proof'), lazily(() => markup(it.proof, inPages))),
       ),
-      it.example && gallery.add(it.example),
-    ),
-  );
+  };
+}
+
+/** Calls the first few at once and the others in pieces of some milliseconds, so that a long page is there at once; `rest` calls those that are left. */
+function piecewise(tasks: (() => void)[], first: number, signal: AbortSignal): { rest(): void } {
+  const left = [...tasks];
+  const rest = (): void => left.splice(0).forEach((task) => task());
+  left.splice(0, first).forEach((task) => task());
+  const more = (): void => {
+    const deadline = performance.now() + 12;
+    while (!signal.aborted && left.length > 0 && performance.now() < deadline) {
+      left.shift()!();
+    }
+    !signal.aborted && left.length > 0 && setTimeout(more, 0);
+  };
+  setTimeout(more, 0);
+  return { rest };
 }
 
 /** Marks in the contents which part is read, and keeps that entry in sight. */
@@ -184,6 +201,9 @@ export const theorems: Page = {
       }
     }
     sift(false);
+    const stated = proved.map((each) => theorem(each, gallery, each.number === wanted.theorem));
+    const anchored = Boolean(wanted.theorem ?? wanted.construction ?? wanted.reference);
+    const statements = piecewise(stated.map(({ write }) => write), anchored ? stated.length : 3, view.signal);
     const missing =
       (wanted.theorem && !proved.some((each) => each.number === wanted.theorem) && `There is no Theorem ${wanted.theorem} here.`) ||
       (wanted.construction && !built.some((each) => each.name === wanted.construction) && `There is no construction “${wanted.construction}” here.`);
@@ -193,6 +213,7 @@ export const theorems: Page = {
         // The page is there already: no need to draw it anew.
         event.preventDefault();
         view.go({ theorem: null, construction: null, reference: null, ...Object.fromEntries(new URLSearchParams(to.split('?')[1] ?? '')) }, { quiet: true });
+        statements.rest(); // What is above has its height then.
         const target = document.getElementById(id);
         target?.scrollIntoView({ block: 'start' });
         target?.focus({ preventScroll: true });
@@ -225,7 +246,7 @@ export const theorems: Page = {
           {},
           h('p', {}, 'These theorems go beyond the published ones; each has its proof. Below them stand all constructions of the program. SCCD(v, k) and DCCD(v, k) are the single-change and double-change covering designs on v elements in blocks of k.'),
           h('h2', {}, 'Theorems'),
-          proved.map((each) => theorem(each, gallery, each.number === wanted.theorem)),
+          stated.map(({ element }) => element),
           h('h2', { id: 'constructions', tabindex: -1 }, 'Constructions'),
           h('div', { class: 'row' }, h('div', { class: 'field' }, h('label', { for: filter.id }, 'Find a construction'), filter), folds, found),
           h('div', { class: 'constructions' }, articles),
