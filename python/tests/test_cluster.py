@@ -467,12 +467,27 @@ class Questions(unittest.TestCase):
                          {(i, j) for i, j in itertools.combinations(range(7), 2) if j >= 5})
         self.assertEqual(pairs_of(None, 3, [(3, 1), (1, 3), (2, 2), (0, 3)]),
                          {(1, 3), (2, 2), (0, 3)})
+        self.assertEqual(pairs_of(None, 3, groups=[[0, 1, 2], [2, 1, 4], [3], []]),
+                         {(0, 1), (0, 2), (1, 2), (1, 4), (2, 4)})
         self.assertEqual(pairs_of(5, 3, with_self=True),
                          set(itertools.combinations_with_replacement(range(5), 2)))
 
     def test_pairs_are_said_in_one_way(self):
-        with self.assertRaisesRegex(changeover.BadInput, "give one of pairs, against and done_items"):
+        with self.assertRaisesRegex(changeover.BadInput, "give one of pairs, groups, against and done_items"):
             wanted(5, 3, [(0, 1)], against=2)
+        for groups, fault in (([], "groups has no pair"), ([[1], [2]], "groups has no pair"),
+                              ([[0, 7]], "groups: there are 5 items, .* a group has number 7"),
+                              ([[0, -1]], "groups: items are numbered"),
+                              ([3], "groups")):
+            with self.assertRaisesRegex((changeover.BadInput, TypeError), fault):
+                wanted(5, 3, groups=groups)
+        with self.assertRaisesRegex(changeover.BadInput, "a list of costs goes with a list of pairs"):
+            wanted(5, 3, groups=[[0, 1]], cost=[1])
+
+    def test_a_simulation_takes_groups(self):
+        said = cluster.simulate(items=12, room=4, workers=2, pair_seconds=1, item_bytes=10,
+                                groups=[[0, 1, 2, 3], [3, 4, 5]])
+        self.assertEqual(said.pairs, 9)
 
     def test_sizes(self):
         self.assertEqual(_job.sizes_of(7, 3)(2), 7)

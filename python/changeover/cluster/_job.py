@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import math
 import operator
 import time
 from array import array
-from typing import Any, Callable, Dict, Iterable, Iterator, List, Optional, Tuple
+from typing import Any, Callable, Dict, Iterable, Iterator, List, Optional, Set, Tuple
 
 from .. import _core
-from .._given import listed
+from .._given import listed, rows_of
 from ..errors import BadInput, ImpossibleParameters, InternalError
-from ..orders import _ends
+from ..orders import _ends, _item
 from ._failed import failed
 from ._journal import Journal, PairSet, ends_of, name_of_job
 from ._stretches import Run, Step, Stretch, loads_in_turn, step_of, trimmed, without
@@ -30,9 +31,14 @@ class Wanted:
 
     def __init__(self, items: Optional[int], room: int, pairs: Any, against: Optional[int],
                  done_items: Optional[int], with_self: bool, cost: Any,
-                 any_count: bool = False) -> None:
-        if sum(each is not None for each in (pairs, against, done_items)) > 1:
-            raise BadInput("give one of pairs, against and done_items")
+                 any_count: bool = False, groups: Any = None) -> None:
+        if sum(each is not None for each in (pairs, groups, against, done_items)) > 1:
+            raise BadInput("give one of pairs, groups, against and done_items")
+        if groups is not None:
+            if cost is not None and not callable(cost):
+                raise BadInput("cost is a function cost(i, j); a list of costs goes with a list of "
+                               "pairs")
+            pairs = _pairs_within(groups)
         self.room = room
         self.asked = {"items": items, "room": room, "against": against, "done_items": done_items}
         self.list: Optional[List[Pair]] = None
@@ -47,8 +53,9 @@ class Wanted:
             self.list = sorted({(min(row), max(row)) for row in rows if row[0] != row[1]})
             most = max((max(row) for row in rows), default=-1) + 1
             if items is not None and most > items:
-                raise BadInput(f"pairs: there are {items} items, numbered from 0, and a pair has "
-                               f"number {most - 1}")
+                what = "pairs" if groups is None else "groups"
+                raise BadInput(f"{what}: there are {items} items, numbered from 0, and a "
+                               f"{what[:-1]} has number {most - 1}")
             items = most if items is None else items
             if not rows:
                 raise BadInput("pairs has no pair")
@@ -122,6 +129,22 @@ class Wanted:
             ends.frombytes(pairs)
             current.append(step_of(evict, load, ends, self.cost))
         yield current
+
+
+def _pairs_within(groups: Any) -> Set[Pair]:
+    """The pairs of items within each group, every pair once."""
+    pairs: Set[Pair] = set()
+    for group in rows_of("groups", "groups of items", groups):
+        items = sorted({_item("groups", item)
+                        for item in listed("groups", "groups of items", group)})
+        pairs.update(itertools.combinations(items, 2))
+        if len(pairs) > _most_pairs:
+            raise ImpossibleParameters(
+                f"groups want more than {_most_pairs} pairs, too many to be handed out one by one; "
+                "give smaller groups")
+    if not pairs:
+        raise BadInput("groups has no pair; give groups of two items or more")
+    return pairs
 
 
 def _plan(asked: Dict[str, Any], ends: Optional[array[int]],

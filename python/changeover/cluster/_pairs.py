@@ -129,7 +129,8 @@ def all_pairs(
     client: Any, *, room: int, load: Callable[[int], Any],
     compute: Callable[[int, int, Any, Any], Any],
     sink: Optional[Callable[[int, int, Any], Any]] = None, items: Optional[int] = None,
-    pairs: Optional[Iterable[Iterable[SupportsIndex]]] = None, against: Optional[int] = None,
+    pairs: Optional[Iterable[Iterable[SupportsIndex]]] = None,
+    groups: Optional[Iterable[Iterable[SupportsIndex]]] = None, against: Optional[int] = None,
     done_items: Optional[int] = None, with_self: bool = False,
     cost: Union[None, Callable[[int, int], float], Iterable[float]] = None,
     sizes: Union[None, int, Iterable[int], Callable[[int], int]] = None,
@@ -143,7 +144,7 @@ def all_pairs(
     both run on workers. sink(i, j, result) runs here and receives each pair once, in no particular
     order.
 
-    items, pairs, against, done_items: as in load_order(). with_self: also each item with itself,
+    items, pairs, groups, against, done_items: as in load_order(). with_self: also each item with itself,
     compute(i, i, item, item); rows (i, i) of `pairs` request this for one item. cost: a function
     cost(i, j), or a number for each row of pairs: parts are cut by cost instead of by the number of
     pairs. sizes: bytes of items, a number, a list or a function, for the report.
@@ -176,7 +177,7 @@ def all_pairs(
 
     def begin() -> Work:
         wanted = Wanted(items, room - (1 if overlap else 0), pairs, against, done_items, with_self,
-                        cost)
+                        cost, groups=groups)
         return Work(wanted, sink, retries, journal, name)
 
     if engine_kind == "mpi":

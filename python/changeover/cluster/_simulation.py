@@ -362,6 +362,7 @@ def simulate(
     *, items: int, room: int, workers: int, pair_seconds: float,
     item_bytes: Union[int, Iterable[int], Callable[[int], int]],
     pairs: Optional[Iterable[Iterable[SupportsIndex]]] = None,
+    groups: Optional[Iterable[Iterable[SupportsIndex]]] = None,
     cost: Union[None, Callable[[int, int], float], Iterable[float]] = None,
     bandwidth: float = 1e9, store: Optional[float] = None, latency: float = 0.0,
     overhead: float = 0.01, failures: float = 0.0, restart: Optional[float] = 60.0,
@@ -376,7 +377,7 @@ def simulate(
     limit for all workers together, None for no limit. latency: seconds before the first byte of an
     item. overhead: seconds for sending a stretch. failures: per worker and hour; restart: seconds
     until a lost worker is replaced, None for never. stragglers: the proportion of workers that are
-    slower by the factor `slowness`. overlap, stretches, pairs, cost: as in all_pairs().
+    slower by the factor `slowness`. overlap, stretches, pairs, groups, cost: as in all_pairs().
 
     Up to 2,000,000 pairs each step is simulated; above that, the stretches of a worker are treated
     as equal, and pairs are counted by group or by load. Raises BadInput, ImpossibleParameters.
@@ -399,8 +400,9 @@ def simulate(
     if overlap and room < 3:
         raise BadInput("overlap keeps one place for what is loading; give room 3 or more")
     planned_room = room - (1 if overlap else 0)
-    exact = pairs is not None or items * (items - 1) // 2 <= _exact_pairs
-    wanted = Wanted(items, planned_room, pairs, None, None, False, cost, any_count=not exact)
+    exact = pairs is not None or groups is not None or items * (items - 1) // 2 <= _exact_pairs
+    wanted = Wanted(items, planned_room, pairs, None, None, False, cost, any_count=not exact,
+                    groups=groups)
     if not exact and cost is not None:
         raise BadInput("costs are for up to 2000000 pairs, or for listed ones")
     size = sizes_of(item_bytes, wanted.items)
