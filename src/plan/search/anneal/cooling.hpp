@@ -36,7 +36,11 @@ class Cooling {
 
   /// Whether to make a move that is this much worse.
   [[nodiscard]] bool accepts(double rise, Random& random) const {
-    return rise <= 0 || rise <= temperature_ * log_table()[random.next() >> 52];
+    return rise <= 0 || rise <= most_rise(random);
+  }
+  /// How much worse a move may be.
+  [[nodiscard]] double most_rise(Random& random) const {
+    return temperature_ * log_table()[random.next() >> 52];
   }
 
  private:

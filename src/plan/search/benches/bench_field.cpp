@@ -171,6 +171,7 @@ BenchSchedule BenchField::schedule(const BenchLists& lists) const {
   std::vector<std::vector<Ticks>> change(size());
   std::vector<std::vector<std::uint64_t>> start(size());
   std::vector<std::vector<std::uint64_t>> shared(size());
+  std::vector<std::vector<ClockStep>> steps(size());
   std::vector<ClockBench> courses(size());
   for (std::size_t w = 0; w < size(); ++w) {
     setups[w] = whole(w).first;
@@ -180,7 +181,7 @@ BenchSchedule BenchField::schedule(const BenchLists& lists) const {
       bits[w].push_back(bits_of(setup));
     }
     for (std::size_t i = 0; i < setups[w].size(); ++i) {
-      courses[w].steps.push_back({static_cast<Ticks>(costs[i].millionths), bits[w][i].data()});
+      steps[w].push_back({static_cast<Ticks>(costs[i].millionths), bits[w][i].data()});
     }
     for (const Amount cost : whole(w).change_costs) {
       change[w].push_back(static_cast<Ticks>(cost.millionths));
@@ -199,10 +200,14 @@ BenchSchedule BenchField::schedule(const BenchLists& lists) const {
     courses[w].hours = rules_ ? static_cast<Ticks>(rules_->hours[w]) : 0;
   }
   BenchClock clock(
+      std::move(courses),
       rules_ ? rules_->quantity : std::vector<std::uint64_t>(job_->names.size(), size()),
       rules_ ? static_cast<Ticks>(rules_->day) : 1);
+  for (std::size_t w = 0; w < size(); ++w) {
+    clock.steps(w) = std::move(steps[w]);
+  }
   ClockRecord record;
-  (void)clock.run(courses, &record);
+  (void)clock.run(&record);
   BenchSchedule schedule(benches_->size());
   for (std::size_t w = 0; w < size(); ++w) {
     for (std::size_t i = 0; i < setups[w].size(); ++i) {

@@ -102,7 +102,8 @@ void Lists::set_clock(const ListsJob& job) {
   }
   const ClockRules& rules = *job.clock;
   const std::uint64_t unit = job.weights.front().unit;
-  clock_.emplace(rules.quantity, static_cast<Ticks>(ceil_div(rules.day, unit)));
+  std::vector<ClockBench> courses;
+  before_.reserve(benches());  // the clock refers to it
   for (std::size_t bench = 0; bench < benches(); ++bench) {
     Before before{.start = place_of(rules.start[bench]),
                   .steps = {},
@@ -120,8 +121,14 @@ void Lists::set_clock(const ListsJob& job) {
       before.steps.push_back(std::move(place));
     }
     before_.push_back(std::move(before));
-    hours_.push_back(static_cast<Ticks>(rules.hours[bench] / unit));
+    const Before& kept = before_.back();
+    courses.push_back({.start = kept.start.bits.data(),
+                       .shared = kept.shared.data(),
+                       .change = kept.change,
+                       .hours = static_cast<Ticks>(rules.hours[bench] / unit)});
   }
+  clock_.emplace(std::move(courses), rules.quantity, static_cast<Ticks>(ceil_div(rules.day, unit)));
+  stale_.assign(benches(), 0);
 }
 
 Lists::Lists(const ListsJob& job, const BenchLists& lists)
@@ -235,26 +242,35 @@ std::int64_t Lists::largest() const {
 
 const BenchClock::Result& Lists::clocked() const {
   if (!clocked_) {
-    courses_.resize(benches());
     for (std::size_t bench = 0; bench < benches(); ++bench) {
-      const Before& before = before_[bench];
-      ClockBench& course = courses_[bench];
-      course.start = before.start.bits.data();
-      course.shared = before.shared.data();
-      course.change = before.change;
-      course.hours = hours_[bench];
-      course.steps.clear();
-      for (const Place& place : before.steps) {
-        course.steps.push_back({place.cost, place.bits.data()});
+      const std::vector<Place>& first = before_[bench].steps;
+      const std::vector<std::uint32_t>& order = order_[bench];
+      std::vector<ClockStep>& steps = clock_->steps(bench);
+      steps.resize(first.size() + order.size());
+      for (std::size_t i = stale_[bench]; i < steps.size(); ++i) {
+        const Place& place = i < first.size() ? first[i] : places_[order[i - first.size()]];
+        steps[i] = {place.cost, place.bits.data()};
       }
-      for (const std::uint32_t handle : order_[bench]) {
-        course.steps.push_back({places_[handle].cost, places_[handle].bits.data()});
-      }
+      stale_[bench] = steps.size();
     }
-    (void)clock_->run(courses_);
+    (void)clock_->run();
     clocked_ = true;
+    if (notes_.empty()) {
+      clock_->keep();
+      clock_kept_ = true;
+    }
   }
   return clock_->result();
+}
+
+// Tells the clock that steps from a place on change.
+void Lists::changed(Spot where) {
+  if (clock_) {
+    const std::size_t at = before_[where.bench].steps.size() + where.at;
+    stale_[where.bench] = std::min(stale_[where.bench], at);
+    clock_->change(where.bench, at);
+    clocked_ = false;
+  }
 }
 
 BenchLists Lists::lists() const {
@@ -433,7 +449,7 @@ void Lists::count_all(const Block& setup) {
 }
 
 void Lists::do_replace(Spot where, Element out, Element in) {
-  clocked_ = false;
+  changed(where);
   Place& place = places_[order_[where.bench][where.at]];
   if (out != no_part) {
     *std::find(place.elements.begin(), place.elements.end(), out) = place.elements.back();
@@ -451,7 +467,7 @@ void Lists::do_replace(Spot where, Element out, Element in) {
 }
 
 void Lists::attach(Spot where, std::uint32_t handle) {
-  clocked_ = false;
+  changed(where);
   std::vector<std::uint32_t>& order = order_[where.bench];
   order.insert(order.begin() + static_cast<std::ptrdiff_t>(where.at), handle);
   places_[handle].cost = 0;
@@ -461,7 +477,7 @@ void Lists::attach(Spot where, std::uint32_t handle) {
 }
 
 std::uint32_t Lists::detach(Spot where) {
-  clocked_ = false;
+  changed(where);
   std::vector<std::uint32_t>& order = order_[where.bench];
   const std::uint32_t handle = order[where.at];
   cost_[where.bench] -= places_[handle].cost;
@@ -473,7 +489,7 @@ std::uint32_t Lists::detach(Spot where) {
 }
 
 void Lists::do_reverse(std::size_t bench, Stretch where) {
-  clocked_ = false;
+  changed({bench, where.first});
   std::reverse(order_[bench].begin() + static_cast<std::ptrdiff_t>(where.first),
                order_[bench].begin() + static_cast<std::ptrdiff_t>(where.last) + 1);
   for (std::size_t at = where.first; at <= where.last + 1; ++at) {
@@ -536,6 +552,12 @@ void Lists::keep() {
       free_.push_back(note.a);
     }
   }
+  if (clock_ && !notes_.empty()) {
+    clock_kept_ = clocked_;
+    if (clocked_) {
+      clock_->keep();
+    }
+  }
   notes_.clear();
 }
 
@@ -564,6 +586,10 @@ void Lists::undo() {
         do_reverse(note.where.bench, {note.where.at, note.a});
         break;
     }
+  }
+  if (clock_ && clock_kept_) {
+    clock_->undo();
+    clocked_ = true;
   }
 }
 

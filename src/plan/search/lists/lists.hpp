@@ -3,7 +3,7 @@
 // every move.
 //
 // Benches may differ in costs, room, slots and mounted parts. If parts are scarce or benches rest,
-// a clock computes when everything is done, after every move, in O(tests).
+// a clock computes when everything is done, after every move, in O(tests after the first change).
 //
 // If costs depend on what is replaced, the cost of a step with j changes takes O(j³). For one list
 // in which all pairs have the same weight and costs do not depend on replacement,
@@ -77,6 +77,10 @@ class Lists {
   /// For equal benches.
   Lists(const Job& job, const Weights& weights, const BenchLists& lists)
       : Lists(ListsJob::alike(job, weights, lists.size()), lists) {}
+  Lists(const Lists&) = delete;
+  Lists& operator=(const Lists&) = delete;
+  Lists(Lists&&) = default;
+  Lists& operator=(Lists&&) = default;
 
   /// The job that says what has to meet.
   [[nodiscard]] const Job& job() const { return *job_; }
@@ -97,6 +101,8 @@ class Lists {
   [[nodiscard]] Spot spot(std::size_t index) const;
   /// The cost of all benches, including parts that are put in again.
   [[nodiscard]] std::int64_t total() const { return total_ + (clock_ ? clocked().again : 0); }
+  /// The cost of the tests and changes of all benches.
+  [[nodiscard]] std::int64_t work() const { return total_; }
   /// The makespan: the largest cost of a bench, if no bench waits or rests.
   [[nodiscard]] std::int64_t largest() const;
   [[nodiscard]] bool has_clock() const { return clock_.has_value(); }
@@ -192,6 +198,7 @@ class Lists {
   void add_views(const ListsJob& job);
   void set_clock(const ListsJob& job);
   [[nodiscard]] const BenchClock::Result& clocked() const;
+  void changed(Spot where);
   [[nodiscard]] std::size_t index(Element x, Element y) const;
   [[nodiscard]] std::size_t index(Element x, Element y, Element z) const;
   void meet(std::size_t index);
@@ -229,10 +236,10 @@ class Lists {
   std::uint64_t missing_ = 0;
   std::vector<Note> notes_;
   mutable std::optional<BenchClock> clock_;
-  std::vector<Before> before_;  // by bench, if there is a clock
-  std::vector<Ticks> hours_;    // likewise
-  mutable std::vector<ClockBench> courses_;
-  mutable bool clocked_ = false;  // the clock is up to date
+  std::vector<Before> before_;              // by bench, if there is a clock
+  mutable std::vector<std::size_t> stale_;  // by bench: steps from here on the clock does not have
+  mutable bool clocked_ = false;            // the clock's result is up to date
+  mutable bool clock_kept_ = false;         // the clock has kept what keep() was last called with
   // Scratch memory for const functions.
   mutable Block gone_;
   mutable Block come_;

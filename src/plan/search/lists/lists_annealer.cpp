@@ -108,13 +108,34 @@ void ListsAnnealer::record() {
   }
 }
 
+// At least the energy, without the clock: benches may wait, rest, and put in parts again.
+double ListsAnnealer::least_energy() const {
+  const auto work = static_cast<double>(lists_->work());
+  return (options_->aim == Aim::most_weight ? work * 0.25 : work) +
+         penalty_ * static_cast<double>(lists_->missing());
+}
+
 void ListsAnnealer::decide() {
-  const double now = energy();
-  const double rise = now - energy_;
-  if (!cooling_.accepts(rise, *random_)) {
+  std::optional<double> most;
+  const auto is_refused = [&](double now) {
+    if (now <= energy_) {
+      return false;
+    }
+    most = most ? most : cooling_.most_rise(*random_);
+    return now - energy_ > *most;
+  };
+  // Most moves are refused for what they cost and leave open, without asking the clock.
+  double now = lists_->has_clock() ? least_energy() : energy();
+  bool refused = is_refused(now);
+  if (!refused && lists_->has_clock()) {
+    now = energy();
+    refused = is_refused(now);
+  }
+  if (refused) {
     lists_->undo();
     return;
   }
+  const double rise = now - energy_;
   lists_->keep();
   energy_ = now;
   if (rise < 0 || lists_->open() == 0) {

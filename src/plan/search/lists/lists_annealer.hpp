@@ -55,6 +55,7 @@ class ListsAnnealer {
  private:
   [[nodiscard]] double energy() const;
   [[nodiscard]] double costs() const;
+  [[nodiscard]] double least_energy() const;
   void cool(double done);
   void record();
   void decide();

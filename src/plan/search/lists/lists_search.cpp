@@ -91,18 +91,20 @@ FoundLists search_lists(const ListsJob& job, const std::vector<BenchLists>& star
     if (options.aim == Aim::most_weight || job.jobs.front()->replaces()) {
       schedule = fixed_schedule(job, lists, options, i);
     } else {
-      const bool stay_near = options.round > 0 && (i + options.round) % 4 != 0;
-      // A later round stays near the best lists.
+      // The rest is for the work after each attempt, and for what the time limit does not include.
+      constexpr double share = 0.9;
+      const auto time = time_of_attempt(control, i, options.attempts, share);
+      // A later round stays near the best lists, and so does one with too few moves per place.
+      constexpr double few = 0.001;  // seconds
+      const bool hurries =
+          time && time->count() < few * static_cast<double>(lists.tests() * lists.most_room());
+      const bool stay_near = hurries || (options.round > 0 && (i + options.round) % 4 != 0);
       const HeatStyle& style =
           stay_near ? warm_style : heat_styles[(i + options.round) % heat_styles.size()];
       if (stay_near) {
         lists = Lists(job, starts.front());
       }
-      // The rest is for the work after each attempt, and for what the time limit does not include.
-      constexpr double share = 0.9;
-      schedule = {.hot = style.hot,
-                  .cold = style.cold,
-                  .time = time_of_attempt(control, i, options.attempts, share)};
+      schedule = {.hot = style.hot, .cold = style.cold, .time = time};
     }
     Random random(control.seed(), 4'000'000 + std::uint64_t{options.round} * options.attempts + i);
     ListsAnnealer annealer(lists, options, schedule, random);
