@@ -36,8 +36,8 @@ std::size_t most_tests(const Job& job, std::size_t tests) {
 }  // namespace
 
 bool Attempts::are_short(const Candidate& like) const {
-  constexpr std::uint64_t places = 300;
-  return like.tests() * job_->room() < places;
+  constexpr std::uint64_t places = 300;  // that change
+  return like.tests() * (job_->room() - job_->mounted.size()) < places;
 }
 
 std::uint64_t Attempts::suitable_steps(const Candidate& like) const {

@@ -37,7 +37,7 @@ class BenchPlanner {
 
   BenchPlan run() {
     const RunScope scope(*control_);
-    const BenchBounds bounds = bench_bounds(field_);
+    const BenchBounds bounds = bounds_in_time();
     plan_.bound = bounds.cost;
     plan_.makespan_bound = bounds.makespan;
     plan_.makespan_reason = bounds.makespan_reason;
@@ -67,6 +67,13 @@ class BenchPlanner {
   }
 
  private:
+  // Bounds for many unlike benches take long, and the plans need most of the time.
+  [[nodiscard]] BenchBounds bounds_in_time() const {
+    ShareOfTime part = part_of_the_time(0.2);
+    const RunScope scope(part.control());
+    return bench_bounds(field_);
+  }
+
   [[nodiscard]] bool by_cost() const { return options_->objective == BenchObjective::cost; }
 
   [[nodiscard]] bool better(const BenchCandidate& a, const BenchCandidate& b) const {
@@ -183,11 +190,13 @@ class BenchPlanner {
   [[nodiscard]] std::optional<std::size_t> bench_for_all() const {
     std::optional<std::size_t> found;
     Amount least;
+    ShareOfTime part = part_of_the_time(0.1);
+    const RunScope scope(part.control());
     for (std::size_t w = 0; w < field_.size(); ++w) {
       const Job& rest = field_.rest(w);
       const bool can = rest.needed.size() == field_.common().needed.size() &&
                        rest.triples.size() == field_.common().triples.size();
-      if (!can || (found && (field_.alike() || control_->stop_wanted()))) {
+      if (!can || (found && (field_.alike() || part.control().stop_wanted()))) {
         continue;
       }
       if (const Amount bound = bound_of_valid_job(rest).cost; !found || bound < least) {
