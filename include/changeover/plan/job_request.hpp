@@ -101,6 +101,9 @@ void complete(JobRequest& request, JobRequest other);
 struct OpenedRequest {
   JobRequest request;
   std::vector<std::string> notes;
+  /// Keys of the question in the workbook that have no meaning for this request, as a budget for a
+  /// diagnosis: the question of the answer has them again.
+  JobRequest kept = {};
 };
 
 /// If the parts are in a workbook and no sheet of it is named: a workbook that was made as a run

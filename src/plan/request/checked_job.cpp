@@ -579,6 +579,7 @@ ParsedJob checked_job(const JobRequest& request, Door door) {
 ParsedJob checked_job(const OpenedRequest& opened, Door door) {
   ParsedJob asked = checked_job(opened.request, door);
   asked.notes.insert(asked.notes.begin(), opened.notes.begin(), opened.notes.end());
+  complete(asked.question, opened.kept);
   return asked;
 }
 

@@ -94,8 +94,13 @@ JobRequest question_in(const RunWorkbook& book) {
   return question;
 }
 
-// Removes keys of the stored request that do not fit the requested mode.
-void drop_what_does_not_fit(JobRequest& question, const JobRequest& request) {
+// Moves keys of the stored request that do not fit the requested mode to those that are kept for
+// the next workbook.
+void put_aside_what_does_not_fit(JobRequest& question, const JobRequest& request,
+                                 JobRequest& kept) {
+  const auto put_aside = [&](auto... fields) {
+    ((kept.*fields = std::exchange(question.*fields, {})), ...);
+  };
   if (!request.slot.empty() || request.slots.is_given()) {
     question.slot.clear();
     question.slots = {};
@@ -104,18 +109,15 @@ void drop_what_does_not_fit(JobRequest& question, const JobRequest& request) {
     question.first_day.clear();
     question.weekends = false;
   }
+  using R = JobRequest;
   if (request.diagnose || request.what_if) {
-    question.budget.clear();
-    question.title.clear();
-    question.compact = false;
-    question.shuffle.reset();
-    question.weights = {};
+    put_aside(&R::budget, &R::title, &R::compact, &R::shuffle, &R::weights);
+  }
+  if (request.what_if) {
+    put_aside(&R::benches, &R::objective, &R::hours, &R::first_day, &R::weekends);
   }
   if (request.diagnose) {
-    question.steps.reset();
-    question.first = {};
-    question.trust_failed = false;
-    question.what_if = false;
+    put_aside(&R::steps, &R::first, &R::trust_failed, &R::what_if);
   }
 }
 
@@ -395,7 +397,7 @@ void take_changed_sheets(JobRequest& request, JobRequest& question, const RunWor
 
 // The question of the workbook comes first, then what was filled in.
 JobRequest with_question(JobRequest request, const RunWorkbook& book,
-                         std::vector<std::string>& notes) {
+                         std::vector<std::string>& notes, JobRequest& kept) {
   JobRequest question = question_in(book);
   JobRequest plain = request;
   plain.parts = {};
@@ -416,7 +418,7 @@ JobRequest with_question(JobRequest request, const RunWorkbook& book,
       request.done = book.list;
     }
     if (has_results) {
-      if (!question.budget.empty() && request.budget.empty() && !request.diagnose) {
+      if (!question.budget.empty() && request.budget.empty()) {
         take_off_budget(question, book.name, written, notes);
       }
       if (!question.first_day.empty() && request.first_day.empty()) {
@@ -429,7 +431,12 @@ JobRequest with_question(JobRequest request, const RunWorkbook& book,
   }
   const ParsedJob as_made = checked_job(question, Door::document);
   take_changed_sheets(request, question, book, *as_made.job, notes);
-  drop_what_does_not_fit(question, request);
+  if (request.what_if && question.benches.is_given()) {
+    notes.push_back(book.name +
+                    ": its question is of several benches; the ratios are those of all "
+                    "tests on one bench");
+  }
+  put_aside_what_does_not_fit(question, request, kept);
   complete(request, std::move(question));
   return request;
 }
@@ -496,7 +503,7 @@ OpenedRequest open_workbook(JobRequest request) {
     return opened;
   }
   opened.request = book->sheet(question_sheet) != nullptr
-                       ? with_question(std::move(opened.request), *book, opened.notes)
+                       ? with_question(std::move(opened.request), *book, opened.notes, opened.kept)
                        : with_other_sheets(std::move(opened.request), *book, opened.notes);
   return opened;
 }

@@ -232,8 +232,21 @@ TEST_F(BenchWorkbook, TheRestBeginsOnTheDayAfterWhatWasDone) {
   EXPECT_EQ(opened(bytes).request.first_day, "2025-03-31");
 }
 
+// Ratios are those of one list: benches have none.
+TEST_F(BenchWorkbook, ItsRatiosAreThoseOfOneBench) {
+  const std::string bytes = filled_in(planned(), {"pass"}, "North");
+  JobRequest more;
+  more.what_if = true;
+  const OpenedRequest again = opened(bytes, more);
+  check_options(again.request, Door::document);
+  EXPECT_THAT(again.notes, Contains(HasSubstr("all tests on one bench")));
+  const ParsedJob left = checked_job(again, Door::document);
+  EXPECT_EQ(left.done.size(), 1U);
+  RunControl control({.threads = 1});
+  EXPECT_FALSE(answer_to(again.request, left, control).what_if->ranges.empty());
+}
+
 TEST_F(BenchWorkbook, IsDiagnosedAndGoesOn) {
-  request.title.clear();
   std::string bytes = filled_in(filled_in(planned(), {"pass", "fail"}, "North"), {"pass"}, "South");
   JobRequest more;
   more.diagnose = true;
@@ -249,6 +262,7 @@ TEST_F(BenchWorkbook, IsDiagnosedAndGoesOn) {
     bytes = filled_in(written(again.request, of_results, found, "xlsx"), {"fail"});
   }
   planned(opened(bytes));
+  EXPECT_EQ(asked.question.title, "Week 12");
   EXPECT_EQ(asked.done.size(), 5U);
   EXPECT_EQ(done_on(0) + done_on(1), 5U);
   EXPECT_FALSE(asked.benches[0].rest.empty()) << "what was planned is a candidate";

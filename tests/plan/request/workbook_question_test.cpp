@@ -270,9 +270,12 @@ TEST_F(RunSheetWorkbook, ListsThatWereChangedOnItsSheetsCount) {
 }
 
 TEST_F(RunSheetWorkbook, IsDiagnosed) {
-  request.title.clear();
   request.budget = "500";
+  request.weights.text = "Xeon,E810,3\n";
+  request.first.text = "Epyc,E810,PM9A3\n";
   const std::string bytes = filled_in(planned(), {"pass", "fail"});
+  const JobRequest whole = asked.question;
+  const Amount spent = answer.plan->sheet.steps[1].cost_so_far;
   JobRequest more;
   more.diagnose = true;
   const OpenedRequest again = opened(bytes, more);
@@ -288,6 +291,13 @@ TEST_F(RunSheetWorkbook, IsDiagnosed) {
   const ParsedJob then = checked_job(third, Door::document);
   EXPECT_EQ(then.results.size(), 3U);
   EXPECT_EQ(answer_to(third.request, then, control).diagnosis->failed, 2U);
+  // What a diagnosis makes no use of is there for the plan that comes after it.
+  const OpenedRequest plan = opened(sheet);
+  EXPECT_EQ(plan.request.title, whole.title);
+  EXPECT_EQ(parse_amount(plan.request.budget), parse_amount("500") - spent);
+  EXPECT_EQ(plan.request.steps, whole.steps);
+  planned(plan);
+  EXPECT_EQ(asked.question.weights, whole.weights);
 }
 
 TEST_F(RunSheetWorkbook, ABudgetIsLessByWhatWasDone) {
