@@ -556,6 +556,7 @@ TEST(Plan, TakesCostsByWhatIsReplaced) {
   spit(folder.file("three.csv"), ",Red,Blue,White\nRed,,2,8\nBlue,3,,9\nWhite,1,1,\n");
   spit(folder.file("below.csv"), ",Red,Blue,White,Black\nRed,,-2,8,1\n");
   spit(folder.file("first.csv"), "Red,Black\n");
+  spit(folder.file("failed.csv"), "slot_1,slot_2,result\nRed,Black,fail\n");
   spit(folder.file("heavy.csv"), "Red,Black,5\n");
   const auto plan = [](const std::string& rest) {
     return "$changeover plan paints.csv -k 2 --test-cost 1 --change-costs costs.csv " + rest + fast;
@@ -574,9 +575,11 @@ TEST(Plan, TakesCostsByWhatIsReplaced) {
           {plan("--benches 2"), 0, "of 6 needed pairs tested on some bench"},
           {plan("--benches 2 --json"), 0, "\"replaced\":[["},
           {plan("--shuffle 1"), 2, "--shuffle SEED has no meaning with --change-costs"},
-          {plan("--what-if"), 2, "--what-if has no meaning with --change-costs"},
+          {plan("--what-if"), 0, "Your costs are at the factor"},
           {plan("--priority heavy.csv"), 2, "--priority FILE has no meaning with --change-costs"},
-          {plan("--done first.csv --diagnose"), 2, "has no meaning with --change-costs"},
+          {"$changeover plan paints.csv -k 2 --test-cost 1 --change-costs costs.csv --quiet "
+           "--done failed.csv --diagnose",
+           0, "Next test, cost "},
           {other + " --change-costs three.csv", 3, "three.csv:1:1: no column for 'Black'; give"},
           {other + " --change-costs below.csv", 3, "below.csv:2:6: "}},
          folder);

@@ -48,7 +48,6 @@ std::string in_words(const Suspect& suspect, const std::vector<std::string>& nam
 }
 
 Diagnosis diagnose(const Job& job, const std::vector<TestedSetup>& tests) {
-  refuse_replacing(job, "choosing the next test of a diagnosis");
   refuse_triples(job, "a diagnosis");
   constexpr std::size_t most_contradictions = 10;
   Job any = job;

@@ -10,6 +10,7 @@
 #include "plan/diagnosis/evidence.hpp"
 #include "plan/job/choices.hpp"
 #include "plan/job/fitting.hpp"
+#include "plan/search/benches/step_costs.hpp"
 #include "run/portable_math.hpp"
 #include "run/random.hpp"
 
@@ -86,13 +87,7 @@ class SetUps {
     return whole;
   }
 
-  [[nodiscard]] Amount cost(const Block& setup) const {
-    Amount cost = job_->test_cost;
-    for (const Element x : setup) {
-      cost += is_in(job_->start, x) ? Amount{} : job_->change_costs[x];
-    }
-    return cost;
-  }
+  [[nodiscard]] Amount cost(const Block& setup) const { return step_costs(*job_, {setup}).front(); }
 
  private:
   const Job* job_;

@@ -265,7 +265,7 @@ std::vector<OptionRule> rules() {
         "benches", "without", "weights", "shuffle"},
        {"model"}},
       {Says::never_with, {"what_if", "shuffle", "compact", "done_first"}, {"benches"}},
-      {Says::never_with, {"weights", "shuffle", "what_if", "diagnose"}, {"change_costs"}},
+      {Says::never_with, {"weights", "shuffle"}, {"change_costs"}},
       {Says::only_with, {"done_first", "diagnose", "trust_failed"}, {"done"}, "parts"},
       {Says::never_with,
        {"what_if", "budget", "title", "steps", "compact", "shuffle", "first", "weights",

@@ -70,23 +70,27 @@ Job at_ratio(const Job& job, const Ratio& ratio) {
     const double factor =
         static_cast<double>(over.millionths) / static_cast<double>(under.millionths);
     double largest = static_cast<double>(job.test_cost.millionths);
-    for (const Amount cost : job.change_costs) {
-      largest = std::max(largest, factor * static_cast<double>(cost.millionths));
+    for (const std::vector<Amount>* const costs : {&job.change_costs, &job.replace_costs}) {
+      for (const Amount cost : *costs) {
+        largest = std::max(largest, factor * static_cast<double>(cost.millionths));
+      }
     }
     const auto scaled = [&](double cost) {
       return Amount{
           static_cast<std::uint64_t>(std::llround(cost / std::max(1.0, largest) * scale))};
     };
     other.test_cost = scaled(static_cast<double>(job.test_cost.millionths));
-    for (Amount& cost : other.change_costs) {
-      cost = scaled(factor * static_cast<double>(cost.millionths));
+    for (std::vector<Amount>* const costs : {&other.change_costs, &other.replace_costs}) {
+      for (Amount& cost : *costs) {
+        cost = scaled(factor * static_cast<double>(cost.millionths));
+      }
     }
   }
   return other;
 }
 
-// The cheapest list that the search for models finds at other costs.
-Start cheapest_of_model(const Job& job, const PlanOptions& options, RunControl& control) {
+// The cheapest list that the search for such a job finds at other costs.
+Start cheapest_anew(const Job& job, const PlanOptions& options, RunControl& control) {
   PlanOptions once = options;
   once.on_better = nullptr;
   once.until_stopped = false;
@@ -104,7 +108,6 @@ std::string Ratio::to_string() const {
 }
 
 WhatIf envelope(const Job& job, const std::vector<Candidate>& candidates) {
-  refuse_replacing(job, "comparing ratios of costs");
   WhatIf answer;
   answer.by_factor = !job.one_change_cost();
   if (answer.by_factor) {
@@ -138,7 +141,6 @@ WhatIf envelope(const Job& job, const std::vector<Candidate>& candidates) {
 
 WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
                RunControl& control) {
-  refuse_replacing(job, "comparing ratios of costs");
   refuse_triples(job, "comparing ratios of costs");
   if (!job.first.empty()) {
     return what_if_with_first(job, plan, options, control);
@@ -178,8 +180,9 @@ WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
     if (!best || best->cost == bound.cost) {
       return false;
     }
-    const Start start = other.model != nullptr ? cheapest_of_model(other, options, control)
-                                               : cheaper_list(other, bound, *best);
+    const Start start = other.model != nullptr || other.replaces()
+                            ? cheapest_anew(other, options, control)
+                            : cheaper_list(other, bound, *best);
     if (run_sheet(other, start.setups).cost >= best->cost) {
       return false;
     }

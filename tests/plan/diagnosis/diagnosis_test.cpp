@@ -12,6 +12,7 @@
 #include "changeover/plan/run_plan.hpp"
 #include "message_of.hpp"
 #include "random_jobs.hpp"
+#include "replacing_jobs.hpp"
 #include "run/random.hpp"
 
 namespace changeover::diagnosis_test {
@@ -215,6 +216,16 @@ TEST(Diagnosis, OneFaultIsFoundInAboutAsFewTestsAsAnyWayNeeds) {
     least += bound;
   }
   EXPECT_LE(tests, least + 60) << "of 40 searches";
+}
+
+// What the next test costs may depend on what it replaces.
+TEST(Diagnosis, CountsWhatIsReplaced) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    const Job job = test::replacing(make_job(6, 3, Amount{1'000'000}, Amount{1'000'000}), seed);
+    const Suspect fault{0, Element{1}};
+    const Loop loop = ask_to_the_end(job, results_of(planned(job), {fault}), {fault});
+    EXPECT_THAT(loop.last.faults, ElementsAre(fault)) << seed;
+  }
 }
 
 TEST(Diagnosis, TwoFaultsAreFoundOut) {

@@ -5,6 +5,7 @@
 #include "changeover/core/error.hpp"
 #include "cheapest.hpp"
 #include "random_jobs.hpp"
+#include "replacing_jobs.hpp"
 
 namespace changeover::what_if_test {
 namespace {
@@ -90,6 +91,30 @@ TEST(WhatIf, MultipliesTheCostsOfPartsByAFactor) {
                                   factor * range.plan.change_cost.millionths);
     }
     EXPECT_EQ(least, test::least_cost(there)) << factor;
+  }
+}
+
+TEST(WhatIf, MultipliesTheCostsOfWhatIsReplacedToo) {
+  Job job = test::replacing(make_job(5, 3, units(3), units(2)), 7);
+  RunControl control({});
+  const PlanOptions options{.steps = 20'000};
+  const WhatIf answer = what_if(job, make_run_plan(job, options, control), options, control);
+  EXPECT_TRUE(answer.by_factor);
+  for (const std::uint64_t factor : {1U, 2U, 5U}) {
+    Job there = job;
+    for (std::vector<Amount>* const costs : {&there.change_costs, &there.replace_costs}) {
+      for (Amount& cost : *costs) {
+        cost = cost * factor;
+      }
+    }
+    std::uint64_t least = ~std::uint64_t{0};
+    for (const WhatIf::Range& range : answer.ranges) {
+      least = std::min(least, (job.test_cost * range.plan.tests()).millionths +
+                                  factor * range.plan.change_cost.millionths);
+    }
+    const std::uint64_t exact = test::least_cost_of_replacing(there);
+    EXPECT_GE(least, exact) << factor;
+    EXPECT_LE(least, exact + exact / 10) << factor;
   }
 }
 

@@ -6,7 +6,6 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/benches.hpp"
-#include "changeover/plan/diagnosis.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "cheapest.hpp"
 #include "message_of.hpp"
@@ -224,12 +223,6 @@ TEST(Replacing, WhatIsNotDoneIsRefused) {
   const RunPlan plan = planned(job);
   std::uint64_t exchanged = 0;
   EXPECT_REFUSAL((void)shuffled(job, plan, 1, exchanged), BadInput,
-                 "does not support change costs by what is replaced; leave one of them out");
-  EXPECT_REFUSAL((void)what_if(job, plan, {}, control), BadInput,
-                 "does not support change costs by what is replaced; leave one of them out");
-  EXPECT_REFUSAL((void)envelope(job, plan.candidates), BadInput,
-                 "does not support change costs by what is replaced; leave one of them out");
-  EXPECT_REFUSAL((void)diagnose(job, {{{0, 1}, true}}), BadInput,
                  "does not support change costs by what is replaced; leave one of them out");
   Job weighed = job;
   weighed.weights.set(0, 1, Amount{5});
