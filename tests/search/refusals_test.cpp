@@ -10,7 +10,7 @@
 #include "changeover/run/control.hpp"
 #include "message_of.hpp"
 #include "run/random.hpp"
-#include "search/local/local_search_states.hpp"
+#include "search/local/local_search_arms.hpp"
 #include "search/local/segment_subsets.hpp"
 
 namespace changeover::test::refusals_test {

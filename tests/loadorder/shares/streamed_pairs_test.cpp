@@ -4,6 +4,7 @@
 
 #include "../loadorder_support.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/loadorder/workers.hpp"
 #include "loadorder/order/streamed_order.hpp"
 #include "message_of.hpp"
 
