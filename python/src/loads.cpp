@@ -109,11 +109,7 @@ class Check {
 
 // Pairs as the bytes of their items, one after the other.
 std::shared_ptr<const PairGraph> pairs_in(std::optional<std::uint64_t> items,
-                                          const std::optional<py::bytes>& ends) {
-  if (!ends) {
-    return nullptr;
-  }
-  const auto bytes = static_cast<std::string_view>(*ends);
+                                          std::string_view bytes) {
   std::vector<Element> numbers(bytes.size() / sizeof(Element));
   std::memcpy(numbers.data(), bytes.data(), bytes.size());
   std::vector<ItemPair> listed;
@@ -350,7 +346,10 @@ py::tuple order(const std::string& document, const std::optional<py::bytes>& pai
   LoadRequest request = load_request(document);
   request.seconds = time;
   request.seed = seed;
-  const CheckedLoads asked = checked_loads(request, Door::document, pairs_in(request.items, pairs));
+  const std::string_view ends = pairs ? static_cast<std::string_view>(*pairs) : std::string_view();
+  const CheckedLoads asked = stoppable([&] {
+    return checked_loads(request, Door::document, pairs ? pairs_in(request.items, ends) : nullptr);
+  });
   LongWork work({.threads = threads,
                  .seed = seed,
                  .progress = std::move(progress),

@@ -4,6 +4,7 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/control.hpp"
 #include "loadorder/order/of_worker.hpp"
+#include "loadorder/pairs/listed_rows.hpp"
 
 struct changeover_loadorder {
   explicit changeover_loadorder(changeover::LoadOrder given) : plan(std::move(given)) { begin(); }
@@ -116,12 +118,44 @@ changeover_loadorder_options options_in(const changeover_loadorder_options* give
   return options;
 }
 
+// The pairs within groups. @throws BadInput if there are none, or too many
+std::shared_ptr<const changeover::PairGraph> groups_in(const changeover_loadorder_options& asked,
+                                                       std::uint64_t items) {
+  using namespace changeover;
+  if (asked.group_sizes == nullptr) {
+    throw BadInput("the groups have items, but group_sizes is NULL");
+  }
+  ListedRows rows(true);
+  const std::uint32_t* next = asked.group_items;
+  for (std::size_t g = 0; g < asked.group_count; ++g) {
+    const std::span<const Element> group(next, asked.group_sizes[g]);
+    next += group.size();
+    if (!group.empty() && !rows.add(group)) {
+      throw BadInput("with group number " + std::to_string(g) + " more than " +
+                     std::to_string(most_pairs_in_groups) +
+                     " pairs are wanted; give smaller groups");
+    }
+  }
+  if (rows.pairs() == 0) {
+    throw BadInput("no pair is in a group; give groups of two items or more");
+  }
+  return std::make_shared<const PairGraph>(
+      items, [&](const PairGraph::Visit& visit) { rows.each_pair(visit); },
+      std::vector<std::string>());
+}
+
 // The wanted pairs. @throws BadInput for more than one choice, or items that do not exist.
 changeover::WantedPairs wanted_by(const changeover_loadorder_options& asked, std::uint64_t items) {
   using namespace changeover;
   const bool listed = asked.pairs != nullptr;
-  if ((listed ? 1 : 0) + (asked.against > 0 ? 1 : 0) + (asked.done_items > 0 ? 1 : 0) > 1) {
-    throw BadInput("give one of pairs, against and done_items");
+  const bool grouped = asked.group_items != nullptr;
+  if ((listed ? 1 : 0) + (grouped ? 1 : 0) + (asked.against > 0 ? 1 : 0) +
+          (asked.done_items > 0 ? 1 : 0) >
+      1) {
+    throw BadInput("give one of pairs, groups, against and done_items");
+  }
+  if (grouped) {
+    return WantedPairs::listed(groups_in(asked, items));
   }
   if (listed) {
     std::vector<ItemPair> pairs;

@@ -177,6 +177,41 @@ TEST(COptions, OnlyTheListedPairsAreComputed) {
   EXPECT_NE(std::string(error).find("give one of"), std::string::npos);
 }
 
+TEST(COptions, PairsWithinGroupsAreComputed) {
+  const std::vector<std::uint32_t> items{0, 1, 2, 7, 2, 3, 1, 4};
+  const std::vector<std::size_t> sizes{3, 1, 0, 3, 1};
+  changeover_loadorder_options options = some_options();
+  options.group_items = items.data();
+  options.group_sizes = sizes.data();
+  options.group_count = sizes.size();
+  options.with_pairs = 1;
+  changeover_loadorder* order = changeover_loadorder_open_with(10, 3, &options, nullptr, 0);
+  ASSERT_NE(order, nullptr);
+  Pairs pairs;
+  std::uint64_t loads = 0;
+  play(order, 0, 3, pairs, loads);
+  EXPECT_EQ(pairs, (Pairs{{0, 1}, {0, 2}, {1, 2}, {2, 3}, {1, 3}}));
+  changeover_loadorder_close(order);
+  char error[CHANGEOVER_LOADORDER_ERROR_SIZE];
+  const auto refused = [&] {
+    EXPECT_EQ(changeover_loadorder_open_with(10, 3, &options, error, sizeof error), nullptr);
+    return std::string(error);
+  };
+  options.done_items = 4;
+  EXPECT_NE(refused().find("give one of"), std::string::npos);
+  options.done_items = 0;
+  options.group_count = 0;
+  EXPECT_NE(refused().find("no pair is in a group"), std::string::npos);
+  options.group_sizes = nullptr;
+  EXPECT_NE(refused().find("group_sizes is NULL"), std::string::npos);
+  // A program that does not know of groups.
+  options.size = offsetof(changeover_loadorder_options, group_items);
+  order = changeover_loadorder_open_with(10, 3, &options, error, sizeof error);
+  ASSERT_NE(order, nullptr);
+  EXPECT_EQ(changeover_loadorder_worker_pairs(order, 0), 45U);
+  changeover_loadorder_close(order);
+}
+
 TEST(COptions, CostsAreSpreadAndMayBeWrong) {
   changeover_loadorder_options options = some_options();
   options.workers = 2;

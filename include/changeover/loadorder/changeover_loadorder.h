@@ -91,6 +91,11 @@ typedef struct changeover_loadorder_options {
   /* Called now and then; a value other than 0 cancels with an error. */
   int (*cancelled)(void* data);
   void* data; /* for the functions */
+  /* Only the pairs within these groups meet: the items of all groups, one group after another, and
+   * the number of items of each group. Copied before the call returns; instead of pairs. */
+  const uint32_t* group_items;
+  const size_t* group_sizes;
+  size_t group_count;
 } changeover_loadorder_options;
 
 /* The same with options, or NULL for none. An order for several workers starts with worker 0. */

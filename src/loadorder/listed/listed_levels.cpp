@@ -16,8 +16,6 @@
 namespace changeover {
 namespace {
 
-constexpr std::size_t never = ~std::size_t{0};
-
 // The loads of an order one by one, each with what goes for it.
 std::vector<LoadMove> one_by_one(const LoadOrder& order) {
   std::vector<LoadMove> moves;
@@ -34,7 +32,7 @@ std::vector<LoadMove> one_by_one(const LoadOrder& order) {
 class NextLoads {
  public:
   NextLoads(const std::vector<LoadMove>& moves, std::uint64_t items)
-      : after_(moves.size(), never), next_(static_cast<std::size_t>(items), never) {
+      : after_(moves.size(), not_again), next_(static_cast<std::size_t>(items), not_again) {
     for (std::size_t i = moves.size(); i > 0; --i) {
       after_[i - 1] = std::exchange(next_[moves[i - 1].load], i - 1);
     }
@@ -52,7 +50,7 @@ class NextLoads {
 /// Items that may leave memory; the one that is needed last goes first.
 class Idle {
  public:
-  explicit Idle(std::uint64_t items) : needed_(static_cast<std::size_t>(items), never) {}
+  explicit Idle(std::uint64_t items) : needed_(static_cast<std::size_t>(items), not_again) {}
 
   void add(Element x, std::size_t needed) {
     needed_[x] = needed;

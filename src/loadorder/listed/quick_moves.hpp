@@ -1,6 +1,7 @@
 // Internal: small orders for parts of a list, many of them, without a search.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "loadorder/pairs/closing.hpp"
 
 namespace changeover {
+
+/// The number of a load that does not come.
+inline constexpr std::size_t not_again = ~std::size_t{0};
 
 /// The loads of the best start (pairs/starts.hpp). O(pairs) for each start
 [[nodiscard]] std::vector<LoadMove> quick_moves(const PairGraph& graph, std::uint64_t room);

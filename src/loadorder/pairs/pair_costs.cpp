@@ -49,10 +49,10 @@ class CostList {
     for (bool first = true; rows_.next_line();) {
       if (rows_.split(row)) {
         std::erase_if(row, [](const Field& field) { return field.text.empty(); });
-        if (row.size() == 1 && !row.front().in_quotes) {
+        if (row.size() == 1 && !row.front().in_quotes && !rows_.is_given()) {
           row = at_blanks(row.front(), rows_);
         }
-        if (!row.empty() && !(std::exchange(first, false) && is_header(row))) {
+        if (!row.empty() && !(std::exchange(first, false) && !rows_.is_given() && is_header(row))) {
           take(row);
         }
       }

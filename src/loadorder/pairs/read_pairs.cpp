@@ -110,12 +110,9 @@ class PairReader {
                                   ? ": no pair is in a group; give two items or more per line"
                                   : ": no pair is listed; give two items per line"));
     }
-    if (options_.groups) {
-      constexpr std::uint64_t bytes_a_pair = 2 * sizeof(Element);
-      require_memory(
-          listed_.pairs() * bytes_a_pair,
-          fmt::format("{}: a list of the {} pairs within groups", name_, listed_.pairs()));
-    }
+    constexpr std::uint64_t bytes_a_pair = 2 * sizeof(Element);
+    require_memory(listed_.pairs() * bytes_a_pair,
+                   fmt::format("{}: a list of {} pairs", name_, listed_.pairs()));
     const std::uint64_t items = options_.items && names_.empty() ? *options_.items
                                 : names_.empty()                 ? std::uint64_t{largest_} + 1
                                                                  : names_.size();
@@ -133,7 +130,7 @@ class PairReader {
   // Reduces a row to its two items; false for a row without items.
   bool items_of_row() {
     std::erase_if(row_, [](const Field& field) { return field.text.empty(); });
-    if (row_.size() == 1 && !row_.front().in_quotes) {
+    if (row_.size() == 1 && !row_.front().in_quotes && !rows_.is_given()) {
       row_ = at_blanks(row_.front(), rows_);
     }
     if (!options_.groups) {
@@ -165,7 +162,7 @@ class PairReader {
     }
     const bool numbers = std::all_of(row_.begin(), row_.end(),
                                      [](const Field& field) { return item_number(field); });
-    if (!seen_any_ && words && columns_ < 3) {  // perhaps names of columns
+    if (!seen_any_ && words && columns_ < 3 && !rows_.is_given()) {  // perhaps names of columns
       seen_any_ = true;
       first_line_ = row_;
       for (const Field& field : first_line_) {
@@ -218,7 +215,8 @@ class PairReader {
   // Takes the third column off a row of a list of pairs; false if the row names columns.
   bool take_cost(bool words) {
     const std::size_t columns = row_.size();
-    const bool names_columns = !seen_any_ && words && columns == 3 && is_title(row_.back().text);
+    const bool names_columns =
+        !seen_any_ && words && columns == 3 && !rows_.is_given() && is_title(row_.back().text);
     if (columns_ != 0 && columns != columns_) {
       rows_.fail(row_[columns - 1],
                  columns > columns_

@@ -221,9 +221,10 @@ std::vector<OptionRule> rules() {
        {"disjoint", "fast_room", "prefetch", "write_back"}},
       {Says::never_with, {"from_step"}, {"workers", "new_pairs", "verify_beside"}},
       {Says::never_with, {"balance", "first_holder", "pair_cost"}, {"disjoint"}},
+      // Workers in lockstep have one level so far; a search at two levels has no end of its own.
       {Says::never_with, {"fast_room"}, {"disjoint", "prefetch", "seconds"}},
       {Says::only_with, {"item_bytes"}, {"fast_room"}},
-      {Says::never_with, {"disjoint"}, {"prefetch", "pairs", "groups", "against", "done_items"}},
+      {Says::never_with, {"disjoint"}, {"prefetch"}},
       {Says::only_with, {"ordered", "self", "shuffle"}, {"new_pairs", "write_back", "prefetch"}},
       {Says::only_with, {"spread"}, {"new_pairs", "write_back"}},
       // Prefetch decides which step computes a pair.
@@ -312,7 +313,8 @@ void check_together(const LoadRequest& request, Door door, bool all) {
     refuse(fmt::format("{} {}: of {} {} none would be new; give fewer", key("done_items", door),
                        *request.done_items, key("items", door), items));
   }
-  if (request.disjoint && *request.workers > 1 && items / *request.workers < *request.room) {
+  if (request.disjoint && all && !request.against && !request.done_items && *request.workers > 1 &&
+      items / *request.workers < *request.room) {
     const std::uint64_t most = items / *request.workers;
     const std::string less =
         most < 2 ? "" : fmt::format("{} {} or less, or ", key("room", door), most);
@@ -344,8 +346,10 @@ void check_together(const LoadRequest& request, Door door, bool all) {
                     key(request.new_pairs ? "new_pairs" : "prefetch", door)));
   }
   if (request.write_back && request.workers && !request.disjoint) {
-    refuse(fmt::format("{} {}: two workers would change one item at once; add {}",
-                       key("write_back", door), key("workers", door), key("disjoint", door)));
+    refuse(fmt::format("{} {}: two workers would change one item at once; {}",
+                       key("write_back", door), key("workers", door),
+                       request.fast_room ? "leave out one of them"
+                                         : fmt::format("add {}", key("disjoint", door))));
   }
 }
 

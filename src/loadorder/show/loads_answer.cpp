@@ -50,7 +50,7 @@ AnyLoads planned(const CheckedLoads& asked, const LoadRequest& request, LoadOrde
     return plan_sized_order(asked.sizes(), wanted, options);
   }
   if (request.disjoint) {
-    return plan_disjoint_order(wanted.items(), room, *request.workers, options);
+    return plan_disjoint_order(wanted, room, *request.workers, options);
   }
   if (request.fast_room) {
     if (request.workers) {

@@ -304,10 +304,9 @@ class ScheduleText {
       return fmt::format(
           "{}, {} with room for {}{}, no item at two of them: {} in {}, {}\n"
           "the busiest worker has {}; the slowest of each step add up to {}, {}\n",
-          count_of(facts_.items, "item"), count_of(facts_.lockstep, "worker"), facts_.room,
-          in_epochs(), loads, count_of(steps, "step"), over(facts_.loads, bound),
-          count_of(facts_.makespan(), "load"), facts_.span,
-          over(facts_.span, facts_.makespan_bound));
+          what_meets(), count_of(facts_.lockstep, "worker"), facts_.room, in_epochs(), loads,
+          count_of(steps, "step"), over(facts_.loads, bound), count_of(facts_.makespan(), "load"),
+          facts_.span, over(facts_.span, facts_.makespan_bound));
     }
     const std::string busiest =
         split_ == nullptr
@@ -320,21 +319,17 @@ class ScheduleText {
       return fmt::format(
           "{}, room for {} in memory and {} of them on the accelerator{}: {}\n{}"
           "from the disk: {}\nto the accelerator: {}\n",
-          count_of(facts_.items, "item"), facts_.room, *facts_.fast_room, in_epochs(),
-          count_of(steps, "step"), busiest, level(facts_.loads, "load", bound),
+          what_meets(), facts_.room, *facts_.fast_room, in_epochs(), count_of(steps, "step"),
+          busiest, level(facts_.loads, "load", bound),
           level(facts_.transfers, "transfer", facts_.transfer_bound));
     }
     if (facts_.sizes) {
-      return fmt::format(
-          "{}, {} bytes of memory{}: {} bytes in {} and {}, {}\n",
-          facts_.wanted.are_all() ? count_of(facts_.items, "item") : facts_.wanted.describe(),
-          facts_.sizes->memory, in_epochs(), facts_.bytes, loads, count_of(steps, "step"),
-          over(facts_.bytes, facts_.byte_bound));
+      return fmt::format("{}, {} bytes of memory{}: {} bytes in {} and {}, {}\n", what_meets(),
+                         facts_.sizes->memory, in_epochs(), facts_.bytes, loads,
+                         count_of(steps, "step"), over(facts_.bytes, facts_.byte_bound));
     }
-    const std::string what = fmt::format(
-        "{}, room for {}{}: ",
-        facts_.wanted.are_all() ? count_of(facts_.items, "item") : facts_.wanted.describe(),
-        facts_.room, in_epochs());
+    const std::string what =
+        fmt::format("{}, room for {}{}: ", what_meets(), facts_.room, in_epochs());
     if (split_ != nullptr) {
       const std::string groups = split_->groups == facts_.items ? ""
                                  : split_->group_room == 0
@@ -346,6 +341,10 @@ class ScheduleText {
     return fmt::format(
         "{}{} in {}, {}\n{}", what, loads, count_of(steps, "step"),
         spare_ ? fmt::format("lower bound {}", bound.loads) : over(facts_.loads, bound), spare);
+  }
+
+  [[nodiscard]] std::string what_meets() const {
+    return facts_.wanted.are_all() ? count_of(facts_.items, "item") : facts_.wanted.describe();
   }
 
   [[nodiscard]] std::string in_epochs() const {

@@ -41,10 +41,10 @@ class SizeList {
         continue;
       }
       std::erase_if(row, [](const Field& field) { return field.text.empty(); });
-      if (row.size() == 1 && !row.front().in_quotes) {
+      if (row.size() == 1 && !row.front().in_quotes && !rows_.is_given()) {
         row = at_blanks(row.front(), rows_);
       }
-      if (!row.empty() && !(std::exchange(first, false) && is_heading(row))) {
+      if (!row.empty() && !(std::exchange(first, false) && !rows_.is_given() && is_heading(row))) {
         take(row);
       }
     }

@@ -153,5 +153,20 @@ TEST(LoadRequest, ABadByteNeverBecomesAnotherFault) {
   }
 }
 
+// A file may begin with names of columns; rows of a document are all meant.
+TEST(LoadRequest, RowsOfADocumentAreNotTakenForTitles) {
+  const auto pairs = [](const std::string& document) {
+    return checked_loads(load_request(document), Door::document).wanted().count();
+  };
+  EXPECT_EQ(pairs(R"({"room":3,"pairs":[["a","b"],[0,1],[1,2]]})"), 3U);
+  EXPECT_EQ(pairs(R"({"room":3,"pairs":{"text":"a b\n0 1\n1 2\n"}})"), 2U);
+  EXPECT_EQ(pairs(R"({"room":3,"groups":[["a","b"],[0,1,2]]})"), 4U);
+  EXPECT_EQ(pairs(R"({"room":3,"groups":[["a b","c"],["d"]]})"), 1U);
+  EXPECT_THROW(pairs(R"({"room":3,"workers":2,"pairs":[["a","b","cost"],[0,1,2]]})"), BadInput);
+  EXPECT_THROW(pairs(R"({"room":3,"items":4,"workers":2,"pair_cost":[["a","b","cost"]]})"),
+               BadInput);
+  EXPECT_THROW(pairs(R"({"memory":3,"sizes":[["item","bytes"],[0,1],[1,2]]})"), BadInput);
+}
+
 }  // namespace
 }  // namespace changeover::load_request_test

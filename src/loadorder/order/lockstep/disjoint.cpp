@@ -10,6 +10,8 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "loadorder/listed/parts.hpp"
+#include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/order/lockstep/eras.hpp"
 #include "loadorder/order/lockstep/grown.hpp"
 #include "loadorder/order/read_order.hpp"
@@ -181,14 +183,51 @@ std::optional<GroupedOrder> grown_order(const LoadOrderFacts& facts,
 
 using WorkerMaker = std::function<std::unique_ptr<StepSource>(std::uint64_t worker)>;
 
+/// The steps of a worker that has nothing to do.
+class EmptySteps final : public StepSource {
+ public:
+  explicit EmptySteps(std::uint64_t steps) : steps_(steps) {}
+
+  bool next(Step& step) override {
+    step.evict.clear();
+    step.load.clear();
+    step.number = number_ + 1;
+    return number_++ < steps_;
+  }
+
+ private:
+  std::uint64_t steps_;
+  std::uint64_t number_ = 0;
+};
+
+// Of some pairs only.
+WorkerMaker listed_steps(LoadOrderFacts& facts) {
+  const WantedPairs list = as_list(facts.wanted);
+  const LockstepLists found = lockstep_of_parts(*list.graph(), facts.room, facts.lockstep);
+  facts.method = "parts";
+  facts.explanation = fmt::format(
+      "The items are in {} parts. A worker has two of them at a time, which no other one has, and "
+      "loads what their pairs need.",
+      found.parts);
+  return [found](std::uint64_t worker) -> std::unique_ptr<StepSource> {
+    if (worker < found.workers) {
+      return found.lists->of(worker);
+    }
+    return std::make_unique<EmptySteps>(found.steps);
+  };
+}
+
 // Describes the order in `facts`.
 WorkerMaker best_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
   if (facts.lockstep == 1) {
-    const auto order =
-        std::make_shared<const LoadOrder>(plan_load_order(facts.items, facts.room, options));
+    const auto order = std::make_shared<const LoadOrder>(
+        plan_load_order(facts.wanted.among(facts.items), facts.room, options));
     facts.method = order->facts().method;
     facts.explanation = order->facts().explanation;
     return [order](std::uint64_t) { return order->stream(); };
+  }
+  if (!facts.wanted.are_all()) {
+    return listed_steps(facts);
   }
   const EraShape shape = best_eras(facts.items, facts.room, facts.lockstep);
   const EraCost eras = cost_of_eras(shape);
@@ -241,15 +280,17 @@ class InLockstep final : public StepSource {
 
 }  // namespace
 
-LoadOrder plan_disjoint_order(std::uint64_t items, std::uint64_t room, std::uint64_t workers,
+LoadOrder plan_disjoint_order(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers,
                               const LoadOrderOptions& options) {
+  const std::uint64_t items = wanted.items();
   LoadOrderFacts facts;
+  facts.wanted = wanted.are_all() ? WantedPairs() : wanted;
   facts.items = items;
   facts.room = room;
   facts.lockstep = workers;
-  facts.bound = load_lower_bound(items, room);
-  facts.makespan_bound = makespan_lower_bound(items, room, workers);
-  if (workers > 1 && items / workers < room) {
+  facts.bound = load_lower_bound(wanted, room);
+  facts.makespan_bound = makespan_lower_bound(wanted, room, workers);
+  if (wanted.are_all() && workers > 1 && items / workers < room) {
     const std::string less =
         items / workers < 2 ? "" : fmt::format("room for {} or less, or ", items / workers);
     throw BadInput(
@@ -257,7 +298,7 @@ LoadOrder plan_disjoint_order(std::uint64_t items, std::uint64_t room, std::uint
                     "fewer workers",
                     workers, room, items, less));
   }
-  if (items > max_elements_in_memory) {
+  if (wanted.graph() == nullptr && items > max_elements_in_memory) {
     throw ImpossibleParameters(
         fmt::format("{} items: disjoint workers have at most {}; group items into larger ones",
                     items, max_elements_in_memory));
@@ -268,11 +309,13 @@ LoadOrder plan_disjoint_order(std::uint64_t items, std::uint64_t room, std::uint
   };
   const ScheduleVerdict verdict =
       read_order(maker, LoadOrder(facts, maker).rules(),
-                 fmt::format("{} items for {} workers with room for {}", items, workers, room));
+                 fmt::format("{} for {} workers with room for {}",
+                             wanted.are_all() ? fmt::format("{} items", items) : wanted.describe(),
+                             workers, room));
   static_cast<ScheduleFacts&>(facts) = verdict;
   facts.every_step_read = true;
   facts.certificate =
-      "every step read: no item held twice at once, " + pairs_read(verdict, binomial(items, 2));
+      "every step read: no item held twice at once, " + pairs_read(verdict, wanted.count());
   return {std::move(facts), std::move(maker)};
 }
 

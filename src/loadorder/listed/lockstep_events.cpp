@@ -1,0 +1,140 @@
+#include "loadorder/listed/lockstep_events.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace changeover {
+namespace {
+
+std::uint32_t steps_in(const LockstepEvents& events) {
+  std::uint32_t steps = 0;
+  for (const std::vector<LockstepEvent>& each : events) {
+    steps = each.empty() ? steps : std::max(steps, each.back().step + 1);
+  }
+  return steps;
+}
+
+/// Which stays of items bring a pair together that has not met before, by playing all workers.
+class UsedStays {
+ public:
+  UsedStays(const LockstepEvents& events, const PairGraph& graph)
+      : graph_(graph),
+        holder_(static_cast<std::size_t>(graph.items()), 0),
+        stay_(holder_.size(), 0),
+        met_(static_cast<std::size_t>(2 * graph.pairs()), false),
+        loaded_(holder_.size(), false) {
+    std::vector<std::size_t> at(events.size(), 0);
+    const std::uint32_t steps = steps_in(events);
+    for (std::uint32_t step = 0; step < steps; ++step) {
+      for (const bool comes : {false, true}) {
+        for (std::size_t w = 0; w < events.size(); ++w) {
+          for (; at[w] < events[w].size() && events[w][at[w]].step == step &&
+                 events[w][at[w]].comes == comes;
+               ++at[w]) {
+            comes ? load(w, events[w][at[w]].item) : void(holder_[events[w][at[w]].item] = 0);
+          }
+        }
+      }
+    }
+  }
+
+  /// By the number of the stay: stays are numbered by their loads, step by step, worker by worker.
+  [[nodiscard]] const std::vector<bool>& are_used() const { return is_used_; }
+  /// The number of a worker's stays in turn.
+  [[nodiscard]] const std::vector<std::vector<std::size_t>>& of_workers() const { return stays_; }
+
+ private:
+  void load(std::size_t w, Element x) {
+    if (stays_.size() <= w) {
+      stays_.resize(w + 1);
+    }
+    stays_[w].push_back(is_used_.size());
+    stay_[x] = is_used_.size();
+    // An item without pairs is loaded once.
+    is_used_.push_back(graph_.partners(x).empty() && !loaded_[x]);
+    loaded_[x] = true;
+    holder_[x] = w + 1;
+    for (const Element y : graph_.partners(x)) {
+      if (holder_[y] != w + 1) {
+        continue;
+      }
+      const auto place = static_cast<std::size_t>(*graph_.place(x, y));
+      if (!met_[place]) {
+        met_[place] = true;
+        is_used_[stay_[x]] = is_used_[stay_[y]] = true;
+      }
+    }
+  }
+
+  const PairGraph& graph_;
+  std::vector<std::size_t> holder_;  // by item: its worker plus one, or 0
+  std::vector<std::size_t> stay_;    // by item
+  std::vector<bool> met_;
+  std::vector<bool> loaded_;
+  std::vector<bool> is_used_;
+  std::vector<std::vector<std::size_t>> stays_;
+};
+
+void leave_out_unused(LockstepEvents& events, const PairGraph& graph) {
+  const UsedStays stays(events, graph);
+  std::vector<bool> is_kept(static_cast<std::size_t>(graph.items()), false);  // at this worker
+  for (std::size_t w = 0; w < events.size(); ++w) {
+    std::size_t next = 0;
+    std::erase_if(events[w], [&](const LockstepEvent& event) {
+      if (event.comes) {
+        is_kept[event.item] = stays.are_used()[stays.of_workers()[w][next++]];
+      }
+      return !is_kept[event.item];
+    });
+  }
+}
+
+}  // namespace
+
+LockstepLists lists_of(LockstepEvents events, const PairGraph& graph) {
+  leave_out_unused(events, graph);
+  // What goes after the last load stays.
+  std::uint32_t end = 0;
+  for (const std::vector<LockstepEvent>& each : events) {
+    for (const LockstepEvent& event : each) {
+      end = event.comes ? std::max(end, event.step + 1) : end;
+    }
+  }
+  std::vector<bool> evicts(end, false);
+  std::vector<bool> moves(end, false);
+  for (std::vector<LockstepEvent>& each : events) {
+    std::erase_if(each, [&](const LockstepEvent& event) { return event.step >= end; });
+    for (const LockstepEvent& event : each) {
+      moves[event.step] = true;
+      evicts[event.step] = evicts[event.step] || !event.comes;
+    }
+  }
+  LockstepLists result;
+  std::vector<std::size_t> number(end, 0);
+  for (std::size_t step = 0; step < end; ++step) {
+    result.steps += moves[step] && (evicts[step] || result.steps == 0) ? 1U : 0U;
+    number[step] = static_cast<std::size_t>(result.steps) - (result.steps > 0 ? 1 : 0);
+  }
+  std::vector<std::uint64_t> most(static_cast<std::size_t>(result.steps), 0);
+  auto lists = std::make_shared<StepLists>();
+  for (const std::vector<LockstepEvent>& each : events) {
+    std::vector<Move> its(static_cast<std::size_t>(result.steps));
+    for (const LockstepEvent& event : each) {
+      Move& move = its[number[event.step]];
+      (event.comes ? move.load : move.evict).push_back(event.item);
+      result.loads += event.comes ? 1U : 0U;
+    }
+    for (std::size_t step = 0; step < its.size(); ++step) {
+      most[step] = std::max<std::uint64_t>(most[step], its[step].load.size());
+    }
+    lists->add(its);
+  }
+  for (const std::uint64_t loads : most) {
+    result.span += loads;
+  }
+  result.workers = events.size();
+  result.lists = std::move(lists);
+  return result;
+}
+
+}  // namespace changeover
