@@ -48,7 +48,9 @@ def retarget(text: str, source: str, pages: dict) -> tuple:
     folder = os.path.dirname(source)
 
     def turned(match):
-        before, target, after = match.groups()
+        if match["code"]:
+            return match.group(0)
+        before, target, after = match["before"], match["target"], match["after"]
         path, mark, anchor = target.partition("#")
         if not path or re.match(r"[a-z]+:", target):
             return match.group(0)
@@ -64,7 +66,9 @@ def retarget(text: str, source: str, pages: dict) -> tuple:
             return f"{before}files/{there}{after}"
         sys.exit(f"{source}: the link to {target} leads nowhere")
 
-    return re.sub(r"(\[[^\]\n]*\]\()([^)\s]+)(\))", turned, text), wanted
+    code = r"(?P<code>(?P<ticks>`+)(?!`)[^\n]*?(?<!`)(?P=ticks)(?!`))"
+    link = r"(?P<before>\[[^\]\n]*\]\()(?P<target>[^)\s]+)(?P<after>\))"
+    return re.sub(f"{code}|{link}", turned, text), wanted
 
 
 def commands(described: dict) -> str:

@@ -125,7 +125,7 @@ TEST_F(Runs, FilesThatAreNoRunsAreNamedAndStay) {
       {with("title", std::string(300, 'x')), "title: at most 200 bytes"},
       {with("results", json::object()), "results: write a list"},
       {with("results", {{{"test", 1}}}), "test: write a string"},
-      {with("results", {json::object(), json::object(), json::object()}), "a result a test"},
+      {with("results", {json::object(), json::object(), json::object()}), "one result per test"},
       {with("more", 1), "unknown key 'more'"}};
   for (const auto& [text, why] : bad) {
     spit(path(id), text);

@@ -157,7 +157,7 @@ TEST(Searches, RefuseWhatCannotBe) {
         std::tuple{R"({"v":20,"k":5,"way":"locked"})", 422, "needs first, last or"},
         std::tuple{R"({"v":20,"k":5,"first":[0]})", 422, "go with"},
         std::tuple{R"({"v":20,"k":5,"way":"locked","first":[0,0]})", 422, "has what is wanted"},
-        std::tuple{R"({"v":20,"k":5,"way":"locked","first":[-1]})", 422, "list of elements"},
+        std::tuple{R"({"v":20,"k":5,"way":"locked","first":[-1]})", 422, "is not an element"},
         std::tuple{R"({"v":20,"k":5,"way":"exact","blocks":3})", 422, "finds the minimum"},
         std::tuple{R"({"v":20,"k":5,"strength":9})", 422, "strength"},
         std::tuple{R"({"v":20,"k":5,"blocks":0})", 422, "at least one block"},
