@@ -215,8 +215,10 @@ export const theorems: Page = {
         view.go({ theorem: null, construction: null, reference: null, ...Object.fromEntries(new URLSearchParams(to.split('?')[1] ?? '')) }, { quiet: true });
         statements.rest(); // What is above has its height then.
         const target = document.getElementById(id);
-        target?.scrollIntoView({ block: 'start' });
+        // At once: on a way through statements that are drawn as they pass, the end would move.
+        target?.scrollIntoView({ block: 'start', behavior: 'instant' });
         target?.focus({ preventScroll: true });
+        requestAnimationFrame(() => target?.scrollIntoView({ block: 'start', behavior: 'instant' }));
       } }, words));
     const contents = h(
       'nav',
