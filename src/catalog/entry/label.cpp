@@ -142,14 +142,8 @@ DesignDigest design_digest(BlockSource& source) {
   const Parameters& p = source.parameters();
   const std::vector<std::string> numbers;
   ElementText text(sink, p.v, numbers, ' ');
-  const auto k = static_cast<std::size_t>(p.k);
-  std::uint64_t elements = 0;
-  for_each_batch(source, [&](std::span<const Element> blocks) {
-    text.blocks(blocks, k, '\n');
-    elements += blocks.size();
-  });
-  text.flush();
-  return {sink.hash.finish(), elements / k};
+  const std::uint64_t blocks = write_block_lines(source, text);
+  return {sink.hash.finish(), blocks};
 }
 
 std::string CatalogEntry::label() const { return design_label(parameters, b, checksum); }

@@ -98,11 +98,8 @@ void put_header(ElementText& text, const Parameters& p, const std::vector<std::s
 
 }  // namespace
 
-std::uint64_t write_text(BlockSource& source, Sink& sink, const TextHeader& header) {
-  const Parameters& p = source.parameters();
-  ElementText text(sink, p.v, header.labels, ' ');
-  put_header(text, p, header.labels, header.recipe);
-  const auto k = static_cast<std::size_t>(p.k);
+std::uint64_t write_block_lines(BlockSource& source, ElementText& text) {
+  const auto k = static_cast<std::size_t>(source.parameters().k);
   std::uint64_t elements = 0;
   for_each_batch(source, [&](std::span<const Element> blocks) {
     text.blocks(blocks, k, '\n');
@@ -110,6 +107,13 @@ std::uint64_t write_text(BlockSource& source, Sink& sink, const TextHeader& head
   });
   text.flush();
   return elements / k;
+}
+
+std::uint64_t write_text(BlockSource& source, Sink& sink, const TextHeader& header) {
+  const Parameters& p = source.parameters();
+  ElementText text(sink, p.v, header.labels, ' ');
+  put_header(text, p, header.labels, header.recipe);
+  return write_block_lines(source, text);
 }
 
 void write_text(const Design& design, Sink& sink) {

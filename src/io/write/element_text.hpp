@@ -83,6 +83,9 @@ class ElementText {
   char* end_;
 };
 
+/// All blocks of `source`, a line each. Returns how many there are. The text is passed to the sink.
+std::uint64_t write_block_lines(BlockSource& source, ElementText& text);
+
 // The index of a block in its name: "3", or "i,j" for a developed design.
 
 /// `index` from 0 in the order of the blocks.
