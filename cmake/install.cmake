@@ -36,7 +36,7 @@ configure_package_config_file(
   INSTALL_DESTINATION "${package_dir}")
 write_basic_package_version_file(
   "${PROJECT_BINARY_DIR}/generated/changeoverConfigVersion.cmake"
-  COMPATIBILITY SameMinorVersion)
+  COMPATIBILITY SameMajorVersion)
 install(FILES
   "${PROJECT_BINARY_DIR}/generated/changeoverConfig.cmake"
   "${PROJECT_BINARY_DIR}/generated/changeoverConfigVersion.cmake"

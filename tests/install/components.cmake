@@ -70,7 +70,7 @@ refused("the component 'verify' of changeover is C\\+\\+: add CXX to the LANGUAG
 configure(CXX -Dcomponents=paper)
 refused("changeover has no component 'paper'")
 
-# Versions with another minor number may break source, so they do not answer.
+# Another major version may break source, so it does not answer.
 string(REGEX REPLACE "^([0-9]+)\\.([0-9]+).*" "\\1" major "${version}")
 math(EXPR major "${major} + 1")
 configure(CXX -Dcomponents=verify -Dwanted=${major}.0)

@@ -34,7 +34,7 @@ const std::vector<Case>& cases() {
   static const std::vector<Case> all{
       // 0: done, or valid
       {"$changeover --help", 0, "Exit codes"},
-      {"$changeover --version", 0, "changeover 0."},
+      {"$changeover --version", 0, "changeover 1."},
       {"$changeover design --help", 0, "Examples"},
       {"$changeover design 61 4 --circular", 0, "366 blocks"},
       {"$changeover design 61 4 --json", 0, "\"minimum\":\"proved\""},

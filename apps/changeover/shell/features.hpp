@@ -1,6 +1,6 @@
 // What this program was built with, and what it can do here: `changeover --version`.
 //
-//     changeover 0.1.0
+//     changeover 1.0.0
 //     built        GNU 12.2.0, Release, with MPI
 //     …
 //

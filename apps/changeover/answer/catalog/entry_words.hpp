@@ -15,7 +15,7 @@ namespace changeover::cli {
 /// {"label","v","k","change","kind",["strength",]"b","lower_bound","reason","status","construction","credit","cites","hash",…}.
 void write_entry(JsonWriter& json, const CatalogEntry& entry);
 
-/// "changeover search 20 5 …; The Changeover developers; changeover 0.1.0; 2026-11-22".
+/// "changeover search 20 5 …; The Changeover developers; changeover 1.0.0; 2026-11-22".
 [[nodiscard]] std::string credit_words(const Credit& credit);
 
 /// A line of a list: label, blocks, bound, status, construction, date.
