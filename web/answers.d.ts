@@ -38,9 +38,17 @@ export type Job = {
   test_cost?: (number | string) | null;
   /** what mounting a part costs where the list does not say */
   change_cost?: (number | string) | null;
-  /** a square table: what putting in the part of the column costs where that of the row was taken out; of a model: parameter,value,cost a line */
+  /**
+   * a square table: what putting in the part of the column costs where that of the row was taken
+   * out; of a model: parameter,value,cost a line
+   */
   change_costs?:
-    | ([string | number | null, ...(string | number | null)[]][] | {file: string} | {text: string} | {workbook: string; sheet?: string})
+    | (
+        | [string | number | null, ...(string | number | null)[]][]
+        | {file: string}
+        | {text: string}
+        | {workbook: string; sheet?: string}
+      )
     | null;
   /** what all costs are: with a time, a clock runs along (default: as the list says) */
   cost_unit?: ('money' | 'seconds' | 'minutes' | 'hours') | null;
@@ -48,7 +56,13 @@ export type Job = {
   strength?: number | null;
   /** pairs that must meet (default: all) */
   pairs?:
-    ([string | number | null, string | number | null][] | {file: string} | {text: string} | {workbook: string; sheet?: string}) | null;
+    | (
+        | [string | number | null, string | number | null][]
+        | {file: string}
+        | {text: string}
+        | {workbook: string; sheet?: string}
+      )
+    | null;
   /** pairs that must not be in one set-up, and why if you like: A,B,why a line */
   never?:
     | (
@@ -62,7 +76,11 @@ export type Job = {
   /** how many parts of each slot a set-up has: slot,least,most a line */
   slots?:
     | (
-        | {name: string | number | null; least?: string | number | null; most?: string | number | null}[]
+        | {
+            name: string | number | null;
+            least?: string | number | null;
+            most?: string | number | null;
+          }[]
         | {file: string}
         | {text: string}
         | {workbook: string; sheet?: string}
@@ -104,7 +122,14 @@ export type Job = {
   /** tests already run (one set-up per line, or a run sheet); plans the remaining tests */
   done?:
     | (
-        | ((string | number | null)[] | {parts: (string | number | null)[]; result?: string | null; bench?: string | number | null})[]
+        | (
+            | (string | number | null)[]
+            | {
+                parts: (string | number | null)[];
+                result?: string | null;
+                bench?: string | number | null;
+              }
+          )[]
         | {file: string}
         | {text: string}
         | {workbook: string; sheet?: string}
@@ -129,7 +154,11 @@ export type Job = {
                 change_factor?: string | number | null;
                 slots?:
                   | (string | number | null)
-                  | {name: string | number | null; least?: string | number | null; most?: string | number | null}[];
+                  | {
+                      name: string | number | null;
+                      least?: string | number | null;
+                      most?: string | number | null;
+                    }[];
                 mounted?: (string | number | null) | (string | number | null)[];
                 start?: (string | number | null) | (string | number | null)[];
                 own?: (string | number | null) | (string | number | null)[];
@@ -143,7 +172,10 @@ export type Job = {
         | {workbook: string; sheet?: string}
       )
     | null;
-  /** of several benches: the earliest end of the last test (makespan, the default) or the least cost together; of a model: the least cost (default) or the fewest tests */
+  /**
+   * of several benches: the earliest end of the last test (makespan, the default) or the least
+   * cost together; of a model: the least cost (default) or the fewest tests
+   */
   objective?: ('makespan' | 'cost' | 'tests') | null;
   /** hours of work a day on each bench that says nothing else, with costs in hours */
   hours?: (number | string) | null;
@@ -176,7 +208,10 @@ export type LoadRequest = {
   items?: number | null;
   /** how many are in memory at once */
   room?: number | null;
-  /** only the pairs listed there, two items per line (text, CSV, .xlsx); "-": standard input; with --workers a third column may say what a pair costs */
+  /**
+   * only the pairs listed there, two items per line (text, CSV, .xlsx); "-": standard input; with
+   * --workers a third column may say what a pair costs
+   */
   pairs?:
     | (
         | [string | number | null, string | number | null]
@@ -188,7 +223,12 @@ export type LoadRequest = {
     | null;
   /** only the pairs within the groups listed there, a group of items per line */
   groups?:
-    | ([string | number | null, ...(string | number | null)[]][] | {file: string} | {text: string} | {workbook: string; sheet?: string})
+    | (
+        | [string | number | null, ...(string | number | null)[]][]
+        | {file: string}
+        | {text: string}
+        | {workbook: string; sheet?: string}
+      )
     | null;
   /** each of the P items with each of B others */
   against?: number | null;
@@ -198,9 +238,18 @@ export type LoadRequest = {
   fast_room?: number | null;
   /** bytes an item, to say what both levels move */
   item_bytes?: number | null;
-  /** items differ in size: an item and its bytes per line, or the bytes of items 0, 1, … in turn; --memory says how many fit */
+  /**
+   * items differ in size: an item and its bytes per line, or the bytes of items 0, 1, … in turn;
+   * --memory says how many fit
+   */
   sizes?:
-    ([string | number | null, string | number | null][] | {file: string} | {text: string} | {workbook: string; sheet?: string}) | null;
+    | (
+        | [string | number | null, string | number | null][]
+        | {file: string}
+        | {text: string}
+        | {workbook: string; sheet?: string}
+      )
+    | null;
   /** bytes in memory at once, of items with --sizes */
   memory?: number | null;
   /** split it for W workers with room C each */
@@ -211,7 +260,10 @@ export type LoadRequest = {
   balance?: boolean | null;
   /** the first worker that has a pair computes it */
   first_holder?: boolean | null;
-  /** what pairs cost to compute, two items and a number per line, otherwise 1; costs are spread evenly over workers */
+  /**
+   * what pairs cost to compute, two items and a number per line, otherwise 1; costs are spread
+   * evenly over workers
+   */
   pair_cost?:
     | (
         | [string | number | null, string | number | null, string | number | null][]
@@ -222,9 +274,14 @@ export type LoadRequest = {
     | null;
   /** begin at step N, which loads what is in memory then */
   from_step?: number | null;
-  /** every pair meets in each of N epochs, back and forth: what is in memory at the end of one stays for the next */
+  /**
+   * every pair meets in each of N epochs, back and forth: what is in memory at the end of one
+   * stays for the next
+   */
   epochs?: number | null;
-  /** begin at once: steps are read while they are written, and the end says whether they are right */
+  /**
+   * begin at once: steps are read while they are written, and the end says whether they are right
+   */
   verify_beside?: boolean | null;
   /** workers step together and never hold one item twice, so that items may change */
   disjoint?: boolean | null;
@@ -445,7 +502,10 @@ export interface Dossier {
    *
    * @minItems 1
    */
-  bounds: [{lower_bound: number; name: string; reason: string}, ...{lower_bound: number; name: string; reason: string}[]];
+  bounds: [
+    {lower_bound: number; name: string; reason: string},
+    ...{lower_bound: number; name: string; reason: string}[]
+  ];
   /** A publication that reports fewer blocks. */
   reported: {blocks: number; cites: string} | null;
   /**
@@ -546,7 +606,10 @@ export interface Head {
   /** What these pairs cost, if that was said. */
   worker_costs?: number[];
 }
-/** Each other line: a step, of one worker if there are several. What is evicted goes before what is loaded comes. */
+/**
+ * Each other line: a step, of one worker if there are several. What is evicted goes before what is
+ * loaded comes.
+ */
 export interface Step {
   worker?: number;
   /** From 1, if there are several. */
@@ -622,7 +685,10 @@ export interface Plan {
   }[];
   notes: string[];
   replace_costs?: (null | number)[][];
-  parameters?: {name: string; values: {value: string; part: string; names: string[]; out_of_range: boolean}[]}[];
+  parameters?: {
+    name: string;
+    values: {value: string; part: string; names: string[]; out_of_range: boolean}[];
+  }[];
   rules?: number;
   objective?: 'cost' | 'tests';
   proved_fewest_tests?: boolean;
@@ -770,7 +836,13 @@ export interface CellDetail {
   status: Status;
   reported: Reported | null;
   bounds: Bound[];
-  best: {b: number; label: string | null; status: Status; construction: string; recipe: Recipe} | null;
+  best: {
+    b: number;
+    label: string | null;
+    status: Status;
+    construction: string;
+    recipe: Recipe;
+  } | null;
   designs: CatalogEntry[];
   offers: {construction: string; b: number; recipe?: Recipe}[];
   history: {date: string; b: number; label: string; credit: string; how: string}[];
@@ -891,7 +963,12 @@ export interface SearchJob {
   /** What a step is: moves, or kB of proof. */
   unit: string;
   /** Of an exact search: whether there is a design with so many blocks. */
-  decisions: {blocks: number; outcome: 'running' | 'found' | 'none' | 'unknown'; seconds: number; steps: number}[];
+  decisions: {
+    blocks: number;
+    outcome: 'running' | 'found' | 'none' | 'unknown';
+    seconds: number;
+    steps: number;
+  }[];
   points?: {seconds: number; best: number | null; lower_bound: number | null; rate: number}[];
 }
 /** A plan that is searched for: the best so far against its bound; the answer at last. */
@@ -913,14 +990,30 @@ export interface Planned {
   benches?: Benches;
   what_if?: WhatIf;
   diagnosis?: Diagnosis;
-  tests?: {number: number; parts: string[]; out: string[]; in: string[]; cost: number; changes: number; done: boolean}[];
+  tests?: {
+    number: number;
+    parts: string[];
+    out: string[];
+    in: string[];
+    cost: number;
+    changes: number;
+    done: boolean;
+  }[];
   cost?: number;
   changes?: number;
   bound?: number;
   reason?: string;
   cheapest?: boolean;
   met_only_in_failed?: number;
-  alternatives?: {name: string; how: string; change: number | null; tests: number; changes: number; cost: number; bound: number}[];
+  alternatives?: {
+    name: string;
+    how: string;
+    change: number | null;
+    tests: number;
+    changes: number;
+    cost: number;
+    bound: number;
+  }[];
   verified?: boolean;
   csv?: string;
 }
@@ -990,7 +1083,13 @@ export interface Details {
   degree_identity: boolean | null;
   unchanged_subsets: number | null;
   never_unchanged: (number | string)[];
-  elements: {element: number | string; introductions: number; blocks: number; covered: number; excess: number}[];
+  elements: {
+    element: number | string;
+    introductions: number;
+    blocks: number;
+    covered: number;
+    excess: number;
+  }[];
 }
 /** What a list of blocks became with few blocks changed. */
 export interface Repaired {

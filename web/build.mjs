@@ -1,10 +1,13 @@
-// Builds the pages into dist/, which is kept beside the sources so that a machine without Node builds the explorer too.
+// Builds the pages into dist/, which is kept beside the sources so that a machine without Node
+// builds the explorer too.
 //
 //     node build.mjs            write dist/
-//     node build.mjs --check    compare dist/ with what the sources make; exit code 1 if they differ
+//     node build.mjs --check    compare dist/ with what the sources make; exit code 1 if they
+// differ
 //     node build.mjs --watch    write dist/ whenever a source changes (for work on pages)
 //
-// dist/sources.sha256 has the checksum of each source: it tells without Node whether dist/ is of these sources.
+// dist/sources.sha256 has the checksum of each source: it tells without Node whether dist/ is of
+// these sources.
 import { createHash } from 'node:crypto';
 import { mkdir, readFile, readdir, rm, writeFile } from 'node:fs/promises';
 import { dirname, join, relative } from 'node:path';
@@ -39,7 +42,9 @@ async function checksums() {
   ];
   const lines = await Promise.all(
     paths.map(async (path) => {
-      const hash = createHash('sha256').update(await readFile(path)).digest('hex');
+      const hash = createHash('sha256')
+        .update(await readFile(path))
+        .digest('hex');
       return `${hash}  ${relative(here, path)}\n`;
     }),
   );
@@ -50,7 +55,11 @@ async function checksums() {
 async function pages() {
   const built = await esbuild.build({
     absWorkingDir: here,
-    entryPoints: { 'assets/app': 'src/main.ts', 'assets/verify-worker': 'src/pages/verify/worker.ts', 'assets/style': 'src/style/main.css' },
+    entryPoints: {
+      'assets/app': 'src/main.ts',
+      'assets/verify-worker': 'src/pages/verify/worker.ts',
+      'assets/style': 'src/style/main.css',
+    },
     outdir: 'dist',
     bundle: true,
     minify: true,
@@ -70,15 +79,29 @@ async function pages() {
   // What is bundled comes with its licence.
   const licences = { uPlot: 'uplot/LICENSE', Temml: 'temml/LICENSE' };
   const parts = [
-    ['uPlot', (path, text) => path === 'assets/style.css' || (path.endsWith('.js') && text.includes('u-legend'))],
-    ['Temml', (path, text) => path.endsWith('.js') && text.includes('\\\\mathrm') && text.includes('mtable')],
+    [
+      'uPlot',
+      (path, text) =>
+        path === 'assets/style.css' || (path.endsWith('.js') && text.includes('u-legend')),
+    ],
+    [
+      'Temml',
+      (path, text) =>
+        path.endsWith('.js') && text.includes('\\\\mathrm') && text.includes('mtable'),
+    ],
   ];
   for (const [path, content] of files) {
     const text = Buffer.from(content).toString('utf8');
     for (const [name, has] of parts) {
       if (has(path, text)) {
         const licence = await readFile(join(here, 'node_modules', licences[name]), 'utf8');
-        files.set(path, Buffer.concat([Buffer.from(`/*! With ${name}:\n${licence.trim()}\n*/\n`), files.get(path)]));
+        files.set(
+          path,
+          Buffer.concat([
+            Buffer.from(`/*! With ${name}:\n${licence.trim()}\n*/\n`),
+            files.get(path),
+          ]),
+        );
       }
     }
   }
@@ -115,7 +138,10 @@ const mode = process.argv[2] ?? '';
 if (mode === '--check') {
   const wrong = await check();
   if (wrong.length > 0) {
-    console.error(`web/dist is not what web/src makes: ${wrong.join(', ')}; run ./dev web build and commit dist`);
+    console.error(
+      `web/dist is not what web/src makes: ${wrong.join(', ')}; run ./dev web build and commit ` +
+        `dist`,
+    );
     process.exit(1);
   }
 } else if (mode === '--watch') {

@@ -1,5 +1,6 @@
-// How fast the pages are: first contentful paint and the moment when what was asked for is drawn, in milliseconds; each page in a window of its own, on a
-// server that has just started and then again. Medians of five.
+// How fast the pages are: first contentful paint and the moment when what was asked for is drawn,
+// in milliseconds; each page in a window of its own, on a server that has just started and then
+// again. Medians of five.
 //
 //     node times.mjs
 import { start } from './tests/support/browser.mjs';
@@ -9,7 +10,11 @@ const pages = [
   ['Catalog', '#/catalog', 'table.cells tbody tr'],
   ['Cell', '#/cell?v=40&k=6&change=2&kind=circular', '.recipe-node'],
   ['Design', '#/design?v=40&k=6&change=2&kind=circular', '.block-text'],
-  ['Design, 10,628 blocks', '#/design?v=253&k=4&change=1&kind=linear&show=stays', '.timeline-canvas'],
+  [
+    'Design, 10,628 blocks',
+    '#/design?v=253&k=4&change=1&kind=linear&show=stays',
+    '.timeline-canvas',
+  ],
   ['Theorems', '#/theorems', '.statement .prose p'],
   ['Load order', '#/loadorder?items=64&room=16', '.timeline-canvas'],
   ['Verify', '#/verify?example=good', '.verdict'],
@@ -31,9 +36,13 @@ async function visit(explorer, fragment, ready) {
     watcher.observe(document, { childList: true, subtree: true, attributes: true });
   }, ready);
   await page.goto(explorer.server.address + fragment, { waitUntil: 'commit' });
-  await page.waitForFunction(() => typeof globalThis.drawnAt === 'number', null, { timeout: 60_000 });
+  await page.waitForFunction(() => typeof globalThis.drawnAt === 'number', null, {
+    timeout: 60_000,
+  });
   const there = await page.evaluate(() => globalThis.drawnAt);
-  const paint = await page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0]?.startTime ?? performance.now());
+  const paint = await page.evaluate(
+    () => performance.getEntriesByName('first-contentful-paint')[0]?.startTime ?? performance.now(),
+  );
   await page.close();
   return { paint, there };
 }
@@ -45,19 +54,37 @@ for (const [name, fragment, ready] of pages) {
   for (let i = 0; i < 5; ++i) {
     warm.push(await visit(explorer, fragment, ready));
   }
-  console.log(`${name}: first paint ${median(warm.map(({ paint }) => paint)).toFixed(0)}, all ${median(warm.map(({ there }) => there)).toFixed(0)}; on a server just started ${cold.paint.toFixed(0)} and ${cold.there.toFixed(0)}`);
+  console.log(
+    `${name}: first paint ${median(warm.map(({ paint }) => paint)).toFixed(0)}, all ` +
+      `${median(warm.map(({ there }) => there)).toFixed(0)}; on a server just started ` +
+      `${cold.paint.toFixed(0)} and ${cold.there.toFixed(0)}`,
+  );
   await explorer.stop().catch((fault) => console.log(fault.message.split('\n')[0]));
 }
 
 // Choosing another selection of the catalog.
 const explorer = await start();
 const page = await explorer.open('#/catalog');
-for (const [change, kind] of [['1', 'circular'], ['3', 'circular'], ['3', 'linear'], ['2', 'linear'], ['1', 'linear']]) {
+for (const [change, kind] of [
+  ['1', 'circular'],
+  ['3', 'circular'],
+  ['3', 'linear'],
+  ['2', 'linear'],
+  ['1', 'linear'],
+]) {
   const began = Date.now();
   await page.getByLabel('Change number').selectOption(change);
   await page.getByLabel('Kind').selectOption(kind);
   await page.locator('table.cells a').first().waitFor({ timeout: 120_000 });
-  await page.waitForFunction(([m, k]) => document.querySelector('table.cells a')?.getAttribute('href')?.includes(`change=${m}&kind=${k}`), [change, kind], { timeout: 120_000 });
+  await page.waitForFunction(
+    ([m, k]) =>
+      document
+        .querySelector('table.cells a')
+        ?.getAttribute('href')
+        ?.includes(`change=${m}&kind=${k}`),
+    [change, kind],
+    { timeout: 120_000 },
+  );
   console.log(`selection m = ${change}, ${kind}: ${Date.now() - began}`);
 }
 await page.close();

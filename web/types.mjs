@@ -1,8 +1,9 @@
-// Writes answers.d.ts: the types of what is asked and answered, from the JSON Schemas in docs/schema; and references.json:
-// the works that are cited, from docs/references.bib.
+// Writes answers.d.ts: the types of what is asked and answered, from the JSON Schemas in
+// docs/schema; and references.json: the works that are cited, from docs/references.bib.
 //
 //     node types.mjs            write them
-//     node types.mjs --check    compare; exit code 1 if the schemas or the bibliography say something else
+//     node types.mjs --check    compare; exit code 1 if the schemas or the bibliography say
+// something else
 import { readdir, readFile, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -32,34 +33,78 @@ const written = await compile(documents, 'documents', {
   additionalProperties: false,
   bannerComment: '// Made by types.mjs of docs/schema: ./dev web build writes it anew.',
   customName: ({ title }, key) => names.get(title) ?? title ?? key,
-  style: { singleQuote: true, printWidth: 140, objectWrap: 'collapse' },
+  style: { singleQuote: true, printWidth: 100, objectWrap: 'collapse' },
 });
-const made = written.replace(/\/\*\*\n *\* (.*)\n *\*\//g, '/** $1 */');
+/** The lines of a comment, each at most 100 columns. */
+function comment(_, indent, text) {
+  const lines = [''];
+  for (const word of text.split(' ')) {
+    const line = lines.at(-1);
+    const longer = line === '' ? word : `${line} ${word}`;
+    longer.length + indent.length > 96 ? lines.push(word) : (lines[lines.length - 1] = longer);
+  }
+  return lines.length === 1 && lines[0].length + indent.length < 94
+    ? `${indent}/** ${lines[0]} */`
+    : [`${indent}/**`, ...lines.map((line) => `${indent} * ${line}`), `${indent} */`].join('\n');
+}
+const made = written.replace(/^( *)\/\*\*\n *\* (.*)\n *\*\//gm, comment);
 
 /** "Bean, Richard and Chafee, A. L." as "R. Bean and A. L. Chafee" */
 function authors(field) {
   const names = field.split(/\s+and\s+/).map((name) => {
     const [last, first] = name.split(/,\s*/);
-    const initials = (first ?? '').split(/\s+/).filter(Boolean).map((each) => `${each.replace(/\./g, '')[0]}.`);
+    const initials = (first ?? '')
+      .split(/\s+/)
+      .filter(Boolean)
+      .map((each) => `${each.replace(/\./g, '')[0]}.`);
     return [...initials, last].join(' ');
   });
   const listed = names.filter((name) => name !== 'others');
-  return names.length > 3 || listed.length < names.length ? `${listed[0]} et al.` : names.length > 1 ? `${names.slice(0, -1).join(', ')} and ${names.at(-1)}` : names[0];
+  return names.length > 3 || listed.length < names.length
+    ? `${listed[0]} et al.`
+    : names.length > 1
+      ? `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`
+      : names[0];
 }
 
-const plain = (text) => text.replace(/\s+/g, ' ').replace(/\{\\['"`~^c]\s?\{?(\w)\}?\}/g, '$1').replace(/\\['"`~^]\{?(\w)\}?/g, '$1').replace(/[{}\\]/g, '').replace(/--/g, '–').trim();
+const plain = (text) =>
+  text
+    .replace(/\s+/g, ' ')
+    .replace(/\{\\['"`~^c]\s?\{?(\w)\}?\}/g, '$1')
+    .replace(/\\['"`~^]\{?(\w)\}?/g, '$1')
+    .replace(/[{}\\]/g, '')
+    .replace(/--/g, '–')
+    .trim();
 
 const references = {};
-for (const [, key, body] of (await readFile(join(here, '../docs/references.bib'), 'utf8')).matchAll(/^@\w+\{([^,]+),\n(.*?)^\}/gms)) {
+for (const [, key, body] of (await readFile(join(here, '../docs/references.bib'), 'utf8')).matchAll(
+  /^@\w+\{([^,]+),\n(.*?)^\}/gms,
+)) {
   const field = (name) => {
-    const found = new RegExp(`^\\s*${name}\\s*=\\s*\\{((?:[^{}]|\\{[^{}]*\\})*)\\}`, 'm').exec(body)?.[1];
+    const found = new RegExp(`^\\s*${name}\\s*=\\s*\\{((?:[^{}]|\\{[^{}]*\\})*)\\}`, 'm').exec(
+      body,
+    )?.[1];
     return found === undefined ? null : found;
   };
-  const [author, title, year, doi, eprint, url] = ['author', 'title', 'year', 'doi', 'eprint', 'url'].map(field);
+  const [author, title, year, doi, eprint, url] = [
+    'author',
+    'title',
+    'year',
+    'doi',
+    'eprint',
+    'url',
+  ].map(field);
   const where = field('journal') ?? field('booktitle');
   references[key] = {
-    text: [author && plain(authors(author)), title && plain(title), where && plain(where), year].filter(Boolean).join('. ').replaceAll('..', '.'),
-    url: doi ? `https://doi.org/${doi}` : eprint ? `https://arxiv.org/abs/${eprint}` : (url ?? null),
+    text: [author && plain(authors(author)), title && plain(title), where && plain(where), year]
+      .filter(Boolean)
+      .join('. ')
+      .replaceAll('..', '.'),
+    url: doi
+      ? `https://doi.org/${doi}`
+      : eprint
+        ? `https://arxiv.org/abs/${eprint}`
+        : (url ?? null),
   };
 }
 
@@ -70,6 +115,9 @@ if (!process.argv.includes('--check')) {
   await writeFile(kept, made);
   await writeFile(bibliography, listed);
 } else if ((await reading(kept)) !== made || (await reading(bibliography)) !== listed) {
-  console.error('web/answers.d.ts or web/references.json is not what docs/schema and docs/references.bib say; run ./dev web build and commit them');
+  console.error(
+    'web/answers.d.ts or web/references.json is not what docs/schema and docs/references.bib ' +
+      'say; run ./dev web build and commit them',
+  );
   process.exit(1);
 }

@@ -17,7 +17,17 @@ import { whereThereIsAServer } from './shell/live';
 import { link, placeOf, Router, type Page } from './shell/router';
 import { startTheme, toggleTheme } from './shell/theme';
 
-const pages: readonly Page[] = [home, plan, loadorder, catalog, cell, design, search, verify, theorems].map((page) => (page.live ? whereThereIsAServer(page) : page));
+const pages: readonly Page[] = [
+  home,
+  plan,
+  loadorder,
+  catalog,
+  cell,
+  design,
+  search,
+  verify,
+  theorems,
+].map((page) => (page.live ? whereThereIsAServer(page) : page));
 
 function element(id: string): HTMLElement {
   const found = document.getElementById(id);
@@ -33,7 +43,11 @@ const inCatalog: readonly Page[] = [cell, design];
 function navigation(current: Page): void {
   fill(
     element('top'),
-    h('a', { class: 'brand', href: link(home.path), 'aria-current': current === home ? 'page' : null }, 'Changeover'),
+    h(
+      'a',
+      { class: 'brand', href: link(home.path), 'aria-current': current === home ? 'page' : null },
+      'Changeover',
+    ),
     h(
       'nav',
       { 'aria-label': 'Pages' },
@@ -42,16 +56,47 @@ function navigation(current: Page): void {
         {},
         pages
           .filter((page) => !page.hidden)
-          .map((page) => h('li', {}, h('a', { href: link(page.path), 'aria-current': page === current ? 'page' : page === catalog && inCatalog.includes(current) ? 'true' : null }, page.title))),
+          .map((page) =>
+            h(
+              'li',
+              {},
+              h(
+                'a',
+                {
+                  href: link(page.path),
+                  'aria-current':
+                    page === current
+                      ? 'page'
+                      : page === catalog && inCatalog.includes(current)
+                        ? 'true'
+                        : null,
+                },
+                page.title,
+              ),
+            ),
+          ),
       ),
     ),
     h('button', { type: 'button', class: 'plain', onclick: openGlossary }, 'Glossary'),
-    h('button', { type: 'button', class: 'plain', onclick: toggleTheme, 'aria-label': 'Switch between light and dark' }, '◐'),
+    h(
+      'button',
+      {
+        type: 'button',
+        class: 'plain',
+        onclick: toggleTheme,
+        'aria-label': 'Switch between light and dark',
+      },
+      '◐',
+    ),
   );
-  document.title = current === home ? 'Changeover: change covering designs' : `${current.title} · Changeover`;
+  document.title =
+    current === home ? 'Changeover: change covering designs' : `${current.title} · Changeover`;
 }
 
-/** `?cell=40.6.2.circular` and `?design=LABEL` are permanent addresses: they lead to the page of that cell or design. */
+/**
+ * `?cell=40.6.2.circular` and `?design=LABEL` are permanent addresses: they lead to the page of
+ * that cell or design.
+ */
 function followAddress(): void {
   const address = new URL(window.location.href);
   const [cellName, label] = [address.searchParams.get('cell'), address.searchParams.get('design')];
@@ -72,9 +117,22 @@ async function foot(): Promise<void> {
       'p',
       {},
       `Changeover ${version}. ${count(kept.designs, 'design')} in ${number(kept.cells)} cells. `,
-      frozen ? 'A copy for reading; the program checks, plans and searches, too.' : 'Everything on this page comes from this machine.',
+      frozen
+        ? 'A copy for reading; the program checks, plans and searches, too.'
+        : 'Everything on this page comes from this machine.',
     ),
-    files.length > 0 && h('p', {}, 'Opened with: ', files.map((file, i) => [i > 0 ? ', ' : '', h('a', { href: link(design.path, { file: file.index }) }, file.name)]).flat()),
+    files.length > 0 &&
+      h(
+        'p',
+        {},
+        'Opened with: ',
+        files
+          .map((file, i) => [
+            i > 0 ? ', ' : '',
+            h('a', { href: link(design.path, { file: file.index }) }, file.name),
+          ])
+          .flat(),
+      ),
   );
 }
 
@@ -86,9 +144,12 @@ router.draw();
 foot().catch(() => undefined);
 if (placeOf(window.location.hash).path === '') {
   // One file on the command line: show it.
-  about().then(({ files }) => {
-    if (files.length === 1 && placeOf(window.location.hash).path === '') {
-      window.location.hash = link(design.path, { file: files[0]!.index });
-    }
-  }, () => undefined);
+  about().then(
+    ({ files }) => {
+      if (files.length === 1 && placeOf(window.location.hash).path === '') {
+        window.location.hash = link(design.path, { file: files[0]!.index });
+      }
+    },
+    () => undefined,
+  );
 }

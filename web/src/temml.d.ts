@@ -1,4 +1,10 @@
 declare module 'temml' {
-  const temml: { render(tex: string, place: HTMLElement, options?: { displayMode?: boolean; throwOnError?: boolean }): void };
+  const temml: {
+    render(
+      tex: string,
+      place: HTMLElement,
+      options?: { displayMode?: boolean; throwOnError?: boolean },
+    ): void;
+  };
   export default temml;
 }

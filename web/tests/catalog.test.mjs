@@ -25,7 +25,9 @@ test('the map is walked through by arrow keys, and a cell opens', async () => {
   assert.equal(params(page).get('at'), '13.4');
   await page.keyboard.press('ArrowDown');
   await readout(page, 'v = 13, k = 5');
-  await page.locator('[aria-live=polite]', { hasText: /^v 13, k 5: \d+ blocks/ }).waitFor({ state: 'attached' });
+  await page
+    .locator('[aria-live=polite]', { hasText: /^v 13, k 5: \d+ blocks/ })
+    .waitFor({ state: 'attached' });
   await page.keyboard.press('End');
   await readout(page, 'v = 160, k = 5');
   await page.keyboard.press('Home');
@@ -46,7 +48,9 @@ test('a click opens a cell, hovering says what it is, a drag pans', async () => 
   await page.mouse.down();
   await page.mouse.move(box.x + box.width / 2 - 120, box.y + box.height / 2, { steps: 5 });
   await page.mouse.up();
-  await page.waitForFunction(() => !document.querySelectorAll('input.range')[1].value.startsWith('5..'));
+  await page.waitForFunction(
+    () => !document.querySelectorAll('input.range')[1].value.startsWith('5..'),
+  );
   assert.ok(!page.url().includes('#/cell'), 'a drag opens nothing');
   await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
   await page.waitForURL(/#\/cell/);
@@ -66,7 +70,11 @@ test('zooming changes the window, the table and the link', async () => {
   const left = Number((await page.locator('.filter-says strong').textContent()).replace(/\D/g, ''));
   assert.ok(left < all / 10, `${left}`);
   await page.keyboard.press('0');
-  await page.waitForFunction((n) => Number(document.querySelector('.filter-says strong').textContent.replace(/\D/g, '')) === n, all);
+  await page.waitForFunction(
+    (n) =>
+      Number(document.querySelector('.filter-says strong').textContent.replace(/\D/g, '')) === n,
+    all,
+  );
   await page.getByRole('button', { name: 'Zoom in' }).click();
   await page.getByRole('button', { name: 'All cells' }).click();
   await page.close();
@@ -80,10 +88,19 @@ test('sorting and filters are in the link, and filters say what they leave', asy
   await page.getByLabel('Status').selectOption('best-known');
   await page.getByLabel('Gap at least').fill('2');
   await page.getByLabel('Gap at least').press('Tab');
-  const gaps = async () => (await page.locator('table.cells tbody tr td:nth-child(5)').allTextContents()).map(Number);
+  const gaps = async () =>
+    (await page.locator('table.cells tbody tr td:nth-child(5)').allTextContents()).map(Number);
   const found = await gaps();
-  assert.ok(found.length > 0 && found.every((gap, i) => gap >= 2 && (i === 0 || gap <= found[i - 1])));
-  assert.match(await page.locator('.filter-says').textContent(), new RegExp(`^${found.length} of \\d+ cells in sight: best known, not proved minimum, at least 2 blocks over the bound`));
+  assert.ok(
+    found.length > 0 && found.every((gap, i) => gap >= 2 && (i === 0 || gap <= found[i - 1])),
+  );
+  assert.match(
+    await page.locator('.filter-says').textContent(),
+    new RegExp(
+      `^${found.length} of \\d+ cells in sight: best known, not proved minimum, at least 2 ` +
+        `blocks over the bound`,
+    ),
+  );
   await page.reload();
   await settled(page);
   assert.deepEqual(await gaps(), found);
@@ -99,7 +116,10 @@ test('all tight designs with a group of order > 1', async () => {
   await page.getByLabel('group of order > 1').check();
   await page.locator('.filter-says', { hasText: 'tight, with a group of order > 1' }).waitFor();
   const orders = await page.locator('table.cells td.group').allTextContents();
-  assert.ok(orders.length > 3 && orders.every((order) => order !== '' && order !== '1'), orders.join());
+  assert.ok(
+    orders.length > 3 && orders.every((order) => order !== '' && order !== '1'),
+    orders.join(),
+  );
   assert.ok((await page.locator('table.cells tbody .badge.good').count()) === orders.length);
   await page.close();
 });
@@ -107,7 +127,10 @@ test('all tight designs with a group of order > 1', async () => {
 test('what is listed is taken along', async () => {
   const page = await explorer.open('#/catalog?k=4..5&v=8..10&change=1&kind=linear');
   const taken = async (name) => {
-    const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name, exact: true }).click()]);
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', { name, exact: true }).click(),
+    ]);
     return readFileSync(await download.path(), 'utf8');
   };
   const csv = (await taken('CSV')).trim().split('\n');
@@ -146,7 +169,10 @@ test('another change number, kind, strength and range are another table', async 
   await page.getByLabel('k, block size').fill('4..5');
   await page.getByLabel('k, block size').press('Enter');
   await page.locator('.filter-says', { hasText: /^5\d cells in sight/ }).waitFor();
-  assert.deepEqual([...new Set(await page.locator('table.cells tbody tr td:nth-child(2)').allTextContents())], ['4', '5']);
+  assert.deepEqual(
+    [...new Set(await page.locator('table.cells tbody tr td:nth-child(2)').allTextContents())],
+    ['4', '5'],
+  );
   await page.getByLabel('v, elements').fill('30..5');
   await page.getByLabel('v, elements').press('Enter');
   await page.getByRole('alert').filter({ hasText: 'no range' }).waitFor();
@@ -165,10 +191,17 @@ test('another measure paints the same table anew', async () => {
   await page.getByLabel('Colour by').selectOption('gap');
   const gap = await picture();
   await page.getByLabel('Colour by').selectOption('construction');
-  await page.locator('.legend', { hasText: 'cut' }).or(page.locator('.legend', { hasText: 'found' })).first().waitFor();
+  await page
+    .locator('.legend', { hasText: 'cut' })
+    .or(page.locator('.legend', { hasText: 'found' }))
+    .first()
+    .waitFor();
   assert.equal(new Set([before, gap, await picture()]).size, 3);
   await page.getByLabel('Numbers', { exact: true }).selectOption('gap');
-  assert.deepEqual(asked.filter((path) => !path.startsWith('/api/atlas')), []);
+  assert.deepEqual(
+    asked.filter((path) => !path.startsWith('/api/atlas')),
+    [],
+  );
   assert.equal(params(page).get('measure'), 'construction');
   await page.close();
 });
@@ -181,13 +214,17 @@ test('the look-up box leads to cells, labels and the page Verify', async () => {
   await page.getByRole('alert').filter({ hasText: 'kangaroo' }).waitFor();
   await box.fill('20 5');
   await box.press('Enter');
-  await page.getByRole('heading', { name: /Circular double-change covering design on 20 elements/ }).waitFor();
+  await page
+    .getByRole('heading', { name: /Circular double-change covering design on 20 elements/ })
+    .waitFor();
   await page.goBack();
   await settled(page);
   await page.getByLabel('Look up a design').evaluate((input) => {
     const data = new DataTransfer();
     data.setData('text', '0 1 2\n1 2 3\n');
-    input.dispatchEvent(new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true }));
+    input.dispatchEvent(
+      new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true }),
+    );
   });
   await page.waitForURL(/#\/verify/);
   await page.getByRole('heading', { name: 'Verify', level: 1 }).waitFor();

@@ -12,14 +12,20 @@ after(() => explorer.stop());
 
 test('what is known, and why', async () => {
   const page = await explorer.open('#/cell?v=108&k=5&change=2&kind=circular');
-  assert.match(await page.locator('.known').textContent(), /\d+ blocks.*best known.*over the lower bound \d+/s);
+  assert.match(
+    await page.locator('.known').textContent(),
+    /\d+ blocks.*best known.*over the lower bound \d+/s,
+  );
   await page.locator('table.bounds math').first().waitFor();
   await page.locator('canvas.thumbnail').waitFor();
   await page.locator('#top a[aria-current=true]', { hasText: 'Catalog' }).waitFor();
   await page.locator('.around-table a[aria-current]', { hasText: /^\d+$/ }).waitFor();
   assert.equal(await page.locator('.around-table tbody tr').count(), 5);
   assert.match(await page.locator('table.bounds').textContent(), /counting.*stays/s);
-  assert.match(await page.locator('.recipe').first().textContent(), /concatenate-groups.*Theorem 15.*found/s);
+  assert.match(
+    await page.locator('.recipe').first().textContent(),
+    /concatenate-groups.*Theorem 15.*found/s,
+  );
   await page.getByRole('link', { name: 'Theorem 15', exact: true }).first().click();
   await page.locator('#theorem-15.chosen').waitFor();
   await page.goBack();
@@ -31,10 +37,15 @@ test('what is known, and why', async () => {
 
 test('a minimum says by which argument', async () => {
   const page = await explorer.open('#/cell?v=20&k=5');
-  assert.match(await page.locator('.known').textContent(), /29.*minimum.*No design has fewer blocks\. The bound “degree” proves it/s);
+  assert.match(
+    await page.locator('.known').textContent(),
+    /29.*minimum.*No design has fewer blocks\. The bound “degree” proves it/s,
+  );
   assert.equal(await page.getByRole('link', { name: 'Search for a better one' }).count(), 0);
   // What made it is a construction that the page Theorems has, in the summary and in the history.
-  for (const to of await page.locator('a[href*="construction="]').evaluateAll((links) => links.map((link) => link.getAttribute('href')))) {
+  for (const to of await page
+    .locator('a[href*="construction="]')
+    .evaluateAll((links) => links.map((link) => link.getAttribute('href')))) {
     assert.ok(!to.includes('literal'), to);
   }
   await page.getByRole('link', { name: 'Open the design' }).click();

@@ -22,9 +22,18 @@ test('the player is moved by keys, and its block is in the link', async () => {
   assert.equal(await page.locator('.slots .entering').count(), 2);
   assert.equal(await page.locator('.slots del').count(), 2);
   // The pairs that are new are named, and the blocks around stand below, each element in its slot.
-  const [, n, pairs] = /(\d+) pairs meet for the first time here: (.*)\./.exec(await page.locator('.step-words p').last().textContent());
+  const [, n, pairs] = /(\d+) pairs meet for the first time here: (.*)\./.exec(
+    await page.locator('.step-words p').last().textContent(),
+  );
   assert.equal(pairs.split(', ').length, Number(n));
-  assert.deepEqual(await page.locator('.around-blocks th').allTextContents(), ['5', '6', '7', '8', '9', '10']);
+  assert.deepEqual(await page.locator('.around-blocks th').allTextContents(), [
+    '5',
+    '6',
+    '7',
+    '8',
+    '9',
+    '10',
+  ]);
   assert.deepEqual(
     (await page.locator('.around-blocks .own td').allTextContents()).join(' '),
     (await page.locator('.slots .name').allTextContents()).join(' '),
@@ -78,10 +87,18 @@ test('tabs by arrow keys, in the link', async () => {
   assert.equal(await page.getByLabel('Order of elements').inputValue(), 'stays');
   await page.getByRole('tab', { name: 'Coverage' }).click();
   await page.locator('.matrix-canvas').waitFor();
-  // What the colours mean stands beside the picture, with the number of pairs of each: together all pairs.
+  // What the colours mean stands beside the picture, with the number of pairs of each: together all
+  // pairs.
   const often = await page.locator('.matrix-key tbody td.number').allTextContents();
-  assert.equal(often.reduce((sum, n) => sum + Number(n), 0), 190);
-  assert.equal(await page.getByRole('tab', { name: 'Circle' }).count(), 0, 'this design has no symmetry');
+  assert.equal(
+    often.reduce((sum, n) => sum + Number(n), 0),
+    190,
+  );
+  assert.equal(
+    await page.getByRole('tab', { name: 'Circle' }).count(),
+    0,
+    'this design has no symmetry',
+  );
   await page.getByRole('tab', { name: 'Recipe' }).click();
   await page.locator('.recipe-node', { hasText: 'found' }).waitFor();
   await page.getByRole('tab', { name: 'Blocks' }).click();
@@ -96,7 +113,9 @@ test('what is chosen in one view is lit in all', async () => {
   await page.getByRole('tab', { name: 'Array' }).click();
   await page.locator('.array-table td.lit').first().waitFor();
   await page.locator('.array-table td', { hasText: /^13/ }).first().click();
-  await page.locator('.selected-words', { hasText: '2 and 13 are first together in block 12' }).waitFor();
+  await page
+    .locator('.selected-words', { hasText: '2 and 13 are first together in block 12' })
+    .waitFor();
   assert.equal(params(page).get('sel'), '2~13');
   await page.reload();
   await settled(page);
@@ -104,7 +123,9 @@ test('what is chosen in one view is lit in all', async () => {
   await page.getByRole('tab', { name: 'Stays' }).click();
   await page.locator('.timeline-canvas').focus();
   await page.keyboard.press('ArrowDown');
-  await page.locator('.selected-words', { hasText: /is in \d+ of 29 blocks, in \d+ stay/ }).waitFor();
+  await page
+    .locator('.selected-words', { hasText: /is in \d+ of 29 blocks, in \d+ stay/ })
+    .waitFor();
   await page.keyboard.press('+');
   await page.keyboard.press('+');
   await page.waitForURL(/from=\d+/);
@@ -122,7 +143,10 @@ test('what is chosen in one view is lit in all', async () => {
   await page.locator('.selected-words', { hasText: /^4 and 11 / }).waitFor();
   await page.getByLabel('Select an element or a pair').fill('4 99');
   await page.getByLabel('Select an element or a pair').press('Enter');
-  assert.equal(await page.getByLabel('Select an element or a pair').getAttribute('aria-invalid'), 'true');
+  assert.equal(
+    await page.getByLabel('Select an element or a pair').getAttribute('aria-invalid'),
+    'true',
+  );
   await page.close();
 });
 
@@ -178,7 +202,9 @@ test('by label, and a label that does not exist', async () => {
   const page = await explorer.open('#/design?label=20.5.2.circular.29.17482f88');
   assert.match(await page.locator('.under').textContent(), /20\.5\.2\.circular\.29\.17482f88/);
   await page.close();
-  const none = await explorer.open('#/design?label=20.5.2.circular.29.00000000', { mayFail: /status of 404/ });
+  const none = await explorer.open('#/design?label=20.5.2.circular.29.00000000', {
+    mayFail: /status of 404/,
+  });
   await none.getByRole('alert').waitFor();
   await none.close();
   const which = await explorer.open('#/design');
@@ -192,7 +218,27 @@ test('a design of this window, and none', async () => {
   await page.evaluate(() =>
     sessionStorage.setItem(
       'changeover-local',
-      JSON.stringify({ format: 'changeover-design/1', v: 4, k: 3, change: 1, kind: 'linear', labels: ['ann', 'bob', 'cy', 'dee'], blocks: [[0, 1, 2], [0, 1, 3], [1, 2, 3]], verdict: { valid: true, tight: false, economical: true, b: 3, lower_bound: 3, minimum: 'proved' } }),
+      JSON.stringify({
+        format: 'changeover-design/1',
+        v: 4,
+        k: 3,
+        change: 1,
+        kind: 'linear',
+        labels: ['ann', 'bob', 'cy', 'dee'],
+        blocks: [
+          [0, 1, 2],
+          [0, 1, 3],
+          [1, 2, 3],
+        ],
+        verdict: {
+          valid: true,
+          tight: false,
+          economical: true,
+          b: 3,
+          lower_bound: 3,
+          minimum: 'proved',
+        },
+      }),
     ),
   );
   await page.reload();
@@ -220,8 +266,16 @@ test('a file of the command line is what is shown first', async () => {
     await page.locator('.in', { hasText: 'Introduced: d' }).waitFor();
     const map = page.locator('canvas.coverage-map');
     // The names stand beside their squares.
-    assert.deepEqual(await page.locator('.coverage-names.down span').allTextContents(), ['a', 'b', 'c', 'd']);
-    const [whole, name] = [await map.boundingBox(), await page.locator('.coverage-names.across span').nth(3).boundingBox()];
+    assert.deepEqual(await page.locator('.coverage-names.down span').allTextContents(), [
+      'a',
+      'b',
+      'c',
+      'd',
+    ]);
+    const [whole, name] = [
+      await map.boundingBox(),
+      await page.locator('.coverage-names.across span').nth(3).boundingBox(),
+    ];
     assert.ok(Math.abs(name.x + name.width / 2 - (whole.x + (whole.width * 3.5) / 4)) < 2);
     const { width } = await map.boundingBox();
     await map.hover({ position: { x: (width * 3.5) / 4, y: width / 8 } });

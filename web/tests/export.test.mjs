@@ -9,7 +9,14 @@ import { after, before, test } from 'node:test';
 import { look, program, settled, start } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
 
-const types = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.json': 'application/json', '.gz': 'application/gzip' };
+const types = {
+  '.html': 'text/html',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.svg': 'image/svg+xml',
+  '.json': 'application/json',
+  '.gz': 'application/gzip',
+};
 const folder = mkdtempSync(join(tmpdir(), 'changeover-export-'));
 const asked = [];
 let files;
@@ -17,7 +24,22 @@ let explorer;
 
 before(async () => {
   const assets = process.env.CHANGEOVER_ASSETS ? ['--assets', process.env.CHANGEOVER_ASSETS] : [];
-  execFileSync(program, ['serve', '--export', join(folder, 'site'), '--k', '4..5', '--v', '6..20', '--change', '2', ...assets], { stdio: 'pipe', env: { ...process.env, CHANGEOVER_CATALOG: '' } });
+  execFileSync(
+    program,
+    [
+      'serve',
+      '--export',
+      join(folder, 'site'),
+      '--k',
+      '4..5',
+      '--v',
+      '6..20',
+      '--change',
+      '2',
+      ...assets,
+    ],
+    { stdio: 'pipe', env: { ...process.env, CHANGEOVER_CATALOG: '' } },
+  );
   files = createServer((request, response) => {
     const path = new URL(request.url, 'http://localhost').pathname;
     asked.push(path);
@@ -85,8 +107,15 @@ test('every design is the one whose label it has', async () => {
     return document.querySelector('pre.blocks').textContent;
   });
   const { createHash } = await import('node:crypto');
-  const blocks = text.split('\n').filter((line) => line && !line.startsWith('#')).map((line) => `${line}\n`).join('');
-  assert.equal(createHash('sha256').update(blocks).digest('hex').slice(0, 8), label.split('.').at(-1));
+  const blocks = text
+    .split('\n')
+    .filter((line) => line && !line.startsWith('#'))
+    .map((line) => `${line}\n`)
+    .join('');
+  assert.equal(
+    createHash('sha256').update(blocks).digest('hex').slice(0, 8),
+    label.split('.').at(-1),
+  );
   await page.close();
 });
 
@@ -94,7 +123,9 @@ test('what the copy does not have is said', async () => {
   const page = await explorer.open('#/cell?v=50&k=5');
   await page.getByRole('alert').filter({ hasText: 'static copy does not have it' }).waitFor();
   await page.close();
-  const none = await explorer.open('#/design?label=99.5.2.circular.1.00000000', { mayFail: /status of 404/ });
+  const none = await explorer.open('#/design?label=99.5.2.circular.1.00000000', {
+    mayFail: /status of 404/,
+  });
   await none.getByRole('alert').filter({ hasText: 'static copy does not have it' }).waitFor();
   await none.close();
 });
@@ -112,5 +143,8 @@ test('pages that need the program say how to get it', async () => {
 });
 
 test('nothing but files was asked for', () => {
-  assert.deepEqual(asked.filter((path) => !path.startsWith('/some/where/') || path.includes('/api/')), []);
+  assert.deepEqual(
+    asked.filter((path) => !path.startsWith('/some/where/') || path.includes('/api/')),
+    [],
+  );
 });

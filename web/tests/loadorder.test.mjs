@@ -57,10 +57,19 @@ test('twelve items, room for four: the fewest loads, beside simple orders', asyn
   assert.match(await steps(page).first().textContent(), /load \d+ \d+ \d+ \d+/);
   assert.match(new URL(page.url()).hash, /items=12&room=4&bytes=2\+GB/);
   await page.locator('.timeline-canvas').waitFor();
-  const [, ...words] = (await page.locator('.command code').textContent()).replace('order.jsonl', '-').split(' ');
+  const [, ...words] = (await page.locator('.command code').textContent())
+    .replace('order.jsonl', '-')
+    .split(' ');
   const lines = String(execFileSync(program, words));
-  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download JSON lines' }).click()]);
-  assert.equal(readFileSync(await download.path(), 'utf8'), lines, 'the command line writes the same file');
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Download JSON lines' }).click(),
+  ]);
+  assert.equal(
+    readFileSync(await download.path(), 'utf8'),
+    lines,
+    'the command line writes the same file',
+  );
   await look(page, 'loadorder-twelve');
   await page.reload();
   await settled(page);
@@ -69,7 +78,10 @@ test('twelve items, room for four: the fewest loads, beside simple orders', asyn
 
 test('the steps bring all pairs together, and come as JSON lines', async () => {
   const page = await explorer.open('#/loadorder?items=12&room=4');
-  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download JSON lines' }).click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Download JSON lines' }).click(),
+  ]);
   const [first, ...rest] = readFileSync(await download.path(), 'utf8')
     .trim()
     .split('\n')
@@ -101,7 +113,10 @@ test('workers share the pairs', async () => {
   const shares = page.getByRole('region', { name: 'Loads and pairs of each worker' });
   assert.equal(await shares.locator('tbody tr').count(), 3);
   const pairs = (await shares.locator('tbody tr td:nth-of-type(3)').allTextContents()).map(Number);
-  assert.equal(pairs.reduce((sum, each) => sum + each, 0), (30 * 29) / 2);
+  assert.equal(
+    pairs.reduce((sum, each) => sum + each, 0),
+    (30 * 29) / 2,
+  );
   await page.getByLabel('Worker', { exact: true }).selectOption('2');
   await page.locator('.timeline-canvas').focus();
   await page.keyboard.press('ArrowDown');
@@ -111,10 +126,15 @@ test('workers share the pairs', async () => {
 
 test('loads ahead, and a search', async () => {
   const page = await explorer.open('#/loadorder?items=20&room=6&prefetch=1&time=2');
-  await page.getByText(/\d+ of 190 pairs are computed while items load/).waitFor({ timeout: 60_000 });
+  await page
+    .getByText(/\d+ of 190 pairs are computed while items load/)
+    .waitFor({ timeout: 60_000 });
   await page.getByText('Searched for 2 s').waitFor();
   await page.locator('.command code', { hasText: '--time 2s --prefetch' }).waitFor();
-  await page.getByText(/pairs meanwhile/).first().waitFor();
+  await page
+    .getByText(/pairs meanwhile/)
+    .first()
+    .waitFor();
 });
 
 test('only some pairs: they are in the link', async () => {
@@ -125,7 +145,10 @@ test('only some pairs: they are in the link', async () => {
   const pairs = page.getByRole('textbox', { name: /^Pairs/ });
   await pairs.fill('0 1\n1 9\n');
   await page.getByRole('button', { name: 'Find an order' }).click();
-  await page.getByRole('alert').getByText('pairs:2:3: item 9 is not one of 6 items, which have the numbers 0 to 5').waitFor();
+  await page
+    .getByRole('alert')
+    .getByText('pairs:2:3: item 9 is not one of 6 items, which have the numbers 0 to 5')
+    .waitFor();
   await pairs.fill('0 1\n1 2\n# the end\n2 3\n');
   await page.getByRole('button', { name: 'Find an order' }).click();
   await page.getByRole('heading', { name: '4 loads' }).waitFor();

@@ -6,7 +6,18 @@ import { join } from 'node:path';
 import { after, afterEach, before, test } from 'node:test';
 import { look, program, screenshots, settled, start } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
-import { give, nameOf, open, planNine, planned, press, setUps, sheetButton, sheetRows, withoutToken } from './support/plan.mjs';
+import {
+  give,
+  nameOf,
+  open,
+  planNine,
+  planned,
+  press,
+  setUps,
+  sheetButton,
+  sheetRows,
+  withoutToken,
+} from './support/plan.mjs';
 
 let explorer;
 before(async () => {
@@ -14,7 +25,14 @@ before(async () => {
 });
 after(() => explorer.stop());
 // A browser has few connections for one server, and each window that listens holds one.
-afterEach(() => Promise.all(explorer.context.pages().slice(1).map((page) => page.close())));
+afterEach(() =>
+  Promise.all(
+    explorer.context
+      .pages()
+      .slice(1)
+      .map((page) => page.close()),
+  ),
+);
 
 test('what is missing is said where it is missing', async () => {
   const page = await explorer.open('#/plan', { mayFail: /422/ });
@@ -34,8 +52,14 @@ test('what is missing is said where it is missing', async () => {
   await page.getByRole('textbox', { name: 'Must never be in one set-up' }).fill('Pump, Motr');
   await page.locator('.group summary', { hasText: 'What must meet' }).click();
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
-  await page.getByRole('alert').getByText("Forbidden pairs, row 1: there is no part 'Motr'").waitFor();
-  assert.ok(await page.getByRole('textbox', { name: 'Must never be in one set-up' }).isVisible(), 'the group at fault opens');
+  await page
+    .getByRole('alert')
+    .getByText("Forbidden pairs, row 1: there is no part 'Motr'")
+    .waitFor();
+  assert.ok(
+    await page.getByRole('textbox', { name: 'Must never be in one set-up' }).isVisible(),
+    'the group at fault opens',
+  );
   await look(page, 'plan-fault');
 });
 
@@ -47,36 +71,64 @@ test('nine parts: the sheet of the documents, the bound in words, the alternativ
   assert.equal(await sheetRows(page).count(), 17);
   assert.equal(await sheetRows(page).last().locator('td.of-sum').textContent(), '117');
   await page.getByText(/Compared with \d+ other plans/).click();
-  await page.locator('.compared').getByRole('cell', { name: 'double-change design' }).first().waitFor();
+  await page
+    .locator('.compared')
+    .getByRole('cell', { name: 'double-change design' })
+    .first()
+    .waitFor();
   await look(page, 'plan-nine');
 });
 
-test('parts are pasted from a spreadsheet, with costs, slots and quantities; what is not used is said', async () => {
-  const page = await explorer.open('#/plan');
-  await nameOf(page, 1).focus();
-  await page.evaluate(() => {
-    const clipboardData = new DataTransfer();
-    clipboardData.setData('text', 'part\tprice\tslot\tQty\tVendor\nRiesling\t9,50\twhite\t2\tx\nMerlot\t11\tred\t1\ty\nPinot\t7,25\tred\t\tz\nMalbec\t8\tred\t3\t\n');
-    document.activeElement.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
-  });
-  await page.getByText('4 parts, 4 pasted').waitFor();
-  await page.getByText("not used: 'Vendor'").waitFor();
-  assert.equal(await nameOf(page, 1).inputValue(), 'Riesling');
-  const field = (label) => page.getByRole('textbox', { name: label, exact: true }).or(page.getByRole('combobox', { name: label, exact: true }));
-  assert.equal(await field('Cost of putting in part 1').inputValue(), '9.5');
-  assert.equal(await field('Slot of part 1').inputValue(), 'white');
-  assert.equal(await field('How many there are of part 4').inputValue(), '3');
-  // Slots that the list names hold one part each, and the bench as many as the slots.
-  assert.equal(await field('Name of slot 2').inputValue(), 'red');
-  await page.locator('.group.set summary', { hasText: 'white 1, red 1' }).waitFor();
-  assert.equal(await page.getByRole('spinbutton', { name: 'How many fit at once' }).inputValue(), '');
-  await page.getByRole('button', { name: 'Plan', exact: true }).click();
-  await planned(page);
-  assert.equal(await sheetRows(page).count(), 3, 'two reds never meet');
-  assert.deepEqual(await page.locator('.run-sheet thead th').allTextContents(), ['result', 'test', 'white', 'red', 'cost', 'so far', 'notes']);
-  assert.match((await setUps(page))[1], /^white Riesling\s+red \w+$/);
-  assert.match(await sheetRows(page).nth(1).locator('.replaced').textContent(), /^for \w+$/);
-});
+test(
+  'parts are pasted from a spreadsheet, with costs, slots and quantities; what is not used ' +
+    'is said',
+  async () => {
+    const page = await explorer.open('#/plan');
+    await nameOf(page, 1).focus();
+    await page.evaluate(() => {
+      const clipboardData = new DataTransfer();
+      clipboardData.setData(
+        'text',
+        'part\tprice\tslot\tQty\tVendor\nRiesling\t9,50\twhite\t2\tx\n' +
+          'Merlot\t11\tred\t1\ty\nPinot\t7,25\tred\t\tz\nMalbec\t8\tred\t3\t\n',
+      );
+      document.activeElement.dispatchEvent(
+        new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }),
+      );
+    });
+    await page.getByText('4 parts, 4 pasted').waitFor();
+    await page.getByText("not used: 'Vendor'").waitFor();
+    assert.equal(await nameOf(page, 1).inputValue(), 'Riesling');
+    const field = (label) =>
+      page
+        .getByRole('textbox', { name: label, exact: true })
+        .or(page.getByRole('combobox', { name: label, exact: true }));
+    assert.equal(await field('Cost of putting in part 1').inputValue(), '9.5');
+    assert.equal(await field('Slot of part 1').inputValue(), 'white');
+    assert.equal(await field('How many there are of part 4').inputValue(), '3');
+    // Slots that the list names hold one part each, and the bench as many as the slots.
+    assert.equal(await field('Name of slot 2').inputValue(), 'red');
+    await page.locator('.group.set summary', { hasText: 'white 1, red 1' }).waitFor();
+    assert.equal(
+      await page.getByRole('spinbutton', { name: 'How many fit at once' }).inputValue(),
+      '',
+    );
+    await page.getByRole('button', { name: 'Plan', exact: true }).click();
+    await planned(page);
+    assert.equal(await sheetRows(page).count(), 3, 'two reds never meet');
+    assert.deepEqual(await page.locator('.run-sheet thead th').allTextContents(), [
+      'result',
+      'test',
+      'white',
+      'red',
+      'cost',
+      'so far',
+      'notes',
+    ]);
+    assert.match((await setUps(page))[1], /^white Riesling\s+red \w+$/);
+    assert.match(await sheetRows(page).nth(1).locator('.replaced').textContent(), /^for \w+$/);
+  },
+);
 
 test('pairs that need not meet are left out', async () => {
   const page = await explorer.open('#/plan');
@@ -136,7 +188,10 @@ test('the rest is planned anew after some tests, without a part that is gone', a
   await page.getByRole('button', { name: 'Replan the remaining tests' }).click();
   await page.getByText('3 tests done; for the rest:').waitFor();
   const sets = (await setUps(page)).map((set) => set.split(', ').sort());
-  assert.deepEqual(sets.slice(0, 3), earlier.map((set) => set.split(', ').sort()));
+  assert.deepEqual(
+    sets.slice(0, 3),
+    earlier.map((set) => set.split(', ').sort()),
+  );
   assert.ok(sets.slice(3).every((set) => !set.includes('8')));
   const met = new Set();
   for (const set of sets) {
@@ -156,7 +211,13 @@ test('what if: the library says which plan is cheapest when, and plans anew', as
   await page.getByRole('button', { name: 'Compare plans by cost' }).click();
   const table = page.getByRole('region', { name: 'Which plan is cheapest when' });
   await table.waitFor({ timeout: 60_000 });
-  assert.deepEqual(await table.locator('tbody tr').first().locator('td').allTextContents(), ['0', '1', 'double-change design', '12', '25']);
+  assert.deepEqual(await table.locator('tbody tr').first().locator('td').allTextContents(), [
+    '0',
+    '1',
+    'double-change design',
+    '12',
+    '25',
+  ]);
   await page.locator('.what-if .u-over').waitFor();
   await page.getByRole('slider', { name: 'A change costs' }).focus();
   await page.keyboard.press('End');
@@ -169,13 +230,36 @@ test('the sheet is downloaded as CSV that the command line reads back', async ()
   const page = await explorer.open('#/plan');
   await planNine(page);
   await press(page, 1);
-  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download CSV' }).click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Download CSV' }).click(),
+  ]);
   const path = await download.path();
   const lines = readFileSync(path, 'utf8').trim().split('\n');
   assert.equal(lines.length, 18);
-  assert.match(lines[0], /^step,take_out,put_in,slot_1,slot_2,slot_3,cost,cost_so_far,result,notes$/);
+  assert.match(
+    lines[0],
+    /^step,take_out,put_in,slot_1,slot_2,slot_3,cost,cost_so_far,result,notes$/,
+  );
   assert.match(lines[1], /,16,16,pass,$/);
-  const again = execFileSync(program, ['plan', '--items', '9', '-k', '3', '--test-cost', '1', '--change-cost', '5', '--done', path, '--json'], { encoding: 'utf8' });
+  const again = execFileSync(
+    program,
+    [
+      'plan',
+      '--items',
+      '9',
+      '-k',
+      '3',
+      '--test-cost',
+      '1',
+      '--change-cost',
+      '5',
+      '--done',
+      path,
+      '--json',
+    ],
+    { encoding: 'utf8' },
+  );
   assert.equal(JSON.parse(again).tests_done, 1);
 });
 
@@ -185,7 +269,10 @@ test('on paper there is the sheet alone, with boxes', async () => {
   await press(page, 1);
   await page.emulateMedia({ media: 'print' });
   // What is written down is as black as the rest; the other box is not there.
-  assert.equal(await sheetButton(page, 1, 'pass').evaluate((button) => getComputedStyle(button).color), 'rgb(0, 0, 0)');
+  assert.equal(
+    await sheetButton(page, 1, 'pass').evaluate((button) => getComputedStyle(button).color),
+    'rgb(0, 0, 0)',
+  );
   assert.ok(!(await sheetButton(page, 1, 'fail').isVisible()));
   assert.ok(!(await page.locator('.plan-form').isVisible()));
   assert.ok(!(await page.locator('.what-if').isVisible()));
@@ -196,7 +283,7 @@ test('on paper there is the sheet alone, with boxes', async () => {
   await page.emulateMedia({ media: 'screen' });
 });
 
-test('a job too long for a link is kept in this browser, and a link to one that is not says so', async () => {
+test('a job too long for a link is kept in the browser; a link to one that is not says so', async () => {
   const page = await explorer.open('#/plan');
   await page.getByRole('spinbutton', { name: 'How many parts' }).fill('90');
   await page.getByRole('button', { name: 'numbered parts' }).click();
@@ -209,7 +296,9 @@ test('a job too long for a link is kept in this browser, and a link to one that 
   const rows = await sheetRows(page).count();
   await page.reload();
   await settled(page);
-  await sheetRows(page).nth(rows - 1).waitFor();
+  await sheetRows(page)
+    .nth(rows - 1)
+    .waitFor();
   const other = await explorer.open('#/plan?id=nowhere');
   await other.getByRole('alert').getByText('this browser does not have it either').waitFor();
   const gone = await explorer.open(`#/plan?run=${'0'.repeat(24)}`, { mayFail: /404/ });
@@ -244,7 +333,8 @@ test('on a phone: what to do next first, each test a card', async () => {
   const page = await explorer.open('#/plan');
   await page.setViewportSize({ width: 390, height: 844 });
   await page.getByRole('link', { name: 'a pump bench' }).click();
-  await planned(page, 120_000); // Where others compute, its search takes the whole minute that it may.
+  // Where others compute, its search takes the whole minute that it may.
+  await planned(page, 120_000);
   assert.ok(!(await page.locator('.plan-form').isVisible()), 'the form makes room');
   assert.ok(await page.locator('.next-test').getByText('Put in').isVisible());
   await page.locator('.next-test').getByRole('button', { name: /pass/ }).click();

@@ -1,4 +1,5 @@
-// The page that plans tests, for a lab: files as they come, models, benches, failures, and runs that several windows fill in.
+// The page that plans tests, for a lab: files as they come, models, benches, failures, and runs
+// that several windows fill in.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync } from 'node:fs';
@@ -8,7 +9,16 @@ import { after, afterEach, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { look, start } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
-import { give, nameOf, planNine, planned, press, setUps, sheetRows, withoutToken } from './support/plan.mjs';
+import {
+  give,
+  nameOf,
+  planNine,
+  planned,
+  press,
+  setUps,
+  sheetRows,
+  withoutToken,
+} from './support/plan.mjs';
 
 const lab = join(dirname(fileURLToPath(import.meta.url)), '../../examples/lab');
 let explorer;
@@ -17,63 +27,96 @@ before(async () => {
 });
 after(() => explorer.stop());
 // A browser has few connections for one server, and each window that listens holds one.
-afterEach(() => Promise.all(explorer.context.pages().slice(1).map((page) => page.close())));
+afterEach(() =>
+  Promise.all(
+    explorer.context
+      .pages()
+      .slice(1)
+      .map((page) => page.close()),
+  ),
+);
 
-test('a workbook as a lab has it: slots, quantities and forbidden pairs are in the form, and are obeyed', async () => {
-  const page = await explorer.open('#/plan');
-  const folder = mkdtempSync(join(tmpdir(), 'changeover-book-'));
-  const book = join(folder, 'stock.xlsx');
-  const sheets = ['inventory', 'slots', 'never'].map((name, i) => `${['Inventory', 'Slots', 'Never'][i]}=${join(lab, 'server_week', `${name}.csv`)}`);
-  execFileSync('python3', [join(lab, 'workbook.py'), 'make', book, ...sheets]);
-  await give(page, 'stock.xlsx', readFileSync(book));
-  await page.getByText('16 parts', { exact: true }).waitFor();
-  await page.getByText("slots from 'Slots', forbidden pairs from 'Never'").waitFor();
-  await page.getByText('CPU 1, DIMM 4, NIC 1–2').waitFor();
-  await page.getByText('2 forbidden').waitFor();
-  await page.getByRole('textbox', { name: 'Cost of a test' }).fill('25');
-  await page.getByRole('combobox', { name: 'Search for' }).selectOption('1');
-  await page.getByRole('button', { name: 'Plan', exact: true }).click();
-  await planned(page);
-  await page.getByText(/\d+ tests, \d+ changes, cost \d+ minutes/).waitFor();
-  await page.getByText('on the clock').waitFor();
-  for (const set of await setUps(page)) {
-    assert.ok(!(set.includes('CX-6') && set.includes('PSU 800')), set);
-    assert.equal((set.match(/CPU/g) ?? []).length, 1);
-  }
-  // A column for each slot: no test needs more than three lines, on the screen as on paper, which is wide then.
-  for (const { height } of await sheetRows(page).evaluateAll((rows) => rows.map((row) => row.getBoundingClientRect()))) {
-    assert.ok(height < 90, `a row of the sheet is ${height} px high`);
-  }
-  const paper = (await page.pdf({ preferCSSPageSize: true })).toString('latin1');
-  assert.equal(paper.match(/\/Type \/Page\b/g).length, 1, 'one page');
-  const [, width, high] = /MediaBox \[0 0 ([\d.]+) ([\d.]+)\]/.exec(paper);
-  assert.ok(Number(width) > Number(high), 'landscape');
-  await look(page, 'plan-server');
-  await phone(page, 'plan-server');
-  await page.setViewportSize({ width: 1280, height: 900 });
+test(
+  'a workbook as a lab has it: slots, quantities and forbidden pairs are in the form, and ' +
+    'are obeyed',
+  async () => {
+    const page = await explorer.open('#/plan');
+    const folder = mkdtempSync(join(tmpdir(), 'changeover-book-'));
+    const book = join(folder, 'stock.xlsx');
+    const sheets = ['inventory', 'slots', 'never'].map(
+      (name, i) =>
+        `${['Inventory', 'Slots', 'Never'][i]}=${join(lab, 'server_week', `${name}.csv`)}`,
+    );
+    execFileSync('python3', [join(lab, 'workbook.py'), 'make', book, ...sheets]);
+    await give(page, 'stock.xlsx', readFileSync(book));
+    await page.getByText('16 parts', { exact: true }).waitFor();
+    await page.getByText("slots from 'Slots', forbidden pairs from 'Never'").waitFor();
+    await page.getByText('CPU 1, DIMM 4, NIC 1–2').waitFor();
+    await page.getByText('2 forbidden').waitFor();
+    await page.getByRole('textbox', { name: 'Cost of a test' }).fill('25');
+    await page.getByRole('combobox', { name: 'Search for' }).selectOption('1');
+    await page.getByRole('button', { name: 'Plan', exact: true }).click();
+    await planned(page);
+    await page.getByText(/\d+ tests, \d+ changes, cost \d+ minutes/).waitFor();
+    await page.getByText('on the clock').waitFor();
+    for (const set of await setUps(page)) {
+      assert.ok(!(set.includes('CX-6') && set.includes('PSU 800')), set);
+      assert.equal((set.match(/CPU/g) ?? []).length, 1);
+    }
+    // A column for each slot: no test needs more than three lines, on the screen as on paper, which
+    // is wide then.
+    for (const { height } of await sheetRows(page).evaluateAll((rows) =>
+      rows.map((row) => row.getBoundingClientRect()),
+    )) {
+      assert.ok(height < 90, `a row of the sheet is ${height} px high`);
+    }
+    const paper = (await page.pdf({ preferCSSPageSize: true })).toString('latin1');
+    assert.equal(paper.match(/\/Type \/Page\b/g).length, 1, 'one page');
+    const [, width, high] = /MediaBox \[0 0 ([\d.]+) ([\d.]+)\]/.exec(paper);
+    assert.ok(Number(width) > Number(high), 'landscape');
+    await look(page, 'plan-server');
+    await phone(page, 'plan-server');
+    await page.setViewportSize({ width: 1280, height: 900 });
 
-  // The workbook that the page gives is a whole question: with results filled in it comes back as a run.
-  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('link', { name: 'Workbook' }).click()]);
-  const filled = join(folder, 'filled.xlsx');
-  execFileSync('python3', [join(lab, 'workbook.py'), 'play', await download.path(), filled, '2', 'X710,CD8']);
-  const next = await explorer.open('#/plan');
-  await give(next, 'filled.xlsx', readFileSync(filled));
-  await planned(next);
-  await next.getByText('2 tests done; for the rest').waitFor();
-  await next.locator('.sheet-progress', { hasText: /^2 of/ }).waitFor();
-});
+    // The workbook that the page gives is a whole question: with results filled in it comes back as
+    // a run.
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('link', { name: 'Workbook' }).click(),
+    ]);
+    const filled = join(folder, 'filled.xlsx');
+    execFileSync('python3', [
+      join(lab, 'workbook.py'),
+      'play',
+      await download.path(),
+      filled,
+      '2',
+      'X710,CD8',
+    ]);
+    const next = await explorer.open('#/plan');
+    await give(next, 'filled.xlsx', readFileSync(filled));
+    await planned(next);
+    await next.getByText('2 tests done; for the rest').waitFor();
+    await next.locator('.sheet-progress', { hasText: /^2 of/ }).waitFor();
+  },
+);
 
 test('a model of parameters: one value of each, its rules obeyed', async () => {
   const page = await explorer.open('#/plan');
   await give(page, 'shop.txt', readFileSync(join(lab, 'web_shop/model.txt')));
-  await page.getByRole('radio', { name: 'Parameters with values' }).and(page.locator(':checked')).waitFor();
+  await page
+    .getByRole('radio', { name: 'Parameters with values' })
+    .and(page.locator(':checked'))
+    .waitFor();
   await give(page, 'costs.csv', readFileSync(join(lab, 'web_shop/costs.csv')));
   await page.locator('.group summary', { hasText: '12 rows' }).waitFor();
   await page.getByRole('textbox', { name: 'Cost of a test' }).fill('6');
   await page.getByRole('combobox', { name: 'Search for' }).selectOption('1');
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
   await planned(page);
-  const rows = await sheetRows(page).evaluateAll((all) => all.map((row) => [...row.querySelectorAll('.of-value')].map((cell) => cell.textContent)));
+  const rows = await sheetRows(page).evaluateAll((all) =>
+    all.map((row) => [...row.querySelectorAll('.of-value')].map((cell) => cell.textContent)),
+  );
   assert.ok(rows.length >= 16);
   for (const [os, browser] of rows) {
     assert.ok(browser !== 'Safari' || os === 'macOS 14', `${os} ${browser}`);
@@ -113,7 +156,7 @@ test('a search is seen while it goes on, and the best so far is kept', async () 
   await page.getByText('Cancelled.').waitFor();
 });
 
-test('two windows write into one run, which outlives both; a window without the token only looks', async () => {
+test('two windows write into one run, which outlives both; without the token they look', async () => {
   const one = await explorer.open('#/plan');
   await planNine(one);
   await press(one, 1);
@@ -130,7 +173,9 @@ test('two windows write into one run, which outlives both; a window without the 
   await two.locator('.sheet-progress', { hasText: /^3 of 17/ }).waitFor();
   await one.getByRole('textbox', { name: 'Notes on test 3', exact: true }).fill('a bit loud');
   await one.getByRole('textbox', { name: 'Notes on test 3', exact: true }).blur();
-  await two.waitForFunction(() => document.querySelectorAll('.run-sheet input.notes')[2]?.value === 'a bit loud');
+  await two.waitForFunction(
+    () => document.querySelectorAll('.run-sheet input.notes')[2]?.value === 'a bit loud',
+  );
   await one.close();
   await two.close();
   const later = await explorer.open(fragment);
@@ -139,14 +184,17 @@ test('two windows write into one run, which outlives both; a window without the 
   await later.getByText('3 tests done; for the rest:').waitFor();
   const looking = await withoutToken(explorer, fragment);
   await looking.getByText('3 tests done; for the rest:').waitFor();
-  assert.equal(await looking.getByRole('button', { name: 'Keep this run on the server' }).count(), 0);
+  assert.equal(
+    await looking.getByRole('button', { name: 'Keep this run on the server' }).count(),
+    0,
+  );
   await later.goto(`${explorer.server.origin}/#/plan`);
   await later.getByText(/Runs on this server/).click();
   await later.getByRole('link', { name: 'Run sheet' }).first().waitFor();
   await look(later, 'plan-runs');
 });
 
-test('the workbook is there in other windows and after a reload, as long as it is of this sheet', async () => {
+test('the workbook is there in other windows and after a reload, if of this sheet', async () => {
   const page = await explorer.open('#/plan');
   await planNine(page);
   await page.getByRole('link', { name: 'Workbook' }).waitFor();
@@ -182,53 +230,75 @@ test('with a budget, plans are compared for the whole job, and the page says so'
   await planned(page);
   await page.getByText('The comparison is of the whole job, without the budget.').waitFor();
   await page.getByRole('button', { name: 'Compare plans by cost' }).click();
-  await page.getByRole('region', { name: 'Which plan is cheapest when' }).waitFor({ timeout: 60_000 });
+  await page
+    .getByRole('region', { name: 'Which plan is cheapest when' })
+    .waitFor({ timeout: 60_000 });
 });
 
-test('a run that is planned anew in one window is so in the others; parts that stay keep their places', async () => {
-  const one = await explorer.open('#/plan');
-  await one.getByRole('link', { name: 'a server with slots' }).click();
-  await planned(one, 120_000);
-  const earlier = await setUps(one);
-  await press(one, 1);
-  await press(one, 2);
-  await one.waitForFunction(() => location.hash.includes('run='));
-  const fragment = new URL(one.url()).hash;
-  const two = await explorer.open(fragment);
-  const looking = await withoutToken(explorer, fragment);
-  await one.getByRole('checkbox', { name: 'Part 11 is gone' }).check();
-  await one.getByRole('button', { name: 'Replan the remaining tests' }).click();
-  await one.getByText('2 tests done; for the rest').waitFor({ timeout: 120_000 });
-  const later = await setUps(one);
-  assert.deepEqual(later.slice(0, 2), earlier.slice(0, 2));
-  assert.ok(later.slice(2).every((set) => !set.includes('P5520')));
-  for (const other of [two, looking]) {
-    await other.getByText('planned anew in another window').waitFor();
-    assert.deepEqual(await setUps(other), later);
-  }
-  await press(one, 3, 'fail');
-  await two.locator('.sheet-progress', { hasText: /3 of \d+ tests done, 1 failed/ }).waitFor();
-  await press(looking, 4);
-  await looking.getByText('This window may only look').waitFor();
-  await looking.locator('.sheet-progress', { hasText: /3 of \d+ tests done, 1 failed/ }).waitFor();
-});
+test(
+  'a run that is planned anew in one window is so in the others; parts that stay keep their ' +
+    'places',
+  async () => {
+    const one = await explorer.open('#/plan');
+    await one.getByRole('link', { name: 'a server with slots' }).click();
+    await planned(one, 120_000);
+    const earlier = await setUps(one);
+    await press(one, 1);
+    await press(one, 2);
+    await one.waitForFunction(() => location.hash.includes('run='));
+    const fragment = new URL(one.url()).hash;
+    const two = await explorer.open(fragment);
+    const looking = await withoutToken(explorer, fragment);
+    await one.getByRole('checkbox', { name: 'Part 11 is gone' }).check();
+    await one.getByRole('button', { name: 'Replan the remaining tests' }).click();
+    await one.getByText('2 tests done; for the rest').waitFor({ timeout: 120_000 });
+    const later = await setUps(one);
+    assert.deepEqual(later.slice(0, 2), earlier.slice(0, 2));
+    assert.ok(later.slice(2).every((set) => !set.includes('P5520')));
+    for (const other of [two, looking]) {
+      await other.getByText('planned anew in another window').waitFor();
+      assert.deepEqual(await setUps(other), later);
+    }
+    await press(one, 3, 'fail');
+    await two.locator('.sheet-progress', { hasText: /3 of \d+ tests done, 1 failed/ }).waitFor();
+    await press(looking, 4);
+    await looking.getByText('This window may only look').waitFor();
+    await looking
+      .locator('.sheet-progress', { hasText: /3 of \d+ tests done, 1 failed/ })
+      .waitFor();
+  },
+);
 
 test('the failures say which pair is at fault, and which test tells most', async () => {
   const page = await explorer.open('#/plan');
   await planNine(page);
   // Parts 2 and 5 do not work together.
   for (let i = 1; i <= 17; ++i) {
-    const names = (await page.locator('.run-sheet td.set-up').nth(i - 1).textContent()).split(', ');
+    const names = (
+      await page
+        .locator('.run-sheet td.set-up')
+        .nth(i - 1)
+        .textContent()
+    ).split(', ');
     await press(page, i, names.includes('2') && names.includes('5') ? 'fail' : 'pass');
   }
   await page.getByRole('button', { name: 'What is at fault?' }).click();
   const panel = page.getByRole('region', { name: 'Diagnosis' });
   await panel.waitFor();
-  for (let i = 0; i < 6 && !(await panel.getByText('At fault, proven: 2 with 5').isVisible()); ++i) {
+  for (
+    let i = 0;
+    i < 6 && !(await panel.getByText('At fault, proven: 2 with 5').isVisible());
+    ++i
+  ) {
     await panel.getByRole('button', { name: 'Make it the next test' }).click();
-    const names = (await page.locator('.next-test .set-up').textContent()).replace('Then in', '').split(', ');
+    const names = (await page.locator('.next-test .set-up').textContent())
+      .replace('Then in', '')
+      .split(', ');
     const failed = names.includes('2') && names.includes('5');
-    await page.locator('.next-test').getByRole('button', { name: failed ? /fail/ : /pass/ }).click();
+    await page
+      .locator('.next-test')
+      .getByRole('button', { name: failed ? /fail/ : /pass/ })
+      .click();
     await page.getByRole('button', { name: 'What is at fault?' }).click();
     await panel.waitFor();
     await page.waitForTimeout(300);
@@ -257,16 +327,32 @@ test('three benches: a sheet each, with its times; a part is on one bench at a t
   assert.ok((await page.locator('.next-test').count()) >= 1);
   await page.getByText('The comparison of costs covers one bench only.').waitFor();
 
-  // Its workbook holds the whole question: on a page that knows nothing it comes back with results, each on the sheet of its bench.
+  // Its workbook holds the whole question: on a page that knows nothing it comes back with results,
+  // each on the sheet of its bench.
   const folder = mkdtempSync(join(tmpdir(), 'changeover-benches-'));
-  const [planned_, half, filled] = ['week.xlsx', 'half.xlsx', 'filled.xlsx'].map((name) => join(folder, name));
-  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('link', { name: 'Workbook' }).click()]);
+  const [planned_, half, filled] = ['week.xlsx', 'half.xlsx', 'filled.xlsx'].map((name) =>
+    join(folder, name),
+  );
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('link', { name: 'Workbook' }).click(),
+  ]);
   await download.saveAs(planned_);
-  const setUpsOf = (of, bench, rows = 'tr') => of.locator('.bench-sheet', { hasText: bench }).locator(`${rows} td.set-up`).allTextContents();
+  const setUpsOf = (of, bench, rows = 'tr') =>
+    of.locator('.bench-sheet', { hasText: bench }).locator(`${rows} td.set-up`).allTextContents();
   const sorted = (texts) => texts.map((text) => text.split(', ').sort());
   const [north, south_] = [await setUpsOf(page, 'North'), await setUpsOf(page, 'South')];
   const play = (from, to, tests, bench) =>
-    execFileSync('python3', ['-c', 'import sys; sys.path.insert(0, sys.argv[1]); import workbook; workbook.fill(sys.argv[2], sys.argv[3], workbook.play(int(sys.argv[4]), []), sys.argv[5])', lab, from, to, String(tests), bench]);
+    execFileSync('python3', [
+      '-c',
+      'import sys; sys.path.insert(0, sys.argv[1]); import workbook; ' +
+        'workbook.fill(sys.argv[2], sys.argv[3], workbook.play(int(sys.argv[4]), []), sys.argv[5])',
+      lab,
+      from,
+      to,
+      String(tests),
+      bench,
+    ]);
   play(planned_, half, 2, 'North');
   play(half, filled, 1, 'South');
   const fresh = await explorer.open('#/plan');
@@ -274,7 +360,10 @@ test('three benches: a sheet each, with its times; a part is on one bench at a t
   await give(fresh, 'week.xlsx', readFileSync(planned_));
   await fresh.getByText('week.xlsx: the question is that of its hidden sheet').waitFor();
   await fresh.locator('.group summary', { hasText: '3 benches' }).waitFor();
-  assert.equal(await fresh.getByRole('spinbutton', { name: 'How many fit at once' }).inputValue(), '4');
+  assert.equal(
+    await fresh.getByRole('spinbutton', { name: 'How many fit at once' }).inputValue(),
+    '4',
+  );
   await give(fresh, 'filled.xlsx', readFileSync(filled));
   await fresh.getByText('3 tests done; for the rest').waitFor({ timeout: 60_000 });
   await fresh.locator('.sheet-progress', { hasText: /^3 of \d+ tests done/ }).waitFor();
@@ -283,12 +372,16 @@ test('three benches: a sheet each, with its times; a part is on one bench at a t
   await look(fresh, 'plan-benches-workbook');
   await give(page, 'benches.csv', readFileSync(join(lab, 'benches/benches.csv')));
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
-  await page.locator('.sheet-progress', { hasText: /^0 of \d+ tests done/ }).waitFor({ timeout: 60_000 });
-  const south = await page.locator('.bench-sheet', { hasText: 'South' }).locator('td.set-up').allTextContents();
+  await page
+    .locator('.sheet-progress', { hasText: /^0 of \d+ tests done/ })
+    .waitFor({ timeout: 60_000 });
+  const south = await page
+    .locator('.bench-sheet', { hasText: 'South' })
+    .locator('td.set-up')
+    .allTextContents();
   assert.ok(south.every((set) => !set.includes('H100')));
   await press(page, 'North 1');
   await page.getByRole('button', { name: 'Replan the remaining tests' }).click();
   await page.getByText('1 test done; for the rest').waitFor({ timeout: 60_000 });
   await look(page, 'plan-benches');
 });
-

@@ -1,4 +1,5 @@
-// The page of searches: they run in the server, and one stream of events tells all pages of a window about them.
+// The page of searches: they run in the server, and one stream of events tells all pages of a
+// window about them.
 import assert from 'node:assert/strict';
 import { after, afterEach, before, test } from 'node:test';
 import { look, settled, start } from './support/browser.mjs';
@@ -9,8 +10,11 @@ before(async () => {
   explorer = await start();
 });
 after(() => explorer.stop());
-// Each window has a stream of events, and a browser has six connections for one server; here no window is ever hidden.
-afterEach(() => Promise.all(explorer.context.pages().map((page) => page.url() !== 'about:blank' && page.close())));
+// Each window has a stream of events, and a browser has six connections for one server; here no
+// window is ever hidden.
+afterEach(() =>
+  Promise.all(explorer.context.pages().map((page) => page.url() !== 'about:blank' && page.close())),
+);
 
 async function begin(page, v, k, { seconds = '10', change = '2', kind = 'linear' } = {}) {
   await page.getByRole('spinbutton', { name: 'Elements v' }).fill(String(v));
@@ -30,13 +34,13 @@ test('what is missing is said', async () => {
   await look(page, 'search-empty');
 });
 
-test('a cell comes with the link, and what is known of it is said before it is searched', async () => {
+test('a cell comes with the link; what is known of it is said before it is searched', async () => {
   const page = await explorer.open('#/search?v=9&k=4&change=2&kind=linear');
   await page.getByText('Gap 0: 8 blocks are known, and no design has fewer').waitFor();
   assert.equal(await page.getByRole('spinbutton', { name: 'Elements v' }).inputValue(), '9');
 });
 
-test('a search: started, watched live, stopped; it survives a reload and another page', async () => {
+test('a search: started, watched live, stopped; it survives reloads and other pages', async () => {
   const page = await explorer.open('#/search');
   await begin(page, 30, 6, { seconds: '60' });
   await watched(page)
@@ -45,9 +49,17 @@ test('a search: started, watched live, stopped; it survives a reload and another
   await watched(page).locator('.u-over').first().waitFor({ state: 'attached' });
   assert.match(page.url(), /id=\d+/);
   // The gap and what follows from it come first, the speed is folded.
-  assert.match(await watched(page).locator('.figures').textContent(), /^gap\d+best\d+lower bound\d+last improvement/);
-  await watched(page).locator('.advice', { hasText: /early|No improvement/ }).waitFor();
-  assert.equal(await watched(page).locator('details', { hasText: 'Speed' }).getAttribute('open'), null);
+  assert.match(
+    await watched(page).locator('.figures').textContent(),
+    /^gap\d+best\d+lower bound\d+last improvement/,
+  );
+  await watched(page)
+    .locator('.advice', { hasText: /early|No improvement/ })
+    .waitFor();
+  assert.equal(
+    await watched(page).locator('details', { hasText: 'Speed' }).getAttribute('open'),
+    null,
+  );
   await look(page, 'search-running');
   await page.reload();
   await settled(page);
@@ -82,16 +94,28 @@ test('exact, from base blocks, with locked sets', async () => {
   await page.getByRole('combobox', { name: 'Method' }).selectOption('exact');
   assert.ok(await page.getByRole('spinbutton', { name: 'Seed' }).isHidden());
   await begin(page, 8, 4, { change: '1', seconds: '60' });
-  await watched(page).getByText(/^Done after .*minimum/).waitFor({ timeout: 60_000 });
+  await watched(page)
+    .getByText(/^Done after .*minimum/)
+    .waitFor({ timeout: 60_000 });
   await watched(page).locator('.advice', { hasText: 'Nothing is left to find' }).waitFor();
   // Number by number: what was decided, how long it took, and the bound that rises with it.
   await begin(page, 9, 5, { seconds: '60' });
-  await watched(page).locator('.decisions tr.none', { hasText: 'there is none: the proof was checked' }).waitFor({ timeout: 60_000 });
-  assert.match(await watched(page).locator('.figures').textContent(), /^gap0best6lower bound6decided1 number$/);
+  await watched(page)
+    .locator('.decisions tr.none', { hasText: 'there is none: the proof was checked' })
+    .waitFor({ timeout: 60_000 });
+  assert.match(
+    await watched(page).locator('.figures').textContent(),
+    /^gap0best6lower bound6decided1 number$/,
+  );
   assert.ok(!(await watched(page).textContent()).includes('not decided'));
   await begin(page, 15, 6, { seconds: '60' });
-  await watched(page).locator('.decisions tr.running', { hasText: /^12being decided/ }).waitFor();
-  assert.match(await watched(page).locator('.figures').textContent(), /^gap1best13lower bound12deciding now12 blocks$/);
+  await watched(page)
+    .locator('.decisions tr.running', { hasText: /^12being decided/ })
+    .waitFor();
+  assert.match(
+    await watched(page).locator('.figures').textContent(),
+    /^gap1best13lower bound12deciding now12 blocks$/,
+  );
   await watched(page).getByRole('button', { name: 'Stop' }).click();
   await watched(page).locator('.decisions tr.unknown').waitFor();
   await page.getByRole('combobox', { name: 'Method' }).selectOption('locked');
@@ -100,10 +124,14 @@ test('exact, from base blocks, with locked sets', async () => {
   await page.getByLabel('In the first block').fill('0, 1');
   await begin(page, 9, 4, { change: '1' });
   await page.getByRole('heading', { name: /locked sets$/ }).waitFor();
-  await watched(page).getByText(/^Done after .*\d+ blocks/).waitFor({ timeout: 60_000 });
+  await watched(page)
+    .getByText(/^Done after .*\d+ blocks/)
+    .waitFor({ timeout: 60_000 });
   await page.getByRole('combobox', { name: 'Method' }).selectOption('base-blocks');
   await begin(page, 9, 4, { change: '1', kind: 'circular' });
-  await watched(page).getByText(/base blocks$/).waitFor();
+  await watched(page)
+    .getByText(/base blocks$/)
+    .waitFor();
   await look(page, 'search-ways');
 });
 

@@ -47,12 +47,20 @@ test('light and dark are a choice that lasts', async () => {
 
 test('the start page has three doors, a picture and an action each', async () => {
   const page = await explorer.open('#/home');
-  assert.deepEqual(await page.locator('.door h2').allTextContents(), ['Test parts', 'Load data', 'Study designs']);
+  assert.deepEqual(await page.locator('.door h2').allTextContents(), [
+    'Test parts',
+    'Load data',
+    'Study designs',
+  ]);
   assert.equal(await page.locator('.door-picture > *').count(), 3);
   await look(page, 'home');
   await phone(page, 'home');
   await page.setViewportSize({ width: 1280, height: 900 });
-  for (const [action, heading] of [['Plan tests', /Plan/], ['Order loads', 'Load order'], ['Browse the catalog', 'Catalog']]) {
+  for (const [action, heading] of [
+    ['Plan tests', /Plan/],
+    ['Order loads', 'Load order'],
+    ['Browse the catalog', 'Catalog'],
+  ]) {
     await page.getByRole('link', { name: action }).click();
     await page.getByRole('heading', { name: heading, level: 1 }).waitFor();
     await page.goBack();
@@ -91,7 +99,10 @@ test('permanent addresses lead to cells and designs', async () => {
 test('with less motion nothing moves by itself', async () => {
   const page = await explorer.open('#/theorems');
   await page.emulateMedia({ reducedMotion: 'reduce' });
-  assert.equal(await page.evaluate(() => getComputedStyle(document.documentElement).scrollBehavior), 'auto');
+  assert.equal(
+    await page.evaluate(() => getComputedStyle(document.documentElement).scrollBehavior),
+    'auto',
+  );
   assert.equal(await page.evaluate(() => document.getAnimations().length), 0);
   await page.close();
 });

@@ -13,10 +13,22 @@ after(() => explorer.stop());
 test('statements with subscripts, and no raw marks', async () => {
   const page = await explorer.open('#/theorems');
   await page.locator('#theorem-5 math').first().waitFor();
-  // Those in sight are set first, in pieces of some milliseconds, and then the hundreds below: the page never stands still for long.
-  const seen = await page.evaluate(() => [...document.querySelectorAll('.math')].filter((each) => each.getBoundingClientRect().top < innerHeight && each.checkVisibility()).map((each) => each.matches('.plain')));
+  // Those in sight are set first, in pieces of some milliseconds, and then the hundreds below: the
+  // page never stands still for long.
+  const seen = await page.evaluate(() =>
+    [...document.querySelectorAll('.math')]
+      .filter((each) => each.getBoundingClientRect().top < innerHeight && each.checkVisibility())
+      .map((each) => each.matches('.plain')),
+  );
   assert.ok(seen.length > 5 && !seen.includes(true), 'what is in sight is set');
-  await page.waitForFunction(() => [...document.querySelectorAll('article .prose')].every((prose) => prose.childElementCount > 0) && document.querySelectorAll('.math.plain').length === 0, null, { timeout: 60_000 });
+  await page.waitForFunction(
+    () =>
+      [...document.querySelectorAll('article .prose')].every(
+        (prose) => prose.childElementCount > 0,
+      ) && document.querySelectorAll('.math.plain').length === 0,
+    null,
+    { timeout: 60_000 },
+  );
   const all = await page.locator('#main').textContent();
   assert.ok(!/\*\*|_\{/.test(all), /.{20}(\*\*|_\{).{20}/.exec(all)?.[0]);
   await page.locator('#theorem-5 math msub').first().waitFor();
@@ -30,7 +42,10 @@ test('a link leads to a theorem or a construction', async () => {
   await chosen.waitFor();
   assert.ok(await chosen.evaluate((it) => it.getBoundingClientRect().top < window.innerHeight));
   assert.equal(await chosen.getAttribute('open'), '');
-  await chosen.getByRole('link', { name: /^Example/ }).locator('svg, canvas').waitFor({ state: 'attached' });
+  await chosen
+    .getByRole('link', { name: /^Example/ })
+    .locator('svg, canvas')
+    .waitFor({ state: 'attached' });
   await chosen.getByRole('link', { name: /^Example/ }).click();
   await page.getByRole('tab', { name: 'Steps' }).waitFor();
   await page.close();

@@ -58,7 +58,10 @@ test('a good design: the verdict, its reasons, facts and elements', async () => 
   const rows = page.getByRole('list', { name: 'The 8 blocks' }).getByRole('listitem');
   assert.equal(await rows.count(), 8);
   assert.deepEqual((await rows.nth(1).locator('.element.in').allTextContents()).sort(), ['2', '5']);
-  assert.deepEqual((await rows.nth(1).locator('s').allTextContents()).map((text) => text.trim()).sort(), ['1', '3']);
+  assert.deepEqual(
+    (await rows.nth(1).locator('s').allTextContents()).map((text) => text.trim()).sort(),
+    ['1', '3'],
+  );
   await look(page, 'verify-good');
 });
 
@@ -84,7 +87,10 @@ test('an uncovered pair leads to its elements, and the choice is in the link', a
   assert.ok((await page.locator('.element.of-pair').count()) > 0);
   await page.reload();
   await settled(page);
-  assert.equal(await page.getByRole('button', { name: '{6, 7}' }).getAttribute('aria-pressed'), 'true');
+  assert.equal(
+    await page.getByRole('button', { name: '{6, 7}' }).getAttribute('aria-pressed'),
+    'true',
+  );
   await look(page, 'verify-pairs');
 });
 
@@ -93,17 +99,24 @@ test('a typing error is shown at its line and column', async () => {
   await page.getByRole('alert').waitFor();
   await page.locator('.excerpt-line.here', { hasText: '2 3 4 4' }).waitFor();
   await page.getByRole('button', { name: 'Go to line 5 in the text' }).click();
-  assert.equal(await box(page).evaluate((field) => field.value.slice(field.selectionStart, field.selectionEnd)), '2 3 4 4');
+  assert.equal(
+    await box(page).evaluate((field) =>
+      field.value.slice(field.selectionStart, field.selectionEnd),
+    ),
+    '2 3 4 4',
+  );
   await look(page, 'verify-typing');
 });
 
-test('a pasted text is checked by keyboard alone, is in the link, and survives a reload', async () => {
+test('a pasted text is checked by keyboard alone, is in the link, survives a reload', async () => {
   const page = await explorer.open('#/verify');
   await box(page).focus();
   await page.keyboard.insertText(design);
   await page.keyboard.press('Control+Enter');
   await page.getByRole('heading', { name: '✓ Valid' }).waitFor();
-  await page.getByText('circular double-change covering design on 7 elements in blocks of 3').waitFor();
+  await page
+    .getByText('circular double-change covering design on 7 elements in blocks of 3')
+    .waitFor();
   assert.match(page.url(), /text=/);
   const other = await explorer.open(new URL(page.url()).hash);
   await other.getByRole('heading', { name: '✓ Valid' }).waitFor();
@@ -122,7 +135,9 @@ test('what the file says can be overruled', async () => {
 
 test('a file is chosen; the design opens in the viewer', async () => {
   const page = await explorer.open('#/verify');
-  await page.getByLabel('A file with a design').setInputFiles({ name: 'fano.txt', mimeType: 'text/plain', buffer: Buffer.from(design) });
+  await page
+    .getByLabel('A file with a design')
+    .setInputFiles({ name: 'fano.txt', mimeType: 'text/plain', buffer: Buffer.from(design) });
   await page.getByRole('heading', { name: '✓ Valid' }).waitFor();
   await page.getByRole('link', { name: 'Open in the viewer' }).click();
   await page.waitForURL(/design\?local=1/);
@@ -173,7 +188,8 @@ function rounds(count) {
   const path = join(folder, 'large.txt');
   writeFileSync(
     path,
-    '# changeover design v=7 k=3 change=2 kind=circular\n' + '0 1 3\n1 2 4\n2 3 5\n3 4 6\n0 4 5\n1 5 6\n0 2 6\n'.repeat(count),
+    '# changeover design v=7 k=3 change=2 kind=circular\n' +
+      '0 1 3\n1 2 4\n2 3 5\n3 4 6\n0 4 5\n1 5 6\n0 2 6\n'.repeat(count),
   );
   return { path, remove: () => rmSync(folder, { recursive: true }) };
 }
@@ -225,7 +241,9 @@ test('a repair is suggested, and used', async () => {
 
 test('a design that is known is cited, with the reason of its bound', async () => {
   const page = await explorer.open('#/verify?example=good');
-  await page.locator('.verify-citation', { hasText: /9\.4\.2\.linear\.8\.|not the one in the catalog/ }).waitFor();
+  await page
+    .locator('.verify-citation', { hasText: /9\.4\.2\.linear\.8\.|not the one in the catalog/ })
+    .waitFor();
   await page.locator('.verify-citation pre', { hasText: '@misc{' }).waitFor();
   await page.locator('.verdict .reason math').first().waitFor();
   await page.close();

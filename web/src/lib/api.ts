@@ -1,14 +1,18 @@
 // The server's addresses, as types, and asking them.
 //
-// All addresses are relative to the page, so that the pages work below any folder. What changes anything carries the
-// token that came with the printed address.
+// All addresses are relative to the page, so that the pages work below any folder. What changes
+// anything carries the token that came with the printed address.
 
 import type { Design, Explorer, LoadRequest, Refusal } from '../../answers';
 
 export type * from '../../answers';
 
 type Posted = Explorer['post'];
-type Bodies = { [P in keyof Posted]: P extends keyof Explorer['body'] ? Explorer['body'][P] : string | Blob | undefined } & { loadorder: LoadRequest };
+type Bodies = {
+  [P in keyof Posted]: P extends keyof Explorer['body']
+    ? Explorer['body'][P]
+    : string | Blob | undefined;
+} & { loadorder: LoadRequest };
 
 /** What the stream tells of a run that the server keeps. */
 export interface RunEvent {
@@ -37,7 +41,10 @@ export class ApiError extends Error {
 
 const tokenKey = 'changeover-token';
 
-/** Takes the token out of the address, so that it is not in links that are passed on, and keeps it for this window. */
+/**
+ * Takes the token out of the address, so that it is not in links that are passed on, and keeps it
+ * for this window.
+ */
 export function keepToken(): void {
   const address = new URL(window.location.href);
   const token = address.searchParams.get('token');
@@ -62,7 +69,9 @@ export function linkForOthers(fragment: string): string {
 }
 
 export function query(parameters: object): string {
-  const pairs = Object.entries(parameters).filter(([, value]) => value !== undefined && value !== null && value !== '');
+  const pairs = Object.entries(parameters).filter(
+    ([, value]) => value !== undefined && value !== null && value !== '',
+  );
   return new URLSearchParams(pairs.map(([name, value]) => [name, String(value)])).toString();
 }
 
@@ -84,24 +93,46 @@ export async function askWith(url: string, init: RequestInit): Promise<Response>
   }
   if (!response.ok) {
     const body = (await response.json().catch(() => null)) as Refusal | null;
-    throw new ApiError(body?.error?.message ?? `The server answered ${response.status} ${response.statusText}.`, response.status, body?.error?.line, body?.error?.column);
+    throw new ApiError(
+      body?.error?.message ?? `The server answered ${response.status} ${response.statusText}.`,
+      response.status,
+      body?.error?.line,
+      body?.error?.column,
+    );
   }
   return response;
 }
 
-export async function get<P extends keyof Explorer['get']>(path: P, parameters: object, signal: AbortSignal): Promise<Explorer['get'][P]> {
-  return (await askWith(address(path.replace(/[?].*/, ''), parameters), { signal })).json() as Promise<Explorer['get'][P]>;
+export async function get<P extends keyof Explorer['get']>(
+  path: P,
+  parameters: object,
+  signal: AbortSignal,
+): Promise<Explorer['get'][P]> {
+  return (
+    await askWith(address(path.replace(/[?].*/, ''), parameters), { signal })
+  ).json() as Promise<Explorer['get'][P]>;
 }
 
-export async function getText(path: string, parameters: object, signal: AbortSignal): Promise<string> {
+export async function getText(
+  path: string,
+  parameters: object,
+  signal: AbortSignal,
+): Promise<string> {
   return (await askWith(address(path, parameters), { signal })).text();
 }
 
 /** A file of a static export. What it does not have is said in `missing`. */
-export async function askFile(url: string, signal: AbortSignal, missing: string): Promise<Response> {
+export async function askFile(
+  url: string,
+  signal: AbortSignal,
+  missing: string,
+): Promise<Response> {
   const response = await fetch(url, { signal });
   if (!response.ok) {
-    throw new ApiError(response.status === 404 ? missing : `The server answered ${response.status} for ${url}.`, response.status);
+    throw new ApiError(
+      response.status === 404 ? missing : `The server answered ${response.status} for ${url}.`,
+      response.status,
+    );
   }
   return response;
 }
@@ -110,18 +141,45 @@ export async function getFile<T>(url: string, signal: AbortSignal, missing: stri
   return (await askFile(url, signal, missing)).json() as Promise<T>;
 }
 
-/** Asks with a body: an object goes as JSON, a string or a file as it is. With the token if this window has it. */
-export async function post<P extends keyof Posted>(path: P, parameters: object, body: Bodies[P], signal: AbortSignal): Promise<Posted[P]> {
+/**
+ * Asks with a body: an object goes as JSON, a string or a file as it is. With the token if this
+ * window has it.
+ */
+export async function post<P extends keyof Posted>(
+  path: P,
+  parameters: object,
+  body: Bodies[P],
+  signal: AbortSignal,
+): Promise<Posted[P]> {
   const token = sessionStorage.getItem(tokenKey);
   const text = typeof body === 'string' || body instanceof Blob;
-  const headers: Record<string, string> = { 'Content-Type': text ? 'text/plain; charset=utf-8' : 'application/json' };
+  const headers: Record<string, string> = {
+    'Content-Type': text ? 'text/plain; charset=utf-8' : 'application/json',
+  };
   if (token) {
     headers['X-Changeover-Token'] = token;
   }
-  const response = await askWith(address(path, parameters), { method: 'POST', headers, body: text ? body : JSON.stringify(body), signal });
+  const response = await askWith(address(path, parameters), {
+    method: 'POST',
+    headers,
+    body: text ? body : JSON.stringify(body),
+    signal,
+  });
   return response.json() as Promise<Posted[P]>;
 }
 
-export async function postText(path: string, parameters: object, body: string, signal: AbortSignal): Promise<string> {
-  return (await askWith(address(path, parameters), { method: 'POST', headers: { 'Content-Type': 'text/plain; charset=utf-8' }, body, signal })).text();
+export async function postText(
+  path: string,
+  parameters: object,
+  body: string,
+  signal: AbortSignal,
+): Promise<string> {
+  return (
+    await askWith(address(path, parameters), {
+      method: 'POST',
+      headers: { 'Content-Type': 'text/plain; charset=utf-8' },
+      body,
+      signal,
+    })
+  ).text();
 }

@@ -1,4 +1,5 @@
-// All cells of one change number, kind and strength, as the map of the catalog holds them: columns, by k, then v.
+// All cells of one change number, kind and strength, as the map of the catalog holds them: columns,
+// by k, then v.
 import type { AtlasDocument, GroupsDocument, Kind } from './api';
 
 export interface Selection {
@@ -32,8 +33,18 @@ function choose(n: number, t: number): number {
   return n < t ? 0 : product;
 }
 
-/** Whether so many blocks newly cover every t-subset exactly once, and whether they are as many as counting asks for at least. */
-export function counted(cell: { v: number; k: number; change: number; kind: Kind; strength: number; b: number }): { tight: boolean; economical: boolean } {
+/**
+ * Whether so many blocks newly cover every t-subset exactly once, and whether they are as many as
+ * counting asks for at least.
+ */
+export function counted(cell: {
+  v: number;
+  k: number;
+  change: number;
+  kind: Kind;
+  strength: number;
+  b: number;
+}): { tight: boolean; economical: boolean } {
   const { v, k, change, kind, strength: t, b } = cell;
   const all = choose(v, t);
   const first = kind === 'linear' ? choose(k, t) : 0;
@@ -42,7 +53,10 @@ export function counted(cell: { v: number; k: number; change: number; kind: Kind
   if (v === k || b < 2) {
     return { tight: b === 1 && v === k, economical: b === 1 };
   }
-  return { tight: first + steps * each === all, economical: steps === Math.ceil((all - first) / each) };
+  return {
+    tight: first + steps * each === all,
+    economical: steps === Math.ceil((all - first) / each),
+  };
 }
 
 export class Atlas {
@@ -89,7 +103,10 @@ export class Atlas {
     const by = this.document.construction[i] ?? null;
     const hash = this.document.label[i] ?? null;
     const { change, kind, strength } = this.selection;
-    const facts = b === null ? { tight: false, economical: false } : counted({ v, k, change, kind, strength, b });
+    const facts =
+      b === null
+        ? { tight: false, economical: false }
+        : counted({ v, k, change, kind, strength, b });
     return {
       v,
       k,
@@ -99,9 +116,19 @@ export class Atlas {
       b,
       lower,
       gap: b === null || lower === null ? null : b - lower,
-      status: lower === null ? 'impossible' : b === null ? 'open' : b === lower ? 'minimum' : 'best-known',
+      status:
+        lower === null
+          ? 'impossible'
+          : b === null
+            ? 'open'
+            : b === lower
+              ? 'minimum'
+              : 'best-known',
       construction: by === null ? null : this.constructions[by]!,
-      label: hash === null || b === null ? null : `${v}.${k}.${change}.${kind}${strength > 2 ? `.t${strength}` : ''}.${b}.${hash}`,
+      label:
+        hash === null || b === null
+          ? null
+          : `${v}.${k}.${change}.${kind}${strength > 2 ? `.t${strength}` : ''}.${b}.${hash}`,
       ...facts,
       order: this.orders?.[i] ?? null,
     };
@@ -111,7 +138,11 @@ export class Atlas {
   cells(k = this.k, v = this.v): AtlasCell[] {
     const found: AtlasCell[] = [];
     for (let row = Math.max(k.from, this.k.from); row <= Math.min(k.to, this.k.to); ++row) {
-      for (let column = Math.max(v.from, this.v.from); column <= Math.min(v.to, this.v.to); ++column) {
+      for (
+        let column = Math.max(v.from, this.v.from);
+        column <= Math.min(v.to, this.v.to);
+        ++column
+      ) {
         found.push(this.cell(column, row)!);
       }
     }

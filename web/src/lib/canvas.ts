@@ -1,11 +1,15 @@
-// What drawings on a canvas share: colours of the theme, sharp pixels, ticks, a tip beside the pointer.
+// What drawings on a canvas share: colours of the theme, sharp pixels, ticks, a tip beside the
+// pointer.
 
 /** A colour or a font of the theme. */
 export function token(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 
-/** Distances between lines of a scale: 1, 2, 5, 10, 20, …, so that they are at least so many pixels apart. */
+/**
+ * Distances between lines of a scale: 1, 2, 5, 10, 20, …, so that they are at least so many pixels
+ * apart.
+ */
 export function stride(pixels: number, least: number): number {
   for (let unit = 1; ; unit *= 10) {
     for (const step of [1, 2, 5]) {
@@ -31,10 +35,16 @@ export function clear(pen: CanvasRenderingContext2D, width: number, height: numb
 }
 
 /** Puts a tip beside the pointer, within the canvas. */
-export function placeTip(tip: HTMLElement, canvas: HTMLCanvasElement, event: MouseEvent, words: string): void {
+export function placeTip(
+  tip: HTMLElement,
+  canvas: HTMLCanvasElement,
+  event: MouseEvent,
+  words: string,
+): void {
   tip.textContent = words;
   const box = canvas.getBoundingClientRect();
-  tip.style.left = `${Math.max(4, Math.min(box.width - tip.offsetWidth - 4, event.clientX - box.left + 14))}px`;
+  const rightmost = box.width - tip.offsetWidth - 4;
+  tip.style.left = `${Math.max(4, Math.min(rightmost, event.clientX - box.left + 14))}px`;
   tip.style.top = `${Math.max(2, event.clientY - box.top - 38)}px`;
 }
 

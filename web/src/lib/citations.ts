@@ -1,28 +1,57 @@
-// The works that are cited, by the keys that the program uses: `[Bean2026]`, `[ChafeeStevens2025, Theorem 10]`.
+// The works that are cited, by the keys that the program uses: `[Bean2026]`, `[ChafeeStevens2025,
+// Theorem 10]`.
 import references from '../../references.json';
 import { h, type Child } from './dom';
 import { mathText } from './mathematics';
 
 const works: Readonly<Record<string, { text: string; url: string | null }>> = references;
 
-export const cited: readonly (readonly [key: string, text: string, url: string | null])[] = Object.entries(works).map(([key, { text, url }]) => [key, text, url]);
+export const cited: readonly (readonly [key: string, text: string, url: string | null])[] =
+  Object.entries(works).map(([key, { text, url }]) => [key, text, url]);
 
 /** A key as people write it: "Bean 2026". */
 function spoken(key: string): string {
-  return key.replace(/EtAl/, ' et al.').replace(/(?<=[a-z.])(?<!Mc)(?=[A-Z])/g, '–').replace(/–?(\d{4}\w?)$/, ' $1').replace('–et', ' et');
+  return key
+    .replace(/EtAl/, ' et al.')
+    .replace(/(?<=[a-z.])(?<!Mc)(?=[A-Z])/g, '–')
+    .replace(/–?(\d{4}\w?)$/, ' $1')
+    .replace('–et', ' et');
 }
 
-/** A work, linked to where it can be read, or to the list of references. `place` follows its name: "Theorem 10". */
+/**
+ * A work, linked to where it can be read, or to the list of references. `place` follows its name:
+ * "Theorem 10".
+ */
 export function work(key: string, place = ''): Child {
   const known = works[key];
   const words = spoken(key) + place;
-  return known ? h('a', { href: known.url ?? `#/theorems?reference=${key}`, title: known.text, rel: known.url ? 'noreferrer' : null }, words) : words;
+  return known
+    ? h(
+        'a',
+        {
+          href: known.url ?? `#/theorems?reference=${key}`,
+          title: known.text,
+          rel: known.url ? 'noreferrer' : null,
+        },
+        words,
+      )
+    : words;
 }
 
 /** Text with formulas set, works linked, and theorems of docs/theorems.md linked by `theorem`. */
 export function scholarly(text: string, theorem: (number: string) => string): Child[] {
   const found: Child[] = [];
-  const pattern = /(\d+\.\d+\.\d+\.(?:circular|linear)(?:\.t\d+)?\.\d+\.[0-9a-f]{8})|((?:changeover )?search \d+ \d+ [^;:]*|changeover \d[\w.]*|\d{4}-\d\d-\d\d)|`([^`]+)`|\[([A-Z][A-Za-z]+(?:\d{4}[a-z]?|-\d)?)((?:, [^\]\[]*)?)\]|docs\/theorems\.md, (Theorem|Proposition|Lemma) (\d+)/;
+  const pattern = new RegExp(
+    [
+      /(\d+\.\d+\.\d+\.(?:circular|linear)(?:\.t\d+)?\.\d+\.[0-9a-f]{8})/, // a label
+      /((?:changeover )?search \d+ \d+ [^;:]*|changeover \d[\w.]*|\d{4}-\d\d-\d\d)/,
+      /`([^`]+)`/,
+      /\[([A-Z][A-Za-z]+(?:\d{4}[a-z]?|-\d)?)((?:, [^\]\[]*)?)\]/,
+      /docs\/theorems\.md, (Theorem|Proposition|Lemma) (\d+)/,
+    ]
+      .map((each) => each.source)
+      .join('|'),
+  );
   let rest = text;
   for (let match = pattern.exec(rest); match; match = pattern.exec(rest)) {
     const [all, label, verbatim, code, key, place, what, number] = match;
@@ -36,7 +65,11 @@ export function scholarly(text: string, theorem: (number: string) => string): Ch
     } else if (key !== undefined) {
       found.push(...(key in works ? ['[', work(key, place ?? ''), ']'] : [all]));
     } else {
-      found.push(what === 'Theorem' ? h('a', { href: theorem(number!) }, `Theorem ${number}`) : `${what} ${number}`);
+      found.push(
+        what === 'Theorem'
+          ? h('a', { href: theorem(number!) }, `Theorem ${number}`)
+          : `${what} ${number}`,
+      );
     }
     rest = rest.slice(match.index + all.length);
   }

@@ -1,9 +1,24 @@
-// Colours by number: steps that look equally far apart (OKLCH), darker for more on a light ground and lighter for more on a dark one.
+// Colours by number: steps that look equally far apart (OKLCH), darker for more on a light ground
+// and lighter for more on a dark one.
 
 type Stop = readonly [lightness: number, chroma: number, hue: number];
 
-const light: readonly Stop[] = [[0.955, 0.045, 95], [0.86, 0.12, 85], [0.74, 0.165, 60], [0.6, 0.19, 35], [0.46, 0.17, 5], [0.32, 0.12, 330]];
-const dark: readonly Stop[] = [[0.33, 0.05, 300], [0.43, 0.12, 325], [0.54, 0.17, 5], [0.66, 0.175, 38], [0.79, 0.15, 70], [0.93, 0.11, 100]];
+const light: readonly Stop[] = [
+  [0.955, 0.045, 95],
+  [0.86, 0.12, 85],
+  [0.74, 0.165, 60],
+  [0.6, 0.19, 35],
+  [0.46, 0.17, 5],
+  [0.32, 0.12, 330],
+];
+const dark: readonly Stop[] = [
+  [0.33, 0.05, 300],
+  [0.43, 0.12, 325],
+  [0.54, 0.17, 5],
+  [0.66, 0.175, 38],
+  [0.79, 0.15, 70],
+  [0.93, 0.11, 100],
+];
 
 function channel(linear: number): number {
   const x = Math.min(1, Math.max(0, linear));
@@ -17,7 +32,11 @@ export function oklch([lightness, chroma, hue]: Stop): string {
   const l = (lightness + 0.3963377774 * a + 0.2158037573 * b) ** 3;
   const m = (lightness - 0.1055613458 * a - 0.0638541728 * b) ** 3;
   const s = (lightness - 0.0894841775 * a - 1.291485548 * b) ** 3;
-  const rgb = [4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s, -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s, -0.0041960863 * l - 0.7034186147 * m + 1.707614701 * s];
+  const rgb = [
+    4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
+    -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
+    -0.0041960863 * l - 0.7034186147 * m + 1.707614701 * s,
+  ];
   return `#${rgb.map((each) => channel(each).toString(16).padStart(2, '0')).join('')}`;
 }
 
@@ -27,19 +46,31 @@ function mixed(stops: readonly Stop[], at: number): Stop {
   const [from, to] = [stops[i]!, stops[i + 1]!];
   const part = place - i;
   const turn = ((to[2] - from[2] + 540) % 360) - 180;
-  return [from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1]), from[2] + part * turn];
+  return [
+    from[0] + part * (to[0] - from[0]),
+    from[1] + part * (to[1] - from[1]),
+    from[2] + part * turn,
+  ];
 }
 
 const steps = 96;
 
 /** The colours from least to most. */
 export function scale(theme: 'light' | 'dark'): readonly string[] {
-  return Array.from({ length: steps }, (_, i) => oklch(mixed(theme === 'dark' ? dark : light, i / (steps - 1))));
+  return Array.from({ length: steps }, (_, i) =>
+    oklch(mixed(theme === 'dark' ? dark : light, i / (steps - 1))),
+  );
 }
 
 /** Kinds of things that have no order: up to ten hues of one lightness, then grey. */
 export function hues(count: number, theme: 'light' | 'dark'): readonly string[] {
-  return Array.from({ length: count }, (_, i) => (i < 10 ? oklch([theme === 'dark' ? 0.68 : 0.72, 0.125, 20 + i * 36 + (i % 2) * 12]) : theme === 'dark' ? '#55636e' : '#b9c2ca'));
+  return Array.from({ length: count }, (_, i) =>
+    i < 10
+      ? oklch([theme === 'dark' ? 0.68 : 0.72, 0.125, 20 + i * 36 + (i % 2) * 12])
+      : theme === 'dark'
+        ? '#55636e'
+        : '#b9c2ca',
+  );
 }
 
 /** Black or white, whichever is read more easily on `#rrggbb`: its contrast is 4.5 at least. */

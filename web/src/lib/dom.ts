@@ -8,7 +8,10 @@ type Attribute = string | number | boolean | null | undefined;
 type Listener = (event: Event) => void;
 export type Child = Node | string | number | null | undefined | false;
 
-/** An element with attributes, listeners (`onclick: f`) and children. `true` is an attribute without a value, `false`, null and undefined leave it out. */
+/**
+ * An element with attributes, listeners (`onclick: f`) and children. `true` is an attribute without
+ * a value, `false`, null and undefined leave it out.
+ */
 export function h<K extends keyof HTMLElementTagNameMap>(
   tag: K,
   attributes: Record<string, Attribute | Listener> = {},
@@ -29,7 +32,9 @@ export function h<K extends keyof HTMLElementTagNameMap>(
 export function append(parent: Node, ...children: (Child | Child[])[]): void {
   for (const child of children.flat()) {
     if (child !== null && child !== undefined && child !== false) {
-      parent.appendChild(typeof child === 'object' ? child : document.createTextNode(String(child)));
+      parent.appendChild(
+        typeof child === 'object' ? child : document.createTextNode(String(child)),
+      );
     }
   }
 }
@@ -40,7 +45,10 @@ export function fill(parent: Element, ...children: (Child | Child[])[]): void {
   append(parent, ...children);
 }
 
-/** A picture of the server as nodes of this page. It comes from our own origin; scripts and handlers are taken out all the same. */
+/**
+ * A picture of the server as nodes of this page. It comes from our own origin; scripts and handlers
+ * are taken out all the same.
+ */
 export function picture(svg: string): SVGSVGElement {
   const parsed = new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement;
   if (parsed.nodeName !== 'svg') {
@@ -99,7 +107,11 @@ export function select(
 }
 
 /** An element of a picture. */
-export function svg(tag: string, attributes: Record<string, string | number>, ...children: (SVGElement | string)[]): SVGElement {
+export function svg(
+  tag: string,
+  attributes: Record<string, string | number>,
+  ...children: (SVGElement | string)[]
+): SVGElement {
   const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
   for (const [name, value] of Object.entries(attributes)) {
     element.setAttribute(name, String(value));

@@ -1,7 +1,8 @@
 // What the server tells by itself: one stream for the window, whichever pages listen.
 //
-// The stream is open while something listens and the window is seen (a browser has few connections for one server), and is
-// opened again with growing pauses when it breaks. After each opening listeners hear 'open', so that they ask for what they missed.
+// The stream is open while something listens and the window is seen (a browser has few connections
+// for one server), and is opened again with growing pauses when it breaks. After each opening
+// listeners hear 'open', so that they ask for what they missed.
 import type { PlanJob, RunEvent, SearchJob } from './api';
 
 export type StreamState = 'closed' | 'opening' | 'open' | 'waiting';
@@ -78,7 +79,10 @@ export function retryNow(): void {
   }
 }
 
-/** Listens until `signal` is aborted. The stream stays open for a while after the last one left: pages follow each other. */
+/**
+ * Listens until `signal` is aborted. The stream stays open for a while after the last one left:
+ * pages follow each other.
+ */
 export function listen(listener: Listener, signal: AbortSignal): void {
   listeners.add(listener);
   signal.addEventListener('abort', () => {

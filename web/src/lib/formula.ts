@@ -1,23 +1,136 @@
-// Mathematics as the program and docs/theorems.md write it (`2*n_j >= 3k`, `B_{i+1}`, `⌈(v−k)/2⌉`), found in plain text and
-// turned into TeX. What is not surely mathematics stays text.
+// Mathematics as the program and docs/theorems.md write it (`2*n_j >= 3k`, `B_{i+1}`, `⌈(v−k)/2⌉`),
+// found in plain text and turned into TeX. What is not surely mathematics stays text.
 
 /** `breaks`: a line may end behind it. */
 export type Piece = { text: string } | { tex: string; text: string; breaks?: boolean };
 
 const symbols: Record<string, string> = {
-  '≤': '\\le ', '≥': '\\ge ', '<=': '\\le ', '>=': '\\ge ', '<': '<', '>': '>', '=': '=', '≠': '\\ne ', '≡': '\\equiv ', '+': '+', '−': '-', '-': '-', '±': '\\pm ',
-  '·': '\\cdot ', '*': '\\cdot ', '/': '/', '…': '\\dots ', '...': '\\dots ', '∖': '\\setminus ', '∪': '\\cup ', '∩': '\\cap ', '⊂': '\\subset ', '∈': '\\in ', ',': ',', ':': ':',
-  '⌈': '\\lceil ', '⌉': '\\rceil ', '⌊': '\\lfloor ', '⌋': '\\rfloor ', '(': '(', ')': ')', '[': '[', ']': ']', '{': '\\{', '}': '\\}', '|': '|', '∎': '\\blacksquare ',
+  '≤': '\\le ',
+  '≥': '\\ge ',
+  '<=': '\\le ',
+  '>=': '\\ge ',
+  '<': '<',
+  '>': '>',
+  '=': '=',
+  '≠': '\\ne ',
+  '≡': '\\equiv ',
+  '+': '+',
+  '−': '-',
+  '-': '-',
+  '±': '\\pm ',
+  '·': '\\cdot ',
+  '*': '\\cdot ',
+  '/': '/',
+  '…': '\\dots ',
+  '...': '\\dots ',
+  '∖': '\\setminus ',
+  '∪': '\\cup ',
+  '∩': '\\cap ',
+  '⊂': '\\subset ',
+  '∈': '\\in ',
+  ',': ',',
+  ':': ':',
+  '⌈': '\\lceil ',
+  '⌉': '\\rceil ',
+  '⌊': '\\lfloor ',
+  '⌋': '\\rfloor ',
+  '(': '(',
+  ')': ')',
+  '[': '[',
+  ']': ']',
+  '{': '\\{',
+  '}': '\\}',
+  '|': '|',
+  '∎': '\\blacksquare ',
 };
-const operators = new Set(['≤', '≥', '<=', '>=', '<', '>', '=', '≠', '≡', '+', '−', '-', '±', '·', '*', '/', '∖', '∪', '∩', '⊂', '∈']);
+const operators = new Set([
+  '≤',
+  '≥',
+  '<=',
+  '>=',
+  '<',
+  '>',
+  '=',
+  '≠',
+  '≡',
+  '+',
+  '−',
+  '-',
+  '±',
+  '·',
+  '*',
+  '/',
+  '∖',
+  '∪',
+  '∩',
+  '⊂',
+  '∈',
+]);
 const closers: Record<string, string> = { '(': ')', '[': ']', '{': '}', '⌈': '⌉', '⌊': '⌋' };
 const opened = new Set(Object.keys(closers));
 const closed = new Set(Object.values(closers));
 const functions = new Set(['ceil', 'floor', 'max', 'min', 'gcd', 'log']);
 const designs = new Set(['SCCD', 'DCCD']);
 /** Pairs of letters that are words wherever they stand. */
-const words = new Set(['a', 'A', 'I', 'am', 'an', 'as', 'at', 'be', 'by', 'do', 'go', 'he', 'if', 'in', 'is', 'it', 'me', 'my', 'no', 'of', 'on', 'or', 'so', 'to', 'up', 'us', 'we', 'If', 'In', 'It', 'So', 'To', 'On', 'At', 'By', 'No', 'Of', 'We', 'An', 'As', 'Is', 'Be', 'vs']);
-const greek: Record<string, string> = { ℓ: '\\ell ', τ: '\\tau ', σ: '\\sigma ', π: '\\pi ', ρ: '\\rho ', α: '\\alpha ', β: '\\beta ', Σ: '\\sum ', φ: '\\varphi ', λ: '\\lambda ', μ: '\\mu ', ε: '\\varepsilon ' };
+const words = new Set([
+  'a',
+  'A',
+  'I',
+  'am',
+  'an',
+  'as',
+  'at',
+  'be',
+  'by',
+  'do',
+  'go',
+  'he',
+  'if',
+  'in',
+  'is',
+  'it',
+  'me',
+  'my',
+  'no',
+  'of',
+  'on',
+  'or',
+  'so',
+  'to',
+  'up',
+  'us',
+  'we',
+  'If',
+  'In',
+  'It',
+  'So',
+  'To',
+  'On',
+  'At',
+  'By',
+  'No',
+  'Of',
+  'We',
+  'An',
+  'As',
+  'Is',
+  'Be',
+  'vs',
+]);
+const greek: Record<string, string> = {
+  ℓ: '\\ell ',
+  τ: '\\tau ',
+  σ: '\\sigma ',
+  π: '\\pi ',
+  ρ: '\\rho ',
+  α: '\\alpha ',
+  β: '\\beta ',
+  Σ: '\\sum ',
+  φ: '\\varphi ',
+  λ: '\\lambda ',
+  μ: '\\mu ',
+  ε: '\\varepsilon ',
+};
 
 interface Token {
   kind: 'number' | 'variable' | 'function' | 'design' | 'operator' | 'open' | 'close' | 'comma';
@@ -53,10 +166,19 @@ function scripts(text: string, at: number): { to: number; tex: string } {
   }
 }
 
-/** The token at a place; null if what stands there is no mathematics. `sure`: all of the text is a formula. */
+/**
+ * The token at a place; null if what stands there is no mathematics. `sure`: all of the text is a
+ * formula.
+ */
 function tokenAt(text: string, at: number, sure: boolean): Token | null {
   const rest = text.slice(at);
-  const make = (kind: Token['kind'], sign: string, tex: string, length = sign.length): Token => ({ kind, from: at, to: at + length, sign, tex });
+  const make = (kind: Token['kind'], sign: string, tex: string, length = sign.length): Token => ({
+    kind,
+    from: at,
+    to: at + length,
+    sign,
+    tex,
+  });
   const number = /^\d+(?:[.]\d+)?/.exec(rest);
   if (number) {
     const end = scripts(text, at + number[0].length);
@@ -80,7 +202,12 @@ function tokenAt(text: string, at: number, sure: boolean): Token | null {
       return rest[run.length] === '(' ? make('design', plain, `\\mathrm{${plain}}`) : null;
     }
     const before = text[at - 1] ?? ' ';
-    if (/[\p{L}'’_]/u.test(before) || (before === '-' && /\p{L}{2}-$/u.test(text.slice(Math.max(0, at - 3), at))) || (plain.length === 1 && /^['’]/.test(rest.slice(run.length))) || (plain === 's' && /['’]/.test(before))) {
+    if (
+      /[\p{L}'’_]/u.test(before) ||
+      (before === '-' && /\p{L}{2}-$/u.test(text.slice(Math.max(0, at - 3), at))) ||
+      (plain.length === 1 && /^['’]/.test(rest.slice(run.length))) ||
+      (plain === 's' && /['’]/.test(before))
+    ) {
       return null;
     }
     const product = [...run.normalize('NFD').matchAll(/\p{L}\p{M}*/gu)].map(([each]) => each);
@@ -90,7 +217,12 @@ function tokenAt(text: string, at: number, sure: boolean): Token | null {
     }
     const behind = rest.slice(run.length);
     const named = plain.length === 1 && /^(?:[_^]| [=∖∪∩⊂∈] )/.test(behind);
-    if (!sure && !named && (words.has(plain) || (product.length === 2 && !bound && !/[A-Z]/.test(plain) && !/^[_(+−·*/)]/.test(behind)))) {
+    if (
+      !sure &&
+      !named &&
+      (words.has(plain) ||
+        (product.length === 2 && !bound && !/[A-Z]/.test(plain) && !/^[_(+−·*/)]/.test(behind)))
+    ) {
       return null;
     }
     if (/^-\p{L}{2}/u.test(rest.slice(run.length))) {
@@ -103,7 +235,13 @@ function tokenAt(text: string, at: number, sure: boolean): Token | null {
       const sign = greek[base] ?? base;
       return each.includes('\u0304') ? `\\bar{${sign}}` : sign;
     });
-    return { kind: 'variable', from: at, to: end.to, sign: plain, tex: tex.join('') + (index ? `_{${index}}` : '') + end.tex };
+    return {
+      kind: 'variable',
+      from: at,
+      to: end.to,
+      sign: plain,
+      tex: tex.join('') + (index ? `_{${index}}` : '') + end.tex,
+    };
   }
   if (opened.has(here)) {
     return make('open', here, symbols[here]!);
@@ -119,11 +257,16 @@ function tokenAt(text: string, at: number, sure: boolean): Token | null {
     return make('variable', here, symbols[here]!);
   }
   if (here === '-') {
-    // A hyphen is a minus between signs of mathematics only: "3-subsets" and "end-to-end" are words.
+    // A hyphen is a minus between signs of mathematics only: "3-subsets" and "end-to-end" are
+    // words.
     const next = /^-\s*(\p{L}+|.)/u.exec(rest)?.[1] ?? '';
-    return letter.test(next) && (next.length > 2 || words.has(next)) && !sure ? null : make('operator', here, symbols[here]!);
+    return letter.test(next) && (next.length > 2 || words.has(next)) && !sure
+      ? null
+      : make('operator', here, symbols[here]!);
   }
-  return here in symbols ? make(operators.has(here) ? 'operator' : 'variable', here, symbols[here]!) : null;
+  return here in symbols
+    ? make(operators.has(here) ? 'operator' : 'variable', here, symbols[here]!)
+    : null;
 }
 
 /** TeX of tokens: `ceil(…)` and `C(v,2)` as they are set. */
@@ -132,21 +275,31 @@ function join(tokens: readonly Token[], text: string): string {
   for (let i = 0; i < tokens.length; ++i) {
     const token = tokens[i]!;
     const next = tokens[i + 1];
-    const binomial = token.kind === 'variable' && token.sign === 'C' && token.to - token.from === 1 && next?.sign === '(' && next.from === token.to;
+    const binomial =
+      token.kind === 'variable' &&
+      token.sign === 'C' &&
+      token.to - token.from === 1 &&
+      next?.sign === '(' &&
+      next.from === token.to;
     const rounded = token.kind === 'function' && (token.sign === 'ceil' || token.sign === 'floor');
     if ((binomial || rounded) && next) {
       const end = closing(tokens, i + 1);
       if (end > 0) {
         const inside = tokens.slice(i + 2, end);
-        const comma = inside.findIndex((each, at) => each.sign === ',' && depthAt(inside, at) === 0);
+        const comma = inside.findIndex(
+          (each, at) => each.sign === ',' && depthAt(inside, at) === 0,
+        );
         if (rounded) {
-          const [open, close] = token.sign === 'ceil' ? ['\\lceil ', '\\rceil '] : ['\\lfloor ', '\\rfloor '];
+          const [open, close] =
+            token.sign === 'ceil' ? ['\\lceil ', '\\rceil '] : ['\\lfloor ', '\\rfloor '];
           tex += `${open}${join(inside, text)}${close}`;
           i = end;
           continue;
         }
         if (comma > 0) {
-          tex += `\\tbinom{${join(inside.slice(0, comma), text)}}{${join(inside.slice(comma + 1), text)}}`;
+          tex +=
+            `\\tbinom{${join(inside.slice(0, comma), text)}}{` +
+            `${join(inside.slice(comma + 1), text)}}`;
           i = end;
           continue;
         }
@@ -178,7 +331,12 @@ function closing(tokens: readonly Token[], open: number): number {
 }
 
 function depthAt(tokens: readonly Token[], at: number): number {
-  return tokens.slice(0, at).reduce((depth, each) => depth + (each.kind === 'open' ? 1 : each.kind === 'close' ? -1 : 0), 0);
+  return tokens
+    .slice(0, at)
+    .reduce(
+      (depth, each) => depth + (each.kind === 'open' ? 1 : each.kind === 'close' ? -1 : 0),
+      0,
+    );
 }
 
 /** A text that is a formula as a whole; words in it stay words. */
@@ -189,7 +347,7 @@ export function texOf(formula: string): string {
     tex += join(tokens, formula);
     tokens = [];
   };
-  for (let i = 0; i < formula.length; ) {
+  for (let i = 0; i < formula.length;) {
     if (formula[i] === ' ' || formula[i] === '\n') {
       const gap = /^[ \n]+/.exec(formula.slice(i))![0].length;
       if (gap >= 2 && tokens.length > 0) {
@@ -223,11 +381,21 @@ function trimmed(tokens: Token[]): Token[] {
     if (!first || !last) {
       return [];
     }
-    if (last.kind === 'comma' || (last.kind === 'operator') || last.kind === 'function' || last.kind === 'design' || last.kind === 'open') {
+    if (
+      last.kind === 'comma' ||
+      last.kind === 'operator' ||
+      last.kind === 'function' ||
+      last.kind === 'design' ||
+      last.kind === 'open'
+    ) {
       list = list.slice(0, -1);
       continue;
     }
-    if (first.kind === 'comma' || first.kind === 'close' || (first.kind === 'operator' && !'−-±'.includes(first.sign))) {
+    if (
+      first.kind === 'comma' ||
+      first.kind === 'close' ||
+      (first.kind === 'operator' && !'−-±'.includes(first.sign))
+    ) {
       list = list.slice(1);
       continue;
     }
@@ -269,25 +437,47 @@ function listed(tokens: readonly Token[]): Token[][] {
   return found.filter((part) => part.length > 0);
 }
 
-/** A formula in parts that begin with a relation, or with a sign of a sum where that is not enough. */
+/**
+ * A formula in parts that begin with a relation, or with a sign of a sum where that is not enough.
+ */
 function parts(tokens: Token[]): Token[][] {
-  const length = (some: readonly Token[]): number => (some.length === 0 ? 0 : some.at(-1)!.to - some[0]!.from);
+  const length = (some: readonly Token[]): number =>
+    some.length === 0 ? 0 : some.at(-1)!.to - some[0]!.from;
   const cut = (some: Token[], at: ReadonlySet<string>): Token[][] => {
     const found: Token[][] = [[]];
     some.forEach((token, i) => {
-      if (i > 0 && token.kind === 'operator' && at.has(token.sign) && depthAt(some, i) === 0 && some[i - 1]!.kind !== 'operator') {
+      if (
+        i > 0 &&
+        token.kind === 'operator' &&
+        at.has(token.sign) &&
+        depthAt(some, i) === 0 &&
+        some[i - 1]!.kind !== 'operator'
+      ) {
         found.push([]);
       }
       found.at(-1)!.push(token);
     });
     return found;
   };
-  return length(tokens) <= longest ? [tokens] : cut(tokens, relations).flatMap((part) => (length(part) <= longest + 6 ? [part] : cut(part, sums))).flatMap((part) => (length(part) <= longest ? [part] : listed(part)));
+  return length(tokens) <= longest
+    ? [tokens]
+    : cut(tokens, relations)
+        .flatMap((part) => (length(part) <= longest + 6 ? [part] : cut(part, sums)))
+        .flatMap((part) => (length(part) <= longest ? [part] : listed(part)));
 }
 
 /** Whether it is worth setting: a number alone is not, a list of numbers neither. */
 function isMathematics(tokens: readonly Token[]): boolean {
-  return tokens.some((each) => each.kind === 'variable' || each.kind === 'operator' || each.kind === 'function' || each.kind === 'design' || each.sign === '{') && !(tokens.length === 1 && (tokens[0]!.sign === '…' || tokens[0]!.kind === 'number'));
+  return (
+    tokens.some(
+      (each) =>
+        each.kind === 'variable' ||
+        each.kind === 'operator' ||
+        each.kind === 'function' ||
+        each.kind === 'design' ||
+        each.sign === '{',
+    ) && !(tokens.length === 1 && (tokens[0]!.sign === '…' || tokens[0]!.kind === 'number'))
+  );
 }
 
 /** The text in pieces, mathematics with its TeX. Together the pieces are the text. */
@@ -316,11 +506,31 @@ export function pieces(text: string): Piece[] {
         break;
       }
       // Two things side by side with a blank between are two things: "at most 9 of", "k m".
-      const value = (each: Token): boolean => each.kind === 'number' || each.kind === 'variable' || each.kind === 'close';
-      if (last && gap > 0 && (value(last) || last.kind === 'comma') && (token.kind === 'number' || token.kind === 'variable' || token.kind === 'function' || token.kind === 'design' || token.kind === 'open') && !(last.kind === 'comma' && (depth > 0 || tokens.at(-2)?.sign === '…')) && token.sign !== '…' && last.sign !== '…' && !greek[last.sign]?.includes('sum')) {
+      const value = (each: Token): boolean =>
+        each.kind === 'number' || each.kind === 'variable' || each.kind === 'close';
+      if (
+        last &&
+        gap > 0 &&
+        (value(last) || last.kind === 'comma') &&
+        (token.kind === 'number' ||
+          token.kind === 'variable' ||
+          token.kind === 'function' ||
+          token.kind === 'design' ||
+          token.kind === 'open') &&
+        !(last.kind === 'comma' && (depth > 0 || tokens.at(-2)?.sign === '…')) &&
+        token.sign !== '…' &&
+        last.sign !== '…' &&
+        !greek[last.sign]?.includes('sum')
+      ) {
         break;
       }
-      if (gap > 0 && token.kind === 'open' && last && last.kind !== 'operator' && last.kind !== 'open') {
+      if (
+        gap > 0 &&
+        token.kind === 'open' &&
+        last &&
+        last.kind !== 'operator' &&
+        last.kind !== 'open'
+      ) {
         break;
       }
       depth += token.kind === 'open' ? 1 : token.kind === 'close' ? -1 : 0;
@@ -338,12 +548,19 @@ export function pieces(text: string): Piece[] {
       const cut = parts(list);
       cut.forEach((part, n) => {
         const next = cut[n + 1]?.[0]!.from ?? end;
-        found.push({ tex: `${n > 0 ? '{}' : ''}${join(part, text)}`, text: text.slice(part[0]!.from, next), ...(n + 1 < cut.length ? { breaks: true } : {}) });
+        found.push({
+          tex: `${n > 0 ? '{}' : ''}${join(part, text)}`,
+          text: text.slice(part[0]!.from, next),
+          ...(n + 1 < cut.length ? { breaks: true } : {}),
+        });
       });
       i = end;
       continue;
     }
-    const skip = list.length > 0 ? list.at(-1)!.to - i : (/^(?:\p{L}[\p{L}\p{M}]*|.)/su.exec(text.slice(i))![0].length);
+    const skip =
+      list.length > 0
+        ? list.at(-1)!.to - i
+        : /^(?:\p{L}[\p{L}\p{M}]*|.)/su.exec(text.slice(i))![0].length;
     say(text.slice(i, i + skip));
     i += skip;
   }

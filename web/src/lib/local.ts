@@ -1,12 +1,15 @@
-// What one page hands to another within this window: a design that is in no catalog, and a text to be checked.
+// What one page hands to another within this window: a design that is in no catalog, and a text to
+// be checked.
 //
-// Both survive a reload as long as they fit into the storage of a window (some 5 MB); a larger one lasts as long as the
-// page itself.
+// Both survive a reload as long as they fit into the storage of a window (some 5 MB); a larger one
+// lasts as long as the page itself.
 import type { Design } from './api';
 
 const designKey = 'changeover-local';
 const textKey = 'changeover-text';
-/** Elements in all blocks together: beyond, the text of a design would not fit into that storage. */
+/**
+ * Elements in all blocks together: beyond, the text of a design would not fit into that storage.
+ */
 const mostStored = 1_000_000;
 let design: Design | null = null;
 let text: string | null = null;

@@ -1,5 +1,6 @@
-// The little Markdown that docs/theorems.md uses, as a tree: paragraphs, headings, lists, tables, indented formulas; in them
-// emphasis, code, links, and subscripts and superscripts as mathematics writes them: B_{i+1}, x_p, T′^2.
+// The little Markdown that docs/theorems.md uses, as a tree: paragraphs, headings, lists, tables,
+// indented formulas; in them emphasis, code, links, and subscripts and superscripts as mathematics
+// writes them: B_{i+1}, x_p, T′^2.
 //
 // Reading makes plain data, so it needs no browser; `lib/markup.ts` makes nodes of it.
 
@@ -27,11 +28,19 @@ function blank(line: string | undefined): boolean {
 }
 
 function tableRow(line: string): string[] {
-  return line.trim().replace(/^\||\|$/g, '').split('|').map((cell) => cell.trim());
+  return line
+    .trim()
+    .replace(/^\||\|$/g, '')
+    .split('|')
+    .map((cell) => cell.trim());
 }
 
 function isRule(line: string | undefined): boolean {
-  return line !== undefined && /^\s*\|?\s*:?-{2,}:?\s*(\|\s*:?-{2,}:?\s*|\|)*\|?\s*$/.test(line) && line.includes('|');
+  return (
+    line !== undefined &&
+    /^\s*\|?\s*:?-{2,}:?\s*(\|\s*:?-{2,}:?\s*|\|)*\|?\s*$/.test(line) &&
+    line.includes('|')
+  );
 }
 
 function parts(lines: readonly string[]): Part[] {
@@ -51,7 +60,10 @@ function parts(lines: readonly string[]): Part[] {
     }
     if (/^ {4}/.test(line)) {
       const formula: string[] = [];
-      while (i < lines.length && (/^ {4}/.test(lines[i]!) || (blank(lines[i]) && /^ {4}/.test(lines[i + 1] ?? '')))) {
+      while (
+        i < lines.length &&
+        (/^ {4}/.test(lines[i]!) || (blank(lines[i]) && /^ {4}/.test(lines[i + 1] ?? '')))
+      ) {
         formula.push(lines[i++]!.slice(4));
       }
       found.push({ is: 'formula', lines: formula.map(inline) });
@@ -74,7 +86,12 @@ function parts(lines: readonly string[]): Part[] {
       continue;
     }
     const text: string[] = [];
-    while (i < lines.length && !blank(lines[i]) && !/^#{1,6}\s/.test(lines[i]!) && !(text.length > 0 && interrupts(lines[i]!))) {
+    while (
+      i < lines.length &&
+      !blank(lines[i]) &&
+      !/^#{1,6}\s/.test(lines[i]!) &&
+      !(text.length > 0 && interrupts(lines[i]!))
+    ) {
       text.push(lines[i++]!.trim());
     }
     found.push({ is: 'paragraph', inside: inline(text.join('\n')) });
@@ -163,7 +180,7 @@ export function inline(text: string): Inline[] {
     flush();
     found.push(item);
   };
-  for (let i = 0; i < text.length; ) {
+  for (let i = 0; i < text.length;) {
     const here = text[i]!;
     if (here === '\\' && /[\\`*_{}[\]()#+\-.!|<>^]/.test(text[i + 1] ?? '')) {
       plain += text[i + 1];
@@ -174,7 +191,13 @@ export function inline(text: string): Inline[] {
       const fence = /^`+/.exec(text.slice(i))![0];
       const end = text.indexOf(fence, i + fence.length);
       if (end > 0) {
-        push({ is: 'code', text: text.slice(i + fence.length, end).replace(/\s+/g, ' ').trim() });
+        push({
+          is: 'code',
+          text: text
+            .slice(i + fence.length, end)
+            .replace(/\s+/g, ' ')
+            .trim(),
+        });
         i = end + fence.length;
         continue;
       }
@@ -183,7 +206,10 @@ export function inline(text: string): Inline[] {
       const marks = text.startsWith('**', i) ? '**' : '*';
       const end = emphasisEnd(text, i + marks.length, marks);
       if (end > 0) {
-        push({ is: marks === '**' ? 'strong' : 'em', inside: inline(text.slice(i + marks.length, end)) });
+        push({
+          is: marks === '**' ? 'strong' : 'em',
+          inside: inline(text.slice(i + marks.length, end)),
+        });
         i = end + marks.length;
         continue;
       }
@@ -193,7 +219,11 @@ export function inline(text: string): Inline[] {
       if (end > 0 && text[end] === '(') {
         const done = closing(text, end, '(', ')');
         if (done > 0) {
-          push({ is: 'link', to: text.slice(end + 1, done - 1), inside: inline(text.slice(i + 1, end - 1)) });
+          push({
+            is: 'link',
+            to: text.slice(end + 1, done - 1),
+            inside: inline(text.slice(i + 1, end - 1)),
+          });
           i = done;
           continue;
         }

@@ -44,7 +44,11 @@ function nodes(parts: readonly Inline[], links: Links): Child[] {
         break;
       case 'link': {
         const to = links(part.to);
-        found.push(to === null ? h('span', {}, nodes(part.inside, links)) : h('a', { href: to }, nodes(part.inside, links)));
+        found.push(
+          to === null
+            ? h('span', {}, nodes(part.inside, links))
+            : h('a', { href: to }, nodes(part.inside, links)),
+        );
         break;
       }
       default:
@@ -57,7 +61,19 @@ function nodes(parts: readonly Inline[], links: Links): Child[] {
 
 /** A line of a displayed formula as it was written, emphasis between stars. */
 function plainLine(parts: readonly Inline[]): string {
-  return parts.map((part) => written(part) ?? (part.is === 'em' ? `*${plainLine(part.inside)}*` : part.is === 'code' ? part.text : part.is === 'link' || part.is === 'strong' || part.is === 'sub' || part.is === 'sup' ? plainLine(part.inside) : '')).join('');
+  return parts
+    .map(
+      (part) =>
+        written(part) ??
+        (part.is === 'em'
+          ? `*${plainLine(part.inside)}*`
+          : part.is === 'code'
+            ? part.text
+            : part.is === 'link' || part.is === 'strong' || part.is === 'sub' || part.is === 'sup'
+              ? plainLine(part.inside)
+              : ''),
+    )
+    .join('');
 }
 
 function block(part: Part, links: Links): HTMLElement {
@@ -68,13 +84,23 @@ function block(part: Part, links: Links): HTMLElement {
     case 'heading':
       return h(part.level <= 2 ? 'h3' : 'h4', {}, ...inside(part.inside));
     case 'formula':
-      return h('div', { class: 'formula scroll', tabindex: 0, role: 'group', 'aria-label': 'Formula' }, displayed(part.lines.map(plainLine)));
+      return h(
+        'div',
+        { class: 'formula scroll', tabindex: 0, role: 'group', 'aria-label': 'Formula' },
+        displayed(part.lines.map(plainLine)),
+      );
     case 'list': {
       const items = part.items.map((item) => {
         const only = item.length === 1 && item[0]!.is === 'paragraph' ? item[0] : null;
-        return h('li', {}, ...(only ? inside(only.inside) : item.map((each) => block(each, links))));
+        return h(
+          'li',
+          {},
+          ...(only ? inside(only.inside) : item.map((each) => block(each, links))),
+        );
       });
-      return part.ordered ? h('ol', { start: part.start === 1 ? null : part.start }, items) : h('ul', {}, items);
+      return part.ordered
+        ? h('ol', { start: part.start === 1 ? null : part.start }, items)
+        : h('ul', {}, items);
     }
     case 'table':
       return h(
@@ -83,8 +109,28 @@ function block(part: Part, links: Links): HTMLElement {
         h(
           'table',
           {},
-          h('thead', {}, h('tr', {}, part.head.map((cell) => (cell.length > 0 ? h('th', { scope: 'col' }, ...inside(cell)) : h('td'))))),
-          h('tbody', {}, part.rows.map((row) => h('tr', {}, row.map((cell) => h('td', {}, ...inside(cell)))))),
+          h(
+            'thead',
+            {},
+            h(
+              'tr',
+              {},
+              part.head.map((cell) =>
+                cell.length > 0 ? h('th', { scope: 'col' }, ...inside(cell)) : h('td'),
+              ),
+            ),
+          ),
+          h(
+            'tbody',
+            {},
+            part.rows.map((row) =>
+              h(
+                'tr',
+                {},
+                row.map((cell) => h('td', {}, ...inside(cell))),
+              ),
+            ),
+          ),
         ),
       );
   }

@@ -1,5 +1,5 @@
-// Mathematics in the pages: what lib/formula.ts finds, set as MathML by Temml. Until that is there (it is fetched when it is first
-// needed) formulas stand as they are written.
+// Mathematics in the pages: what lib/formula.ts finds, set as MathML by Temml. Until that is there
+// (it is fetched when it is first needed) formulas stand as they are written.
 import { h, type Child } from './dom';
 import { pieces, texOf } from './formula';
 
@@ -70,7 +70,14 @@ function set(place: HTMLElement, tex: string, display: boolean): HTMLElement {
 
 /** A text with its formulas set. */
 export function mathText(text: string): Child[] {
-  return pieces(text).flatMap((piece): Child[] => ('tex' in piece ? [set(h('span', { class: 'math plain' }, piece.text), piece.tex, false), ...(piece.breaks ? [h('wbr')] : [])] : [piece.text]));
+  return pieces(text).flatMap((piece): Child[] =>
+    'tex' in piece
+      ? [
+          set(h('span', { class: 'math plain' }, piece.text), piece.tex, false),
+          ...(piece.breaks ? [h('wbr')] : []),
+        ]
+      : [piece.text],
+  );
 }
 
 /** One formula, in TeX. */
@@ -78,12 +85,22 @@ export function formula(tex: string, plain: string): HTMLElement {
   return set(h('span', { class: 'math plain' }, plain), tex, false);
 }
 
-/** Lines of a formula that stands alone. What is said of a line (`*if …*`) is a column of its own. */
+/**
+ * Lines of a formula that stands alone. What is said of a line (`*if …*`) is a column of its own.
+ */
 export function displayed(lines: readonly string[]): HTMLElement {
   const place = h('div', { class: 'math plain display' }, lines.join('\n'));
   const rows = lines.map((line) => {
     const [left, condition] = line.includes('*') ? line.split('*', 2) : [line, undefined];
-    return condition === undefined ? texOf(left!.trim()) : `${texOf(left!.trim())} & ${texOf(condition.trim())}`;
+    return condition === undefined
+      ? texOf(left!.trim())
+      : `${texOf(left!.trim())} & ${texOf(condition.trim())}`;
   });
-  return set(place, rows.length === 1 && !rows[0]!.includes(' & ') ? rows[0]! : `\\begin{array}{ll}${rows.join(' \\\\ ')}\\end{array}`, true);
+  return set(
+    place,
+    rows.length === 1 && !rows[0]!.includes(' & ')
+      ? rows[0]!
+      : `\\begin{array}{ll}${rows.join(' \\\\ ')}\\end{array}`,
+    true,
+  );
 }

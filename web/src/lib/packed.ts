@@ -1,4 +1,5 @@
-// Designs of a static export: many in one small file, step by step. apps/changeover/serve/export/packed_designs.hpp has the format.
+// Designs of a static export: many in one small file, step by step.
+// apps/changeover/serve/export/packed_designs.hpp has the format.
 import type { Design } from './api';
 
 type Head = Omit<Design, 'blocks'> & { label: string; way: 'steps' | 'blocks'; at: number };
@@ -45,7 +46,13 @@ export class PackedShelf {
     const b = head.verdict!.b;
     if (way === 'blocks') {
       let last = new Array<number>(k).fill(0);
-      return { ...head, blocks: Array.from({ length: b }, () => (last = row(k).map((step, j) => (last[j]! + step) % v))) };
+      return {
+        ...head,
+        blocks: Array.from(
+          { length: b },
+          () => (last = row(k).map((step, j) => (last[j]! + step) % v)),
+        ),
+      };
     }
     const memory = row(k);
     const columns = Array.from({ length: m }, () => ({ places: row(b - 1), elements: row(b - 1) }));

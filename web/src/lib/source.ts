@@ -1,7 +1,27 @@
-// One way to ask for what a page shows: of the server, or of the files of a static export (docs/explorer.md has the rule).
+// One way to ask for what a page shows: of the server, or of the files of a static export
+// (docs/explorer.md has the rule).
 import { about, dataFolder, isCopy } from '../shell/about';
 import type { Theme } from '../shell/theme';
-import { address, ApiError, askFile, get, getFile, getText, postText, type Cell, type CellDetail, type AtlasDocument, type Completeness, type Construction, type Design, type Explanation, type GroupsDocument, type Kind, type Selector, type Theorem } from './api';
+import {
+  address,
+  ApiError,
+  askFile,
+  get,
+  getFile,
+  getText,
+  postText,
+  type Cell,
+  type CellDetail,
+  type AtlasDocument,
+  type Completeness,
+  type Construction,
+  type Design,
+  type Explanation,
+  type GroupsDocument,
+  type Kind,
+  type Selector,
+  type Theorem,
+} from './api';
 import { Atlas, type Selection } from './atlas';
 import { localDesign } from './local';
 import { PackedShelf } from './packed';
@@ -23,15 +43,23 @@ export function isCell(asked: Asked): asked is Cell {
   return 'v' in asked;
 }
 
-const notCopied = 'This static copy does not have it. `changeover serve` on a machine of your own shows every cell and design.';
+const notCopied =
+  'This static copy does not have it. `changeover serve` on a machine of your own shows every ' +
+  'cell and design.';
 
 /** The bytes of a file that is kept compressed. A server may have taken its coding off already. */
 async function unzipped(path: string, signal: AbortSignal): Promise<Uint8Array<ArrayBuffer>> {
-  const bytes = new Uint8Array(await (await askFile(`${dataFolder()}${path}`, signal, notCopied)).arrayBuffer());
+  const bytes = new Uint8Array(
+    await (await askFile(`${dataFolder()}${path}`, signal, notCopied)).arrayBuffer(),
+  );
   if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) {
     return bytes;
   }
-  return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
+  return new Uint8Array(
+    await new Response(
+      new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip')),
+    ).arrayBuffer(),
+  );
 }
 
 async function zipped<T>(path: string, signal: AbortSignal): Promise<T> {
@@ -62,7 +90,11 @@ export function atlasOf(selection: Selection): Promise<Atlas> {
   }
   const never = new AbortController().signal;
   const { change, kind, strength } = selection;
-  const asked = (isCopy() ? zipped<AtlasDocument>(`atlas/${name}.json`, never) : get('atlas', { change, kind, strength: strength > 2 ? strength : undefined }, never)).then((document) => new Atlas(document));
+  const asked = (
+    isCopy()
+      ? zipped<AtlasDocument>(`atlas/${name}.json`, never)
+      : get('atlas', { change, kind, strength: strength > 2 ? strength : undefined }, never)
+  ).then((document) => new Atlas(document));
   atlases.set(name, asked);
   asked.catch(() => atlases.delete(name));
   return asked;
@@ -72,7 +104,11 @@ export function atlasOf(selection: Selection): Promise<Atlas> {
 export async function addGroups(atlas: Atlas, signal: AbortSignal): Promise<void> {
   if (!atlas.knowsGroups) {
     const { change, kind, strength } = atlas.selection;
-    atlas.addGroups(await (isCopy() ? zipped<GroupsDocument>(`groups/${nameOf(atlas.selection)}.json`, signal) : get('groups', { change, kind, strength: strength > 2 ? strength : undefined }, signal)));
+    atlas.addGroups(
+      await (isCopy()
+        ? zipped<GroupsDocument>(`groups/${nameOf(atlas.selection)}.json`, signal)
+        : get('groups', { change, kind, strength: strength > 2 ? strength : undefined }, signal)),
+    );
   }
 }
 
@@ -85,7 +121,10 @@ type KeptCell = CellDetail & { explain?: Explanation | null; cite?: Record<strin
 
 /** Where a static copy has the cells of a block size, and where their designs. */
 function shelf(cell: Cell): string {
-  return `${cell.change}.${cell.kind}${(cell.strength ?? 2) === 2 ? '' : `.t${cell.strength}`}.${cell.k}`;
+  return (
+    `${cell.change}.${cell.kind}${(cell.strength ?? 2) === 2 ? '' : `.t${cell.strength}`}.` +
+    `${cell.k}`
+  );
 }
 
 /** The last few files that were read: neighbours are on the same shelf. */
@@ -106,12 +145,17 @@ function onShelf<T>(name: string, read: () => Promise<T>): Promise<T> {
 
 function packedShelf(cell: Cell): Promise<PackedShelf> {
   const never = new AbortController().signal;
-  return onShelf(`design ${shelf(cell)}`, async () => new PackedShelf(await unzipped(`design/${shelf(cell)}.gz`, never)));
+  return onShelf(
+    `design ${shelf(cell)}`,
+    async () => new PackedShelf(await unzipped(`design/${shelf(cell)}.gz`, never)),
+  );
 }
 
 async function keptCell(cell: Cell): Promise<KeptCell> {
   const never = new AbortController().signal;
-  const row = await onShelf(`cell ${shelf(cell)}`, () => zipped<Record<string, KeptCell>>(`cell/${shelf(cell)}.json`, never));
+  const row = await onShelf(`cell ${shelf(cell)}`, () =>
+    zipped<Record<string, KeptCell>>(`cell/${shelf(cell)}.json`, never),
+  );
   const found = row[String(cell.v)];
   if (!found) {
     throw new ApiError(notCopied, 404);
@@ -127,7 +171,10 @@ export async function designOf(asked: Asked, signal: AbortSignal): Promise<Desig
   if ('local' in asked) {
     const kept = localDesign();
     if (!kept) {
-      throw new ApiError('This window has no pasted design any more. Paste it on the page Verify.', 404);
+      throw new ApiError(
+        'This window has no pasted design any more. Paste it on the page Verify.',
+        404,
+      );
     }
     return kept;
   }
@@ -166,10 +213,20 @@ async function shelved(label: string): Promise<Design> {
 /** Whether a static copy has a cell; a server has all. */
 export async function isHeld(cell: Cell): Promise<boolean> {
   const { range } = isCopy() ? await about() : { range: undefined };
-  return !range || (range.changes.includes(cell.change) && cell.k >= range.k_from && cell.k <= range.k_to && cell.v >= range.v_from && cell.v <= range.v_to);
+  return (
+    !range ||
+    (range.changes.includes(cell.change) &&
+      cell.k >= range.k_from &&
+      cell.k <= range.k_to &&
+      cell.v >= range.v_from &&
+      cell.v <= range.v_to)
+  );
 }
 
-/** The tree of constructions of a cell's best design, or of a labelled one; null where nothing is known of how it was made. */
+/**
+ * The tree of constructions of a cell's best design, or of a labelled one; null where nothing is
+ * known of how it was made.
+ */
 export async function explain(asked: Asked, signal: AbortSignal): Promise<Explanation | null> {
   if (!isCell(asked) && !('label' in asked)) {
     return null;
@@ -181,7 +238,11 @@ export async function explain(asked: Asked, signal: AbortSignal): Promise<Explan
 }
 
 /** Pictures of designs are drawn by a server only; null in a static copy. */
-export async function draw(asked: Asked, query: DrawQuery, signal: AbortSignal): Promise<string | null> {
+export async function draw(
+  asked: Asked,
+  query: DrawQuery,
+  signal: AbortSignal,
+): Promise<string | null> {
   if (isCopy()) {
     return null;
   }
@@ -229,6 +290,11 @@ export function cellOfLabel(label: string): Cell | null {
   if (!found) {
     return null;
   }
-  const cell: Cell = { v: Number(found[1]), k: Number(found[2]), change: Number(found[3]), kind: found[4] as Kind };
+  const cell: Cell = {
+    v: Number(found[1]),
+    k: Number(found[2]),
+    change: Number(found[3]),
+    kind: found[4] as Kind,
+  };
   return found[5] ? { ...cell, strength: Number(found[5]) } : cell;
 }

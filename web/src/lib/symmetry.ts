@@ -1,13 +1,18 @@
-// The symmetries of a design: which rotations of its blocks extend to its elements, and which elements are twins.
+// The symmetries of a design: which rotations of its blocks extend to its elements, and which
+// elements are twins.
 //
-// An element is known by its column, the list of blocks that contain it. A rotation by s blocks is an automorphism exactly if every
-// column moved by s is a column again; the smallest such s divides the number of blocks.
+// An element is known by its column, the list of blocks that contain it. A rotation by s blocks is
+// an automorphism exactly if every column moved by s is a column again; the smallest such s divides
+// the number of blocks.
 import type { Design } from './api';
 
 export interface Symmetry {
   /** Rotations of the blocks that extend to the elements, the identity among them. */
   rotations: number;
-  /** By how many blocks the smallest of them turns; the number of blocks if there is only the identity. */
+  /**
+   * By how many blocks the smallest of them turns; the number of blocks if there is only the
+   * identity.
+   */
   shift: number;
   /** What it does to the elements. */
   map: Int32Array;
@@ -37,7 +42,13 @@ export function symmetryOf({ v, kind, blocks }: Pick<Design, 'v' | 'kind' | 'blo
     for (const same of byColumn.values()) {
       const column = columns[same[0]!]!;
       const cut = column.findIndex((i) => i + shift >= b);
-      const turned = cut < 0 ? column.map((i) => i + shift) : [...column.slice(cut).map((i) => i + shift - b), ...column.slice(0, cut).map((i) => i + shift)];
+      const turned =
+        cut < 0
+          ? column.map((i) => i + shift)
+          : [
+              ...column.slice(cut).map((i) => i + shift - b),
+              ...column.slice(0, cut).map((i) => i + shift),
+            ];
       const to = byColumn.get(turned.join());
       if (to?.length !== same.length) {
         return null;
@@ -61,7 +72,13 @@ export function symmetryOf({ v, kind, blocks }: Pick<Design, 'v' | 'kind' | 'blo
       order *= BigInt(n);
     }
   }
-  return { rotations: b > 0 ? b / shift : 1, shift, map: map ?? Int32Array.from({ length: v }, (_, x) => x), twins, order: order.toString() };
+  return {
+    rotations: b > 0 ? b / shift : 1,
+    shift,
+    map: map ?? Int32Array.from({ length: v }, (_, x) => x),
+    twins,
+    order: order.toString(),
+  };
 }
 
 /** The cycles of a map, the longest first. */

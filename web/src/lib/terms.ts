@@ -22,9 +22,16 @@ export const terms = {
 
 /** All terms, in the order in which a newcomer meets them. */
 export const glossary: readonly (readonly [term: string, meaning: string])[] = [
-  ['change covering design', 'a list of blocks, each with k of v elements; every two elements are together in some block, and consecutive blocks differ in exactly m elements'],
+  [
+    'change covering design',
+    'a list of blocks, each with k of v elements; every two elements are together in some ' +
+      'block, and consecutive blocks differ in exactly m elements',
+  ],
   ['SCCD(v, k), DCCD(v, k)', 'single-change (m = 1) and double-change (m = 2) covering designs'],
-  ['element', 'what the blocks are made of: parts of a test, items of a data set, or numbers 0 to v − 1'],
+  [
+    'element',
+    'what the blocks are made of: parts of a test, items of a data set, or numbers 0 to v − 1',
+  ],
   ['block', 'a set of k elements that are together at one time'],
   ['v', terms.v],
   ['k, block size', terms.k],
@@ -35,9 +42,16 @@ export const glossary: readonly (readonly [term: string, meaning: string])[] = [
   ['introduced', terms.introduced],
   ['leaving', terms.leaving],
   ['unchanged subset', terms.unchanged],
-  ['stay', 'consecutive blocks that all contain an element: from the block where it is introduced to the last one before it leaves'],
+  [
+    'stay',
+    'consecutive blocks that all contain an element: from the block where it is introduced to ' +
+      'the last one before it leaves',
+  ],
   ['covered', terms.covered],
-  ['newly covered', 'a pair is newly covered in a block if it was not together in the block before'],
+  [
+    'newly covered',
+    'a pair is newly covered in a block if it was not together in the block before',
+  ],
   ['lower bound', terms.bound],
   ['gap', 'number of blocks of the best known design minus the lower bound'],
   ['minimum', terms.minimum],
@@ -47,13 +61,27 @@ export const glossary: readonly (readonly [term: string, meaning: string])[] = [
   ['economical', terms.economical],
   ['excess', terms.excess],
   ['cell', 'one choice of v, k, m and kind, with everything known about it'],
-  ['label', 'a permanent name of one design: v.k.m.kind.b and eight digits of the checksum of its blocks'],
+  [
+    'label',
+    'a permanent name of one design: v.k.m.kind.b and eight digits of the checksum of its blocks',
+  ],
   ['construction', 'a method that makes designs, with a proof that it does'],
   ['recipe', 'how one design is made: a tree of constructions'],
   ['base block', 'a block from which others are made by applying a symmetry again and again'],
-  ['automorphism, group', 'a relabelling of the elements that maps the design to itself; they form a group, whose order counts them'],
-  ['standard form, class', 'designs counted up to names of elements are standard forms; up to rotation, too, they are classes'],
-  ['expansion set', 'unchanged subsets at different positions that together contain every element once'],
+  [
+    'automorphism, group',
+    'a relabelling of the elements that maps the design to itself; they form a group, whose ' +
+      'order counts them',
+  ],
+  [
+    'standard form, class',
+    'designs counted up to names of elements are standard forms; up to rotation, too, they are ' +
+      'classes',
+  ],
+  [
+    'expansion set',
+    'unchanged subsets at different positions that together contain every element once',
+  ],
   ['load', 'reading one item from the disk into memory'],
   ['room', 'number of items that fit into memory at once'],
   ['evict', 'removing an item from memory'],

@@ -8,7 +8,9 @@ export function count(n: number, singular: string, plural = `${singular}s`): str
 /** With narrow spaces, at which no line is broken, between thousands from 10 000 on. */
 export function number(n: number): string {
   const digits = String(Math.abs(n));
-  return Number.isInteger(n) && digits.length > 4 ? (n < 0 ? '−' : '') + digits.replace(/\B(?=(\d{3})+$)/g, '\u202f') : String(n);
+  return Number.isInteger(n) && digits.length > 4
+    ? (n < 0 ? '−' : '') + digits.replace(/\B(?=(\d{3})+$)/g, '\u202f')
+    : String(n);
 }
 
 export function changeWord(change: number): string {
@@ -17,7 +19,10 @@ export function changeWord(change: number): string {
 
 /** "circular double-change covering design on 61 elements in blocks of 4" */
 export function nameOf(cell: Cell): string {
-  return `${cell.kind} ${changeWord(cell.change)} covering design on ${number(cell.v)} elements in blocks of ${cell.k}`;
+  return (
+    `${cell.kind} ${changeWord(cell.change)} covering design on ${number(cell.v)} ` +
+    `elements in blocks of ${cell.k}`
+  );
 }
 
 export const kinds: readonly (readonly [Kind, string])[] = [

@@ -27,7 +27,13 @@ const writtens: readonly (readonly [Written, string])[] = [
 ];
 
 function linkOf(cell: AtlasCell): Record<string, string | number | null> {
-  return { v: cell.v, k: cell.k, change: cell.change, kind: cell.kind, strength: cell.strength === 2 ? null : cell.strength };
+  return {
+    v: cell.v,
+    k: cell.k,
+    change: cell.change,
+    kind: cell.kind,
+    strength: cell.strength === 2 ? null : cell.strength,
+  };
 }
 
 export const catalog: Page = {
@@ -35,7 +41,11 @@ export const catalog: Page = {
   title: 'Catalog',
   async render(view: View) {
     const param = (name: string, otherwise: string): string => view.params.get(name) ?? otherwise;
-    const selection = (): Selection => ({ change: Number(param('change', '2')), kind: param('kind', 'circular') as Kind, strength: Number(param('strength', '2')) });
+    const selection = (): Selection => ({
+      change: Number(param('change', '2')),
+      kind: param('kind', 'circular') as Kind,
+      strength: Number(param('strength', '2')),
+    });
     let atlas: Atlas | null = null;
     let listed: AtlasCell[] = [];
     let asked = 0;
@@ -45,7 +55,12 @@ export const catalog: Page = {
     const legend = h('div', { class: 'legend-place' });
     const sums = h('div', { class: 'sums' });
     const list = cellTable(view);
-    const complete = h('details', { class: 'completeness' }, h('summary', {}, 'Completeness by block size'), h('div', { class: 'inside' }));
+    const complete = h(
+      'details',
+      { class: 'completeness' },
+      h('summary', {}, 'Completeness by block size'),
+      h('div', { class: 'inside' }),
+    );
     const sift = filters(view, () => void redraw());
     const take = takeAlong(() => listed, selection);
     const kRange = range('k');
@@ -65,16 +80,49 @@ export const catalog: Page = {
       const facts: [string, string][] = [
         ['blocks', cell.b === null ? 'none known' : number(cell.b)],
         ['lower bound', cell.lower === null ? '–' : number(cell.lower)],
-        ['gap', cell.gap === null ? '–' : cell.gap === 0 ? 'none' : `${number(cell.gap)} (b / bound ${ratio(cell.b!, cell.lower!)})`],
+        [
+          'gap',
+          cell.gap === null
+            ? '–'
+            : cell.gap === 0
+              ? 'none'
+              : `${number(cell.gap)} (b / bound ${ratio(cell.b!, cell.lower!)})`,
+        ],
         ['made by', cell.construction ?? '–'],
-        ...(cell.order !== null ? ([['group', cell.order.length > 12 ? `order ≈ 10^${cell.order.length - 1}` : `order ${number(Number(cell.order))}`]] as [string, string][]) : []),
+        ...(cell.order !== null
+          ? ([
+              [
+                'group',
+                cell.order.length > 12
+                  ? `order ≈ 10^${cell.order.length - 1}`
+                  : `order ${number(Number(cell.order))}`,
+              ],
+            ] as [string, string][])
+          : []),
       ];
       fill(
         readout,
         h('h2', {}, `v = ${cell.v}, k = ${cell.k} `),
-        h('p', { class: 'badges' }, badge(cell.status), cell.tight && [' ', h('span', { class: 'badge good' }, 'tight')]),
-        h('dl', { class: 'facts' }, facts.map(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]).flat()),
-        h('p', {}, h('a', { href: link('cell', linkOf(cell)) }, 'Bounds, recipe, history'), cell.b !== null && [h('br'), h('a', { href: link('design', linkOf(cell)) }, 'The design, step by step')]),
+        h(
+          'p',
+          { class: 'badges' },
+          badge(cell.status),
+          cell.tight && [' ', h('span', { class: 'badge good' }, 'tight')],
+        ),
+        h(
+          'dl',
+          { class: 'facts' },
+          facts.map(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]).flat(),
+        ),
+        h(
+          'p',
+          {},
+          h('a', { href: link('cell', linkOf(cell)) }, 'Bounds, recipe, history'),
+          cell.b !== null && [
+            h('br'),
+            h('a', { href: link('design', linkOf(cell)) }, 'The design, step by step'),
+          ],
+        ),
       );
     }
 
@@ -92,13 +140,24 @@ export const catalog: Page = {
         return;
       }
       const { k, v } = map.seen();
-      const whole = k.from === atlas.k.from && k.to === atlas.k.to && v.from === atlas.v.from && v.to === atlas.v.to;
+      const whole =
+        k.from === atlas.k.from &&
+        k.to === atlas.k.to &&
+        v.from === atlas.v.from &&
+        v.to === atlas.v.to;
       kRange.value = `${k.from}..${k.to}`;
       vRange.value = `${v.from}..${v.to}`;
       if (tell) {
-        view.go({ k: whole ? null : kRange.value, v: whole ? null : vRange.value }, { quiet: true });
+        view.go(
+          { k: whole ? null : kRange.value, v: whole ? null : vRange.value },
+          { quiet: true },
+        );
       }
-      const inSight = atlas.cells(k, v).filter((cell) => cell.status !== 'impossible' || view.params.get('status') === 'impossible');
+      const inSight = atlas
+        .cells(k, v)
+        .filter(
+          (cell) => cell.status !== 'impossible' || view.params.get('status') === 'impossible',
+        );
       listed = inSight.filter((cell) => sift.passes(cell));
       list.show(listed, atlas.knowsGroups);
       fill(sums, totals(listed));
@@ -108,7 +167,11 @@ export const catalog: Page = {
     function paint(): void {
       if (atlas) {
         const measure = param('measure', 'ratio');
-        map.show(atlas, { measure, written: param('number', 'b') as Written, passes: (cell) => sift.passes(cell) });
+        map.show(atlas, {
+          measure,
+          written: param('number', 'b') as Written,
+          passes: (cell) => sift.passes(cell),
+        });
         fill(legend, paintOf(atlas, measure).legend);
       }
     }
@@ -119,7 +182,15 @@ export const catalog: Page = {
         const wanted = selection();
         const next = await atlasOf(wanted);
         if (sift.needsGroups() && !next.knowsGroups) {
-          fill(said, h('p', { class: 'note', role: 'status' }, 'Counting symmetries of all designs in this selection … this takes a few seconds, once.'));
+          fill(
+            said,
+            h(
+              'p',
+              { class: 'note', role: 'status' },
+              'Counting symmetries of all designs in this selection … this takes a few ' +
+                'seconds, once.',
+            ),
+          );
           await addGroups(next, view.signal);
         }
         if (view.signal.aborted || mine !== asked) {
@@ -144,7 +215,15 @@ export const catalog: Page = {
           read(cell);
           map.mark(cell.v, cell.k);
         } else {
-          fill(readout, h('h2', {}, 'Details of the selected cell'), h('p', { class: 'hint' }, 'Select a cell with the mouse, a finger or the arrow keys. Enter opens it.'));
+          fill(
+            readout,
+            h('h2', {}, 'Details of the selected cell'),
+            h(
+              'p',
+              { class: 'hint' },
+              'Select a cell with the mouse, a finger or the arrow keys. Enter opens it.',
+            ),
+          );
         }
         announce(`${listed.length} cells`);
       } catch (fault) {
@@ -173,7 +252,13 @@ export const catalog: Page = {
     complete.addEventListener('toggle', () => complete.open && void fillCompleteness());
 
     function set(name: string, value: string, otherwise: string): void {
-      view.go({ [name]: value === otherwise ? null : value, ...(name === 'strength' ? { k: null, v: null, at: null } : {}) }, { quiet: true });
+      view.go(
+        {
+          [name]: value === otherwise ? null : value,
+          ...(name === 'strength' ? { k: null, v: null, at: null } : {}),
+        },
+        { quiet: true },
+      );
       void redraw();
     }
     function range(name: 'k' | 'v'): HTMLInputElement {
@@ -187,7 +272,10 @@ export const catalog: Page = {
           const good = readRange(input.value) !== null;
           good ? input.removeAttribute('aria-invalid') : input.setAttribute('aria-invalid', 'true');
           if (!good) {
-            fill(said, problem(new Error(`“${input.value}” is no range. Write it as 3..12, or one number.`)));
+            fill(
+              said,
+              problem(new Error(`“${input.value}” is no range. Write it as 3..12, or one number.`)),
+            );
           } else if (k && v) {
             fill(said);
             map.look({ k, v });
@@ -197,11 +285,26 @@ export const catalog: Page = {
       });
       return input;
     }
-    const choice = (label: string, name: string, otherwise: string, options: readonly (readonly [string, string])[]): HTMLElement => field(label, select(param(name, otherwise), options, (value) => set(name, value, otherwise)));
-    const button = (words: string, label: string, act: () => void): HTMLElement => h('button', { type: 'button', class: 'plain', 'aria-label': label, title: label, onclick: act }, words);
+    const choice = (
+      label: string,
+      name: string,
+      otherwise: string,
+      options: readonly (readonly [string, string])[],
+    ): HTMLElement =>
+      field(
+        label,
+        select(param(name, otherwise), options, (value) => set(name, value, otherwise)),
+      );
+    const button = (words: string, label: string, act: () => void): HTMLElement =>
+      h(
+        'button',
+        { type: 'button', class: 'plain', 'aria-label': label, title: label, onclick: act },
+        words,
+      );
 
     function random(): void {
-      const from = listed.length > 0 ? listed : (atlas?.cells().filter((cell) => cell.b !== null) ?? []);
+      const from =
+        listed.length > 0 ? listed : (atlas?.cells().filter((cell) => cell.b !== null) ?? []);
       const cell = from[Math.floor(Math.random() * from.length)];
       if (cell) {
         window.location.hash = link('cell', linkOf(cell));
@@ -209,11 +312,20 @@ export const catalog: Page = {
     }
 
     // On a phone the map comes first, and how it is shown on demand.
-    const more = h('button', { type: 'button', class: 'plain more-controls', 'aria-expanded': 'false', onclick: () => {
-      const open = more.getAttribute('aria-expanded') === 'false';
-      more.setAttribute('aria-expanded', String(open));
-      more.textContent = open ? 'Fewer controls' : 'More controls';
-    } }, 'More controls');
+    const more = h(
+      'button',
+      {
+        type: 'button',
+        class: 'plain more-controls',
+        'aria-expanded': 'false',
+        onclick: () => {
+          const open = more.getAttribute('aria-expanded') === 'false';
+          more.setAttribute('aria-expanded', String(open));
+          more.textContent = open ? 'Fewer controls' : 'More controls';
+        },
+      },
+      'More controls',
+    );
 
     if (view.params.has('k') || view.params.has('v')) {
       const [k, v] = [readRange(param('k', '')), readRange(param('v', ''))];
@@ -221,7 +333,23 @@ export const catalog: Page = {
     }
     fill(
       view.root,
-      h('div', { class: 'title-row' }, h('div', {}, h('h1', {}, 'Catalog'), h('p', { class: 'lead' }, 'The best known design for every choice of v elements, block size k and change number m. A cell of the map is one choice. Zoom in to read how many blocks it needs.')), lookUp(selection)),
+      h(
+        'div',
+        { class: 'title-row' },
+        h(
+          'div',
+          {},
+          h('h1', {}, 'Catalog'),
+          h(
+            'p',
+            { class: 'lead' },
+            'The best known design for every choice of v elements, block size k and change ' +
+              'number m. A cell of the map is one choice. Zoom in to read how many blocks it ' +
+              'needs.',
+          ),
+        ),
+        lookUp(selection),
+      ),
       h(
         'div',
         { class: 'row controls' },
@@ -233,18 +361,46 @@ export const catalog: Page = {
         choice('Numbers', 'number', 'b', writtens),
         field('k, block size', kRange),
         field('v, elements', vRange),
-        h('div', { class: 'zooms', role: 'group', 'aria-label': 'Zoom' }, button('−', 'Zoom out', () => map.zoom(1 / 1.6)), button('+', 'Zoom in', () => map.zoom(1.6)), button('All', 'All cells', () => map.fit())),
+        h(
+          'div',
+          { class: 'zooms', role: 'group', 'aria-label': 'Zoom' },
+          button('−', 'Zoom out', () => map.zoom(1 / 1.6)),
+          button('+', 'Zoom in', () => map.zoom(1.6)),
+          button('All', 'All cells', () => map.fit()),
+        ),
       ),
       said,
-      h('div', { class: 'map-and-readout' }, h('div', { class: 'map-place' }, map.element, h('div', { class: 'map-foot' }, legend, h('p', { class: 'hint' }, 'Ctrl + wheel or two fingers zoom, dragging pans.'))), readout),
+      h(
+        'div',
+        { class: 'map-and-readout' },
+        h(
+          'div',
+          { class: 'map-place' },
+          map.element,
+          h(
+            'div',
+            { class: 'map-foot' },
+            legend,
+            h('p', { class: 'hint' }, 'Ctrl + wheel or two fingers zoom, dragging pans.'),
+          ),
+        ),
+        readout,
+      ),
       sift.element,
-      h('div', { class: 'row sums-row' }, sums, take, h('button', { type: 'button', class: 'plain small', onclick: random }, 'Random cell')),
+      h(
+        'div',
+        { class: 'row sums-row' },
+        sums,
+        take,
+        h('button', { type: 'button', class: 'plain small', onclick: random }, 'Random cell'),
+      ),
       list.element,
       complete,
     );
     document.addEventListener('themechange', paint, { signal: view.signal });
     await redraw();
-    // The other selections are fetched while nothing else happens, so that choosing one takes no time.
+    // The other selections are fetched while nothing else happens, so that choosing one takes no
+    // time.
     const idle = window.setTimeout(() => {
       for (const change of isCopy() ? [] : [1, 2, 3]) {
         for (const kind of ['circular', 'linear'] as const) {

@@ -1,4 +1,5 @@
-// One cell: what is known of its parameters, why, from whom, since when, and how many designs there are.
+// One cell: what is known of its parameters, why, from whom, since when, and how many designs there
+// are.
 import type { Cell, CellDetail, Design } from '../lib/api';
 import { work } from '../lib/citations';
 import { fill, h, scroll, type Child } from '../lib/dom';
@@ -24,7 +25,8 @@ function at(cell: Cell, changes: Partial<Cell> = {}): string {
 
 /** The same with other parameters. Arrow keys go to neighbours, too. */
 function others(cell: Cell): HTMLElement {
-  const step = (words: string, changes: Partial<Cell>, key?: string): HTMLElement => h('li', {}, h('a', { href: at(cell, changes), 'aria-keyshortcuts': key ?? null }, words));
+  const step = (words: string, changes: Partial<Cell>, key?: string): HTMLElement =>
+    h('li', {}, h('a', { href: at(cell, changes), 'aria-keyshortcuts': key ?? null }, words));
   return h(
     'nav',
     { class: 'neighbours', 'aria-label': 'Neighbouring cells' },
@@ -35,15 +37,36 @@ function others(cell: Cell): HTMLElement {
       step(`v = ${cell.v + 1} →`, { v: cell.v + 1 }, 'ArrowRight'),
       cell.k > 2 && step(`↑ k = ${cell.k - 1}`, { k: cell.k - 1 }, 'ArrowUp'),
       step(`↓ k = ${cell.k + 1}`, { k: cell.k + 1 }, 'ArrowDown'),
-      step(cell.kind === 'circular' ? 'linear' : 'circular', { kind: cell.kind === 'circular' ? 'linear' : 'circular' }),
+      step(cell.kind === 'circular' ? 'linear' : 'circular', {
+        kind: cell.kind === 'circular' ? 'linear' : 'circular',
+      }),
       [1, 2, 3].filter((m) => m !== cell.change).map((m) => step(changeWord(m), { change: m })),
-      h('li', {}, h('a', { href: link('catalog', { change: cell.change, kind: cell.kind, at: `${cell.v}.${cell.k}` }) }, 'on the map')),
+      h(
+        'li',
+        {},
+        h(
+          'a',
+          {
+            href: link('catalog', {
+              change: cell.change,
+              kind: cell.kind,
+              at: `${cell.v}.${cell.k}`,
+            }),
+          },
+          'on the map',
+        ),
+      ),
     ),
   );
 }
 
 function walk(view: View, cell: Cell): void {
-  const moves: Record<string, Partial<Cell>> = { ArrowLeft: { v: cell.v - 1 }, ArrowRight: { v: cell.v + 1 }, ArrowUp: { k: cell.k - 1 }, ArrowDown: { k: cell.k + 1 } };
+  const moves: Record<string, Partial<Cell>> = {
+    ArrowLeft: { v: cell.v - 1 },
+    ArrowRight: { v: cell.v + 1 },
+    ArrowUp: { k: cell.k - 1 },
+    ArrowDown: { k: cell.k + 1 },
+  };
   document.addEventListener(
     'keydown',
     (event) => {
@@ -59,36 +82,94 @@ function walk(view: View, cell: Cell): void {
 
 /** What a publication reports and the catalog cannot verify. */
 function reported(detail: CellDetail): Child[] {
-  return detail.reported ? [`${count(detail.reported.blocks, 'block')} are reported by `, work(detail.reported.cites), '; the blocks are not held here, so this is not verified.'] : [];
+  return detail.reported
+    ? [
+        `${count(detail.reported.blocks, 'block')} are reported by `,
+        work(detail.reported.cites),
+        '; the blocks are not held here, so this is not verified.',
+      ]
+    : [];
 }
 
-function summary(cell: Cell, detail: CellDetail, frozen: boolean, figure: HTMLElement): HTMLElement {
+function summary(
+  cell: Cell,
+  detail: CellDetail,
+  frozen: boolean,
+  figure: HTMLElement,
+): HTMLElement {
   if (detail.impossible) {
-    return h('p', { class: 'note' }, h('strong', {}, 'There is none: '), reason(detail.impossible), '.');
+    return h(
+      'p',
+      { class: 'note' },
+      h('strong', {}, 'There is none: '),
+      reason(detail.impossible),
+      '.',
+    );
   }
   const best = detail.best;
   if (!best) {
-    return h('p', { class: 'note' }, 'No design with these parameters is known. ', !frozen && [h('a', { href: link('search', { ...cell }) }, 'Search for one'), '.'], ' ', reported(detail));
+    return h(
+      'p',
+      { class: 'note' },
+      'No design with these parameters is known. ',
+      !frozen && [h('a', { href: link('search', { ...cell }) }, 'Search for one'), '.'],
+      ' ',
+      reported(detail),
+    );
   }
   const over = detail.lower_bound === null ? 0 : best.b - detail.lower_bound;
   const strongest = detail.bounds[0];
   return h(
     'div',
     { class: 'known' },
-    h('p', { class: 'figure' }, h('strong', {}, number(best.b)), h('span', {}, ` ${best.b === 1 ? 'block' : 'blocks'} `, badge(best.status))),
+    h(
+      'p',
+      { class: 'figure' },
+      h('strong', {}, number(best.b)),
+      h('span', {}, ` ${best.b === 1 ? 'block' : 'blocks'} `, badge(best.status)),
+    ),
     h(
       'div',
       { class: 'known-words' },
-      over > 0 && h('p', {}, `${count(over, 'block')} over the lower bound ${number(detail.lower_bound!)} (b / bound ${ratio(best.b, detail.lower_bound!)}). A design with fewer blocks may exist.`),
+      over > 0 &&
+        h(
+          'p',
+          {},
+          `${count(over, 'block')} over the lower bound ${number(detail.lower_bound!)} (b / ` +
+            `bound ${ratio(best.b, detail.lower_bound!)}). A design with fewer blocks may exist.`,
+        ),
       detail.reported && h('p', {}, reported(detail)),
-      best.status === 'minimum' && h('p', {}, h('strong', {}, 'No design has fewer blocks. '), strongest && `The bound “${strongest.name}” proves it: `, detail.reason && reason(detail.reason), detail.reason && '.'),
-      h('p', {}, madeBy(best.construction), best.label && [', label ', h('a', { class: 'code', href: link('design', { label: best.label }) }, best.label)], '.'),
+      best.status === 'minimum' &&
+        h(
+          'p',
+          {},
+          h('strong', {}, 'No design has fewer blocks. '),
+          strongest && `The bound “${strongest.name}” proves it: `,
+          detail.reason && reason(detail.reason),
+          detail.reason && '.',
+        ),
+      h(
+        'p',
+        {},
+        madeBy(best.construction),
+        best.label && [
+          ', label ',
+          h('a', { class: 'code', href: link('design', { label: best.label }) }, best.label),
+        ],
+        '.',
+      ),
       h(
         'p',
         { class: 'buttons' },
         h('a', { class: 'button', href: link('design', { ...cell }) }, 'Open the design'),
         ' ',
-        !frozen && best.status !== 'minimum' && h('a', { class: 'button plain', href: link('search', { ...cell }) }, 'Search for a better one'),
+        !frozen &&
+          best.status !== 'minimum' &&
+          h(
+            'a',
+            { class: 'button plain', href: link('search', { ...cell }) },
+            'Search for a better one',
+          ),
       ),
     ),
     figure,
@@ -100,12 +181,35 @@ function bounds(detail: CellDetail): Child[] {
     h('h2', {}, 'Lower bounds'),
     detail.bounds.length === 0
       ? h('p', {}, detail.reason ? reason(detail.reason) : 'None is known.')
-      : scroll('Lower bounds',
+      : scroll(
+          'Lower bounds',
           h(
             'table',
             { class: 'bounds' },
-            h('thead', {}, h('tr', {}, h('th', { scope: 'col', class: 'number' }, 'blocks'), h('th', { scope: 'col' }, 'bound'), h('th', { scope: 'col' }, 'reason'))),
-            h('tbody', {}, detail.bounds.map((bound) => h('tr', {}, h('td', { class: 'number' }, number(bound.blocks)), h('td', {}, bound.name), h('td', { class: 'reason' }, reason(bound.reason))))),
+            h(
+              'thead',
+              {},
+              h(
+                'tr',
+                {},
+                h('th', { scope: 'col', class: 'number' }, 'blocks'),
+                h('th', { scope: 'col' }, 'bound'),
+                h('th', { scope: 'col' }, 'reason'),
+              ),
+            ),
+            h(
+              'tbody',
+              {},
+              detail.bounds.map((bound) =>
+                h(
+                  'tr',
+                  {},
+                  h('td', { class: 'number' }, number(bound.blocks)),
+                  h('td', {}, bound.name),
+                  h('td', { class: 'reason' }, reason(bound.reason)),
+                ),
+              ),
+            ),
           ),
         ),
   ];
@@ -117,26 +221,75 @@ function howMany(detail: CellDetail): Child[] {
   if (!all) {
     return [];
   }
-  const groups = all.groups.map(({ order, classes }) => `${number(classes)} with a group of order ${number(order)}`);
+  const groups = all.groups.map(
+    ({ order, classes }) => `${number(classes)} with a group of order ${number(order)}`,
+  );
   return [
     h('h2', {}, 'How many there are'),
-    h('p', {}, h('strong', {}, count(all.classes, 'class', 'classes')), ` of designs with ${count(all.b, 'block')}, up to names of the elements`, detail.kind === 'circular' && ' and rotation', `; in ${count(all.standard_forms, 'standard form')}. `, all.tight > 0 && (all.tight === all.classes ? 'All are tight. ' : `${number(all.tight)} of the classes are tight. `), 'These are all: counted by exhaustive search, each design verified.'),
-    h('ul', {}, groups.map((each) => h('li', {}, each))),
+    h(
+      'p',
+      {},
+      h('strong', {}, count(all.classes, 'class', 'classes')),
+      ` of designs with ${count(all.b, 'block')}, up to names of the elements`,
+      detail.kind === 'circular' && ' and rotation',
+      `; in ${count(all.standard_forms, 'standard form')}. `,
+      all.tight > 0 &&
+        (all.tight === all.classes
+          ? 'All are tight. '
+          : `${number(all.tight)} of the classes are tight. `),
+      'These are all: counted by exhaustive search, each design verified.',
+    ),
+    h(
+      'ul',
+      {},
+      groups.map((each) => h('li', {}, each)),
+    ),
   ];
 }
 
 function offers(detail: CellDetail): Child[] {
-  const rest = detail.offers.filter((offer) => offer.construction !== detail.best?.construction || offer.b !== detail.best.b);
+  const rest = detail.offers.filter(
+    (offer) => offer.construction !== detail.best?.construction || offer.b !== detail.best.b,
+  );
   return rest.length === 0
     ? []
     : [
         h('h2', {}, 'Other constructions'),
-        scroll('Other constructions',
+        scroll(
+          'Other constructions',
           h(
             'table',
             {},
-            h('thead', {}, h('tr', {}, h('th', { scope: 'col', class: 'number' }, 'blocks'), h('th', { scope: 'col' }, 'construction'))),
-            h('tbody', {}, rest.map((offer) => h('tr', {}, h('td', { class: 'number' }, number(offer.b)), h('td', {}, h('a', { href: link('theorems', { construction: offer.construction }) }, offer.construction))))),
+            h(
+              'thead',
+              {},
+              h(
+                'tr',
+                {},
+                h('th', { scope: 'col', class: 'number' }, 'blocks'),
+                h('th', { scope: 'col' }, 'construction'),
+              ),
+            ),
+            h(
+              'tbody',
+              {},
+              rest.map((offer) =>
+                h(
+                  'tr',
+                  {},
+                  h('td', { class: 'number' }, number(offer.b)),
+                  h(
+                    'td',
+                    {},
+                    h(
+                      'a',
+                      { href: link('theorems', { construction: offer.construction }) },
+                      offer.construction,
+                    ),
+                  ),
+                ),
+              ),
+            ),
           ),
         ),
       ];
@@ -151,8 +304,30 @@ function picture(cell: Cell, design: Design, place: HTMLElement, signal: AbortSi
   const { order, rotations } = symmetryOf(design);
   fill(
     place,
-    h('a', { href: link('design', { ...cell, show: 'stays' }), 'aria-label': 'The design, step by step' }, thumbnail(design, `Stays of the ${number(design.v)} elements over ${count(b, 'block')}`, signal)),
-    h('figcaption', { class: 'hint' }, 'A row for each element, a bar for each stay. ', order === '1' ? 'No symmetry.' : order.length > 15 ? `Group of order about 10^${order.length - 1}` : `Group of order ${number(Number(order))}`, order !== '1' && rotations > 1 && `, ${count(rotations, 'rotation')}`, order !== '1' && '.'),
+    h(
+      'a',
+      {
+        href: link('design', { ...cell, show: 'stays' }),
+        'aria-label': 'The design, step by step',
+      },
+      thumbnail(
+        design,
+        `Stays of the ${number(design.v)} elements over ${count(b, 'block')}`,
+        signal,
+      ),
+    ),
+    h(
+      'figcaption',
+      { class: 'hint' },
+      'A row for each element, a bar for each stay. ',
+      order === '1'
+        ? 'No symmetry.'
+        : order.length > 15
+          ? `Group of order about 10^${order.length - 1}`
+          : `Group of order ${number(Number(order))}`,
+      order !== '1' && rotations > 1 && `, ${count(rotations, 'rotation')}`,
+      order !== '1' && '.',
+    ),
   );
 }
 
@@ -163,15 +338,42 @@ export const cell: Page = {
   async render(view: View) {
     const wanted = cellOf(view.params);
     if (!wanted) {
-      fill(view.root, h('h1', {}, 'Which cell?'), h('p', {}, 'A cell has v elements and blocks of k: choose one in the ', h('a', { href: link('catalog') }, 'catalog'), ', or write it into the address, as #/cell?v=20&k=5&change=2&kind=circular.'));
+      fill(
+        view.root,
+        h('h1', {}, 'Which cell?'),
+        h(
+          'p',
+          {},
+          'A cell has v elements and blocks of k: choose one in the ',
+          h('a', { href: link('catalog') }, 'catalog'),
+          ', or write it into the address, as #/cell?v=20&k=5&change=2&kind=circular.',
+        ),
+      );
       return;
     }
     const name = nameOf(wanted);
     const strength = wanted.strength ?? 2;
     const short = wanted.change === 1 ? 'SCCD' : wanted.change === 2 ? 'DCCD' : '';
     document.title = `(${wanted.v},${wanted.k}) ${wanted.kind} m = ${wanted.change} · Changeover`;
-    const head = h('h1', {}, name[0]!.toUpperCase() + name.slice(1), strength > 2 ? `, strength ${strength}` : '');
-    const under = h('p', { class: 'under' }, short && [formula(`\\mathrm{${short}}(${wanted.v},\\,${wanted.k})`, `${short}(${wanted.v}, ${wanted.k})`), ', '], `cell ${wanted.v}.${wanted.k}.${wanted.change}.${wanted.kind}${strength > 2 ? `.t${strength}` : ''}`);
+    const head = h(
+      'h1',
+      {},
+      name[0]!.toUpperCase() + name.slice(1),
+      strength > 2 ? `, strength ${strength}` : '',
+    );
+    const under = h(
+      'p',
+      { class: 'under' },
+      short && [
+        formula(
+          `\\mathrm{${short}}(${wanted.v},\\,${wanted.k})`,
+          `${short}(${wanted.v}, ${wanted.k})`,
+        ),
+        ', ',
+      ],
+      `cell ${wanted.v}.${wanted.k}.${wanted.change}.${wanted.kind}` +
+        `${strength > 2 ? `.t${strength}` : ''}`,
+    );
     const body = h('div', { class: 'cell-body' });
     const begin = (): void => fill(view.root, head, under, others(wanted), body);
     walk(view, wanted);
@@ -198,23 +400,48 @@ export const cell: Page = {
       h(
         'div',
         { class: 'cell-columns' },
-        h('div', {}, bounds(detail), howMany(detail), detail.best && [h('h2', {}, 'How it is made'), recipe], origins(detail, view.signal), offers(detail)),
+        h(
+          'div',
+          {},
+          bounds(detail),
+          howMany(detail),
+          detail.best && [h('h2', {}, 'How it is made'), recipe],
+          origins(detail, view.signal),
+          offers(detail),
+        ),
         h(
           'div',
           { class: 'cell-side' },
           around,
           detail.best && [h('h2', {}, 'Download the best design'), files],
           !frozen && detail.best && forAPaper(wanted),
-          !frozen && [h('h2', {}, 'On the command line'), h('p', {}, h('code', {}, command(wanted)), ' ', copyButton('Copy', () => command(wanted)))],
+          !frozen && [
+            h('h2', {}, 'On the command line'),
+            h(
+              'p',
+              {},
+              h('code', {}, command(wanted)),
+              ' ',
+              copyButton('Copy', () => command(wanted)),
+            ),
+          ],
         ),
       ),
     );
-    neighbourhood(wanted, view.signal).then((map) => map && fill(around, h('h2', {}, 'Around this cell'), map), () => undefined);
+    neighbourhood(wanted, view.signal).then(
+      (map) => map && fill(around, h('h2', {}, 'Around this cell'), map),
+      () => undefined,
+    );
     if (!detail.best) {
       return;
     }
     const tasks: Promise<void>[] = [
-      explain(wanted, view.signal).then((found) => fill(recipe, found ? recipeTree(found.tree) : h('p', {}, 'How this design was made is not known.'))),
+      explain(wanted, view.signal).then((found) =>
+        fill(
+          recipe,
+          found ? recipeTree(found.tree) : h('p', {}, 'How this design was made is not known.'),
+        ),
+      ),
     ];
     if (detail.best.b <= 20_000) {
       // Without the picture the page is whole all the same.
@@ -239,10 +466,23 @@ export const cell: Page = {
 };
 
 function command(cell: Cell): string {
-  return `changeover explain ${cell.v} ${cell.k} --change ${cell.change} --${cell.kind}${(cell.strength ?? 2) > 2 ? ` --strength ${cell.strength}` : ''}`;
+  return (
+    `changeover explain ${cell.v} ${cell.k} --change ${cell.change} ` +
+    `--${cell.kind}${(cell.strength ?? 2) > 2 ? ` --strength ${cell.strength}` : ''}`
+  );
 }
 
 function forAPaper(cell: Cell): HTMLElement {
-  const link = (format: string, words: string): HTMLElement => h('a', { href: dossierAddress(cell, format), target: '_blank', rel: 'noopener' }, words);
-  return h('p', { class: 'hint' }, 'For a paper, with bounds, construction, blocks, how to check and what to cite: ', link('html', 'a page'), ', ', link('latex', 'LaTeX'), ', ', link('markdown', 'Markdown'));
+  const link = (format: string, words: string): HTMLElement =>
+    h('a', { href: dossierAddress(cell, format), target: '_blank', rel: 'noopener' }, words);
+  return h(
+    'p',
+    { class: 'hint' },
+    'For a paper, with bounds, construction, blocks, how to check and what to cite: ',
+    link('html', 'a page'),
+    ', ',
+    link('latex', 'LaTeX'),
+    ', ',
+    link('markdown', 'Markdown'),
+  );
 }

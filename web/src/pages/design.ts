@@ -38,10 +38,21 @@ function recipeTab(asked: Asked, design: Design, panel: HTMLElement, signal: Abo
   const place = h('div');
   const image = h('div');
   fill(panel, place, image);
-  waiting(explain(asked, signal), signal, () => fill(place, h('p', { class: 'hint' }, 'Asking how it is made…'))).then(
+  waiting(explain(asked, signal), signal, () =>
+    fill(place, h('p', { class: 'hint' }, 'Asking how it is made…')),
+  ).then(
     (found) => {
       if (!found) {
-        fill(place, h('p', {}, design.recipe ? `Made by ${design.recipe.construction}, as its file says.` : 'The blocks are all that is known of this design: nothing says how it was made.'));
+        fill(
+          place,
+          h(
+            'p',
+            {},
+            design.recipe
+              ? `Made by ${design.recipe.construction}, as its file says.`
+              : 'The blocks are all that is known of this design: nothing says how it was made.',
+          ),
+        );
         return;
       }
       fill(place, recipeTree(found.tree));
@@ -58,9 +69,28 @@ function textTab(design: Design, panel: HTMLElement): void {
   const shown = short ? { ...design, blocks: design.blocks.slice(0, mostText) } : design;
   fill(
     panel,
-    h('p', {}, copyButton('Copy the blocks', () => asText(design)), ' ', h('span', { class: 'hint' }, 'One block a line, in order, as every verb of the program reads it.')),
-    h('pre', { class: 'blocks', tabindex: 0, role: 'region', 'aria-label': 'Blocks as text' }, asText(shown)),
-    short && h('p', { class: 'hint' }, `The first ${mostText} of ${design.blocks.length} blocks; download the design for all.`),
+    h(
+      'p',
+      {},
+      copyButton('Copy the blocks', () => asText(design)),
+      ' ',
+      h(
+        'span',
+        { class: 'hint' },
+        'One block a line, in order, as every verb of the program reads it.',
+      ),
+    ),
+    h(
+      'pre',
+      { class: 'blocks', tabindex: 0, role: 'region', 'aria-label': 'Blocks as text' },
+      asText(shown),
+    ),
+    short &&
+      h(
+        'p',
+        { class: 'hint' },
+        `The first ${mostText} of ${design.blocks.length} blocks; download the design for all.`,
+      ),
   );
 }
 
@@ -71,8 +101,15 @@ function verified(asked: Asked, design: Design, frozen: boolean): string {
   if (!design.verdict.valid) {
     return 'Refuted: not every pair is covered, or a step is wrong.';
   }
-  const when = frozen ? 'when this copy was written' : 'local' in asked ? 'on the page Verify' : 'before it was shown';
-  return `Verified ${when}: every step and every pair was checked, by code that shares nothing with what made the design.`;
+  const when = frozen
+    ? 'when this copy was written'
+    : 'local' in asked
+      ? 'on the page Verify'
+      : 'before it was shown';
+  return (
+    `Verified ${when}: every step and every pair was checked, by code that shares nothing ` +
+    `with what made the design.`
+  );
 }
 
 export const design: Page = {
@@ -82,13 +119,27 @@ export const design: Page = {
   async render(view: View) {
     const asked = askedOf(view.params);
     if (!asked) {
-      fill(view.root, h('h1', {}, 'Which design?'), h('p', {}, 'Choose a cell in the ', h('a', { href: link('catalog') }, 'catalog'), ', paste a design on the page ', h('a', { href: link('verify') }, 'Verify'), ', or write a label into the address, as #/design?label=20.5.2.circular.29.17482f88.'));
+      fill(
+        view.root,
+        h('h1', {}, 'Which design?'),
+        h(
+          'p',
+          {},
+          'Choose a cell in the ',
+          h('a', { href: link('catalog') }, 'catalog'),
+          ', paste a design on the page ',
+          h('a', { href: link('verify') }, 'Verify'),
+          ', or write a label into the address, as #/design?label=20.5.2.circular.29.17482f88.',
+        ),
+      );
       return;
     }
     const frozen = isCopy();
     let shown: Design;
     try {
-      shown = await waiting(designOf(asked, view.signal), view.signal, () => fill(view.root, h('h1', {}, 'Design'), h('p', { class: 'hint' }, 'Asking for the design…')));
+      shown = await waiting(designOf(asked, view.signal), view.signal, () =>
+        fill(view.root, h('h1', {}, 'Design'), h('p', { class: 'hint' }, 'Asking for the design…')),
+      );
     } catch (fault) {
       if (view.signal.aborted) {
         return;
@@ -97,7 +148,16 @@ export const design: Page = {
         view.root,
         h('h1', {}, 'No design to show'),
         problem(fault),
-        isCell(asked) && h('p', {}, h('a', { href: link('cell', { ...asked }) }, `What is known of v = ${asked.v}, k = ${asked.k}`)),
+        isCell(asked) &&
+          h(
+            'p',
+            {},
+            h(
+              'a',
+              { href: link('cell', { ...asked }) },
+              `What is known of v = ${asked.v}, k = ${asked.k}`,
+            ),
+          ),
         h('p', {}, h('a', { href: link('catalog') }, 'The catalog')),
       );
       return;
@@ -111,13 +171,28 @@ export const design: Page = {
     const steps = await waiting(
       Steps.soon(shown, view.signal, (done) => (share.value = done)),
       view.signal,
-      () => fill(view.root, h('h1', {}, name[0]!.toUpperCase() + name.slice(1)), h('p', {}, 'Counting pairs … ', share)),
+      () =>
+        fill(
+          view.root,
+          h('h1', {}, name[0]!.toUpperCase() + name.slice(1)),
+          h('p', {}, 'Counting pairs … ', share),
+        ),
     );
     const stays = new Stays(shown);
-    const symmetry = shown.kind === 'circular' && b * shown.k <= mostLooked ? symmetryOf(shown) : null;
-    const save = (which: 'array' | 'stays' | 'coverage' | 'circle', how: () => object, signal: AbortSignal): HTMLElement | false => !frozen && savePicture(which, asked, shown, how, signal);
+    const symmetry =
+      shown.kind === 'circular' && b * shown.k <= mostLooked ? symmetryOf(shown) : null;
+    const save = (
+      which: 'array' | 'stays' | 'coverage' | 'circle',
+      how: () => object,
+      signal: AbortSignal,
+    ): HTMLElement | false => !frozen && savePicture(which, asked, shown, how, signal);
     const range = (): object => chosen.range ?? {};
-    const orderOf = (which: Order): number[] => (which === 'given' ? Array.from({ length: shown.v }, (_, x) => x) : which === 'first' ? byFirst(shown.blocks, shown.v) : byFirst(shown.blocks, shown.v).sort((x, y) => stays.of(x).length - stays.of(y).length));
+    const orderOf = (which: Order): number[] =>
+      which === 'given'
+        ? Array.from({ length: shown.v }, (_, x) => x)
+        : which === 'first'
+          ? byFirst(shown.blocks, shown.v)
+          : byFirst(shown.blocks, shown.v).sort((x, y) => stays.of(x).length - stays.of(y).length);
 
     const all: Tab[] = [
       {
@@ -129,7 +204,11 @@ export const design: Page = {
             speed: view.params.get('speed') ?? '3',
             signal,
             chosen,
-            moved: (at, speed) => view.go({ at: at === 1 ? null : at, speed: speed === '3' ? null : speed }, { quiet: true }),
+            moved: (at, speed) =>
+              view.go(
+                { at: at === 1 ? null : at, speed: speed === '3' ? null : speed },
+                { quiet: true },
+              ),
           }),
       },
       {
@@ -145,18 +224,47 @@ export const design: Page = {
         title: 'Stays',
         draw: (panel, signal) => {
           let order = (view.params.get('order') ?? 'first') as Order;
-          const line = timeline({ v: steps.v, b: steps.b, names: steps.names, pairs: steps.pairs, allPairs: steps.allPairs, stays, step: 'block', item: 'element' }, chosen, orderOf(order), signal);
+          const line = timeline(
+            {
+              v: steps.v,
+              b: steps.b,
+              names: steps.names,
+              pairs: steps.pairs,
+              allPairs: steps.allPairs,
+              stays,
+              step: 'block',
+              item: 'element',
+            },
+            chosen,
+            orderOf(order),
+            signal,
+          );
           const pairs = matrix(steps, chosen, signal, 420);
           pairs?.order(orderOf(order));
           fill(
             panel,
-            h('p', { class: 'hint' }, 'A row for each element, a bar for each stay. Drag on the strip to choose blocks, drag below to pan; Ctrl + wheel or + and − zoom. On the right a square for each pair, its colour says when it first meets; pairs that first meet in the blocks in sight are lit.'),
-            h('div', { class: 'row' }, field('Order of elements', select(order, orders, (value) => {
-              order = value as Order;
-              line.order(orderOf(order));
-              pairs?.order(orderOf(order));
-              view.go({ order: value === 'first' ? null : value }, { quiet: true });
-            })), save('stays', () => ({ ...range(), order }), signal)),
+            h(
+              'p',
+              { class: 'hint' },
+              'A row for each element, a bar for each stay. Drag on the strip to choose ' +
+                'blocks, drag below to pan; Ctrl + wheel or + and − zoom. On the right a ' +
+                'square for each pair, its colour says when it first meets; pairs that first ' +
+                'meet in the blocks in sight are lit.',
+            ),
+            h(
+              'div',
+              { class: 'row' },
+              field(
+                'Order of elements',
+                select(order, orders, (value) => {
+                  order = value as Order;
+                  line.order(orderOf(order));
+                  pairs?.order(orderOf(order));
+                  view.go({ order: value === 'first' ? null : value }, { quiet: true });
+                }),
+              ),
+              save('stays', () => ({ ...range(), order }), signal),
+            ),
             h('div', { class: pairs ? 'stays-and-pairs' : '' }, line.element, pairs?.element),
           );
         },
@@ -175,53 +283,154 @@ export const design: Page = {
           sort(order);
           fill(
             panel,
-            h('div', { class: 'row' }, field('Order of elements', select(order, orders, (value) => {
-              order = value;
-              sort(order);
-              view.go({ order: value === 'first' ? null : value }, { quiet: true });
-            })), save('coverage', () => ({ order }), signal), chosen.range && h('span', { class: 'hint' }, `Lit: pairs that first meet in blocks ${chosen.range.from} to ${chosen.range.to}. `, h('button', { type: 'button', class: 'plain small', onclick: (event) => {
-              chosen.setRange(null);
-              (event.target as HTMLElement).parentElement!.remove();
-            } }, 'Show all'))),
+            h(
+              'div',
+              { class: 'row' },
+              field(
+                'Order of elements',
+                select(order, orders, (value) => {
+                  order = value;
+                  sort(order);
+                  view.go({ order: value === 'first' ? null : value }, { quiet: true });
+                }),
+              ),
+              save('coverage', () => ({ order }), signal),
+              chosen.range &&
+                h(
+                  'span',
+                  { class: 'hint' },
+                  `Lit: pairs that first meet in blocks ${chosen.range.from} to ` +
+                    `${chosen.range.to}. `,
+                  h(
+                    'button',
+                    {
+                      type: 'button',
+                      class: 'plain small',
+                      onclick: (event) => {
+                        chosen.setRange(null);
+                        (event.target as HTMLElement).parentElement!.remove();
+                      },
+                    },
+                    'Show all',
+                  ),
+                ),
+            ),
             h('div', { class: 'pairs-and-key' }, pairs.element, matrixKey(b, pairs, signal)),
           );
         },
       },
-      ...(symmetry && symmetry.rotations > 1 ? [{ name: 'circle', title: 'Circle', draw: (panel: HTMLElement, signal: AbortSignal) => {
-        circleView(symmetry, chosen, panel, signal);
-        panel.append(h('p', {}, save('circle', () => ({}), signal) || ''));
-      } }] : []),
-      { name: 'recipe', title: 'Recipe', draw: (panel, signal) => recipeTab(asked, shown, panel, signal) },
+      ...(symmetry && symmetry.rotations > 1
+        ? [
+            {
+              name: 'circle',
+              title: 'Circle',
+              draw: (panel: HTMLElement, signal: AbortSignal) => {
+                circleView(symmetry, chosen, panel, signal);
+                panel.append(h('p', {}, save('circle', () => ({}), signal) || ''));
+              },
+            },
+          ]
+        : []),
+      {
+        name: 'recipe',
+        title: 'Recipe',
+        draw: (panel, signal) => recipeTab(asked, shown, panel, signal),
+      },
       { name: 'blocks', title: 'Blocks', draw: (panel) => textTab(shown, panel) },
     ];
     const selected = h('div', { class: 'selected-words' });
-    const wantedElements = h('input', { type: 'text', id: 'select-elements', autocomplete: 'off', placeholder: '3 or 3 7', 'aria-label': 'Select an element or a pair' });
-    const bySelf = h('form', { class: 'select-form', onsubmit: (event) => {
-      event.preventDefault();
-      chosen.chooseByName(wantedElements.value) ? wantedElements.removeAttribute('aria-invalid') : wantedElements.setAttribute('aria-invalid', 'true');
-    } }, wantedElements, h('button', { type: 'submit', class: 'plain small' }, 'Select'));
+    const wantedElements = h('input', {
+      type: 'text',
+      id: 'select-elements',
+      autocomplete: 'off',
+      placeholder: '3 or 3 7',
+      'aria-label': 'Select an element or a pair',
+    });
+    const bySelf = h(
+      'form',
+      {
+        class: 'select-form',
+        onsubmit: (event) => {
+          event.preventDefault();
+          chosen.chooseByName(wantedElements.value)
+            ? wantedElements.removeAttribute('aria-invalid')
+            : wantedElements.setAttribute('aria-invalid', 'true');
+        },
+      },
+      wantedElements,
+      h('button', { type: 'submit', class: 'plain small' }, 'Select'),
+    );
     const tell = (): void => {
       const words = chosen.words(steps, stays);
-      fill(selected, words ? [h('span', { class: 'selected-key' }), h('span', {}, `${words}.`), h('button', { type: 'button', class: 'plain small', onclick: () => chosen.choose([]) }, 'Clear')] : h('span', { class: 'hint' }, 'Click an element or a pair in any view, or write it here, to see it in all of them.'));
+      fill(
+        selected,
+        words
+          ? [
+              h('span', { class: 'selected-key' }),
+              h('span', {}, `${words}.`),
+              h(
+                'button',
+                { type: 'button', class: 'plain small', onclick: () => chosen.choose([]) },
+                'Clear',
+              ),
+            ]
+          : h(
+              'span',
+              { class: 'hint' },
+              'Click an element or a pair in any view, or write it here, to see it in all of them.',
+            ),
+      );
     };
     chosen.follow(view.signal, tell);
     tell();
     const from =
-      shown.label ?? ('local' in asked ? 'of this window, in no catalog' : 'file' in asked ? `file ${(await about()).files.find((each) => each.index === asked.file)?.name ?? asked.file}` : 'job' in asked ? `found by search ${asked.job}` : '');
+      shown.label ??
+      ('local' in asked
+        ? 'of this window, in no catalog'
+        : 'file' in asked
+          ? `file ` +
+            `${(await about()).files.find((each) => each.index === asked.file)?.name ?? asked.file}`
+          : 'job' in asked
+            ? `found by search ${asked.job}`
+            : '');
     const start = view.params.get('show') ?? 'steps';
     fill(
       view.root,
-      h('h1', {}, `${name[0]!.toUpperCase()}${name.slice(1)}${(shown.strength ?? 2) > 2 ? `, strength ${shown.strength}` : ''}: ${count(b, 'block')}`),
+      h(
+        'h1',
+        {},
+        `${name[0]!.toUpperCase()}${name.slice(1)}` +
+          `${(shown.strength ?? 2) > 2 ? `, strength ${shown.strength}` : ''}: ` +
+          `${count(b, 'block')}`,
+      ),
       h(
         'p',
         { class: 'under' },
         from && [shown.label === from ? h('span', { class: 'code' }, from) : from, ' · '],
-        h('a', { href: link('cell', { v: shown.v, k: shown.k, change: shown.change, kind: shown.kind, strength: shown.strength === 2 ? null : shown.strength }) }, 'what is known of these parameters'),
+        h(
+          'a',
+          {
+            href: link('cell', {
+              v: shown.v,
+              k: shown.k,
+              change: shown.change,
+              kind: shown.kind,
+              strength: shown.strength === 2 ? null : shown.strength,
+            }),
+          },
+          'what is known of these parameters',
+        ),
       ),
       h('div', { class: 'selected' }, bySelf, selected),
-      tabs('What to show of the design', all, start, view.signal, (which) => view.go({ show: which }, { quiet: true })),
+      tabs('What to show of the design', all, start, view.signal, (which) =>
+        view.go({ show: which }, { quiet: true }),
+      ),
       h('h2', {}, 'In numbers'),
-      h('p', { class: `verdict ${shown.verdict ? (shown.verdict.valid ? 'valid' : 'invalid') : ''}` }, verified(asked, shown, frozen)),
+      h(
+        'p',
+        { class: `verdict ${shown.verdict ? (shown.verdict.valid ? 'valid' : 'invalid') : ''}` },
+        verified(asked, shown, frozen),
+      ),
       scroll('The design in numbers', facts(shown)),
       h('h2', {}, 'Download'),
       downloads(asked, shown, frozen),

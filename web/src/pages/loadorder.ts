@@ -20,7 +20,12 @@ const times: readonly (readonly [string, string])[] = [
 
 function commandOf({ items, room, workers, pairs, seconds, prefetch }: Asked): string {
   const what = pairs ? '--pairs pairs.txt' : `--items ${items}`;
-  return `changeover loadorder ${what} --room ${room}${workers > 1 ? ` --workers ${workers}` : ''}${seconds > 0 ? ` --time ${seconds}s` : ''}${prefetch ? ' --prefetch' : ''} --json -o order.jsonl`;
+  return (
+    `changeover loadorder ${what} --room ` +
+    `${room}${workers > 1 ? ` --workers ${workers}` : ''}` +
+    `${seconds > 0 ? ` --time ${seconds}s` : ''}${prefetch ? ' --prefetch' : ''} --json -o ` +
+    `order.jsonl`
+  );
 }
 
 async function render(view: View): Promise<void> {
@@ -31,19 +36,48 @@ async function render(view: View): Promise<void> {
     return;
   }
   let running: AbortController | null = null;
-  const items = h('input', { type: 'number', min: 1, value: params.get('items') ?? (params.has('pairs') ? '' : usual.items), placeholder: '64' });
-  const room = h('input', { type: 'number', min: 2, value: params.get('room') ?? usual.room, placeholder: '16' });
-  const size = h('input', { type: 'text', class: 'cost', value: params.get('bytes') ?? '', placeholder: '2 GB', autocomplete: 'off' });
-  const workers = h('input', { type: 'number', min: 1, value: params.get('workers') ?? '', placeholder: '1' });
+  const items = h('input', {
+    type: 'number',
+    min: 1,
+    value: params.get('items') ?? (params.has('pairs') ? '' : usual.items),
+    placeholder: '64',
+  });
+  const room = h('input', {
+    type: 'number',
+    min: 2,
+    value: params.get('room') ?? usual.room,
+    placeholder: '16',
+  });
+  const size = h('input', {
+    type: 'text',
+    class: 'cost',
+    value: params.get('bytes') ?? '',
+    placeholder: '2 GB',
+    autocomplete: 'off',
+  });
+  const workers = h('input', {
+    type: 'number',
+    min: 1,
+    value: params.get('workers') ?? '',
+    placeholder: '1',
+  });
   const time = select(params.get('time') ?? '0', times, () => undefined);
   const ahead = h('input', { type: 'checkbox', checked: params.has('prefetch') });
-  const pairs = h('textarea', { class: 'pairs-text', spellcheck: 'false', placeholder: '0 5\n1 5\n…' });
+  const pairs = h('textarea', {
+    class: 'pairs-text',
+    spellcheck: 'false',
+    placeholder: '0 5\n1 5\n…',
+  });
   pairs.value = typeof linked === 'string' ? linked : '';
   const some = h(
     'details',
     { open: pairs.value !== '' },
     h('summary', {}, 'Only some pairs'),
-    field('Pairs, two items a line', pairs, 'items have names, or numbers from 0; with names the field Items may stay empty'),
+    field(
+      'Pairs, two items a line',
+      pairs,
+      'items have names, or numbers from 0; with names the field Items may stay empty',
+    ),
   );
   const go = h('button', { type: 'submit' }, 'Find an order');
   const result = h('div', { class: 'result' });
@@ -55,7 +89,10 @@ async function render(view: View): Promise<void> {
       throw new Error('Items: write how many there are, such as 64.');
     }
     if (room.value === '' || !Number.isInteger(c) || c < 2) {
-      throw new Error('Room: write how many items are in memory at once, at least 2; with less no pair ever meets.');
+      throw new Error(
+        'Room: write how many items are in memory at once, at least 2; with less no pair ever ' +
+          'meets.',
+      );
     }
     return {
       items: named ? null : p,
@@ -94,7 +131,9 @@ async function render(view: View): Promise<void> {
         h(
           'p',
           { class: 'note', role: 'status' },
-          asked.seconds > 0 ? `Searching for up to ${asked.seconds} s … ` : 'Looking for an order … ',
+          asked.seconds > 0
+            ? `Searching for up to ${asked.seconds} s … `
+            : 'Looking for an order … ',
           h('button', { type: 'button', class: 'plain', onclick: stop }, 'Stop'),
         ),
       );
@@ -139,7 +178,12 @@ async function render(view: View): Promise<void> {
     const command = commandOf(asked);
     fill(
       result,
-      h('div', { class: 'columns loadorder-parts loadorder-head' }, headline(answer, asked), shares(answer, asked) ?? comparison(answer, asked)),
+      h(
+        'div',
+        { class: 'columns loadorder-parts loadorder-head' },
+        headline(answer, asked),
+        shares(answer, asked) ?? comparison(answer, asked),
+      ),
       memory(answer, mine()),
       h(
         'div',
@@ -175,7 +219,8 @@ async function render(view: View): Promise<void> {
             h(
               'p',
               { class: 'hint' },
-              'The command line can also search for longer (--time), hold two levels of memory (--fast-room) and write back what changes (--write-back).',
+              'The command line can also search for longer (--time), hold two levels of memory ' +
+                '(--fast-room) and write back what changes (--write-back).',
             ),
           ),
         ),
@@ -200,7 +245,13 @@ async function render(view: View): Promise<void> {
       field('Bytes per item', size, 'optional'),
       field('Workers', workers, 'each with this room'),
       field('Search', time, 'for fewer loads'),
-      h('div', { class: 'field' }, h('span', { class: 'hint' }, '\u00a0'), h('label', { class: 'check ahead' }, ahead, 'Load ahead'), h('small', { class: 'hint' }, 'while pairs are computed')),
+      h(
+        'div',
+        { class: 'field' },
+        h('span', { class: 'hint' }, '\u00a0'),
+        h('label', { class: 'check ahead' }, ahead, 'Load ahead'),
+        h('small', { class: 'hint' }, 'while pairs are computed'),
+      ),
       h('div', { class: 'field' }, h('span', { class: 'hint' }, '\u00a0'), go),
     ),
     some,
@@ -211,10 +262,21 @@ async function render(view: View): Promise<void> {
     h(
       'p',
       {},
-      'Items lie on a disk, and only some fit into memory. Each pair must be in memory together once, to compute distances or a Gram matrix, or to train on edges between partitions. This page says what to load and what to evict at each step, with as few loads as possible. Try ',
-      h('a', { href: link('loadorder', { items: 64, room: 16, bytes: '2 GB' }) }, '64 items, room for 16'),
+      'Items lie on a disk, and only some fit into memory. Each pair must be in memory ' +
+        'together once, to compute distances or a Gram matrix, or to train on edges between ' +
+        'partitions. This page says what to load and what to evict at each step, with as few ' +
+        'loads as possible. Try ',
+      h(
+        'a',
+        { href: link('loadorder', { items: 64, room: 16, bytes: '2 GB' }) },
+        '64 items, room for 16',
+      ),
       ' or ',
-      h('a', { href: link('loadorder', { items: 1000, room: 100, workers: 8 }) }, '1000 items for 8 workers'),
+      h(
+        'a',
+        { href: link('loadorder', { items: 1000, room: 100, workers: 8 }) },
+        '1000 items for 8 workers',
+      ),
       '.',
     ),
     form,

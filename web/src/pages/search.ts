@@ -1,4 +1,13 @@
-import { get, hasToken, post, type About, type Kind, type SearchJob, type SearchOrder, type SearchWay } from '../lib/api';
+import {
+  get,
+  hasToken,
+  post,
+  type About,
+  type Kind,
+  type SearchJob,
+  type SearchOrder,
+  type SearchWay,
+} from '../lib/api';
 import { announce, field, fill, h, select } from '../lib/dom';
 import { listen, retryNow } from '../lib/events';
 import { cellDetail } from '../lib/source';
@@ -18,10 +27,29 @@ const times: readonly (readonly [string, string])[] = [
 ];
 
 const ways: readonly (readonly [SearchWay, string, string])[] = [
-  ['local', 'local search', 'Starts from the best design known and changes it step by step. It suits cells with a small gap.'],
-  ['base-blocks', 'base blocks', 'Builds designs with a symmetry from a few blocks and their images. It suits large v.'],
-  ['exact', 'exact, with proof', 'Goes up from the lower bound: a SAT solver finds a design with so many blocks, or proves that there is none, and the proof is checked. It suits small v only.'],
-  ['locked', 'locked sets', 'Looks for a design with certain elements in its first or last block, or with an expansion set, as constructions need them.'],
+  [
+    'local',
+    'local search',
+    'Starts from the best design known and changes it step by step. It suits cells with a ' +
+      'small gap.',
+  ],
+  [
+    'base-blocks',
+    'base blocks',
+    'Builds designs with a symmetry from a few blocks and their images. It suits large v.',
+  ],
+  [
+    'exact',
+    'exact, with proof',
+    'Goes up from the lower bound: a SAT solver finds a design with so many blocks, or proves ' +
+      'that there is none, and the proof is checked. It suits small v only.',
+  ],
+  [
+    'locked',
+    'locked sets',
+    'Looks for a design with certain elements in its first or last block, or with an expansion ' +
+      'set, as constructions need them.',
+  ],
 ];
 const strengths: readonly (readonly [string, string])[] = [
   ['2', 'pairs (t = 2)'],
@@ -57,7 +85,8 @@ function hindrance({ write }: About): HTMLElement | null {
     return h(
       'p',
       { class: 'note' },
-      'This window may look and not start anything: it was opened without the token. Open the address that ',
+      'This window may look and not start anything: it was opened without the token. Open the ' +
+        'address that ',
       h('code', {}, 'changeover serve'),
       ' printed in its terminal; it ends in ',
       h('code', {}, '?token=…'),
@@ -74,11 +103,25 @@ async function render(view: View): Promise<void> {
     return;
   }
   const hindered = hindrance(server);
-  const v = h('input', { type: 'number', min: 3, value: params.get('v') ?? '', placeholder: '20', oninput: () => soon() });
-  const k = h('input', { type: 'number', min: 2, value: params.get('k') ?? '', placeholder: '5', oninput: () => soon() });
+  const v = h('input', {
+    type: 'number',
+    min: 3,
+    value: params.get('v') ?? '',
+    placeholder: '20',
+    oninput: () => soon(),
+  });
+  const k = h('input', {
+    type: 'number',
+    min: 2,
+    value: params.get('k') ?? '',
+    placeholder: '5',
+    oninput: () => soon(),
+  });
   const change = select(params.get('change') ?? '2', changes, () => look());
   const kind = select(params.get('kind') ?? 'circular', kinds, () => look());
-  const time = select(params.get('seconds') ?? '60', times, (seconds) => view.go({ seconds }, { quiet: true }));
+  const time = select(params.get('seconds') ?? '60', times, (seconds) =>
+    view.go({ seconds }, { quiet: true }),
+  );
   const threads = h('input', {
     type: 'number',
     min: 1,
@@ -92,13 +135,44 @@ async function render(view: View): Promise<void> {
     onchange: () => view.go({ seed: seed.value }, { quiet: true }),
   });
   const strength = select(params.get('strength') ?? '2', strengths, () => look());
-  const blocks = h('input', { type: 'number', min: 1, value: params.get('blocks') ?? '', placeholder: 'fewest', onchange: () => view.go({ blocks: blocks.value }, { quiet: true }) });
+  const blocks = h('input', {
+    type: 'number',
+    min: 1,
+    value: params.get('blocks') ?? '',
+    placeholder: 'fewest',
+    onchange: () => view.go({ blocks: blocks.value }, { quiet: true }),
+  });
   const about_way = h('p', { class: 'hint' });
-  const way = select(params.get('way') ?? 'local', ways.map(([name, title]) => [name, title] as const), () => look());
-  const firstBlock = h('input', { type: 'text', value: params.get('first') ?? '', placeholder: '0, 1, 2', autocomplete: 'off' });
-  const lastBlock = h('input', { type: 'text', value: params.get('last') ?? '', placeholder: '', autocomplete: 'off' });
+  const way = select(
+    params.get('way') ?? 'local',
+    ways.map(([name, title]) => [name, title] as const),
+    () => look(),
+  );
+  const firstBlock = h('input', {
+    type: 'text',
+    value: params.get('first') ?? '',
+    placeholder: '0, 1, 2',
+    autocomplete: 'off',
+  });
+  const lastBlock = h('input', {
+    type: 'text',
+    value: params.get('last') ?? '',
+    placeholder: '',
+    autocomplete: 'off',
+  });
   const expansion = h('input', { type: 'checkbox', checked: params.has('expansion') });
-  const locks = h('div', { class: 'row' }, field('In the first block', firstBlock), field('In the last block', lastBlock), h('label', { class: 'check' }, expansion, 'unchanged subsets hold all other elements, each once'));
+  const locks = h(
+    'div',
+    { class: 'row' },
+    field('In the first block', firstBlock),
+    field('In the last block', lastBlock),
+    h(
+      'label',
+      { class: 'check' },
+      expansion,
+      'unchanged subsets hold all other elements, each once',
+    ),
+  );
   const start = h('button', { type: 'submit', disabled: hindered !== null }, 'Start');
   const known = h('p', { class: 'hint search-known', role: 'status' });
   const fault = h('div', {});
@@ -113,7 +187,17 @@ async function render(view: View): Promise<void> {
   /** What is known of the cell that was written, before it is searched. */
   let looking: AbortController | null = null;
   function look(): void {
-    view.go({ v: v.value, k: k.value, change: change.value, kind: kind.value, strength: strength.value === '2' ? null : strength.value, way: way.value === 'local' ? null : way.value }, { quiet: true });
+    view.go(
+      {
+        v: v.value,
+        k: k.value,
+        change: change.value,
+        kind: kind.value,
+        strength: strength.value === '2' ? null : strength.value,
+        way: way.value === 'local' ? null : way.value,
+      },
+      { quiet: true },
+    );
     fill(about_way, ways.find(([name]) => name === way.value)?.[2] ?? '');
     locks.hidden = way.value !== 'locked';
     blocks.parentElement!.hidden = way.value === 'exact';
@@ -126,23 +210,49 @@ async function render(view: View): Promise<void> {
       return;
     }
     const mine = looking.signal;
-    const cell = { v: Number(v.value), k: Number(k.value), change: Number(change.value), kind: kind.value as Kind, ...(strength.value === '2' ? {} : { strength: Number(strength.value) }) };
+    const cell = {
+      v: Number(v.value),
+      k: Number(k.value),
+      change: Number(change.value),
+      kind: kind.value as Kind,
+      ...(strength.value === '2' ? {} : { strength: Number(strength.value) }),
+    };
     cellDetail(cell, mine).then(
       ({ best, lower_bound: bound, impossible }) => {
         const words = impossible
           ? `There is no such design: ${impossible}`
           : best === null
-            ? `No design is known yet${bound ? `; none has fewer than ${count(bound, 'block')}` : ''}.`
+            ? `No design is known yet` +
+              `${bound ? `; none has fewer than ${count(bound, 'block')}` : ''}.`
             : best.b === bound
-              ? `Gap 0: ${count(best.b, 'block')} are known, and no design has fewer. There is nothing to find.`
-              : `Gap ${best.b - (bound ?? 0)}: ${count(best.b, 'block')} are known; no design has fewer than ${bound ?? '?'}.`;
+              ? `Gap 0: ${count(best.b, 'block')} are known, and no design has fewer. There is ` +
+                `nothing to find.`
+              : `Gap ${best.b - (bound ?? 0)}: ${count(best.b, 'block')} are known; no design ` +
+                `has fewer than ${bound ?? '?'}.`;
         const nothing = impossible || (best !== null && best.b === bound);
         fill(
           known,
           h('strong', {}, words),
           ' ',
           h('a', { href: link('cell', cell) }, 'More about these parameters'),
-          nothing ? [', or ', h('a', { href: link('catalog', { change: cell.change, kind: cell.kind, strength: cell.strength, gap: 1 }) }, 'cells with a gap'), ', where something may be found'] : null,
+          nothing
+            ? [
+                ', or ',
+                h(
+                  'a',
+                  {
+                    href: link('catalog', {
+                      change: cell.change,
+                      kind: cell.kind,
+                      strength: cell.strength,
+                      gap: 1,
+                    }),
+                  },
+                  'cells with a gap',
+                ),
+                ', where something may be found',
+              ]
+            : null,
           '.',
         );
       },
@@ -212,9 +322,20 @@ async function render(view: View): Promise<void> {
         ...(blocks.value !== '' && way.value !== 'exact' ? { blocks: Number(blocks.value) } : {}),
       };
       if (way.value === 'locked') {
-        const [first, last] = [elementsOf('In the first block', firstBlock.value), elementsOf('In the last block', lastBlock.value)];
-        Object.assign(order, first.length > 0 ? { first } : {}, last.length > 0 ? { last } : {}, expansion.checked ? { expansion_set: true } : {});
-        view.go({ first: first.join(','), last: last.join(','), expansion: expansion.checked ? 1 : null }, { quiet: true });
+        const [first, last] = [
+          elementsOf('In the first block', firstBlock.value),
+          elementsOf('In the last block', lastBlock.value),
+        ];
+        Object.assign(
+          order,
+          first.length > 0 ? { first } : {},
+          last.length > 0 ? { last } : {},
+          expansion.checked ? { expansion_set: true } : {},
+        );
+        view.go(
+          { first: first.join(','), last: last.join(','), expansion: expansion.checked ? 1 : null },
+          { quiet: true },
+        );
       }
       const { id } = await post('search', {}, order, signal);
       choose(String(id), true);
@@ -233,7 +354,9 @@ async function render(view: View): Promise<void> {
     h(
       'p',
       {},
-      'A search looks for a design with fewer blocks than are known, or proves that there is none. It runs on this machine, also after this page is closed. Each design that it finds is verified.',
+      'A search looks for a design with fewer blocks than are known, or proves that there is ' +
+        'none. It runs on this machine, also after this page is closed. Each design that it ' +
+        'finds is verified.',
     ),
     h(
       'form',
@@ -244,9 +367,26 @@ async function render(view: View): Promise<void> {
           void begin();
         },
       },
-      h('div', { class: 'row' }, field('Elements v', v), field('Block size k', k), field('Change number', change), field('Kind', kind), field('Covers', strength)),
+      h(
+        'div',
+        { class: 'row' },
+        field('Elements v', v),
+        field('Block size k', k),
+        field('Change number', change),
+        field('Kind', kind),
+        field('Covers', strength),
+      ),
       known,
-      h('div', { class: 'row' }, field('Method', way), field('Time', time), field('Threads', threads), field('Seed', seed), field('Blocks wanted', blocks), start),
+      h(
+        'div',
+        { class: 'row' },
+        field('Method', way),
+        field('Time', time),
+        field('Threads', threads),
+        field('Seed', seed),
+        field('Blocks wanted', blocks),
+        start,
+      ),
       about_way,
       locks,
     ),

@@ -1,4 +1,5 @@
-// The theorems that the program uses beyond the published ones, and all constructions, each with an example to look at.
+// The theorems that the program uses beyond the published ones, and all constructions, each with an
+// example to look at.
 import type { Cell, Construction, Theorem } from '../lib/api';
 import { cited } from '../lib/citations';
 import { fill, h, type Child } from '../lib/dom';
@@ -18,31 +19,50 @@ function inPages(to: string): string | null {
   return theorem ? link('theorems', { theorem: theorem[1] }) : /^https:/.test(to) ? to : null;
 }
 
-/** Pictures of examples are made when they come into sight, one after the other: on a circle if the design is turned by a symmetry,
- * otherwise its stays. */
+/**
+ * Pictures of examples are made when they come into sight, one after the other: on a circle if the
+ * design is turned by a symmetry, otherwise its stays.
+ */
 class Gallery {
   private readonly watcher: IntersectionObserver;
   private readonly cells = new Map<Element, Cell>();
   private queue: Promise<void> = Promise.resolve();
 
   constructor(private readonly signal: AbortSignal) {
-    this.watcher = new IntersectionObserver((seen) => {
-      for (const { target, isIntersecting } of seen) {
-        if (isIntersecting) {
-          this.watcher.unobserve(target);
-          this.queue = this.queue.then(() => this.show(target));
+    this.watcher = new IntersectionObserver(
+      (seen) => {
+        for (const { target, isIntersecting } of seen) {
+          if (isIntersecting) {
+            this.watcher.unobserve(target);
+            this.queue = this.queue.then(() => this.show(target));
+          }
         }
-      }
-    }, { rootMargin: '300px' });
+      },
+      { rootMargin: '300px' },
+    );
     signal.addEventListener('abort', () => this.watcher.disconnect());
-    document.addEventListener('themechange', () => this.cells.forEach((_, place) => this.watcher.observe(place)), { signal });
+    document.addEventListener(
+      'themechange',
+      () => this.cells.forEach((_, place) => this.watcher.observe(place)),
+      { signal },
+    );
   }
 
   add(cell: Cell): HTMLElement {
     const place = h('span', { class: 'small-picture' });
     this.cells.set(place, cell);
     this.watcher.observe(place);
-    return h('a', { class: 'example', href: link('design', { ...cell }) }, place, h('span', {}, `Example: ${shortName(cell)}`, (cell.strength ?? 2) > 2 && `, strength ${cell.strength}`));
+    return h(
+      'a',
+      { class: 'example', href: link('design', { ...cell }) },
+      place,
+      h(
+        'span',
+        {},
+        `Example: ${shortName(cell)}`,
+        (cell.strength ?? 2) > 2 && `, strength ${cell.strength}`,
+      ),
+    );
   }
 
   private async show(place: Element): Promise<void> {
@@ -55,7 +75,13 @@ class Gallery {
       const symmetry = symmetryOf(design);
       const turned = symmetry.rotations > 2 && symmetry.shift <= 6 && design.v <= 80;
       const image = turned
-        ? circlePicture(symmetry, design.blocks, (x) => design.labels?.[x] ?? String(x), Array.from({ length: symmetry.shift }, (_, i) => i), [])
+        ? circlePicture(
+            symmetry,
+            design.blocks,
+            (x) => design.labels?.[x] ?? String(x),
+            Array.from({ length: symmetry.shift }, (_, i) => i),
+            [],
+          )
         : thumbnail(design, '', this.signal);
       image.setAttribute('aria-hidden', 'true');
       image.removeAttribute('role');
@@ -68,12 +94,21 @@ class Gallery {
 }
 
 /** A theorem; its statement is written by `write`. */
-function theorem(it: Theorem, gallery: Gallery, chosen: boolean): { element: HTMLElement; write(): void } {
+function theorem(
+  it: Theorem,
+  gallery: Gallery,
+  chosen: boolean,
+): { element: HTMLElement; write(): void } {
   const prose = h('div', { class: 'prose' });
   const element = h(
     'article',
     { id: `theorem-${it.number}`, class: chosen ? 'statement chosen' : 'statement', tabindex: -1 },
-    h('h3', {}, h('a', { href: link('theorems', { theorem: it.number }) }, `Theorem ${it.number}`), it.title && it.title !== `Theorem ${it.number}` ? [': ', ...line(it.title)] : ''),
+    h(
+      'h3',
+      {},
+      h('a', { href: link('theorems', { theorem: it.number }) }, `Theorem ${it.number}`),
+      it.title && it.title !== `Theorem ${it.number}` ? [': ', ...line(it.title)] : '',
+    ),
     h('div', { class: 'with-example' }, prose, it.example && gallery.add(it.example)),
   );
   return {
@@ -81,13 +116,25 @@ function theorem(it: Theorem, gallery: Gallery, chosen: boolean): { element: HTM
     write: () =>
       fill(
         prose,
-        markup(it.statement.replace(new RegExp(`^\\s*\\*\\*Theorem ${it.number}\\.\\*\\*\\s*`), ''), inPages), // The heading says its name.
-        it.proof && h('details', { class: 'proof' }, h('summary', {}, 'Proof'), lazily(() => markup(it.proof, inPages))),
+        markup(
+          it.statement.replace(new RegExp(`^\\s*\\*\\*Theorem ${it.number}\\.\\*\\*\\s*`), ''),
+          inPages,
+        ), // The heading says its name.
+        it.proof &&
+          h(
+            'details',
+            { class: 'proof' },
+            h('summary', {}, 'Proof'),
+            lazily(() => markup(it.proof, inPages)),
+          ),
       ),
   };
 }
 
-/** Calls the first few at once and the others in pieces of some milliseconds, so that a long page is there at once; `rest` calls those that are left. */
+/**
+ * Calls the first few at once and the others in pieces of some milliseconds, so that a long page is
+ * there at once; `rest` calls those that are left.
+ */
 function piecewise(tasks: (() => void)[], first: number, signal: AbortSignal): { rest(): void } {
   const left = [...tasks];
   const rest = (): void => left.splice(0).forEach((task) => task());
@@ -105,15 +152,25 @@ function piecewise(tasks: (() => void)[], first: number, signal: AbortSignal): {
 
 /** Marks in the contents which part is read, and keeps that entry in sight. */
 function followReading(root: HTMLElement, contents: HTMLElement, signal: AbortSignal): void {
-  const entries = new Map([...contents.querySelectorAll<HTMLElement>('a[data-part]')].map((entry) => [entry.dataset['part']!, entry]));
-  const parts = [...entries.keys()].flatMap((id) => root.querySelector<HTMLElement>(`#${id}`) ?? []);
+  const entries = new Map(
+    [...contents.querySelectorAll<HTMLElement>('a[data-part]')].map((entry) => [
+      entry.dataset['part']!,
+      entry,
+    ]),
+  );
+  const parts = [...entries.keys()].flatMap(
+    (id) => root.querySelector<HTMLElement>(`#${id}`) ?? [],
+  );
   const list = contents.querySelector('ul')!;
   let marked: HTMLElement | undefined;
   let asked = false;
   const mark = (): void => {
     asked = false;
     const line = 80; // A part that was jumped to begins just below the edge of the window.
-    const now = entries.get((parts.filter((part) => part.getBoundingClientRect().top < line).at(-1) ?? parts[0])?.id ?? '');
+    const now = entries.get(
+      (parts.filter((part) => part.getBoundingClientRect().top < line).at(-1) ?? parts[0])?.id ??
+        '',
+    );
     if (now === marked || !now) {
       return;
     }
@@ -121,11 +178,17 @@ function followReading(root: HTMLElement, contents: HTMLElement, signal: AbortSi
     now.setAttribute('aria-current', 'location');
     marked = now;
     const [inside, around] = [now.getBoundingClientRect(), contents.getBoundingClientRect()];
-    if (list.offsetHeight > contents.clientHeight && (inside.top < around.top || inside.bottom > around.bottom)) {
+    if (
+      list.offsetHeight > contents.clientHeight &&
+      (inside.top < around.top || inside.bottom > around.bottom)
+    ) {
       contents.scrollTop += inside.top - around.top - contents.clientHeight / 2;
     }
   };
-  window.addEventListener('scroll', () => asked || ((asked = true), requestAnimationFrame(mark)), { passive: true, signal });
+  window.addEventListener('scroll', () => asked || ((asked = true), requestAnimationFrame(mark)), {
+    passive: true,
+    signal,
+  });
   mark();
 }
 
@@ -146,8 +209,18 @@ function lazily(make: () => Child[]): HTMLElement {
 function construction(it: Construction, gallery: Gallery, chosen: boolean): HTMLDetailsElement {
   return h(
     'details',
-    { id: `construction-${it.name}`, class: chosen ? 'statement construction chosen' : 'statement construction', open: chosen },
-    h('summary', {}, h('strong', {}, it.name), ' ', h('span', { class: 'summary-words' }, reason(it.summary))),
+    {
+      id: `construction-${it.name}`,
+      class: chosen ? 'statement construction chosen' : 'statement construction',
+      open: chosen,
+    },
+    h(
+      'summary',
+      {},
+      h('strong', {}, it.name),
+      ' ',
+      h('span', { class: 'summary-words' }, reason(it.summary)),
+    ),
     h(
       'div',
       { class: 'with-example' },
@@ -159,9 +232,21 @@ function construction(it: Construction, gallery: Gallery, chosen: boolean): HTML
           { class: 'facts' },
           it.serves ? [h('dt', {}, 'serves'), h('dd', {}, reason(it.serves))] : [],
           it.gives ? [h('dt', {}, 'gives'), h('dd', {}, reason(it.gives))] : [],
-          it.citation && it.citation !== '[elementary]' ? [h('dt', {}, 'from'), h('dd', {}, citation(it.citation))] : [],
+          it.citation && it.citation !== '[elementary]'
+            ? [h('dt', {}, 'from'), h('dd', {}, citation(it.citation))]
+            : [],
         ),
-        h('p', {}, h('a', { href: link('catalog', { by: it.name }) }, 'Cells of the catalog that it makes'), ' · ', h('a', { href: link('theorems', { construction: it.name }) }, 'Link to this construction')),
+        h(
+          'p',
+          {},
+          h('a', { href: link('catalog', { by: it.name }) }, 'Cells of the catalog that it makes'),
+          ' · ',
+          h(
+            'a',
+            { href: link('theorems', { construction: it.name }) },
+            'Link to this construction',
+          ),
+        ),
       ),
       it.example && gallery.add(it.example),
     ),
@@ -172,19 +257,40 @@ export const theorems: Page = {
   path: 'theorems',
   title: 'Theorems',
   async render(view: View) {
-    const wanted = { theorem: view.params.get('theorem'), construction: view.params.get('construction'), reference: view.params.get('reference') };
+    const wanted = {
+      theorem: view.params.get('theorem'),
+      construction: view.params.get('construction'),
+      reference: view.params.get('reference'),
+    };
     let answers: [Theorem[], Construction[]];
     try {
-      answers = await waiting(Promise.all([ask(view.signal), constructions(view.signal)]), view.signal, () => fill(view.root, h('h1', {}, 'Theorems and constructions'), h('p', { class: 'hint' }, 'Asking…')));
+      answers = await waiting(
+        Promise.all([ask(view.signal), constructions(view.signal)]),
+        view.signal,
+        () =>
+          fill(
+            view.root,
+            h('h1', {}, 'Theorems and constructions'),
+            h('p', { class: 'hint' }, 'Asking…'),
+          ),
+      );
     } catch (fault) {
       fill(view.root, h('h1', {}, 'Theorems and constructions'), problem(fault));
       return;
     }
     const [proved, built] = answers;
     const gallery = new Gallery(view.signal);
-    const articles = built.map((each) => construction(each, gallery, each.name === wanted.construction));
+    const articles = built.map((each) =>
+      construction(each, gallery, each.name === wanted.construction),
+    );
     const found = h('p', { class: 'hint', role: 'status' });
-    const filter = h('input', { type: 'search', id: 'filter', value: view.params.get('find') ?? '', placeholder: 'cyclic, expansion, m = 1', oninput: () => sift(true) });
+    const filter = h('input', {
+      type: 'search',
+      id: 'filter',
+      value: view.params.get('find') ?? '',
+      placeholder: 'cyclic, expansion, m = 1',
+      oninput: () => sift(true),
+    });
 
     function sift(tell: boolean): void {
       const words = filter.value.toLowerCase().split(/\s+/).filter(Boolean);
@@ -195,7 +301,14 @@ export const theorems: Page = {
         articles[i]!.hidden = !shows;
         left += shows ? 1 : 0;
       });
-      fill(found, words.length === 0 ? count(built.length, 'construction') : left === 0 ? 'No construction says that. Try fewer words.' : `${left} of ${count(built.length, 'construction')}`);
+      fill(
+        found,
+        words.length === 0
+          ? count(built.length, 'construction')
+          : left === 0
+            ? 'No construction says that. Try fewer words.'
+            : `${left} of ${count(built.length, 'construction')}`,
+      );
       if (tell) {
         view.go({ find: filter.value.trim() || null }, { quiet: true });
       }
@@ -203,23 +316,54 @@ export const theorems: Page = {
     sift(false);
     const stated = proved.map((each) => theorem(each, gallery, each.number === wanted.theorem));
     const anchored = Boolean(wanted.theorem ?? wanted.construction ?? wanted.reference);
-    const statements = piecewise(stated.map(({ write }) => write), anchored ? stated.length : 3, view.signal);
+    const statements = piecewise(
+      stated.map(({ write }) => write),
+      anchored ? stated.length : 3,
+      view.signal,
+    );
     const missing =
-      (wanted.theorem && !proved.some((each) => each.number === wanted.theorem) && `There is no Theorem ${wanted.theorem} here.`) ||
-      (wanted.construction && !built.some((each) => each.name === wanted.construction) && `There is no construction “${wanted.construction}” here.`);
+      (wanted.theorem &&
+        !proved.some((each) => each.number === wanted.theorem) &&
+        `There is no Theorem ${wanted.theorem} here.`) ||
+      (wanted.construction &&
+        !built.some((each) => each.name === wanted.construction) &&
+        `There is no construction “${wanted.construction}” here.`);
 
     const jump = (words: Child[], id: string, to: string): HTMLElement =>
-      h('li', {}, h('a', { href: to, 'data-part': id, onclick: (event) => {
-        // The page is there already: no need to draw it anew.
-        event.preventDefault();
-        view.go({ theorem: null, construction: null, reference: null, ...Object.fromEntries(new URLSearchParams(to.split('?')[1] ?? '')) }, { quiet: true });
-        statements.rest(); // What is above has its height then.
-        const target = document.getElementById(id);
-        // At once: on a way through statements that are drawn as they pass, the end would move.
-        target?.scrollIntoView({ block: 'start', behavior: 'instant' });
-        target?.focus({ preventScroll: true });
-        requestAnimationFrame(() => target?.scrollIntoView({ block: 'start', behavior: 'instant' }));
-      } }, words));
+      h(
+        'li',
+        {},
+        h(
+          'a',
+          {
+            href: to,
+            'data-part': id,
+            onclick: (event) => {
+              // The page is there already: no need to draw it anew.
+              event.preventDefault();
+              view.go(
+                {
+                  theorem: null,
+                  construction: null,
+                  reference: null,
+                  ...Object.fromEntries(new URLSearchParams(to.split('?')[1] ?? '')),
+                },
+                { quiet: true },
+              );
+              statements.rest(); // What is above has its height then.
+              const target = document.getElementById(id);
+              // At once: on a way through statements that are drawn as they pass, the end would
+              // move.
+              target?.scrollIntoView({ block: 'start', behavior: 'instant' });
+              target?.focus({ preventScroll: true });
+              requestAnimationFrame(() =>
+                target?.scrollIntoView({ block: 'start', behavior: 'instant' }),
+              );
+            },
+          },
+          words,
+        ),
+      );
     const contents = h(
       'nav',
       { class: 'contents', 'aria-label': 'Contents' },
@@ -227,14 +371,34 @@ export const theorems: Page = {
         'details',
         { open: window.innerWidth > 900 },
         h('summary', {}, 'Contents'),
-        h('ul', {}, proved.map((each) => jump([h('strong', {}, each.number), ' ', ...line(each.title)], `theorem-${each.number}`, link('theorems', { theorem: each.number }))), jump([h('strong', {}, 'Constructions')], 'constructions', link('theorems')), jump([h('strong', {}, 'References')], 'references', link('theorems'))),
+        h(
+          'ul',
+          {},
+          proved.map((each) =>
+            jump(
+              [h('strong', {}, each.number), ' ', ...line(each.title)],
+              `theorem-${each.number}`,
+              link('theorems', { theorem: each.number }),
+            ),
+          ),
+          jump([h('strong', {}, 'Constructions')], 'constructions', link('theorems')),
+          jump([h('strong', {}, 'References')], 'references', link('theorems')),
+        ),
       ),
     );
-    const folds = h('button', { type: 'button', class: 'plain small', onclick: () => {
-      const open = articles.some((each) => !each.hidden && !each.open);
-      articles.filter((each) => !each.hidden).forEach((each) => (each.open = open));
-      folds.textContent = open ? 'Collapse all' : 'Expand all';
-    } }, 'Expand all');
+    const folds = h(
+      'button',
+      {
+        type: 'button',
+        class: 'plain small',
+        onclick: () => {
+          const open = articles.some((each) => !each.hidden && !each.open);
+          articles.filter((each) => !each.hidden).forEach((each) => (each.open = open));
+          folds.textContent = open ? 'Collapse all' : 'Expand all';
+        },
+      },
+      'Expand all',
+    );
     fill(
       view.root,
       h('h1', {}, 'Theorems and constructions'),
@@ -246,14 +410,48 @@ export const theorems: Page = {
         h(
           'div',
           {},
-          h('p', {}, 'These theorems go beyond the published ones; each has its proof. Below them stand all constructions of the program. SCCD(v, k) and DCCD(v, k) are the single-change and double-change covering designs on v elements in blocks of k.'),
+          h(
+            'p',
+            {},
+            'These theorems go beyond the published ones; each has its proof. Below them stand ' +
+              'all constructions of the program. SCCD(v, k) and DCCD(v, k) are the ' +
+              'single-change and double-change covering designs on v elements in blocks of k.',
+          ),
           h('h2', {}, 'Theorems'),
           stated.map(({ element }) => element),
           h('h2', { id: 'constructions', tabindex: -1 }, 'Constructions'),
-          h('div', { class: 'row' }, h('div', { class: 'field' }, h('label', { for: filter.id }, 'Find a construction'), filter), folds, found),
+          h(
+            'div',
+            { class: 'row' },
+            h(
+              'div',
+              { class: 'field' },
+              h('label', { for: filter.id }, 'Find a construction'),
+              filter,
+            ),
+            folds,
+            found,
+          ),
           h('div', { class: 'constructions' }, articles),
           h('h2', { id: 'references', tabindex: -1 }, 'References'),
-          h('ul', { class: 'references' }, cited.map(([key, text, url]) => h('li', { id: `reference-${key}`, class: key === wanted.reference ? 'statement chosen' : null, tabindex: -1 }, h('span', { class: 'code' }, `[${key}]`), ' ', text, url && [' ', h('a', { href: url, rel: 'noreferrer' }, url.replace('https://', ''))]))),
+          h(
+            'ul',
+            { class: 'references' },
+            cited.map(([key, text, url]) =>
+              h(
+                'li',
+                {
+                  id: `reference-${key}`,
+                  class: key === wanted.reference ? 'statement chosen' : null,
+                  tabindex: -1,
+                },
+                h('span', { class: 'code' }, `[${key}]`),
+                ' ',
+                text,
+                url && [' ', h('a', { href: url, rel: 'noreferrer' }, url.replace('https://', ''))],
+              ),
+            ),
+          ),
         ),
       ),
     );

@@ -21,7 +21,10 @@ const longestViewed = 2_000_000;
 /** A file that was chosen is there when one comes back to the page, but not after a reload. */
 let file: File | null = null;
 
-function designOf({ blocks: { v, k, b, change, kind, strength, labels, blocks }, answer }: Report): Design {
+function designOf({
+  blocks: { v, k, b, change, kind, strength, labels, blocks },
+  answer,
+}: Report): Design {
   const list = Array.from({ length: b }, (_, i) => [...blocks.subarray(i * k, (i + 1) * k)]);
   return {
     format: 'changeover-design/1',
@@ -43,7 +46,11 @@ async function firstText(view: View): Promise<string> {
   }
   const word = view.params.get('text');
   const linked = word ? await unpack(word) : null;
-  return typeof linked === 'string' ? linked : view.params.has('pasted') || view.params.has('kept') ? (keptText() ?? '') : '';
+  return typeof linked === 'string'
+    ? linked
+    : view.params.has('pasted') || view.params.has('kept')
+      ? (keptText() ?? '')
+      : '';
 }
 
 async function render(view: View): Promise<void> {
@@ -71,8 +78,10 @@ async function render(view: View): Promise<void> {
     placeholder: 'as in the file',
     onchange: () => view.go({ v: v.value }, { quiet: true }),
   });
-  const change = select(view.params.get('change') ?? '', [['', 'as in the file'], ...changes], (value) =>
-    view.go({ change: value }, { quiet: true }),
+  const change = select(
+    view.params.get('change') ?? '',
+    [['', 'as in the file'], ...changes],
+    (value) => view.go({ change: value }, { quiet: true }),
   );
   const kind = select(view.params.get('kind') ?? '', [['', 'as in the file'], ...kinds], (value) =>
     view.go({ kind: value as Kind }, { quiet: true }),
@@ -92,7 +101,12 @@ async function render(view: View): Promise<void> {
     chosen.hidden = false;
     fill(
       chosen,
-      h('p', {}, h('strong', {}, content.name), `, ${bytes(content.size)}: too long to be shown here, and checked all the same.`),
+      h(
+        'p',
+        {},
+        h('strong', {}, content.name),
+        `, ${bytes(content.size)}: too long to be shown here, and checked all the same.`,
+      ),
       h('button', { type: 'button', class: 'plain', onclick: () => show('') }, 'Take it away'),
     );
   }
@@ -111,7 +125,12 @@ async function render(view: View): Promise<void> {
       keepText(content);
     }
     view.go(
-      { example: example?.name ?? null, text: short ? word : null, kept: example || short ? null : 1, pasted: null },
+      {
+        example: example?.name ?? null,
+        text: short ? word : null,
+        kept: example || short ? null : 1,
+        pasted: null,
+      },
       { quiet: true },
     );
   }
@@ -119,7 +138,15 @@ async function render(view: View): Promise<void> {
   async function run(): Promise<void> {
     const body = file ?? text.value;
     if (typeof body === 'string' && body.trim() === '') {
-      fill(result, problem(new Error('There is nothing to check yet: paste a design, choose a file, or take one of the examples.')));
+      fill(
+        result,
+        problem(
+          new Error(
+            'There is nothing to check yet: paste a design, choose a file, or take one of the ' +
+              'examples.',
+          ),
+        ),
+      );
       text.focus();
       return;
     }
@@ -141,7 +168,10 @@ async function render(view: View): Promise<void> {
       if (typeof body === 'string') {
         await remember(body);
       }
-      const report = await check({ url: address('verify', { v: v.value, change: change.value, kind: kind.value }), body }, mine.signal);
+      const report = await check(
+        { url: address('verify', { v: v.value, change: change.value, kind: kind.value }), body },
+        mine.signal,
+      );
       fill(
         result,
         headline(report),
@@ -151,7 +181,13 @@ async function render(view: View): Promise<void> {
           'div',
           { class: 'verify-parts' },
           report.blocks.shown ? blockList(report, view) : defects(report),
-          h('div', {}, report.answer.valid && citation(report, mine.signal), facts(report), elementTable(report)),
+          h(
+            'div',
+            {},
+            report.answer.valid && citation(report, mine.signal),
+            facts(report),
+            elementTable(report),
+          ),
         ),
       );
     } catch (fault) {
@@ -172,7 +208,12 @@ async function render(view: View): Promise<void> {
     const given = designOf(report);
     return repairOffer(
       {
-        query: { v: v.value, change: report.blocks.change, kind: report.blocks.kind, ...(report.blocks.strength === 2 ? {} : { strength: report.blocks.strength }) },
+        query: {
+          v: v.value,
+          change: report.blocks.change,
+          kind: report.blocks.kind,
+          ...(report.blocks.strength === 2 ? {} : { strength: report.blocks.strength }),
+        },
         body,
         blocks: given.blocks,
         name: (x) => given.labels?.[x] ?? String(x),
@@ -202,7 +243,11 @@ async function render(view: View): Promise<void> {
         typeof body === 'string' &&
         h(
           'button',
-          { type: 'button', class: 'plain', onclick: () => (text.focus(), text.setSelectionRange(...lineRange(text.value, line))) },
+          {
+            type: 'button',
+            class: 'plain',
+            onclick: () => (text.focus(), text.setSelectionRange(...lineRange(text.value, line))),
+          },
           `Go to line ${line} in the text`,
         ),
     );
@@ -245,14 +290,23 @@ async function render(view: View): Promise<void> {
         report.blocks.blocks.length <= longestViewed &&
         h(
           'a',
-          { class: 'button plain', href: link('design', { local: 1 }), onclick: () => keepLocal(designOf(report)) },
+          {
+            class: 'button plain',
+            href: link('design', { local: 1 }),
+            onclick: () => keepLocal(designOf(report)),
+          },
           'Open in the viewer',
         ),
       h(
         'a',
         {
           class: 'button plain',
-          href: link('cell', { v: report.blocks.v, k: report.blocks.k, change: report.blocks.change, kind: report.blocks.kind }),
+          href: link('cell', {
+            v: report.blocks.v,
+            k: report.blocks.k,
+            change: report.blocks.change,
+            kind: report.blocks.kind,
+          }),
         },
         'What is known for these parameters',
       ),
@@ -268,7 +322,8 @@ async function render(view: View): Promise<void> {
                 'span',
                 { class: 'hint' },
                 write
-                  ? 'To add it to your catalog, open the address that changeover serve printed, with its token.'
+                  ? 'To add it to your catalog, open the address that changeover serve ' +
+                      'printed, with its token.'
                   : 'This server was started with --no-write: it adds nothing to a catalog.',
               ),
             );
@@ -311,7 +366,9 @@ async function render(view: View): Promise<void> {
       h(
         'p',
         { class: 'hint' },
-        'One block per line, JSON, CSV, GAP, Sage, designtheory.org or the La Jolla repository: the format is recognised. You can drop a file here. If the text does not say it, the change number is that of the first step, and the design is linear.',
+        'One block per line, JSON, CSV, GAP, Sage, designtheory.org or the La Jolla ' +
+          'repository: the format is recognised. You can drop a file here. If the text does ' +
+          'not say it, the change number is that of the first step, and the design is linear.',
       ),
     ),
     h(
@@ -321,7 +378,11 @@ async function render(view: View): Promise<void> {
       field('Change number', change),
       field('Kind', kind),
       go,
-      h('button', { type: 'button', class: 'plain', onclick: () => pick.click() }, 'Choose a file …'),
+      h(
+        'button',
+        { type: 'button', class: 'plain', onclick: () => pick.click() },
+        'Choose a file …',
+      ),
       pick,
     ),
   );
@@ -336,13 +397,20 @@ async function render(view: View): Promise<void> {
     h(
       'p',
       {},
-      'Is a list of blocks a change covering design, and of what quality? Every pair of elements must be in some block, and every step to the next block must change exactly m elements.',
+      'Is a list of blocks a change covering design, and of what quality? Every pair of ' +
+        'elements must be in some block, and every step to the next block must change exactly ' +
+        'm elements.',
     ),
     h(
       'p',
       { class: 'examples' },
       'Try ',
-      examples.map(({ name, title }, i) => [i === 0 ? '' : ', ', h('a', { href: link('verify', { example: name }) }, title)]).flat(),
+      examples
+        .map(({ name, title }, i) => [
+          i === 0 ? '' : ', ',
+          h('a', { href: link('verify', { example: name }) }, title),
+        ])
+        .flat(),
       '.',
     ),
     drop,

@@ -14,7 +14,13 @@ export function cellOf(params: URLSearchParams): Cell | null {
     return null;
   }
   const strength = whole(params.get('strength'));
-  return { v, k, change, kind: kind as Kind, ...(strength !== null && strength !== 2 ? { strength } : {}) };
+  return {
+    v,
+    k,
+    change,
+    kind: kind as Kind,
+    ...(strength !== null && strength !== 2 ? { strength } : {}),
+  };
 }
 
 export function askedOf(params: URLSearchParams): Asked | null {
@@ -35,5 +41,13 @@ export function askedOf(params: URLSearchParams): Asked | null {
 
 /** What a key press is not for the page: it goes to a field, or has Ctrl, Alt or Meta with it. */
 export function busyKey(event: KeyboardEvent, also = ''): boolean {
-  return event.ctrlKey || event.altKey || event.metaKey || event.defaultPrevented || (event.target instanceof Element && event.target.closest(`input, select, textarea, [role="tab"], .scroll, .virtual${also}`) !== null);
+  return (
+    event.ctrlKey ||
+    event.altKey ||
+    event.metaKey ||
+    event.defaultPrevented ||
+    (event.target instanceof Element &&
+      event.target.closest(`input, select, textarea, [role="tab"], .scroll, .virtual${also}`) !==
+        null)
+  );
 }

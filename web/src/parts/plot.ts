@@ -1,4 +1,5 @@
-// A plot of a few lines: uPlot in the page's colours, as wide as its place, with a table of the numbers for those who do not see it.
+// A plot of a few lines: uPlot in the page's colours, as wide as its place, with a table of the
+// numbers for those who do not see it.
 import uPlot from 'uplot';
 import { h } from '../lib/dom';
 import { withTheme } from '../shell/theme';
@@ -45,9 +46,13 @@ function colour(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 
-const wholeSteps = Array.from({ length: 27 }, (_, i) => [1, 2, 5][i % 3]! * 10 ** Math.floor(i / 3));
+const wholeSteps = Array.from(
+  { length: 27 },
+  (_, i) => [1, 2, 5][i % 3]! * 10 ** Math.floor(i / 3),
+);
 
-const short = (value: number) => (Math.abs(value) >= 1e6 ? value.toPrecision(3).replace('+', '') : String(+value.toPrecision(6)));
+const short = (value: number) =>
+  Math.abs(value) >= 1e6 ? value.toPrecision(3).replace('+', '') : String(+value.toPrecision(6));
 
 export function plot(options: PlotOptions): Plot {
   const { label, height = 280, signal } = options;
@@ -85,14 +90,30 @@ export function plot(options: PlotOptions): Plot {
           x: { time: false },
           y: options.fromZero ? { range: (_, __, most) => [0, most > 0 ? most * 1.05 : 1] } : {},
           ...(right
-            ? { right: { range: (_: uPlot, __: number, most: number) => [0, most > 0 ? most * 1.05 : 1] as [number, number] } }
+            ? {
+                right: {
+                  range: (_: uPlot, __: number, most: number) =>
+                    [0, most > 0 ? most * 1.05 : 1] as [number, number],
+                },
+              }
             : {}),
         },
         cursor: { drag: { x: false, y: false } },
         legend: { live: true },
         axes: [
-          { ...axis, label: options.x, size: 34, values: (_, ticks) => ticks.map((tick) => (options.xText ?? short)(tick)) },
-          { ...axis, label: options.y, size: 62, values: (_, ticks) => ticks.map(yText), ...(options.whole ? { incrs: wholeSteps } : {}) },
+          {
+            ...axis,
+            label: options.x,
+            size: 34,
+            values: (_, ticks) => ticks.map((tick) => (options.xText ?? short)(tick)),
+          },
+          {
+            ...axis,
+            label: options.y,
+            size: 62,
+            values: (_, ticks) => ticks.map(yText),
+            ...(options.whole ? { incrs: wholeSteps } : {}),
+          },
           ...(right
             ? [
                 {
@@ -118,7 +139,8 @@ export function plot(options: PlotOptions): Plot {
             pxAlign: 0,
             ...(line.dash ? { dash: line.dash } : {}),
             ...(line.steps ? { paths: uPlot.paths.stepped!({ align: 1 }) } : {}),
-            value: (_: uPlot, y: number | null) => (y === null ? '' : (line.right ? rightText : yText)(y)),
+            value: (_: uPlot, y: number | null) =>
+              y === null ? '' : (line.right ? rightText : yText)(y),
           })),
         ],
         hooks: {

@@ -8,11 +8,15 @@ import { badge } from './status';
 
 /** "circular DCCD(61,4)" */
 export function shortName(cell: { v: number; k: number; change: number; kind: string }): string {
-  const family = cell.change === 1 ? 'SCCD' : cell.change === 2 ? 'DCCD' : `${cell.change}-change design `;
+  const family =
+    cell.change === 1 ? 'SCCD' : cell.change === 2 ? 'DCCD' : `${cell.change}-change design `;
   return `${cell.kind} ${family}(${cell.v},${cell.k})`;
 }
 
-/** Plain text with mathematics as the program writes it (`2*n_j >= 3k`), with theorems and works as links. */
+/**
+ * Plain text with mathematics as the program writes it (`2*n_j >= 3k`), with theorems and works as
+ * links.
+ */
 export function reason(text: string): Child[] {
   return scholarly(text, (theorem) => link('theorems', { theorem }));
 }
@@ -20,7 +24,9 @@ export function reason(text: string): Child[] {
 /** A citation without its brackets. */
 export function citation(text: string): Child[] {
   const key = /^\[([A-Za-z]+\d{4}[a-z]?)((?:, [^\]]*)?)\]$/.exec(text);
-  return key ? [work(key[1]!, key[2])] : reason(text.startsWith('[') ? text.replace(/^\[|\]$/g, '') : text);
+  return key
+    ? [work(key[1]!, key[2])]
+    : reason(text.startsWith('[') ? text.replace(/^\[|\]$/g, '') : text);
 }
 
 function node(tree: TreeNode, depth: number): HTMLElement {
@@ -30,20 +36,62 @@ function node(tree: TreeNode, depth: number): HTMLElement {
     h(
       'p',
       {},
-      h('a', { href: link('cell', { v: tree.v, k: tree.k, change: tree.change, kind: tree.kind }) }, shortName(tree)),
+      h(
+        'a',
+        { href: link('cell', { v: tree.v, k: tree.k, change: tree.change, kind: tree.kind }) },
+        shortName(tree),
+      ),
       tree.verdict?.valid !== false && `, ${count(tree.b, 'block')} `,
       tree.verdict?.tight && h('span', { class: 'badge good' }, 'tight'),
       tree.verdict?.minimum === 'proved' && [' ', badge('minimum')],
     ),
-    h('p', {}, 'by ', h('a', { href: link('theorems', { construction: tree.construction }) }, h('strong', {}, tree.construction)), ': ', reason(tree.explanation)),
-    tree.citation && tree.citation !== '[elementary]' && h('p', { class: 'hint' }, citation(tree.citation)),
+    h(
+      'p',
+      {},
+      'by ',
+      h(
+        'a',
+        { href: link('theorems', { construction: tree.construction }) },
+        h('strong', {}, tree.construction),
+      ),
+      ': ',
+      reason(tree.explanation),
+    ),
+    tree.citation &&
+      tree.citation !== '[elementary]' &&
+      h('p', { class: 'hint' }, citation(tree.citation)),
   );
   if (tree.inputs.length === 0) {
     return h('li', {}, text);
   }
-  return h('li', {}, text, h('details', { open: depth < 6 }, h('summary', {}, tree.inputs.length === 1 ? 'from one design' : `from ${number(tree.inputs.length)} designs`), h('ul', {}, tree.inputs.map((each) => node(each, depth + 1)))));
+  return h(
+    'li',
+    {},
+    text,
+    h(
+      'details',
+      { open: depth < 6 },
+      h(
+        'summary',
+        {},
+        tree.inputs.length === 1 ? 'from one design' : `from ${number(tree.inputs.length)} designs`,
+      ),
+      h(
+        'ul',
+        {},
+        tree.inputs.map((each) => node(each, depth + 1)),
+      ),
+    ),
+  );
 }
 
 export function recipeTree(tree: TreeNode): HTMLElement {
-  return h('ul', { class: 'recipe', 'aria-label': `How the ${tree.kind} ${changeWord(tree.change)} design is made` }, node(tree, 0));
+  return h(
+    'ul',
+    {
+      class: 'recipe',
+      'aria-label': `How the ${tree.kind} ${changeWord(tree.change)} design is made`,
+    },
+    node(tree, 0),
+  );
 }

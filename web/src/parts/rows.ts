@@ -26,7 +26,10 @@ export function rows<T>(draw: (item: T) => HTMLTableRowElement, signal: AbortSig
     more.hidden = shown >= waiting.length;
     button.textContent = `More rows (${shown} of ${waiting.length} shown)`;
   }
-  const watcher = new IntersectionObserver((seen) => seen.some((each) => each.isIntersecting) && add(), { rootMargin: '200px' });
+  const watcher = new IntersectionObserver(
+    (seen) => seen.some((each) => each.isIntersecting) && add(),
+    { rootMargin: '200px' },
+  );
   watcher.observe(more);
   signal.addEventListener('abort', () => watcher.disconnect());
   return {

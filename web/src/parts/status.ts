@@ -2,7 +2,9 @@
 import { h } from '../lib/dom';
 
 const meanings: Record<string, string> = {
-  minimum: 'No design with these parameters has fewer blocks: the number of blocks is a proved lower bound.',
+  minimum:
+    'No design with these parameters has fewer blocks: the number of blocks is a proved lower ' +
+    'bound.',
   'best-known': 'The best design known; one with fewer blocks may exist.',
   impossible: 'There is no design with these parameters.',
   open: 'No design is known, and none is excluded.',
@@ -17,5 +19,9 @@ export const statuses: readonly (readonly [string, string])[] = [
 ];
 
 export function badge(status: string): HTMLElement {
-  return h('span', { class: `badge ${status.replace(/[^a-z]/g, '-')}`, title: meanings[status] ?? null }, status.replace('-', ' '));
+  return h(
+    'span',
+    { class: `badge ${status.replace(/[^a-z]/g, '-')}`, title: meanings[status] ?? null },
+    status.replace('-', ' '),
+  );
 }

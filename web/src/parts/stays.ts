@@ -26,14 +26,26 @@ export class Choice {
 
   /** A first element, a second to it; one that is chosen already goes; a third starts again. */
   toggle(x: number): void {
-    this.choose(this.elements.includes(x) ? this.elements.filter((each) => each !== x) : this.elements.length === 2 ? [x] : [...this.elements, x]);
+    this.choose(
+      this.elements.includes(x)
+        ? this.elements.filter((each) => each !== x)
+        : this.elements.length === 2
+          ? [x]
+          : [...this.elements, x],
+    );
   }
 
   choose(elements: number[]): void {
     this.elements = elements;
     this.remember();
     this.tell();
-    announce(elements.length === 0 ? 'Nothing selected' : elements.length === 1 ? `${this.name(elements[0]!)} selected` : `Pair ${elements.map((x) => this.name(x)).join(', ')} selected`);
+    announce(
+      elements.length === 0
+        ? 'Nothing selected'
+        : elements.length === 1
+          ? `${this.name(elements[0]!)} selected`
+          : `Pair ${elements.map((x) => this.name(x)).join(', ')} selected`,
+    );
   }
 
   setRange(range: { from: number; to: number } | null): void {
@@ -91,7 +103,7 @@ export class Stays {
   shared(x: number, y: number): [number, number][] {
     const [a, b] = [this.list[x]!, this.list[y]!];
     const found: [number, number][] = [];
-    for (let i = 0, j = 0; i < a.length && j < b.length; ) {
+    for (let i = 0, j = 0; i < a.length && j < b.length;) {
       const from = Math.max(a[i]![0], b[j]![0]);
       const to = Math.min(a[i]![1], b[j]![1]);
       if (from <= to) {

@@ -8,17 +8,35 @@ export interface Tab {
   draw(panel: HTMLElement, signal: AbortSignal): void;
 }
 
-export function tabs(label: string, all: readonly Tab[], start: string, signal: AbortSignal, chosen: (name: string) => void): HTMLElement {
+export function tabs(
+  label: string,
+  all: readonly Tab[],
+  start: string,
+  signal: AbortSignal,
+  chosen: (name: string) => void,
+): HTMLElement {
   let leaving = new AbortController();
   signal.addEventListener('abort', () => leaving.abort());
   const panel = h('div', { role: 'tabpanel', id: 'panel', tabindex: -1 });
-  const buttons = all.map((tab) => h('button', { type: 'button', role: 'tab', id: `tab-${tab.name}`, 'aria-controls': panel.id, onclick: (event) => {
-    open(tab, true);
-    // Who points does not walk through the tabs by keys: keys are the panel's.
-    if ((event as MouseEvent).detail > 0) {
-      panel.focus({ preventScroll: true });
-    }
-  } }, tab.title));
+  const buttons = all.map((tab) =>
+    h(
+      'button',
+      {
+        type: 'button',
+        role: 'tab',
+        id: `tab-${tab.name}`,
+        'aria-controls': panel.id,
+        onclick: (event) => {
+          open(tab, true);
+          // Who points does not walk through the tabs by keys: keys are the panel's.
+          if ((event as MouseEvent).detail > 0) {
+            panel.focus({ preventScroll: true });
+          }
+        },
+      },
+      tab.title,
+    ),
+  );
 
   function open(tab: Tab, tell: boolean): void {
     leaving.abort();
@@ -41,7 +59,9 @@ export function tabs(label: string, all: readonly Tab[], start: string, signal: 
       'aria-label': label,
       onkeydown: (event) => {
         const now = buttons.indexOf(document.activeElement as HTMLButtonElement);
-        const to = { ArrowRight: now + 1, ArrowLeft: now - 1, Home: 0, End: buttons.length - 1 }[(event as KeyboardEvent).key];
+        const to = { ArrowRight: now + 1, ArrowLeft: now - 1, Home: 0, End: buttons.length - 1 }[
+          (event as KeyboardEvent).key
+        ];
         if (now >= 0 && to !== undefined) {
           event.preventDefault();
           const i = (to + buttons.length) % buttons.length;

@@ -1,4 +1,5 @@
-// A design at a glance: a row for each element, in the order of their first blocks, a bar for each stay.
+// A design at a glance: a row for each element, in the order of their first blocks, a bar for each
+// stay.
 import type { Design } from '../lib/api';
 import { token } from '../lib/canvas';
 import { h } from '../lib/dom';
@@ -23,9 +24,19 @@ export function byFirst(blocks: readonly (readonly number[])[], v: number): numb
   return order;
 }
 
-export function thumbnail({ v, blocks }: Pick<Design, 'v' | 'blocks'>, words: string, signal: AbortSignal): HTMLCanvasElement {
+export function thumbnail(
+  { v, blocks }: Pick<Design, 'v' | 'blocks'>,
+  words: string,
+  signal: AbortSignal,
+): HTMLCanvasElement {
   const [width, height] = [520, 320];
-  const canvas = h('canvas', { width, height, class: 'thumbnail', role: 'img', 'aria-label': words });
+  const canvas = h('canvas', {
+    width,
+    height,
+    class: 'thumbnail',
+    role: 'img',
+    'aria-label': words,
+  });
   const row = new Int32Array(v);
   byFirst(blocks, v).forEach((x, i) => (row[x] = i));
   function draw(): void {

@@ -1,5 +1,6 @@
-// Stays over time, as a profiler shows them: a row for each element or item, a bar for each time that it is there. Zoomed, panned and brushed; the strip above
-// has the whole design and the part that is in sight.
+// Stays over time, as a profiler shows them: a row for each element or item, a bar for each time
+// that it is there. Zoomed, panned and brushed; the strip above has the whole design and the part
+// that is in sight.
 import { inkOn } from '../lib/colours';
 import { clear, placeTip, resize, stride, token } from '../lib/canvas';
 import { h } from '../lib/dom';
@@ -31,16 +32,29 @@ const left = 64;
 const axis = 24;
 const widest = 40;
 
-export function timeline(steps: TimelineData, chosen: Choice, first: readonly number[], signal: AbortSignal): Timeline {
+export function timeline(
+  steps: TimelineData,
+  chosen: Choice,
+  first: readonly number[],
+  signal: AbortSignal,
+): Timeline {
   const { v, b, stays } = steps;
   const canvas = h('canvas', {
     class: 'timeline-canvas',
     tabindex: 0,
     role: 'application',
     'aria-roledescription': 'timeline',
-    'aria-label': `${v} ${steps.item}s over ${b} ${steps.step}s. Up and down choose one, left and right move, plus and minus zoom, 0 shows everything. Enter selects.`,
+    'aria-label':
+      `${v} ${steps.item}s over ${b} ${steps.step}s. Up and down choose one, left ` +
+      `and right move, plus and minus zoom, 0 shows everything. Enter selects.`,
   });
-  const strip = h('canvas', { class: 'timeline-strip', role: 'img', 'aria-label': 'From the first step to the last: how many pairs have met, and the part in sight. Drag to choose a part.' });
+  const strip = h('canvas', {
+    class: 'timeline-strip',
+    role: 'img',
+    'aria-label':
+      'From the first step to the last: how many pairs have met, and the part in sight. Drag ' +
+      'to choose a part.',
+  });
   const tip = h('div', { class: 'atlas-tip', hidden: true });
   const place = h('div', { class: 'timeline-place' }, canvas, tip);
   const element = h('div', { class: 'timeline' }, strip, place);
@@ -83,7 +97,9 @@ export function timeline(steps: TimelineData, chosen: Choice, first: readonly nu
   }
   function tellRange(): void {
     const whole = scale <= least() * 1.001;
-    chosen.setRange(whole ? null : { from: Math.floor(at) + 1, to: Math.min(b, Math.ceil(at + room() / scale)) });
+    chosen.setRange(
+      whole ? null : { from: Math.floor(at) + 1, to: Math.min(b, Math.ceil(at + room() / scale)) },
+    );
   }
 
   function draw(): void {
@@ -91,7 +107,15 @@ export function timeline(steps: TimelineData, chosen: Choice, first: readonly nu
       return;
     }
     clear(pen, width, height);
-    const [kept, fresh, faint, line, text, mark, leave] = ['--met', '--accent', '--faint', '--line', '--text', '--mark', '--leave'].map(token) as [string, string, string, string, string, string, string];
+    const [kept, fresh, faint, line, text, mark, leave] = [
+      '--met',
+      '--accent',
+      '--faint',
+      '--line',
+      '--text',
+      '--mark',
+      '--leave',
+    ].map(token) as [string, string, string, string, string, string, string];
     const [a, z] = [Math.floor(at) + 1, Math.min(b, Math.ceil(at + room() / scale))];
     const x = (block: number): number => left + (block - 1 - at) * scale;
     const picked = chosen.elements;
@@ -201,7 +225,12 @@ export function timeline(steps: TimelineData, chosen: Choice, first: readonly nu
       thin.beginPath();
       thin.moveTo(left, high);
       for (let i = 0; i <= room(); i += 2) {
-        thin.lineTo(left + i, high - ((high - 4) * steps.pairs[Math.min(b, Math.round((i / room()) * b))]!) / Math.max(1, steps.allPairs));
+        thin.lineTo(
+          left + i,
+          high -
+            ((high - 4) * steps.pairs[Math.min(b, Math.round((i / room()) * b))]!) /
+              Math.max(1, steps.allPairs),
+        );
       }
       thin.lineTo(left + room(), high);
       thin.fill();
@@ -210,7 +239,12 @@ export function timeline(steps: TimelineData, chosen: Choice, first: readonly nu
     for (const each of chosen.elements) {
       thin.fillStyle = token('--mark');
       for (const [from, to] of stays.of(each)) {
-        thin.fillRect(left + ((from - 1) / b) * room(), chosen.elements.indexOf(each) * 6, Math.max(1, ((to - from + 1) / b) * room()), 4);
+        thin.fillRect(
+          left + ((from - 1) / b) * room(),
+          chosen.elements.indexOf(each) * 6,
+          Math.max(1, ((to - from + 1) / b) * room()),
+          4,
+        );
       }
     }
     thin.fillStyle = faint;
@@ -218,7 +252,10 @@ export function timeline(steps: TimelineData, chosen: Choice, first: readonly nu
     thin.textBaseline = 'middle';
     thin.fillText('pairs', 8, high / 2 - 7);
     thin.fillText('met', 8, high / 2 + 7);
-    const [from, to] = [left + (at / b) * room(), left + (Math.min(b, at + room() / scale) / b) * room()];
+    const [from, to] = [
+      left + (at / b) * room(),
+      left + (Math.min(b, at + room() / scale) / b) * room(),
+    ];
     thin.fillStyle = token('--text');
     thin.globalAlpha = 0.13;
     thin.fillRect(left, 0, from - left, high);
@@ -244,7 +281,11 @@ export function timeline(steps: TimelineData, chosen: Choice, first: readonly nu
     const [px, py] = [event.clientX - box.left, event.clientY - box.top];
     const block = Math.floor(at + (px - left) / scale) + 1;
     const i = Math.floor(top + (py - axis) / row);
-    return py < axis || i < 0 || i >= v || block < 1 || block > b || px < left ? (px < left && i >= 0 && i < v && py >= axis ? { x: rows[i]!, block: 0 } : null) : { x: rows[i]!, block };
+    return py < axis || i < 0 || i >= v || block < 1 || block > b || px < left
+      ? px < left && i >= 0 && i < v && py >= axis
+        ? { x: rows[i]!, block: 0 }
+        : null
+      : { x: rows[i]!, block };
   }
 
   let down: { x: number; y: number; at: number; top: number } | null = null;
@@ -273,7 +314,13 @@ export function timeline(steps: TimelineData, chosen: Choice, first: readonly nu
     tip.hidden = !pointed;
     if (pointed) {
       const stay = stays.at(pointed.x, pointed.block);
-      placeTip(tip, canvas, event, `${steps.names[pointed.x]}, ${steps.step} ${number(pointed.block)}: ${stay ? `stays from ${number(stay[0])} to ${number(stay[1])}` : 'not there'}`);
+      placeTip(
+        tip,
+        canvas,
+        event,
+        `${steps.names[pointed.x]}, ${steps.step} ${number(pointed.block)}: ` +
+          `${stay ? `stays from ${number(stay[0])} to ${number(stay[1])}` : 'not there'}`,
+      );
     }
     later();
   });
@@ -296,7 +343,10 @@ export function timeline(steps: TimelineData, chosen: Choice, first: readonly nu
     (event) => {
       if (event.ctrlKey || event.metaKey) {
         event.preventDefault();
-        zoomAt(Math.exp(-event.deltaY * 0.0025 * (event.deltaMode === 1 ? 20 : 1)), event.clientX - canvas.getBoundingClientRect().left);
+        zoomAt(
+          Math.exp(-event.deltaY * 0.0025 * (event.deltaMode === 1 ? 20 : 1)),
+          event.clientX - canvas.getBoundingClientRect().left,
+        );
       } else if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
         event.preventDefault();
         at += (event.deltaX || event.deltaY) / scale;
@@ -347,7 +397,11 @@ export function timeline(steps: TimelineData, chosen: Choice, first: readonly nu
 
   // The strip: a drag chooses blocks, a click moves there.
   let brush: number | null = null;
-  const blockAt = (event: PointerEvent): number => Math.max(0, Math.min(b, ((event.clientX - strip.getBoundingClientRect().left - left) / room()) * b));
+  const blockAt = (event: PointerEvent): number =>
+    Math.max(
+      0,
+      Math.min(b, ((event.clientX - strip.getBoundingClientRect().left - left) / room()) * b),
+    );
   strip.addEventListener('pointerdown', (event) => {
     brush = blockAt(event);
     strip.setPointerCapture(event.pointerId);

@@ -1,7 +1,8 @@
 // A long list of which only the rows in sight exist.
 //
-// Rows are equally high. The list scrolls in a frame of its own, which takes the focus: arrow keys, Page Up and Down, Home and
-// End scroll it as any browser does. Screen readers are told each row's number and how many there are.
+// Rows are equally high. The list scrolls in a frame of its own, which takes the focus: arrow keys,
+// Page Up and Down, Home and End scroll it as any browser does. Screen readers are told each row's
+// number and how many there are.
 import { fill, h } from '../lib/dom';
 
 export interface VirtualList {
@@ -20,13 +21,20 @@ interface Options {
   row(i: number): HTMLElement;
 }
 
-/** Browsers lose elements higher than some 10 million pixels; longer lists are scrolled in proportion. */
+/**
+ * Browsers lose elements higher than some 10 million pixels; longer lists are scrolled in
+ * proportion.
+ */
 const highest = 8_000_000;
 
 export function virtualList({ label, rows, height = 28, row }: Options): VirtualList {
   const body = h('div', { class: 'virtual-rows' });
   const space = h('div', { class: 'virtual-space', role: 'list', 'aria-label': label }, body);
-  const element = h('div', { class: 'virtual', tabindex: 0, role: 'group', 'aria-label': label }, space);
+  const element = h(
+    'div',
+    { class: 'virtual', tabindex: 0, role: 'group', 'aria-label': label },
+    space,
+  );
   const total = Math.min(rows * height, highest);
   space.style.height = `${total}px`;
   let drawn = '';
@@ -35,7 +43,8 @@ export function virtualList({ label, rows, height = 28, row }: Options): Virtual
     const seen = element.clientHeight || 400;
     const travel = Math.max(1, total - seen);
     const realTravel = Math.max(0, rows * height - seen);
-    const top = total < rows * height ? (element.scrollTop / travel) * realTravel : element.scrollTop;
+    const top =
+      total < rows * height ? (element.scrollTop / travel) * realTravel : element.scrollTop;
     const from = Math.max(0, Math.floor(top / height) - 5);
     const to = Math.min(rows, Math.ceil((top + seen) / height) + 5);
     if (drawn !== `${from} ${to}`) {

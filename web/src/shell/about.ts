@@ -5,10 +5,15 @@ let known: Promise<About> | undefined;
 
 /** Where a static export has its files, relative to the page. */
 export function dataFolder(): string {
-  return document.querySelector<HTMLMetaElement>('meta[name="changeover-data"]')?.content ?? 'data/';
+  return (
+    document.querySelector<HTMLMetaElement>('meta[name="changeover-data"]')?.content ?? 'data/'
+  );
 }
 
-/** Whether these pages are a static export: they say so themselves (`<meta name="changeover-data" content="data/">`). */
+/**
+ * Whether these pages are a static export: they say so themselves (`<meta name="changeover-data"
+ * content="data/">`).
+ */
 export function isCopy(): boolean {
   return document.querySelector('meta[name="changeover-data"]') !== null;
 }
@@ -16,12 +21,18 @@ export function isCopy(): boolean {
 /** Asks the server, or `config.json` of the static export. */
 export function about(): Promise<About> {
   known ??= (async () => {
-    const answer = await fetch(isCopy() ? `${dataFolder()}config.json` : 'api/about').catch(() => null);
+    const answer = await fetch(isCopy() ? `${dataFolder()}config.json` : 'api/about').catch(
+      () => null,
+    );
     if (answer?.ok) {
       return (await answer.json()) as About;
     }
     known = undefined;
-    throw new Error(isCopy() ? 'This copy is not complete: data/config.json is missing.' : 'The server does not answer. Is `changeover serve` still running?');
+    throw new Error(
+      isCopy()
+        ? 'This copy is not complete: data/config.json is missing.'
+        : 'The server does not answer. Is `changeover serve` still running?',
+    );
   })();
   return known;
 }

@@ -13,8 +13,23 @@ export function whereThereIsAServer(page: Page): Page {
       fill(
         view.root,
         h('h1', {}, page.title),
-        h('p', { class: 'note' }, 'These pages are a static copy, and this one needs the program: install Changeover and run ', h('code', {}, 'changeover serve'), '; it opens the same pages with this one at work.'),
-        h('p', {}, 'The ', h('a', { href: link('catalog') }, 'catalog'), ' and the ', h('a', { href: link('theorems') }, 'theorems'), ' are here.'),
+        h(
+          'p',
+          { class: 'note' },
+          'These pages are a static copy, and this one needs the program: install Changeover ' +
+            'and run ',
+          h('code', {}, 'changeover serve'),
+          '; it opens the same pages with this one at work.',
+        ),
+        h(
+          'p',
+          {},
+          'The ',
+          h('a', { href: link('catalog') }, 'catalog'),
+          ' and the ',
+          h('a', { href: link('theorems') }, 'theorems'),
+          ' are here.',
+        ),
       );
     },
   };

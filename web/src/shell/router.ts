@@ -2,8 +2,8 @@
 //
 //     #/catalog?change=2&kind=linear
 //
-// A page draws itself from its parameters and changes them by `view.go`. It is drawn anew when the address changes in
-// any way that it did not ask for itself.
+// A page draws itself from its parameters and changes them by `view.go`. It is drawn anew when the
+// address changes in any way that it did not ask for itself.
 import { ApiError } from '../lib/api';
 import { fill, h } from '../lib/dom';
 
@@ -13,8 +13,14 @@ export interface View {
   readonly params: URLSearchParams;
   /** Aborted as soon as the page is left or drawn anew. */
   readonly signal: AbortSignal;
-  /** Changes the parameters given (null takes one away). The page is drawn anew unless `quiet`; a new entry of the history only if `push`. */
-  go(changes: Record<string, string | number | null>, how?: { quiet?: boolean; push?: boolean }): void;
+  /**
+   * Changes the parameters given (null takes one away). The page is drawn anew unless `quiet`; a
+   * new entry of the history only if `push`.
+   */
+  go(
+    changes: Record<string, string | number | null>,
+    how?: { quiet?: boolean; push?: boolean },
+  ): void;
 }
 
 export interface Page {
@@ -43,8 +49,13 @@ export function placeOf(fragment: string): Place {
   };
 }
 
-export function link(path: string, params: Record<string, string | number | null | undefined> = {}): string {
-  const pairs = Object.entries(params).filter(([, value]) => value !== null && value !== undefined && value !== '');
+export function link(
+  path: string,
+  params: Record<string, string | number | null | undefined> = {},
+): string {
+  const pairs = Object.entries(params).filter(
+    ([, value]) => value !== null && value !== undefined && value !== '',
+  );
   const text = new URLSearchParams(pairs.map(([name, value]) => [name, String(value)])).toString();
   return `#/${path}${text ? `?${text}` : ''}`;
 }
@@ -76,15 +87,26 @@ export class Router {
     this.leaving.abort();
     this.leaving = new AbortController();
     const { path, params } = placeOf(fragment);
-    const page = this.pages.find((each) => each.path === path) ?? (path === '' ? this.pages[0] : undefined);
+    const page =
+      this.pages.find((each) => each.path === path) ?? (path === '' ? this.pages[0] : undefined);
     if (!page) {
-      fill(this.root, h('h1', {}, 'No such page'), h('p', {}, `There is no page “${path}”. `, h('a', { href: link(this.pages[0]!.path) }, 'Go to the start page'), '.'));
+      fill(
+        this.root,
+        h('h1', {}, 'No such page'),
+        h(
+          'p',
+          {},
+          `There is no page “${path}”. `,
+          h('a', { href: link(this.pages[0]!.path) }, 'Go to the start page'),
+          '.',
+        ),
+      );
       return;
     }
     this.entered(page);
     const signal = this.leaving.signal;
-    // Each drawing has a place of its own: what a page that was left still writes is not seen. What was there before stays until
-    // the page has something to show.
+    // Each drawing has a place of its own: what a page that was left still writes is not seen. What
+    // was there before stays until the page has something to show.
     const before = [...this.root.childNodes];
     const place = h('div', { class: 'page' });
     this.root.append(place);
@@ -142,6 +164,9 @@ export class Router {
 /** What went wrong, as a page shows it. */
 export function problem(fault: unknown): HTMLElement {
   const message = fault instanceof Error ? fault.message : String(fault);
-  const place = fault instanceof ApiError && fault.line ? ` (line ${fault.line}${fault.column ? `, column ${fault.column}` : ''})` : '';
+  const place =
+    fault instanceof ApiError && fault.line
+      ? ` (line ${fault.line}${fault.column ? `, column ${fault.column}` : ''})`
+      : '';
   return h('p', { class: 'problem', role: 'alert' }, message + place);
 }

@@ -1,4 +1,5 @@
-// Light, dark, or as the system is. Pictures of the server come in either, so pages listen for a change.
+// Light, dark, or as the system is. Pictures of the server come in either, so pages listen for a
+// change.
 
 export type Theme = 'light' | 'dark';
 const key = 'changeover-theme';
@@ -27,6 +28,8 @@ export function withTheme(signal: AbortSignal, draw: (theme: Theme) => void): vo
 
 export function toggleTheme(): void {
   const next = theme() === 'dark' ? 'light' : 'dark';
-  (next === 'dark') === system.matches ? localStorage.removeItem(key) : localStorage.setItem(key, next);
+  (next === 'dark') === system.matches
+    ? localStorage.removeItem(key)
+    : localStorage.setItem(key, next);
   show();
 }

@@ -1,13 +1,16 @@
 // A real browser against the real program.
 //
-//     const explorer = await start();                       // a server on a port of its own, and Chromium
-//     const page = await explorer.open('#/catalog');        // fails the test on errors and on requests that leave the machine
-//     await look(page, 'catalog');                          // screenshots in light and dark, and what axe-core finds
+//     const explorer = await start();                       // a server on a port of its own, and
+// Chromium
+//     const page = await explorer.open('#/catalog');        // fails the test on errors and on
+// requests that leave the machine
+//     await look(page, 'catalog');                          // screenshots in light and dark, and
+// what axe-core finds
 //     await explorer.stop();
 //
-// CHANGEOVER_PROGRAM names the program (default: the one in build/release), CHANGEOVER_ASSETS a folder of pages to serve in place
-// of those in the program, CHANGEOVER_SCREENSHOTS the folder for pictures
-// (default: build/browser), CHROMIUM the browser (default: /usr/bin/chromium).
+// CHANGEOVER_PROGRAM names the program (default: the one in build/release), CHANGEOVER_ASSETS a
+// folder of pages to serve in place of those in the program, CHANGEOVER_SCREENSHOTS the folder for
+// pictures (default: build/browser), CHROMIUM the browser (default: /usr/bin/chromium).
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
@@ -20,7 +23,10 @@ import { chromium } from 'playwright-core';
 const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..', '..');
 export const program = process.env.CHANGEOVER_PROGRAM ?? join(root, 'build/release/changeover');
 export const screenshots = process.env.CHANGEOVER_SCREENSHOTS ?? join(root, 'build/browser');
-const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const axeSource = readFileSync(
+  createRequire(import.meta.url).resolve('axe-core/axe.min.js'),
+  'utf8',
+);
 
 /** Starts `changeover serve` with more arguments; resolves when it has printed its address. */
 export async function serve(arguments_ = []) {
@@ -42,7 +48,9 @@ export async function serve(arguments_ = []) {
       }
     });
     child.once('error', reject);
-    child.once('exit', (code) => reject(new Error(`changeover serve ended with exit code ${code}: ${complaints}`)));
+    child.once('exit', (code) =>
+      reject(new Error(`changeover serve ended with exit code ${code}: ${complaints}`)),
+    );
   });
   return {
     address,
@@ -57,13 +65,23 @@ export async function serve(arguments_ = []) {
   };
 }
 
-/** A server and a browser. Options: `serve` (arguments) or `at` (what serves the pages instead of the program), `viewport`, `colorScheme`. */
+/**
+ * A server and a browser. Options: `serve` (arguments) or `at` (what serves the pages instead of
+ * the program), `viewport`, `colorScheme`.
+ */
 export async function start(options = {}) {
   const server = options.at ?? (await serve(options.serve));
   const profile = mkdtempSync(join(tmpdir(), 'changeover-chromium-'));
   const context = await chromium.launchPersistentContext(profile, {
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-    args: ['--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+    args: [
+      '--disable-gpu',
+      '--disable-quic',
+      '--no-first-run',
+      '--disable-background-networking',
+      '--disable-component-update',
+      '--disable-sync',
+    ],
     chromiumSandbox: process.getuid?.() !== 0,
     viewport: options.viewport ?? { width: 1280, height: 900 },
     colorScheme: options.colorScheme ?? 'light',
@@ -78,7 +96,10 @@ export async function start(options = {}) {
   return {
     server,
     context,
-    /** A page at that fragment, drawn to its end. Errors of its scripts are faults unless `mayFail` matches them. */
+    /**
+     * A page at that fragment, drawn to its end. Errors of its scripts are faults unless `mayFail`
+     * matches them.
+     */
     async open(fragment = '', { mayFail } = {}) {
       const page = await context.newPage();
       const note = (text) => {
@@ -87,7 +108,12 @@ export async function start(options = {}) {
         }
       };
       page.on('pageerror', (error) => note(`error on the page: ${error.message}`));
-      page.on('console', (message) => message.type() === 'error' && note(`console: ${message.text()} (${message.location().url})`));
+      page.on(
+        'console',
+        (message) =>
+          message.type() === 'error' &&
+          note(`console: ${message.text()} (${message.location().url})`),
+      );
       await page.goto(server.address + fragment);
       await settled(page);
       return page;
@@ -107,14 +133,19 @@ export async function settled(page) {
   await page.locator('#main:not([aria-busy]) h1').first().waitFor();
 }
 
-// Signs of a formula bear the colours of the sentence around it, which is what axe-core looks at; that they do is told far faster here.
+// Signs of a formula bear the colours of the sentence around it, which is what axe-core looks at;
+// that they do is told far faster here.
 const coloursOfFormulas = () => {
   const wrong = new Set();
   for (const formula of document.querySelectorAll('math')) {
     const { color } = getComputedStyle(formula.parentElement);
     for (const sign of [formula, ...formula.querySelectorAll('*')]) {
       const style = getComputedStyle(sign);
-      if (style.color !== color || style.backgroundColor !== 'rgba(0, 0, 0, 0)' || style.opacity !== '1') {
+      if (
+        style.color !== color ||
+        style.backgroundColor !== 'rgba(0, 0, 0, 0)' ||
+        style.opacity !== '1'
+      ) {
         wrong.add(`a sign of a formula has colours of its own: ${formula.textContent}`);
       }
     }
@@ -123,7 +154,8 @@ const coloursOfFormulas = () => {
 };
 
 /**
- * What axe-core finds wrong, a line each. The page's policy forbids foreign scripts, so it is run from outside of it.
+ * What axe-core finds wrong, a line each. The page's policy forbids foreign scripts, so it is run
+ * from outside of it.
  * `onlyColours`: the page has been looked at in its other colours, and only those can be wrong now.
  */
 export async function accessibility(page, { onlyColours = false } = {}) {
@@ -131,25 +163,45 @@ export async function accessibility(page, { onlyColours = false } = {}) {
     await page.evaluate(axeSource);
   }
   const colours = await page.evaluate(async () => {
-    // Formulas are most of what some pages have: a letter stands for each, and their signs are looked at below.
-    const formulas = [...document.querySelectorAll('math')].map((formula) => [formula, document.createTextNode('x')]);
+    // Formulas are most of what some pages have: a letter stands for each, and their signs are
+    // looked at below.
+    const formulas = [...document.querySelectorAll('math')].map((formula) => [
+      formula,
+      document.createTextNode('x'),
+    ]);
     formulas.forEach(([formula, place]) => formula.replaceWith(place));
-    const { violations } = await globalThis.axe.run(document, { resultTypes: ['violations'], runOnly: ['color-contrast', 'link-in-text-block'] });
+    const { violations } = await globalThis.axe.run(document, {
+      resultTypes: ['violations'],
+      runOnly: ['color-contrast', 'link-in-text-block'],
+    });
     formulas.forEach(([formula, place]) => place.replaceWith(formula));
     return violations;
   });
   const others = onlyColours
     ? []
     : await page.evaluate(() =>
-        globalThis.axe.run(document, { resultTypes: ['violations'], rules: { 'color-contrast': { enabled: false }, 'link-in-text-block': { enabled: false } } }).then(({ violations }) => violations),
+        globalThis.axe
+          .run(document, {
+            resultTypes: ['violations'],
+            rules: {
+              'color-contrast': { enabled: false },
+              'link-in-text-block': { enabled: false },
+            },
+          })
+          .then(({ violations }) => violations),
       );
   return [
-    ...[...colours, ...others].flatMap(({ id, help, nodes }) => nodes.map((node) => `${id}: ${help}: ${node.target.join(' ')}`)),
+    ...[...colours, ...others].flatMap(({ id, help, nodes }) =>
+      nodes.map((node) => `${id}: ${help}: ${node.target.join(' ')}`),
+    ),
     ...(await page.evaluate(coloursOfFormulas)),
   ];
 }
 
-/** Screenshots in light and dark as NAME-light.png and NAME-dark.png; no accessibility fault in either. */
+/**
+ * Screenshots in light and dark as NAME-light.png and NAME-dark.png; no accessibility fault in
+ * either.
+ */
 export async function look(page, name) {
   mkdirSync(screenshots, { recursive: true });
   // A window behind others draws once a second.
@@ -158,8 +210,15 @@ export async function look(page, name) {
     await page.emulateMedia({ colorScheme });
     await settled(page);
     await page.waitForLoadState('networkidle');
-    await page.screenshot({ path: join(screenshots, `${name}-${colorScheme}.png`), fullPage: true });
-    assert.deepEqual(await accessibility(page, { onlyColours: colorScheme === 'dark' }), [], `${name} in ${colorScheme}`);
+    await page.screenshot({
+      path: join(screenshots, `${name}-${colorScheme}.png`),
+      fullPage: true,
+    });
+    assert.deepEqual(
+      await accessibility(page, { onlyColours: colorScheme === 'dark' }),
+      [],
+      `${name} in ${colorScheme}`,
+    );
   }
   await page.emulateMedia({ colorScheme: 'light' });
 }

@@ -1,19 +1,30 @@
 // What the tests of the page Plan share.
 import { settled } from './browser.mjs';
 
-export const nameOf = (page, i) => page.getByRole('textbox', { name: `Name of part ${i}`, exact: true });
+export const nameOf = (page, i) =>
+  page.getByRole('textbox', { name: `Name of part ${i}`, exact: true });
 export const sheetRows = (page) => page.locator('.run-sheet tbody tr');
-export const planned = (page, most = 60_000) => page.locator('.verdict h2').waitFor({ timeout: most });
-export const sheetButton = (page, test, result) => page.locator('.sheets').getByRole('button', { name: `Test ${test}: ${result}`, exact: true });
+export const planned = (page, most = 60_000) =>
+  page.locator('.verdict h2').waitFor({ timeout: most });
+export const sheetButton = (page, test, result) =>
+  page.locator('.sheets').getByRole('button', { name: `Test ${test}: ${result}`, exact: true });
 export const press = (page, test, result = 'pass') => sheetButton(page, test, result).click();
-export const give = (page, name, buffer) => page.getByLabel('A file with a list of parts').setInputFiles({ name, mimeType: 'application/octet-stream', buffer: Buffer.from(buffer) });
+export const give = (page, name, buffer) =>
+  page
+    .getByLabel('A file with a list of parts')
+    .setInputFiles({ name, mimeType: 'application/octet-stream', buffer: Buffer.from(buffer) });
 /** What is in at each test, as the sheet says it; of a sheet with slots, slot by slot. */
 export const setUps = (page) =>
   page.locator('.run-sheet tbody tr').evaluateAll((rows) =>
     rows.map((row) => {
       const copy = row.cloneNode(true);
       copy.querySelectorAll('.replaced, .place.leave').forEach((left) => left.remove());
-      return [...copy.querySelectorAll('.set-up, .in-slot')].map((cell) => (cell.matches('.in-slot') ? `${cell.dataset.label} ${cell.textContent}` : cell.textContent)).join(' ').trim();
+      return [...copy.querySelectorAll('.set-up, .in-slot')]
+        .map((cell) =>
+          cell.matches('.in-slot') ? `${cell.dataset.label} ${cell.textContent}` : cell.textContent,
+        )
+        .join(' ')
+        .trim();
     }),
   );
 export const open = (page, group) => page.locator('.group summary', { hasText: group }).click();

@@ -1,5 +1,6 @@
-// The map of all cells on a canvas: v to the right, k downwards; zoomed and panned by pointer, fingers and keys. A cell has its
-// number as soon as there is room for it. What the map shows, the table below it says to those who do not see it.
+// The map of all cells on a canvas: v to the right, k downwards; zoomed and panned by pointer,
+// fingers and keys. A cell has its number as soon as there is room for it. What the map shows, the
+// table below it says to those who do not see it.
 import type { Atlas, AtlasCell } from '../../lib/atlas';
 import { clear, placeTip, resize, stride } from '../../lib/canvas';
 import { announce, h } from '../../lib/dom';
@@ -16,7 +17,10 @@ export type Written = 'b' | 'gap';
 
 export interface AtlasMap {
   readonly element: HTMLElement;
-  show(atlas: Atlas, how: { measure: string; written: Written; passes: (cell: AtlasCell) => boolean }): void;
+  show(
+    atlas: Atlas,
+    how: { measure: string; written: Written; passes: (cell: AtlasCell) => boolean },
+  ): void;
   /** Brings a window into sight. */
   look(window: Partial<Window>): void;
   /** Cells that are wholly or partly in sight. */
@@ -40,10 +44,21 @@ interface Listener {
 
 const margin = { left: 44, top: 40, right: 12, bottom: 10 };
 const largest = { x: 78, y: 40 };
-const sides: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+const sides: Record<string, [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
 
 export function say(cell: AtlasCell): string {
-  const known = cell.status === 'impossible' ? 'no design exists' : cell.b === null ? `no design is known, at least ${cell.lower} blocks` : `${number(cell.b)} blocks, ${cell.status === 'minimum' ? 'minimum' : `lower bound ${cell.lower}`}`;
+  const known =
+    cell.status === 'impossible'
+      ? 'no design exists'
+      : cell.b === null
+        ? `no design is known, at least ${cell.lower} blocks`
+        : `${number(cell.b)} blocks, ` +
+          `${cell.status === 'minimum' ? 'minimum' : `lower bound ${cell.lower}`}`;
   return `v ${cell.v}, k ${cell.k}: ${known}`;
 }
 
@@ -53,7 +68,10 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     tabindex: 0,
     role: 'application',
     'aria-roledescription': 'map',
-    'aria-label': 'Map of cells, v from left to right, k from top to bottom. Arrow keys choose a cell, Enter opens it, plus and minus zoom, 0 shows everything. The table below has the same numbers.',
+    'aria-label':
+      'Map of cells, v from left to right, k from top to bottom. Arrow keys choose a cell, ' +
+      'Enter opens it, plus and minus zoom, 0 shows everything. The table below has the same ' +
+      'numbers.',
   });
   const tip = h('div', { class: 'atlas-tip', hidden: true });
   const element = h('div', { class: 'atlas' }, canvas, tip);
@@ -74,8 +92,14 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
   let pointed: { v: number; k: number } | null = null;
   let frame = 0;
 
-  const room = () => ({ x: width - margin.left - margin.right, y: height - margin.top - margin.bottom });
-  const smallest = () => ({ x: Math.min(largest.x, room().x / (atlas?.columns ?? 1)), y: Math.min(largest.y, room().y / (atlas?.rows ?? 1)) });
+  const room = () => ({
+    x: width - margin.left - margin.right,
+    y: height - margin.top - margin.bottom,
+  });
+  const smallest = () => ({
+    x: Math.min(largest.x, room().x / (atlas?.columns ?? 1)),
+    y: Math.min(largest.y, room().y / (atlas?.rows ?? 1)),
+  });
 
   function clamp(): void {
     if (!atlas) {
@@ -107,7 +131,10 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     clear(pen, width, height);
     const { text, faint, line, ground, accent, font } = paint.ink;
     const first = { x: Math.floor(corner.x), y: Math.floor(corner.y) };
-    const last = { x: Math.min(atlas.columns - 1, Math.ceil(corner.x + room().x / scale.x)), y: Math.min(atlas.rows - 1, Math.ceil(corner.y + room().y / scale.y)) };
+    const last = {
+      x: Math.min(atlas.columns - 1, Math.ceil(corner.x + room().x / scale.x)),
+      y: Math.min(atlas.rows - 1, Math.ceil(corner.y + room().y / scale.y)),
+    };
     const left = (x: number): number => margin.left + (x - corner.x) * scale.x;
     const top = (y: number): number => margin.top + (y - corner.y) * scale.y;
     const gap = scale.x >= 7 && scale.y >= 7 ? 1 : 0;
@@ -126,7 +153,12 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
           continue;
         }
         const colour = paint.of(cell);
-        const outside = limit !== null && (cell.v < limit.v.from || cell.v > limit.v.to || cell.k < limit.k.from || cell.k > limit.k.to);
+        const outside =
+          limit !== null &&
+          (cell.v < limit.v.from ||
+            cell.v > limit.v.to ||
+            cell.k < limit.k.from ||
+            cell.k > limit.k.to);
         const passing = !outside && passes(cell);
         pen.globalAlpha = passing ? 1 : 0.12;
         pen.fillStyle = colour;
@@ -137,8 +169,18 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
           pen.strokeRect(at + 0.5, down + 0.5, scale.x - gap - 1, scale.y - gap - 1);
         }
         if (highest >= 8.5 && passing) {
-          const digits = cell.b === null ? '?' : written === 'b' ? String(cell.b) : cell.gap === 0 ? '=' : `+${cell.gap}`;
-          const fitting = Math.min(highest, Math.floor(((scale.x - 4) / (digits.length * 0.64)) * 2) / 2);
+          const digits =
+            cell.b === null
+              ? '?'
+              : written === 'b'
+                ? String(cell.b)
+                : cell.gap === 0
+                  ? '='
+                  : `+${cell.gap}`;
+          const fitting = Math.min(
+            highest,
+            Math.floor(((scale.x - 4) / (digits.length * 0.64)) * 2) / 2,
+          );
           if (fitting >= 8.5) {
             if (fitting !== size) {
               size = fitting;
@@ -151,7 +193,10 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
       }
     }
     pen.globalAlpha = 1;
-    for (const [place, colour, wide] of [[pointed, text, 1.5], [chosen, accent, 3]] as const) {
+    for (const [place, colour, wide] of [
+      [pointed, text, 1.5],
+      [chosen, accent, 3],
+    ] as const) {
       if (place && atlas.has(place.v, place.k)) {
         const [at, down] = [left(place.v - atlas.v.from), top(place.k - atlas.k.from)];
         pen.lineWidth = wide + 2;
@@ -171,7 +216,11 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     pen.textAlign = 'center';
     pen.textBaseline = 'alphabetic';
     const step = { x: stride(scale.x, 34), y: stride(scale.y, 15) };
-    for (let v = Math.ceil((atlas.v.from + corner.x) / step.x) * step.x; v <= atlas.v.from + last.x; v += step.x) {
+    for (
+      let v = Math.ceil((atlas.v.from + corner.x) / step.x) * step.x;
+      v <= atlas.v.from + last.x;
+      v += step.x
+    ) {
       const at = left(v - atlas.v.from) + (scale.x - gap) / 2;
       if (at >= margin.left && at <= width - margin.right) {
         pen.fillText(String(v), at, margin.top - 7);
@@ -179,7 +228,11 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     }
     pen.textAlign = 'right';
     pen.textBaseline = 'middle';
-    for (let k = Math.ceil((atlas.k.from + corner.y) / step.y) * step.y; k <= atlas.k.from + last.y; k += step.y) {
+    for (
+      let k = Math.ceil((atlas.k.from + corner.y) / step.y) * step.y;
+      k <= atlas.k.from + last.y;
+      k += step.y
+    ) {
       const at = top(k - atlas.k.from) + (scale.y - gap) / 2;
       if (at >= margin.top && at <= height - margin.bottom) {
         pen.fillText(String(k), margin.left - 8, at);
@@ -200,16 +253,28 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     const box = canvas.getBoundingClientRect();
     const x = event.clientX - box.left;
     const y = event.clientY - box.top;
-    if (!atlas || x < margin.left || y < margin.top || x > width - margin.right || y > height - margin.bottom) {
+    if (
+      !atlas ||
+      x < margin.left ||
+      y < margin.top ||
+      x > width - margin.right ||
+      y > height - margin.bottom
+    ) {
       return null;
     }
-    const cell = atlas.cell(atlas.v.from + Math.floor(corner.x + (x - margin.left) / scale.x), atlas.k.from + Math.floor(corner.y + (y - margin.top) / scale.y));
+    const cell = atlas.cell(
+      atlas.v.from + Math.floor(corner.x + (x - margin.left) / scale.x),
+      atlas.k.from + Math.floor(corner.y + (y - margin.top) / scale.y),
+    );
     return cell?.status === 'impossible' ? null : cell;
   }
 
   function zoomAt(factor: number, x: number, y: number): void {
     limit = null;
-    const [cx, cy] = [corner.x + (x - margin.left) / scale.x, corner.y + (y - margin.top) / scale.y];
+    const [cx, cy] = [
+      corner.x + (x - margin.left) / scale.x,
+      corner.y + (y - margin.top) / scale.y,
+    ];
     scale.x *= factor;
     // Rows are high enough sooner than columns are wide.
     scale.y *= Math.sqrt(factor);
@@ -225,12 +290,24 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     if (!atlas) {
       return { k: { from: 3, to: 40 }, v: { from: 4, to: 160 } };
     }
-    const to = (from: number, at: number, space: number, per: number, most: number): { from: number; to: number } => ({
+    const to = (
+      from: number,
+      at: number,
+      space: number,
+      per: number,
+      most: number,
+    ): { from: number; to: number } => ({
       from: Math.min(most, from + Math.floor(at + 0.001)),
       to: Math.min(most, from + Math.ceil(at + space / per - 0.001) - 1),
     });
-    const all = { v: to(atlas.v.from, corner.x, room().x, scale.x, atlas.v.to), k: to(atlas.k.from, corner.y, room().y, scale.y, atlas.k.to) };
-    const within = (a: { from: number; to: number }, b: { from: number; to: number }) => ({ from: Math.max(a.from, b.from), to: Math.min(a.to, b.to) });
+    const all = {
+      v: to(atlas.v.from, corner.x, room().x, scale.x, atlas.v.to),
+      k: to(atlas.k.from, corner.y, room().y, scale.y, atlas.k.to),
+    };
+    const within = (a: { from: number; to: number }, b: { from: number; to: number }) => ({
+      from: Math.max(a.from, b.from),
+      to: Math.min(a.to, b.to),
+    });
     return limit ? { v: within(all.v, limit.v), k: within(all.k, limit.k) } : all;
   }
 
@@ -253,7 +330,13 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     chosen = { v: cell.v, k: cell.k };
     if (into && atlas) {
       // Into sight.
-      if (limit && (cell.v < limit.v.from || cell.v > limit.v.to || cell.k < limit.k.from || cell.k > limit.k.to)) {
+      if (
+        limit &&
+        (cell.v < limit.v.from ||
+          cell.v > limit.v.to ||
+          cell.k < limit.k.from ||
+          cell.k > limit.k.to)
+      ) {
         limit = null;
       }
       const [x, y] = [cell.v - atlas.v.from, cell.k - atlas.k.from];
@@ -271,7 +354,9 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     listener.pointed(cell);
     tip.hidden = cell === null || event === undefined;
     if (cell && event) {
-      placeTip(tip, canvas, event, `v ${cell.v}  k ${cell.k}   ${cell.b === null ? 'no design known' : `${number(cell.b)} blocks${cell.gap === 0 ? ', minimum' : `, bound ${number(cell.lower!)}`}`}`);
+      const bound = cell.gap === 0 ? 'minimum' : `bound ${number(cell.lower ?? 0)}`;
+      const known = cell.b === null ? 'no design known' : `${number(cell.b)} blocks, ${bound}`;
+      placeTip(tip, canvas, event, `v ${cell.v}  k ${cell.k}   ${known}`);
     }
     later();
   }
@@ -294,8 +379,13 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     const box = canvas.getBoundingClientRect();
     if (others.length === 1) {
       const other = others[0]!;
-      const far = (place: { x: number; y: number }): number => Math.max(20, Math.hypot(place.x - other.x, place.y - other.y));
-      zoomAt(far({ x: event.clientX, y: event.clientY }) / far(before), (event.clientX + other.x) / 2 - box.left, (event.clientY + other.y) / 2 - box.top);
+      const far = (place: { x: number; y: number }): number =>
+        Math.max(20, Math.hypot(place.x - other.x, place.y - other.y));
+      zoomAt(
+        far({ x: event.clientX, y: event.clientY }) / far(before),
+        (event.clientX + other.x) / 2 - box.left,
+        (event.clientY + other.y) / 2 - box.top,
+      );
       dragged = 100;
     } else if (others.length === 0) {
       const [dx, dy] = [event.clientX - before.x, event.clientY - before.y];
@@ -337,7 +427,11 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
       if (event.ctrlKey || event.metaKey) {
         event.preventDefault();
         const box = canvas.getBoundingClientRect();
-        zoomAt(Math.exp(-event.deltaY * 0.0022 * (event.deltaMode === 1 ? 20 : 1)), event.clientX - box.left, event.clientY - box.top);
+        zoomAt(
+          Math.exp(-event.deltaY * 0.0022 * (event.deltaMode === 1 ? 20 : 1)),
+          event.clientX - box.left,
+          event.clientY - box.top,
+        );
       } else if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
         event.preventDefault();
         limit = null;
@@ -388,7 +482,9 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     };
     const row = (pick: (list: AtlasCell[]) => AtlasCell | undefined): void => {
       const k = chosen?.k ?? seen().k.from;
-      const next = pick(atlas!.cells({ from: k, to: k }).filter((cell) => cell.status !== 'impossible'));
+      const next = pick(
+        atlas!.cells({ from: k, to: k }).filter((cell) => cell.status !== 'impossible'),
+      );
       if (next) {
         choose(next, true);
         announce(say(next));
@@ -402,7 +498,13 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
   canvas.addEventListener('focus', later);
 
   function zoom(factor: number): void {
-    const at = chosen && atlas ? { x: margin.left + (chosen.v - atlas.v.from - corner.x + 0.5) * scale.x, y: margin.top + (chosen.k - atlas.k.from - corner.y + 0.5) * scale.y } : { x: margin.left + room().x / 3, y: margin.top + room().y / 3 };
+    const at =
+      chosen && atlas
+        ? {
+            x: margin.left + (chosen.v - atlas.v.from - corner.x + 0.5) * scale.x,
+            y: margin.top + (chosen.k - atlas.k.from - corner.y + 0.5) * scale.y,
+          }
+        : { x: margin.left + room().x / 3, y: margin.top + room().y / 3 };
     zoomAt(factor, at.x, at.y);
   }
   function fit(): void {
@@ -420,7 +522,10 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     height = high;
     resize(canvas, width, height);
     if (atlas) {
-      const whole = before && before.v.to - before.v.from + 1 === atlas.columns && before.k.to - before.k.from + 1 === atlas.rows;
+      const whole =
+        before &&
+        before.v.to - before.v.from + 1 === atlas.columns &&
+        before.k.to - before.k.from + 1 === atlas.rows;
       lookAt(wanted ?? (whole ? {} : before) ?? {});
       wanted = null;
     }
@@ -435,7 +540,11 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
   return {
     element,
     show(next, how) {
-      const other = atlas === null || atlas.columns !== next.columns || atlas.rows !== next.rows || atlas.k.from !== next.k.from;
+      const other =
+        atlas === null ||
+        atlas.columns !== next.columns ||
+        atlas.rows !== next.rows ||
+        atlas.k.from !== next.k.from;
       atlas = next;
       written = how.written;
       passes = how.passes;

@@ -1,4 +1,5 @@
-// Which cells are wanted: what the fields say, what the link says of them, and what they leave in a sentence.
+// Which cells are wanted: what the fields say, what the link says of them, and what they leave in a
+// sentence.
 import type { AtlasCell } from '../../lib/atlas';
 import { append, field, fill, h, select } from '../../lib/dom';
 import { count, number } from '../../lib/words';
@@ -24,35 +25,89 @@ export function filters(view: View, changed: () => void): Filters {
     changed();
   };
   const status = select(get('status'), statuses, (value) => set('status', value));
-  const least = h('input', { type: 'number', min: 0, value: get('gap'), placeholder: '0', onchange: () => set('gap', least.value) });
+  const least = h('input', {
+    type: 'number',
+    min: 0,
+    value: get('gap'),
+    placeholder: '0',
+    onchange: () => set('gap', least.value),
+  });
   const by = h('select', { onchange: () => set('by', by.value) });
   const box = (name: string, words: string, title: string): [HTMLInputElement, HTMLElement] => {
-    const input = h('input', { type: 'checkbox', checked: get(name) !== '', onchange: () => set(name, input.checked ? '1' : null) });
+    const input = h('input', {
+      type: 'checkbox',
+      checked: get(name) !== '',
+      onchange: () => set(name, input.checked ? '1' : null),
+    });
     return [input, h('label', { class: 'check', title }, input, words)];
   };
   const [tight, tightField] = box('tight', 'tight', 'every pair is newly covered exactly once');
-  const [economical, economicalField] = box('economical', 'economical', 'as many blocks as counting pairs requires');
+  const [economical, economicalField] = box(
+    'economical',
+    'economical',
+    'as many blocks as counting pairs requires',
+  );
   const [group, groupField] = box('group', 'group of order > 1', 'the design has a symmetry');
   const said = h('p', { class: 'filter-says', role: 'status' });
-  const clear = h('button', { type: 'button', class: 'plain small', hidden: true, onclick: () => {
-    status.value = least.value = by.value = '';
-    tight.checked = economical.checked = group.checked = false;
-    view.go(Object.fromEntries(names.map((name) => [name, null])), { quiet: true });
-    changed();
-    status.focus();
-  } }, 'Clear the filters');
+  const clear = h(
+    'button',
+    {
+      type: 'button',
+      class: 'plain small',
+      hidden: true,
+      onclick: () => {
+        status.value = least.value = by.value = '';
+        tight.checked = economical.checked = group.checked = false;
+        view.go(Object.fromEntries(names.map((name) => [name, null])), { quiet: true });
+        changed();
+        status.focus();
+      },
+    },
+    'Clear the filters',
+  );
 
   const any = (): boolean => names.some((name) => get(name) !== '');
   const inWords = (): string => {
-    const kind = [get('tight') && 'tight', get('economical') && 'economical', { minimum: 'minimum', 'best-known': 'best known, not proved minimum', open: 'without a known design', impossible: 'impossible' }[get('status')]].filter(Boolean).join(' and ');
-    const more = [get('group') && 'with a group of order > 1', Number(get('gap')) > 0 && `at least ${count(Number(get('gap')), 'block')} over the bound`, get('by') && `made by ${get('by')}`].filter(Boolean).join(', ');
+    const kind = [
+      get('tight') && 'tight',
+      get('economical') && 'economical',
+      {
+        minimum: 'minimum',
+        'best-known': 'best known, not proved minimum',
+        open: 'without a known design',
+        impossible: 'impossible',
+      }[get('status')],
+    ]
+      .filter(Boolean)
+      .join(' and ');
+    const more = [
+      get('group') && 'with a group of order > 1',
+      Number(get('gap')) > 0 && `at least ${count(Number(get('gap')), 'block')} over the bound`,
+      get('by') && `made by ${get('by')}`,
+    ]
+      .filter(Boolean)
+      .join(', ');
     return [kind, more].filter(Boolean).join(', ');
   };
   return {
     element: h(
       'div',
       { class: 'filters' },
-      h('div', { class: 'row' }, field('Status', status), field('Gap at least', least), field('Construction', by), h('fieldset', { class: 'checks' }, h('legend', { class: 'unseen' }, 'Only designs that are'), tightField, economicalField, groupField)),
+      h(
+        'div',
+        { class: 'row' },
+        field('Status', status),
+        field('Gap at least', least),
+        field('Construction', by),
+        h(
+          'fieldset',
+          { class: 'checks' },
+          h('legend', { class: 'unseen' }, 'Only designs that are'),
+          tightField,
+          economicalField,
+          groupField,
+        ),
+      ),
       h('div', { class: 'row filter-line' }, said, clear),
     ),
     passes(cell) {
@@ -68,12 +123,22 @@ export function filters(view: View, changed: () => void): Filters {
     needsGroups: () => get('group') !== '',
     say(left, all) {
       clear.hidden = !any();
-      fill(said, any() ? [h('strong', {}, number(left)), ` of ${count(all, 'cell')} in sight: ${inWords()}.`] : [h('strong', {}, number(all)), ` ${all === 1 ? 'cell' : 'cells'} in sight.`]);
+      fill(
+        said,
+        any()
+          ? [h('strong', {}, number(left)), ` of ${count(all, 'cell')} in sight: ${inWords()}.`]
+          : [h('strong', {}, number(all)), ` ${all === 1 ? 'cell' : 'cells'} in sight.`],
+      );
     },
     offer(constructions) {
       const now = get('by');
       fill(by);
-      append(by, ['', ...constructions, ...(now && !constructions.includes(now) ? [now] : [])].map((name) => h('option', { value: name, selected: name === now }, name || 'any')));
+      append(
+        by,
+        ['', ...constructions, ...(now && !constructions.includes(now) ? [now] : [])].map((name) =>
+          h('option', { value: name, selected: name === now }, name || 'any'),
+        ),
+      );
     },
   };
 }

@@ -19,24 +19,56 @@ export function understand(text: string, change: number, kind: Kind): Found {
   const cell = cellOfLabel(plain);
   if (cell) {
     const rest = plain.replace(/^\d+\.\d+\.\d+\.(circular|linear)(\.t\d+)?/, '');
-    return { to: rest === '' || rest === '.' ? link('cell', { ...cell }) : link('design', { label: plain }) };
+    return {
+      to:
+        rest === '' || rest === '.' ? link('cell', { ...cell }) : link('design', { label: plain }),
+    };
   }
   let words = plain.toLowerCase();
-  const wordChange = /\b(?:m|change)\s*=?\s*(\d+)/.exec(words)?.[1] ?? (/\bsingle|\bsccd/.test(words) ? '1' : /\bdouble|\bdccd/.test(words) ? '2' : null);
+  const wordChange =
+    /\b(?:m|change)\s*=?\s*(\d+)/.exec(words)?.[1] ??
+    (/\bsingle|\bsccd/.test(words) ? '1' : /\bdouble|\bdccd/.test(words) ? '2' : null);
   const wordKind = /\b(circular|linear)\b/.exec(words)?.[1] ?? kind;
   words = words.replace(/\b(?:m|change)\s*=?\s*\d+/, '');
   const named = [/\bv\s*=?\s*(\d+)/.exec(words)?.[1], /\bk\s*=?\s*(\d+)/.exec(words)?.[1]];
   const bare = words.match(/\d+/g) ?? [];
   const [v, k] = named[0] && named[1] ? named : bare;
-  if (v && k && (named[0] || bare.length <= 3) && words.replace(/[\d\s(),;=]|[vk]\b|circular|linear|single|double|change|sccd|dccd|-/g, '') === '') {
-    return { to: link('cell', { v, k, change: wordChange ?? (bare.length === 3 && !named[0] ? bare[2] : change), kind: wordKind }) };
+  if (
+    v &&
+    k &&
+    (named[0] || bare.length <= 3) &&
+    words.replace(/[\d\s(),;=]|[vk]\b|circular|linear|single|double|change|sccd|dccd|-/g, '') === ''
+  ) {
+    return {
+      to: link('cell', {
+        v,
+        k,
+        change: wordChange ?? (bare.length === 3 && !named[0] ? bare[2] : change),
+        kind: wordKind,
+      }),
+    };
   }
-  return { problem: `“${plain.slice(0, 60)}” is neither v and k (20 5), nor a label (20.5.2.linear), nor a design with a block in each line.` };
+  return {
+    problem:
+      `“${plain.slice(0, 60)}” is neither v and k (20 5), nor a label (20.5.2.linear), ` +
+      `nor a design with a block in each line.`,
+  };
 }
 
 export function lookUp(here: () => { change: number; kind: Kind }): HTMLElement {
-  const message = h('p', { class: 'hint', id: 'look-up-says' }, 'Write v and k (20 5) or a label (20.5.2.linear), or paste a design.');
-  const input = h('input', { id: 'look-up', type: 'text', autocomplete: 'off', spellcheck: 'false', placeholder: '20 5', 'aria-describedby': message.id });
+  const message = h(
+    'p',
+    { class: 'hint', id: 'look-up-says' },
+    'Write v and k (20 5) or a label (20.5.2.linear), or paste a design.',
+  );
+  const input = h('input', {
+    id: 'look-up',
+    type: 'text',
+    autocomplete: 'off',
+    spellcheck: 'false',
+    placeholder: '20 5',
+    'aria-describedby': message.id,
+  });
   const go = (text: string): void => {
     const { change, kind } = here();
     const found = understand(text, change, kind);

@@ -38,10 +38,18 @@ function key(colour: string, words: string): HTMLElement {
 const mostHues = 10;
 
 export function paintOf(atlas: Atlas, measure: string): Paint {
-  const ink: Ink = { text: token('--text'), faint: token('--faint'), line: token('--line'), ground: token('--ground'), accent: token('--mark'), font: token('--text-font') };
+  const ink: Ink = {
+    text: token('--text'),
+    faint: token('--faint'),
+    line: token('--line'),
+    ground: token('--ground'),
+    accent: token('--mark'),
+    font: token('--text-font'),
+  };
   const settled = token('--settled');
   const open = token('--sunken');
-  const none = (cell: AtlasCell): string | null => (cell.b === null ? open : cell.gap === 0 ? settled : null);
+  const none = (cell: AtlasCell): string | null =>
+    cell.b === null ? open : cell.gap === 0 ? settled : null;
   const always = [key(settled, 'proved minimum'), key(open, '? no design known')];
   if (measure === 'construction') {
     const often = new Map<string, number>();
@@ -56,17 +64,32 @@ export function paintOf(atlas: Atlas, measure: string): Paint {
     return {
       ink,
       of: (cell) => (cell.construction === null ? open : colours[number.get(cell.construction)!]!),
-      legend: h('ul', { class: 'legend' }, names.slice(0, mostHues).map((name, i) => key(colours[i]!, name)), names.length > mostHues && key(colours[mostHues]!, `${names.length - mostHues} others`)),
+      legend: h(
+        'ul',
+        { class: 'legend' },
+        names.slice(0, mostHues).map((name, i) => key(colours[i]!, name)),
+        names.length > mostHues && key(colours[mostHues]!, `${names.length - mostHues} others`),
+      ),
     };
   }
   const colours = scale(theme());
   if (measure === 'status') {
     const best = colours[Math.floor(colours.length * 0.3)]!;
-    return { ink, of: (cell) => none(cell) ?? best, legend: h('ul', { class: 'legend' }, always[0]!, key(best, 'best known'), always[1]!) };
+    return {
+      ink,
+      of: (cell) => none(cell) ?? best,
+      legend: h('ul', { class: 'legend' }, always[0]!, key(best, 'best known'), always[1]!),
+    };
   }
-  const value = (cell: AtlasCell): number => (measure === 'gap' ? cell.gap! : cell.b! / cell.lower! - 1);
-  const values = atlas.cells().filter((cell) => cell.gap !== null && cell.gap > 0).map(value).sort((a, b) => a - b);
-  // Half by rank, half by size: the whole scale is used, and what is twice as far off still looks further.
+  const value = (cell: AtlasCell): number =>
+    measure === 'gap' ? cell.gap! : cell.b! / cell.lower! - 1;
+  const values = atlas
+    .cells()
+    .filter((cell) => cell.gap !== null && cell.gap > 0)
+    .map(value)
+    .sort((a, b) => a - b);
+  // Half by rank, half by size: the whole scale is used, and what is twice as far off still looks
+  // further.
   const top = values[Math.floor((values.length - 1) * 0.995)] ?? 1;
   const place = (x: number): number => {
     let low = 0;
@@ -77,10 +100,16 @@ export function paintOf(atlas: Atlas, measure: string): Paint {
     }
     return 0.5 * (low / Math.max(1, values.length)) + 0.5 * Math.sqrt(Math.min(1, x / top));
   };
-  const at = (x: number): string => colours[Math.min(colours.length - 1, Math.floor(place(x) * colours.length))]!;
+  const at = (x: number): string =>
+    colours[Math.min(colours.length - 1, Math.floor(place(x) * colours.length))]!;
   const known = new Map<number, string>();
-  const ends = [values[0] ?? 0, values.find((x) => place(x) >= 0.5) ?? 0, values.at(-1) ?? 0] as const;
-  const said = (x: number): string => (measure === 'gap' ? `+${x}` : (1 + x).toFixed(x < 0.1 ? 3 : 2));
+  const ends = [
+    values[0] ?? 0,
+    values.find((x) => place(x) >= 0.5) ?? 0,
+    values.at(-1) ?? 0,
+  ] as const;
+  const said = (x: number): string =>
+    measure === 'gap' ? `+${x}` : (1 + x).toFixed(x < 0.1 ? 3 : 2);
   const bar = colourBar(colours);
   return {
     ink,
@@ -103,7 +132,14 @@ export function paintOf(atlas: Atlas, measure: string): Paint {
           'li',
           { class: 'legend-scale' },
           measure === 'gap' ? 'blocks − bound' : 'blocks / bound',
-          h('span', { class: 'legend-ticks' }, bar, h('span', {}, said(ends[0])), h('span', {}, said(ends[1])), h('span', {}, said(ends[2]))),
+          h(
+            'span',
+            { class: 'legend-ticks' },
+            bar,
+            h('span', {}, said(ends[0])),
+            h('span', {}, said(ends[1])),
+            h('span', {}, said(ends[2])),
+          ),
         ),
       always[1]!,
     ),

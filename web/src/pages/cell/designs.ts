@@ -1,5 +1,5 @@
-// The designs of a cell: who made them, when and how, what they are from, how to cite them. The first is the best; the others are
-// its history.
+// The designs of a cell: who made them, when and how, what they are from, how to cite them. The
+// first is the best; the others are its history.
 import type { CatalogEntry, CellDetail } from '../../lib/api';
 import { work } from '../../lib/citations';
 import { fill, h, type Child } from '../../lib/dom';
@@ -12,13 +12,25 @@ import { link, problem } from '../../shell/router';
 /** A design whose blocks are written down, and which no construction made, was found. */
 export function madeBy(construction: string): Child[] {
   const found = construction === 'found' || construction === 'literal';
-  return found ? [h('a', { href: link('theorems', { construction: 'found' }) }, 'Found'), ' and written down'] : ['Made by ', h('a', { href: link('theorems', { construction }) }, construction)];
+  return found
+    ? [h('a', { href: link('theorems', { construction: 'found' }) }, 'Found'), ' and written down']
+    : ['Made by ', h('a', { href: link('theorems', { construction }) }, construction)];
 }
 
 function origin(entry: CatalogEntry, best: boolean, signal: AbortSignal): HTMLElement {
   const { who, date, program, command } = entry.credit;
   const shown = h('div', { class: 'bibtex', role: 'status' });
-  const button = h('button', { type: 'button', class: 'plain small', 'aria-label': `Cite ${entry.label}`, 'aria-expanded': 'false', onclick: () => void show() }, 'Cite');
+  const button = h(
+    'button',
+    {
+      type: 'button',
+      class: 'plain small',
+      'aria-label': `Cite ${entry.label}`,
+      'aria-expanded': 'false',
+      onclick: () => void show(),
+    },
+    'Cite',
+  );
   async function show(): Promise<void> {
     if (shown.childElementCount > 0) {
       fill(shown);
@@ -27,7 +39,11 @@ function origin(entry: CatalogEntry, best: boolean, signal: AbortSignal): HTMLEl
     }
     try {
       const text = await cite(entry.label, signal);
-      fill(shown, h('pre', { tabindex: 0 }, text), copyButton('Copy', () => text));
+      fill(
+        shown,
+        h('pre', { tabindex: 0 }, text),
+        copyButton('Copy', () => text),
+      );
       button.setAttribute('aria-expanded', 'true');
     } catch (fault) {
       if (!signal.aborted) {
@@ -47,7 +63,15 @@ function origin(entry: CatalogEntry, best: boolean, signal: AbortSignal): HTMLEl
       (best || entry.retracted) && badge(entry.status),
       button,
     ),
-    h('p', {}, madeBy(entry.construction), who && ` · ${who}`, program && ` · ${program}`, entry.cites.length > 0 && [' · from ', entry.cites.map((key, i) => [i > 0 ? ', ' : '', work(key)]).flat()].flat()),
+    h(
+      'p',
+      {},
+      madeBy(entry.construction),
+      who && ` · ${who}`,
+      program && ` · ${program}`,
+      entry.cites.length > 0 &&
+        [' · from ', entry.cites.map((key, i) => [i > 0 ? ', ' : '', work(key)]).flat()].flat(),
+    ),
     command && h('p', {}, h('code', {}, command)),
     entry.note && h('p', { class: 'hint' }, entry.note),
     entry.retracted && h('p', { class: 'hint' }, `Retracted: ${entry.retracted}`),
@@ -61,6 +85,10 @@ export function origins(detail: CellDetail, signal: AbortSignal): Child[] {
   }
   return [
     h('h2', {}, 'History, credit and citation'),
-    h('ol', { class: 'origins', reversed: true }, detail.designs.map((entry, i) => origin(entry, i === 0, signal))),
+    h(
+      'ol',
+      { class: 'origins', reversed: true },
+      detail.designs.map((entry, i) => origin(entry, i === 0, signal)),
+    ),
   ];
 }

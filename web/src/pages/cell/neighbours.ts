@@ -15,8 +15,12 @@ export async function neighbourhood(cell: Cell, signal: AbortSignal): Promise<HT
   if (!atlas.has(cell.v, cell.k) || signal.aborted) {
     return null;
   }
-  const ks = Array.from({ length: 2 * around.k + 1 }, (_, i) => cell.k - around.k + i).filter((k) => k >= atlas.k.from && k <= atlas.k.to);
-  const vs = Array.from({ length: 2 * around.v + 1 }, (_, i) => cell.v - around.v + i).filter((v) => v >= atlas.v.from && v <= atlas.v.to);
+  const ks = Array.from({ length: 2 * around.k + 1 }, (_, i) => cell.k - around.k + i).filter(
+    (k) => k >= atlas.k.from && k <= atlas.k.to,
+  );
+  const vs = Array.from({ length: 2 * around.v + 1 }, (_, i) => cell.v - around.v + i).filter(
+    (v) => v >= atlas.v.from && v <= atlas.v.to,
+  );
   const place = h('div', { class: 'around' });
   function draw(): void {
     const paint = paintOf(atlas, 'ratio');
@@ -25,7 +29,16 @@ export async function neighbourhood(cell: Cell, signal: AbortSignal): Promise<HT
         'table',
         { class: 'around-table' },
         h('caption', { class: 'unseen' }, 'Numbers of blocks of the cells around this one'),
-        h('thead', {}, h('tr', {}, h('td', {}, h('var', {}, 'k'), ' \\ ', h('var', {}, 'v')), vs.map((v) => h('th', { scope: 'col' }, v)))),
+        h(
+          'thead',
+          {},
+          h(
+            'tr',
+            {},
+            h('td', {}, h('var', {}, 'k'), ' \\ ', h('var', {}, 'v')),
+            vs.map((v) => h('th', { scope: 'col' }, v)),
+          ),
+        ),
         h(
           'tbody',
           {},
@@ -41,7 +54,23 @@ export async function neighbourhood(cell: Cell, signal: AbortSignal): Promise<HT
                 }
                 const here = v === cell.v && k === cell.k;
                 const words = each.b === null ? '?' : String(each.b);
-                const square = h('a', { href: link('cell', { ...cell, v, k, strength: strength === 2 ? null : strength }), 'aria-label': `v = ${v}, k = ${k}: ${each.b === null ? 'no design known' : `${each.b} blocks`}`, 'aria-current': here ? 'true' : null, title: `v = ${v}, k = ${k}` }, words);
+                const square = h(
+                  'a',
+                  {
+                    href: link('cell', {
+                      ...cell,
+                      v,
+                      k,
+                      strength: strength === 2 ? null : strength,
+                    }),
+                    'aria-label':
+                      `v = ${v}, k = ${k}: ` +
+                      `${each.b === null ? 'no design known' : `${each.b} blocks`}`,
+                    'aria-current': here ? 'true' : null,
+                    title: `v = ${v}, k = ${k}`,
+                  },
+                  words,
+                );
                 const colour = paint.of(each);
                 square.style.background = colour;
                 square.style.color = inkOn(colour);

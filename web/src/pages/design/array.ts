@@ -1,4 +1,5 @@
-// The array as the field prints it: blocks as columns, an element keeps its row as long as it stays, a star marks what is introduced.
+// The array as the field prints it: blocks as columns, an element keeps its row as long as it
+// stays, a star marks what is introduced.
 import { fill, h, scroll } from '../../lib/dom';
 import { count, number } from '../../lib/words';
 import { field } from '../../lib/dom';
@@ -10,13 +11,32 @@ function pageOf(k: number): number {
   return Math.max(10, Math.min(60, Math.floor(1600 / k)));
 }
 
-export function arrayView(steps: Steps, chosen: Chosen, panel: HTMLElement, signal: AbortSignal): void {
+export function arrayView(
+  steps: Steps,
+  chosen: Chosen,
+  panel: HTMLElement,
+  signal: AbortSignal,
+): void {
   const { b, k, names } = steps;
   const page = Math.min(b, pageOf(k));
   let from = Math.max(1, Math.min(b - page + 1, chosen.range?.from ?? 1));
-  const start = h('input', { type: 'number', min: 1, max: b, value: from, onchange: () => go(Number(start.value) || 1) });
-  const earlier = h('button', { type: 'button', class: 'plain', onclick: () => go(from - page) }, '← earlier');
-  const later = h('button', { type: 'button', class: 'plain', onclick: () => go(from + page) }, 'later →');
+  const start = h('input', {
+    type: 'number',
+    min: 1,
+    max: b,
+    value: from,
+    onchange: () => go(Number(start.value) || 1),
+  });
+  const earlier = h(
+    'button',
+    { type: 'button', class: 'plain', onclick: () => go(from - page) },
+    '← earlier',
+  );
+  const later = h(
+    'button',
+    { type: 'button', class: 'plain', onclick: () => go(from + page) },
+    'later →',
+  );
   const body = h('table', {
     class: 'array-table',
     onclick: (event) => {
@@ -45,11 +65,30 @@ export function arrayView(steps: Steps, chosen: Chosen, panel: HTMLElement, sign
     const to = Math.min(b, from + page - 1);
     const columns = Array.from({ length: to - from + 1 }, (_, i) => steps.step(from + i));
     const lit = chosen.elements;
-    const starred = columns.map((column) => new Set(column.number === 1 && chosen.design.kind === 'circular' ? fresh(1) : column.entered));
+    const starred = columns.map(
+      (column) =>
+        new Set(
+          column.number === 1 && chosen.design.kind === 'circular' ? fresh(1) : column.entered,
+        ),
+    );
     fill(
       body,
       h('caption', { class: 'unseen' }, `Blocks ${from} to ${to}`),
-      h('thead', {}, h('tr', {}, columns.map((column) => h('th', { scope: 'col' }, h('span', { class: 'block-index' }, 'B', h('sub', {}, column.number)))))),
+      h(
+        'thead',
+        {},
+        h(
+          'tr',
+          {},
+          columns.map((column) =>
+            h(
+              'th',
+              { scope: 'col' },
+              h('span', { class: 'block-index' }, 'B', h('sub', {}, column.number)),
+            ),
+          ),
+        ),
+      ),
       h(
         'tbody',
         {},
@@ -60,8 +99,23 @@ export function arrayView(steps: Steps, chosen: Chosen, panel: HTMLElement, sign
             columns.map((column, i) => {
               const x = column.slots[row]!;
               const star = starred[i]!.has(x);
-              const words = [star ? 'fresh' : '', lit.includes(x) ? 'lit' : '', lit.length === 2 && lit.every((each) => column.slots.includes(each)) && lit.includes(x) ? 'met' : ''].filter(Boolean).join(' ');
-              return h('td', { class: words || null, 'data-x': x }, names[x], star && h('sup', {}, '*'));
+              const words = [
+                star ? 'fresh' : '',
+                lit.includes(x) ? 'lit' : '',
+                lit.length === 2 &&
+                lit.every((each) => column.slots.includes(each)) &&
+                lit.includes(x)
+                  ? 'met'
+                  : '',
+              ]
+                .filter(Boolean)
+                .join(' ');
+              return h(
+                'td',
+                { class: words || null, 'data-x': x },
+                names[x],
+                star && h('sup', {}, '*'),
+              );
             }),
           ),
         ),
@@ -76,8 +130,20 @@ export function arrayView(steps: Steps, chosen: Chosen, panel: HTMLElement, sign
   chosen.follow(signal, draw);
   fill(
     panel,
-    h('p', { class: 'hint' }, 'A column for each block, as the field prints them. An element keeps its row as long as it stays; a star marks what is introduced. Click an element to see it everywhere.'),
-    b > page && h('div', { class: 'row' }, field(`From block, of ${number(b)}`, start), h('div', { class: 'row tight' }, earlier, later), h('span', { class: 'hint' }, `${count(page, 'block')} at a time`)),
+    h(
+      'p',
+      { class: 'hint' },
+      'A column for each block, as the field prints them. An element keeps its row as long as ' +
+        'it stays; a star marks what is introduced. Click an element to see it everywhere.',
+    ),
+    b > page &&
+      h(
+        'div',
+        { class: 'row' },
+        field(`From block, of ${number(b)}`, start),
+        h('div', { class: 'row tight' }, earlier, later),
+        h('span', { class: 'hint' }, `${count(page, 'block')} at a time`),
+      ),
     scroll('Array of blocks', body),
   );
   draw();

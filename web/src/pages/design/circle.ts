@@ -1,5 +1,5 @@
-// The design on a circle, turned by its own symmetry: elements are placed so that the automorphism is a rotation, and the blocks of one
-// turn are drawn; all others are their images.
+// The design on a circle, turned by its own symmetry: elements are placed so that the automorphism
+// is a rotation, and the blocks of one turn are drawn; all others are their images.
 import { hues } from '../../lib/colours';
 import { field, fill, h, select, svg } from '../../lib/dom';
 import { cyclesOf, type Symmetry } from '../../lib/symmetry';
@@ -10,7 +10,10 @@ import type { Chosen } from './selection';
 /** More blocks than this on one picture are a tangle. */
 const mostDrawn = 8;
 
-/** Where each element is on a picture of 600 by 600: cycles of one length share a ring, turned against each other. */
+/**
+ * Where each element is on a picture of 600 by 600: cycles of one length share a ring, turned
+ * against each other.
+ */
 export function places(symmetry: Symmetry): { x: number; y: number }[] {
   const cycles = cyclesOf(symmetry.map);
   const found: { x: number; y: number }[] = [];
@@ -23,64 +26,153 @@ export function places(symmetry: Symmetry): { x: number; y: number }[] {
       found[x] = { x: 300 + radius * Math.cos(angle), y: 300 + radius * Math.sin(angle) };
     });
   });
-  fixed.forEach((x, i) => (found[x] = { x: 300 + (fixed.length > 1 ? 26 * Math.cos((2 * Math.PI * i) / fixed.length) : 0), y: 300 + (fixed.length > 1 ? 26 * Math.sin((2 * Math.PI * i) / fixed.length) : 0) }));
+  fixed.forEach(
+    (x, i) =>
+      (found[x] = {
+        x: 300 + (fixed.length > 1 ? 26 * Math.cos((2 * Math.PI * i) / fixed.length) : 0),
+        y: 300 + (fixed.length > 1 ? 26 * Math.sin((2 * Math.PI * i) / fixed.length) : 0),
+      }),
+  );
   return found;
 }
 
 /** Between neighbours of a ring, or between rings. */
 function leastDistance(symmetry: Symmetry, at: readonly { x: number; y: number }[]): number {
   const rings = cyclesOf(symmetry.map).filter((cycle) => cycle.length > 1);
-  const neighbours = rings.map(([a, b]) => Math.hypot(at[a!]!.x - at[b!]!.x, at[a!]!.y - at[b!]!.y));
+  const neighbours = rings.map(([a, b]) =>
+    Math.hypot(at[a!]!.x - at[b!]!.x, at[a!]!.y - at[b!]!.y),
+  );
   return Math.min(200 / rings.length, ...neighbours);
 }
 
-export function circlePicture(symmetry: Symmetry, blocks: readonly (readonly number[])[], names: (x: number) => string, drawn: readonly number[], lit: readonly number[]): SVGElement {
+export function circlePicture(
+  symmetry: Symmetry,
+  blocks: readonly (readonly number[])[],
+  names: (x: number) => string,
+  drawn: readonly number[],
+  lit: readonly number[],
+): SVGElement {
   const at = places(symmetry);
   const colours = hues(mostDrawn, theme());
   const marks: SVGElement[] = [];
   drawn.forEach((index, i) => {
     const block = blocks[index]!;
-    const centre = { x: block.reduce((sum, x) => sum + at[x]!.x, 0) / block.length, y: block.reduce((sum, x) => sum + at[x]!.y, 0) / block.length };
-    const around = [...block].sort((a, b) => Math.atan2(at[a]!.y - centre.y, at[a]!.x - centre.x) - Math.atan2(at[b]!.y - centre.y, at[b]!.x - centre.x));
-    const polygon = svg('polygon', { points: around.map((x) => `${at[x]!.x.toFixed(1)},${at[x]!.y.toFixed(1)}`).join(' '), class: 'circle-block', stroke: colours[i % colours.length]!, fill: colours[i % colours.length]! });
+    const centre = {
+      x: block.reduce((sum, x) => sum + at[x]!.x, 0) / block.length,
+      y: block.reduce((sum, x) => sum + at[x]!.y, 0) / block.length,
+    };
+    const around = [...block].sort(
+      (a, b) =>
+        Math.atan2(at[a]!.y - centre.y, at[a]!.x - centre.x) -
+        Math.atan2(at[b]!.y - centre.y, at[b]!.x - centre.x),
+    );
+    const polygon = svg('polygon', {
+      points: around.map((x) => `${at[x]!.x.toFixed(1)},${at[x]!.y.toFixed(1)}`).join(' '),
+      class: 'circle-block',
+      stroke: colours[i % colours.length]!,
+      fill: colours[i % colours.length]!,
+    });
     polygon.append(svg('title', {}, `Block ${index + 1}: ${block.map(names).join(', ')}`));
     marks.push(polygon);
   });
   const inSome = new Set(drawn.flatMap((index) => blocks[index]!));
   const r = Math.min(14, 0.45 * leastDistance(symmetry, at));
   at.forEach((place, x) => {
-    marks.push(svg('g', { class: `circle-point${lit.includes(x) ? ' lit' : inSome.has(x) ? ' in' : ''}`, 'data-x': x }, svg('circle', { cx: place.x.toFixed(1), cy: place.y.toFixed(1), r: r.toFixed(1) }), svg('text', { x: place.x.toFixed(1), y: (place.y + 0.33 * r).toFixed(1), 'font-size': (0.93 * r).toFixed(1) }, names(x))));
+    marks.push(
+      svg(
+        'g',
+        {
+          class: `circle-point${lit.includes(x) ? ' lit' : inSome.has(x) ? ' in' : ''}`,
+          'data-x': x,
+        },
+        svg('circle', { cx: place.x.toFixed(1), cy: place.y.toFixed(1), r: r.toFixed(1) }),
+        svg(
+          'text',
+          {
+            x: place.x.toFixed(1),
+            y: (place.y + 0.33 * r).toFixed(1),
+            'font-size': (0.93 * r).toFixed(1),
+          },
+          names(x),
+        ),
+      ),
+    );
   });
-  return svg('svg', { viewBox: '0 0 600 600', class: 'circle-picture', role: 'img', 'aria-label': `Elements on a circle; ${drawn.length} blocks of one turn` }, ...marks);
+  return svg(
+    'svg',
+    {
+      viewBox: '0 0 600 600',
+      class: 'circle-picture',
+      role: 'img',
+      'aria-label': `Elements on a circle; ${drawn.length} blocks of one turn`,
+    },
+    ...marks,
+  );
 }
 
-export function circleView(symmetry: Symmetry, chosen: Chosen, panel: HTMLElement, signal: AbortSignal): void {
+export function circleView(
+  symmetry: Symmetry,
+  chosen: Chosen,
+  panel: HTMLElement,
+  signal: AbortSignal,
+): void {
   const { blocks } = chosen.design;
   const { shift, rotations, map } = symmetry;
   let turn = 0;
   let which = shift <= mostDrawn ? 'all' : '0';
-  const place = h('div', { class: 'circle-place', onclick: (event) => {
-    const point = (event.target as Element).closest<SVGElement>('[data-x]');
-    if (point) {
-      chosen.toggle(Number(point.dataset['x']));
-    }
-  } });
+  const place = h('div', {
+    class: 'circle-place',
+    onclick: (event) => {
+      const point = (event.target as Element).closest<SVGElement>('[data-x]');
+      if (point) {
+        chosen.toggle(Number(point.dataset['x']));
+      }
+    },
+  });
   const said = h('p', { class: 'circle-says', role: 'status' });
   const cycles = cyclesOf(map).filter((cycle) => cycle.length > 1);
-  const shape = cycles.length === 0 ? '' : [...new Set(cycles.map((cycle) => cycle.length))].map((length) => count(cycles.filter((cycle) => cycle.length === length).length, `cycle of length ${length}`, `cycles of length ${length}`)).join(', ');
+  const shape =
+    cycles.length === 0
+      ? ''
+      : [...new Set(cycles.map((cycle) => cycle.length))]
+          .map((length) =>
+            count(
+              cycles.filter((cycle) => cycle.length === length).length,
+              `cycle of length ${length}`,
+              `cycles of length ${length}`,
+            ),
+          )
+          .join(', ');
   const fixed = map.reduce((sum, y, x) => sum + (x === y ? 1 : 0), 0);
 
   function draw(): void {
     const base = which === 'all' ? Array.from({ length: shift }, (_, i) => i) : [Number(which)];
     const drawn = base.map((i) => i + turn * shift);
-    fill(place, circlePicture(symmetry, blocks, (x) => chosen.name(x), drawn, chosen.elements) as unknown as Node);
-    fill(said, `Turn ${turn + 1} of ${number(rotations)}: ${drawn.length === 1 ? `block ${number(drawn[0]! + 1)}` : `blocks ${number(drawn[0]! + 1)} to ${number(drawn.at(-1)! + 1)}`}.`);
+    fill(
+      place,
+      circlePicture(
+        symmetry,
+        blocks,
+        (x) => chosen.name(x),
+        drawn,
+        chosen.elements,
+      ) as unknown as Node,
+    );
+    const [first, last] = [number(drawn[0]! + 1), number(drawn.at(-1)! + 1)];
+    const shown = drawn.length === 1 ? `block ${first}` : `blocks ${first} to ${last}`;
+    fill(said, `Turn ${turn + 1} of ${number(rotations)}: ${shown}.`);
   }
   const step = (by: number): void => {
     turn = (turn + by + rotations) % rotations;
     draw();
   };
-  const options: [string, string][] = [...(shift <= mostDrawn ? ([['all', `all ${shift}`]] as [string, string][]) : []), ...Array.from({ length: Math.min(shift, 200) }, (_, i): [string, string] => [String(i), String(i + 1)])];
+  const options: [string, string][] = [
+    ...(shift <= mostDrawn ? ([['all', `all ${shift}`]] as [string, string][]) : []),
+    ...Array.from({ length: Math.min(shift, 200) }, (_, i): [string, string] => [
+      String(i),
+      String(i + 1),
+    ]),
+  ];
   chosen.follow(signal, draw);
   document.addEventListener('themechange', draw, { signal });
   fill(
@@ -91,11 +183,47 @@ export function circleView(symmetry: Symmetry, chosen: Chosen, panel: HTMLElemen
       h(
         'div',
         {},
-        h('p', { class: 'hint' }, `A rotation of the picture by one place is an automorphism: it maps every block to the one ${count(shift, 'place')} later. ${shift === 1 ? 'One block makes' : `${number(shift)} base blocks make`} all ${number(blocks.length)} in ${number(rotations)} turns; on the elements: ${shape}${fixed > 0 ? `, ${count(fixed, 'fixed point')}` : ''}.`),
-        h('div', { class: 'row' }, shift > 1 && field('Base block', select(which, options, (value) => {
-          which = value;
-          draw();
-        })), h('div', { class: 'row tight' }, h('button', { type: 'button', class: 'plain', 'aria-label': 'Turn back', onclick: () => step(-1) }, '↺'), h('button', { type: 'button', class: 'plain', 'aria-label': 'Turn on', onclick: () => step(1) }, '↻')), said),
+        h(
+          'p',
+          { class: 'hint' },
+          `A rotation of the picture by one place is an automorphism: it maps every block to ` +
+            `the one ${count(shift, 'place')} later. ` +
+            `${shift === 1 ? 'One block makes' : `${number(shift)} base blocks make`} all ` +
+            `${number(blocks.length)} in ${number(rotations)} turns; on the elements: ` +
+            `${shape}${fixed > 0 ? `, ${count(fixed, 'fixed point')}` : ''}.`,
+        ),
+        h(
+          'div',
+          { class: 'row' },
+          shift > 1 &&
+            field(
+              'Base block',
+              select(which, options, (value) => {
+                which = value;
+                draw();
+              }),
+            ),
+          h(
+            'div',
+            { class: 'row tight' },
+            h(
+              'button',
+              {
+                type: 'button',
+                class: 'plain',
+                'aria-label': 'Turn back',
+                onclick: () => step(-1),
+              },
+              '↺',
+            ),
+            h(
+              'button',
+              { type: 'button', class: 'plain', 'aria-label': 'Turn on', onclick: () => step(1) },
+              '↻',
+            ),
+          ),
+          said,
+        ),
       ),
       place,
     ),

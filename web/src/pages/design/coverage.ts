@@ -18,7 +18,13 @@ export interface Coverage {
 }
 
 function colours(): Record<'ground' | 'met' | 'anew' | 'line' | 'mark', string> {
-  return { ground: token('--sunken'), met: token('--met'), anew: token('--leave'), line: token('--ground'), mark: token('--mark') };
+  return {
+    ground: token('--sunken'),
+    met: token('--met'),
+    anew: token('--leave'),
+    line: token('--ground'),
+    mark: token('--mark'),
+  };
 }
 
 /** Null if there are too many elements to tell their pairs apart. */
@@ -28,10 +34,21 @@ export function coverage(steps: Steps): Coverage | null {
     return null;
   }
   const side = Math.max(1, Math.min(32, Math.floor(512 / v)));
-  const canvas = h('canvas', { width: v * side, height: v * side, class: 'coverage-map', role: 'img' });
-  const over = h('canvas', { width: v * side, height: v * side, class: 'coverage-over', 'aria-hidden': 'true' });
+  const canvas = h('canvas', {
+    width: v * side,
+    height: v * side,
+    class: 'coverage-map',
+    role: 'img',
+  });
+  const over = h('canvas', {
+    width: v * side,
+    height: v * side,
+    class: 'coverage-over',
+    'aria-hidden': 'true',
+  });
   const both = h('div', { class: 'coverage-both' }, canvas, over);
-  const rail = (way: string): HTMLElement => h('div', { class: `coverage-names ${way}`, 'aria-hidden': 'true' });
+  const rail = (way: string): HTMLElement =>
+    h('div', { class: `coverage-names ${way}`, 'aria-hidden': 'true' });
   const [across, down] = [rail('across'), rail('down')];
   const frame = h('div', { class: 'coverage-frame' }, across, down, both);
   const short = (x: number): string => steps.names[x]!.slice(0, 5);
@@ -55,7 +72,17 @@ export function coverage(steps: Steps): Coverage | null {
     for (let x = 0; x < v; ++x) {
       for (let y = 0; y < v; ++y) {
         const met = first![x * v + y]!;
-        square(x, y, x === y ? paint.line : met === 0 || met > n ? paint.ground : met === n ? paint.anew : paint.met);
+        square(
+          x,
+          y,
+          x === y
+            ? paint.line
+            : met === 0 || met > n
+              ? paint.ground
+              : met === n
+                ? paint.anew
+                : paint.met,
+        );
       }
     }
   }
@@ -75,12 +102,23 @@ export function coverage(steps: Steps): Coverage | null {
 
   /** Names beside the squares, as many as there is room for, and those of what is chosen. */
   function names(): void {
-    const shown = steps.names.map((_, x) => x).filter((x) => lit.includes(x) || (x % apart === 0 && !lit.some((at) => Math.abs(at - x) < apart)));
-    for (const [names, way] of [[across, 'left'], [down, 'top']] as const) {
+    const shown = steps.names
+      .map((_, x) => x)
+      .filter(
+        (x) => lit.includes(x) || (x % apart === 0 && !lit.some((at) => Math.abs(at - x) < apart)),
+      );
+    for (const [names, way] of [
+      [across, 'left'],
+      [down, 'top'],
+    ] as const) {
       fill(
         names,
         shown.map((x) => {
-          const name = h('span', { class: lit.includes(x) ? 'lit' : (x / apart) % 2 === 1 ? 'second' : '' }, short(x));
+          const name = h(
+            'span',
+            { class: lit.includes(x) ? 'lit' : (x / apart) % 2 === 1 ? 'second' : '' },
+            short(x),
+          );
           name.style.setProperty(way, `${(100 * (x + 0.5)) / v}%`);
           return name;
         }),
@@ -130,7 +168,10 @@ export function coverage(steps: Steps): Coverage | null {
         all(n);
       }
       shown = n;
-      canvas.setAttribute('aria-label', `Map of pairs: ${steps.pairs![n]} of ${steps.allPairs} have met after block ${n}`);
+      canvas.setAttribute(
+        'aria-label',
+        `Map of pairs: ${steps.pairs![n]} of ${steps.allPairs} have met after block ${n}`,
+      );
     },
     pairAt(event) {
       const place = placeAt(event);
@@ -139,7 +180,10 @@ export function coverage(steps: Steps): Coverage | null {
       }
       const [x, y] = place;
       const met = first[x * v + y]!;
-      return `${steps.names[y]} and ${steps.names[x]}: ${met === 0 ? 'never together' : `first together in block ${met}`}`;
+      return (
+        `${steps.names[y]} and ${steps.names[x]}: ` +
+        `${met === 0 ? 'never together' : `first together in block ${met}`}`
+      );
     },
     recolour() {
       paint = colours();

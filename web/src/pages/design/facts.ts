@@ -9,20 +9,42 @@ import { link } from '../../shell/router';
 export function facts(design: Design): HTMLElement {
   const verdict = design.verdict;
   const b = design.blocks.length;
-  const yes = (so: boolean, bad = false): Child => h('span', { class: `badge ${so ? 'good' : bad ? 'impossible' : ''}` }, so ? 'yes' : 'no');
-  const cell = link('cell', { v: design.v, k: design.k, change: design.change, kind: design.kind, strength: design.strength === 2 ? null : design.strength });
+  const yes = (so: boolean, bad = false): Child =>
+    h('span', { class: `badge ${so ? 'good' : bad ? 'impossible' : ''}` }, so ? 'yes' : 'no');
+  const cell = link('cell', {
+    v: design.v,
+    k: design.k,
+    change: design.change,
+    kind: design.kind,
+    strength: design.strength === 2 ? null : design.strength,
+  });
   const rows: [string, Child | Child[], string][] = [
     ['elements v', number(design.v), terms.v],
     ['block size k', number(design.k), terms.k],
     ['change number m', [number(design.change), ` (${changeWord(design.change)})`], terms.change],
     ['kind', design.kind, terms.kind],
-    ...((design.strength ?? 2) > 2 ? ([['strength t', String(design.strength), 'every t elements are together in some block, and not only every two']] as [string, string, string][]) : []),
+    ...((design.strength ?? 2) > 2
+      ? ([
+          [
+            'strength t',
+            String(design.strength),
+            'every t elements are together in some block, and not only every two',
+          ],
+        ] as [string, string, string][])
+      : []),
     ['blocks b', h('strong', {}, number(b)), terms.blocks],
   ];
   if (verdict) {
-    const status = verdict.minimum === 'proved' ? h('span', { class: 'badge minimum' }, 'proved') : h('span', { class: 'badge' }, 'not known');
+    const status =
+      verdict.minimum === 'proved'
+        ? h('span', { class: 'badge minimum' }, 'proved')
+        : h('span', { class: 'badge' }, 'not known');
     rows.push(
-      ['lower bound', [number(verdict.lower_bound), ' ', h('a', { href: cell }, 'why')], terms.bound],
+      [
+        'lower bound',
+        [number(verdict.lower_bound), ' ', h('a', { href: cell }, 'why')],
+        terms.bound,
+      ],
       ['valid', yes(verdict.valid, true), terms.valid],
       ['minimum', status, terms.minimum],
       ['tight', yes(verdict.tight), terms.tight],
@@ -33,6 +55,18 @@ export function facts(design: Design): HTMLElement {
     'table',
     { class: 'fact-table' },
     h('caption', { class: 'unseen' }, 'The design in numbers'),
-    h('tbody', {}, rows.map(([name, value, meaning]) => h('tr', {}, h('th', { scope: 'row' }, h('dfn', {}, name)), h('td', {}, value), h('td', { class: 'hint' }, mathText(meaning))))),
+    h(
+      'tbody',
+      {},
+      rows.map(([name, value, meaning]) =>
+        h(
+          'tr',
+          {},
+          h('th', { scope: 'row' }, h('dfn', {}, name)),
+          h('td', {}, value),
+          h('td', { class: 'hint' }, mathText(meaning)),
+        ),
+      ),
+    ),
   );
 }

@@ -1,5 +1,6 @@
-// All pairs of elements as a matrix: below the diagonal when they first meet, above it how often they are newly covered. Zoomed and
-// panned; a pair is chosen by a click, and the blocks that are chosen elsewhere stand out.
+// All pairs of elements as a matrix: below the diagonal when they first meet, above it how often
+// they are newly covered. Zoomed and panned; a pair is chosen by a click, and the blocks that are
+// chosen elsewhere stand out.
 import { clear, placeTip, resize, token } from '../../lib/canvas';
 import { inkOn, scale } from '../../lib/colours';
 import { h } from '../../lib/dom';
@@ -19,7 +20,12 @@ export interface Matrix {
 const margin = 52;
 
 /** Null if there are too many elements to keep their pairs apart. */
-export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, largest = 720): Matrix | null {
+export function matrix(
+  steps: Steps,
+  chosen: Chosen,
+  signal: AbortSignal,
+  largest = 720,
+): Matrix | null {
   const { v, b, first } = steps;
   if (!first) {
     return null;
@@ -30,7 +36,9 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
     tabindex: 0,
     role: 'application',
     'aria-roledescription': 'matrix',
-    'aria-label': `Pairs of ${v} elements. Arrow keys choose a pair, plus and minus zoom, 0 shows everything.`,
+    'aria-label':
+      `Pairs of ${v} elements. Arrow keys choose a pair, plus and minus zoom, 0 ` +
+      `shows everything.`,
   });
   const tip = h('div', { class: 'atlas-tip', hidden: true });
   const element = h('div', { class: 'matrix' }, canvas, tip);
@@ -89,7 +97,11 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
   /** Many small squares: a pixel each, enlarged. */
   const small = document.createElement('canvas');
   small.width = small.height = v;
-  function drawSmall(colourOf: (i: number, j: number, when: number, n: number) => string, range: { from: number; to: number } | null, ground: string): void {
+  function drawSmall(
+    colourOf: (i: number, j: number, when: number, n: number) => string,
+    range: { from: number; to: number } | null,
+    ground: string,
+  ): void {
     const counts = times();
     const top = small.getContext('2d')!;
     const image = top.createImageData(v, v);
@@ -97,7 +109,11 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
     const packed = (colour: string): number => {
       let value = known.get(colour);
       if (value === undefined) {
-        const [r, g, blue] = [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16)) as [number, number, number];
+        const [r, g, blue] = [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16)) as [
+          number,
+          number,
+          number,
+        ];
         value = (blue << 16) | (g << 8) | r;
         known.set(colour, value);
       }
@@ -110,12 +126,25 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
         const [x, y] = [rows[j]!, rows[i]!];
         const when = meet[x * v + y]!;
         const inside = !range || (when >= range.from && when <= range.to);
-        pixels[i * v + j] = (packed(x === y ? ground : colourOf(i, j, when, counts[x * v + y]!)) | (inside ? 0xff << 24 : dim)) >>> 0;
+        pixels[i * v + j] =
+          (packed(x === y ? ground : colourOf(i, j, when, counts[x * v + y]!)) |
+            (inside ? 0xff << 24 : dim)) >>>
+          0;
       }
     }
     top.putImageData(image, 0, 0);
     pen.imageSmoothingEnabled = false;
-    pen.drawImage(small, corner.x, corner.y, room() / cell, room() / cell, margin, margin, room(), room());
+    pen.drawImage(
+      small,
+      corner.x,
+      corner.y,
+      room() / cell,
+      room() / cell,
+      margin,
+      margin,
+      room(),
+      room(),
+    );
   }
 
   function draw(): void {
@@ -127,15 +156,36 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
     const counts = times();
     const range = chosen.range;
     const lit = chosen.elements;
-    const [sunken, faint, mark, text, ground, met, leave] = ['--sunken', '--faint', '--mark', '--text', '--ground', '--met', '--leave'].map(token) as [string, string, string, string, string, string, string];
+    const [sunken, faint, mark, text, ground, met, leave] = [
+      '--sunken',
+      '--faint',
+      '--mark',
+      '--text',
+      '--ground',
+      '--met',
+      '--leave',
+    ].map(token) as [string, string, string, string, string, string, string];
     const gap = 1;
     pen.save();
     pen.beginPath();
     pen.rect(margin, margin, room(), room());
     pen.clip();
-    const last = { x: Math.min(v - 1, Math.ceil(corner.x + room() / cell)), y: Math.min(v - 1, Math.ceil(corner.y + room() / cell)) };
+    const last = {
+      x: Math.min(v - 1, Math.ceil(corner.x + room() / cell)),
+      y: Math.min(v - 1, Math.ceil(corner.y + room() / cell)),
+    };
     const colourOf = (i: number, j: number, when: number, n: number): string =>
-      when === 0 ? leave : j > i ? (n === 1 ? sunken : n === 0 ? faint : n === 2 ? met : mark) : colours[Math.min(colours.length - 1, Math.floor(((when - 1) / b) * colours.length))]!;
+      when === 0
+        ? leave
+        : j > i
+          ? n === 1
+            ? sunken
+            : n === 0
+              ? faint
+              : n === 2
+                ? met
+                : mark
+          : colours[Math.min(colours.length - 1, Math.floor(((when - 1) / b) * colours.length))]!;
     if (cell < 5) {
       drawSmall(colourOf, range, ground);
     }
@@ -158,7 +208,11 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
           pen.font = `${cell >= 30 ? 11 : 9}px ${token('--text-font')}`;
           pen.textAlign = 'center';
           pen.textBaseline = 'middle';
-          pen.fillText(j > i ? (n === 1 ? '' : String(n)) : String(when), px + cell / 2, py + cell / 2);
+          pen.fillText(
+            j > i ? (n === 1 ? '' : String(n)) : String(when),
+            px + cell / 2,
+            py + cell / 2,
+          );
         }
       }
     }
@@ -175,13 +229,26 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
     const pair = lit.length === 2 ? { x: rowOf(lit[0]!), y: rowOf(lit[1]!) } : null;
     for (const each of [pair, pointed]) {
       if (each) {
-        for (const [i, j] of [[each.x, each.y], [each.y, each.x]] as const) {
+        for (const [i, j] of [
+          [each.x, each.y],
+          [each.y, each.x],
+        ] as const) {
           pen.lineWidth = 4;
           pen.strokeStyle = ground;
-          pen.strokeRect(margin + (i - corner.x) * cell - 1, margin + (j - corner.y) * cell - 1, cell + 1, cell + 1);
+          pen.strokeRect(
+            margin + (i - corner.x) * cell - 1,
+            margin + (j - corner.y) * cell - 1,
+            cell + 1,
+            cell + 1,
+          );
           pen.lineWidth = 2;
           pen.strokeStyle = each === pair ? mark : text;
-          pen.strokeRect(margin + (i - corner.x) * cell - 1, margin + (j - corner.y) * cell - 1, cell + 1, cell + 1);
+          pen.strokeRect(
+            margin + (i - corner.x) * cell - 1,
+            margin + (j - corner.y) * cell - 1,
+            cell + 1,
+            cell + 1,
+          );
         }
       }
     }
@@ -210,7 +277,11 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
       const down = margin + (i - corner.y + 0.5) * cell;
       pen.textBaseline = 'middle';
       pen.textAlign = 'center';
-      if (across > margin && across + name.length * 3.5 < side && (cell * step >= name.length * 7 || strong)) {
+      if (
+        across > margin &&
+        across + name.length * 3.5 < side &&
+        (cell * step >= name.length * 7 || strong)
+      ) {
         pen.fillText(name, across, margin - 9);
       }
       pen.textAlign = 'right';
@@ -224,7 +295,15 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
     const box = canvas.getBoundingClientRect();
     const x = Math.floor(corner.x + (event.clientX - box.left - margin) / cell);
     const y = Math.floor(corner.y + (event.clientY - box.top - margin) / cell);
-    return x < 0 || y < 0 || x >= v || y >= v || x === y || event.clientX - box.left < margin || event.clientY - box.top < margin ? null : { x, y };
+    return x < 0 ||
+      y < 0 ||
+      x >= v ||
+      y >= v ||
+      x === y ||
+      event.clientX - box.left < margin ||
+      event.clientY - box.top < margin
+      ? null
+      : { x, y };
   }
   function zoomAt(factor: number, px: number, py: number): void {
     const [cx, cy] = [corner.x + (px - margin) / cell, corner.y + (py - margin) / cell];
@@ -259,7 +338,10 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
     if (pointed) {
       const [x, y] = [rows[pointed.x]!, rows[pointed.y]!];
       const when = meet[x * v + y]!;
-      placeTip(tip, canvas, event, `${steps.names[y]} and ${steps.names[x]}: ${when === 0 ? 'never together' : `first together in block ${number(when)}, newly covered ${times()[x * v + y] === 1 ? 'once' : `${times()[x * v + y]} times`}`}`);
+      const covered = times()[x * v + y] === 1 ? 'once' : `${times()[x * v + y]} times`;
+      const met = `first together in block ${number(when)}, newly covered ${covered}`;
+      const pair = `${steps.names[y]} and ${steps.names[x]}`;
+      placeTip(tip, canvas, event, `${pair}: ${when === 0 ? 'never together' : met}`);
     }
     later();
   });
@@ -277,18 +359,29 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
     tip.hidden = true;
     later();
   });
-  canvas.addEventListener('wheel', (event) => {
-    if (event.ctrlKey || event.metaKey) {
-      event.preventDefault();
-      const box = canvas.getBoundingClientRect();
-      zoomAt(Math.exp(-event.deltaY * 0.0025 * (event.deltaMode === 1 ? 20 : 1)), event.clientX - box.left, event.clientY - box.top);
-    }
-  }, { passive: false });
+  canvas.addEventListener(
+    'wheel',
+    (event) => {
+      if (event.ctrlKey || event.metaKey) {
+        event.preventDefault();
+        const box = canvas.getBoundingClientRect();
+        zoomAt(
+          Math.exp(-event.deltaY * 0.0025 * (event.deltaMode === 1 ? 20 : 1)),
+          event.clientX - box.left,
+          event.clientY - box.top,
+        );
+      }
+    },
+    { passive: false },
+  );
   canvas.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) {
       return;
     }
-    const [x, y] = chosen.elements.length === 2 ? [rows.indexOf(chosen.elements[1]!), rows.indexOf(chosen.elements[0]!)] : [0, 1];
+    const [x, y] =
+      chosen.elements.length === 2
+        ? [rows.indexOf(chosen.elements[1]!), rows.indexOf(chosen.elements[0]!)]
+        : [0, 1];
     const go = (dx: number, dy: number): void => {
       let [nx, ny] = [x + dx, y + dy];
       if (nx === ny) {
@@ -298,7 +391,17 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
         chosen.choose([rows[ny]!, rows[nx]!]);
       }
     };
-    const acts: Record<string, () => void> = { ArrowLeft: () => go(-1, 0), ArrowRight: () => go(1, 0), ArrowUp: () => go(0, -1), ArrowDown: () => go(0, 1), '+': () => zoomAt(1.5, side / 2, side / 2), '=': () => zoomAt(1.5, side / 2, side / 2), '-': () => zoomAt(1 / 1.5, side / 2, side / 2), '0': () => zoomAt(1e-9, margin, margin), Escape: () => chosen.choose([]) };
+    const acts: Record<string, () => void> = {
+      ArrowLeft: () => go(-1, 0),
+      ArrowRight: () => go(1, 0),
+      ArrowUp: () => go(0, -1),
+      ArrowDown: () => go(0, 1),
+      '+': () => zoomAt(1.5, side / 2, side / 2),
+      '=': () => zoomAt(1.5, side / 2, side / 2),
+      '-': () => zoomAt(1 / 1.5, side / 2, side / 2),
+      '0': () => zoomAt(1e-9, margin, margin),
+      Escape: () => chosen.choose([]),
+    };
     if (acts[event.key]) {
       event.preventDefault();
       acts[event.key]!();

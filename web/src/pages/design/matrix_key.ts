@@ -15,10 +15,21 @@ const kinds: readonly (readonly [string, string])[] = [
 
 export function matrixKey(b: number, pairs: Matrix, signal: AbortSignal): HTMLElement {
   const often = pairs.often();
-  const sums = [often.get(0) ?? 0, often.get(1) ?? 0, often.get(2) ?? 0, [...often].reduce((sum, [n, of]) => sum + (n > 2 ? of : 0), 0)];
+  const sums = [
+    often.get(0) ?? 0,
+    often.get(1) ?? 0,
+    often.get(2) ?? 0,
+    [...often].reduce((sum, [n, of]) => sum + (n > 2 ? of : 0), 0),
+  ];
   const most = Math.max(0, ...often.keys());
   const bar = h('div', { class: 'matrix-scale' });
-  const paint = (): void => fill(bar, colourBar(scale(theme())), h('span', {}, 'block 1'), h('span', {}, `block ${number(b)}`));
+  const paint = (): void =>
+    fill(
+      bar,
+      colourBar(scale(theme())),
+      h('span', {}, 'block 1'),
+      h('span', {}, `block ${number(b)}`),
+    );
   paint();
   document.addEventListener('themechange', paint, { signal });
   return h(
@@ -32,17 +43,36 @@ export function matrixKey(b: number, pairs: Matrix, signal: AbortSignal): HTMLEl
     h(
       'table',
       {},
-      h('thead', {}, h('tr', {}, h('th', {}, 'newly covered'), h('th', { class: 'number' }, 'pairs'))),
+      h(
+        'thead',
+        {},
+        h('tr', {}, h('th', {}, 'newly covered'), h('th', { class: 'number' }, 'pairs')),
+      ),
       h(
         'tbody',
         {},
         kinds.map(([name, words], i) =>
           sums[i]! > 0 || i === 1
-            ? h('tr', {}, h('td', {}, h('span', { class: `key key-${name}` }), ' ', i === 3 && most > 3 ? `${words}, up to ${number(most)} times` : words), h('td', { class: 'number' }, number(sums[i]!)))
+            ? h(
+                'tr',
+                {},
+                h(
+                  'td',
+                  {},
+                  h('span', { class: `key key-${name}` }),
+                  ' ',
+                  i === 3 && most > 3 ? `${words}, up to ${number(most)} times` : words,
+                ),
+                h('td', { class: 'number' }, number(sums[i]!)),
+              )
             : null,
         ),
       ),
     ),
-    h('p', { class: 'hint' }, 'Point at a square to read its pair; click it to see the pair in all views.'),
+    h(
+      'p',
+      { class: 'hint' },
+      'Point at a square to read its pair; click it to see the pair in all views.',
+    ),
   );
 }

@@ -2,54 +2,88 @@
 import type { Design } from '../../lib/api';
 import { fill, h, picture } from '../../lib/dom';
 import { draw, type Asked, type DrawQuery, type PictureName } from '../../lib/source';
+import { fileName } from '../../parts/downloads';
 import { problem } from '../../shell/router';
 import { theme } from '../../shell/theme';
 
 /** So many blocks a picture has at most when it is saved. */
 const mostBlocks = 400;
 
-function fileName(design: Design, name: PictureName): string {
-  return `${design.label ?? `${design.v}.${design.k}.${design.change}.${design.kind}.${design.blocks.length}`}.${name}.svg`;
-}
-
 /** A button that keeps a picture as SVG, as `changeover draw` draws it. */
-export function savePicture(name: PictureName, asked: Asked, design: Design, how: () => Partial<DrawQuery>, signal: AbortSignal): HTMLElement {
+export function savePicture(
+  name: PictureName,
+  asked: Asked,
+  design: Design,
+  how: () => Partial<DrawQuery>,
+  signal: AbortSignal,
+): HTMLElement {
   const said = h('span', { role: 'status' });
-  const button = h('button', {
-    type: 'button',
-    class: 'plain small',
-    onclick: async () => {
-      button.disabled = true;
-      fill(said);
-      try {
-        const { from = 1, to = design.blocks.length } = how();
-        const paged = name === 'array' || name === 'stays' ? { from, to: Math.min(to, from + mostBlocks - 1) } : {};
-        const order = name === 'stays' || name === 'coverage' ? { order: how().order ?? 'first' } : {};
-        const text = await draw(asked, { picture: name, theme: theme(), ...order, ...paged }, signal);
-        if (text !== null) {
-          const url = URL.createObjectURL(new Blob([text], { type: 'image/svg+xml' }));
-          h('a', { href: url, download: fileName(design, name) }).click();
-          setTimeout(() => URL.revokeObjectURL(url), 1000);
+  const button = h(
+    'button',
+    {
+      type: 'button',
+      class: 'plain small',
+      onclick: async () => {
+        button.disabled = true;
+        fill(said);
+        try {
+          const { from = 1, to = design.blocks.length } = how();
+          const paged =
+            name === 'array' || name === 'stays'
+              ? { from, to: Math.min(to, from + mostBlocks - 1) }
+              : {};
+          const order =
+            name === 'stays' || name === 'coverage' ? { order: how().order ?? 'first' } : {};
+          const text = await draw(
+            asked,
+            { picture: name, theme: theme(), ...order, ...paged },
+            signal,
+          );
+          if (text !== null) {
+            const url = URL.createObjectURL(new Blob([text], { type: 'image/svg+xml' }));
+            h('a', { href: url, download: fileName(design, `${name}.svg`) }).click();
+            setTimeout(() => URL.revokeObjectURL(url), 1000);
+          }
+        } catch (fault) {
+          if (!signal.aborted) {
+            fill(said, problem(fault));
+          }
         }
-      } catch (fault) {
-        if (!signal.aborted) {
-          fill(said, problem(fault));
-        }
-      }
-      button.disabled = false;
+        button.disabled = false;
+      },
     },
-  }, 'Save as SVG');
+    'Save as SVG',
+  );
   return h('span', { class: 'save-picture' }, button, said);
 }
 
 /** The tree of constructions as a picture; nothing in a static copy. */
-export async function recipePicture(asked: Asked, panel: HTMLElement, signal: AbortSignal): Promise<void> {
+export async function recipePicture(
+  asked: Asked,
+  panel: HTMLElement,
+  signal: AbortSignal,
+): Promise<void> {
   const show = async (): Promise<void> => {
     const text = await draw(asked, { picture: 'recipe', theme: theme() }, signal).catch(() => null);
     if (text !== null && !signal.aborted) {
       const image = picture(text);
-      image.style.setProperty('--width', `${image.viewBox.baseVal.width || Number(image.getAttribute('width')) || 0}px`);
-      fill(panel, h('div', { class: 'picture scroll recipe', tabindex: 0, role: 'region', 'aria-label': 'Picture: recipe' }, image));
+      image.style.setProperty(
+        '--width',
+        `${image.viewBox.baseVal.width || Number(image.getAttribute('width')) || 0}px`,
+      );
+      fill(
+        panel,
+        h(
+          'div',
+          {
+            class: 'picture scroll recipe',
+            tabindex: 0,
+            role: 'region',
+            'aria-label': 'Picture: recipe',
+          },
+          image,
+        ),
+      );
     }
   };
   document.addEventListener('themechange', () => void show(), { signal });

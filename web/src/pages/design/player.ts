@@ -1,4 +1,5 @@
-// Stepping through a design: the memory of k slots, who enters and leaves, and which pairs have met so far.
+// Stepping through a design: the memory of k slots, who enters and leaves, and which pairs have met
+// so far.
 import type { Design } from '../../lib/api';
 import { fill, h, scroll, select } from '../../lib/dom';
 import { count, number } from '../../lib/words';
@@ -31,7 +32,12 @@ interface Options {
 }
 
 /** Fills `panel` with the player. */
-export function openPlayer(panel: HTMLElement, steps: Steps, design: Design, options: Options): void {
+export function openPlayer(
+  panel: HTMLElement,
+  steps: Steps,
+  design: Design,
+  options: Options,
+): void {
   fill(panel, player(steps, design, options));
 }
 
@@ -47,7 +53,10 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
 
   const map = coverage(steps);
   const pair = h('div', { class: 'pair' }, '\u00a0');
-  map?.element.addEventListener('pointermove', (event) => (pair.textContent = map.pairAt(event) || '\u00a0'));
+  map?.element.addEventListener(
+    'pointermove',
+    (event) => (pair.textContent = map.pairAt(event) || '\u00a0'),
+  );
   map?.element.addEventListener('click', (event) => {
     const place = map.elementsAt(event);
     if (place) {
@@ -57,15 +66,47 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
   map?.element.addEventListener('pointerleave', () => (pair.textContent = '\u00a0'));
   // Many slots are drawn small, below the words, so that the words keep their place.
   const many = design.k > 24;
-  const slots = h('ol', { class: many ? 'slots many' : 'slots', 'aria-label': 'Memory: the block, slot by slot' });
+  const slots = h('ol', {
+    class: many ? 'slots many' : 'slots',
+    'aria-label': 'Memory: the block, slot by slot',
+  });
   const words = h('div', { class: 'step-words' });
   const around = h('tbody');
   const met = h('p', { class: 'met' });
-  const bar = h('progress', { max: steps.allPairs || 1, value: 0, 'aria-label': 'Pairs that have met' });
-  const slider = h('input', { type: 'range', min: 1, max: b, value: at, step: 1, 'aria-label': 'Block', oninput: () => go(Number(slider.value)) });
-  const where = h('input', { type: 'number', min: 1, max: b, value: at, 'aria-label': 'Number of the block', onchange: () => go(Number(where.value) || 1) });
+  const bar = h('progress', {
+    max: steps.allPairs || 1,
+    value: 0,
+    'aria-label': 'Pairs that have met',
+  });
+  const slider = h('input', {
+    type: 'range',
+    min: 1,
+    max: b,
+    value: at,
+    step: 1,
+    'aria-label': 'Block',
+    oninput: () => go(Number(slider.value)),
+  });
+  const where = h('input', {
+    type: 'number',
+    min: 1,
+    max: b,
+    value: at,
+    'aria-label': 'Number of the block',
+    onchange: () => go(Number(where.value) || 1),
+  });
   const button = (sign: string, label: string, keys: string, act: () => void): HTMLButtonElement =>
-    h('button', { type: 'button', class: 'plain', 'aria-label': label, title: `${label} (${keys})`, onclick: act }, sign);
+    h(
+      'button',
+      {
+        type: 'button',
+        class: 'plain',
+        'aria-label': label,
+        title: `${label} (${keys})`,
+        onclick: act,
+      },
+      sign,
+    );
   const first = button('«', 'First block', 'Home', () => go(1));
   const back = button('‹', 'Block before', '←', () => go(at - 1));
   const play = button('Play', 'Play', 'space', () => toggle());
@@ -76,7 +117,13 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
 
   function freshPairs(): string[] {
     const block = [...steps.block(at)];
-    return block.flatMap((x, i) => block.slice(i + 1).flatMap((y) => (steps.first![x * steps.v + y] === at ? [`${steps.names[x]}–\u2060${steps.names[y]}`] : [])));
+    return block.flatMap((x, i) =>
+      block
+        .slice(i + 1)
+        .flatMap((y) =>
+          steps.first![x * steps.v + y] === at ? [`${steps.names[x]}–\u2060${steps.names[y]}`] : [],
+        ),
+    );
   }
 
   /** A block as a row, each element in its slot. */
@@ -85,8 +132,27 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
     return h(
       'tr',
       { class: n === at ? 'own' : null, 'aria-current': n === at ? 'step' : null },
-      h('th', { scope: 'row' }, h('button', { type: 'button', class: 'as-link', tabindex: -1, onclick: () => go(n) }, number(n))),
-      [...memory].map((x) => h('td', { class: [n > 1 && entered.includes(x) ? 'in' : '', chosen.elements.includes(x) ? 'lit' : ''].join(' ').trim() || null }, x < 0 ? '' : steps.names[x]!)),
+      h(
+        'th',
+        { scope: 'row' },
+        h(
+          'button',
+          { type: 'button', class: 'as-link', tabindex: -1, onclick: () => go(n) },
+          number(n),
+        ),
+      ),
+      [...memory].map((x) =>
+        h(
+          'td',
+          {
+            class:
+              [n > 1 && entered.includes(x) ? 'in' : '', chosen.elements.includes(x) ? 'lit' : '']
+                .join(' ')
+                .trim() || null,
+          },
+          x < 0 ? '' : steps.names[x]!,
+        ),
+      ),
     );
   }
 
@@ -104,33 +170,88 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
         const lit = chosen.elements.includes(element);
         return h(
           'li',
-          { class: `${element < 0 ? 'empty' : entering ? 'entering' : 'staying'}${lit ? ' lit' : ''}` },
-          element < 0 ? h('span', { class: 'name' }) : h('button', { type: 'button', class: 'name', 'aria-pressed': String(lit), onclick: () => chosen.toggle(element) }, steps.names[element]!),
-          h('span', { class: 'gone' }, before >= 0 && before !== element ? h('del', {}, steps.names[before]!) : '\u00a0'),
+          {
+            class:
+              `${element < 0 ? 'empty' : entering ? 'entering' : 'staying'}` +
+              `${lit ? ' lit' : ''}`,
+          },
+          element < 0
+            ? h('span', { class: 'name' })
+            : h(
+                'button',
+                {
+                  type: 'button',
+                  class: 'name',
+                  'aria-pressed': String(lit),
+                  onclick: () => chosen.toggle(element),
+                },
+                steps.names[element]!,
+              ),
+          h(
+            'span',
+            { class: 'gone' },
+            before >= 0 && before !== element ? h('del', {}, steps.names[before]!) : '\u00a0',
+          ),
         );
       }),
     );
     if (focused >= 0) {
       slots.children[focused]?.querySelector('button')?.focus();
     }
-    const list = (elements: number[]): string => elements.map((each) => steps.names[each]).join(', ') || 'none';
+    const list = (elements: number[]): string =>
+      elements.map((each) => steps.names[each]).join(', ') || 'none';
     const fresh = steps.newPairs(at);
     fill(
       words,
-      h('p', { class: 'block-text' }, `Block ${number(at)} of ${number(b)}: `, h('span', { class: 'code' }, `{${[...steps.block(at)].map((each) => steps.names[each]).join(', ')}}`)),
+      h(
+        'p',
+        { class: 'block-text' },
+        `Block ${number(at)} of ${number(b)}: `,
+        h(
+          'span',
+          { class: 'code' },
+          `{${[...steps.block(at)].map((each) => steps.names[each]).join(', ')}}`,
+        ),
+      ),
       at === 1
-        ? h('p', {}, 'The first block: all its elements come in.', circular && ' As the design is circular, it also follows the last one.')
-        : h('p', {}, h('span', { class: 'in' }, `Introduced: ${list(entered)}`), ' · ', h('span', { class: 'out' }, `leaving: ${list(left)}`), ` · unchanged: ${steps.block(at).length - entered.length}`),
-      fresh !== null && h('p', {}, `${count(fresh, 'pair')} ${fresh === 1 ? 'meets' : 'meet'} for the first time here${fresh > 0 && fresh <= mostPairs && steps.first ? `: ${freshPairs().join(', ')}` : ''}.`),
+        ? h(
+            'p',
+            {},
+            'The first block: all its elements come in.',
+            circular && ' As the design is circular, it also follows the last one.',
+          )
+        : h(
+            'p',
+            {},
+            h('span', { class: 'in' }, `Introduced: ${list(entered)}`),
+            ' · ',
+            h('span', { class: 'out' }, `leaving: ${list(left)}`),
+            ` · unchanged: ${steps.block(at).length - entered.length}`,
+          ),
+      fresh !== null &&
+        h(
+          'p',
+          {},
+          `${count(fresh, 'pair')} ${fresh === 1 ? 'meets' : 'meet'} for the first time here`,
+          fresh > 0 && fresh <= mostPairs && steps.first ? `: ${freshPairs().join(', ')}.` : '.',
+        ),
     );
     if (!many) {
       const top = Math.max(1, Math.min(at - 2, b - seen + 1));
-      fill(around, Array.from({ length: Math.min(seen, b) }, (_, i) => rowOf(top + i)));
+      fill(
+        around,
+        Array.from({ length: Math.min(seen, b) }, (_, i) => rowOf(top + i)),
+      );
     }
     if (steps.pairs) {
       const done = steps.pairs[at]!;
       bar.value = done;
-      fill(met, h('strong', {}, number(done)), ` of ${number(steps.allPairs)} pairs have met (${steps.allPairs ? Math.floor((100 * done) / steps.allPairs) : 100} %)`);
+      fill(
+        met,
+        h('strong', {}, number(done)),
+        ` of ${number(steps.allPairs)} pairs have met ` +
+          `(${steps.allPairs ? Math.floor((100 * done) / steps.allPairs) : 100} %)`,
+      );
     }
     map?.show(at);
     slider.value = String(at);
@@ -138,7 +259,12 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
     if (document.activeElement !== where) {
       where.value = String(at);
     }
-    for (const [button, off] of [[first, at === 1], [back, at === 1], [next, at === b], [last, at === b]] as const) {
+    for (const [button, off] of [
+      [first, at === 1],
+      [back, at === 1],
+      [next, at === b],
+      [last, at === b],
+    ] as const) {
       off ? button.setAttribute('aria-disabled', 'true') : button.removeAttribute('aria-disabled');
     }
   }
@@ -154,7 +280,10 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
 
   function remember(): void {
     window.clearTimeout(note);
-    note = window.setTimeout(() => !options.signal.aborted && options.moved(at, speed), playing ? 1000 : 150);
+    note = window.setTimeout(
+      () => !options.signal.aborted && options.moved(at, speed),
+      playing ? 1000 : 150,
+    );
   }
 
   function toggle(): void {
@@ -192,7 +321,13 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
     }
   }
 
-  const keys: Record<string, () => void> = { ArrowLeft: () => go(at - 1), ArrowRight: () => go(at + 1), Home: () => go(1), End: () => go(b), ' ': toggle };
+  const keys: Record<string, () => void> = {
+    ArrowLeft: () => go(at - 1),
+    ArrowRight: () => go(at + 1),
+    Home: () => go(1),
+    End: () => go(b),
+    ' ': toggle,
+  };
   document.addEventListener(
     'keydown',
     (event) => {
@@ -227,19 +362,80 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
     h(
       'div',
       { class: 'player-left' },
-      h('div', { class: 'transport', role: 'group', 'aria-label': 'Steps' }, first, back, play, next, last, where, h('span', { class: 'hint' }, `of ${number(b)}`), h('label', { class: 'speed' }, 'Speed ', select(speed, speeds, (value) => {
-        speed = value;
-        remember();
-      }))),
+      h(
+        'div',
+        { class: 'transport', role: 'group', 'aria-label': 'Steps' },
+        first,
+        back,
+        play,
+        next,
+        last,
+        where,
+        h('span', { class: 'hint' }, `of ${number(b)}`),
+        h(
+          'label',
+          { class: 'speed' },
+          'Speed ',
+          select(speed, speeds, (value) => {
+            speed = value;
+            remember();
+          }),
+        ),
+      ),
       slider,
-      h('p', { class: 'speed' }, h('span', { class: 'hint keys' }, h('kbd', {}, '←'), ' ', h('kbd', {}, '→'), ' step, ', h('kbd', {}, 'Home'), ' ', h('kbd', {}, 'End'), ', ', h('kbd', {}, 'space'), ' plays')),
+      h(
+        'p',
+        { class: 'speed' },
+        h(
+          'span',
+          { class: 'hint keys' },
+          h('kbd', {}, '←'),
+          ' ',
+          h('kbd', {}, '→'),
+          ' step, ',
+          h('kbd', {}, 'Home'),
+          ' ',
+          h('kbd', {}, 'End'),
+          ', ',
+          h('kbd', {}, 'space'),
+          ' plays',
+        ),
+      ),
       many ? null : slots,
       words,
-      steps.pairs ? [met, bar] : h('p', { class: 'hint' }, 'There are too many elements to count pairs in a page.'),
-      many ? slots : scroll('Blocks before and after', h('table', { class: 'around-blocks' }, h('caption', {}, 'Blocks before and after; bold is introduced'), around)),
+      steps.pairs
+        ? [met, bar]
+        : h('p', { class: 'hint' }, 'There are too many elements to count pairs in a page.'),
+      many
+        ? slots
+        : scroll(
+            'Blocks before and after',
+            h(
+              'table',
+              { class: 'around-blocks' },
+              h('caption', {}, 'Blocks before and after; bold is introduced'),
+              around,
+            ),
+          ),
     ),
     map
-      ? h('figure', { class: 'player-map' }, map.element, h('figcaption', { class: 'hint' }, 'A square for each pair of elements. ', h('span', { class: 'key key-anew' }), ' meets in this block, ', h('span', { class: 'key key-met' }), ' has met, ', h('span', { class: 'key key-not' }), ' not yet.', pair))
+      ? h(
+          'figure',
+          { class: 'player-map' },
+          map.element,
+          h(
+            'figcaption',
+            { class: 'hint' },
+            'A square for each pair of elements. ',
+            h('span', { class: 'key key-anew' }),
+            ' meets in this block, ',
+            h('span', { class: 'key key-met' }),
+            ' has met, ',
+            h('span', { class: 'key key-not' }),
+            ' not yet.',
+            pair,
+          ),
+        )
       : h('p', { class: 'hint' }, 'The map of pairs is drawn for up to 512 elements.'),
   );
 }

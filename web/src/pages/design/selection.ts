@@ -1,4 +1,5 @@
-// What is chosen of a design, for all views of it: an element or a pair, and a range of blocks. Each view shows it and may change it.
+// What is chosen of a design, for all views of it: an element or a pair, and a range of blocks.
+// Each view shows it and may change it.
 import type { Design } from '../../lib/api';
 import { number } from '../../lib/words';
 import { Choice, type Stays } from '../../parts/stays';
@@ -37,13 +38,24 @@ export class Chosen extends Choice {
   }
 
   private index(name: string): number {
-    const at = this.design.labels ? this.design.labels.indexOf(name) : /^\d+$/.test(name) ? Number(name) : -1;
+    const at = this.design.labels
+      ? this.design.labels.indexOf(name)
+      : /^\d+$/.test(name)
+        ? Number(name)
+        : -1;
     return at < this.design.v ? at : -1;
   }
 
   protected override remember(): void {
     const { elements, range } = this;
-    this.view.go({ sel: elements.length > 0 ? elements.map((x) => this.name(x)).join('~') : null, from: range?.from ?? null, to: range?.to ?? null }, { quiet: true });
+    this.view.go(
+      {
+        sel: elements.length > 0 ? elements.map((x) => this.name(x)).join('~') : null,
+        from: range?.from ?? null,
+        to: range?.to ?? null,
+      },
+      { quiet: true },
+    );
   }
 
   /** In words: where an element is, when a pair meets. */
@@ -55,11 +67,18 @@ export class Chosen extends Choice {
     if (y === undefined) {
       const mine = stays.of(x);
       const blocks = mine.reduce((sum, [from, to]) => sum + to - from + 1, 0);
-      return `${this.name(x)} is in ${number(blocks)} of ${number(steps.b)} blocks, in ${number(mine.length)} ${mine.length === 1 ? 'stay' : 'stays'}`;
+      return (
+        `${this.name(x)} is in ${number(blocks)} of ${number(steps.b)} blocks, in ` +
+        `${number(mine.length)} ${mine.length === 1 ? 'stay' : 'stays'}`
+      );
     }
     const shared = stays.shared(x, y);
     const times = shared.reduce((sum, [from, to]) => sum + to - from + 1, 0);
-    return shared.length === 0 ? `${this.name(x)} and ${this.name(y)} are never together` : `${this.name(x)} and ${this.name(y)} are first together in block ${number(shared[0]![0])}; together in ${number(times)} ${times === 1 ? 'block' : 'blocks'}, newly covered ${shared.length === 1 ? 'once' : `${number(shared.length)} times`}`;
+    return shared.length === 0
+      ? `${this.name(x)} and ${this.name(y)} are never together`
+      : `${this.name(x)} and ${this.name(y)} are first together in block ` +
+          `${number(shared[0]![0])}; together in ${number(times)} ` +
+          `${times === 1 ? 'block' : 'blocks'}, newly covered ` +
+          `${shared.length === 1 ? 'once' : `${number(shared.length)} times`}`;
   }
 }
-

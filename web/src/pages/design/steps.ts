@@ -1,9 +1,13 @@
-// What happens from block to block: who enters, who leaves, in which slot of a memory of k, and which pairs meet anew.
+// What happens from block to block: who enters, who leaves, in which slot of a memory of k, and
+// which pairs meet anew.
 import type { Design } from '../../lib/api';
 
 /** Of how many elements first meetings are kept pair by pair; beyond, pairs are only counted. */
 export const mostMapped = 512;
-/** Beyond so many elements pairs are not counted either: that would take more memory than a page should. */
+/**
+ * Beyond so many elements pairs are not counted either: that would take more memory than a page
+ * should.
+ */
 const mostCounted = 20_000;
 const every = 64;
 
@@ -61,8 +65,15 @@ export class Steps {
     return steps;
   }
 
-  /** In pieces of some milliseconds, so that a page with a long design does not freeze. `progress` is told shares from 0 to 1. */
-  static async soon(design: Pick<Design, 'v' | 'blocks' | 'labels'>, signal: AbortSignal, progress: (share: number) => void): Promise<Steps> {
+  /**
+   * In pieces of some milliseconds, so that a page with a long design does not freeze. `progress`
+   * is told shares from 0 to 1.
+   */
+  static async soon(
+    design: Pick<Design, 'v' | 'blocks' | 'labels'>,
+    signal: AbortSignal,
+    progress: (share: number) => void,
+  ): Promise<Steps> {
     const steps = new Steps(design);
     while (!steps.work(performance.now() + 25)) {
       progress(steps.walked / steps.b);
@@ -126,7 +137,10 @@ export class Steps {
     this.pairs[n] = count;
   }
 
-  /** Puts block n into the slots, which hold the block before: who enters takes the place of one who leaves. */
+  /**
+   * Puts block n into the slots, which hold the block before: who enters takes the place of one who
+   * leaves.
+   */
   private advance(n: number, slots: Int32Array): { entered: number[]; left: number[] } {
     const block = this.block(n);
     const { mark } = this;

@@ -1,4 +1,5 @@
-// What memory holds, step by step: items as rows, steps as columns; workers beside each other with what each has to do.
+// What memory holds, step by step: items as rows, steps as columns; workers beside each other with
+// what each has to do.
 import type { Ordered } from '../../lib/api';
 import { fill, h, scroll, type Child } from '../../lib/dom';
 import { bytes, count, number } from '../../lib/words';
@@ -36,7 +37,11 @@ function drawn(answer: Ordered, worker: number | undefined, signal: AbortSignal)
     step.load.forEach((item) => held.add(index.get(String(item))!));
     size += held.size;
     if (names.length > mostItems || size > mostHeld) {
-      return h('p', { class: 'note' }, 'This order has too many items or steps to be drawn; the list of steps has them.');
+      return h(
+        'p',
+        { class: 'note' },
+        'This order has too many items or steps to be drawn; the list of steps has them.',
+      );
     }
     blocks.push([...held]);
   }
@@ -68,18 +73,60 @@ function drawn(answer: Ordered, worker: number | undefined, signal: AbortSignal)
     fill(
       said,
       x === undefined
-        ? h('span', { class: 'hint' }, 'Click an item to see when it is loaded; click a second one to see when both are there.')
-        : [h('span', { class: 'selected-key' }), h('span', {}, y === undefined ? `${names[x]} is loaded ${count(stays.of(x).length, 'time')}: in ${stays.of(x).map(([from]) => `step ${number(from)}`).slice(0, 8).join(', ')}${stays.of(x).length > 8 ? ' …' : ''}.` : shared.length === 0 ? `${names[x]} and ${names[y]} are never together here.` : `${names[x]} and ${names[y]} are first together in step ${number(shared[0]![0])}.`), h('button', { type: 'button', class: 'plain small', onclick: () => choice.choose([]) }, 'Clear')],
+        ? h(
+            'span',
+            { class: 'hint' },
+            'Click an item to see when it is loaded; click a second one to see when both are ' +
+              'there.',
+          )
+        : [
+            h('span', { class: 'selected-key' }),
+            h(
+              'span',
+              {},
+              y === undefined
+                ? `${names[x]} is loaded ${count(stays.of(x).length, 'time')}: in ${stays
+                    .of(x)
+                    .map(([from]) => `step ${number(from)}`)
+                    .slice(0, 8)
+                    .join(', ')}${stays.of(x).length > 8 ? ' …' : ''}.`
+                : shared.length === 0
+                  ? `${names[x]} and ${names[y]} are never together here.`
+                  : `${names[x]} and ${names[y]} are first together in step ` +
+                    `${number(shared[0]![0])}.`,
+            ),
+            h(
+              'button',
+              { type: 'button', class: 'plain small', onclick: () => choice.choose([]) },
+              'Clear',
+            ),
+          ],
     );
   };
   choice.follow(signal, tell);
   tell();
-  const line = timeline({ v, b: blocks.length, names, pairs, allPairs: Math.max(1, pairs.at(-1)!), stays, step: 'step', item: 'item' }, choice, byFirst(blocks, v), signal);
+  const line = timeline(
+    {
+      v,
+      b: blocks.length,
+      names,
+      pairs,
+      allPairs: Math.max(1, pairs.at(-1)!),
+      stays,
+      step: 'step',
+      item: 'item',
+    },
+    choice,
+    byFirst(blocks, v),
+    signal,
+  );
   return h('div', {}, said, line.element);
 }
 
 export function memory(answer: Ordered, signal: AbortSignal): HTMLElement {
-  const workers = [...new Set(answer.steps.map((step) => step.worker))].filter((worker): worker is number => worker !== undefined);
+  const workers = [...new Set(answer.steps.map((step) => step.worker))].filter(
+    (worker): worker is number => worker !== undefined,
+  );
   const place = h('div');
   let leaving = new AbortController();
   signal.addEventListener('abort', () => leaving.abort());
@@ -93,10 +140,39 @@ export function memory(answer: Ordered, signal: AbortSignal): HTMLElement {
     'section',
     {},
     h('h2', {}, 'What memory holds'),
-    h('p', { class: 'hint' }, 'A row for each item, a bar for each time that it is in memory: ', h('span', { class: 'key key-loaded' }), ' loaded, ', h('span', { class: 'key key-met' }), ' held. Drag on the strip to choose steps; Ctrl + wheel or + and − zoom.'),
+    h(
+      'p',
+      { class: 'hint' },
+      'A row for each item, a bar for each time that it is in memory: ',
+      h('span', { class: 'key key-loaded' }),
+      ' loaded, ',
+      h('span', { class: 'key key-met' }),
+      ' held. Drag on the strip to choose steps; Ctrl + wheel or + and − zoom.',
+    ),
     workers.length > 1 &&
-      h('div', { class: 'row' }, h('div', { class: 'field' }, h('label', { for: 'memory-worker' }, 'Worker'), h('select', { id: 'memory-worker', onchange: (event) => show(Number((event.target as HTMLSelectElement).value)) }, workers.map((worker) => h('option', { value: worker }, worker))))),
-    answer.truncated && h('p', { class: 'hint' }, `The first ${number(answer.steps.length)} of ${number(answer.step_count)} steps.`),
+      h(
+        'div',
+        { class: 'row' },
+        h(
+          'div',
+          { class: 'field' },
+          h('label', { for: 'memory-worker' }, 'Worker'),
+          h(
+            'select',
+            {
+              id: 'memory-worker',
+              onchange: (event) => show(Number((event.target as HTMLSelectElement).value)),
+            },
+            workers.map((worker) => h('option', { value: worker }, worker)),
+          ),
+        ),
+      ),
+    answer.truncated &&
+      h(
+        'p',
+        { class: 'hint' },
+        `The first ${number(answer.steps.length)} of ${number(answer.step_count)} steps.`,
+      ),
     place,
   );
 }
@@ -109,7 +185,8 @@ export function shares(answer: Ordered, asked: Asked): HTMLElement | null {
     return null;
   }
   const most = { loads: Math.max(...loads), pairs: Math.max(...pairs) };
-  const bar = (value: number, of: number, words: string): Child => h('meter', { min: 0, max: Math.max(1, of), value, 'aria-label': words }, words);
+  const bar = (value: number, of: number, words: string): Child =>
+    h('meter', { min: 0, max: Math.max(1, of), value, 'aria-label': words }, words);
   return h(
     'section',
     {},
@@ -119,11 +196,36 @@ export function shares(answer: Ordered, asked: Asked): HTMLElement | null {
       h(
         'table',
         { class: 'shares' },
-        h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'worker'), h('th', { scope: 'col', class: 'number' }, 'loads'), h('td'), asked.bytesPerItem !== null && h('th', { scope: 'col', class: 'number' }, 'read'), h('th', { scope: 'col', class: 'number' }, 'pairs'), h('td'))),
+        h(
+          'thead',
+          {},
+          h(
+            'tr',
+            {},
+            h('th', { scope: 'col' }, 'worker'),
+            h('th', { scope: 'col', class: 'number' }, 'loads'),
+            h('td'),
+            asked.bytesPerItem !== null && h('th', { scope: 'col', class: 'number' }, 'read'),
+            h('th', { scope: 'col', class: 'number' }, 'pairs'),
+            h('td'),
+          ),
+        ),
         h(
           'tbody',
           {},
-          loads.map((each, i) => h('tr', { class: each === most.loads ? 'own' : null }, h('th', { scope: 'row' }, i), h('td', { class: 'number' }, number(each)), h('td', {}, bar(each, most.loads, `${each} loads`)), asked.bytesPerItem !== null && h('td', { class: 'number' }, bytes(each * asked.bytesPerItem)), h('td', { class: 'number' }, number(pairs[i]!)), h('td', {}, bar(pairs[i]!, most.pairs, `${pairs[i]} pairs`)))),
+          loads.map((each, i) =>
+            h(
+              'tr',
+              { class: each === most.loads ? 'own' : null },
+              h('th', { scope: 'row' }, i),
+              h('td', { class: 'number' }, number(each)),
+              h('td', {}, bar(each, most.loads, `${each} loads`)),
+              asked.bytesPerItem !== null &&
+                h('td', { class: 'number' }, bytes(each * asked.bytesPerItem)),
+              h('td', { class: 'number' }, number(pairs[i]!)),
+              h('td', {}, bar(pairs[i]!, most.pairs, `${pairs[i]} pairs`)),
+            ),
+          ),
         ),
       ),
     ),

@@ -6,7 +6,10 @@ export interface Naive {
   loads: number;
 }
 
-/** `stay` items stay while all later ones pass through what is left of the memory; then the next `stay` are loaded. */
+/**
+ * `stay` items stay while all later ones pass through what is left of the memory; then the next
+ * `stay` are loaded.
+ */
 export function nestedLoops(items: number, stay: number): number {
   let loads = 0;
   for (let from = 0; from < items; from += stay) {
@@ -21,9 +24,21 @@ export function naive(items: number, room: number): Naive[] {
   }
   const half = Math.floor(room / 2);
   return [
-    { name: 'halves', how: `${half} items stay, the others pass ${room - half} at a time`, loads: nestedLoops(items, half) },
-    { name: 'block nested loops', how: `${room - 1} items stay, the others pass one by one`, loads: nestedLoops(items, room - 1) },
-    { name: 'pair by pair', how: 'both items of every pair are loaded for it', loads: items * (items - 1) },
+    {
+      name: 'halves',
+      how: `${half} items stay, the others pass ${room - half} at a time`,
+      loads: nestedLoops(items, half),
+    },
+    {
+      name: 'block nested loops',
+      how: `${room - 1} items stay, the others pass one by one`,
+      loads: nestedLoops(items, room - 1),
+    },
+    {
+      name: 'pair by pair',
+      how: 'both items of every pair are loaded for it',
+      loads: items * (items - 1),
+    },
   ];
 }
 
@@ -51,7 +66,9 @@ export function bytesOf(text: string): number {
   const found = /^\s*(\d+(?:\.\d+)?)\s*([a-z]*)\s*$/i.exec(text);
   const unit = units[found?.[2]?.toLowerCase() ?? '?'];
   if (!found || unit === undefined) {
-    throw new Error(`“${text}” is no size: write bytes, or a number with kB, MB, GB, KiB, MiB or GiB`);
+    throw new Error(
+      `“${text}” is no size: write bytes, or a number with kB, MB, GB, KiB, MiB or GiB`,
+    );
   }
   return Math.round(Number(found[1]) * unit);
 }

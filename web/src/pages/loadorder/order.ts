@@ -1,4 +1,5 @@
-// An order of loads, drawn: numbers with the bound, what simple orders cost, curves, and the steps themselves.
+// An order of loads, drawn: numbers with the bound, what simple orders cost, curves, and the steps
+// themselves.
 import type { Ordered } from '../../lib/api';
 import { h, scroll, type Child } from '../../lib/dom';
 import { bytes, count, number } from '../../lib/words';
@@ -21,10 +22,14 @@ export interface Asked {
 function over(loads: number, bound: number): string {
   return loads <= bound
     ? 'no order has fewer'
-    : `no order has fewer than ${number(bound)}, so this one has at most ${((100 * (loads - bound)) / bound).toFixed(1)} % more than the least possible`;
+    : `no order has fewer than ${number(bound)}, so this one has at most ` +
+        `${((100 * (loads - bound)) / bound).toFixed(1)} % more than the least possible`;
 }
 
-export function headline({ order, pairs, bytes: read, bytes_bound: least }: Ordered, asked: Asked): HTMLElement {
+export function headline(
+  { order, pairs, bytes: read, bytes_bound: least }: Ordered,
+  asked: Asked,
+): HTMLElement {
   const { loads, lower_bound: bound, makespan, makespan_bound: spanBound, workers } = order;
   const shared = makespan !== undefined && spanBound !== undefined && workers !== undefined;
   return h(
@@ -35,18 +40,37 @@ export function headline({ order, pairs, bytes: read, bytes_bound: least }: Orde
       'p',
       {},
       shared
-        ? `For ${count(workers, 'worker')}; the busiest has ${count(makespan, 'load')}: ${over(makespan, spanBound)}.`
-        : `${asked.pairs ? count(pairs, 'pair') : `All ${count(pairs, 'pair')}`} of ${count(order.items, 'item')}, with room for ${number(order.room)}: ${over(loads, bound)}.`,
-      asked.bytesPerItem !== null && ` ${bytes(read)} are read${shared || read <= least ? '' : `; less than ${bytes(least)} is not possible`}.`,
+        ? `For ${count(workers, 'worker')}; the busiest has ${count(makespan, 'load')}: ` +
+            `${over(makespan, spanBound)}.`
+        : `${asked.pairs ? count(pairs, 'pair') : `All ${count(pairs, 'pair')}`} of ` +
+            `${count(order.items, 'item')}, with room for ${number(order.room)}: ` +
+            `${over(loads, bound)}.`,
+      asked.bytesPerItem !== null &&
+        ` ${bytes(read)} are read` +
+          `${shared || read <= least ? '' : `; less than ${bytes(least)} is not possible`}.`,
     ),
-    order.overlapped !== undefined && h('p', {}, `${number(order.overlapped)} of ${number(order.pairs ?? pairs)} pairs are computed while items load${order.order_room !== undefined && order.order_room < order.room ? '; one place in memory is kept for the item that is loading' : ''}.`),
+    order.overlapped !== undefined &&
+      h(
+        'p',
+        {},
+        `${number(order.overlapped)} of ${number(order.pairs ?? pairs)} pairs are computed `,
+        'while items load',
+        order.order_room !== undefined && order.order_room < order.room
+          ? '; one place in memory is kept for the item that is loading.'
+          : '.',
+      ),
     asked.seconds > 0 && h('p', {}, `Searched for ${asked.seconds} s for fewer loads.`),
     h('p', { class: 'hint' }, 'An independent checker read every step and counted every pair.'),
     h(
       'details',
       {},
       h('summary', {}, 'Why not fewer'),
-      h('p', {}, shared && `All workers together have at least ${count(bound, 'load')}: `, order.lower_bound_reason),
+      h(
+        'p',
+        {},
+        shared && `All workers together have at least ${count(bound, 'load')}: `,
+        order.lower_bound_reason,
+      ),
     ),
     h('details', {}, h('summary', {}, 'Where the order comes from'), h('p', {}, order.explanation)),
   );
@@ -99,7 +123,8 @@ export function comparison(answer: Ordered, asked: Asked): HTMLElement | null {
               h('th', { scope: 'row' }, name),
               h('td', { class: 'number' }, number(loads)),
               h('td', { class: 'number' }, `× ${(loads / answer.lower_bound).toFixed(3)}`),
-              asked.bytesPerItem !== null && h('td', { class: 'number' }, bytes(loads * asked.bytesPerItem)),
+              asked.bytesPerItem !== null &&
+                h('td', { class: 'number' }, bytes(loads * asked.bytesPerItem)),
               h('td', { class: 'meaning' }, how),
             ),
           ),
@@ -125,7 +150,13 @@ export function stepList(answer: Ordered): HTMLElement {
         h('span', { class: 'block-number' }, shared ? `${worker} · ${number(step)}` : number(step)),
         h('span', { class: 'load' }, 'load ', h('strong', {}, listed(load))),
         evict.length > 0 && h('span', { class: 'block-out' }, 'evict ', listed(evict)),
-        before && compute && h('span', { class: 'hint' }, `${count(before.length + compute.length, 'pair')} meanwhile`),
+        before &&
+          compute &&
+          h(
+            'span',
+            { class: 'hint' },
+            `${count(before.length + compute.length, 'pair')} meanwhile`,
+          ),
       ];
       return h('div', { class: 'block' }, parts);
     },
@@ -140,7 +171,8 @@ export function stepList(answer: Ordered): HTMLElement {
       h(
         'p',
         { class: 'hint' },
-        `These are the first ${number(answer.steps.length)} of ${number(answer.step_count)} steps; the command below writes all of them.`,
+        `These are the first ${number(answer.steps.length)} of ${number(answer.step_count)} ` +
+          `steps; the command below writes all of them.`,
       ),
   );
 }

@@ -18,10 +18,16 @@ export interface Following {
 }
 
 /**
- * Plans. `news` hears of every better plan; `best` is aborted to have the best so far. Where nothing may be started, the answer is waited for.
+ * Plans. `news` hears of every better plan; `best` is aborted to have the best so far. Where
+ * nothing may be started, the answer is waited for.
  * @throws Error with a line that can be shown; ApiError
  */
-export async function follow(request: Request, signal: AbortSignal, best: AbortSignal, news: (job: PlanJob) => void): Promise<Following> {
+export async function follow(
+  request: Request,
+  signal: AbortSignal,
+  best: AbortSignal,
+  news: (job: PlanJob) => void,
+): Promise<Following> {
   if (!(await mayStart())) {
     return { job: null, planned: await post('plan', {}, request, signal), message: '' };
   }
@@ -32,7 +38,11 @@ export async function follow(request: Request, signal: AbortSignal, best: AbortS
   signal.addEventListener('abort', stop, { once: true });
   try {
     const ended = await new Promise<PlanJob>((resolve, reject) => {
-      const ask = () => get('plan/job', { id }, own.signal).then(hear, (fault: unknown) => own.signal.aborted || reject(fault));
+      const ask = () =>
+        get('plan/job', { id }, own.signal).then(
+          hear,
+          (fault: unknown) => own.signal.aborted || reject(fault),
+        );
       const hear = (job: PlanJob) => {
         if (job.state === 'running') {
           news(job);
@@ -43,7 +53,13 @@ export async function follow(request: Request, signal: AbortSignal, best: AbortS
         }
       };
       signal.addEventListener('abort', () => reject(signal.reason as Error), { once: true });
-      listen({ plan: (job) => job.id === id && hear(job), state: (state) => state === 'open' && void ask() }, own.signal);
+      listen(
+        {
+          plan: (job) => job.id === id && hear(job),
+          state: (state) => state === 'open' && void ask(),
+        },
+        own.signal,
+      );
     });
     if (!ended.answer) {
       throw new Error(ended.message);

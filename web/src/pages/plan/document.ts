@@ -1,38 +1,82 @@
 // The job of the form as the document that the server takes, and back.
 import type { Job as Request } from '../../../answers';
-import { cells, checkJob, emptyBench, emptyJob, lineOf, namesIn, wantedPairs, type Bench, type Job, type Slot, type Unit } from './job';
+import {
+  cells,
+  checkJob,
+  emptyBench,
+  emptyJob,
+  lineOf,
+  namesIn,
+  wantedPairs,
+  type Bench,
+  type Job,
+  type Slot,
+  type Unit,
+} from './job';
 
 type Field = string | number | boolean | null | undefined;
 
 const text = (field: Field): string => (field === null || field === undefined ? '' : String(field));
-const listText = (value: Field | readonly Field[]): string => (Array.isArray(value) ? lineOf(value.map(text)) : text(value as Field));
+const listText = (value: Field | readonly Field[]): string =>
+  Array.isArray(value) ? lineOf(value.map(text)) : text(value as Field);
 
 function benchRow(bench: Bench): Record<string, string | boolean> {
-  const { name, hours, atOnce, testCost, changeFactor, without, own, start, mounted, slots, down } = bench;
-  const all = { name, hours, at_once: atOnce, test_cost: testCost, change_factor: changeFactor, without, own, start, mounted, slots };
-  return { ...Object.fromEntries(Object.entries(all).filter(([, value]) => value.trim() !== '')), ...(down ? { down: true } : {}) };
+  const { name, hours, atOnce, testCost, changeFactor, without, own, start, mounted, slots, down } =
+    bench;
+  const all = {
+    name,
+    hours,
+    at_once: atOnce,
+    test_cost: testCost,
+    change_factor: changeFactor,
+    without,
+    own,
+    start,
+    mounted,
+    slots,
+  };
+  return {
+    ...Object.fromEntries(Object.entries(all).filter(([, value]) => value.trim() !== '')),
+    ...(down ? { down: true } : {}),
+  };
 }
 
 /** Rows of names: a first row that names no part heads the others. */
 function listed(list: string, job: Job): string[][] {
-  const rows = cells(list).map((row) => row.filter((field, i) => field !== '' || i + 1 < row.length));
+  const rows = cells(list).map((row) =>
+    row.filter((field, i) => field !== '' || i + 1 < row.length),
+  );
   const names = new Set(job.parts.map(({ name }) => name));
-  const heads = job.source === 'parts' && rows.length > 1 && !rows[0]!.some((field) => names.has(field) || /^\d+$/.test(field));
+  const heads =
+    job.source === 'parts' &&
+    rows.length > 1 &&
+    !rows[0]!.some((field) => names.has(field) || /^\d+$/.test(field));
   return heads ? rows.slice(1) : rows;
 }
 
-/** The document, without the tests that were done. @throws Error with a line that can be shown, for what the form itself can tell. */
+/**
+ * The document, without the tests that were done. @throws Error with a line that can be shown, for
+ * what the form itself can tell.
+ */
 export function requestOf(job: Job): Request {
   checkJob(job);
   const model = job.source === 'model';
   const onBenches = /^bench\s*[,;\t]/i.test(job.first);
-  const lists = { never: job.never, ...(onBenches ? {} : { first: job.first }), ...(model ? {} : { weights: job.weights }) };
+  const lists = {
+    never: job.never,
+    ...(onBenches ? {} : { first: job.first }),
+    ...(model ? {} : { weights: job.weights }),
+  };
   const request: Request = {
     format: 'changeover-job/1',
     title: job.title,
     test_cost: job.testCost,
     change_cost: job.changeCost,
-    ...Object.fromEntries(Object.entries(lists).flatMap(([key, rows]) => (rows.trim() === '' ? [] : [[key, listed(rows, job)]]))),
+    ...Object.fromEntries(
+      Object.entries(lists).flatMap(([key, rows]) =>
+        rows.trim() === '' ? [] : [[key, listed(rows, job)]],
+      ),
+    ),
     ...(onBenches ? { first: { text: `${job.first}\n` } } : {}),
     ...(job.changeCosts.trim() === '' ? {} : { change_costs: { text: `${job.changeCosts}\n` } }),
   };
@@ -40,7 +84,9 @@ export function requestOf(job: Job): Request {
     request.model = job.model;
   } else {
     const quantities = job.parts.some(({ quantity }) => quantity !== null);
-    const slots = job.slots.some(({ name, least, most }) => name !== '' && (least !== '' || most !== ''));
+    const slots = job.slots.some(
+      ({ name, least, most }) => name !== '' && (least !== '' || most !== ''),
+    );
     request.parts = job.parts.map(({ name, cost, slot, quantity }) => ({
       name,
       cost: cost ?? job.changeCost,
@@ -90,12 +136,19 @@ export function requestOf(job: Job): Request {
 
 const rows = (list: unknown): string =>
   Array.isArray(list)
-    ? (list as unknown[]).map((row) => lineOf((Array.isArray(row) ? row : (row as { parts: Field[] }).parts).map(text))).join('\n')
+    ? (list as unknown[])
+        .map((row) =>
+          lineOf((Array.isArray(row) ? row : (row as { parts: Field[] }).parts).map(text)),
+        )
+        .join('\n')
     : list !== null && typeof list === 'object' && 'text' in list
       ? String(list.text)
       : '';
 
-/** Set-ups that come first, a line each; where some do so on one bench only, as a run sheet with a column for the bench. */
+/**
+ * Set-ups that come first, a line each; where some do so on one bench only, as a run sheet with a
+ * column for the bench.
+ */
 function firstOf(list: Request['first']): string {
   if (!Array.isArray(list) || list.every((row) => Array.isArray(row) || !row.bench)) {
     return rows(list);
@@ -103,7 +156,15 @@ function firstOf(list: Request['first']): string {
   const all = list.map((row) => (Array.isArray(row) ? { bench: '', parts: row } : row));
   const width = Math.max(...all.map(({ parts }) => parts.length));
   const head = ['bench', ...Array.from({ length: width }, (_, i) => `slot_${i + 1}`)];
-  return [head, ...all.map(({ bench, parts }) => [text(bench), ...Array.from({ length: width }, (_, i) => text(parts[i]))])].map(lineOf).join('\n');
+  return [
+    head,
+    ...all.map(({ bench, parts }) => [
+      text(bench),
+      ...Array.from({ length: width }, (_, i) => text(parts[i])),
+    ]),
+  ]
+    .map(lineOf)
+    .join('\n');
 }
 
 function benchOf(row: string | Record<string, unknown>): Bench {
@@ -122,13 +183,18 @@ function benchOf(row: string | Record<string, unknown>): Bench {
     start: of('start'),
     mounted: of('mounted'),
     slots: Array.isArray(row['slots'])
-      ? (row['slots'] as { name: Field; least?: Field; most?: Field }[]).map((slot) => `${text(slot.name)}=${text(slot.least)}..${text(slot.most)}`).join(', ')
+      ? (row['slots'] as { name: Field; least?: Field; most?: Field }[])
+          .map((slot) => `${text(slot.name)}=${text(slot.least)}..${text(slot.most)}`)
+          .join(', ')
       : of('slots'),
     down: row['down'] === true || /^(yes|true|1|x)$/i.test(text(row['down'] as Field)),
   };
 }
 
-/** What a document says, in the place of what `job` says; what it does not say stays, but for the lists that belong to its parts. */
+/**
+ * What a document says, in the place of what `job` says; what it does not say stays, but for the
+ * lists that belong to its parts.
+ */
 export function jobOf(request: Request, job: Job): Job {
   const empty = emptyJob();
   const numberOf = (value: number | string | null | undefined, usual: number) =>
@@ -136,10 +202,28 @@ export function jobOf(request: Request, job: Job): Job {
   const next: Job = { ...job };
   if (request.model) {
     const { title, testCost, changeCost, seconds } = job;
-    Object.assign(next, empty, { title, testCost, changeCost, seconds, source: 'model', model: typeof request.model === 'string' ? request.model : rows(request.model) });
+    Object.assign(next, empty, {
+      title,
+      testCost,
+      changeCost,
+      seconds,
+      source: 'model',
+      model: typeof request.model === 'string' ? request.model : rows(request.model),
+    });
   } else if (Array.isArray(request.parts)) {
-    const { title, testCost, changeCost, seconds, benches, objective, hours, firstDay, weekends } = job;
-    Object.assign(next, empty, { title, testCost, changeCost, seconds, benches, objective, hours, firstDay, weekends });
+    const { title, testCost, changeCost, seconds, benches, objective, hours, firstDay, weekends } =
+      job;
+    Object.assign(next, empty, {
+      title,
+      testCost,
+      changeCost,
+      seconds,
+      benches,
+      objective,
+      hours,
+      firstDay,
+      weekends,
+    });
     next.parts = request.parts.map((part) => {
       const row = typeof part === 'string' ? { name: part } : part;
       return {
@@ -151,7 +235,11 @@ export function jobOf(request: Request, job: Job): Job {
       };
     });
     next.slots = Array.isArray(request.slots)
-      ? request.slots.map(({ name, least, most }): Slot => ({ name: text(name), least: text(least) === '0' ? '' : text(least), most: text(most) }))
+      ? request.slots.map(({ name, least, most }): Slot => ({
+          name: text(name),
+          least: text(least) === '0' ? '' : text(least),
+          most: text(most),
+        }))
       : [];
     next.atOnce = request.at_once ?? (next.slots.length > 0 ? null : job.atOnce);
   }
@@ -173,11 +261,16 @@ export function jobOf(request: Request, job: Job): Job {
     ...(request.hours ? { hours: text(request.hours) } : {}),
     ...(request.first_day ? { firstDay: request.first_day } : {}),
     ...(request.weekends ? { weekends: true } : {}),
-    ...(request.objective === 'cost' || request.objective === 'tests' ? { objective: request.objective } : {}),
+    ...(request.objective === 'cost' || request.objective === 'tests'
+      ? { objective: request.objective }
+      : {}),
   };
   Object.assign(next, given);
   if (typeof request.benches === 'number') {
-    next.benches = Array.from({ length: Math.min(64, request.benches) }, (_, i) => ({ ...emptyBench(), name: `Bench ${i + 1}` }));
+    next.benches = Array.from({ length: Math.min(64, request.benches) }, (_, i) => ({
+      ...emptyBench(),
+      name: `Bench ${i + 1}`,
+    }));
   } else if (Array.isArray(request.benches)) {
     next.benches = request.benches.map((row) => benchOf(row as string | Record<string, unknown>));
   }
@@ -196,14 +289,33 @@ export function withDone(request: Request, job: Job, done: string): Request {
 }
 
 /** The same as a question about results, or about other costs, which needs less. */
-export function forDiagnosis({ title, budget, first, weights, trust_failed, seconds, ...request }: Request): Request {
+export function forDiagnosis({
+  title,
+  budget,
+  first,
+  weights,
+  trust_failed,
+  seconds,
+  ...request
+}: Request): Request {
   return { ...request, diagnose: true };
 }
 export function forWhatIf({ title, budget, weights, ...request }: Request): Request {
   return { ...request, what_if: true };
 }
 
-const labels: Record<string, string> = { never: 'Forbidden pairs', first: 'First tests', weights: 'Priorities', pairs: 'Pairs', slots: 'Slots', benches: 'Benches', parts: 'Parts', mounted: 'What stays mounted', start: 'What is on the bench', budget: 'Budget' };
+const labels: Record<string, string> = {
+  never: 'Forbidden pairs',
+  first: 'First tests',
+  weights: 'Priorities',
+  pairs: 'Pairs',
+  slots: 'Slots',
+  benches: 'Benches',
+  parts: 'Parts',
+  mounted: 'What stays mounted',
+  start: 'What is on the bench',
+  budget: 'Budget',
+};
 
 /** Which key of the document a message of the server begins with. */
 export function keyIn(message: string): string | null {
@@ -212,5 +324,7 @@ export function keyIn(message: string): string | null {
 
 /** The message in the words of the form. */
 export function inWords(message: string): string {
-  return message.replace(/^([a-z_]+)(?:\[(\d+)\])?:/, (all, key: string, row?: string) => (labels[key] ? `${labels[key]}${row === undefined ? '' : `, row ${Number(row) + 1}`}:` : all));
+  return message.replace(/^([a-z_]+)(?:\[(\d+)\])?:/, (all, key: string, row?: string) =>
+    labels[key] ? `${labels[key]}${row === undefined ? '' : `, row ${Number(row) + 1}`}:` : all,
+  );
 }

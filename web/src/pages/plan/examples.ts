@@ -1,4 +1,5 @@
-// Jobs to try: one bench, a server with slots, three benches that share parts, parameters with values.
+// Jobs to try: one bench, a server with slots, three benches that share parts, parameters with
+// values.
 import { emptyBench, emptyJob, partOf, type Job } from './job';
 
 const pumps: Job = {

@@ -1,5 +1,5 @@
-// Files that are dropped or chosen: parts lists, workbooks, run sheets, models, lists of benches. The library reads them; the page only
-// tells which of them a file is.
+// Files that are dropped or chosen: parts lists, workbooks, run sheets, models, lists of benches.
+// The library reads them; the page only tells which of them a file is.
 import { post, type ReadJob } from '../../lib/api';
 import type { Job as Request } from '../../../answers';
 import { jobOf } from './document';
@@ -24,9 +24,16 @@ function base64(bytes: Uint8Array): string {
   return btoa(text);
 }
 
-/** A result in its own words, with the planner's word first where these words do not show what it understood. */
+/**
+ * A result in its own words, with the planner's word first where these words do not show what it
+ * understood.
+ */
 function understood(result: string, verdict: Verdict): string {
-  return verdict === '' || verdict === verdictOf({ result }) ? result : verdict === 'other' ? `? ${result}` : `${verdict}: ${result}`;
+  return verdict === '' || verdict === verdictOf({ result })
+    ? result
+    : verdict === 'other'
+      ? `? ${result}`
+      : `${verdict}: ${result}`;
 }
 
 function taken(answer: ReadJob, job: Job): Taken {
@@ -46,7 +53,8 @@ function taken(answer: ReadJob, job: Job): Taken {
 
 /** Parts of what a spreadsheet copies; with or without heads. */
 export async function readParts(text: string, job: Job, signal: AbortSignal): Promise<Taken> {
-  const read = (more: object) => post('plan/read', {}, { parts: { text: `${text}\n` }, ...more }, signal);
+  const read = (more: object) =>
+    post('plan/read', {}, { parts: { text: `${text}\n` }, ...more }, signal);
   let answer: ReadJob;
   try {
     answer = await read({});
@@ -75,14 +83,29 @@ const benchHeads: Record<string, keyof Bench> = {
 };
 
 function benchesOf(rows: string[][]): Bench[] {
-  const heads = rows[0]!.map((head) => benchHeads[head.trim().toLowerCase().replace(/[\s-]+/g, '_')]);
+  const heads = rows[0]!.map(
+    (head) =>
+      benchHeads[
+        head
+          .trim()
+          .toLowerCase()
+          .replace(/[\s-]+/g, '_')
+      ],
+  );
   const unknown = heads.findIndex((head) => head === undefined);
   if (unknown >= 0) {
-    throw new Error(`the column “${rows[0]![unknown]}” says nothing of a bench; columns are ${Object.keys(benchHeads).join(', ')}`);
+    throw new Error(
+      `the column “${rows[0]![unknown]}” says nothing of a bench; columns are ` +
+        `${Object.keys(benchHeads).join(', ')}`,
+    );
   }
   return rows.slice(1).map((row) => {
     const bench = emptyBench();
-    heads.forEach((head, i) => Object.assign(bench, { [head!]: head === 'down' ? /^(yes|true|1|x)$/i.test(row[i] ?? '') : (row[i] ?? '') }));
+    heads.forEach((head, i) =>
+      Object.assign(bench, {
+        [head!]: head === 'down' ? /^(yes|true|1|x)$/i.test(row[i] ?? '') : (row[i] ?? ''),
+      }),
+    );
     return bench;
   });
 }
@@ -90,16 +113,32 @@ function benchesOf(rows: string[][]): Bench[] {
 function isModel(name: string, text: string): boolean {
   const lines = text.split(/\r?\n/).filter((line) => line.trim() !== '' && !/^\s*#/.test(line));
   const parameters = lines.filter((line) => /^[^,:;\t]+:\s*\S/.test(line)).length;
-  return /\.(pict|acts|model)$/i.test(name) || /^\s*\[system\]/i.test(text) || (parameters >= 2 && parameters * 2 >= lines.length);
+  return (
+    /\.(pict|acts|model)$/i.test(name) ||
+    /^\s*\[system\]/i.test(text) ||
+    (parameters >= 2 && parameters * 2 >= lines.length)
+  );
 }
 
-/** What a file says, put into `job`. `asked` makes the document of the form, for files that say nothing without it. */
-export async function readFile(file: File, job: Job, asked: () => Request, signal: AbortSignal): Promise<Taken> {
+/**
+ * What a file says, put into `job`. `asked` makes the document of the form, for files that say
+ * nothing without it.
+ */
+export async function readFile(
+  file: File,
+  job: Job,
+  asked: () => Request,
+  signal: AbortSignal,
+): Promise<Taken> {
   const bytes = new Uint8Array(await file.arrayBuffer());
   if (bytes.length > most) {
-    throw new Error(`${file.name}: ${(bytes.length / 1e6).toFixed(1)} MB are more than this page takes (0.7 MB); give it to “changeover plan”`);
+    throw new Error(
+      `${file.name}: ${(bytes.length / 1e6).toFixed(1)} MB are more than this page takes (0.7 ` +
+        `MB); give it to “changeover plan”`,
+    );
   }
-  const named = (fault: unknown) => new Error(String((fault as Error).message).replace(/^(parts|done|model)(?=[:\s])/, file.name));
+  const named = (fault: unknown) =>
+    new Error(String((fault as Error).message).replace(/^(parts|done|model)(?=[:\s])/, file.name));
   const read = async (request: Request) => {
     try {
       return taken(await post('plan/read', {}, request, signal), job);
@@ -114,12 +153,18 @@ export async function readFile(file: File, job: Job, asked: () => Request, signa
   try {
     text = new TextDecoder('utf-8', { fatal: true }).decode(bytes);
   } catch {
-    throw new Error(`${file.name}: this is neither text in UTF-8 nor a workbook (.xlsx); save it as one of these`);
+    throw new Error(
+      `${file.name}: this is neither text in UTF-8 nor a workbook (.xlsx); save it as one of these`,
+    );
   }
   if (/^\s*\{/.test(text)) {
     return read(JSON.parse(text) as Request);
   }
-  const said = (words: string, next: Job): Taken => ({ job: next, done: { places: [], tests: [] }, notes: [`${file.name}: ${words}`] });
+  const said = (words: string, next: Job): Taken => ({
+    job: next,
+    done: { places: [], tests: [] },
+    notes: [`${file.name}: ${words}`],
+  });
   if (isModel(file.name, text)) {
     return read({ model: text });
   }
@@ -132,7 +177,9 @@ export async function readFile(file: File, job: Job, asked: () => Request, signa
     return said('benches', { ...job, benches: benchesOf(rows) });
   }
   if (/^slots?$/.test(head[0] ?? '') && head.length <= 3) {
-    const slots = rows.slice(1).map(([name = '', least = '', greatest]) => ({ name, least, most: greatest ?? least }));
+    const slots = rows
+      .slice(1)
+      .map(([name = '', least = '', greatest]) => ({ name, least, most: greatest ?? least }));
     return said('slots', { ...job, slots });
   }
   if (/never|forbid|conflict|incompat/i.test(file.name)) {

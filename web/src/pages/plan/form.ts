@@ -8,13 +8,13 @@ import {
   emptyJob,
   namesIn,
   partOf,
-  type Bench,
   type Job,
   type PairMode,
   type Part,
   type Slot,
   type Unit,
 } from './job';
+import { benchTable } from './bench_table';
 import { partsGrid } from './parts';
 import { rowsTable } from './rows';
 
@@ -58,21 +58,43 @@ interface Group {
 }
 
 /** `reads` makes parts of what was pasted, or says why it cannot. */
-export function jobForm(changed: () => void, submitted: () => void, reads: (text: string) => Promise<Part[] | null>, pickFile: () => void): Form {
+export function jobForm(
+  changed: () => void,
+  submitted: () => void,
+  reads: (text: string) => Promise<Part[] | null>,
+  pickFile: () => void,
+): Form {
   let source: Job['source'] = 'parts';
   const groups: Record<string, Group> = {};
   const touched = () => (Object.values(groups).forEach((group) => group.refresh()), changed());
-  const line = (placeholder: string) => h('input', { type: 'text', placeholder, autocomplete: 'off', spellcheck: 'false', oninput: touched });
-  const area = (placeholder: string) => h('textarea', { class: 'list-text', spellcheck: 'false', placeholder, oninput: touched });
-  const cost = () => h('input', { type: 'text', inputmode: 'decimal', class: 'cost', oninput: touched });
+  const line = (placeholder: string) =>
+    h('input', {
+      type: 'text',
+      placeholder,
+      autocomplete: 'off',
+      spellcheck: 'false',
+      oninput: touched,
+    });
+  const area = (placeholder: string) =>
+    h('textarea', { class: 'list-text', spellcheck: 'false', placeholder, oninput: touched });
+  const cost = () =>
+    h('input', { type: 'text', inputmode: 'decimal', class: 'cost', oninput: touched });
 
   const grid = partsGrid(touched, reads, namedSlots);
   const slotNames = h('datalist', { id: 'slot-names' });
-  const model = area('OS: Debian, Windows 11\nBrowser: Firefox, Chrome, Edge\n\nIF [Browser] = "Edge" THEN [OS] = "Windows 11";');
+  const model = area(
+    'OS: Debian, Windows 11\nBrowser: Firefox, Chrome, Edge\n\nIF [Browser] = "Edge" THEN [OS] ' +
+      '= "Windows 11";',
+  );
   const title = h('input', { type: 'text', oninput: touched });
   /** Whether the room was said, and is not what every new job begins with. */
   let ownRoom = false;
-  const atOnce = h('input', { type: 'number', min: 2, placeholder: 'by slots', oninput: () => ((ownRoom = true), touched()) });
+  const atOnce = h('input', {
+    type: 'number',
+    min: 2,
+    placeholder: 'by slots',
+    oninput: () => ((ownRoom = true), touched()),
+  });
   const testCost = cost();
   const changeCost = cost();
   const unit = select('', units, touched);
@@ -88,7 +110,11 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
     touched,
   );
   const strength = select('2', strengths, touched);
-  const pairMode = select('all', pairModes, () => ((pairsField.hidden = pairMode.value === 'all'), touched()));
+  const pairMode = select(
+    'all',
+    pairModes,
+    () => ((pairsField.hidden = pairMode.value === 'all'), touched()),
+  );
   const pairs = area('Motor A, Cooler\nMotor B, Cooler');
   const pairsField = field('Pairs, two parts a line with a comma between', pairs);
   const never = area('CX-6, PSU 800, 75 W more than it gives');
@@ -99,33 +125,45 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
   const budget = cost();
   const trustFailed = h('input', { type: 'checkbox', onchange: touched });
   const changeCosts = area('');
-  const benches = rowsTable<Bench>(
-    'Benches',
+  const benches = benchTable(touched);
+  const objective = select(
+    '',
     [
-      { key: 'name', title: 'bench', label: 'Name of bench' },
-      { key: 'hours', title: 'hours a day', label: 'Hours a day of bench', kind: 'number' },
-      { key: 'atOnce', title: 'room', label: 'How many parts fit on bench', kind: 'number', hint: 'How many parts fit there, if not as many as everywhere' },
-      { key: 'without', title: 'cannot have', label: 'Parts that cannot be on bench', hint: 'Parts that cannot be mounted there' },
-      { key: 'start', title: 'is on it now', label: 'What is now on bench', hint: 'Parts that are there before its first test' },
-      { key: 'own', title: 'has its own', label: 'Own parts of bench', hint: 'Parts of which this bench has one of its own' },
-      { key: 'mounted', title: 'always has', label: 'What stays on bench', hint: 'Parts that stay mounted there' },
-      { key: 'slots', title: 'slots', label: 'Slots of bench', hint: 'disk=2..4, CPU=1' },
-      { key: 'testCost', title: 'test costs', label: 'Test cost of bench', kind: 'number' },
-      { key: 'changeFactor', title: 'changes ×', label: 'Factor of change costs of bench', kind: 'number', hint: '2: a change costs twice as much there' },
-      { key: 'down', title: 'failed', label: 'Out of order, bench', kind: 'check', hint: 'It is out of order: no test is planned for it' },
+      ['', 'done as early as possible'],
+      ['cost', 'least cost together'],
     ],
-    emptyBench,
     touched,
   );
-  const objective = select('', [['', 'done as early as possible'], ['cost', 'least cost together']], touched);
-  const aim = select('', [['', 'least cost'], ['tests', 'fewest tests']], touched);
-  const hours = h('input', { type: 'text', inputmode: 'decimal', class: 'cost', placeholder: 'no end', oninput: touched });
+  const aim = select(
+    '',
+    [
+      ['', 'least cost'],
+      ['tests', 'fewest tests'],
+    ],
+    touched,
+  );
+  const hours = h('input', {
+    type: 'text',
+    inputmode: 'decimal',
+    class: 'cost',
+    placeholder: 'no end',
+    oninput: touched,
+  });
   const firstDay = h('input', { type: 'date', onchange: touched });
   const weekends = h('input', { type: 'checkbox', onchange: touched });
-  const many = h('input', { type: 'number', min: 2, max: 1000, placeholder: '12', 'aria-label': 'How many parts, to be called 1, 2, 3, …' });
+  const many = h('input', {
+    type: 'number',
+    min: 2,
+    max: 1000,
+    placeholder: '12',
+    'aria-label': 'How many parts, to be called 1, 2, 3, …',
+  });
   const go = h('button', { type: 'submit' }, 'Plan');
 
-  /** Slots that parts are of hold one part each until their limits are written: a slot that is named is never passed over. */
+  /**
+   * Slots that parts are of hold one part each until their limits are written: a slot that is named
+   * is never passed over.
+   */
   function namedSlots(names: string[]): void {
     const there = slots.read();
     const missing = names.filter((name) => !there.some((slot) => slot.name === name));
@@ -135,12 +173,25 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
       groups['slots']!.refresh();
       atOnce.value = ownRoom ? atOnce.value : '';
     }
-    fill(slotNames, names.map((name) => h('option', { value: name })));
+    fill(
+      slotNames,
+      names.map((name) => h('option', { value: name })),
+    );
   }
 
-  function group(name: string, heading: string, said: () => string, ...content: (HTMLElement | null)[]): HTMLDetailsElement {
+  function group(
+    name: string,
+    heading: string,
+    said: () => string,
+    ...content: (HTMLElement | null)[]
+  ): HTMLDetailsElement {
     const state = h('span', { class: 'group-state' });
-    const element = h('details', { class: 'group' }, h('summary', {}, h('span', { class: 'group-name' }, heading), state), h('div', { class: 'group-body' }, content));
+    const element = h(
+      'details',
+      { class: 'group' },
+      h('summary', {}, h('span', { class: 'group-name' }, heading), state),
+      h('div', { class: 'group-body' }, content),
+    );
     groups[name] = {
       element,
       refresh() {
@@ -160,22 +211,37 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
   };
   const some = (text: string, what: string) => (text.trim() === '' ? '' : count(lines(text), what));
   const join = (...words: string[]) => words.filter((word) => word !== '').join(', ');
-  const span = ({ name, least, most }: Slot) => (least === '' && most === '' ? '' : `${name} ${least === most ? most : `${least || '0'}–${most || '∞'}`}`);
-  const check = (input: HTMLInputElement, text: string) => h('label', { class: 'check' }, input, text);
+  const span = ({ name, least, most }: Slot) =>
+    least === '' && most === ''
+      ? ''
+      : `${name} ${least === most ? most : `${least || '0'}–${most || '∞'}`}`;
+  const check = (input: HTMLInputElement, text: string) =>
+    h('label', { class: 'check' }, input, text);
 
   const onlyParts: HTMLElement[] = [
     group(
       'slots',
       'Slots',
       () => join(...slots.read().map(span)),
-      h('p', { class: 'hint' }, 'A server has exactly one processor and two to four disks: name the slot of each part in the list, and write here how many parts of it a set-up has. It is one until you write another number; an empty field is no limit.'),
+      h(
+        'p',
+        { class: 'hint' },
+        'A server has exactly one processor and two to four disks: name the slot of each part ' +
+          'in the list, and write here how many parts of it a set-up has. It is one until you ' +
+          'write another number; an empty field is no limit.',
+      ),
       slots.element,
     ),
   ];
   const meeting = group(
     'pairs',
     'What must meet',
-    () => join(strength.value === '3' ? 'every three' : '', pairMode.value === 'all' ? '' : some(pairs.value, 'pair'), never.value.trim() === '' ? '' : `${lines(never.value)} forbidden`),
+    () =>
+      join(
+        strength.value === '3' ? 'every three' : '',
+        pairMode.value === 'all' ? '' : some(pairs.value, 'pair'),
+        never.value.trim() === '' ? '' : `${lines(never.value)} forbidden`,
+      ),
     field('Tested together', strength),
     field('Pairs', pairMode),
     pairsField,
@@ -184,16 +250,29 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
   const mounting = group(
     'mounted',
     'What is mounted',
-    () => join(some(mounted.value, '') === '' ? '' : `always ${mounted.value.trim()}`, start.value.trim() === '' ? '' : `now ${start.value.trim()}`),
+    () =>
+      join(
+        some(mounted.value, '') === '' ? '' : `always ${mounted.value.trim()}`,
+        start.value.trim() === '' ? '' : `now ${start.value.trim()}`,
+      ),
     field('Stays mounted in every test', mounted),
     field('Is on the bench before the first test', start, 'is not paid for in the first test'),
   );
   const order = group(
     'budget',
     'Budget, priorities, first tests',
-    () => join(budget.value.trim() === '' ? '' : `budget ${budget.value.trim()}`, some(weights.value, 'priority').replace('prioritys', 'priorities'), some(first.value, 'first test')),
+    () =>
+      join(
+        budget.value.trim() === '' ? '' : `budget ${budget.value.trim()}`,
+        some(weights.value, 'priority').replace('prioritys', 'priorities'),
+        some(first.value, 'first test'),
+      ),
     field('Budget', budget, 'test as much as this pays for; empty: test everything'),
-    field('What pairs are worth: two parts and a number a line', weights, 'others are worth 1; heavy pairs come early, or first within a budget'),
+    field(
+      'What pairs are worth: two parts and a number a line',
+      weights,
+      'others are worth 1; heavy pairs come early, or first within a budget',
+    ),
     field('Set-ups to run first, one a line', first),
     check(trustFailed, 'What met only in failed tests counts as tested'),
   );
@@ -202,32 +281,75 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
     'Several benches',
     () => {
       const named = benches.read();
-      return named.length === 0 ? '' : join(count(named.length, 'bench', 'benches'), hours.value.trim() === '' ? '' : `${hours.value.trim()} h a day`);
+      return named.length === 0
+        ? ''
+        : join(
+            count(named.length, 'bench', 'benches'),
+            hours.value.trim() === '' ? '' : `${hours.value.trim()} h a day`,
+          );
     },
-    h('p', { class: 'hint' }, 'One bench per row, with what is different there. In the parts list, “how many” says how many there are of a part; a part is on one bench at a time.'),
+    h(
+      'p',
+      { class: 'hint' },
+      'One bench per row, with what is different there. In the parts list, “how many” says how ' +
+        'many there are of a part; a part is on one bench at a time.',
+    ),
     h(
       'div',
       { class: 'row' },
       ...[2, 3, 4].map((n) =>
-        h('button', { type: 'button', class: 'plain small', onclick: () => (benches.set(Array.from({ length: n }, (_, i) => ({ ...emptyBench(), name: `Bench ${i + 1}` }))), touched()) }, `${n} alike`),
+        h(
+          'button',
+          {
+            type: 'button',
+            class: 'plain small',
+            onclick: () => (
+              benches.set(
+                Array.from({ length: n }, (_, i) => ({ ...emptyBench(), name: `Bench ${i + 1}` })),
+              ),
+              touched()
+            ),
+          },
+          `${n} alike`,
+        ),
       ),
-      h('button', { type: 'button', class: 'plain small', onclick: () => (benches.set([]), touched()) }, 'One bench'),
+      h(
+        'button',
+        { type: 'button', class: 'plain small', onclick: () => (benches.set([]), touched()) },
+        'One bench',
+      ),
     ),
     benches.element,
-    h('div', { class: 'row' }, field('Make it', objective), field('Hours of work a day', hours), field('First day', firstDay), check(weekends, 'Weekends too')),
+    h(
+      'div',
+      { class: 'row' },
+      field('Make it', objective),
+      field('Hours of work a day', hours),
+      field('First day', firstDay),
+      check(weekends, 'Weekends too'),
+    ),
   );
   onlyParts.push(severalBenches);
   const replacing = group(
     'change_costs',
     'Costs by what is replaced',
     () => some(changeCosts.value, 'row'),
-    field('Costs', changeCosts, 'of parts: a square table, a row for what is taken out, a column for what is put in; of a model: parameter, value, cost a line'),
+    field(
+      'Costs',
+      changeCosts,
+      'of parts: a square table, a row for what is taken out, a column for what is put in; of ' +
+        'a model: parameter, value, cost a line',
+    ),
   );
 
   const partsSection = h(
     'section',
     { 'aria-label': 'Parts' },
-    h('p', { class: 'hint' }, 'Type names, or paste a table from a spreadsheet into the first field.'),
+    h(
+      'p',
+      { class: 'hint' },
+      'Type names, or paste a table from a spreadsheet into the first field.',
+    ),
     grid.element,
     h(
       'div',
@@ -242,23 +364,47 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
           {
             type: 'button',
             class: 'plain',
-            onclick: () => (grid.set(Array.from({ length: Math.min(1000, Number(many.value || 12)) }, (_, i) => partOf(String(i + 1)))), touched()),
+            onclick: () => (
+              grid.set(
+                Array.from({ length: Math.min(1000, Number(many.value || 12)) }, (_, i) =>
+                  partOf(String(i + 1)),
+                ),
+              ),
+              touched()
+            ),
           },
           'numbered parts',
         ),
       ),
-      h('button', { type: 'button', class: 'plain', onclick: () => (grid.set([]), touched()) }, 'Clear'),
+      h(
+        'button',
+        { type: 'button', class: 'plain', onclick: () => (grid.set([]), touched()) },
+        'Clear',
+      ),
     ),
   );
   const modelSection = h(
     'section',
     { 'aria-label': 'Model', class: 'model' },
     field('Parameters, values and rules, as PICT or ACTS write them', model),
-    h('div', { class: 'row' }, h('button', { type: 'button', class: 'plain', onclick: pickFile }, 'Open a file …'), field('Make it', aim)),
+    h(
+      'div',
+      { class: 'row' },
+      h('button', { type: 'button', class: 'plain', onclick: pickFile }, 'Open a file …'),
+      field('Make it', aim),
+    ),
   );
   const choices = (['parts', 'model'] as const).map((name) => {
-    const input = h('input', { type: 'radio', name: 'source', value: name, onchange: () => (setSource(name), touched()) });
-    return [input, h('label', {}, input, name === 'parts' ? 'Parts' : 'Parameters with values')] as const;
+    const input = h('input', {
+      type: 'radio',
+      name: 'source',
+      value: name,
+      onchange: () => (setSource(name), touched()),
+    });
+    return [
+      input,
+      h('label', {}, input, name === 'parts' ? 'Parts' : 'Parameters with values'),
+    ] as const;
   });
   const atOnceField = field('How many fit at once', atOnce);
   function setSource(next: Job['source']): void {
@@ -267,8 +413,11 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
     partsSection.hidden = next !== 'parts';
     modelSection.hidden = next !== 'model';
     atOnceField.hidden = next !== 'parts';
-    replacing.querySelector('.group-name')!.textContent = next === 'parts' ? 'Costs by what is replaced' : 'Costs of values';
-    [pairMode.parentElement!, ...onlyParts].forEach((element) => (element.hidden = next !== 'parts'));
+    replacing.querySelector('.group-name')!.textContent =
+      next === 'parts' ? 'Costs by what is replaced' : 'Costs of values';
+    [pairMode.parentElement!, ...onlyParts].forEach(
+      (element) => (element.hidden = next !== 'parts'),
+    );
     pairsField.hidden = next !== 'parts' || pairMode.value === 'all';
   }
 
@@ -279,11 +428,34 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
     h(
       'div',
       { class: 'plan-input' },
-      h('div', { class: 'plan-what' }, h('div', { class: 'source', role: 'radiogroup', 'aria-label': 'What is combined' }, choices.map(([, label]) => label)), partsSection, modelSection),
+      h(
+        'div',
+        { class: 'plan-what' },
+        h(
+          'div',
+          { class: 'source', role: 'radiogroup', 'aria-label': 'What is combined' },
+          choices.map(([, label]) => label),
+        ),
+        partsSection,
+        modelSection,
+      ),
       h(
         'section',
         { 'aria-label': 'Costs and rules' },
-        h('div', { class: 'fields' }, atOnceField, field('Cost of a test', testCost), field('Cost of a change', changeCost, 'for parts without a cost in the list; taking out is free'), field('Costs are', unit), field('Title of the sheet', title), field('Search for', seconds)),
+        h(
+          'div',
+          { class: 'fields' },
+          atOnceField,
+          field('Cost of a test', testCost),
+          field(
+            'Cost of a change',
+            changeCost,
+            'for parts without a cost in the list; taking out is free',
+          ),
+          field('Costs are', unit),
+          field('Title of the sheet', title),
+          field('Search for', seconds),
+        ),
         h('div', { class: 'row' }, go),
         h('h2', { class: 'more-rules' }, 'Options'),
         onlyParts[0]!,
@@ -351,7 +523,20 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
       slots.set(job.slots);
       grid.set(job.parts);
       benches.set(job.benches);
-      const texts = { model, title, pairs, never, mounted, start, first, weights, budget, changeCosts, hours, firstDay };
+      const texts = {
+        model,
+        title,
+        pairs,
+        never,
+        mounted,
+        start,
+        first,
+        weights,
+        budget,
+        changeCosts,
+        hours,
+        firstDay,
+      };
       for (const [key, control] of Object.entries(texts)) {
         control.value = job[key as keyof typeof texts];
       }
@@ -365,7 +550,9 @@ export function jobForm(changed: () => void, submitted: () => void, reads: (text
       aim.value = job.objective === 'tests' ? 'tests' : '';
       weekends.checked = job.weekends;
       trustFailed.checked = job.trustFailed;
-      seconds.value = times.some(([value]) => value === String(job.seconds)) ? String(job.seconds) : '0';
+      seconds.value = times.some(([value]) => value === String(job.seconds))
+        ? String(job.seconds)
+        : '0';
       ownRoom = job.atOnce !== null && job.atOnce !== emptyJob().atOnce;
       namedSlots([...new Set(job.parts.map(({ slot }) => slot))].filter((slot) => slot !== ''));
       setSource(job.source);

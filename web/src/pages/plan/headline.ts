@@ -12,30 +12,53 @@ export function gapInWords(cost: number, bound: number, money: (cost: number) =>
   if (bound <= 0) {
     return 'How little it could cost is not known.';
   }
-  return `No plan costs less than ${money(bound)}, so this one is at most ${((100 * (cost - bound)) / bound).toFixed(1)} % above the least possible.`;
+  return (
+    `No plan costs less than ${money(bound)}, so this one is at most ` +
+    `${((100 * (cost - bound)) / bound).toFixed(1)} % above the least possible.`
+  );
 }
 
 function gap(outcome: Outcome, money: (cost: number) => string): string {
   const { budget, benches, cost, bound, met, finish } = outcome;
   if (budget !== null && met.tested < met.needed) {
-    return `The budget of ${money(budget)} pays for ${number(met.tested)} of ${number(met.needed)} ${met.what}.`;
+    return (
+      `The budget of ${money(budget)} pays for ${number(met.tested)} of ` +
+      `${number(met.needed)} ${met.what}.`
+    );
   }
   if (!benches) {
     return gapInWords(cost, bound, money);
   }
   const early = outcome.together !== cost || benches.length > 1;
   const words = gapInWords(cost, bound, money);
-  return `${early ? `The last test ends at ${money(cost)}${finish ? ` (${finish})` : ''}; all benches together cost ${money(outcome.together)}. ` : ''}${early ? words.replace('No plan is cheaper', 'No plan is done earlier').replace('No plan costs less than', 'No plan is done before') : words}`;
+  if (!early) {
+    return words;
+  }
+  const end = `${money(cost)}${finish ? ` (${finish})` : ''}`;
+  const sooner = words
+    .replace('No plan is cheaper', 'No plan is done earlier')
+    .replace('No plan costs less than', 'No plan is done before');
+  const together = money(outcome.together);
+  return `The last test ends at ${end}; all benches together cost ${together}. ${sooner}`;
 }
 
 export function headline(job: Job, outcome: Outcome): HTMLElement {
   const rest = outcome.tests.length - outcome.doneBefore;
-  const money = moneyOf([outcome.testCost, outcome.changeCost, outcome.cost, outcome.bound, outcome.together, ...outcome.tests.map(({ cost }) => cost)]);
+  const money = moneyOf([
+    outcome.testCost,
+    outcome.changeCost,
+    outcome.cost,
+    outcome.bound,
+    outcome.together,
+    ...outcome.tests.map(({ cost }) => cost),
+  ]);
   const clock = clockOf(outcome.unit);
   const what =
     job.source === 'model'
       ? 'The model'
-      : `${count(job.parts.filter((part) => !part.gone).length, 'part')}${job.atOnce === null ? '' : `, ${job.atOnce} at a time`}${outcome.benches ? `, ${count(outcome.benches.length, 'bench', 'benches')}` : ''}`;
+      : `${count(job.parts.filter((part) => !part.gone).length, 'part')}` +
+        `${job.atOnce === null ? '' : `, ${job.atOnce} at a time`}` +
+        `${outcome.benches ? `, ${count(outcome.benches.length, 'bench', 'benches')}` : ''}`;
   const whole = outcome.benches ? outcome.together : outcome.cost;
   return h(
     'div',
@@ -44,20 +67,46 @@ export function headline(job: Job, outcome: Outcome): HTMLElement {
     h(
       'p',
       {},
-      outcome.doneBefore > 0 ? `${count(outcome.doneBefore, 'test')} done; for the rest: ` : `${what}: `,
-      h('strong', {}, `${count(rest, 'test')}, ${count(outcome.changes, 'change')}, cost ${money(whole)}${outcome.unit ? ` ${outcome.unit}` : ''}`),
+      outcome.doneBefore > 0
+        ? `${count(outcome.doneBefore, 'test')} done; for the rest: `
+        : `${what}: `,
+      h(
+        'strong',
+        {},
+        `${count(rest, 'test')}, ${count(outcome.changes, 'change')}, cost ` +
+          `${money(whole)}${outcome.unit ? ` ${outcome.unit}` : ''}`,
+      ),
       clock && !outcome.benches ? `, ${clock(whole)} on the clock` : null,
       `. ${gap(outcome, money)}`,
     ),
-    outcome.reason ? h('details', { class: 'no-print' }, h('summary', {}, 'Why not less'), h('p', {}, outcome.reason)) : null,
+    outcome.reason
+      ? h(
+          'details',
+          { class: 'no-print' },
+          h('summary', {}, 'Why not less'),
+          h('p', {}, outcome.reason),
+        )
+      : null,
     outcome.notes.length > 0
-      ? h('details', { class: 'no-print', open: outcome.notes.length <= 2 }, h('summary', {}, `${count(outcome.notes.length, 'note')} on the job`), h('ul', {}, outcome.notes.map((note) => h('li', {}, note))))
+      ? h(
+          'details',
+          { class: 'no-print', open: outcome.notes.length <= 2 },
+          h('summary', {}, `${count(outcome.notes.length, 'note')} on the job`),
+          h(
+            'ul',
+            {},
+            outcome.notes.map((note) => h('li', {}, note)),
+          ),
+        )
       : null,
     h(
       'p',
       { class: 'hint' },
-      `A test costs ${money(outcome.testCost)}; putting a part in costs ${job.parts.some((part) => part.cost !== null) ? `what the list says, else ${money(outcome.changeCost)}` : money(outcome.changeCost)}; taking out is free. `,
-      `${number(outcome.met.tested)} of ${number(outcome.met.needed)} needed ${outcome.met.what} are tested, counted by an independent checker.`,
+      `A test costs ${money(outcome.testCost)}; putting a part in costs `,
+      job.parts.some((part) => part.cost !== null) && 'what the list says, else ',
+      `${money(outcome.changeCost)}; taking out is free. `,
+      `${number(outcome.met.tested)} of ${number(outcome.met.needed)} needed ` +
+        `${outcome.met.what} are tested, counted by an independent checker.`,
     ),
   );
 }

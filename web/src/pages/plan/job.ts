@@ -19,7 +19,10 @@ export interface Slot {
   most: string;
 }
 
-/** What a bench has instead of what the job says; '' is as the job says. Lists of parts have commas between them. */
+/**
+ * What a bench has instead of what the job says; '' is as the job says. Lists of parts have commas
+ * between them.
+ */
 export interface Bench {
   name: string;
   hours: string;
@@ -102,10 +105,27 @@ export function emptyJob(): Job {
 }
 
 export function emptyBench(): Bench {
-  return { name: '', hours: '', atOnce: '', testCost: '', changeFactor: '', without: '', own: '', start: '', mounted: '', slots: '', down: false };
+  return {
+    name: '',
+    hours: '',
+    atOnce: '',
+    testCost: '',
+    changeFactor: '',
+    without: '',
+    own: '',
+    start: '',
+    mounted: '',
+    slots: '',
+    down: false,
+  };
 }
 
-export function partOf(name: string, cost: number | null = null, slot = '', quantity: number | null = null): Part {
+export function partOf(
+  name: string,
+  cost: number | null = null,
+  slot = '',
+  quantity: number | null = null,
+): Part {
   return { name, cost, slot, quantity, gone: false };
 }
 
@@ -121,18 +141,26 @@ export function decimal(text: string, what: string): number {
   return Number(trimmed.replace(',', '.'));
 }
 
-/** Rounded to the millionths that costs have, so that sums of decimals are shown as people add them. */
+/**
+ * Rounded to the millionths that costs have, so that sums of decimals are shown as people add them.
+ */
 export function exact(cost: number): number {
   return Math.round(cost * 1e6) / 1e6;
 }
 
 /** Writes costs with as many decimals as all of `costs` need: none, or two and more. */
 export function moneyOf(costs: readonly number[]): (cost: number) => string {
-  const decimals = Math.max(0, ...costs.map((cost) => (String(exact(cost)).split('.')[1] ?? '').length));
+  const decimals = Math.max(
+    0,
+    ...costs.map((cost) => (String(exact(cost)).split('.')[1] ?? '').length),
+  );
   return (cost) => exact(cost).toFixed(decimals === 0 ? 0 : Math.max(2, decimals));
 }
 
-/** A cost of a plan that was never made, as prices would make it: to the hundredth, as far as it has any. */
+/**
+ * A cost of a plan that was never made, as prices would make it: to the hundredth, as far as it has
+ * any.
+ */
 export function about(cost: number): string {
   const rounded = Number(cost.toFixed(2));
   return rounded === 0 && cost !== 0
@@ -142,12 +170,19 @@ export function about(cost: number): string {
       : rounded.toFixed(2);
 }
 
-/** Cells of a table as spreadsheets copy it (tabs) or write it (CSV with commas or semicolons, fields quoted or not). */
+/**
+ * Cells of a table as spreadsheets copy it (tabs) or write it (CSV with commas or semicolons,
+ * fields quoted or not).
+ */
 export function cells(text: string): string[][] {
   const lines = text.replace(/\r\n?/g, '\n').replace(/^\ufeff/, '');
   // What is in quotes or in a comment separates nothing.
-  const bare = lines.replace(/^[ \t]*#.*$/gm, '').replace(/"[^"]*"/g, '').trimStart();
-  const separator = /^[^\n]*\t/.test(bare) || !/[,;]/.test(bare) ? '\t' : /^[^\n,]*;/m.test(bare) ? ';' : ',';
+  const bare = lines
+    .replace(/^[ \t]*#.*$/gm, '')
+    .replace(/"[^"]*"/g, '')
+    .trimStart();
+  const separator =
+    /^[^\n]*\t/.test(bare) || !/[,;]/.test(bare) ? '\t' : /^[^\n,]*;/m.test(bare) ? ';' : ',';
   const rows: string[][] = [];
   let row: string[] = [];
   let field = '';
@@ -198,11 +233,17 @@ function listed(job: Job): [string, string][] {
   return cells(job.pairs).map((row, i) => {
     const [one = '', other = '', third] = row.filter((each) => each !== '');
     if (third !== undefined) {
-      throw new Error(`pair ${i + 1}: “${third}” is a third field: write two parts with a comma between`);
+      throw new Error(
+        `pair ${i + 1}: “${third}” is a third field: write two parts with a comma between`,
+      );
     }
     for (const name of [one, other]) {
       if (!names.has(name)) {
-        throw new Error(`pair ${i + 1}: ${name === '' ? 'write two parts with a comma between' : `“${name}” is not in the list of parts`}`);
+        const fault =
+          name === ''
+            ? 'write two parts with a comma between'
+            : `“${name}” is not in the list of parts`;
+        throw new Error(`pair ${i + 1}: ${fault}`);
       }
     }
     if (one === other) {
@@ -221,11 +262,14 @@ export function wantedPairs(job: Job): [string, string][] | undefined {
   if (job.pairMode === 'only') {
     return listed(job).filter(([one, other]) => !gone.has(one) && !gone.has(other));
   }
-  const key = (one: string, other: string) => (one < other ? `${one}\n${other}` : `${other}\n${one}`);
+  const key = (one: string, other: string) =>
+    one < other ? `${one}\n${other}` : `${other}\n${one}`;
   const skipped = new Set(listed(job).map(([one, other]) => key(one, other)));
   const names = job.parts.map(({ name }) => name).filter((name) => !gone.has(name));
   const pairs: [string, string][] = [];
-  names.forEach((one, i) => names.slice(i + 1).forEach((other) => skipped.has(key(one, other)) || pairs.push([one, other])));
+  names.forEach((one, i) =>
+    names.slice(i + 1).forEach((other) => skipped.has(key(one, other)) || pairs.push([one, other])),
+  );
   return pairs;
 }
 
@@ -238,20 +282,31 @@ export function namesIn(text: string): string[] {
 
 /** A row as a line that `cells` reads back. */
 export function lineOf(fields: readonly string[]): string {
-  return fields.map((text) => (/[",;\t\n]|^\s|\s$|^#/.test(text) ? `"${text.replaceAll('"', '""')}"` : text)).join(', ');
+  return fields
+    .map((text) => (/[",;\t\n]|^\s|\s$|^#/.test(text) ? `"${text.replaceAll('"', '""')}"` : text))
+    .join(', ');
 }
 
-/** @throws Error with a line that can be shown, if this job cannot be planned. What needs the lists read is said by the server. */
+/**
+ * @throws Error with a line that can be shown, if this job cannot be planned. What needs the lists
+ * read is said by the server.
+ */
 export function checkJob(job: Job): void {
   if (job.source === 'model') {
     if (job.model.trim() === '') {
-      throw new Error('There is no model: write its parameters, one a line, as in “Browser: Firefox, Chrome”, or take an example.');
+      throw new Error(
+        'There is no model: write its parameters, one a line, as in “Browser: Firefox, ' +
+          'Chrome”, or take an example.',
+      );
     }
     return;
   }
   const left = job.parts.filter((part) => !part.gone);
   if (left.length < 2) {
-    throw new Error('There are fewer than two parts: type them, paste them from a spreadsheet, or take an example.');
+    throw new Error(
+      'There are fewer than two parts: type them, paste them from a spreadsheet, or take an ' +
+        'example.',
+    );
   }
   const seen = new Set<string>();
   for (const [i, { name }] of job.parts.entries()) {

@@ -25,38 +25,68 @@ function list(heading: string, entries: readonly Entry[]): HTMLElement {
           type: 'button',
           class: 'plain small',
           'aria-label': `Forget ${entry.title}`,
-          onclick: () => void Promise.resolve(entry.forget()).then(() => row.remove(), (fault: unknown) => row.append(problem(fault))),
+          onclick: () =>
+            void Promise.resolve(entry.forget()).then(
+              () => row.remove(),
+              (fault: unknown) => row.append(problem(fault)),
+            ),
         },
         '×',
       ),
     );
     return row;
   };
-  return h('details', {}, h('summary', {}, `${heading} (${entries.length})`), h('ul', {}, entries.map(item)));
+  return h(
+    'details',
+    {},
+    h('summary', {}, `${heading} (${entries.length})`),
+    h('ul', {}, entries.map(item)),
+  );
 }
 
-const doneOf = (done: number, tests: number) => (tests > 0 ? `${done} of ${count(tests, 'test')} done, ` : '');
+const doneOf = (done: number, tests: number) =>
+  tests > 0 ? `${done} of ${count(tests, 'test')} done, ` : '';
 
 export function keptList(mayForget: boolean, signal: AbortSignal): HTMLElement {
   const box = h('div', { class: 'kept no-print' });
   const jobs = keptJobs();
-  const here = jobs.length === 0 ? null : list('Jobs in this browser', jobs.map((job) => ({
-    href: link('plan', { id: job.id }),
-    title: job.title,
-    said: `${doneOf(job.done, job.tests)}${new Date(job.when).toLocaleString()}`,
-    forget: () => forget(job.id),
-  })));
+  const here =
+    jobs.length === 0
+      ? null
+      : list(
+          'Jobs in this browser',
+          jobs.map((job) => ({
+            href: link('plan', { id: job.id }),
+            title: job.title,
+            said: `${doneOf(job.done, job.tests)}${new Date(job.when).toLocaleString()}`,
+            forget: () => forget(job.id),
+          })),
+        );
   fill(box, here);
-  void keptRuns(signal).then((runs) => {
-    if (runs.length > 0 && !signal.aborted) {
-      const there = list('Runs on this server', runs.map((run) => ({
-        href: link('plan', { run: run.id }),
-        title: run.title,
-        said: `${doneOf(run.done, run.tests)}${new Date(run.changed).toLocaleString()}`,
-        forget: () => (mayForget ? forgetRun(run.id, signal) : Promise.reject(new Error('This window may only look: open the address that “changeover serve” printed.'))),
-      })));
-      fill(box, there, here);
-    }
-  }, () => undefined);
+  void keptRuns(signal).then(
+    (runs) => {
+      if (runs.length > 0 && !signal.aborted) {
+        const there = list(
+          'Runs on this server',
+          runs.map((run) => ({
+            href: link('plan', { run: run.id }),
+            title: run.title,
+            said: `${doneOf(run.done, run.tests)}${new Date(run.changed).toLocaleString()}`,
+            forget: () =>
+              mayForget
+                ? forgetRun(run.id, signal)
+                : Promise.reject(
+                    new Error(
+                      'This window may only look: open the address that “changeover serve” ' +
+                        'printed.',
+                    ),
+                  ),
+          })),
+        );
+        fill(box, there, here);
+      }
+    },
+    () => undefined,
+  );
   return box;
 }

@@ -16,8 +16,19 @@ export function livePanel(best: () => void, giveUp: () => void, signal: AbortSig
   const said = h('span', {}, 'Looking for a first plan');
   const bar = h('progress', { max: 1, 'aria-label': 'How much of the time has gone' });
   const phase = h('p', { class: 'hint', role: 'status' });
-  const stop = h('button', { type: 'button', disabled: true, onclick: () => ((stop.disabled = true), best()) }, 'Stop and keep the best');
-  const chart = plot({ label: 'The best plan so far and the lower bound, by time', x: 'seconds', y: 'cost', height: 150, signal, yText: about });
+  const stop = h(
+    'button',
+    { type: 'button', disabled: true, onclick: () => ((stop.disabled = true), best()) },
+    'Stop and keep the best',
+  );
+  const chart = plot({
+    label: 'The best plan so far and the lower bound, by time',
+    x: 'seconds',
+    y: 'cost',
+    height: 150,
+    signal,
+    yText: about,
+  });
   const place = h('div', { class: 'live-chart', hidden: true }, chart.element);
   const points: { at: number; best: number; bound: number }[] = [];
   const element = h(
@@ -27,29 +38,50 @@ export function livePanel(best: () => void, giveUp: () => void, signal: AbortSig
     bar,
     phase,
     place,
-    h('div', { class: 'row' }, stop, h('button', { type: 'button', class: 'plain', onclick: giveUp }, 'Cancel')),
+    h(
+      'div',
+      { class: 'row' },
+      stop,
+      h('button', { type: 'button', class: 'plain', onclick: giveUp }, 'Cancel'),
+    ),
   );
   return {
     element,
     hear(job) {
       bar.max = job.limit;
       bar.value = Math.min(job.limit, job.seconds);
-      phase.textContent = `${job.phase}; ${count(Math.floor(job.seconds), 'second')} of ${job.limit} at most`;
+      phase.textContent =
+        `${job.phase}; ${count(Math.floor(job.seconds), 'second')} of ` + `${job.limit} at most`;
       if (job.best === null || job.bound === null) {
         return;
       }
       stop.disabled = false;
       cost.textContent = about(job.best);
       const above = job.bound > 0 ? (100 * (job.best - job.bound)) / job.bound : null;
-      said.textContent = `is the best so far, with ${count(job.tests ?? 0, 'test')}; no plan costs less than ${about(job.bound)}${above === null ? '' : above <= 0 ? ': this is the least' : ` (${above.toFixed(1)} % above)`}.`;
+      const gap =
+        above === null ? '' : above <= 0 ? ': this is the least' : ` (${above.toFixed(1)} % above)`;
+      said.textContent =
+        `is the best so far, with ${count(job.tests ?? 0, 'test')}; no plan ` +
+        `costs less than ${about(job.bound)}${gap}.`;
       points.push({ at: job.seconds, best: job.best, bound: job.bound });
       if (points.length > 1) {
         place.hidden = false;
         chart.set(
           points.map(({ at }) => at),
           [
-            { label: 'best so far', colour: 1, width: 3, steps: true, values: points.map((point) => point.best) },
-            { label: 'lower bound', colour: 2, dash: [6, 4], values: points.map((point) => point.bound) },
+            {
+              label: 'best so far',
+              colour: 1,
+              width: 3,
+              steps: true,
+              values: points.map((point) => point.best),
+            },
+            {
+              label: 'lower bound',
+              colour: 2,
+              dash: [6, 4],
+              values: points.map((point) => point.bound),
+            },
           ],
         );
       }

@@ -1,4 +1,5 @@
-// What to do now: the next test of each bench, with what to take out and put in, large enough for a phone beside the bench.
+// What to do now: the next test of each bench, with what to take out and put in, large enough for a
+// phone beside the bench.
 import { fill, h } from '../../lib/dom';
 import { moneyOf } from './job';
 import { namesOf, step, verdictOf, type Outcome } from './outcome';
@@ -10,7 +11,11 @@ export interface Next {
   refresh(): void;
 }
 
-export function nextTests(outcome: Outcome, mounted: readonly string[], written: (test: number) => void): Next {
+export function nextTests(
+  outcome: Outcome,
+  mounted: readonly string[],
+  written: (test: number) => void,
+): Next {
   const element = h('div', { class: 'next-tests no-print' });
   const names = namesOf(outcome);
   const money = moneyOf(outcome.tests.map(({ cost }) => cost));
@@ -20,19 +25,45 @@ export function nextTests(outcome: Outcome, mounted: readonly string[], written:
     // On an empty bench what is put in is all that is then in.
     const all = out.length === 0 && put.length === test.parts.length;
     const of = outcome.tests.filter(({ bench }) => bench === test.bench).length;
-    const line = (label: string, kind: string, parts: string[]) => h('p', { class: kind }, h('span', { class: 'label' }, label), parts.length > 0 ? parts.join(', ') : 'nothing');
+    const line = (label: string, kind: string, parts: string[]) =>
+      h(
+        'p',
+        { class: kind },
+        h('span', { class: 'label' }, label),
+        parts.length > 0 ? parts.join(', ') : 'nothing',
+      );
     return h(
       'section',
       { class: 'next-test', 'aria-label': `Next test, ${names[i]}` },
-      h('h3', {}, `Next: test ${names[i]} of ${of}`, h('span', { class: 'hint' }, ` costs ${money(test.cost)}${test.when ? `, ${test.when}` : ''}`)),
-      ...(test.values || all ? [] : [out.length > 0 ? line('Take out', 'leave', out) : null, line('Put in', 'enter', put)]),
-      h('p', { class: 'set-up' }, h('span', { class: 'label' }, test.values ? 'Set' : all ? 'Put in' : 'Then in'), ...setUp(test, outcome.places, new Set(put))),
+      h(
+        'h3',
+        {},
+        `Next: test ${names[i]} of ${of}`,
+        h(
+          'span',
+          { class: 'hint' },
+          ` costs ${money(test.cost)}${test.when ? `, ${test.when}` : ''}`,
+        ),
+      ),
+      ...(test.values || all
+        ? []
+        : [out.length > 0 ? line('Take out', 'leave', out) : null, line('Put in', 'enter', put)]),
+      h(
+        'p',
+        { class: 'set-up' },
+        h('span', { class: 'label' }, test.values ? 'Set' : all ? 'Put in' : 'Then in'),
+        ...setUp(test, outcome.places, new Set(put)),
+      ),
       resultButtons(test, names[i]!, () => written(i), { pass: '✓ pass', fail: '✗ fail' }).element,
     );
   }
   function refresh(): void {
     const benches = [...new Set(outcome.tests.map(({ bench }) => bench))];
-    const next = benches.map((bench) => outcome.tests.findIndex((test) => test.bench === bench && verdictOf(test) === '')).filter((i) => i >= 0);
+    const next = benches
+      .map((bench) =>
+        outcome.tests.findIndex((test) => test.bench === bench && verdictOf(test) === ''),
+      )
+      .filter((i) => i >= 0);
     fill(element, next.map(card));
   }
   refresh();

@@ -38,7 +38,10 @@ export interface Outcome {
   benches: { name: string; down: boolean; end: number }[] | null;
   places: Place[];
   tests: Test[];
-  /** Of the tests that the last planning was about: those done before are not in it. Of benches that are to be done early, the end of the last test. */
+  /**
+   * Of the tests that the last planning was about: those done before are not in it. Of benches that
+   * are to be done early, the end of the last test.
+   */
   cost: number;
   bound: number;
   /** Of all benches together. */
@@ -101,11 +104,21 @@ export function namesOf(outcome: Outcome): string[] {
   });
 }
 
-/** Tests that were read from files name no bench: the sheet that was planned here says it, by the set-up. */
+/**
+ * Tests that were read from files name no bench: the sheet that was planned here says it, by the
+ * set-up.
+ */
 export function onBenches(done: readonly Test[], sheet: Outcome | null): Test[] {
   const open = sheet?.benches ? [...sheet.tests] : [];
   return done.map((test) => {
-    const i = test.bench === null ? open.findIndex(({ parts }) => parts.length === test.parts.length && parts.every((name) => test.parts.includes(name))) : -1;
+    const i =
+      test.bench === null
+        ? open.findIndex(
+            ({ parts }) =>
+              parts.length === test.parts.length &&
+              parts.every((name) => test.parts.includes(name)),
+          )
+        : -1;
     const [planned] = i < 0 ? [] : open.splice(i, 1);
     return planned ? { ...planned, result: test.result, notes: test.notes } : test;
   });
@@ -122,15 +135,26 @@ export function before(tests: readonly Test[], i: number): Test | null {
 }
 
 /** What is taken out for a test and what is put in. */
-export function step(tests: readonly Test[], i: number, mounted: readonly string[] = []): { out: string[]; in: string[] } {
+export function step(
+  tests: readonly Test[],
+  i: number,
+  mounted: readonly string[] = [],
+): { out: string[]; in: string[] } {
   const earlier = before(tests, i)?.parts ?? mounted;
   const now = tests[i]!.parts;
-  return { out: earlier.filter((name) => !now.includes(name)), in: now.filter((name) => !earlier.includes(name)) };
+  return {
+    out: earlier.filter((name) => !now.includes(name)),
+    in: now.filter((name) => !earlier.includes(name)),
+  };
 }
 
 const untested = { result: '', notes: '', by: '', at: '' };
 
-function clock(day: number | undefined, hour: number | undefined, date: string | undefined): string | undefined {
+function clock(
+  day: number | undefined,
+  hour: number | undefined,
+  date: string | undefined,
+): string | undefined {
   if (day === undefined || hour === undefined) {
     return undefined;
   }
@@ -171,13 +195,26 @@ function ofPlan(plan: Plan, job: Job, done: readonly Test[], places: readonly Pl
     together: cost,
     reason: plan.lower_bound.reason,
     changes,
-    met: { what: triples ? 'triples' : 'pairs', needed: triples ? plan.triples_needed : plan.pairs_needed, tested: triples ? plan.triples_tested : plan.pairs_tested },
+    met: {
+      what: triples ? 'triples' : 'pairs',
+      needed: triples ? plan.triples_needed : plan.pairs_needed,
+      tested: triples ? plan.triples_tested : plan.pairs_tested,
+    },
     budget: plan.budget,
     unit: plan.cost_unit,
     finish: null,
     alternatives: [
       { name: 'this plan', tests: plan.tests, changes, cost },
-      ...plan.candidates.filter((each) => each.tests !== plan.tests || each.changes !== changes || each.cost !== cost).map(({ name, tests: n, changes: c, cost: sum }) => ({ name, tests: n, changes: c, cost: sum })),
+      ...plan.candidates
+        .filter(
+          (each) => each.tests !== plan.tests || each.changes !== changes || each.cost !== cost,
+        )
+        .map(({ name, tests: n, changes: c, cost: sum }) => ({
+          name,
+          tests: n,
+          changes: c,
+          cost: sum,
+        })),
     ],
     notes: plan.notes,
     testCost: job.testCost,
@@ -186,14 +223,28 @@ function ofPlan(plan: Plan, job: Job, done: readonly Test[], places: readonly Pl
   };
 }
 
-function ofBenches(plan: Benches, job: Job, done: readonly Test[], places: readonly Place[]): Outcome {
+function ofBenches(
+  plan: Benches,
+  job: Job,
+  done: readonly Test[],
+  places: readonly Place[],
+): Outcome {
   const triples = plan.triples_needed > 0;
   const early = plan.objective === 'makespan';
   const tests = plan.sheets.flatMap((sheet) => [
-    ...done.filter(({ bench }) => bench === sheet.name).map((test) => placed(test, places, plan.places)),
+    ...done
+      .filter(({ bench }) => bench === sheet.name)
+      .map((test) => placed(test, places, plan.places)),
     ...sheet.steps.map((each): Test => {
       const when = clock(each.day, each.hour, each.date);
-      return { bench: sheet.name, parts: each.set_up, places: each.places, cost: each.cost, ...(when ? { when } : {}), ...untested };
+      return {
+        bench: sheet.name,
+        parts: each.set_up,
+        places: each.places,
+        cost: each.cost,
+        ...(when ? { when } : {}),
+        ...untested,
+      };
     }),
   ]);
   const cost = early ? plan.makespan : plan.cost;
@@ -206,13 +257,24 @@ function ofBenches(plan: Benches, job: Job, done: readonly Test[], places: reado
     together: plan.cost,
     reason: early ? plan.lower_bound.makespan_reason : plan.lower_bound.cost_reason,
     changes: plan.changes,
-    met: { what: triples ? 'triples' : 'pairs', needed: triples ? plan.triples_needed : plan.pairs_needed, tested: triples ? plan.triples_tested : plan.pairs_tested },
+    met: {
+      what: triples ? 'triples' : 'pairs',
+      needed: triples ? plan.triples_needed : plan.pairs_needed,
+      tested: triples ? plan.triples_tested : plan.pairs_tested,
+    },
     budget: plan.budget,
     unit: plan.cost_unit,
-    finish: plan.finish ? (clock(plan.finish.day, plan.finish.hour, plan.finish.date) ?? null) : null,
+    finish: plan.finish
+      ? (clock(plan.finish.day, plan.finish.hour, plan.finish.date) ?? null)
+      : null,
     alternatives: [
       { name: 'this plan', tests: plan.tests, changes: plan.changes, cost },
-      ...plan.candidates.slice(1).map((each) => ({ name: each.name, tests: each.tests, changes: each.changes, cost: early ? each.makespan : each.cost })),
+      ...plan.candidates.slice(1).map((each) => ({
+        name: each.name,
+        tests: each.tests,
+        changes: each.changes,
+        cost: early ? each.makespan : each.cost,
+      })),
     ],
     notes: plan.notes,
     testCost: job.testCost,
@@ -222,7 +284,12 @@ function ofBenches(plan: Benches, job: Job, done: readonly Test[], places: reado
 }
 
 /** What was planned after these tests, whose places are `places`. */
-export function outcomeOf(planned: Planned, job: Job, done: readonly Test[], places: readonly Place[]): Outcome {
+export function outcomeOf(
+  planned: Planned,
+  job: Job,
+  done: readonly Test[],
+  places: readonly Place[],
+): Outcome {
   if (planned.plan) {
     return ofPlan(planned.plan, job, done, places);
   }
@@ -244,7 +311,13 @@ export function withNext(outcome: Outcome, next: NonNullable<Diagnosis['next']>)
   }
   const bench = outcome.benches?.find(({ down }) => !down)?.name ?? null;
   const whole = places.filter(Boolean).length === next.set_up.length;
-  const test: Test = { bench, parts: next.set_up, places: whole ? places : null, cost: next.cost, ...untested };
+  const test: Test = {
+    bench,
+    parts: next.set_up,
+    places: whole ? places : null,
+    cost: next.cost,
+    ...untested,
+  };
   const open = outcome.tests.findIndex((each) => each.bench === bench && !isDone(each));
   const tests = [...outcome.tests];
   tests.splice(open < 0 ? tests.length : open, 0, test);
@@ -253,17 +326,23 @@ export function withNext(outcome: Outcome, next: NonNullable<Diagnosis['next']>)
 
 /** A spreadsheet would compute what begins like a formula. */
 const safe = (name: string) => (/^[=+\-@\t]/.test(name) ? `'${name}` : name);
-const quote = (field: string) => (/[",\n]/.test(field) ? `"${field.replaceAll('"', '""')}"` : field);
+const quote = (field: string) =>
+  /[",\n]/.test(field) ? `"${field.replaceAll('"', '""')}"` : field;
 
 /** The run sheet as CSV with the columns of the command line, which reads it back as `--done`. */
 export function csv(outcome: Outcome): string {
   const { tests, places, benches } = outcome;
   const names = namesOf(outcome);
   const parameters = Object.keys(tests.find((test) => test.values)?.values ?? {});
-  const width = Math.max(places.length, ...tests.map((test) => (test.places ? 0 : test.parts.length)));
+  const width = Math.max(
+    places.length,
+    ...tests.map((test) => (test.places ? 0 : test.parts.length)),
+  );
   const heads = Array.from({ length: width }, (_, i) => {
     const place = places[i];
-    return place ? `slot_${place.number}${place.slot === null ? '' : ` ${place.slot}`}` : `slot_${i + 1}`;
+    return place
+      ? `slot_${place.number}${place.slot === null ? '' : ` ${place.slot}`}`
+      : `slot_${i + 1}`;
   });
   const sums = new Map<string | null, number>();
   const rows = tests.map((test, i) => {
@@ -274,13 +353,46 @@ export function csv(outcome: Outcome): string {
     return [
       ...(benches ? [safe(test.bench ?? '')] : []),
       benches ? names[i]!.slice((test.bench ?? '').length + 1) : names[i]!,
-      ...(parameters.length > 0 ? parameters.map((name) => safe(test.values?.[name] ?? '')) : [safe(out.join(', ')), safe(put.join(', ')), ...heads.map((_, j) => safe(row[j] ?? ''))]),
+      ...(parameters.length > 0
+        ? parameters.map((name) => safe(test.values?.[name] ?? ''))
+        : [safe(out.join(', ')), safe(put.join(', ')), ...heads.map((_, j) => safe(row[j] ?? ''))]),
       String(test.cost),
       String(sum),
       test.result,
       safe(test.notes),
     ];
   });
-  const head = [...(benches ? ['bench'] : []), 'step', ...(parameters.length > 0 ? parameters : ['take_out', 'put_in', ...heads]), 'cost', 'cost_so_far', 'result', 'notes'];
+  const head = [
+    ...(benches ? ['bench'] : []),
+    'step',
+    ...(parameters.length > 0 ? parameters : ['take_out', 'put_in', ...heads]),
+    'cost',
+    'cost_so_far',
+    'result',
+    'notes',
+  ];
   return [head, ...rows].map((row) => row.map(quote).join(',')).join('\n') + '\n';
+}
+
+/** A sheet without a test. */
+export function blank(job: Job): Outcome {
+  return {
+    benches: null,
+    places: [],
+    tests: [],
+    cost: 0,
+    bound: 0,
+    together: 0,
+    reason: '',
+    changes: 0,
+    met: { what: 'pairs', needed: 0, tested: 0 },
+    budget: null,
+    unit: null,
+    finish: null,
+    alternatives: [],
+    notes: [],
+    testCost: job.testCost,
+    changeCost: job.changeCost,
+    doneBefore: 0,
+  };
 }

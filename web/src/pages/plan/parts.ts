@@ -14,13 +14,26 @@ export interface Grid {
 /** Rows beyond these are drawn a few at a time, so that a long list does not hold up the page. */
 const piece = 150;
 
-/** `pasted` reads what a spreadsheet copies; null: it could not be read, which was said. `changedSlots` hears which slots the parts are of. */
-export function partsGrid(changed: () => void, pasted: (text: string) => Promise<Part[] | null>, changedSlots: (slots: string[]) => void): Grid {
+/**
+ * `pasted` reads what a spreadsheet copies; null: it could not be read, which was said.
+ * `changedSlots` hears which slots the parts are of.
+ */
+export function partsGrid(
+  changed: () => void,
+  pasted: (text: string) => Promise<Part[] | null>,
+  changedSlots: (slots: string[]) => void,
+): Grid {
   const body = h('tbody');
   const size = h('p', { class: 'hint', role: 'status' });
   let drawing = 0;
 
-  type Inputs = [name: HTMLInputElement, cost: HTMLInputElement, slot: HTMLInputElement, quantity: HTMLInputElement, gone: HTMLInputElement];
+  type Inputs = [
+    name: HTMLInputElement,
+    cost: HTMLInputElement,
+    slot: HTMLInputElement,
+    quantity: HTMLInputElement,
+    gone: HTMLInputElement,
+  ];
   const inputs = (row: Element) => [...row.querySelectorAll('input')] as Inputs;
 
   function renumber(): void {
@@ -35,7 +48,9 @@ export function partsGrid(changed: () => void, pasted: (text: string) => Promise
     });
     const named = [...body.rows].filter((row) => inputs(row)[0].value.trim() !== '');
     size.textContent = count(named.length, 'part');
-    changedSlots([...new Set(named.map((row) => inputs(row)[2].value.trim()))].filter((slot) => slot !== ''));
+    changedSlots(
+      [...new Set(named.map((row) => inputs(row)[2].value.trim()))].filter((slot) => slot !== ''),
+    );
   }
 
   function makeRow(part: Part): HTMLTableRowElement {
@@ -45,7 +60,18 @@ export function partsGrid(changed: () => void, pasted: (text: string) => Promise
       onchange: () => (row.classList.toggle('gone', gone.checked), changed()),
     });
     const text = (kind: string, value: string | number | null, more: Record<string, string> = {}) =>
-      h('td', { class: `of-${kind}` }, h('input', { type: 'text', class: kind, value: value ?? '', autocomplete: 'off', spellcheck: 'false', ...more }));
+      h(
+        'td',
+        { class: `of-${kind}` },
+        h('input', {
+          type: 'text',
+          class: kind,
+          value: value ?? '',
+          autocomplete: 'off',
+          spellcheck: 'false',
+          ...more,
+        }),
+      );
     const row: HTMLTableRowElement = h(
       'tr',
       { class: part.gone ? 'gone' : null },
@@ -65,7 +91,13 @@ export function partsGrid(changed: () => void, pasted: (text: string) => Promise
             class: 'plain small',
             title: 'Take this part off the list',
             'aria-label': 'Take this part off the list',
-            onclick: () => (move(row, 1) || move(row, -1), row.remove(), keepOneEmpty(), renumber(), changed()),
+            onclick: () => (
+              move(row, 1) || move(row, -1),
+              row.remove(),
+              keepOneEmpty(),
+              renumber(),
+              changed()
+            ),
           },
           '×',
         ),
@@ -174,7 +206,12 @@ export function partsGrid(changed: () => void, pasted: (text: string) => Promise
     body,
   );
   table.addEventListener('change', renumber);
-  const element = h('div', {}, h('div', { class: 'scroll parts-frame', tabindex: -1 }, table), size);
+  const element = h(
+    'div',
+    {},
+    h('div', { class: 'scroll parts-frame', tabindex: -1 }, table),
+    size,
+  );
 
   return {
     element,
@@ -188,7 +225,9 @@ export function partsGrid(changed: () => void, pasted: (text: string) => Promise
         const what = text || `part ${row.cells[0]!.textContent}`;
         const many = quantity.value.trim();
         if (many !== '' && !/^[1-9]\d{0,5}$/.test(many)) {
-          throw new Error(`${what}: “${many}” is not how many there are: write a whole number from 1`);
+          throw new Error(
+            `${what}: “${many}” is not how many there are: write a whole number from 1`,
+          );
         }
         return [
           {
@@ -205,6 +244,7 @@ export function partsGrid(changed: () => void, pasted: (text: string) => Promise
       fill(body);
       put(parts, null);
     },
-    names: () => [...body.rows].map((row) => inputs(row)[0].value.trim()).filter((name) => name !== ''),
+    names: () =>
+      [...body.rows].map((row) => inputs(row)[0].value.trim()).filter((name) => name !== ''),
   };
 }

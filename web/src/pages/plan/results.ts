@@ -8,7 +8,12 @@ export interface ResultButtons {
 }
 
 /** `written` is called after `test.result` has changed. */
-export function resultButtons(test: Test, name: string, written: () => void, texts = { pass: '✓', fail: '✗' }): ResultButtons {
+export function resultButtons(
+  test: Test,
+  name: string,
+  written: () => void,
+  texts = { pass: '✓', fail: '✗' },
+): ResultButtons {
   const make = (word: 'pass' | 'fail', text: string) =>
     h(
       'button',
@@ -32,10 +37,20 @@ export function resultButtons(test: Test, name: string, written: () => void, tex
     const now = verdictOf(test);
     pass.setAttribute('aria-pressed', String(now === 'pass' || now === 'done'));
     fail.setAttribute('aria-pressed', String(now === 'fail'));
-    const unusual = now === 'other' || now === 'not run' || (now === 'fail' && !/^fail$/i.test(test.result));
+    const unusual =
+      now === 'other' || now === 'not run' || (now === 'fail' && !/^fail$/i.test(test.result));
     other.textContent = [unusual ? test.result : '', test.by].filter(Boolean).join(' · ');
     other.title = test.at ? `${test.by} ${new Date(test.at).toLocaleString()}` : '';
   };
   refresh();
-  return { element: h('div', { class: 'results', role: 'group', 'aria-label': `Result of test ${name}` }, pass, fail, other), refresh };
+  return {
+    element: h(
+      'div',
+      { class: 'results', role: 'group', 'aria-label': `Result of test ${name}` },
+      pass,
+      fail,
+      other,
+    ),
+    refresh,
+  };
 }

@@ -16,10 +16,18 @@ export interface Rows<T> {
   set(rows: readonly T[]): void;
 }
 
-export function rowsTable<T extends object>(label: string, columns: readonly Column<T>[], empty: () => T, changed: () => void): Rows<T> {
+export function rowsTable<T extends object>(
+  label: string,
+  columns: readonly Column<T>[],
+  empty: () => T,
+  changed: () => void,
+): Rows<T> {
   const body = h('tbody');
   const inputs = (row: Element) => [...row.querySelectorAll('input')];
-  const isEmpty = (row: Element) => inputs(row).every((input) => (input.type === 'checkbox' ? !input.checked : input.value.trim() === ''));
+  const isEmpty = (row: Element) =>
+    inputs(row).every((input) =>
+      input.type === 'checkbox' ? !input.checked : input.value.trim() === '',
+    );
 
   function makeRow(data: T): HTMLTableRowElement {
     const row: HTMLTableRowElement = h(
@@ -30,10 +38,29 @@ export function rowsTable<T extends object>(label: string, columns: readonly Col
         const input =
           kind === 'check'
             ? h('input', { type: 'checkbox', checked: Boolean(value) })
-            : h('input', { type: 'text', class: kind ?? null, value: String(value), autocomplete: 'off', spellcheck: 'false' });
+            : h('input', {
+                type: 'text',
+                class: kind ?? null,
+                value: String(value),
+                autocomplete: 'off',
+                spellcheck: 'false',
+              });
         return h('td', { class: kind === 'check' ? 'centre' : null }, input);
       }),
-      h('td', {}, h('button', { type: 'button', class: 'plain small', 'aria-label': 'Take this row off', onclick: () => (row.remove(), settle(), changed()) }, '×')),
+      h(
+        'td',
+        {},
+        h(
+          'button',
+          {
+            type: 'button',
+            class: 'plain small',
+            'aria-label': 'Take this row off',
+            onclick: () => (row.remove(), settle(), changed()),
+          },
+          '×',
+        ),
+      ),
     );
     return row;
   }
@@ -43,7 +70,11 @@ export function rowsTable<T extends object>(label: string, columns: readonly Col
     if (!last || !isEmpty(last)) {
       body.append(makeRow(empty()));
     }
-    [...body.rows].forEach((row, i) => inputs(row).forEach((input, j) => input.setAttribute('aria-label', `${columns[j]!.label} ${i + 1}`)));
+    [...body.rows].forEach((row, i) =>
+      inputs(row).forEach((input, j) =>
+        input.setAttribute('aria-label', `${columns[j]!.label} ${i + 1}`),
+      ),
+    );
   }
 
   const element = h(
@@ -52,7 +83,16 @@ export function rowsTable<T extends object>(label: string, columns: readonly Col
     h(
       'table',
       { class: 'rows', oninput: () => (settle(), changed()) },
-      h('thead', {}, h('tr', {}, columns.map(({ title, hint }) => h('th', { title: hint ?? null }, title)), h('th', {}, h('span', { class: 'unseen' }, 'take off')))),
+      h(
+        'thead',
+        {},
+        h(
+          'tr',
+          {},
+          columns.map(({ title, hint }) => h('th', { title: hint ?? null }, title)),
+          h('th', {}, h('span', { class: 'unseen' }, 'take off')),
+        ),
+      ),
       body,
     ),
   );
@@ -61,7 +101,15 @@ export function rowsTable<T extends object>(label: string, columns: readonly Col
     read: () =>
       [...body.rows]
         .filter((row) => !isEmpty(row))
-        .map((row) => Object.fromEntries(inputs(row).map((input, i) => [columns[i]!.key, input.type === 'checkbox' ? input.checked : input.value.trim()])) as T),
+        .map(
+          (row) =>
+            Object.fromEntries(
+              inputs(row).map((input, i) => [
+                columns[i]!.key,
+                input.type === 'checkbox' ? input.checked : input.value.trim(),
+              ]),
+            ) as T,
+        ),
     set(rows) {
       fill(body, rows.map(makeRow));
       settle();

@@ -22,29 +22,53 @@ export interface Kept {
 
 /** The state without results: these are kept one by one. */
 function sheetOf(state: State): Record<string, unknown> {
-  const outcome: Outcome | null = state.outcome && { ...state.outcome, tests: state.outcome.tests.map((test) => ({ ...test, result: '', notes: '', by: '', at: '' })) };
+  const outcome: Outcome | null = state.outcome && {
+    ...state.outcome,
+    tests: state.outcome.tests.map((test) => ({ ...test, result: '', notes: '', by: '', at: '' })),
+  };
   return packed({ ...state, outcome }) as unknown as Record<string, unknown>;
 }
 
-/** Keeps a sheet with its results: a new run, or in the place of the sheet that `run` has. @throws ApiError 409 if another came meanwhile. */
+/**
+ * Keeps a sheet with its results: a new run, or in the place of the sheet that `run` has. @throws
+ * ApiError 409 if another came meanwhile.
+ */
 export async function keepRun(state: State, run: Kept | null, signal: AbortSignal): Promise<Kept> {
   const { tests } = state.outcome!;
   const names = namesOf(state.outcome!);
-  const results = tests.flatMap(({ result, notes, by, at }, i) => (result === '' && notes === '' ? [] : [{ test: names[i]!, result, notes, by, at }]));
+  const results = tests.flatMap(({ result, notes, by, at }, i) =>
+    result === '' && notes === '' ? [] : [{ test: names[i]!, result, notes, by, at }],
+  );
   const kept = await post(
     'run',
     {},
-    { ...(run ? { id: run.id, sheet_revision: run.sheet } : {}), title: state.job.title, tests: tests.length, sheet: sheetOf(state), results },
+    {
+      ...(run ? { id: run.id, sheet_revision: run.sheet } : {}),
+      title: state.job.title,
+      tests: tests.length,
+      sheet: sheetOf(state),
+      results,
+    },
     signal,
   );
   return { id: kept.id, revision: kept.revision, sheet: kept.sheet_revision };
 }
 
 /** Writes down the result of one test. @throws ApiError as keepRun() */
-export async function keepResult(state: State, i: number, run: Kept, signal: AbortSignal): Promise<Kept> {
+export async function keepResult(
+  state: State,
+  i: number,
+  run: Kept,
+  signal: AbortSignal,
+): Promise<Kept> {
   const { result, notes } = state.outcome!.tests[i]!;
   const test = namesOf(state.outcome!)[i]!;
-  const kept = await post('run/result', { id: run.id }, { test, result, notes, by: ownName(), sheet_revision: run.sheet }, signal);
+  const kept = await post(
+    'run/result',
+    { id: run.id },
+    { test, result, notes, by: ownName(), sheet_revision: run.sheet },
+    signal,
+  );
   return { id: kept.id, revision: kept.revision, sheet: kept.sheet_revision };
 }
 
@@ -63,7 +87,10 @@ export function withResults(outcome: Outcome, run: Run): void {
 }
 
 /** @throws ApiError; Error for a sheet that this page cannot read. */
-export async function openRun(id: string, signal: AbortSignal): Promise<{ state: State; run: Kept }> {
+export async function openRun(
+  id: string,
+  signal: AbortSignal,
+): Promise<{ state: State; run: Kept }> {
   const found = await get('run?id', { id }, signal);
   const state = unpacked(found.sheet);
   if (!state) {
@@ -87,7 +114,13 @@ export async function keptRuns(signal: AbortSignal): Promise<RunHead[]> {
 }
 
 /** Hears of every change to a run that another window made. */
-export function watchRun(id: string, known: () => Kept, changed: (run: Run) => void, removed: () => void, signal: AbortSignal): void {
+export function watchRun(
+  id: string,
+  known: () => Kept,
+  changed: (run: Run) => void,
+  removed: () => void,
+  signal: AbortSignal,
+): void {
   const look = async () => {
     const run = await get('run?id', { id }, signal).catch(() => null);
     if (run && !signal.aborted && run.revision > known().revision) {
@@ -96,7 +129,9 @@ export function watchRun(id: string, known: () => Kept, changed: (run: Run) => v
   };
   listen(
     {
-      run: (event) => event.id === id && (event.removed ? removed() : event.revision > known().revision && void look()),
+      run: (event) =>
+        event.id === id &&
+        (event.removed ? removed() : event.revision > known().revision && void look()),
       state: (state) => state === 'open' && void look(),
     },
     signal,

@@ -2,7 +2,16 @@
 import { h, scroll, type Child } from '../../lib/dom';
 import { count, number } from '../../lib/words';
 import { exact, moneyOf } from './job';
-import { before, isDone, namesOf, step, verdictOf, type Outcome, type Place, type Test } from './outcome';
+import {
+  before,
+  isDone,
+  namesOf,
+  step,
+  verdictOf,
+  type Outcome,
+  type Place,
+  type Test,
+} from './outcome';
 import { resultButtons } from './results';
 
 const piece = 200;
@@ -36,39 +45,72 @@ function named(names: readonly string[]): Child[] {
 
 /** What is mounted, slot by slot, in the order of the places; what was put in stands out. */
 export function setUp(test: Test, places: readonly Place[], fresh: ReadonlySet<string>): Child[] {
-  const shown = (name: string) => (fresh.has(name) ? h('strong', {}, unbroken(name)) : unbroken(name));
-  const listed = (names: readonly string[]): Child[] => names.flatMap((name, i) => [i > 0 ? ', ' : null, shown(name)]);
+  const shown = (name: string) =>
+    fresh.has(name) ? h('strong', {}, unbroken(name)) : unbroken(name);
+  const listed = (names: readonly string[]): Child[] =>
+    names.flatMap((name, i) => [i > 0 ? ', ' : null, shown(name)]);
   if (test.values) {
     return Object.entries(test.values).map(([parameter, value], i) =>
-      h('span', { class: 'of-slot-group' }, h('span', { class: 'slot-name' }, parameter), ' ', fresh.has(test.parts[i] ?? '') ? h('strong', {}, value) : value),
+      h(
+        'span',
+        { class: 'of-slot-group' },
+        h('span', { class: 'slot-name' }, parameter),
+        ' ',
+        fresh.has(test.parts[i] ?? '') ? h('strong', {}, value) : value,
+      ),
     );
   }
   if (!test.places) {
     return listed(test.parts);
   }
   const slots = [...new Set(places.map(({ slot }) => slot))];
-  const inSlot = (slot: string | null) => places.flatMap((place, i) => (place.slot === slot && test.places![i] ? [test.places![i]!] : []));
+  const inSlot = (slot: string | null) =>
+    places.flatMap((place, i) =>
+      place.slot === slot && test.places![i] ? [test.places![i]!] : [],
+    );
   if (slots.every((slot) => slot === null)) {
     return listed(inSlot(null));
   }
   return slots.flatMap((slot) => {
     const names = inSlot(slot);
-    return names.length > 0 ? [h('span', { class: 'of-slot-group' }, h('span', { class: 'slot-name' }, slot ?? 'free'), ' ', ...listed(names))] : [];
+    return names.length > 0
+      ? [
+          h(
+            'span',
+            { class: 'of-slot-group' },
+            h('span', { class: 'slot-name' }, slot ?? 'free'),
+            ' ',
+            ...listed(names),
+          ),
+        ]
+      : [];
   });
 }
 
 /** More columns than that make a line unreadable. */
 const mostSlots = 9;
 
-/** The slots that get a column each; null if the sheet has none, too many, or tests whose places are not known. */
+/**
+ * The slots that get a column each; null if the sheet has none, too many, or tests whose places are
+ * not known.
+ */
 function slotColumns({ places, tests }: Outcome): (string | null)[] | null {
   const slots = [...new Set(places.map(({ slot }) => slot))];
-  const whole = tests.every(({ places: filled, values }) => filled !== null && values === undefined);
+  const whole = tests.every(
+    ({ places: filled, values }) => filled !== null && values === undefined,
+  );
   return whole && slots.length <= mostSlots && slots.some((slot) => slot !== null) ? slots : null;
 }
 
 /** What is in a slot; what was put in stands out, and beside it what it replaces. */
-function inSlot(slot: string | null, tests: readonly Test[], i: number, places: readonly Place[], out: readonly string[], put: ReadonlySet<string>): Child[] {
+function inSlot(
+  slot: string | null,
+  tests: readonly Test[],
+  i: number,
+  places: readonly Place[],
+  out: readonly string[],
+  put: ReadonlySet<string>,
+): Child[] {
   const earlier = before(tests, i)?.places ?? null;
   const left = new Set(out);
   const many = places.filter((place) => place.slot === slot).length > 1;
@@ -77,20 +119,41 @@ function inSlot(slot: string | null, tests: readonly Test[], i: number, places: 
     const was = place.slot === slot ? (earlier?.[at] ?? null) : null;
     const gone = was !== null && left.has(was) ? was : null;
     // Where there are several parts, a part and what it replaces share a line if they are short.
-    const kind = many && now !== null && now.length + (gone ?? '').length <= 26 ? 'place whole' : 'place';
+    const kind =
+      many && now !== null && now.length + (gone ?? '').length <= 26 ? 'place whole' : 'place';
     return now === null
       ? gone === null
         ? []
         : [h('span', { class: 'place leave' }, unbroken(gone), ' out'), ' ']
       : [
-          h('span', { class: kind }, put.has(now) ? h('strong', { class: 'enter' }, unbroken(now)) : unbroken(now), ...(put.has(now) && gone !== null ? [' ', h('small', { class: gone.length <= 24 ? 'replaced whole' : 'replaced' }, 'for ', gone)] : [])),
+          h(
+            'span',
+            { class: kind },
+            put.has(now) ? h('strong', { class: 'enter' }, unbroken(now)) : unbroken(now),
+            ...(put.has(now) && gone !== null
+              ? [
+                  ' ',
+                  h(
+                    'small',
+                    { class: gone.length <= 24 ? 'replaced whole' : 'replaced' },
+                    'for ',
+                    gone,
+                  ),
+                ]
+              : []),
+          ),
           ' ',
         ];
   });
 }
 
 /** `written` is called with the number of a test whose result or notes have changed. */
-export function runSheet(outcome: Outcome, mounted: readonly string[], written: (test: number) => void, signal: AbortSignal): Sheet {
+export function runSheet(
+  outcome: Outcome,
+  mounted: readonly string[],
+  written: (test: number) => void,
+  signal: AbortSignal,
+): Sheet {
   const { tests, places, benches } = outcome;
   const names = namesOf(outcome);
   const money = moneyOf(tests.map(({ cost }) => cost));
@@ -116,7 +179,10 @@ export function runSheet(outcome: Outcome, mounted: readonly string[], written: 
     const failed = tests.filter((test) => verdictOf(test) === 'fail').length;
     const spent = exact(done.reduce((total, { cost }) => total + cost, 0));
     progress.value = done.length;
-    said.textContent = `${number(done.length)} of ${count(tests.length, 'test')} done${failed > 0 ? `, ${number(failed)} failed` : ''}; ${money(spent)} of ${money(whole)} spent.`;
+    said.textContent =
+      `${number(done.length)} of ${count(tests.length, 'test')} ` +
+      `done${failed > 0 ? `, ${number(failed)} failed` : ''}; ${money(spent)} of ` +
+      `${money(whole)} spent.`;
     const next = new Set<number>();
     for (const bench of new Set(tests.map((test) => test.bench))) {
       const i = tests.findIndex((test) => test.bench === bench && verdictOf(test) === '');
@@ -137,7 +203,13 @@ export function runSheet(outcome: Outcome, mounted: readonly string[], written: 
     const test = tests[i]!;
     const { out, in: put } = step(tests, i, mounted);
     const buttons = resultButtons(test, names[i]!, () => written(i));
-    const notes = h('input', { type: 'text', class: 'notes', value: test.notes, 'aria-label': `Notes on test ${names[i]}`, onchange: () => ((test.notes = notes.value), written(i)) });
+    const notes = h('input', {
+      type: 'text',
+      class: 'notes',
+      value: test.notes,
+      'aria-label': `Notes on test ${names[i]}`,
+      onchange: () => ((test.notes = notes.value), written(i)),
+    });
     refreshers.push(() => {
       buttons.refresh();
       if (document.activeElement !== notes) {
@@ -149,17 +221,54 @@ export function runSheet(outcome: Outcome, mounted: readonly string[], written: 
       'tr',
       {},
       h('td', { class: 'of-result' }, buttons.element),
-      h('td', { class: 'number of-number' }, benches ? names[i]!.slice((test.bench ?? '').length + 1) : number(i + 1)),
+      h(
+        'td',
+        { class: 'number of-number' },
+        benches ? names[i]!.slice((test.bench ?? '').length + 1) : number(i + 1),
+      ),
       hasTimes ? h('td', { class: 'of-when' }, test.when ?? '') : null,
-      ...(test.values || slots ? [] : [h('td', { class: 'leave', 'data-label': 'take out' }, list(out)), h('td', { class: 'enter', 'data-label': 'put in' }, list(put))]),
-      ...(slots ?? []).map((slot) => h('td', { class: places.filter((place) => place.slot === slot).length > 2 ? 'in-slot several' : 'in-slot', 'data-label': slot ?? 'other' }, inSlot(slot, tests, i, places, out, new Set(put)))),
-      ...(slots ? [] : test.values
-        ? Object.entries(test.values).map(([parameter, value]) =>
-            h('td', { class: 'of-value', 'data-label': parameter }, value === before(tests, i)?.values?.[parameter] ? value : h('strong', {}, value)),
-          )
-        : [h('td', { class: 'set-up', 'data-label': 'then in' }, setUp(test, places, new Set(put)))]),
+      ...(test.values || slots
+        ? []
+        : [
+            h('td', { class: 'leave', 'data-label': 'take out' }, list(out)),
+            h('td', { class: 'enter', 'data-label': 'put in' }, list(put)),
+          ]),
+      ...(slots ?? []).map((slot) =>
+        h(
+          'td',
+          {
+            class:
+              places.filter((place) => place.slot === slot).length > 2
+                ? 'in-slot several'
+                : 'in-slot',
+            'data-label': slot ?? 'other',
+          },
+          inSlot(slot, tests, i, places, out, new Set(put)),
+        ),
+      ),
+      ...(slots
+        ? []
+        : test.values
+          ? Object.entries(test.values).map(([parameter, value]) =>
+              h(
+                'td',
+                { class: 'of-value', 'data-label': parameter },
+                value === before(tests, i)?.values?.[parameter] ? value : h('strong', {}, value),
+              ),
+            )
+          : [
+              h(
+                'td',
+                { class: 'set-up', 'data-label': 'then in' },
+                setUp(test, places, new Set(put)),
+              ),
+            ]),
       h('td', { class: 'number of-cost', 'data-label': 'cost' }, money(test.cost)),
-      h('td', { class: 'number of-sum', 'data-label': 'so far' }, clock ? clock(sumAt[i]!) : money(sumAt[i]!)),
+      h(
+        'td',
+        { class: 'number of-sum', 'data-label': 'so far' },
+        clock ? clock(sumAt[i]!) : money(sumAt[i]!),
+      ),
       h('td', { class: 'of-notes' }, notes),
     );
     return rows[i]!;
@@ -190,11 +299,20 @@ export function runSheet(outcome: Outcome, mounted: readonly string[], written: 
           onkeydown: (event) => {
             const { key, target } = event as KeyboardEvent;
             const row = (target as Element).closest('tbody tr');
-            const other = key === 'ArrowDown' ? row?.nextElementSibling : key === 'ArrowUp' ? row?.previousElementSibling : null;
+            const other =
+              key === 'ArrowDown'
+                ? row?.nextElementSibling
+                : key === 'ArrowUp'
+                  ? row?.previousElementSibling
+                  : null;
             if (row && other) {
               event.preventDefault();
-              const place = [...row.querySelectorAll<HTMLElement>('button, input')].indexOf(target as HTMLElement);
-              [...other.querySelectorAll<HTMLElement>('button, input')][Math.max(0, place)]?.focus();
+              const place = [...row.querySelectorAll<HTMLElement>('button, input')].indexOf(
+                target as HTMLElement,
+              );
+              [...other.querySelectorAll<HTMLElement>('button, input')][
+                Math.max(0, place)
+              ]?.focus();
             }
           },
         },
@@ -230,11 +348,38 @@ export function runSheet(outcome: Outcome, mounted: readonly string[], written: 
         return h(
           'section',
           { class: 'bench-sheet' },
-          h('h3', {}, name, h('span', { class: 'hint' }, down ? ' out of order' : ` ${count(indices.length, 'test')}, ${money(sum)}${end > sum ? `, done at ${money(end)}` : ''}`)),
-          indices.length > 0 ? tableOf(indices, `Run sheet of ${name}`) : h('p', { class: 'hint' }, 'No test is planned for it.'),
+          h(
+            'h3',
+            {},
+            name,
+            h(
+              'span',
+              { class: 'hint' },
+              down
+                ? ' out of order'
+                : ` ${count(indices.length, 'test')}, ` +
+                    `${money(sum)}${end > sum ? `, done at ${money(end)}` : ''}`,
+            ),
+          ),
+          indices.length > 0
+            ? tableOf(indices, `Run sheet of ${name}`)
+            : h('p', { class: 'hint' }, 'No test is planned for it.'),
         );
       })
-    : [tableOf(tests.map((_, i) => i), 'Run sheet')];
+    : [
+        tableOf(
+          tests.map((_, i) => i),
+          'Run sheet',
+        ),
+      ];
   refresh();
-  return { element: h('div', { class: 'sheets' }, h('div', { class: 'row no-print' }, progress, said), lists), refresh };
+  return {
+    element: h(
+      'div',
+      { class: 'sheets' },
+      h('div', { class: 'row no-print' }, progress, said),
+      lists,
+    ),
+    refresh,
+  };
 }

@@ -1,4 +1,5 @@
-// Where a job is kept: all of it in the link as long as it is short, and in this browser in any case.
+// Where a job is kept: all of it in the link as long as it is short, and in this browser in any
+// case.
 import { longestWord, pack, unpack } from '../../lib/share';
 import { emptyBench, emptyJob, type Bench, type Job, type Part, type Slot } from './job';
 import { isDone, type Outcome, type State, type Test } from './outcome';
@@ -14,7 +15,11 @@ interface Small {
 }
 
 function differing<T extends object>(all: T, usual: T): Partial<T> {
-  return Object.fromEntries(Object.entries(all).filter(([key, value]) => JSON.stringify(value) !== JSON.stringify(usual[key as keyof T]))) as Partial<T>;
+  return Object.fromEntries(
+    Object.entries(all).filter(
+      ([key, value]) => JSON.stringify(value) !== JSON.stringify(usual[key as keyof T]),
+    ),
+  ) as Partial<T>;
 }
 
 export function packed({ id, job, outcome }: State): Small {
@@ -41,7 +46,9 @@ export function packed({ id, job, outcome }: State): Small {
     return i < 0 ? names.push(name) - 1 : i;
   };
   const tests = outcome.tests.map((test) => [
-    test.places ? test.places.map((name) => (name === null ? -1 : number(name))) : test.parts.map(number),
+    test.places
+      ? test.places.map((name) => (name === null ? -1 : number(name)))
+      : test.parts.map(number),
     test.places ? 1 : 0,
     test.cost,
     test.bench,
@@ -59,7 +66,8 @@ export function packed({ id, job, outcome }: State): Small {
 const isText = (x: unknown): x is string => typeof x === 'string';
 const isNumber = (x: unknown): x is number => typeof x === 'number' && Number.isFinite(x);
 const isList = (x: unknown): x is unknown[] => Array.isArray(x);
-const isObject = (x: unknown): x is Record<string, unknown> => typeof x === 'object' && x !== null && !Array.isArray(x);
+const isObject = (x: unknown): x is Record<string, unknown> =>
+  typeof x === 'object' && x !== null && !Array.isArray(x);
 const isRow = (x: unknown): x is [string, ...unknown[]] => isList(x) && isText(x[0]);
 
 /** Takes the fields of `usual` that have the same type there; anything else is refused. */
@@ -74,16 +82,30 @@ function like<T extends object>(usual: T, given: Record<string, unknown>): T | n
 
 function jobIn(given: Record<string, unknown>): Job | null {
   const { parts = [], benches = [], slots = [], atOnce = emptyJob().atOnce, ...rest } = given;
-  if (!isList(parts) || !parts.every(isRow) || !isList(benches) || !benches.every(isObject) || !isList(slots) || !slots.every(isObject)) {
+  if (
+    !isList(parts) ||
+    !parts.every(isRow) ||
+    !isList(benches) ||
+    !benches.every(isObject) ||
+    !isList(slots) ||
+    !slots.every(isObject)
+  ) {
     return null;
   }
   const job = like(emptyJob(), rest);
   const readBenches = benches.map((bench) => like(emptyBench(), bench));
   const readSlots = slots.map((slot) => like<Slot>({ name: '', least: '', most: '' }, slot));
-  if (!job || readBenches.includes(null) || readSlots.includes(null) || !(atOnce === null || isNumber(atOnce)) || Object.values(job).includes(null)) {
+  if (
+    !job ||
+    readBenches.includes(null) ||
+    readSlots.includes(null) ||
+    !(atOnce === null || isNumber(atOnce)) ||
+    Object.values(job).includes(null)
+  ) {
     return null;
   }
-  const known = ['parts', 'model'].includes(job.source) && ['all', 'only', 'skip'].includes(job.pairMode);
+  const known =
+    ['parts', 'model'].includes(job.source) && ['all', 'only', 'skip'].includes(job.pairMode);
   return known
     ? {
         ...job,
@@ -106,9 +128,14 @@ function testIn(row: unknown, names: readonly string[]): Test | null {
     return null;
   }
   const [set, placed, cost, bench, result, notes, by, at, when, values, order] = row;
-  const numbers = (list: unknown): list is number[] => isList(list) && list.every((i) => isNumber(i) && i >= -1 && i < names.length);
+  const numbers = (list: unknown): list is number[] =>
+    isList(list) && list.every((i) => isNumber(i) && i >= -1 && i < names.length);
   const good =
-    numbers(set) && isNumber(cost) && (bench === null || isText(bench)) && [result, notes, by, at].every(isText) && (order === null || numbers(order));
+    numbers(set) &&
+    isNumber(cost) &&
+    (bench === null || isText(bench)) &&
+    [result, notes, by, at].every(isText) &&
+    (order === null || numbers(order));
   if (!good || (values !== null && !(isObject(values) && Object.values(values).every(isText)))) {
     return null;
   }
@@ -128,8 +155,17 @@ function testIn(row: unknown, names: readonly string[]): Test | null {
 }
 
 function outcomeIn(given: Record<string, unknown>): Outcome | null {
-  const { names, tests, benches, places, alternatives, met, notes, unit, finish, budget, ...rest } = given;
-  if (!isList(names) || !names.every(isText) || !isList(tests) || !isList(places) || !isList(alternatives) || !isList(notes) || !isObject(met)) {
+  const { names, tests, benches, places, alternatives, met, notes, unit, finish, budget, ...rest } =
+    given;
+  if (
+    !isList(names) ||
+    !names.every(isText) ||
+    !isList(tests) ||
+    !isList(places) ||
+    !isList(alternatives) ||
+    !isList(notes) ||
+    !isObject(met)
+  ) {
     return null;
   }
   const read = tests.map((row) => testIn(row, names));
@@ -146,10 +182,35 @@ function outcomeIn(given: Record<string, unknown>): Outcome | null {
     isNumber(met['needed']) &&
     isNumber(met['tested']) &&
     alternatives.length > 0 &&
-    alternatives.every((each) => isObject(each) && isText(each['name']) && ['tests', 'changes', 'cost'].every((key) => isNumber(each[key]))) &&
-    places.every((each) => isObject(each) && isNumber(each['number']) && (each['slot'] === null || isText(each['slot']))) &&
-    (benches === null || (isList(benches) && benches.every((each) => isObject(each) && isText(each['name']) && isNumber(each['end']))));
-  return good && (rest['plan'] === undefined || rest['plan'] === null || isNumber(rest['plan'])) ? ({ ...rest, benches, places, alternatives, met, notes, unit, finish, budget, tests: read } as Outcome) : null;
+    alternatives.every(
+      (each) =>
+        isObject(each) &&
+        isText(each['name']) &&
+        ['tests', 'changes', 'cost'].every((key) => isNumber(each[key])),
+    ) &&
+    places.every(
+      (each) =>
+        isObject(each) &&
+        isNumber(each['number']) &&
+        (each['slot'] === null || isText(each['slot'])),
+    ) &&
+    (benches === null ||
+      (isList(benches) &&
+        benches.every((each) => isObject(each) && isText(each['name']) && isNumber(each['end']))));
+  return good && (rest['plan'] === undefined || rest['plan'] === null || isNumber(rest['plan']))
+    ? ({
+        ...rest,
+        benches,
+        places,
+        alternatives,
+        met,
+        notes,
+        unit,
+        finish,
+        budget,
+        tests: read,
+      } as Outcome)
+    : null;
 }
 
 /** Links come from anywhere: what is not a state is null. */
@@ -176,7 +237,10 @@ export interface Kept {
 
 function entry(id: string): { when: number; state: State } | null {
   try {
-    const { when, state } = JSON.parse(localStorage.getItem(prefix + id) ?? 'null') as { when: number; state: unknown };
+    const { when, state } = JSON.parse(localStorage.getItem(prefix + id) ?? 'null') as {
+      when: number;
+      state: unknown;
+    };
     const read = unpacked(state);
     return read && { when, state: read };
   } catch {
@@ -204,8 +268,13 @@ export function forget(id: string): void {
   localStorage.removeItem(prefix + id);
 }
 
-/** Keeps the state and returns the parameters of its link. `whole` says whether the link has all of it. @throws if this browser has no room left. */
-export async function keep(state: State): Promise<{ s: string | null; id: string; whole: boolean }> {
+/**
+ * Keeps the state and returns the parameters of its link. `whole` says whether the link has all of
+ * it. @throws if this browser has no room left.
+ */
+export async function keep(
+  state: State,
+): Promise<{ s: string | null; id: string; whole: boolean }> {
   const small = packed(state);
   localStorage.setItem(prefix + state.id, JSON.stringify({ when: Date.now(), state: small }));
   for (const { id } of keptJobs().slice(mostKept)) {
@@ -230,7 +299,8 @@ export async function load(params: URLSearchParams): Promise<Loaded | null> {
   if (!linked) {
     return here && { state: here.state, other: null };
   }
-  const same = here === null || JSON.stringify(packed(here.state)) === JSON.stringify(packed(linked));
+  const same =
+    here === null || JSON.stringify(packed(here.state)) === JSON.stringify(packed(linked));
   return { state: linked, other: same ? null : keptOf(here) };
 }
 

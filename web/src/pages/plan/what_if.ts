@@ -1,4 +1,5 @@
-// What if changes or tests cost more or less: the library searches at every price where another plan takes the lead.
+// What if changes or tests cost more or less: the library searches at every price where another
+// plan takes the lead.
 import type { WhatIf } from '../../lib/api';
 import { fill, h, scroll } from '../../lib/dom';
 import { number } from '../../lib/words';
@@ -7,12 +8,20 @@ import { about, type Job } from './job';
 import type { Outcome } from './outcome';
 
 /** Of a plan when all changes cost `factor` times what they do. */
-export function costAt(plan: { tests: number; cost: number }, testCost: number, factor: number): number {
+export function costAt(
+  plan: { tests: number; cost: number },
+  testCost: number,
+  factor: number,
+): number {
   return plan.tests * testCost + factor * (plan.cost - plan.tests * testCost);
 }
 
 /** A slider from a sixteenth to sixteen times, with a field for the number itself. */
-function price(label: string, base: number, changed: () => void): { element: HTMLElement; value(): number; reset(): void } {
+function price(
+  label: string,
+  base: number,
+  changed: () => void,
+): { element: HTMLElement; value(): number; reset(): void } {
   const middle = base > 0 ? base : 1;
   const id = `price-${label.replaceAll(' ', '-')}`;
   const round = (value: number) => Number(value.toPrecision(3));
@@ -23,7 +32,10 @@ function price(label: string, base: number, changed: () => void): { element: HTM
     step: 1,
     value: 0,
     'aria-label': `${label}, as a slider`,
-    oninput: () => ((box.value = String(round(middle * 2 ** (Number(slider.value) / 10)))), changed()),
+    oninput: () => (
+      (box.value = String(round(middle * 2 ** (Number(slider.value) / 10)))),
+      changed()
+    ),
   });
   const box = h('input', {
     type: 'number',
@@ -38,7 +50,12 @@ function price(label: string, base: number, changed: () => void): { element: HTM
     },
   });
   return {
-    element: h('div', { class: 'field price' }, h('label', { for: id }, label), h('div', { class: 'price-controls' }, box, slider)),
+    element: h(
+      'div',
+      { class: 'field price' },
+      h('label', { for: id }, label),
+      h('div', { class: 'price-controls' }, box, slider),
+    ),
     value: () => Math.max(0, Number(box.value) || 0),
     reset() {
       box.value = String(base);
@@ -54,36 +71,68 @@ export function whyNoWhatIf(job: Job, outcome: Outcome): string {
     : outcome.met.what === 'triples'
       ? 'The comparison of costs covers pairs only, and in this job every three parts must meet.'
       : job.changeCosts !== ''
-        ? 'The comparison of costs covers one cost per part only, and in this job a change costs by what is replaced.'
+        ? 'The comparison of costs covers one cost per part only, and in this job a change ' +
+          'costs by what is replaced.'
         : '';
 }
 
 /** `ask` has the library look; `planAnew` plans at other prices. */
-export function whatIf(job: Job, outcome: Outcome, ask: () => Promise<WhatIf>, planAnew: (testCost: number, changeCost: number) => void, signal: AbortSignal): HTMLElement {
+export function whatIf(
+  job: Job,
+  outcome: Outcome,
+  ask: () => Promise<WhatIf>,
+  planAnew: (testCost: number, changeCost: number) => void,
+  signal: AbortSignal,
+): HTMLElement {
   const { testCost, changeCost } = outcome;
   const byPart = job.parts.some((part) => part.cost !== null);
-  const narrowed = [job.budget.trim() === '' ? '' : 'the budget', job.weights.trim() === '' ? '' : 'priorities'].filter(Boolean).join(' and ');
+  const narrowed = [
+    job.budget.trim() === '' ? '' : 'the budget',
+    job.weights.trim() === '' ? '' : 'priorities',
+  ]
+    .filter(Boolean)
+    .join(' and ');
   const place = h('div', {});
   const said = h('p', { role: 'status' });
   const test = price('A test costs', testCost, settle);
-  const change = price(byPart ? 'A change costs, where the list does not say' : 'A change costs', changeCost, settle);
-  const anew = h('button', { type: 'button', class: 'plain', onclick: () => planAnew(test.value(), change.value()) }, 'Replan at these costs');
-  const look = h('button', { type: 'button', class: 'plain', onclick: () => void search() }, 'Compare plans by cost');
+  const change = price(
+    byPart ? 'A change costs, where the list does not say' : 'A change costs',
+    changeCost,
+    settle,
+  );
+  const anew = h(
+    'button',
+    { type: 'button', class: 'plain', onclick: () => planAnew(test.value(), change.value()) },
+    'Replan at these costs',
+  );
+  const look = h(
+    'button',
+    { type: 'button', class: 'plain', onclick: () => void search() },
+    'Compare plans by cost',
+  );
   let found: WhatIf | null = null;
   let redraw = (): void => undefined;
 
   /** How much more a change costs beside a test than it did. */
-  const factor = () => (testCost > 0 && changeCost > 0 && test.value() > 0 ? change.value() / changeCost / (test.value() / testCost) : null);
+  const factor = () =>
+    testCost > 0 && changeCost > 0 && test.value() > 0
+      ? change.value() / changeCost / (test.value() / testCost)
+      : null;
   /** The same as the library counts: the ratio of costs, or that factor. */
   const unitOf = () => (found && /factor/.test(found.by) ? 1 : changeCost / testCost);
-  const rangeAt = (at: number) => found?.ranges.find(({ from, to }) => (from === null || at >= from) && (to === null || at < to)) ?? null;
+  const rangeAt = (at: number) =>
+    found?.ranges.find(
+      ({ from, to }) => (from === null || at >= from) && (to === null || at < to),
+    ) ?? null;
 
   function settle(): void {
     const same = test.value() === testCost && change.value() === changeCost;
     anew.disabled = same;
     const here = factor();
     if (!found || here === null) {
-      said.textContent = same ? 'These are your costs.' : 'Replan to see what is cheapest at these costs.';
+      said.textContent = same
+        ? 'These are your costs.'
+        : 'Replan to see what is cheapest at these costs.';
       return;
     }
     const best = rangeAt(here * unitOf());
@@ -91,14 +140,23 @@ export function whatIf(job: Job, outcome: Outcome, ask: () => Promise<WhatIf>, p
     said.textContent = !best
       ? ''
       : best === mine
-        ? `${same ? 'These are your costs. ' : ''}The ${best.plan.name} is cheapest here: ${best.plan.tests} tests, ${best.plan.changes} changes.`
-        : `The ${best.plan.name} would be cheaper: ${best.plan.tests} tests, ${best.plan.changes} changes. Replan to get it, or a better one.`;
+        ? `${same ? 'These are your costs. ' : ''}The ${best.plan.name} is cheapest here: ` +
+          `${best.plan.tests} tests, ${best.plan.changes} changes.`
+        : `The ${best.plan.name} would be cheaper: ${best.plan.tests} tests, ` +
+          `${best.plan.changes} changes. Replan to get it, or a better one.`;
     redraw();
   }
 
   async function search(): Promise<void> {
     look.disabled = true;
-    fill(place, h('p', { class: 'hint', role: 'status' }, 'Searching at each price where another plan takes the lead …'));
+    fill(
+      place,
+      h(
+        'p',
+        { class: 'hint', role: 'status' },
+        'Searching at each price where another plan takes the lead …',
+      ),
+    );
     try {
       found = await ask();
       if (!signal.aborted) {
@@ -136,7 +194,8 @@ export function whatIf(job: Job, outcome: Outcome, ask: () => Promise<WhatIf>, p
       values: xs.map((x) => costAt(plan, testCost, x / unit)),
     }));
     const body = h('tbody');
-    const price = (ratio: number | null, none: string) => (ratio === null ? none : about(/factor/.test(answer.by) ? ratio : ratio * testCost));
+    const price = (ratio: number | null, none: string) =>
+      ratio === null ? none : about(/factor/.test(answer.by) ? ratio : ratio * testCost);
     redraw = () => {
       const now = rangeAt((factor() ?? 1) * unit);
       fill(
@@ -147,7 +206,12 @@ export function whatIf(job: Job, outcome: Outcome, ask: () => Promise<WhatIf>, p
             { class: range === now ? 'own' : null },
             h('td', { class: 'number' }, price(range.from, '0')),
             h('td', { class: 'number' }, price(range.to, 'any')),
-            h('td', {}, h('span', { class: `swatch line-${i + 1}`, 'aria-hidden': 'true' }), range.plan.name),
+            h(
+              'td',
+              {},
+              h('span', { class: `swatch line-${i + 1}`, 'aria-hidden': 'true' }),
+              range.plan.name,
+            ),
             h('td', { class: 'number' }, number(range.plan.tests)),
             h('td', { class: 'number' }, number(range.plan.changes)),
           ),
@@ -163,7 +227,23 @@ export function whatIf(job: Job, outcome: Outcome, ask: () => Promise<WhatIf>, p
         h(
           'table',
           {},
-          h('thead', {}, h('tr', {}, h('th', { class: 'number' }, /factor/.test(answer.by) ? 'factor from' : 'change costs from'), h('th', { class: 'number' }, 'to'), h('th', {}, 'cheapest'), h('th', { class: 'number' }, 'tests'), h('th', { class: 'number' }, 'changes'))),
+          h(
+            'thead',
+            {},
+            h(
+              'tr',
+              {},
+              h(
+                'th',
+                { class: 'number' },
+                /factor/.test(answer.by) ? 'factor from' : 'change costs from',
+              ),
+              h('th', { class: 'number' }, 'to'),
+              h('th', {}, 'cheapest'),
+              h('th', { class: 'number' }, 'tests'),
+              h('th', { class: 'number' }, 'changes'),
+            ),
+          ),
           body,
         ),
       ),
@@ -177,10 +257,26 @@ export function whatIf(job: Job, outcome: Outcome, ask: () => Promise<WhatIf>, p
     'section',
     { class: 'what-if no-print', 'aria-label': 'What if' },
     h('h2', {}, 'What if'),
-    h('p', {}, 'Fewer tests need more changes. Which plan is cheapest depends on the cost of a test and the cost of a change.'),
-    narrowed && h('p', { class: 'hint' }, `The comparison is of the whole job, without ${narrowed}.`),
+    h(
+      'p',
+      {},
+      'Fewer tests need more changes. Which plan is cheapest depends on the cost of a test and ' +
+        'the cost of a change.',
+    ),
+    narrowed &&
+      h('p', { class: 'hint' }, `The comparison is of the whole job, without ${narrowed}.`),
     h('div', { class: 'row' }, test.element, change.element),
-    h('div', { class: 'row' }, look, h('button', { type: 'button', class: 'plain', onclick: () => (test.reset(), change.reset(), settle()) }, 'Reset to my costs'), anew),
+    h(
+      'div',
+      { class: 'row' },
+      look,
+      h(
+        'button',
+        { type: 'button', class: 'plain', onclick: () => (test.reset(), change.reset(), settle()) },
+        'Reset to my costs',
+      ),
+      anew,
+    ),
     said,
     place,
   );
@@ -202,7 +298,19 @@ export function compared(outcome: Outcome): HTMLElement | null {
       h(
         'table',
         {},
-        h('thead', {}, h('tr', {}, h('th', {}, 'plan'), h('th', { class: 'number' }, 'tests'), h('th', { class: 'number' }, 'changes'), h('th', { class: 'number' }, 'cost'), h('th', { class: 'number' }, 'more'))),
+        h(
+          'thead',
+          {},
+          h(
+            'tr',
+            {},
+            h('th', {}, 'plan'),
+            h('th', { class: 'number' }, 'tests'),
+            h('th', { class: 'number' }, 'changes'),
+            h('th', { class: 'number' }, 'cost'),
+            h('th', { class: 'number' }, 'more'),
+          ),
+        ),
         h(
           'tbody',
           {},
@@ -214,7 +322,14 @@ export function compared(outcome: Outcome): HTMLElement | null {
               h('td', { class: 'number' }, number(each.tests)),
               h('td', { class: 'number' }, number(each.changes)),
               h('td', { class: 'number' }, about(each.cost)),
-              h('td', { class: 'number' }, i === 0 ? '' : `${each.cost >= least ? '+' : ''}${((100 * (each.cost - least)) / (least || 1)).toFixed(1)} %`),
+              h(
+                'td',
+                { class: 'number' },
+                i === 0
+                  ? ''
+                  : `${each.cost >= least ? '+' : ''}` +
+                      `${((100 * (each.cost - least)) / (least || 1)).toFixed(1)} %`,
+              ),
             ),
           ),
         ),

@@ -1,20 +1,27 @@
-// The sheet as a workbook: the server makes it of the plan that it has followed, as long as it remembers that plan.
+// The sheet as a workbook: the server makes it of the plan that it has followed, as long as it
+// remembers that plan.
 import { address, get, type Benches, type Plan, type Planned } from '../../lib/api';
 import { h } from '../../lib/dom';
 import { isDone, type Outcome } from './outcome';
 
-const setUpsOf = (steps: readonly { set_up: string[] }[]): string[][] => steps.map(({ set_up: names }) => names);
+const setUpsOf = (steps: readonly { set_up: string[] }[]): string[][] =>
+  steps.map(({ set_up: names }) => names);
 
 /** The set-ups of a plan, bench by bench, as text that can be compared. */
 function planned({ plan, benches }: { plan?: Plan; benches?: Benches }): string {
-  return JSON.stringify(benches ? benches.sheets.map((sheet) => [sheet.name, setUpsOf(sheet.steps)]) : [[null, setUpsOf(plan?.steps ?? [])]]);
+  return JSON.stringify(
+    benches
+      ? benches.sheets.map((sheet) => [sheet.name, setUpsOf(sheet.steps)])
+      : [[null, setUpsOf(plan?.steps ?? [])]],
+  );
 }
 
 /** The same of what this page shows. The tests that were done before it was planned come first. */
 function shown({ tests, benches, doneBefore }: Outcome): string {
   let before = doneBefore;
   const open = tests.filter((test) => !(before > 0 && isDone(test) && before--));
-  const of = (name: string | null) => open.filter(({ bench }) => bench === name).map(({ parts }) => parts);
+  const of = (name: string | null) =>
+    open.filter(({ bench }) => bench === name).map(({ parts }) => parts);
   return JSON.stringify(benches ? benches.map(({ name }) => [name, of(name)]) : [[null, of(null)]]);
 }
 
@@ -24,7 +31,16 @@ export function workbookLink(outcome: Outcome, signal: AbortSignal): HTMLElement
   if (id === undefined || id === null) {
     return null;
   }
-  const link = h('a', { class: 'button plain', hidden: true, href: address('plan/file', { id, format: 'xlsx' }), download: 'run_sheet.xlsx' }, 'Workbook');
+  const link = h(
+    'a',
+    {
+      class: 'button plain',
+      hidden: true,
+      href: address('plan/file', { id, format: 'xlsx' }),
+      download: 'run_sheet.xlsx',
+    },
+    'Workbook',
+  );
   get('plan/job', { id }, signal).then(
     ({ answer }) => (link.hidden = !answer || planned(answer as Planned) !== shown(outcome)),
     () => undefined, // The server has forgotten the plan, or was restarted.

@@ -1,4 +1,5 @@
-// The searches of the server, running ones and those that ended, kept up to date row by row: the focus stays where it is.
+// The searches of the server, running ones and those that ended, kept up to date row by row: the
+// focus stays where it is.
 import type { SearchJob } from '../../lib/api';
 import { fill, h, scroll } from '../../lib/dom';
 import { number } from '../../lib/words';
@@ -32,7 +33,9 @@ export function jobList(chosen: (id: string) => void): JobList {
         h(
           'tr',
           {},
-          ['design', 'method', 'state', 'best', 'bound', 'time'].map((name, i) => h('th', { scope: 'col', class: i > 3 ? 'number' : null }, name)),
+          ['design', 'method', 'state', 'best', 'bound', 'time'].map((name, i) =>
+            h('th', { scope: 'col', class: i > 3 ? 'number' : null }, name),
+          ),
         ),
       ),
       body,
@@ -44,10 +47,25 @@ export function jobList(chosen: (id: string) => void): JobList {
     const open = h(
       'button',
       { type: 'button', class: 'as-link', onclick: () => chosen(String(job.id)) },
-      `(${number(job.v)}, ${job.k}), m = ${job.change}, ${job.kind}${job.strength > 2 ? `, t = ${job.strength}` : ''}`,
+      `(${number(job.v)}, ${job.k}), m = ${job.change}, ` +
+        `${job.kind}${job.strength > 2 ? `, t = ${job.strength}` : ''}`,
     );
-    const [state, best, bound, time] = [h('td'), h('td'), h('td', { class: 'number' }), h('td', { class: 'number' })];
-    const element = h('tr', {}, h('td', {}, open), h('td', {}, wayWords[job.way]), state, best, bound, time);
+    const [state, best, bound, time] = [
+      h('td'),
+      h('td'),
+      h('td', { class: 'number' }),
+      h('td', { class: 'number' }),
+    ];
+    const element = h(
+      'tr',
+      {},
+      h('td', {}, open),
+      h('td', {}, wayWords[job.way]),
+      state,
+      best,
+      bound,
+      time,
+    );
     return {
       element,
       update(now) {

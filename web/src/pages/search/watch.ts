@@ -1,4 +1,5 @@
-// One search, watched: best and bound as they were over time, how fast it goes, and what can be done with what it found.
+// One search, watched: best and bound as they were over time, how fast it goes, and what can be
+// done with what it found.
 import { get, post, type SearchJob } from '../../lib/api';
 import { fill, h, scroll } from '../../lib/dom';
 import { count, nameOf, number } from '../../lib/words';
@@ -24,10 +25,23 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
   let stopping = false;
   const stop = h(
     'button',
-    { type: 'button', class: 'plain', onclick: () => ((stopping = true), act(stop, post('search/stop', { id }, undefined, signal), () => (stopping ? 'Stopping …' : ''))) },
+    {
+      type: 'button',
+      class: 'plain',
+      onclick: () => (
+        (stopping = true),
+        act(stop, post('search/stop', { id }, undefined, signal), () =>
+          stopping ? 'Stopping …' : '',
+        )
+      ),
+    },
     'Stop',
   );
-  const open = h('a', { class: 'button plain', href: link('design', { job: id }) }, 'Open in the viewer');
+  const open = h(
+    'a',
+    { class: 'button plain', href: link('design', { job: id }) },
+    'Open in the viewer',
+  );
   const keep = h(
     'button',
     {
@@ -43,14 +57,23 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     'Keep in my catalog',
   );
   const chart = plot({
-    label: 'The best number of blocks over time, with the lower bound; the last numbers are in the text',
+    label:
+      'The best number of blocks over time, with the lower bound; the last numbers are in the text',
     x: 'seconds',
     y: 'blocks',
     signal,
     yText: number,
     whole: true,
   });
-  const speed = plot({ label: 'Speed over time', x: 'seconds', y: 'a second', height: 160, signal, fromZero: true, yText: rate });
+  const speed = plot({
+    label: 'Speed over time',
+    x: 'seconds',
+    y: 'a second',
+    height: 160,
+    signal,
+    fromZero: true,
+    yText: rate,
+  });
   const speeds = h('details', {}, h('summary', {}, 'Speed'), speed.element);
   const figures = h('dl', { class: 'figures' });
   const advice = h('p', { class: 'advice', role: 'status' });
@@ -70,7 +93,11 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     speeds,
   );
 
-  async function act<T>(button: HTMLButtonElement, asked: Promise<T>, done: (answer: T) => string | (string | Node)[]): Promise<void> {
+  async function act<T>(
+    button: HTMLButtonElement,
+    asked: Promise<T>,
+    done: (answer: T) => string | (string | Node)[],
+  ): Promise<void> {
     button.disabled = true;
     try {
       fill(said, done(await asked));
@@ -97,24 +124,53 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
       curve = job.points ?? [];
       show(job);
       advise(job);
-      const points = (job.points ?? []).filter((point, i, all) => i === 0 || point.seconds > all[i - 1]!.seconds);
+      const points = (job.points ?? []).filter(
+        (point, i, all) => i === 0 || point.seconds > all[i - 1]!.seconds,
+      );
       chart.element.hidden = speeds.hidden = points.length < 2;
       if (points.length > 1) {
         chart.set(
           points.map((point) => point.seconds),
           [
-            { label: 'best', colour: 1, values: points.map((point) => point.best), steps: true, width: 3 },
-            { label: 'lower bound', colour: 3, values: points.map((point) => point.lower_bound ?? job.lower_bound), dash: [8, 4], steps: true },
+            {
+              label: 'best',
+              colour: 1,
+              values: points.map((point) => point.best),
+              steps: true,
+              width: 3,
+            },
+            {
+              label: 'lower bound',
+              colour: 3,
+              values: points.map((point) => point.lower_bound ?? job.lower_bound),
+              dash: [8, 4],
+              steps: true,
+            },
           ],
         );
         speed.set(
           points.map((point) => point.seconds),
-          [{ label: `${job.unit} a second`, colour: 6, values: points.map((point) => point.rate), width: 1 }],
+          [
+            {
+              label: `${job.unit} a second`,
+              colour: 6,
+              values: points.map((point) => point.rate),
+              width: 1,
+            },
+          ],
         );
       }
     } catch (fault) {
       if (!signal.aborted && title.textContent === '') {
-        fill(element, problem(fault), h('p', {}, 'The server forgets its searches when it stops. What was kept is in your catalog.'));
+        fill(
+          element,
+          problem(fault),
+          h(
+            'p',
+            {},
+            'The server forgets its searches when it stops. What was kept is in your catalog.',
+          ),
+        );
       }
     }
     setTimeout(() => {
@@ -142,33 +198,60 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
       ['gap', gap === null ? '–' : number(gap)],
       ['best', job.best === null ? '–' : number(job.best)],
       ['lower bound', job.lower_bound === null ? '–' : number(job.lower_bound)],
-      ['last improvement', last === null ? (job.state === 'running' ? 'none yet' : 'none') : job.state === 'running' ? `${seconds(since)} ago` : `after ${seconds(last)}`],
+      [
+        'last improvement',
+        last === null
+          ? job.state === 'running'
+            ? 'none yet'
+            : 'none'
+          : job.state === 'running'
+            ? `${seconds(since)} ago`
+            : `after ${seconds(last)}`,
+      ],
     ];
     const running = job.state === 'running';
     const open = job.decisions.find(({ outcome }) => outcome === 'running');
     if (job.way === 'exact') {
-      facts[3] = open ? ['deciding now', count(open.blocks, 'block')] : ['decided', count(job.decisions.filter(({ outcome }) => outcome !== 'unknown').length, 'number')];
+      facts[3] = open
+        ? ['deciding now', count(open.blocks, 'block')]
+        : [
+            'decided',
+            count(job.decisions.filter(({ outcome }) => outcome !== 'unknown').length, 'number'),
+          ];
     }
-    fill(figures, facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))));
+    fill(
+      figures,
+      facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))),
+    );
     fill(
       advice,
       gap === 0
-        ? 'Nothing is left to find: the best has as many blocks as the lower bound, so it is a minimum.'
+        ? 'Nothing is left to find: the best has as many blocks as the lower bound, so it is a ' +
+            'minimum.'
         : running && job.way === 'exact'
-          ? `Is there a design with ${count(open?.blocks ?? job.lower_bound ?? 1, 'block')}? A solver looks for one, or for a proof that there is none. How long that takes cannot be told.`
+          ? `Is there a design with ${count(open?.blocks ?? job.lower_bound ?? 1, 'block')}? A ` +
+            `solver looks for one, or for a proof that there is none. How long that takes ` +
+            `cannot be told.`
           : running && job.seconds > 20 && since > job.seconds / 2
-            ? `No improvement for ${seconds(since)}, more than half of the time: stopping, another seed or another way may pay more than waiting.`
+            ? `No improvement for ${seconds(since)}, more than half of the time: stopping, ` +
+              `another seed or another way may pay more than waiting.`
             : running
               ? 'Still early: most searches improve in their first minute.'
               : gap !== null && gap > 0
-                ? `A gap of ${number(gap)} is left. A longer search, another seed or another way may close it.`
+                ? `A gap of ${number(gap)} is left. A longer search, another seed or another ` +
+                  `way may close it.`
                 : '',
     );
   }
 
   /** Of an exact search: each number of blocks and its result. */
   function showDecisions(job: SearchJob): void {
-    const outcomes = { running: 'being decided', found: 'there is one', none: 'there is none: the proof was checked', unknown: 'not decided' };
+    const outcomes = {
+      running: 'being decided',
+      found: 'there is one',
+      none: 'there is none: the proof was checked',
+      unknown: 'not decided',
+    };
     fill(
       decided,
       job.decisions.length === 0
@@ -178,12 +261,30 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
             h(
               'table',
               {},
-              h('thead', {}, h('tr', {}, h('th', { class: 'number' }, 'blocks'), h('th', {}, 'is there a design?'), h('th', { class: 'number' }, 'time'), h('th', { class: 'number' }, 'proof'))),
+              h(
+                'thead',
+                {},
+                h(
+                  'tr',
+                  {},
+                  h('th', { class: 'number' }, 'blocks'),
+                  h('th', {}, 'is there a design?'),
+                  h('th', { class: 'number' }, 'time'),
+                  h('th', { class: 'number' }, 'proof'),
+                ),
+              ),
               h(
                 'tbody',
                 {},
                 job.decisions.map(({ blocks, outcome, seconds: took, steps }) =>
-                  h('tr', { class: outcome }, h('td', { class: 'number' }, number(blocks)), h('td', {}, outcomes[outcome]), h('td', { class: 'number' }, seconds(took)), h('td', { class: 'number' }, steps === 0 ? '' : size(steps))),
+                  h(
+                    'tr',
+                    { class: outcome },
+                    h('td', { class: 'number' }, number(blocks)),
+                    h('td', {}, outcomes[outcome]),
+                    h('td', { class: 'number' }, seconds(took)),
+                    h('td', { class: 'number' }, steps === 0 ? '' : size(steps)),
+                  ),
                 ),
               ),
             ),
@@ -195,11 +296,26 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     showDecisions(job);
     const running = job.state === 'running';
     const name = nameOf(job);
-    title.textContent = `${name[0]!.toUpperCase()}${name.slice(1)}${job.strength > 2 ? `, strength ${job.strength}` : ''}: ${wayWords[job.way]}`;
+    title.textContent =
+      `${name[0]!.toUpperCase()}${name.slice(1)}` +
+      `${job.strength > 2 ? `, strength ${job.strength}` : ''}: ${wayWords[job.way]}`;
     const known = job.best !== null && job.best === job.lower_bound;
-    words.textContent = `${running ? 'Running' : job.state === 'done' ? 'Done' : job.state === 'stopped' ? 'Stopped' : 'Failed'} after ${seconds(job.seconds)}${running ? ` of ${seconds(job.limit)}` : ''}: ${found(job)}${known ? '' : `; ${job.lower_bound === null ? 'no lower bound is known' : `the lower bound is ${number(job.lower_bound)}`}`}.`;
+    const states = { running: 'Running', done: 'Done', stopped: 'Stopped', failed: 'Failed' };
+    const bound =
+      job.lower_bound === null
+        ? 'no lower bound is known'
+        : `the lower bound is ${number(job.lower_bound)}`;
+    words.textContent =
+      `${states[job.state]} after ${seconds(job.seconds)}` +
+      `${running ? ` of ${seconds(job.limit)}` : ''}: ` +
+      `${found(job)}${known ? '' : `; ${bound}`}.`;
     // What the figures and the table say already is not said again.
-    message.textContent = job.way === 'exact' && job.decisions.length > 0 && job.state !== 'failed' ? '' : job.message.startsWith('minimum: as many blocks as the lower bound') ? job.message.replace(/^minimum: as many blocks as the lower bound(; )?/, '') : job.message;
+    message.textContent =
+      job.way === 'exact' && job.decisions.length > 0 && job.state !== 'failed'
+        ? ''
+        : job.message.startsWith('minimum: as many blocks as the lower bound')
+          ? job.message.replace(/^minimum: as many blocks as the lower bound(; )?/, '')
+          : job.message;
     message.classList.toggle('problem', job.state === 'failed');
     progress.hidden = !running;
     progress.value = Math.min(1, job.seconds / job.limit);

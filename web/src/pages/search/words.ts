@@ -11,9 +11,19 @@ export function seconds(s: number): string {
       : `${Math.floor(whole / 3600)} h ${Math.floor((whole % 3600) / 60)} min`;
 }
 
-export const stateWords: Record<SearchJob['state'], string> = { running: 'running', done: 'done', stopped: 'stopped', failed: 'failed' };
+export const stateWords: Record<SearchJob['state'], string> = {
+  running: 'running',
+  done: 'done',
+  stopped: 'stopped',
+  failed: 'failed',
+};
 
-export const wayWords: Record<SearchJob['way'], string> = { local: 'local search', exact: 'exact search', 'base-blocks': 'base blocks', locked: 'locked sets' };
+export const wayWords: Record<SearchJob['way'], string> = {
+  local: 'local search',
+  exact: 'exact search',
+  'base-blocks': 'base blocks',
+  locked: 'locked sets',
+};
 
 /** "87 blocks, 3 fewer than were known" */
 export function found(job: SearchJob): string {
@@ -21,7 +31,8 @@ export function found(job: SearchJob): string {
   if (best === null) {
     return job.state === 'running' ? 'nothing yet' : 'nothing found';
   }
-  const better = start !== null && best < start ? `, ${number(start - best)} fewer than were known` : '';
+  const better =
+    start !== null && best < start ? `, ${number(start - best)} fewer than were known` : '';
   return count(best, 'block') + better + (best === bound ? ', the minimum' : '');
 }
 
@@ -35,5 +46,9 @@ export function rate(perSecond: number): string {
 
 /** A size in kB: "340 kB", "12 MB" */
 export function size(kilobytes: number): string {
-  return kilobytes < 1000 ? `${number(kilobytes)} kB` : kilobytes < 1e6 ? `${(kilobytes / 1000).toFixed(kilobytes < 10_000 ? 1 : 0)} MB` : `${(kilobytes / 1e6).toFixed(1)} GB`;
+  return kilobytes < 1000
+    ? `${number(kilobytes)} kB`
+    : kilobytes < 1e6
+      ? `${(kilobytes / 1000).toFixed(kilobytes < 10_000 ? 1 : 0)} MB`
+      : `${(kilobytes / 1e6).toFixed(1)} GB`;
 }

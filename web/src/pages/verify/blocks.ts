@@ -1,4 +1,5 @@
-// The blocks in place: what is introduced and what leaves at every step, wrong steps marked, and the way to them.
+// The blocks in place: what is introduced and what leaves at every step, wrong steps marked, and
+// the way to them.
 import { announce, fill, h, type Child } from '../../lib/dom';
 import { count, number } from '../../lib/words';
 import { virtualList } from '../../parts/virtual';
@@ -20,12 +21,17 @@ export function wrongSteps({ blocks: { b, change, kind, introduced } }: Report):
 /** What is wrong with a list too long to be shown, in words. */
 export function defects({ answer, blocks }: Report): HTMLElement {
   const { uncovered, uncovered_examples } = answer.details;
-  const more = (known: number, all: number) => all > known && h('li', {}, `and ${number(all - known)} more`);
+  const more = (known: number, all: number) =>
+    all > known && h('li', {}, `and ${number(all - known)} more`);
   return h(
     'section',
     {},
     h('h2', {}, 'Blocks'),
-    h('p', { class: 'note' }, `The list is checked, but its ${number(blocks.b)} blocks are too many to be shown here.`),
+    h(
+      'p',
+      { class: 'note' },
+      `The list is checked, but its ${number(blocks.b)} blocks are too many to be shown here.`,
+    ),
     ...(answer.bad_steps.length > 0
       ? [
           h('h3', {}, 'Wrong steps'),
@@ -59,11 +65,15 @@ export function blockList(report: Report, view: View): HTMLElement {
   function row(i: number): HTMLElement {
     const from = (inPlace ? blocks.placed : blocks.blocks).subarray(i * k, (i + 1) * k);
     const first = i === 0 && kind === 'linear';
-    const before = first ? null : new Set(blocks.blocks.subarray((i === 0 ? b - 1 : i - 1) * k, (i === 0 ? b : i) * k));
+    const before = first
+      ? null
+      : new Set(blocks.blocks.subarray((i === 0 ? b - 1 : i - 1) * k, (i === 0 ? b : i) * k));
     const now = new Set(from);
     const out = before ? [...before].filter((x) => !now.has(x)) : [];
     const elements: Child[] = [...from].map((x) => {
-      const words = [before && !before.has(x) ? 'in' : '', pair.includes(x) ? 'of-pair' : ''].filter(Boolean).join(' ');
+      const words = [before && !before.has(x) ? 'in' : '', pair.includes(x) ? 'of-pair' : '']
+        .filter(Boolean)
+        .join(' ');
       return h('span', { class: words ? `element ${words}` : 'element' }, nameOf(x));
     });
     const bad = isWrong.has(i);
@@ -85,7 +95,8 @@ export function blockList(report: Report, view: View): HTMLElement {
           { class: 'block-why' },
           blocks.introduced[i] === 0
             ? `nothing changes, ${change} should`
-            : `${count(blocks.introduced[i]!, 'element')} ${blocks.introduced[i] === 1 ? 'changes' : 'change'}, ${change} should`,
+            : `${count(blocks.introduced[i]!, 'element')} ` +
+                `${blocks.introduced[i] === 1 ? 'changes' : 'change'}, ${change} should`,
         ),
     );
   }
@@ -99,7 +110,9 @@ export function blockList(report: Report, view: View): HTMLElement {
     current = (next + wrong.length) % wrong.length;
     const i = wrong[current]!;
     list.goTo(i);
-    where.textContent = `${number(current + 1)} of ${number(wrong.length)}: the step from block ${number(i === 0 ? b : i)} to block ${number(i + 1)}`;
+    where.textContent =
+      `${number(current + 1)} of ${number(wrong.length)}: the step from ` +
+      `block ${number(i === 0 ? b : i)} to block ${number(i + 1)}`;
     announce(`${where.textContent}: ${blocks.introduced[i]} elements change, ${change} should`);
   }
   const steps =
@@ -109,10 +122,19 @@ export function blockList(report: Report, view: View): HTMLElement {
       { class: 'row' },
       h(
         'button',
-        { type: 'button', class: 'plain', onclick: () => goToStep(current - 1), disabled: wrong.length < 2 },
+        {
+          type: 'button',
+          class: 'plain',
+          onclick: () => goToStep(current - 1),
+          disabled: wrong.length < 2,
+        },
         '‹ Previous wrong step',
       ),
-      h('button', { type: 'button', class: 'plain', onclick: () => goToStep(current + 1) }, 'Next wrong step ›'),
+      h(
+        'button',
+        { type: 'button', class: 'plain', onclick: () => goToStep(current + 1) },
+        'Next wrong step ›',
+      ),
       where,
     );
 
@@ -132,7 +154,10 @@ export function blockList(report: Report, view: View): HTMLElement {
       return 'no block';
     }
     const shown = found.slice(0, 12).map((i) => number(i + 1));
-    return `${found.length === 1 ? 'block' : 'blocks'} ${shown.join(', ')}${found.length > 12 ? ` and ${number(found.length - 12)} more` : ''}`;
+    return (
+      `${found.length === 1 ? 'block' : 'blocks'} ` +
+      `${shown.join(', ')}${found.length > 12 ? ` and ${number(found.length - 12)} more` : ''}`
+    );
   }
   function show(set: number[], button: HTMLElement): void {
     pair = set;
@@ -143,7 +168,8 @@ export function blockList(report: Report, view: View): HTMLElement {
     button.setAttribute('aria-pressed', 'true');
     const found = set.map(blocksWith);
     said.hidden = false;
-    said.textContent = `${set.map((x, i) => `${nameOf(x)} is in ${inWords(found[i]!)}`).join('; ')}. No block has all of them.`;
+    const where = set.map((x, i) => `${nameOf(x)} is in ${inWords(found[i]!)}`);
+    said.textContent = `${where.join('; ')}. No block has all of them.`;
     // To the place where the two are nearest to each other.
     const [one = [], other = []] = found;
     let best: [number, number] | null = null;
@@ -164,11 +190,20 @@ export function blockList(report: Report, view: View): HTMLElement {
   let first: (() => void) | null = null;
   const pairs = h(
     'div',
-    { class: 'pairs', role: 'group', 'aria-label': `The ${setsOf(blocks.strength)} that are in no block` },
+    {
+      class: 'pairs',
+      role: 'group',
+      'aria-label': `The ${setsOf(blocks.strength)} that are in no block`,
+    },
     answer.uncovered_pairs.map((set) => {
       const button = h(
         'button',
-        { type: 'button', class: 'plain pair', 'aria-pressed': 'false', onclick: () => show(set, button) },
+        {
+          type: 'button',
+          class: 'plain pair',
+          'aria-pressed': 'false',
+          onclick: () => show(set, button),
+        },
         `{${set.map(nameOf).join(', ')}}`,
       );
       if (wantedPair === set.map(nameOf).join(' ')) {
@@ -184,7 +219,11 @@ export function blockList(report: Report, view: View): HTMLElement {
       'section',
       { class: 'verify-missing' },
       h('h2', {}, 'In no block'),
-      h('p', { class: 'hint' }, `Choose one of the ${setsOf(blocks.strength)} to see where its elements are.`),
+      h(
+        'p',
+        { class: 'hint' },
+        `Choose one of the ${setsOf(blocks.strength)} to see where its elements are.`,
+      ),
       pairs,
       more > 0 && h('p', { class: 'hint' }, `and ${number(more)} more`),
       said,
@@ -224,7 +263,12 @@ export function blockList(report: Report, view: View): HTMLElement {
         ': was in the block before, and is no more.',
       ),
       steps,
-      h('div', { class: 'check' }, order, h('label', { for: 'in-place' }, 'Elements keep their place while they stay')),
+      h(
+        'div',
+        { class: 'check' },
+        order,
+        h('label', { for: 'in-place' }, 'Elements keep their place while they stay'),
+      ),
       list.element,
     ),
   );

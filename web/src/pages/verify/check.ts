@@ -1,4 +1,5 @@
-// Asking the server and looking through the blocks, beside the page: a file of 50 MB must not stop it.
+// Asking the server and looking through the blocks, beside the page: a file of 50 MB must not stop
+// it.
 import { ApiError, type Kind, type Verified } from '../../lib/api';
 
 export interface Question {
@@ -23,7 +24,10 @@ export interface Blocks {
   blocks: Int32Array;
   /** The same in an order in which an element keeps its place while it stays. */
   placed: Int32Array;
-  /** How many elements of block i are introduced, and so must be `change` (but in the first block of a linear design). */
+  /**
+   * How many elements of block i are introduced, and so must be `change` (but in the first block of
+   * a linear design).
+   */
   introduced: Int32Array;
 }
 
@@ -32,7 +36,8 @@ export interface Report {
   blocks: Blocks;
 }
 
-export type Reply = { report: Report } | { fault: Pick<ApiError, 'message' | 'status' | 'line' | 'column'> };
+export type Reply =
+  { report: Report } | { fault: Pick<ApiError, 'message' | 'status' | 'line' | 'column'> };
 
 /** @throws ApiError with line and column if the text is not a list of blocks. */
 export function check(question: Question, signal: AbortSignal): Promise<Report> {
@@ -59,7 +64,10 @@ export function check(question: Question, signal: AbortSignal): Promise<Report> 
     worker.onerror = () => {
       done();
       reject(
-        new Error('The answer could not be read: it may be larger than this browser can hold. `changeover verify FILE` has no such limit.'),
+        new Error(
+          'The answer could not be read: it may be larger than this browser can hold. ' +
+            '`changeover verify FILE` has no such limit.',
+        ),
       );
     };
     worker.postMessage({ ...question, url: new URL(question.url, document.baseURI).href });

@@ -8,7 +8,10 @@ import { copyButton } from '../../parts/copy';
 import { link, problem } from '../../shell/router';
 import type { Report } from './check';
 
-/** The checksum of which a label has the first digits: of the blocks as text. Null where the browser has none. */
+/**
+ * The checksum of which a label has the first digits: of the blocks as text. Null where the browser
+ * has none.
+ */
 async function checksum({ blocks: { k, b, blocks } }: Report): Promise<string | null> {
   if (!globalThis.crypto?.subtle || b * k > 5_000_000) {
     return null;
@@ -17,7 +20,9 @@ async function checksum({ blocks: { k, b, blocks } }: Report): Promise<string | 
   for (let i = 0; i < b; ++i) {
     text += `${blocks.subarray(i * k, (i + 1) * k).join(' ')}\n`;
   }
-  const bytes = new Uint8Array(await crypto.subtle.digest('SHA-256', new TextEncoder().encode(text)));
+  const bytes = new Uint8Array(
+    await crypto.subtle.digest('SHA-256', new TextEncoder().encode(text)),
+  );
   return [...bytes].map((each) => each.toString(16).padStart(2, '0')).join('');
 }
 
@@ -34,9 +39,37 @@ export function citation(report: Report, signal: AbortSignal): HTMLElement {
       fill(
         place,
         same
-          ? h('p', {}, 'This list is in the catalog: ', h('a', { class: 'code', href: link('design', { label: same.label }) }, same.label), same.credit.who && ` by ${same.credit.who}`, same.credit.date && `, ${same.credit.date}`, '.')
-          : h('p', {}, best === null ? 'No other design with these parameters is known: this is the first.' : b < best ? `The best known design has ${count(best, 'block')}: this one is better by ${number(best - b)}.` : b === best ? `The best known design has as many blocks, ${number(best)}; this list is not the one in the catalog.` : `The best known design has ${count(best, 'block')}, ${number(b - best)} fewer.`, ' ', h('a', { href: link('cell', { ...cell }) }, 'More about these parameters'), '.'),
-        h('h3', {}, same ? 'BibTeX of this design' : 'BibTeX of the catalog that it was compared with'),
+          ? h(
+              'p',
+              {},
+              'This list is in the catalog: ',
+              h('a', { class: 'code', href: link('design', { label: same.label }) }, same.label),
+              same.credit.who && ` by ${same.credit.who}`,
+              same.credit.date && `, ${same.credit.date}`,
+              '.',
+            )
+          : h(
+              'p',
+              {},
+              best === null
+                ? 'No other design with these parameters is known: this is the first.'
+                : b < best
+                  ? `The best known design has ${count(best, 'block')}: this one is better by ` +
+                    `${number(best - b)}.`
+                  : b === best
+                    ? `The best known design has as many blocks, ${number(best)}; this list is ` +
+                      `not the one in the catalog.`
+                    : `The best known design has ${count(best, 'block')}, ${number(b - best)} ` +
+                      `fewer.`,
+              ' ',
+              h('a', { href: link('cell', { ...cell }) }, 'More about these parameters'),
+              '.',
+            ),
+        h(
+          'h3',
+          {},
+          same ? 'BibTeX of this design' : 'BibTeX of the catalog that it was compared with',
+        ),
         h('pre', { tabindex: 0 }, text),
         copyButton('Copy', () => text),
       );
@@ -46,5 +79,10 @@ export function citation(report: Report, signal: AbortSignal): HTMLElement {
       }
     }
   })();
-  return h('section', { class: 'verify-citation' }, h('h2', {}, 'Known designs and citation'), place);
+  return h(
+    'section',
+    { class: 'verify-citation' },
+    h('h2', {}, 'Known designs and citation'),
+    place,
+  );
 }

@@ -18,7 +18,11 @@ export interface Example {
 
 export const examples: readonly Example[] = [
   { name: 'good', title: 'a good one', text: good },
-  { name: 'steps', title: 'one with bad steps', text: good.replace('0 1 5 6\n0 1 4 7', '0 1 4 7\n0 1 5 6') },
+  {
+    name: 'steps',
+    title: 'one with bad steps',
+    text: good.replace('0 1 5 6\n0 1 4 7', '0 1 4 7\n0 1 5 6'),
+  },
   { name: 'pairs', title: 'one with missing pairs', text: good.replace('4 6 7 8', '4 5 7 8') },
   { name: 'typing', title: 'one with a typing error', text: good.replace('2 3 4 5', '2 3 4 4') },
 ];

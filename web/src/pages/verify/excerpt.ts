@@ -6,7 +6,10 @@ const around = 2;
 const widest = 120;
 
 /** Lines `line - around` to `line + around` of a text or file, read no further than needed. */
-async function linesAround(source: string | Blob, line: number): Promise<{ first: number; lines: string[] }> {
+async function linesAround(
+  source: string | Blob,
+  line: number,
+): Promise<{ first: number; lines: string[] }> {
   const first = Math.max(1, line - around);
   const last = line + around;
   const lines: string[] = [];
@@ -30,11 +33,19 @@ async function linesAround(source: string | Blob, line: number): Promise<{ first
   }
 }
 
-export async function excerpt(source: string | Blob, line: number, column: number | undefined): Promise<HTMLElement> {
+export async function excerpt(
+  source: string | Blob,
+  line: number,
+  column: number | undefined,
+): Promise<HTMLElement> {
   const { first, lines } = await linesAround(source, line);
   return h(
     'pre',
-    { class: 'excerpt', tabindex: 0, 'aria-label': `Line ${line} of the text and what is around it` },
+    {
+      class: 'excerpt',
+      tabindex: 0,
+      'aria-label': `Line ${line} of the text and what is around it`,
+    },
     lines.map((text, i) => {
       const here = first + i === line;
       // A very long line is cut to what is around the place.
@@ -42,7 +53,13 @@ export async function excerpt(source: string | Blob, line: number, column: numbe
       const shown = text.slice(from - 1, from - 1 + widest).replaceAll('\t', ' ');
       const at = column ? column - from : -1;
       const marked =
-        here && at >= 0 ? [shown.slice(0, at), h('mark', {}, shown.slice(at, at + 1) || '\u00a0'), shown.slice(at + 1)] : [shown];
+        here && at >= 0
+          ? [
+              shown.slice(0, at),
+              h('mark', {}, shown.slice(at, at + 1) || '\u00a0'),
+              shown.slice(at + 1),
+            ]
+          : [shown];
       return h(
         'span',
         { class: here ? 'excerpt-line here' : 'excerpt-line' },

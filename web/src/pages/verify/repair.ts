@@ -13,14 +13,20 @@ interface Line {
 }
 
 /** What stays, goes and comes, in order: a longest common subsequence of blocks. */
-export function compared(before: readonly (readonly number[])[], after: readonly (readonly number[])[]): Line[] {
+export function compared(
+  before: readonly (readonly number[])[],
+  after: readonly (readonly number[])[],
+): Line[] {
   const key = (block: readonly number[]): string => [...block].sort((a, b) => a - b).join(' ');
   const [a, b] = [before.map(key), after.map(key)];
   const width = b.length + 1;
   const longest = new Uint16Array((a.length + 1) * width);
   for (let i = a.length - 1; i >= 0; --i) {
     for (let j = b.length - 1; j >= 0; --j) {
-      longest[i * width + j] = a[i] === b[j] ? longest[(i + 1) * width + j + 1]! + 1 : Math.max(longest[(i + 1) * width + j]!, longest[i * width + j + 1]!);
+      longest[i * width + j] =
+        a[i] === b[j]
+          ? longest[(i + 1) * width + j + 1]! + 1
+          : Math.max(longest[(i + 1) * width + j]!, longest[i * width + j + 1]!);
     }
   }
   const lines: Line[] = [];
@@ -30,7 +36,10 @@ export function compared(before: readonly (readonly number[])[], after: readonly
       lines.push({ sign: '', block: after[j]! });
       ++i;
       ++j;
-    } else if (j >= b.length || (i < a.length && longest[(i + 1) * width + j]! >= longest[i * width + j + 1]!)) {
+    } else if (
+      j >= b.length ||
+      (i < a.length && longest[(i + 1) * width + j]! >= longest[i * width + j + 1]!)
+    ) {
       lines.push({ sign: '−', block: before[i++]! });
     } else {
       lines.push({ sign: '+', block: after[j++]! });
@@ -65,46 +74,109 @@ function changes(lines: readonly Line[], name: (x: number) => string): Child[] {
     }
     gap = false;
     const words = block.map(name).join(' ');
-    found.push(h('li', { class: sign === '+' ? 'repair-new' : sign === '−' ? 'repair-old' : '' }, h('span', { class: 'repair-sign' }, sign || '\u00a0'), sign === '−' ? h('s', {}, words) : words));
+    found.push(
+      h(
+        'li',
+        { class: sign === '+' ? 'repair-new' : sign === '−' ? 'repair-old' : '' },
+        h('span', { class: 'repair-sign' }, sign || '\u00a0'),
+        sign === '−' ? h('s', {}, words) : words,
+      ),
+    );
   });
   return found;
 }
 
-export function repairOffer(given: { query: object; body: string | Blob; blocks: readonly (readonly number[])[]; name(x: number): string }, take: (design: Design) => void, open: (design: Design) => void, signal: AbortSignal): HTMLElement {
+export function repairOffer(
+  given: {
+    query: object;
+    body: string | Blob;
+    blocks: readonly (readonly number[])[];
+    name(x: number): string;
+  },
+  take: (design: Design) => void,
+  open: (design: Design) => void,
+  signal: AbortSignal,
+): HTMLElement {
   const place = h('div', { role: 'status' });
-  const ask = h('button', {
-    type: 'button',
-    onclick: async () => {
-      ask.disabled = true;
-      fill(place, h('p', { class: 'hint' }, 'Looking for a repair …'));
-      try {
-        const response = await askWith(address('repair', given.query), { method: 'POST', headers: { 'Content-Type': 'text/plain; charset=utf-8' }, body: given.body, signal });
-        show((await response.json()) as Repaired);
-      } catch (fault) {
-        if (!signal.aborted) {
-          fill(place, problem(fault));
+  const ask = h(
+    'button',
+    {
+      type: 'button',
+      onclick: async () => {
+        ask.disabled = true;
+        fill(place, h('p', { class: 'hint' }, 'Looking for a repair …'));
+        try {
+          const response = await askWith(address('repair', given.query), {
+            method: 'POST',
+            headers: { 'Content-Type': 'text/plain; charset=utf-8' },
+            body: given.body,
+            signal,
+          });
+          show((await response.json()) as Repaired);
+        } catch (fault) {
+          if (!signal.aborted) {
+            fill(place, problem(fault));
+          }
         }
-      }
-      ask.disabled = false;
+        ask.disabled = false;
+      },
     },
-  }, 'Suggest a repair');
+    'Suggest a repair',
+  );
 
   function show({ design, kept, given: had }: Repaired): void {
     if (!design) {
-      fill(place, h('p', {}, 'No repair was found within ten seconds. `changeover search --repair FILE` can search for longer.'));
+      fill(
+        place,
+        h(
+          'p',
+          {},
+          'No repair was found within ten seconds. `changeover search --repair FILE` can ' +
+            'search for longer.',
+        ),
+      );
       return;
     }
     const b = design.blocks.length;
     fill(
       place,
-      h('p', {}, h('strong', {}, `A design with ${count(b, 'block')}`), ` keeps ${number(kept)} of your ${count(had, 'block')}${b > had ? ` and adds ${number(b - had)}` : b < had ? ` and leaves out ${number(had - b)}` : ''}. It is verified.`),
-      b + had <= mostCompared ? h('ol', { class: 'repair-lines' }, changes(compared(given.blocks, design.blocks), given.name)) : null,
-      h('div', { class: 'row' }, h('button', { type: 'button', onclick: () => take(design) }, 'Use the repaired list'), h('button', { type: 'button', class: 'plain', onclick: () => open(design) }, 'Open in the viewer')),
+      h(
+        'p',
+        {},
+        h('strong', {}, `A design with ${count(b, 'block')}`),
+        ` keeps ${number(kept)} of your ${count(had, 'block')}`,
+        b > had && ` and adds ${number(b - had)}`,
+        b < had && ` and leaves out ${number(had - b)}`,
+        '. It is verified.',
+      ),
+      b + had <= mostCompared
+        ? h(
+            'ol',
+            { class: 'repair-lines' },
+            changes(compared(given.blocks, design.blocks), given.name),
+          )
+        : null,
+      h(
+        'div',
+        { class: 'row' },
+        h('button', { type: 'button', onclick: () => take(design) }, 'Use the repaired list'),
+        h(
+          'button',
+          { type: 'button', class: 'plain', onclick: () => open(design) },
+          'Open in the viewer',
+        ),
+      ),
     );
   }
   // Short lists are repaired in a moment: no need to be asked.
   if (given.blocks.length > 0 && given.blocks.length <= atOnce) {
     ask.click();
   }
-  return h('section', { class: 'repair' }, h('h2', {}, 'Repair'), h('p', {}, ask, ' ', h('span', { class: 'hint' }, 'changes as few blocks as it can')), place);
+  return h(
+    'section',
+    { class: 'repair' },
+    h('h2', {}, 'Repair'),
+    h('p', {}, ask, ' ', h('span', { class: 'hint' }, 'changes as few blocks as it can')),
+    place,
+  );
 }

@@ -1,4 +1,5 @@
-// What the verdict says, with its reasons: first in a sentence, then fact by fact, then element by element.
+// What the verdict says, with its reasons: first in a sentence, then fact by fact, then element by
+// element.
 import { h, type Child } from '../../lib/dom';
 import { formula, mathText } from '../../lib/mathematics';
 import { terms } from '../../lib/terms';
@@ -21,11 +22,21 @@ function reasons({ answer, blocks }: Report): Child[] {
     const what =
       verdict.minimum === 'proved'
         ? 'It is minimum: no design with these parameters has fewer blocks.'
-        : `No design has fewer than ${count(verdict.lower_bound, 'block')}; whether one has fewer than this is not known.`;
-    const steps = blocks.b === 1 ? 'with one block there is no step' : `every step changes ${count(blocks.change, 'element')}`;
+        : `No design has fewer than ${count(verdict.lower_bound, 'block')}; whether one has ` +
+          `fewer than this is not known.`;
+    const steps =
+      blocks.b === 1
+        ? 'with one block there is no step'
+        : `every step changes ${count(blocks.change, 'element')}`;
     return [
-      h('p', {}, `Every one of the ${number(details.subsets)} ${setsOf(blocks.strength)} is in a block, and ${steps}. ${what}`),
-      bound && h('p', { class: 'reason' }, `Lower bound (${bound.name}): `, reason(bound.reason), '.'),
+      h(
+        'p',
+        {},
+        `Every one of the ${number(details.subsets)} ${setsOf(blocks.strength)} is in a block, ` +
+          `and ${steps}. ${what}`,
+      ),
+      bound &&
+        h('p', { class: 'reason' }, `Lower bound (${bound.name}): `, reason(bound.reason), '.'),
     ];
   }
   const list: Child[] = [];
@@ -34,7 +45,8 @@ function reasons({ answer, blocks }: Report): Child[] {
       h(
         'li',
         {},
-        `${count(details.bad_steps, 'step')} ${details.bad_steps === 1 ? 'does' : 'do'} not change exactly ${count(blocks.change, 'element')}.`,
+        `${count(details.bad_steps, 'step')} ${details.bad_steps === 1 ? 'does' : 'do'} not ` +
+          `change exactly ${count(blocks.change, 'element')}.`,
       ),
     );
   }
@@ -43,7 +55,8 @@ function reasons({ answer, blocks }: Report): Child[] {
       h(
         'li',
         {},
-        `${number(details.uncovered)} of ${number(details.subsets)} ${setsOf(blocks.strength)} ${details.uncovered === 1 ? 'is' : 'are'} in no block.`,
+        `${number(details.uncovered)} of ${number(details.subsets)} ${setsOf(blocks.strength)} ` +
+          `${details.uncovered === 1 ? 'is' : 'are'} in no block.`,
       ),
     );
   }
@@ -57,7 +70,13 @@ export function headline(report: Report): HTMLElement {
     'div',
     { class: `verdict ${answer.valid ? 'valid' : 'invalid'}`, role: 'status' },
     h('h2', { tabindex: -1 }, answer.valid ? '✓ Valid' : '✗ Not a design'),
-    h('p', {}, answer.valid ? 'A ' : 'Taken as a ', h('strong', {}, name), `, with ${count(blocks.b, 'block')}.`),
+    h(
+      'p',
+      {},
+      answer.valid ? 'A ' : 'Taken as a ',
+      h('strong', {}, name),
+      `, with ${count(blocks.b, 'block')}.`,
+    ),
     reasons(report),
   );
 }
@@ -69,6 +88,10 @@ function yes(value: boolean): string {
 /** A table of what is so, and what it means. */
 export function facts({ answer, blocks }: Report): HTMLElement {
   const { details, verdict } = answer;
+  const times =
+    answer.valid && blocks.b > verdict.lower_bound
+      ? ` (b is ${ratio(blocks.b, verdict.lower_bound)} times as much)`
+      : '';
   const rows: [term: string, value: string, meaning: string][] = [
     ['elements v', number(blocks.v), terms.v],
     ['block size k', number(blocks.k), terms.k],
@@ -77,16 +100,22 @@ export function facts({ answer, blocks }: Report): HTMLElement {
     ['blocks b', number(blocks.b), terms.blocks],
     [
       'lower bound',
-      verdict.lower_bound > 0
-        ? `${number(verdict.lower_bound)}${answer.valid && blocks.b > verdict.lower_bound ? ` (b is ${ratio(blocks.b, verdict.lower_bound)} times as much)` : ''}`
-        : 'not known',
+      verdict.lower_bound > 0 ? `${number(verdict.lower_bound)}${times}` : 'not known',
       terms.bound,
     ],
     ['valid', yes(answer.valid), terms.valid],
     ['tight', yes(verdict.tight), terms.tight],
     ['economical', yes(verdict.economical), terms.economical],
-    ['minimum', verdict.minimum === 'proved' ? 'yes, proved' : answer.valid ? 'not known' : 'no', terms.minimum],
-    ['excess', `${number(details.excess)} of ${number(details.covered)} newly covered`, terms.excess],
+    [
+      'minimum',
+      verdict.minimum === 'proved' ? 'yes, proved' : answer.valid ? 'not known' : 'no',
+      terms.minimum,
+    ],
+    [
+      'excess',
+      `${number(details.excess)} of ${number(details.covered)} newly covered`,
+      terms.excess,
+    ],
   ];
   return h(
     'section',
@@ -99,7 +128,13 @@ export function facts({ answer, blocks }: Report): HTMLElement {
         'tbody',
         {},
         rows.map(([term, value, meaning]) =>
-          h('tr', {}, h('th', { scope: 'row' }, h('dfn', {}, term)), h('td', {}, value), h('td', { class: 'meaning' }, mathText(meaning))),
+          h(
+            'tr',
+            {},
+            h('th', { scope: 'row' }, h('dfn', {}, term)),
+            h('td', {}, value),
+            h('td', { class: 'meaning' }, mathText(meaning)),
+          ),
         ),
       ),
     ),
@@ -107,7 +142,9 @@ export function facts({ answer, blocks }: Report): HTMLElement {
       h(
         'p',
         {},
-        `In every block: ${details.fixed.slice(0, mostNamed).join(', ')}${details.fixed.length > mostNamed ? ` and ${number(details.fixed.length - mostNamed)} more` : ''}.`,
+        `In every block: ${details.fixed.slice(0, mostNamed).join(', ')}`,
+        details.fixed.length > mostNamed && ` and ${number(details.fixed.length - mostNamed)} more`,
+        '.',
       ),
   );
 }
@@ -127,7 +164,9 @@ export function elementTable({ answer }: Report): HTMLElement {
       return h(
         'div',
         { class: 'element-row' },
-        [element, introductions, blocks, excess].map((value) => h('span', {}, typeof value === 'number' ? number(value) : value)),
+        [element, introductions, blocks, excess].map((value) =>
+          h('span', {}, typeof value === 'number' ? number(value) : value),
+        ),
       );
     },
   });
@@ -135,7 +174,11 @@ export function elementTable({ answer }: Report): HTMLElement {
     'section',
     { class: 'verify-elements' },
     h('h2', {}, 'Element by element'),
-    h('p', { class: 'hint' }, mathText(`${terms.introductions}; ${terms.occurrences}; ${terms.surplus}.`)),
+    h(
+      'p',
+      { class: 'hint' },
+      mathText(`${terms.introductions}; ${terms.occurrences}; ${terms.surplus}.`),
+    ),
     head,
     list.element,
   );

@@ -1,4 +1,5 @@
-// Runs beside the page (see check.ts): asks, reads the answer, and turns its blocks into rows of numbers.
+// Runs beside the page (see check.ts): asks, reads the answer, and turns its blocks into rows of
+// numbers.
 import { ApiError, askWith, type Design, type Verified } from '../../lib/api';
 import type { Answer, Blocks, Question, Reply } from './check';
 
@@ -51,7 +52,19 @@ function rows(design: Design): Blocks {
       seen[blocks[start + j]!] = i + 1;
     }
   }
-  return { shown: true, v, k, b, change, kind, strength: design.strength ?? 2, labels: design.labels ?? null, blocks, placed, introduced };
+  return {
+    shown: true,
+    v,
+    k,
+    b,
+    change,
+    kind,
+    strength: design.strength ?? 2,
+    labels: design.labels ?? null,
+    blocks,
+    placed,
+    introduced,
+  };
 }
 
 function noRows({ v, k, b, change, kind, strength }: Answer['details']): Blocks {
@@ -76,7 +89,11 @@ port.onmessage = ({ data }) => {
     .then((response) => response.json() as Promise<Verified>)
     .then(({ design, ...answer }) => {
       const blocks = design ? rows(design) : noRows(answer.details);
-      port.postMessage({ report: { answer, blocks } }, [blocks.blocks.buffer, blocks.placed.buffer, blocks.introduced.buffer]);
+      port.postMessage({ report: { answer, blocks } }, [
+        blocks.blocks.buffer,
+        blocks.placed.buffer,
+        blocks.introduced.buffer,
+      ]);
     })
     .catch((fault: unknown) => {
       const { message, status = 0, line, column } = fault as Partial<ApiError> & Error;

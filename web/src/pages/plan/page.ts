@@ -1,0 +1,596 @@
+// The page Plan: a job, its sheet, and what is written down on it.
+import { ApiError, post } from '../../lib/api';
+import { announce, fill, h } from '../../lib/dom';
+import { save } from '../../lib/save';
+import { count } from '../../lib/words';
+import { problem, type View } from '../../shell/router';
+import { follow } from './ask';
+import { diagnosisPanel } from './diagnosis';
+import { forDiagnosis, forWhatIf, inWords, keyIn, requestOf, withDone } from './document';
+import { readFile, readParts } from './files';
+import { acceptFiles } from './drop';
+import { jobForm } from './form';
+import { headline } from './headline';
+import { emptyJob, exact, lineOf, namesIn, type Job, type Part } from './job';
+import { introduction } from './introduction';
+import { keptHere, keptOnServer } from './keeping';
+import { keptList } from './kept';
+import { livePanel } from './live';
+import { nextTests } from './next';
+import {
+  blank,
+  csv,
+  isDone,
+  onBenches,
+  outcomeOf,
+  verdictOf,
+  withNext,
+  type Outcome,
+  type Place,
+  type State,
+  type Test,
+} from './outcome';
+import { keepResult, keepRun, openRun, ownName, watchRun, withResults, type Kept } from './run';
+import { runSheet } from './sheet';
+import { keep as keepState, newId } from './store';
+import { compared, whatIf, whyNoWhatIf } from './what_if';
+import { workbookLink } from './workbook';
+
+export class PlanPage {
+  private state: State;
+  /** The run on the server, once there is one. */
+  private run: Kept | null = null;
+  private watching: AbortController | null = null;
+  private planning: AbortController | null = null;
+  /** What is drawn of the sheet, and what it listens to. */
+  private drawing = new AbortController();
+  private refreshSheet: () => void = () => undefined;
+  /** Tests whose results the server does not have yet. */
+  private readonly unsaved = new Set<number>();
+  private saving: Promise<void> = Promise.resolve();
+  private readonly result = h('div', { class: 'result' });
+  private readonly fault = h('div', { class: 'no-print' });
+  private readonly news = h('div', { class: 'no-print' });
+  private readonly keeping = h('div', { class: 'keeping no-print' });
+  private readonly stale = h(
+    'p',
+    { class: 'note no-print', hidden: true },
+    'The job has changed since this sheet was planned. Plan again, or replan the remaining ' +
+      'tests if some are done.',
+  );
+  private readonly form = jobForm(
+    () => (this.stale.hidden = this.state.outcome === null),
+    () => this.planAgain(),
+    (text) => this.pasted(text),
+    () => this.pick.click(),
+  );
+  private readonly pick = h('input', {
+    type: 'file',
+    class: 'unseen',
+    tabindex: -1,
+    accept: '.csv,.tsv,.txt,.xlsx,.pict,.model,.json,text/csv,text/plain',
+    'aria-label': 'A file with a list of parts',
+    onchange: () => this.pick.files?.[0] && void this.take(this.pick.files[0]),
+  });
+  private readonly jobBox = h(
+    'details',
+    { class: 'job-box no-print', open: true },
+    h('summary', {}, 'The job'),
+    this.form.element,
+  );
+
+  constructor(
+    private readonly view: View,
+    state: State | null,
+    private readonly writes: boolean,
+  ) {
+    this.state = state ?? { id: newId(), job: emptyJob(), outcome: null };
+  }
+
+  draw(): void {
+    const { view } = this;
+    fill(
+      view.root,
+      introduction((job) => this.useExample(job)),
+      this.pick,
+      keptList(this.writes, view.signal),
+      this.jobBox,
+      this.news,
+      this.fault,
+      this.result,
+    );
+    acceptFiles(view.root, (file) => void this.take(file));
+    this.form.set(this.state.job);
+    if (this.state.outcome) {
+      this.show();
+    }
+  }
+
+  /** Shows a run of the server, and what others write into it. */
+  follow(run: Kept): void {
+    this.run = run;
+    this.watching?.abort();
+    this.watching = new AbortController();
+    const stop = () => this.watching?.abort();
+    this.view.signal.addEventListener('abort', stop, { once: true });
+    watchRun(
+      run.id,
+      () => this.run!,
+      (found) => {
+        if (found.sheet_revision !== this.run!.sheet) {
+          void this.reopen('This run was planned anew in another window.');
+          return;
+        }
+        this.run = { ...this.run!, revision: found.revision };
+        const mine = [...this.unsaved].map(
+          (i) => [i, { ...this.state.outcome!.tests[i]! }] as const,
+        );
+        withResults(this.state.outcome!, found);
+        mine.forEach(([i, { result, notes }]) =>
+          Object.assign(this.state.outcome!.tests[i]!, { result, notes }),
+        );
+        this.refreshSheet();
+      },
+      () => (
+        (this.run = null),
+        stop(),
+        this.sayKept('This run was removed from the server; this window still has it.')
+      ),
+      this.watching.signal,
+    );
+  }
+
+  private async reopen(why: string): Promise<void> {
+    try {
+      const { state, run } = await openRun(this.run!.id, this.view.signal);
+      this.unsaved.clear();
+      this.state = state;
+      this.run = run;
+      this.form.set(state.job);
+      this.show();
+      fill(this.news, h('p', { class: 'note', role: 'status' }, why));
+    } catch (fault) {
+      this.say(fault);
+    }
+  }
+
+  say(fault: unknown): void {
+    if (this.view.signal.aborted) {
+      return;
+    }
+    const key = fault instanceof Error ? keyIn(fault.message) : null;
+    fill(
+      this.fault,
+      problem(
+        fault instanceof ApiError ? new ApiError(inWords(fault.message), fault.status) : fault,
+      ),
+    );
+    if (key) {
+      this.form.show(key);
+    }
+    this.fault.scrollIntoView({ block: 'nearest' });
+  }
+
+  note(...words: (Node | string)[]): void {
+    fill(this.fault, h('p', { class: 'note', role: 'status' }, words));
+  }
+
+  private useExample(job: Job): void {
+    this.startAnew();
+    this.form.set(job);
+    void this.plan([], []);
+  }
+
+  /** What was done is not lost: the job that it belongs to stays where it is kept. */
+  private startAnew(): void {
+    this.state.id = newId();
+    this.run = null;
+    this.watching?.abort();
+    this.unsaved.clear();
+    fill(this.news);
+  }
+
+  private planAgain(): void {
+    if (this.run || this.state.outcome?.tests.some((test) => verdictOf(test) !== '')) {
+      this.startAnew();
+    }
+    void this.plan([], []);
+  }
+
+  private async pasted(text: string): Promise<Part[] | null> {
+    try {
+      const { job, notes } = await readParts(text, emptyJob(), this.view.signal);
+      fill(this.fault);
+      this.tell(notes.filter((note) => /header|not used/.test(note)));
+      return job.parts;
+    } catch (fault) {
+      this.say(fault);
+      return null;
+    }
+  }
+
+  private tell(notes: readonly string[]): void {
+    const list = h('ul', {}, ...notes.map((note) => h('li', {}, note)));
+    fill(this.news, notes.length > 0 && h('div', { class: 'note', role: 'status' }, list));
+  }
+
+  private async take(file: File): Promise<void> {
+    this.pick.value = '';
+    try {
+      const mine = (): Job => {
+        try {
+          return this.form.read();
+        } catch {
+          return emptyJob(); // What cannot be read is replaced by the file.
+        }
+      };
+      const { job, done, notes } = await readFile(
+        file,
+        mine(),
+        () => requestOf(this.form.read()),
+        this.view.signal,
+      );
+      fill(this.fault);
+      this.startAnew();
+      this.form.set(job);
+      this.tell(notes.map((note) => note.replace(/^(parts|done)(?=[:\s])/, file.name)));
+      this.stale.hidden = this.state.outcome === null;
+      if (done.tests.length > 0) {
+        await this.plan(onBenches(done.tests, this.state.outcome), done.places);
+      } else {
+        announce(`${file.name} was read`);
+      }
+    } catch (fault) {
+      this.say(fault);
+    }
+  }
+
+  /** The document with the tests that were done, as a run sheet with all its rows. */
+  private asked(
+    job: Job,
+    tests: readonly Test[],
+    places: readonly Place[],
+  ): ReturnType<typeof requestOf> {
+    const request = requestOf(job);
+    if (!tests.some((test) => verdictOf(test) !== '')) {
+      return request;
+    }
+    const sheet = {
+      ...(this.state.outcome ?? blank(job)),
+      benches: tests.some(({ bench }) => bench !== null) ? [] : null,
+      tests: [...tests],
+      places: [...places],
+    };
+    return withDone(request, job, csv(sheet as Outcome));
+  }
+
+  private async plan(tests: readonly Test[], places: readonly Place[]): Promise<void> {
+    this.planning?.abort();
+    const mine = (this.planning = new AbortController());
+    const best = new AbortController();
+    const stop = () => mine.abort();
+    this.view.signal.addEventListener('abort', stop, { once: true });
+    fill(this.fault);
+    this.form.go.disabled = true;
+    try {
+      const job = this.form.read();
+      const request = this.asked(job, tests, places);
+      const live = livePanel(() => best.abort(), stop, mine.signal);
+      if (this.writes) {
+        fill(this.fault, live.element);
+      } else {
+        this.note(
+          `Planning, for ${count(job.seconds || 10, 'second')} at most … `,
+          h('button', { type: 'button', class: 'plain', onclick: stop }, 'Cancel'),
+        );
+      }
+      this.fault.scrollIntoView({ block: 'nearest' });
+      const found = await follow(request, mine.signal, best.signal, (each) => live.hear(each));
+      const done = tests.filter(isDone);
+      this.state = {
+        id: this.state.id,
+        job,
+        outcome: { ...outcomeOf(found.planned, job, done, places), plan: found.job },
+      };
+      this.unsaved.clear();
+      fill(this.fault, found.message ? h('p', { class: 'note' }, found.message) : null);
+      this.stale.hidden = true;
+      this.show();
+      this.result.scrollIntoView({ block: 'start' });
+      announce(
+        `${count(this.state.outcome!.tests.length, 'test')}, cost ${this.state.outcome!.cost}`,
+      );
+      await this.keepSheet();
+    } catch (why) {
+      if (!this.view.signal.aborted) {
+        mine.signal.aborted ? this.note('Cancelled.') : this.say(why);
+      }
+    } finally {
+      this.view.signal.removeEventListener('abort', stop);
+      if (this.planning === mine) {
+        this.form.go.disabled = false;
+        mine.abort();
+      }
+    }
+  }
+
+  private show(): void {
+    const { state } = this;
+    const outcome = state.outcome!;
+    this.drawing.abort();
+    const drawing = (this.drawing = new AbortController());
+    this.view.signal.addEventListener('abort', () => drawing.abort(), { once: true });
+    this.jobBox.open = window.matchMedia('(min-width: 50rem)').matches;
+    const mounted = outcome.benches ? [] : namesIn(state.job.start);
+    const written = (i: number) => void this.written(i);
+    const sheet = runSheet(outcome, mounted, written, drawing.signal);
+    const next = nextTests(outcome, mounted, written);
+    const replan = h(
+      'button',
+      {
+        type: 'button',
+        class: 'plain',
+        onclick: () => void this.plan(outcome.tests, outcome.places),
+      },
+      'Replan the remaining tests',
+    );
+    const diagnose = h(
+      'button',
+      { type: 'button', class: 'plain', onclick: () => void this.diagnose() },
+      'What is at fault?',
+    );
+    const diagnosis = h('div', { class: 'diagnosis-place' });
+    this.diagnosisPlace = diagnosis;
+    this.refreshSheet = () => {
+      sheet.refresh();
+      next.refresh();
+      replan.disabled = !outcome.tests.some((test) => verdictOf(test) !== '');
+      diagnose.hidden =
+        state.job.changeCosts !== '' || !outcome.tests.some((test) => verdictOf(test) === 'fail');
+    };
+    this.refreshSheet();
+    const whyNot = whyNoWhatIf(state.job, outcome);
+    const workbook = workbookLink(outcome, drawing.signal);
+    fill(
+      this.result,
+      headline(state.job, outcome),
+      this.stale,
+      next.element,
+      h(
+        'div',
+        { class: 'row no-print' },
+        replan,
+        diagnose,
+        h(
+          'button',
+          { type: 'button', class: 'plain', onclick: () => window.print() },
+          'Print the sheet',
+        ),
+        h(
+          'button',
+          {
+            type: 'button',
+            class: 'plain',
+            onclick: () => save('run_sheet.csv', csv(outcome), 'text/csv'),
+          },
+          'Download CSV',
+        ),
+        workbook,
+      ),
+      diagnosis,
+      sheet.element,
+      this.keeping,
+      compared(outcome),
+      whyNot !== ''
+        ? h('p', { class: 'hint no-print' }, whyNot)
+        : whatIf(
+            state.job,
+            outcome,
+            async () => {
+              const { what_if: found } = await post(
+                'plan',
+                {},
+                forWhatIf(this.asked(state.job, outcome.tests.filter(isDone), outcome.places)),
+                drawing.signal,
+              );
+              return found!;
+            },
+            (test, change) => this.atCosts(test, change),
+            drawing.signal,
+          ),
+    );
+  }
+  private diagnosisPlace = h('div', {});
+
+  /** The parts' own costs keep their proportion to the cost for all. */
+  private atCosts(testCost: number, changeCost: number): void {
+    const job = this.form.read();
+    const { outcome } = this.state;
+    const factor = outcome!.changeCost > 0 ? changeCost / outcome!.changeCost : 1;
+    const parts = job.parts.map((part) => ({
+      ...part,
+      cost: part.cost === null ? null : exact(part.cost * factor),
+    }));
+    this.form.set({ ...job, testCost, changeCost, parts });
+    void this.plan(outcome!.tests.filter(isDone), outcome!.places);
+  }
+
+  private async diagnose(): Promise<void> {
+    const { outcome } = this.state;
+    try {
+      const job = this.form.read();
+      fill(
+        this.diagnosisPlace,
+        h('p', { class: 'hint', role: 'status' }, 'Weighing the results …'),
+      );
+      const { diagnosis } = await post(
+        'plan',
+        {},
+        forDiagnosis(this.asked(job, outcome!.tests, outcome!.places)),
+        this.view.signal,
+      );
+      fill(
+        this.diagnosisPlace,
+        diagnosisPanel(
+          diagnosis!,
+          () => {
+            this.state.outcome = withNext(outcome!, diagnosis!.next!);
+            this.show();
+            void this.keepSheet();
+            this.result.querySelector('.next-tests')?.scrollIntoView({ block: 'nearest' });
+          },
+          (faults) => {
+            const now = this.form.read();
+            this.form.set({
+              ...now,
+              never: [
+                now.never.trim(),
+                ...faults.map((fault) => lineOf([...fault, 'failed together'])),
+              ]
+                .filter(Boolean)
+                .join('\n'),
+            });
+            void this.plan(outcome!.tests, outcome!.places);
+          },
+        ),
+      );
+      this.diagnosisPlace.scrollIntoView({ block: 'nearest' });
+    } catch (fault) {
+      fill(this.diagnosisPlace);
+      this.say(fault);
+    }
+  }
+
+  /** A result was written down. */
+  private async written(i: number): Promise<void> {
+    if (this.run && !this.writes) {
+      await this.reopen(
+        'This window may only look: to write results down, open the address that “changeover ' +
+          'serve” printed, or the link that “Copy a link for others” gives.',
+      );
+      return;
+    }
+    const test = this.state.outcome!.tests[i]!;
+    Object.assign(test, { by: ownName(), at: new Date().toISOString() });
+    this.refreshSheet();
+    if (!this.writes) {
+      await this.keepHere();
+      return;
+    }
+    this.unsaved.add(i);
+    this.saving = this.saving.then(() => this.saveResults());
+    await this.saving;
+  }
+
+  /** Writes what the server does not have yet; tries again while it does not answer. */
+  private async saveResults(): Promise<void> {
+    const { signal } = this.view;
+    try {
+      if (!this.run) {
+        this.unsaved.clear();
+        await this.keepSheet(true);
+        return;
+      }
+      for (const i of [...this.unsaved]) {
+        this.unsaved.delete(i);
+        try {
+          this.run = await keepResult(this.state, i, this.run, signal);
+        } catch (fault) {
+          this.unsaved.add(i);
+          throw fault;
+        }
+      }
+      await this.keepHere();
+    } catch (fault) {
+      if (signal.aborted) {
+        return;
+      }
+      if (fault instanceof ApiError && fault.status === 409) {
+        await this.reopen(fault.message);
+        return;
+      }
+      await this.keepHere();
+      this.sayKept(
+        `Not on the server yet: ${(fault as Error).message} This browser has it, and tries again.`,
+      );
+      setTimeout(
+        () =>
+          !signal.aborted &&
+          this.unsaved.size > 0 &&
+          (this.saving = this.saving.then(() => this.saveResults())),
+        5000,
+      );
+    }
+  }
+
+  /** On the server once results are written, else in this browser and in the link. */
+  private async keepSheet(begin = false): Promise<void> {
+    try {
+      if (this.writes && (this.run || begin)) {
+        const run = await keepRun(this.state, this.run, this.view.signal);
+        if (!this.run) {
+          this.follow(run);
+        }
+        this.run = run;
+      }
+      await this.keepHere();
+    } catch (fault) {
+      if (fault instanceof ApiError && fault.status === 409) {
+        await this.reopen(fault.message);
+      } else if (!this.view.signal.aborted) {
+        await this.keepHere();
+        this.sayKept(`Not on the server: ${(fault as Error).message}`);
+      }
+    }
+  }
+
+  /** The link has another state than this browser: what is changed from now on has its own name. */
+  keepBeside(): void {
+    this.state.id = newId();
+  }
+
+  async keepAgain(): Promise<void> {
+    await this.keepHere();
+  }
+
+  private async keepHere(): Promise<void> {
+    try {
+      const { s, id, whole } = await keepState(this.state);
+      if (this.view.signal.aborted) {
+        return;
+      }
+      this.view.go(this.run ? { run: this.run.id, s: null, id: null } : { s, id, run: null }, {
+        quiet: true,
+      });
+      this.sayKept(
+        this.run
+          ? ''
+          : whole
+            ? 'A part broke? Tick “gone” in the list, then replan the remaining tests. The ' +
+              'link of this page holds the whole job with its sheet and what is done; this ' +
+              'browser keeps it, too.'
+            : 'This job is too long for a link: it is kept in this browser, and the link opens ' +
+              'it only here. Download it as CSV to pass it on.',
+      );
+    } catch {
+      this.sayKept(
+        this.run
+          ? ''
+          : 'This browser has no room to keep the job: download it as CSV before you leave.',
+      );
+    }
+  }
+
+  sayKept(words: string): void {
+    const { run } = this;
+    fill(
+      this.keeping,
+      run
+        ? keptOnServer(words, run.id, this.writes)
+        : keptHere(
+            words,
+            this.writes && this.state.outcome !== null ? () => void this.keepSheet(true) : null,
+          ),
+    );
+  }
+}
