@@ -110,6 +110,7 @@ class Catalog {
   struct Known {
     std::string label;
     std::uint64_t b = 0;
+    bool shipped = false;  ///< with the program; otherwise the user's
   };
   [[nodiscard]] std::optional<Known> fewest(const Parameters& p, bool carries_blocks = false) const;
 

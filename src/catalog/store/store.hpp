@@ -206,7 +206,7 @@ class Catalog::Store {
           throw BadInput(fmt::format("{}: the entry {} is damaged; restore a copy",
                                      shelf.database().name(), rows.view(0)));
         }
-        best = Known{rows.text(0), label->b};
+        best = Known{rows.text(0), label->b, shipped && &shelf == &*shipped};
         if (carries == carries_blocks) {
           break;  // No other entry precedes it.
         }

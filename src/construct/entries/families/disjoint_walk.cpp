@@ -10,7 +10,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
+#include <mutex>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "changeover/construct/registry.hpp"
@@ -54,11 +57,6 @@ class Walk {
       }
       visit(block);
     }
-    if (p_.kind == Kind::circular) {
-      for (Block& between : connecting_blocks(blocks_.back(), first, p_.change, p_.v)) {
-        blocks_.push_back(std::move(between));
-      }
-    }
     return std::move(blocks_);
   }
 
@@ -82,16 +80,16 @@ class Walk {
   }
 
   [[nodiscard]] Block outside(const Block& block, const Block& also) const {
-    std::vector<bool> taken(v_, false);
-    for (const Element x : block) {
-      taken[x] = true;
-    }
-    for (const Element x : also) {
-      taken[x] = true;
+    std::vector<char> taken(v_, 0);
+    for (const Block* const left_out : {&block, &also}) {
+      for (const Element x : *left_out) {
+        taken[x] = 1;
+      }
     }
     Block rest;
+    rest.reserve(v_);
     for (Element x = 0; x < v_; ++x) {
-      if (!taken[x]) {
+      if (taken[x] == 0) {
         rest.push_back(x);
       }
     }
@@ -150,6 +148,23 @@ class Walk {
   std::vector<Block> blocks_;
 };
 
+// From the last block of the walk back to its first.
+std::vector<Block> way_back(const Parameters& p, const Block& last) {
+  Block first(static_cast<std::size_t>(p.k));
+  std::iota(first.begin(), first.end(), 0U);
+  return connecting_blocks(last, first, p.change, p.v);
+}
+
+std::vector<Block> walk(const Parameters& p) {
+  std::vector<Block> blocks = Walk(p).run();
+  if (p.kind == Kind::circular) {
+    for (Block& between : way_back(p, blocks.back())) {
+      blocks.push_back(std::move(between));
+    }
+  }
+  return blocks;
+}
+
 constexpr Description description{
     .name = "disjoint-walk",
     .summary = "a greedy walk through disjoint blocks",
@@ -167,11 +182,30 @@ class DisjointWalk final : public Family {
     if (!asks_for_pairs(p, p.change) || p.change != p.k || p.v < 2 * p.k + 1 || p.v > largest_v) {
       return std::nullopt;
     }
-    return Promise{Walk(p).run().size()};
+    // Asked for again and again by those that build on it; both kinds go the same way.
+    struct Counted {
+      std::uint64_t b;
+      Block last;
+    };
+    static std::mutex mutex;
+    static std::map<std::pair<std::uint64_t, std::uint64_t>, Counted> walked;
+    const auto look = [&]() -> std::optional<Counted> {
+      const std::lock_guard lock(mutex);
+      const auto place = walked.find({p.v, p.k});
+      return place == walked.end() ? std::nullopt : std::optional(place->second);
+    };
+    std::optional<Counted> counted = look();
+    if (!counted) {
+      const std::vector<Block> blocks = Walk(p).run();
+      counted = {blocks.size(), blocks.back()};
+      const std::lock_guard lock(mutex);
+      walked.emplace(std::pair(p.v, p.k), *counted);
+    }
+    return Promise{counted->b + (p.kind == Kind::circular ? way_back(p, counted->last).size() : 0)};
   }
 
   std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
-    return std::make_unique<BlockListSource>(p, Walk(p).run());
+    return std::make_unique<BlockListSource>(p, walk(p));
   }
 
   std::string explanation(const Parameters& p) const override {
