@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Line coverage by room, of a table that gcovr --csv wrote; ./dev coverage asks for it.
 # usage: coverage_by_room.sh FILES.CSV PERCENT "DEMANDED ROOM..." ["ROOM..."]
-# A room is the folder below include/changeover, src and apps. Only the last rooms are shown, all without them. Exit code
-# 3 if a demanded room is below PERCENT, or is not in the table; 2 if there is no table.
+# A room is the folder below include/changeover, src and apps. Only the last rooms are shown, all
+# without them. Exit code 3 if a demanded room is below PERCENT, or is not in the table; 2 if there
+# is no table.
 set -euo pipefail
 [[ $# -ge 3 && -r $1 ]] || {
   printf 'usage: coverage_by_room.sh FILES.CSV PERCENT "DEMANDED ROOM..." ["ROOM..."]\n' >&2

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Searches for better shares of groups and puts the table of them in place; without arguments checks the table that is there.
+# Searches for better shares of groups and puts the table of them in place; without arguments checks
+# the table that is there.
 #
 #     docs/tools/find_shares.sh 20000 7        20,000 tries, seed 7
 #

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Puts designs that searches found into the catalog that comes with the program, catalog/written/*.jsonl.
-# FILE is what `changeover search … --format text -o FILE` wrote: its recipe has the blocks and where they come from. What is wrong, or
-# there already, is refused by `changeover catalog add`; the tests refuse what is no better than what constructions give.
+# Puts designs that searches found into the catalog that comes with the program,
+# catalog/written/*.jsonl. FILE is what `changeover search … --format text -o FILE` wrote: its
+# recipe has the blocks and where they come from. What is wrong, or there already, is refused by
+# `changeover catalog add`; the tests refuse what is no better than what constructions give.
 # usage: [WHO=NAME] docs/tools/keep_design.sh FILE…
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")/../..

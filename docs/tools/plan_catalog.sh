@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Writes what constructions and closure rules know today into the catalog that comes with the program: catalog/planned/mM-KIND-kK.jsonl, a
-# file for block sizes from K up to the next, gets a line for each cell of its range (construct/registry.hpp) that has no design
-# yet, or a better one. Lines that are there stay: labels last.
-# Takes some minutes; build the program anew afterwards, and once more from here if designs were added, until nothing is added.
+# Writes what constructions and closure rules know today into the catalog that comes with the
+# program: catalog/planned/mM-KIND-kK.jsonl, a file for block sizes from K up to the next, gets a
+# line for each cell of its range (construct/registry.hpp) that has no design yet, or a better one.
+# Lines that are there stay: labels last. Takes some minutes; build the program anew afterwards, and
+# once more from here if designs were added, until nothing is added.
 # usage: docs/tools/plan_catalog.sh [M…]   change numbers, all if none is named
 set -euo pipefail
 [[ $# -gt 0 ]] || set -- 1 2 3
@@ -17,14 +18,16 @@ for change in "$@"; do
     files=catalog/planned/m$change-$kind
     : >"$work/new"
     for range in '3..12 5..160' '13..40 15..160'; do
-      "$program" table --k "${range% *}" --v "${range#* }" --change "$change" "--$kind" --anew --format catalog -o "$work/table"
+      "$program" table --k "${range% *}" --v "${range#* }" --change "$change" "--$kind" --anew \
+        --format catalog -o "$work/table"
       for from in 03 08 13 20 27 34; do
         file=$files-k$from.jsonl
         [[ -e $file ]] || head -n 1 "$work/table" | sed 's/,"command":.*/}}/' >"$file"
       done
       tail -n +2 "$work/table" >>"$work/new"
     done
-    # The fewest blocks of each cell, by labels v.k.m.kind.b.digits; lines that are news are appended.
+    # The fewest blocks of each cell, by labels v.k.m.kind.b.digits; lines that are news are
+    # appended.
     cat catalog/written/m"$change-$kind".jsonl "$files"-k*.jsonl |
       awk -v lines="$work/new" -v files="$files" '
         function look(line) {

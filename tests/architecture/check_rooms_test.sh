@@ -14,7 +14,8 @@ check_with() {
   mkdir -p "$tree"/include/changeover/{core,io} "$tree"/src/{core,io} "$tree/apps/checkdesign"
   echo '#include <vector>' >"$tree/include/changeover/core/block.hpp"
   echo '#include "changeover/core/block.hpp"' >"$tree/include/changeover/io/text.hpp"
-  printf '#include "changeover/%s.hpp"\n' core/block io/text >"$tree/include/changeover/changeover.hpp"
+  printf '#include "changeover/%s.hpp"\n' core/block io/text \
+    >"$tree/include/changeover/changeover.hpp"
   touch "$tree/src/io/rows.hpp"
   echo '#include "changeover/core/block.hpp"' >"$tree/src/io/text.cpp"
   echo '#include <fmt/format.h>' >"$tree/src/core/block.cpp"
@@ -32,7 +33,8 @@ must_fail() {
     echo "wrongly accepted: $1 with $2"
     exit 1
   fi
-  [[ $(wc -l <"$work/output") -eq 1 ]] || { echo "expected one fault:"; cat "$work/output"; exit 1; }
+  [[ $(wc -l <"$work/output") -eq 1 ]] ||
+    { echo "expected one fault:"; cat "$work/output"; exit 1; }
 }
 
 must_pass src/io/more.cpp '#include "changeover/core/design.hpp"'

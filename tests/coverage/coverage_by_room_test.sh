@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# coverage_by_room_test.sh SCRIPT: the demand passes rooms that meet it and fails each that does not, or is not there.
+# coverage_by_room_test.sh SCRIPT: the demand passes rooms that meet it and fails each that does
+# not, or is not there.
 set -euo pipefail
 
 script=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 table=$work/files.csv
-printf '%s\n' 'filename,line_total,line_covered' 'src/core/a.cpp,80,71' 'include/changeover/core/a.hpp,20,19' \
+printf '%s\n' 'filename,line_total,line_covered' 'src/core/a.cpp,80,71' \
+  'include/changeover/core/a.hpp,20,19' \
   'src/io/b.cpp,100,89' 'apps/changeover/main.cpp,10,0' >"$table"
 
 # expect CODE PATTERN ARGUMENTS...

@@ -2,12 +2,12 @@
 # check_examples.sh ROOT
 # Fails with one line for each example of a public header that no test runs as it stands there.
 #
-# An example is a run of comment lines that begin with five blanks, unless they go on with an item of a
-# list, whose text begins with two to four. The examples of a room's headers, in the order of the
-# headers' names, are demanded in tests/examples/ROOM_examples_test.cpp (those of a C header in
-# ROOM_c_example.c): each statement, whatever its white space and without its comments, after the one
-# before it. A statement may stand inside of a check, and checks between statements. Every public
-# header has an example, and none leaves anything open with an ellipsis.
+# An example is a run of comment lines that begin with five blanks, unless they go on with an item
+# of a list, whose text begins with two to four. The examples of a room's headers, in the order of
+# the headers' names, are demanded in tests/examples/ROOM_examples_test.cpp (those of a C header in
+# ROOM_c_example.c): each statement, whatever its white space and without its comments, after the
+# one before it. A statement may stand inside of a check, and checks between statements. Every
+# public header has an example, and none leaves anything open with an ellipsis.
 set -euo pipefail
 
 cd "$1"

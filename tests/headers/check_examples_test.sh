@@ -64,7 +64,8 @@ must_fail() {
     echo "wrongly accepted: $*"
     exit 1
   fi
-  [[ $(wc -l <"$work/output") -eq 1 ]] || { echo "expected one fault:"; cat "$work/output"; exit 1; }
+  [[ $(wc -l <"$work/output") -eq 1 ]] ||
+    { echo "expected one fault:"; cat "$work/output"; exit 1; }
 }
 
 program=tests/examples/core_examples_test.cpp

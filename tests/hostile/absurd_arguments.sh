@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Absurd values for every argument and every option of every verb, as the program describes them itself:
-# numbers at the edges of every type, what is no number, text that a terminal would obey, paths to what is
-# no file. Each ends in time with a documented exit code, never 5, says one clean line if it refuses,
-# and leaves nothing in the folder but what it was told to write.
+# Absurd values for every argument and every option of every verb, as the program describes them
+# itself: numbers at the edges of every type, what is no number, text that a terminal would obey,
+# paths to what is no file. Each ends in time with a documented exit code, never 5, says one clean
+# line if it refuses, and leaves nothing in the folder but what it was told to write.
 #
-# A round is one attack in 200 of all; with 200 rounds every value meets every option in every setting.
+# A round is one attack in 200 of all; with 200 rounds every value meets every option in every
+# setting.
 # shellcheck source=support/attack.sh
 source "$(dirname "$0")/support/attack.sh"
 CHANGEOVER=$(program CHANGEOVER) || exit
@@ -14,8 +15,8 @@ description=$scratch/tools/description
 "$CHANGEOVER" describe --format text >"$description" ||
   { fault "changeover describe --format text: exit code $?" && finish; }
 
-# Good command lines of each verb, to which a wrong word is added. A verb that is not here is attacked with
-# plausible arguments by their kind.
+# Good command lines of each verb, to which a wrong word is added. A verb that is not here is
+# attacked with plausible arguments by their kind.
 declare -A settings=(
   [design]='9 5|105 9 --circular|7 3 -m 1'
   [verify]='good.txt|good.json|good.csv'
@@ -45,10 +46,13 @@ values=(
   0 1 -1 2 3 7 64 65 1000 65534 65535 65536 1000000 2147483647 2147483648 4294967295 4294967296
   1e9 1000000000 9223372036854775807 9223372036854775808 18446744073709551614 18446744073709551615
   18446744073709551616 1000000000000000000000000000000 0x10 010 +5 1.5 -0 1e308 1e-308 NaN inf -inf
-  '' ' ' x - -- --x '7 ' ' 7' 7,7 1,2,3 ,,, 3.. ..3 9..3 3..18446744073709551615 ..65536 1s 1e9h 99999999d
-  9999999999G 1K "$long" "x$long" $'\e[2J\e]0;x\a' $'\r' $'\x7f' $'\xc2\x9b31m' $'\xff\xfe' $'a\xc3' $'x\ny'
+  '' ' ' x - -- --x '7 ' ' 7' 7,7 1,2,3 ,,, 3.. ..3 9..3 3..18446744073709551615 ..65536 1s 1e9h \
+    99999999d
+  9999999999G 1K "$long" "x$long" $'\e[2J\e]0;x\a' $'\r' $'\x7f' $'\xc2\x9b31m' $'\xff\xfe' \
+    $'a\xc3' $'x\ny'
   $'\xe2\x80\xae' '%s%n' '$(id)' '=1+1'
-  missing missing/file . / /dev/null /dev/zero /dev/full /dev/stdin loop folder closed good.txt empty
+  missing missing/file . / /dev/null /dev/zero /dev/full /dev/stdin loop folder closed good.txt \
+    empty
   precious/ ../ground/good.txt
 )
 
@@ -87,8 +91,8 @@ restore() {
   prepare
 }
 
-# Words after -o, --output, --proof, --checkpoint, --resume, --data, --figures, --export and --into may
-# appear or change.
+# Words after -o, --output, --proof, --checkpoint, --resume, --data, --figures, --export and --into
+# may appear or change.
 named() {
   local wanted=$1 previous='' word
   shift
@@ -110,7 +114,8 @@ attack() { # the verb and its words
   if [[ $1 != serve && ("$* " == *" --time 100ms "* || " $* " != *' --time '*) ]]; then
     run 10 "$CHANGEOVER" "$@"
   else # A server never ends, others may have been given much time: they are asked to stop.
-    { timeout --preserve-status -s INT -k $((8 * slower)) 2 "$CHANGEOVER" "$@" >"$out" 2>"$err" </dev/null; } 2>/dev/null
+    { timeout --preserve-status -s INT -k $((8 * slower)) 2 "$CHANGEOVER" "$@" >"$out" 2>"$err" \
+      </dev/null; } 2>/dev/null
     code=$?
     heard
     # On a busy machine the signal may come before the program waits for it.
@@ -204,7 +209,8 @@ for verb in "${verbs[@]}"; do
     for option in ${options[$verb]}; do
       [[ $option != --help && $option != -h ]] || continue
       brief=("${limits[@]}")
-      [[ $option == --time ]] || ! has_option "$verb" --time || [[ $verb == minima ]] || brief+=(--time 100ms)
+      [[ $option == --time ]] || ! has_option "$verb" --time || [[ $verb == minima ]] ||
+        brief+=(--time 100ms)
       if [[ ${kinds[$verb $option]} == flag ]]; then
         ! due || attack "$verb" "${words[@]}" "$option" "${brief[@]}"
         continue

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Three judges of the same lists: verify, checkdesign, and the definition itself in awk, below. Random
-# lists, walks that keep to the change number, and designs with small damages: strength 1 to 4 where all know
-# it, changes of 0 to more than k, blocks of one element, one block, elements in every block.
-# They agree on the verdict, on exit codes, and on all that is counted.
+# Three judges of the same lists: verify, checkdesign, and the definition itself in awk, below.
+# Random lists, walks that keep to the change number, and designs with small damages: strength 1 to
+# 4 where all know it, changes of 0 to more than k, blocks of one element, one block, elements in
+# every block. They agree on the verdict, on exit codes, and on all that is counted.
 #
 # A round is a hundred lists.
 # shellcheck source=support/attack.sh
@@ -154,7 +154,8 @@ compare() { # FOLDER
     "$CHECKDESIGN" "$file" >"$out" 2>"$scratch/said/other"
     other=$?
     if [[ $code != "$other" ]]; then
-      fault "list ${name} of seed $seed: verify ends with $code, checkdesign with $other: $(tr '\n' '/' <"$file")"
+      fault "list ${name} of seed $seed: verify ends with $code, checkdesign with $other: $(tr \
+        '\n' '/' <"$file")"
       continue
     fi
     if ((code > 1)); then # Parameters that both refuse, such as a change of more than k.

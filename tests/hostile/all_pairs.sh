@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Attacks on the example all_pairs, $1 or $ALL_PAIRS: whatever happens to it and its files, a run that says 0 must
-# have the right results, and what is refused must have changed nothing. Works in the current folder.
-# KILLS says how often a run is killed, MUTATIONS how many changed journals are tried.
+# Attacks on the example all_pairs, $1 or $ALL_PAIRS: whatever happens to it and its files, a run
+# that says 0 must have the right results, and what is refused must have changed nothing. Works in
+# the current folder. KILLS says how often a run is killed, MUTATIONS how many changed journals are
+# tried.
 set -u
 all_pairs=${1:-${ALL_PAIRS:-}}
 if [ -z "$all_pairs" ] || [ ! -x "$all_pairs" ]; then
@@ -41,7 +42,8 @@ is_refused_unharmed() { is_refused "$1" && cmp -s v.gram right.gram; }
 flip() { # file offset
   local byte
   byte=$(od -An -tu1 -j "$2" -N 1 "$1")
-  printf "%b" "\\x$(printf %02x $((byte ^ 16)))" | dd of="$1" bs=1 seek="$2" conv=notrunc status=none
+  printf "%b" "\\x$(printf %02x $((byte ^ 16)))" |
+    dd of="$1" bs=1 seek="$2" conv=notrunc status=none
 }
 
 "$all_pairs" make v 60 300 || exit 1
@@ -113,12 +115,14 @@ for ((i = 0; i < mutations; ++i)); do
   to=$((2 + RANDOM % (lines - 1)))
   case $((i % 8)) in
     0) sed "${at}d" right.journal >j ;;
-    1) awk -v a=$at -v b=$to 'NR==FNR{l[NR]=$0;next}{print FNR==a?l[b]:FNR==b?l[a]:$0}' right.journal right.journal >j ;;
+    1) awk -v a=$at -v b=$to 'NR==FNR{l[NR]=$0;next}{print FNR==a?l[b]:FNR==b?l[a]:$0}' \
+      right.journal right.journal >j ;;
     2) cp right.journal j && flip j $((RANDOM * 3 % $(stat -c %s j))) ;;
     3) head -c $((RANDOM * 3 % $(stat -c %s right.journal))) right.journal >j ;;
     4) { head -n $at right.journal; tail -n +$((at + 1)) other; } >j ;;
     5) sed "${at}s/ [0-9a-f]\{64\} / $(printf %064d $i) /" right.journal >j ;;
-    6) { cat right.journal; sed -n "${at}p" right.journal; echo "step 1 - $(printf %032d $i)"; } >j ;;
+    6) { cat right.journal; sed -n "${at}p" right.journal; echo "step 1 - $(printf %032d $i)"; } \
+      >j ;;
     7) { head -n 1 right.journal; seq -f "step %g" $((lines - 1)); } >j ;;
   esac
   cp j forged
@@ -274,8 +278,10 @@ for words in "make m $huge $huge" "make m $huge 1" "make m 1 $huge" "make m 4611
   attack "$words: the old file" cmp -s m v.kept
 done
 cp right.gram v.gram
-for words in "--threads 0" "--threads $huge" "--threads 4294967297" "--threads 1000000" "--readers 0" \
-  "--readers $huge" "--readers 1000000" "--chunk 0" "--chunk $huge" "--memory 0" "--memory 18446744073709551616"; do
+for words in "--threads 0" "--threads $huge" "--threads 4294967297" "--threads 1000000" \
+  "--readers 0" \
+  "--readers $huge" "--readers 1000000" "--chunk 0" "--chunk $huge" "--memory 0" \
+  "--memory 18446744073709551616"; do
   run $words
   attack "$words" [ "$code" = 2 -o "$code" = 3 -o "$code" = 4 ]
   attack "$words: one line" is_refused_unharmed "$code"

@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# A catalog of one's own whose writers are killed at random moments, write at once, or find the disk full: it opens and is whole
-# afterwards, what was said to be added is there, what was not is there whole or not at all, and nothing is there in parts.
+# A catalog of one's own whose writers are killed at random moments, write at once, or find the disk
+# full: it opens and is whole afterwards, what was said to be added is there, what was not is there
+# whole or not at all, and nothing is there in parts.
 #
-# `catalog add` of a design that is there checks the whole file (SQLite's quick_check) before it answers.
+# `catalog add` of a design that is there checks the whole file (SQLite's quick_check) before it
+# answers.
 # shellcheck source=support/attack.sh
 source "$(dirname "$0")/support/attack.sh"
 CHANGEOVER=$(program CHANGEOVER) || exit
@@ -37,7 +39,8 @@ add() { # CATALOG FILE…
   "$CHANGEOVER" catalog add "${@:2}" --even-isomorphic --catalog "$1"
 }
 labels_in() { # CATALOG
-  "$CHANGEOVER" catalog list --users --all --format csv --catalog "$1" 2>"$err" | tail -n +2 | cut -d, -f1 | sort
+  "$CHANGEOVER" catalog list --users --all --format csv --catalog "$1" 2>"$err" | tail -n +2 |
+    cut -d, -f1 | sort
 }
 # The labels that an answer says are there.
 said_in() { # FILE
@@ -55,7 +58,8 @@ whole() {
 
 # Everything that is added at once, for import; the labels of it.
 # shellcheck disable=SC2046 # numbers
-add all.db $(seq -f "$designs/%g" 1 200) >"$scratch/tools/answer" || fault "designs cannot be added: $(cat "$scratch/tools/answer")"
+add all.db $(seq -f "$designs/%g" 1 200) >"$scratch/tools/answer" ||
+  fault "designs cannot be added: $(cat "$scratch/tools/answer")"
 "$CHANGEOVER" catalog export --users --catalog all.db -o all.jsonl
 labels_in all.db >"$scratch/tools/all"
 count=$(wc -l <"$scratch/tools/all")
@@ -75,11 +79,13 @@ for ((i = 1; i <= kills; ++i)); do
     tried="catalog import all.jsonl, killed after $pause s"
     rm -f import.db import.db-wal import.db-shm
     [[ $((i % 2)) == 0 ]] || add import.db "$known" >/dev/null
-    "$CHANGEOVER" catalog import all.jsonl --quiet --catalog import.db >"$answer" 2>/dev/null </dev/null &
+    "$CHANGEOVER" catalog import all.jsonl --quiet --catalog import.db >"$answer" 2>/dev/null \
+      </dev/null &
   else
     tried="catalog add of two designs, killed after $pause s"
     # Not by the function: the shell that runs it would be killed, and the program go on.
-    "$CHANGEOVER" catalog add "$designs/$at" "$designs/$((at + 1))" --even-isomorphic --catalog own.db \
+    "$CHANGEOVER" catalog add "$designs/$at" "$designs/$((at + 1))" --even-isomorphic --catalog \
+      own.db \
       >"$answer" 2>/dev/null </dev/null &
   fi
   process=$!
@@ -92,7 +98,9 @@ for ((i = 1; i <= kills; ++i)); do
     there=$(comm -12 "$scratch/tools/all" "$scratch/tools/there" | wc -l)
     ((there == 0 || there == count)) || fault "$tried: $there of $count designs are there"
     if grep -q '^added' "$answer" && ((there != count)); then
-      fault "$tried: it said \"$(head -1 "$answer")\", and $there of $count are there; the list has $(wc -l <"$scratch/tools/there") lines"
+      fault "$tried: it said \"$(head -1 \
+        "$answer")\", and $there of $count are there; the list has $(wc -l \
+        <"$scratch/tools/there") lines"
     fi
   else
     said_in "$answer" >>"$scratch/tools/said_added"

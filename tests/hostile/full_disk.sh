@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Results, checkpoints, proofs and temporaries on a disk that is full, becomes full or goes away while a
-# search runs, and under a limit on the size of files: exit code 4 with one line that says so, the old file
-# intact, nothing half-written left, and what was searched for is never lost: it is in the current folder
-# or on standard output.
+# Results, checkpoints, proofs and temporaries on a disk that is full, becomes full or goes away
+# while a search runs, and under a limit on the size of files: exit code 4 with one line that says
+# so, the old file intact, nothing half-written left, and what was searched for is never lost: it is
+# in the current folder or on standard output.
 #
 # The full disk is a small tmpfs, which needs root; without, the limits on sizes (ulimit -f) remain.
 # shellcheck source=support/attack.sh
@@ -38,7 +38,8 @@ delivered() {
   local name
   whole_design "$out" && return 0
   while IFS= read -r name; do
-    [[ ! -f $name || $name == blocks.txt || $name == part.txt ]] || { whole_design "$name" && return 0; }
+    [[ ! -f $name || $name == blocks.txt || $name == part.txt ]] || { whole_design "$name" &&
+      return 0; }
   done < <(names_here)
   return 1
 }
@@ -54,7 +55,9 @@ refused() { # what was tried
 nothing_left() { # what was tried, folders
   local left
   left=$(temporaries_in "${@:2}" "$TMPDIR" -mindepth 1)
-  [[ -z $left ]] || { fault "$1: left ${left//$'\n'/ }"; find "${@:2}" "$TMPDIR" -mindepth 1 -name '.*.tmp' -delete; }
+  [[ -z $left ]] ||
+    { fault "$1: left ${left//$'\n'/ }"; find "${@:2}" "$TMPDIR" -mindepth 1 -name '.*.tmp' \
+    -delete; }
 }
 
 clear_folder() {
@@ -62,7 +65,8 @@ clear_folder() {
 }
 
 writers=(
-  'design 253 13 --json' 'design 61 4 --format svg' 'table --k 3..8 --v 5..60 --json' 'paper --format json'
+  'design 253 13 --json' 'design 61 4 --format svg' 'table --k 3..8 --v 5..60 --json' \
+    'paper --format json'
   'loadorder --items 200 --room 20 --json' 'factorize 120'
   'plan --items 20 --at-once 4 --test-cost 1 --change-cost 1 --time 200ms --format html'
   'classify 9 4 15 -m 1 --time 500ms --designs --json'
@@ -115,7 +119,8 @@ clear_folder
 attacks=$((attacks + 2))
 start 1 "search 41 6 $time --checkpoint state --format text"
 await
-documented "$code" || fault "ulimit -f 1; changeover search 41 6 --checkpoint state: exit code $code ${said:0:200}"
+documented "$code" ||
+  fault "ulimit -f 1; changeover search 41 6 --checkpoint state: exit code $code ${said:0:200}"
 delivered || fault "ulimit -f 1; changeover search 41 6 --checkpoint state: the design was lost"
 nothing_left "ulimit -f 1; changeover search 41 6 --checkpoint state" .
 start 1 'search 13 6 --linear --exact --proof proofs --time 3s --format text'
@@ -187,7 +192,8 @@ for ((round = 0; round < rounds; ++round)); do
       fi
       await
       tried="changeover $command -o disk/folder/old, the disk $how"
-      [[ $how != vanishes ]] || tried="changeover $command -o disk/folder/old, the folder is removed"
+      [[ $how != vanishes ]] ||
+        tried="changeover $command -o disk/folder/old, the folder is removed"
       refused "$tried"
       [[ $how == vanishes ]] || cmp -s "$disk/folder/old" "$scratch/tools/old" ||
         fault "$tried: the old file was lost"
@@ -233,7 +239,8 @@ for ((round = 0; round < rounds; ++round)); do
       tried="changeover search 11 4 -m 1 --exact $option -o x.txt, the disk of its ${place}s $how"
       documented "$code" || fault "$tried: exit code $code ${said:0:200}"
       [[ $code != 4 || $said == *changeover:\ * ]] || fault "$tried: exit code 4 without a word"
-      [[ $code != 20 && $code != 10 ]] || [[ -s x.txt ]] || fault "$tried: exit code $code without a result"
+      [[ $code != 20 && $code != 10 ]] || [[ -s x.txt ]] ||
+        fault "$tried: exit code $code without a result"
       nothing_left "$tried" . "$disk"
       [[ $place != proof ]] || [[ -z $(find "$disk/proofs" -type f -empty) ]] ||
         fault "$tried: an empty proof is left"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Searches, tables and plans are killed, interrupted, terminated and hung up at random moments while they
-# have an older file to replace: it is the old one or the new one, whole, whatever happens; but for kill -9
-# nothing is left beside it; a search that is asked to stop does so in time and delivers what it has; and
-# after kill -9 the next run goes on from what was kept.
+# Searches, tables and plans are killed, interrupted, terminated and hung up at random moments while
+# they have an older file to replace: it is the old one or the new one, whole, whatever happens; but
+# for kill -9 nothing is left beside it; a search that is asked to stop does so in time and delivers
+# what it has; and after kill -9 the next run goes on from what was kept.
 #
 # A round kills each job once; the signals take turns.
 # shellcheck source=support/attack.sh
@@ -90,7 +90,8 @@ for ((round = 0; round < rounds; ++round)); do
     # What was kept serves the next run.
     if [[ $command == *--checkpoint* && -e state ]]; then
       run 15 "$CHANGEOVER" search 24 5 --checkpoint state --time 200ms --format text -o next
-      [[ $code == 10 || $code == 30 ]] || fault "$tried, then --checkpoint again: exit code $code ${said:0:200}"
+      [[ $code == 10 || $code == 30 ]] ||
+        fault "$tried, then --checkpoint again: exit code $code ${said:0:200}"
       whole_design next || fault "$tried, then --checkpoint again: no design"
       ((RANDOM % 4 > 0)) || rm -f state
     elif [[ $command == *--proof* ]]; then

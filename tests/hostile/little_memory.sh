@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
-# Every verb with less and less memory, and searches with room for some of their threads only: they get
-# through, or say in one line that memory or threads are missing and end with exit code 4. Files stay whole.
+# Every verb with less and less memory, and searches with room for some of their threads only: they
+# get through, or say in one line that memory or threads are missing and end with exit code 4. Files
+# stay whole.
 #
 # A round is a limit for every command; the limits get closer with more rounds.
 # shellcheck source=support/attack.sh
 source "$(dirname "$0")/support/attack.sh"
 CHANGEOVER=$(program CHANGEOVER) || exit
 CHECKDESIGN=$(program CHECKDESIGN) || exit
-[[ -z ${HOSTILE_SANITIZED:-} ]] || skip 'the sanitizers need more address space than there is memory'
+[[ -z ${HOSTILE_SANITIZED:-} ]] ||
+  skip 'the sanitizers need more address space than there is memory'
 
 "$CHANGEOVER" design 253 13 --format text >large.txt || skip 'changeover design does not work'
 "$CHANGEOVER" design 24 5 --format text --linear >part.txt
@@ -36,16 +38,22 @@ is_whole_answer() { # FILE
 }
 
 commands=(
-  'design 1001 10 --format text' 'design 253 13 --json' 'design 61 4 --format svg' 'verify large.txt --json'
+  'design 1001 10 --format text' 'design 253 13 --json' 'design 61 4 --format svg' \
+    'verify large.txt --json'
   'verify large.txt -t 3' 'bounds 2000 40' 'explain 900 7' 'table --k 3..9 --v 5..60 --json'
   'search 41 6 --time 200ms --format text' 'search 41 6 --time 200ms --threads 64 --format text'
-  'search 30 5 --exact --time 300ms --threads 8 --format text' 'search 13 6 --linear --exact --proof proofs --time 1s'
-  'search 40 5 --base-blocks --time 200ms --threads 32 --format text' 'search --order part.txt --time 200ms --threads 16'
-  'search --extend part.txt --time 200ms --threads 16 --format text' 'search 24 5 --checkpoint state --time 200ms'
+  'search 30 5 --exact --time 300ms --threads 8 --format text' \
+    'search 13 6 --linear --exact --proof proofs --time 1s'
+  'search 40 5 --base-blocks --time 200ms --threads 32 --format text' \
+    'search --order part.txt --time 200ms --threads 16'
+  'search --extend part.txt --time 200ms --threads 16 --format text' \
+    'search 24 5 --checkpoint state --time 200ms'
   'classify 9 4 12 -m 1 --circular --threads 16' 'same large.txt large.txt' 'expand part.txt -w 0'
   'plan --items 40 --at-once 6 --test-cost 1 --change-cost 1 --time 200ms --threads 32 --json'
-  'plan parts.csv -k 3 --test-cost 1 --time 100ms --what-if' 'loadorder --items 2000 --room 20 --json'
-  'loadorder --items 30 --room 6 --time 200ms --threads 32' 'factorize 400' 'constructions' 'paper --format json'
+  'plan parts.csv -k 3 --test-cost 1 --time 100ms --what-if' \
+    'loadorder --items 2000 --room 20 --json'
+  'loadorder --items 30 --room 6 --time 200ms --threads 32' 'factorize 400' 'constructions' \
+    'paper --format json'
 )
 step=$((40000 / (rounds + 1)))
 ((step >= 500)) || step=500
@@ -57,7 +65,8 @@ for ((beyond = 1500; beyond < 1500 + rounds * step; beyond += step)); do
     extra=$((rounds > 1 ? beyond : beyond + attacks * 7919 % 50000))
     # shellcheck disable=SC2086 # the words of the command
     {
-      (ulimit -v $((least + extra)) && exec timeout -s KILL 30 "$CHANGEOVER" $command -o old >"$out" 2>"$err" </dev/null)
+      (ulimit -v $((least + extra)) &&
+        exec timeout -s KILL 30 "$CHANGEOVER" $command -o old >"$out" 2>"$err" </dev/null)
       code=$?
     } 2>/dev/null
     heard
@@ -76,9 +85,11 @@ for ((beyond = 1500; beyond < 1500 + rounds * step; beyond += step)); do
   done
   for file in large.txt part.txt; do
     attacks=$((attacks + 1))
-    { (ulimit -v $((checker_least + beyond)) && exec "$CHECKDESIGN" $file >"$out" 2>"$err"); code=$?; } 2>/dev/null
+    { (ulimit -v $((checker_least + beyond)) &&
+      exec "$CHECKDESIGN" $file >"$out" 2>"$err"); code=$?; } 2>/dev/null
     [[ $code == 0 || $code == 4 || $code == 127 ]] ||
-      fault "ulimit -v $((checker_least + beyond)); checkdesign $file: exit code $code $(head -c 200 "$err")"
+      fault "ulimit -v $((checker_least + beyond)); checkdesign $file: exit code $code $(head -c \
+      200 "$err")"
   done
 done
 finish

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Damaged files of every kind that the program reads, through every verb that reads them: a documented exit
-# code in time, one clean line, no file changed but what was named. A checkpoint with a right checksum and
-# wrong contents is either refused or leads to a design that is verified.
+# Damaged files of every kind that the program reads, through every verb that reads them: a
+# documented exit code in time, one clean line, no file changed but what was named. A checkpoint
+# with a right checksum and wrong contents is either refused or leads to a design that is verified.
 #
 # A round is some 250 attacks.
 # shellcheck source=support/attack.sh
@@ -45,7 +45,8 @@ attack() {
   fi
 }
 
-"$CHANGEOVER" design 9 4 --circular --format text >good.txt || skip 'changeover design does not work'
+"$CHANGEOVER" design 9 4 --circular --format text >good.txt ||
+  skip 'changeover design does not work'
 "$CHANGEOVER" design 9 4 --format json >good.json
 "$CHANGEOVER" design 7 3 --format csv >good.csv
 "$CHANGEOVER" design 12 4 -m 1 --linear --format text >single.txt
@@ -91,7 +92,8 @@ for ((round = 0; round < rounds; ++round)); do
       [[ $code == [0-4] ]] ||
         fault "checkdesign ${origin##*/}, mutant ${file##*/} of seed $seed: exit code $code"
       ! unclean "$said" ||
-        fault "checkdesign ${origin##*/}, mutant ${file##*/} of seed $seed: raw bytes: $(quoted "$said")"
+        fault "checkdesign ${origin##*/}, mutant ${file##*/} of seed $seed: raw bytes: $(quoted \
+        "$said")"
     done
   done
   for entry in "${planners[@]}"; do

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The scripts of the tree with words that they do not know: one line, exit code 2, and nothing is begun.
+# The scripts of the tree with words that they do not know: one line, exit code 2, and nothing is
+# begun.
 tree=$(realpath -- "$(dirname "$0")/../..")
 # shellcheck source=support/attack.sh
 source "$(dirname "$0")/support/attack.sh"
@@ -10,7 +11,8 @@ refused() { # COMMAND...
   attacks=$((attacks + 1))
   said=$("$@" 2>&1)
   code=$?
-  [[ $code == 2 && -n $said && $said != *$'\n'* ]] || fault "$*: exit code $code, $(head -c 300 <<<"$said")"
+  [[ $code == 2 && -n $said && $said != *$'\n'* ]] ||
+    fault "$*: exit code $code, $(head -c 300 <<<"$said")"
 }
 
 for word in nonsense '' 'slow address' ../fuzz/read $'a\nb'; do

@@ -1,11 +1,14 @@
 #!/usr/bin/env bash
-# A folder of state that lives on while one verb after another works in it and is killed, interrupted, terminated or left alone: searches
-# with checkpoints and proofs, run sheets, tables, designs, a catalog that is added to, imported into, improved, exported and verified, jobs
-# of all pairs with a journal, a server that keeps designs. After each end: every file that nobody was writing is as it was, what was
-# written is whole, what was acknowledged is there, the database holds, the next run goes on from what is kept, and what kills leave
-# behind does not grow without bound.
+# A folder of state that lives on while one verb after another works in it and is killed,
+# interrupted, terminated or left alone: searches with checkpoints and proofs, run sheets, tables,
+# designs, a catalog that is added to, imported into, improved, exported and verified, jobs of all
+# pairs with a journal, a server that keeps designs. After each end: every file that nobody was
+# writing is as it was, what was written is whole, what was acknowledged is there, the database
+# holds, the next run goes on from what is kept, and what kills leave behind does not grow without
+# bound.
 #
-# Two verbs run at a time. SOAK_SECONDS says how long (default 20, and three minutes for each further round).
+# Two verbs run at a time. SOAK_SECONDS says how long (default 20, and three minutes for each
+# further round).
 # shellcheck source=support/attack.sh
 # shellcheck disable=SC2317 # what is called by a name that is put together
 source "$(dirname "$0")/support/attack.sh"
@@ -18,9 +21,10 @@ tools=$scratch/tools
 mkdir "$tools/designs" "$tools/sums" "$tools/best"
 : >"$tools/acknowledged"
 
-# ---------------------------------------------------------------------------------------------- what the verbs work on
+# ---------------------------------------------------------------------------- what the verbs work o
 
-# A design under other names of its elements, and as far as it likes beyond its end, so that there is always another one to add.
+# A design under other names of its elements, and as far as it likes beyond its end, so that there
+# is always another one to add.
 "$CHANGEOVER" design 8 4 --change 1 --linear --format text | grep -v '^#' >"$tools/blocks"
 another_design() { # FILE
   awk -v seed="$((RANDOM * 32768 + RANDOM))" '
@@ -50,7 +54,7 @@ if [[ -n $ALL_PAIRS ]]; then
   mv data.dist "$tools/right.dist"
 fi
 
-# --------------------------------------------------------------------------------------------------------- what holds
+# ---------------------------------------------------------------------------------------- what hold
 
 # The last word on each file: its name, and its checksum when nobody was writing to it.
 remember() { # FILE...
@@ -117,9 +121,9 @@ keeps_the_best() {
   printf '%s' "$found" >"$best"
 }
 
-# ---------------------------------------------------------------------------------------------------------- the verbs
-# Each kind has words_KIND, which sets `words` (the command) and `files` (what it may change, in the folder of state), and
-# judge_KIND TRIED, which looks at what it left.
+# ----------------------------------------------------------------------------------------- the verb
+# Each kind has words_KIND, which sets `words` (the command) and `files` (what it may change, in the
+# folder of state), and judge_KIND TRIED, which looks at what it left.
 
 cells=('20 5' '24 6' '15 4' '30 6' '18 5 --circular')
 words_search() {
@@ -299,7 +303,7 @@ visit_server() {
 }
 judge_serve() { :; }
 
-# ----------------------------------------------------------------------------------------------------------- the soak
+# ------------------------------------------------------------------------------------------ the soa
 
 kinds=(search search exact design table plan orders classify minima add add import improve export verify serve)
 [[ -z $ALL_PAIRS ]] || kinds+=(pairs)
@@ -368,7 +372,8 @@ end() { # SLOT: by a signal, or of itself
   ((attacks % 8 != 0)) || the_catalog_is_right "$tried"
 }
 
-# A temporary file of each name at most, which the next process that writes that name takes away; a proof for each question; nothing more.
+# A temporary file of each name at most, which the next process that writes that name takes away; a
+# proof for each question; nothing more.
 nothing_piles_up() {
   local left
   left=$(temporaries_in . | wc -l)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Stop means stop: --time and the first Ctrl-C end the largest questions within seconds, wherever they are
-# (building a formula, a table, a known design), with a documented exit code; and memory stays within
-# what --memory says, or the program declines in one line with exit code 4.
+# Stop means stop: --time and the first Ctrl-C end the largest questions within seconds, wherever
+# they are (building a formula, a table, a known design), with a documented exit code; and memory
+# stays within what --memory says, or the program declines in one line with exit code 4.
 #
 # The limits here leave room for a busy machine: what is meant is a second or two.
 # shellcheck source=support/attack.sh
@@ -10,18 +10,22 @@ CHANGEOVER=$(program CHANGEOVER) || exit
 patience=$((8 * slower))
 limit_memory 12000000
 
-# "time": with --time; "ask": with an interrupt; both for the others. A star: in the quick round too.
+# "time": with --time; "ask": with an interrupt; both for the others. A star: in the quick round
+# too.
 questions=(
   '*both|search 60 5 --exact' 'both|search 100 4 --exact' '*both|search 65535 4 --exact'
-  '*time|search 10 4 -b 65536 --exact' '*both|search --order long.txt' 'both|search --order long.txt -m 2'
+  '*time|search 10 4 -b 65536 --exact' '*both|search --order long.txt' \
+    'both|search --order long.txt -m 2'
   '*both|search 120 6 -t 4' '*both|search 4000 4' 'both|search 65535 4' 'both|search 3000 5 -m 1'
   '*time|plan --items 9 -k 9223372036854775807 --test-cost 1 --change-cost 1'
   'both|plan --items 3000 -k 12 --test-cost 1 --change-cost 1'
   '*both|plan --model pigeons.txt --test-cost 1 --change-cost 1'
   '*both|classify 40 6' 'both|classify 12 5 19 -m 1' '*both|loadorder --items 3000 --room 12'
   'both|search 200 8 --base-blocks' 'both|search 1001 4 --base-blocks --tight'
-  'both|search --extend part.txt' 'both|search --repair broken.txt' '*ask|table --k 3..60 --v 5..900'
-  '*ask|design 65535 4 --format text -o x.txt' 'ask|design 65535 3 --format text -o x.txt' 'ask|explain 65535 4' 'ask|bounds 65535 4'
+  'both|search --extend part.txt' 'both|search --repair broken.txt' \
+    '*ask|table --k 3..60 --v 5..900'
+  '*ask|design 65535 4 --format text -o x.txt' 'ask|design 65535 3 --format text -o x.txt' \
+    'ask|explain 65535 4' 'ask|bounds 65535 4'
   'ask|expand large.txt --count' 'ask|expand large.txt --partial' 'ask|expand large.txt -w 0'
   'ask|verify long.txt -t 4 -v 600' 'ask|same large.txt large.txt' 'ask|factorize 20000 -o x.txt'
   '*time|minima --v 16' 'ask|minima --v 16 --time 60'
@@ -43,13 +47,14 @@ done >>pigeons.txt
 
 # Verbs that know --memory.
 declare -A has_memory=()
-for verb in search plan classify loadorder minima table design explain bounds expand verify same factorize; do
+for verb in search plan classify loadorder minima table design explain bounds expand verify same \
+  factorize; do
   has_memory[$verb]=no
   ! "$CHANGEOVER" $verb --help | grep -q -e '--memory' || has_memory[$verb]=yes
 done
 
-# ask SECONDS COMMAND: interrupts it after so long (0: never); sets code, took (ms after the limit) and
-# peak (kilobytes).
+# ask SECONDS COMMAND: interrupts it after so long (0: never); sets code, took (ms after the limit)
+# and peak (kilobytes).
 ask() {
   local limit=$1 began now line
   shift
@@ -110,7 +115,8 @@ for question in "${questions[@]}"; do
     fi
     # A question that is not understood is no attack.
     [[ $code != 2 || ${words[0]} == plan ]] || fault "$tried: exit code 2: ${said:0:200}"
-    ((code != 4)) || [[ $said == changeover:\ * ]] || [[ -s $out ]] || fault "$tried: exit code 4 without a word"
+    ((code != 4)) || [[ $said == changeover:\ * ]] || [[ -s $out ]] ||
+      fault "$tried: exit code 4 without a word"
     # A third more for what no count of large tables sees.
     if [[ ${has_memory[${words[0]}]} == yes && -z ${HOSTILE_SANITIZED:-} ]]; then
       ((peak <= 800000)) || fault "$tried: $((peak / 1000)) MB"
@@ -118,7 +124,8 @@ for question in "${questions[@]}"; do
       ((peak <= 4000000)) || fault "$tried: $((peak / 1000)) MB"
     fi
     [[ -z $(temporaries_in .) ]] || { fault "$tried: left $(temporaries_in .)"; rm -f .*.tmp; }
-    printf '%6d ms over, %5d MB, exit code %3d: %s\n' $((took > 0 ? took : 0)) $((peak / 1000)) "$code" "$tried"
+    printf '%6d ms over, %5d MB, exit code %3d: %s\n' $((took > 0 ? took : 0)) $((peak / 1000)) \
+      "$code" "$tried"
   done
 done
 [[ ${has_memory[search]} == yes ]] || fault 'changeover search has no --memory'

@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
-# Standard streams that are closed, full, a pipe whose reader left, or a terminal that vanished, for every
-# verb: a documented exit code, no signal, the answer in its file as if nothing had been, and no silence
-# about an answer that could not be written.
+# Standard streams that are closed, full, a pipe whose reader left, or a terminal that vanished, for
+# every verb: a documented exit code, no signal, the answer in its file as if nothing had been, and
+# no silence about an answer that could not be written.
 # shellcheck source=support/attack.sh
 source "$(dirname "$0")/support/attack.sh"
 CHANGEOVER=$(program CHANGEOVER) || exit
 CHECKDESIGN=$(program CHECKDESIGN) || exit
 [[ -c /dev/full ]] || skip "there is no /dev/full"
 
-"$CHANGEOVER" design 6 4 --circular --format text >good.txt || skip "changeover design does not work"
+"$CHANGEOVER" design 6 4 --circular --format text >good.txt ||
+  skip "changeover design does not work"
 printf '0 1 3\n1 2 4\n2 3 5\n3 4 6\n4 5 0\n5 6 1\n6 0 2\n' >fano.txt
 printf 'part,change cost\nA,1\nB,2\nC,3\nD,4\nE,5\n' >parts.csv
 printf '# changeover design v=6 k=4 change=2 kind=linear\n0 1 2 3\n4 1 2 3\n4 5 0 1\n' >broken.txt
@@ -20,10 +21,13 @@ commands=(
   'search --order fano.txt --format text' 'search --extend part.txt --time 300ms --format text'
   'search --repair broken.txt --time 300ms --format text' 'search 11 4 --base-blocks --format text'
   'search 30 6 --time 300ms --format text' 'classify 7 3 --json' 'same good.txt good.txt'
-  'table --k 3..4 --v 5..9 --json' 'plan --items 9 --at-once 3 --test-cost 1 --change-cost 5 --time 300ms --json'
+  'table --k 3..4 --v 5..9 --json' \
+    'plan --items 9 --at-once 3 --test-cost 1 --change-cost 5 --time 300ms --json'
   'plan parts.csv -k 3 --test-cost 2 --time 300ms --format csv' 'expand good.txt --format json'
-  'factorize 8' 'constructions --json' 'paper --format markdown' 'loadorder --items 20 --room 5 --json'
-  'loadorder --items 12 --room 4 --time 300ms' 'completion bash' 'manual design' 'describe' '--help' '--version'
+  'factorize 8' 'constructions --json' 'paper --format markdown' \
+    'loadorder --items 20 --room 5 --json'
+  'loadorder --items 12 --room 4 --time 300ms' 'completion bash' 'manual design' 'describe' \
+    '--help' '--version'
   'search --help' 'design 4 2' 'design x' 'verify missing.txt'
 )
 
@@ -56,7 +60,8 @@ for command in "${commands[@]}"; do
   for streams in '>&-' '2>&-' '<&-' '<&- >&- 2>&-' '2>/dev/full' '>/dev/full 2>/dev/full'; do
     with "$streams" "$command"
     complain_unless_documented
-    if [[ $streams == '2>/dev/full' || $streams == '2>&-' || $streams == '<&-' ]] && ((code != usual)); then
+    if [[ $streams == '2>/dev/full' || $streams == '2>&-' || $streams == '<&-' ]] &&
+      ((code != usual)); then
       fault "$tried: exit code $code, but $usual with all streams"
     fi
   done
@@ -86,14 +91,17 @@ for command in "${commands[@]}"; do
   done
 done
 
-# The answer in a file is the same, byte by byte, whatever the streams are: no descriptor is mistaken.
-for command in 'design 13 4 --format text' 'search 9 4 -m 1 --format text' 'table --k 3..4 --v 5..9 --json' \
+# The answer in a file is the same, byte by byte, whatever the streams are: no descriptor is
+# mistaken.
+for command in 'design 13 4 --format text' 'search 9 4 -m 1 --format text' \
+  'table --k 3..4 --v 5..9 --json' \
   'search 8 4 -m 1 --exact --format text' 'loadorder --items 20 --room 5 --json' \
   'plan --items 9 --at-once 3 --test-cost 1 --change-cost 5 --time 200ms --seed 1 --threads 1 --json'; do
   rm -f usual.txt
   with '' "$command -o usual.txt"
   usual=$code
-  for streams in '>&-' '2>&-' '<&-' '<&- >&- 2>&-' '>/dev/full' '2>/dev/full' '>/dev/full 2>/dev/full'; do
+  for streams in '>&-' '2>&-' '<&-' '<&- >&- 2>&-' '>/dev/full' '2>/dev/full' \
+    '>/dev/full 2>/dev/full'; do
     rm -f x.txt
     with "$streams" "$command -o x.txt"
     complain_unless_documented
@@ -124,7 +132,8 @@ whole_design found.txt || fault "$tried: no design in found.txt"
 if ((rounds > 1)); then
   with '2>/dev/full' "search 30 5 --exact --time 12s --format text -o exact.txt"
   ((code == 10 || code == 30)) || fault "$tried: exit code $code"
-  with '2>/dev/full' "plan --items 30 --at-once 5 --test-cost 1 --change-cost 1 --time 12s --json -o plan.json"
+  with '2>/dev/full' \
+    "plan --items 30 --at-once 5 --test-cost 1 --change-cost 1 --time 12s --json -o plan.json"
   [[ $code == 0 && -s plan.json ]] || fault "$tried: exit code $code"
   with '2>/dev/full' "loadorder --items 40 --room 6 --time 12s --json -o order.jsonl"
   [[ ($code == 0 || $code == 30) && -s order.jsonl ]] || fault "$tried: exit code $code"
@@ -135,7 +144,8 @@ for streams in '>/dev/full' '2>/dev/full' '>&-' '<&-'; do
   attacks=$((attacks + 1))
   { eval "\"\$CHECKDESIGN\" good.txt >\"\$out\" $streams"; code=$?; } 2>/dev/null
   documented "$code" || fault "checkdesign good.txt $streams: exit code $code"
-  [[ $streams != '>/dev/full' || $code == 4 ]] || fault "checkdesign good.txt $streams: exit code $code, not 4"
+  [[ $streams != '>/dev/full' || $code == 4 ]] ||
+    fault "checkdesign good.txt $streams: exit code $code, not 4"
 done
 
 # A terminal that vanishes in the middle of a search: its hang-up ignored, as under nohup, and not.
@@ -156,10 +166,12 @@ if ! script -qec true /dev/null >/dev/null 2>&1 </dev/null; then
   printf 'no pseudo-terminal can be opened here: terminals that vanish were left out\n'
 else
   for hangup in ignore obey; do
-    for command in 'search 41 6 --time 2500ms --format text' 'search 30 5 --exact --time 2500ms --format text' \
+    for command in 'search 41 6 --time 2500ms --format text' \
+      'search 30 5 --exact --time 2500ms --format text' \
       'plan --items 30 --at-once 5 --test-cost 1 --change-cost 1 --time 2500ms --json' \
       'loadorder --items 40 --room 6 --time 2500ms --json'; do
-      ((rounds > 1)) || [[ $hangup$command == ignoresearch\ 41* || $hangup$command == obeyplan* ]] || continue
+      ((rounds > 1)) ||
+        [[ $hangup$command == ignoresearch\ 41* || $hangup$command == obeyplan* ]] || continue
       attacks=$((attacks + 1))
       rm -f vanished.txt code child
       tried="changeover $command -o vanished.txt on a terminal that vanishes ($hangup its hang-up)"

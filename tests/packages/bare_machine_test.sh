@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# ./dev bare-machine --in FOLDER takes a new folder, an empty one or one of its own, and nothing of the system's or of somebody.
-# Nothing is made: to the script nobody is root here.
+# ./dev bare-machine --in FOLDER takes a new folder, an empty one or one of its own, and nothing of
+# the system's or of somebody. Nothing is made: to the script nobody is root here.
 #
 # usage: bare_machine_test.sh SCRIPT
 set -euo pipefail
@@ -10,7 +10,8 @@ trap 'rm -rf "$folder"' EXIT
 mkdir "$folder/bin" "$folder/empty" "$folder/full" "$folder/earlier"
 printf '#!/bin/sh\necho 1000\n' >"$folder/bin/id"
 chmod +x "$folder/bin/id"
-touch "$folder/full/mine" "$folder/file" "$folder/earlier/.changeover-bare-machine" "$folder/earlier/log"
+touch "$folder/full/mine" "$folder/file" "$folder/earlier/.changeover-bare-machine" \
+  "$folder/earlier/log"
 ln -s /home "$folder/link"
 
 faults=0
@@ -24,7 +25,8 @@ expect() {
   }
 }
 
-for own in / /home /mnt /media /srv /opt /boot /root /tmp /usr /usr/local/src /usr/local/games /var/local /var/opt /proc "$folder/link"; do
+for own in / /home /mnt /media /srv /opt /boot /root /tmp /usr /usr/local/src /usr/local/games \
+  /var/local /var/opt /proc "$folder/link"; do
   [[ ! -d $own ]] || expect 'name a new one' "$own"
 done
 for own in /mnt /media /srv /opt /usr/local/src /var/local /var/opt; do

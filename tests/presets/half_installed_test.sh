@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# half_installed_test.sh SOURCES CMAKE: what is optional may be there by half, and the programs are configured all the same; where it is
-# there as a whole it is used.
+# half_installed_test.sh SOURCES CMAKE: what is optional may be there by half, and the programs are
+# configured all the same; where it is there as a whole it is used.
 set -euo pipefail
 sources=$1 cmake=$2
 cd "$sources"
@@ -21,7 +21,8 @@ configured() {
   shift
   rm -rf "$folder/build"
   if "$cmake" --preset release -B "$folder/build" "$@" >"$folder/log" 2>&1 &&
-    "$cmake" --build "$folder/build" --target changeover changeover_python_package -- -n >"$folder/log2" 2>&1; then
+    "$cmake" --build "$folder/build" --target changeover changeover_python_package -- -n \
+    >"$folder/log2" 2>&1; then
     echo "$what: configured"
   else
     fault "$what: not configured" "$(tail -n 30 "$folder/log")"
@@ -43,7 +44,8 @@ uses() {
 # As it is here: parts that are there are used, or leaving out would be no news.
 configured 'nothing taken away'
 has_mpi=no
-! printf '#include <mpi.h>\nint main() { return MPI_Finalize(); }\n' | mpicxx -x c++ - -o "$folder/mpi" 2>/dev/null || has_mpi=yes
+! printf '#include <mpi.h>\nint main() { return MPI_Finalize(); }\n' |
+  mpicxx -x c++ - -o "$folder/mpi" 2>/dev/null || has_mpi=yes
 uses MPI CHANGEOVER_WITH_MPI "$has_mpi"
 [[ ! -e /usr/include/pybind11/pybind11.h || ! -e $(/usr/bin/python3 -c 'import sysconfig; print(sysconfig.get_path("include"))')/Python.h ]] ||
   uses Python 'python/changeover/_core' yes
@@ -53,7 +55,8 @@ uses MPI CHANGEOVER_WITH_MPI "$has_mpi"
   fault 'configured again: failed' "$(tail -n 30 "$folder/log")"
 uses 'MPI, configured again' CHANGEOVER_WITH_MPI "$has_mpi"
 
-# openmpi-bin without libopenmpi-dev: the compiler's wrapper names folders and libraries that are not there.
+# openmpi-bin without libopenmpi-dev: the compiler's wrapper names folders and libraries that are
+# not there.
 mkdir -p "$folder/mpi-bin/bin"
 cat >"$folder/mpi-bin/bin/mpicxx" <<'END'
 #!/bin/sh
@@ -80,8 +83,10 @@ MPI_HOME=$folder/mpi-none configured 'MPI whose wrapper fails'
 
 # pybind11 whose files are gone, and one without Python's headers.
 mkdir -p "$folder/pybind11"
-printf 'message(FATAL_ERROR "pybind11Targets.cmake is missing")\n' >"$folder/pybind11/pybind11Config.cmake"
-printf 'set(PACKAGE_VERSION 2.11)\nset(PACKAGE_VERSION_COMPATIBLE TRUE)\n' >"$folder/pybind11/pybind11ConfigVersion.cmake"
+printf 'message(FATAL_ERROR "pybind11Targets.cmake is missing")\n' \
+  >"$folder/pybind11/pybind11Config.cmake"
+printf 'set(PACKAGE_VERSION 2.11)\nset(PACKAGE_VERSION_COMPATIBLE TRUE)\n' \
+  >"$folder/pybind11/pybind11ConfigVersion.cmake"
 configured 'half of pybind11' -D pybind11_DIR="$folder/pybind11"
 uses 'half of pybind11' 'python/changeover/_core' no
 configured 'Python without its headers' -D Python_INCLUDE_DIR=/nonexistent/python
@@ -96,6 +101,7 @@ PATH=$folder/bin:$PATH configured 'ccache and mold that do not start'
 uses 'a ccache that does not start' "$folder/bin/ccache" no
 
 # And all at once.
-PATH=$folder/bin:$PATH MPI_HOME=$folder/mpi-bin configured 'all of it by half' -D pybind11_DIR="$folder/pybind11"
+PATH=$folder/bin:$PATH MPI_HOME=$folder/mpi-bin configured 'all of it by half' -D \
+  pybind11_DIR="$folder/pybind11"
 echo "$faults faults"
 [[ $faults -eq 0 ]]

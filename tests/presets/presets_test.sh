@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# presets_test.sh SOURCES CMAKE: configures every preset, in a folder of its own, with warnings as errors. One whose compiler
-# is not installed is left out, and that is said.
+# presets_test.sh SOURCES CMAKE: configures every preset, in a folder of its own, with warnings as
+# errors. One whose compiler is not installed is left out, and that is said.
 set -euo pipefail
 sources=$1 cmake=$2
 cd "$sources"
@@ -24,7 +24,8 @@ for preset in "${presets[@]}"; do
     [[ -f $folder/$preset/build.ninja ]]; then
     echo "$preset: configured"
     # Optional packages that worked for one preset are not tried again: a trial takes seconds.
-    mapfile -t worked < <(sed -n 's/^\(CHANGEOVER_[A-Za-z]*_WORKS\):.*=TRUE$/-D\1=TRUE/p' "$folder/$preset/CMakeCache.txt")
+    mapfile -t worked < <(sed -n 's/^\(CHANGEOVER_[A-Za-z]*_WORKS\):.*=TRUE$/-D\1=TRUE/p' \
+      "$folder/$preset/CMakeCache.txt")
     settings=(-DCHANGEOVER_WERROR=ON "${worked[@]}")
   else
     faults=$((faults + 1))

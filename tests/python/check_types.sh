@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Are the types of the Python package whole, and can a program that uses it be checked by them? A wrong use must be found, too.
+# Are the types of the Python package whole, and can a program that uses it be checked by them? A
+# wrong use must be found, too.
 # usage: check_types.sh PYTHON PACKAGES
 set -euo pipefail
 python=$1 packages=$2

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The source archive has what the build needs and nothing that builds left behind; the wheel of this build works where it is
-# unpacked, without the build folder.
+# The source archive has what the build needs and nothing that builds left behind; the wheel of this
+# build works where it is unpacked, without the build folder.
 # usage: package_test.sh PYTHON SOURCE BUILD
 set -euo pipefail
 python=$1 source=$2 build=$3
@@ -16,7 +16,8 @@ print(build_backend.build_wheel(".", {"built": sys.argv[1]}))' "$build" 2>said |
 }
 archive=$(echo ./*.tar.gz)
 tar -tzf "$archive" >listed
-for path in CMakeLists.txt pyproject.toml PKG-INFO python/build_backend.py python/changeover/plans.py python/changeover/cluster/_team.py web/dist/index.html LICENSE; do
+for path in CMakeLists.txt pyproject.toml PKG-INFO python/build_backend.py \
+  python/changeover/plans.py python/changeover/cluster/_team.py web/dist/index.html LICENSE; do
   grep -q "^[^/]*/$path\$" listed || {
     printf 'the source archive lacks %s\n' "$path" >&2
     exit 1
