@@ -5,7 +5,10 @@
 //     node times.mjs
 import { start } from './tests/support/browser.mjs';
 
+// A page of one word shows what the browser and this machine take by themselves.
+const nothing = 'data:text/html,<p class="word">nothing';
 const pages = [
+  ['A page of one word', nothing, '.word'],
   ['Start', '#/home', '.door-picture canvas.drawn'],
   ['Catalog', '#/catalog', 'table.cells tbody tr'],
   ['Cell', '#/cell?v=40&k=6&change=2&kind=circular', '.recipe-node'],
@@ -21,7 +24,7 @@ const pages = [
 ];
 const median = (list) => [...list].sort((a, b) => a - b)[Math.floor(list.length / 2)];
 
-async function visit(explorer, fragment, ready) {
+async function visit(explorer, place, ready) {
   const page = await explorer.context.newPage();
   // The page itself looks at the clock, once it has drawn: it may have more to do afterwards.
   await page.addInitScript((what) => {
@@ -35,7 +38,8 @@ async function visit(explorer, fragment, ready) {
     const watcher = new MutationObserver(look);
     watcher.observe(document, { childList: true, subtree: true, attributes: true });
   }, ready);
-  await page.goto(explorer.server.address + fragment, { waitUntil: 'commit' });
+  const address = place === nothing ? place : explorer.server.address + place;
+  await page.goto(address, { waitUntil: 'commit' });
   await page.waitForFunction(() => typeof globalThis.drawnAt === 'number', null, {
     timeout: 60_000,
   });

@@ -10,6 +10,15 @@ namespace {
 
 constexpr const char* search = "$changeover search 41 6 --time 1s --threads 1 ";
 
+// A search in the background that writes its answer to `place`. Once it is under way, its checkpoint
+// is there; then `meanwhile` happens, and `signal` ends it.
+std::string searching(const std::string& place, const std::string& meanwhile,
+                      const std::string& signal) {
+  return "$changeover search 41 6 --time 10m --threads 1 --quiet --format text --checkpoint state -o " +
+         place + " & pid=$!; for i in $(seq 1200); do [[ -s state ]] && break; sleep 0.05; done; " +
+         meanwhile + "kill -" + signal + " $pid; wait $pid; ";
+}
+
 bool is_valid(const TemporaryFolder& folder, const std::string& name) {
   return run("$changeover verify " + name, folder.path()).code == 0;
 }
@@ -55,9 +64,9 @@ TEST(Streams, AClosedStandardOutputIsNotTakenForAFile) {
 
 TEST(Streams, AFolderThatGoesAwayWhileASearchRunsCostsNothing) {
   const TemporaryFolder folder;
-  const Outcome outcome = run("mkdir gone; (sleep 0.4; rmdir gone) & " + std::string(search) +
-                                  "--quiet --format text -o gone/mine.txt",
-                              folder.path());
+  const Outcome outcome =
+      run("mkdir gone; " + searching("gone/mine.txt", "rmdir gone; ", "INT") + "exit $?",
+          folder.path());
   EXPECT_EQ(outcome.code, 4);
   EXPECT_NE(outcome.err.find("gone/mine.txt: cannot write"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("./mine.txt"), std::string::npos) << outcome.err;
@@ -67,9 +76,9 @@ TEST(Streams, AFolderThatGoesAwayWhileASearchRunsCostsNothing) {
 TEST(Streams, AnAnswerElsewhereReplacesNothing) {
   const TemporaryFolder folder;
   spit(folder.file("mine.txt"), "precious\n");
-  const Outcome outcome = run("mkdir gone; (sleep 0.4; rmdir gone) & " + std::string(search) +
-                                  "--quiet --format text -o gone/mine.txt",
-                              folder.path());
+  const Outcome outcome =
+      run("mkdir gone; " + searching("gone/mine.txt", "rmdir gone; ", "INT") + "exit $?",
+          folder.path());
   EXPECT_EQ(outcome.code, 4);
   EXPECT_EQ(slurp(folder.file("mine.txt")), "precious\n");
   EXPECT_TRUE(is_valid(folder, "mine.txt.1"));
@@ -107,10 +116,7 @@ TEST(Streams, ALimitOnTheSizeOfFilesIsNoCrash) {
 
 TEST(Streams, ATerminalThatGoesAwayEndsTheSearchWithItsAnswer) {
   const TemporaryFolder folder;
-  const Outcome outcome =
-      run("$changeover search 41 6 --time 60s --threads 1 --format text -o x.txt 2>/dev/null & "
-          "sleep 1; kill -HUP $!; wait $!; echo $?",
-          folder.path());
+  const Outcome outcome = run(searching("x.txt", "", "HUP") + "echo $?", folder.path());
   EXPECT_TRUE(outcome.out == "30\n" || outcome.out == "10\n") << outcome.out;
   EXPECT_TRUE(is_valid(folder, "x.txt"));
 }

@@ -21,7 +21,8 @@ namespace {
 
 constexpr std::uint64_t most_items_to_grow = 1000;  // for growing orders item by item
 
-/// An order of G groups of items, with room for some of the groups.
+/// An order of G groups of items, with room for some of the groups. The changes of a step are by
+/// worker, so that each worker finds its own.
 struct GroupedOrder {
   std::uint64_t items = 0;
   std::uint64_t groups = 0;
@@ -54,11 +55,11 @@ class GroupedSteps final : public StepSource {
         put(worker_ * order_->room + i, step.load);
       }
     } else {
-      for (const LockstepChange& change : steps[static_cast<std::size_t>(number_ - 1)]) {
-        if (change.worker == worker_) {
-          put(change.out, step.evict);
-          put(change.in, step.load);
-        }
+      const auto& changes = steps[static_cast<std::size_t>(number_ - 1)];
+      const auto change = std::ranges::lower_bound(changes, worker_, {}, &LockstepChange::worker);
+      if (change != changes.end() && change->worker == worker_) {
+        put(change->out, step.evict);
+        put(change->in, step.load);
       }
     }
     step.number = ++number_;
@@ -252,6 +253,9 @@ WorkerMaker best_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
         grown->groups == facts.items
             ? std::string("item")
             : fmt::format("of {} groups of at most {} items", grown->groups, grown->largest()));
+  }
+  for (std::vector<LockstepChange>& step : grown->order.steps) {
+    std::ranges::sort(step, {}, &LockstepChange::worker);
   }
   const auto order = std::make_shared<const GroupedOrder>(std::move(*grown));
   return [order](std::uint64_t worker) { return std::make_unique<GroupedSteps>(order, worker); };
