@@ -134,18 +134,31 @@ void MetInWords::clear(PairSet& pairs) {
   held_.clear();
 }
 
+namespace {
+
+// Whether one bit for every pair takes no more memory than the list itself: then no pair is looked
+// up in the list.
+bool is_dense(const PairGraph& graph) {
+  constexpr std::uint64_t bits_of_a_listed_pair = 64;
+  return graph.items() <= max_elements_in_memory &&
+         binomial(graph.items(), 2) <= bits_of_a_listed_pair * graph.pairs();
+}
+
+}  // namespace
+
 MetPairs::MetPairs(const ScheduleRules& rules, const CheckOptions& options)
     : items_(rules.items),
       wanted_(rules.wanted),
       lockstep_(rules.lockstep > 0),
       by_worker_(options.by_worker),
       memories_(static_cast<std::size_t>(std::max<std::uint64_t>(1, rules.lockstep))) {
-  if (wanted_.graph() != nullptr) {
+  const PairGraph* const graph = wanted_.graph();
+  if (graph != nullptr) {
     loaded_.assign(static_cast<std::size_t>(items_), false);
   }
-  if (wanted_.graph() != nullptr) {
+  if (graph != nullptr && !is_dense(*graph)) {
     some_.emplace(wanted_, items_);
-  } else if (!options.all_pairs) {
+  } else if (graph == nullptr && !options.all_pairs) {
     watch(options);
   } else if (items_ > max_elements_in_memory) {
     throw MissingResource(
@@ -195,6 +208,22 @@ void MetPairs::watch(const CheckOptions& options) {
 // Pairs that are not wanted are not missing. Where sets are wanted, an item has at most two runs of
 // unwanted partners.
 void MetPairs::leave_out_unwanted() {
+  if (const PairGraph* const graph = wanted_.graph()) {
+    std::vector<std::uint64_t> unwanted;
+    for (Element x = 1; x < items_; ++x) {
+      unwanted.assign((x + std::size_t{63}) / 64, ~std::uint64_t{0});
+      for (const Element y : graph->partners(x)) {
+        if (y >= x) {
+          break;
+        }
+        unwanted[y / 64] &= ~(std::uint64_t{1} << y % 64);
+      }
+      for (std::size_t word = 0; word < unwanted.size(); ++word) {
+        pairs_->insert_below(x, word, unwanted[word]);
+      }
+    }
+    return;
+  }
   for (Element x = 1; x < items_; ++x) {
     for (Element first = 0; first < x; first += 64) {
       const Element last = std::min(first + 63, x - 1);
@@ -253,14 +282,14 @@ void MetPairs::see_wanted(Element x, const std::vector<Element>& memory,
       }
     }
   }
-  if (!loaded_.empty()) {
-    loaded_[x] = true;
-  }
 }
 
 void MetPairs::arrive(std::size_t worker, Element x, const std::vector<Element>& memory,
                       const std::vector<std::uint32_t>& place) {
   Memory& own = memories_[worker];
+  if (!loaded_.empty()) {
+    loaded_[x] = true;
+  }
   if (pairs_) {
     const Element name = kept_as_.empty() ? x : kept_as_[x];
     if (own.words) {
@@ -329,21 +358,19 @@ void MetPairs::report(ScheduleVerdict& verdict) {
       return found == kept_as_.end() ? name : static_cast<Element>(found - kept_as_.begin());
     };
     pairs_->for_each_missing(1, [&](Element x, Element y) { say(item(x), item(y)); });
-    return;
   }
   if (some_) {
     verdict.missing = some_->missing();
     if (const auto pair = some_->example()) {
       say(pair->first, pair->second);
     }
-    // An item without a partner counts as missing like a pair.
-    for (Element x = 0; x < loaded_.size(); ++x) {
-      if (wanted_.needs(x) && !loaded_[x] && wanted_.graph()->partners(x).empty()) {
-        ++verdict.missing;
-        say(x, x);
-      }
+  }
+  // An item without a partner counts as missing like a pair.
+  for (Element x = 0; x < loaded_.size(); ++x) {
+    if (wanted_.needs(x) && !loaded_[x] && wanted_.graph()->partners(x).empty()) {
+      ++verdict.missing;
+      say(x, x);
     }
-    return;
   }
   for (std::size_t i = 0; i < watched_.size(); ++i) {
     for (Element y = 0; y < items_; ++y) {

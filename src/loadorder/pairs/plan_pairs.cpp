@@ -15,6 +15,7 @@
 #include "loadorder/order/plan_all_pairs.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/pairs/closing.hpp"
+#include "loadorder/pairs/held_list.hpp"
 #include "loadorder/pairs/held_order.hpp"
 #include "loadorder/pairs/pair_bounds.hpp"
 #include "loadorder/pairs/small_search.hpp"
@@ -102,13 +103,34 @@ class ListSearch {
  private:
   void search(bool until_stopped) {
     until_stopped_ = until_stopped;
+    const HeldList held = held_list(graph_, room_, [this] { return in_a_hurry(); });
+    // Closing that begins far behind does not catch up: where most pairs are listed it takes long.
+    constexpr std::uint64_t small = 1000;
+    most_loads_ = std::max(small, held.loads + held.loads / 3);
+    std::size_t tried = 0;
     each_start(
         graph_, room_,
-        [this](const std::string& name, std::vector<Element> start) {
+        [&](const std::string& name, std::vector<Element> start) {
           try_start(name, std::move(start));
-          return best_.moves.size() > bound_.loads && !in_a_hurry();
+          const bool is_far = best_start_.empty() && ++tried == 2;
+          return !is_far && (best_start_.empty() || best_.moves.size() > bound_.loads) &&
+                 !in_a_hurry();
         },
         [this] { return in_a_hurry(); });
+    if (!best_start_.empty()) {
+      improve_closing();
+    }
+    if (best_start_.empty() || held.loads < best_.moves.size()) {
+      best_ = {.moves = held.moves(graph_),
+               .method = "held groups",
+               .explanation = fmt::format(
+                   "{} groups stay in turn, in all places but one. What still has a pair with the "
+                   "group passes through that place.",
+                   held.groups.size())};
+    }
+  }
+
+  void improve_closing() {
     // Improving an order takes as long as many runs of it.
     constexpr std::uint64_t most_work = 1'000'000'000;  // some seconds
     constexpr std::uint64_t work_a_pair = 1'000'000;
@@ -118,7 +140,7 @@ class ListSearch {
     if (SmallSearch::serves(graph_)) {
       improve_small();
     } else if (best_.moves.size() > bound_.loads && !in_a_hurry() &&
-               (until_stopped || least <= work)) {
+               (until_stopped_ || least <= work)) {
       improve(std::max(work, least));
     }
   }
@@ -137,7 +159,7 @@ class ListSearch {
       starts_.push_back(start);
     }
     Closing closing(graph_, room_, start);
-    const std::uint64_t limit = best_start_.empty() ? Closing::no_limit : best_.moves.size() - 1;
+    const std::uint64_t limit = best_start_.empty() ? most_loads_ : best_.moves.size() - 1;
     if (closing.run(limit, [this] { return in_a_hurry(); }) <= limit) {
       best_.moves = closing.take_moves();
       best_.method = "closing, " + name;
@@ -231,6 +253,7 @@ class ListSearch {
   std::vector<Element> best_start_;
   std::vector<std::vector<Element>> starts_;  // for a short list
   std::uint64_t work_of_run_ = 0;
+  std::uint64_t most_loads_ = Closing::no_limit;  // of a start
   bool until_stopped_ = false;
 };
 
@@ -248,13 +271,13 @@ Moves moves_of(LoadOrder& order) {
 // An order for all pairs is good if most pairs are listed.
 void consider_all_pairs(const PairGraph& graph, std::uint64_t room, const LoadOrderOptions& options,
                         ListedOrder& best) {
-  constexpr std::uint64_t most_considered = 2000;
   const std::uint64_t items = graph.items();
-  if (items > most_considered || items <= room || 4 * graph.pairs() < binomial(items, 2)) {
+  if (items <= room || load_lower_bound(items, room).loads >= best.moves.size()) {
     return;
   }
   LoadOrderOptions quick = options;
   quick.improve = nullptr;
+  quick.read_first = false;  // It is read with the pairs of the list afterwards.
   LoadOrder all = plan_all_pairs(items, room, quick);
   // One by one, what is loaded in the same step would meet what goes later in it: only more pairs
   // meet.
@@ -299,10 +322,12 @@ std::optional<LoadOrder> order_for_all_pairs(const LoadOrderFacts& facts, std::u
   if (load_lower_bound(facts.items, facts.room).loads >= loads) {
     return std::nullopt;
   }
-  LoadOrderOptions quick = options;
-  quick.improve = nullptr;
+  LoadOrderOptions its_own = options;
+  if (loads != Closing::no_limit) {
+    its_own.improve = nullptr;
+  }
   const auto all =
-      std::make_shared<const LoadOrder>(plan_all_pairs(facts.items, facts.room, quick));
+      std::make_shared<const LoadOrder>(plan_all_pairs(facts.items, facts.room, its_own));
   if (all->facts().loads >= loads) {
     return std::nullopt;
   }
@@ -381,6 +406,11 @@ LoadOrder plan_load_order(const WantedPairs& wanted, std::uint64_t room,
   }
   if (wanted.graph() == nullptr) {
     return order_of_groups(std::move(facts), options);
+  }
+  if (wanted.graph()->pairs() == binomial(facts.items, 2)) {  // A list of all pairs.
+    if (auto all = order_for_all_pairs(facts, Closing::no_limit, options)) {
+      return std::move(*all);
+    }
   }
   ListedOrder best = ListSearch(*wanted.graph(), room, facts.bound, options).result();
   consider_all_pairs(*wanted.graph(), room, options, best);
