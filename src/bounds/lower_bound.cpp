@@ -9,6 +9,7 @@
 #include "bounds/known_minima.hpp"
 #include "bounds/stays.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -225,11 +226,10 @@ std::vector<Bound> lower_bounds(const Parameters& p) {
   if (const auto searched = excluded_below(p)) {
     bounds.push_back(
         {*searched, "checked proofs",
-         fmt::format(
-             "fewer than {} blocks are excluded by SAT with checked DRAT proofs, written anew "
-             "by: changeover search {} {} --change {} --{}{} --exact --proof DIR",
-             *searched, p.v, p.k, p.change, to_string(p.kind),
-             p.strength == 2 ? "" : fmt::format(" --strength {}", p.strength))});
+         fmt::format("fewer than {} are excluded by SAT with checked DRAT proofs, written anew "
+                     "by: changeover search {} {} --change {} --{}{} --exact --proof DIR",
+                     count_of(*searched, "block"), p.v, p.k, p.change, to_string(p.kind),
+                     p.strength == 2 ? "" : fmt::format(" --strength {}", p.strength))});
   }
   std::stable_sort(bounds.begin(), bounds.end(),
                    [](const Bound& a, const Bound& b) { return a.blocks > b.blocks; });

@@ -13,6 +13,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 
@@ -54,9 +55,8 @@ std::string entry_defect(const CatalogEntry& entry) {
     Judged judged(*blocks, entry);
     const DesignDigest digest = design_digest(judged);
     if (digest.b != entry.b) {
-      return fmt::format("its recipe makes {}{} blocks and not {}",
-                         digest.b > entry.b ? "more than " : "", std::min(digest.b, entry.b),
-                         entry.b);
+      return fmt::format("its recipe makes {}{} and not {}", digest.b > entry.b ? "more than " : "",
+                         count_of(std::min(digest.b, entry.b), "block"), entry.b);
     }
     if (digest.checksum != entry.checksum) {
       return "its blocks do not have the checksum that it names";

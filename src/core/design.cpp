@@ -7,6 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 
@@ -58,8 +59,8 @@ Design::Design(const Parameters& parameters, std::span<const Block> blocks) : De
 void Design::append(std::span<const Element> block) {
   const std::size_t number = block_count() + 1;
   if (block.size() != parameters_.k) {
-    throw BadInput(
-        fmt::format("block {} has {} elements, not k = {}", number, block.size(), parameters_.k));
+    throw BadInput(fmt::format("block {} has {}, not k = {}", number,
+                               count_of(block.size(), "element"), parameters_.k));
   }
   if (last_seen_.empty()) {
     last_seen_.resize(static_cast<std::size_t>(parameters_.v), 0);
@@ -103,8 +104,8 @@ void Design::set_labels(std::vector<std::string> labels) {
     return;
   }
   if (labels.size() != parameters_.v) {
-    throw BadInput(
-        fmt::format("{} labels for v = {} elements: give one each", labels.size(), parameters_.v));
+    throw BadInput(fmt::format("{} for v = {} elements: give one each",
+                               count_of(labels.size(), "label"), parameters_.v));
   }
   std::unordered_set<std::string_view> seen;
   for (const std::string& label : labels) {

@@ -9,6 +9,7 @@
 
 #include "changeover/core/error.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -19,8 +20,8 @@ void check_interval(const Parameters& p, std::uint64_t start, std::uint64_t leng
     throw BadInput(fmt::format("the interval starts at {}, not below v = {}", start, p.v));
   }
   if (length >= p.k) {
-    throw BadInput(fmt::format("an interval of {} elements leaves no point in a block of k = {}",
-                               length, p.k));
+    throw BadInput(fmt::format("an interval of {} leaves no point in a block of k = {}",
+                               count_of(length, "element"), p.k));
   }
 }
 
@@ -58,8 +59,8 @@ void check_shape(const IntervalBaseBlocks& base) {
   check_interval(p, base.start, base.length);
   const std::uint64_t each = base.points_per_block();
   if (base.points.empty() || base.points.size() % each != 0) {
-    throw BadInput(fmt::format("{} points cannot be shared out among base blocks: each takes {}",
-                               base.points.size(), each));
+    throw BadInput(fmt::format("{} cannot be shared out among base blocks: each takes {}",
+                               count_of(base.points.size(), "point"), each));
   }
   for (std::size_t i = 0; i < base.points.size(); ++i) {
     if (base.points[i] >= p.v) {

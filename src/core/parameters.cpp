@@ -6,6 +6,7 @@
 
 #include "changeover/core/error.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 
@@ -52,9 +53,9 @@ std::optional<std::string> impossibility(const Parameters& p) {
     return std::nullopt;
   }
   if (p.v < p.k + p.change) {
-    return fmt::format(
-        "a change of {} elements needs {} elements outside a block, so v >= k + m = {}", p.change,
-        p.change, p.k + p.change);
+    return fmt::format("a change of {} needs {} outside a block, so v >= k + m = {}",
+                       count_of(p.change, "element"), count_of(p.change, "element"),
+                       p.k + p.change);
   }
   if (p.v == 2 * p.k && p.change == p.k) {
     return "a block can be followed only by its complement, so just two blocks ever occur";

@@ -13,6 +13,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -25,8 +26,9 @@ std::string defect_of(const Verdict& verdict) {
   if (verdict.bad_steps > 0) {
     const BadStep& first = verdict.bad_step_examples.front();
     return fmt::format(
-        "{} of the steps do not change exactly {} elements, the first from block {} to block {}",
-        verdict.bad_steps, p.change, first.from, first.to);
+        "{} of the steps {} not change exactly {}, the first from block {} to block {}",
+        verdict.bad_steps, verdict.bad_steps == 1 ? "does" : "do", count_of(p.change, "element"),
+        first.from, first.to);
   }
   return fmt::format("{} of {} {} {} in no block, as {{{}}}", verdict.uncovered, verdict.subsets,
                      p.strength == 2 ? "pairs" : fmt::format("{}-subsets", p.strength),

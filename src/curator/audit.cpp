@@ -11,6 +11,7 @@
 #include "changeover/core/sha256.hpp"
 #include "changeover/run/control.hpp"
 #include "construct/trusted_entry.hpp"
+#include "core/words.hpp"
 #include "run/threads.hpp"
 
 namespace changeover {
@@ -36,8 +37,8 @@ std::string fault_of_entry(const CatalogEntry& entry) {
   }
   const Bound bound = lower_bound(entry.parameters);
   if (bound.blocks > entry.b) {
-    return fmt::format("it is valid with {} blocks, fewer than the bound {}: {}", entry.b,
-                       bound.blocks, bound.reason);
+    return fmt::format("it is valid with {}, fewer than the bound {}: {}",
+                       count_of(entry.b, "block"), bound.blocks, bound.reason);
   }
   if (entry.lower_bound > bound.blocks) {
     return fmt::format("it claims the lower bound {}, but only {} is known: {}", entry.lower_bound,

@@ -132,7 +132,7 @@ Heading Drawing::heading() const {
 }
 
 std::string Drawing::summary() const {
-  return fmt::format("{} elements, blocks of {}", parameters().v, parameters().k);
+  return fmt::format("{}, blocks of {}", count_of(parameters().v, "element"), parameters().k);
 }
 
 void Drawing::require_range(std::uint64_t last) const {
@@ -159,8 +159,8 @@ void Drawing::require_fits(std::uint64_t drawn) const {
 Picture draw(BlockSource& source, const DrawOptions& options,
              const std::vector<std::string>& labels) {
   if (!labels.empty() && labels.size() != source.parameters().v) {
-    throw BadInput(fmt::format("{} names for {} elements; give one each", labels.size(),
-                               source.parameters().v));
+    throw BadInput(fmt::format("{} for {}; give one each", count_of(labels.size(), "name"),
+                               count_of(source.parameters().v, "element")));
   }
   if (const auto defect = range_defect(options)) {
     throw BadOption(*defect);

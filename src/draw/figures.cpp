@@ -8,6 +8,7 @@
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
+#include "core/words.hpp"
 #include "draw/text/measure.hpp"
 
 namespace changeover {
@@ -38,7 +39,8 @@ struct Round {
 
 std::vector<Node> circle(std::size_t count, const std::vector<std::string>& names) {
   if (!names.empty() && names.size() != count) {
-    throw BadInput(fmt::format("{} names for {} points; give one each", names.size(), count));
+    throw BadInput(fmt::format("{} for {}; give one each", count_of(names.size(), "name"),
+                               count_of(count, "point")));
   }
   std::vector<Node> nodes(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -105,7 +107,8 @@ Round round_of(const CircleFigure& figure) {
     throw BadInput(fmt::format("v = {}: a picture has 1 to 1000 points", figure.v));
   }
   Round round;
-  round.title = figure.title.empty() ? fmt::format("Blocks on {} points", figure.v) : figure.title;
+  round.title = figure.title.empty() ? fmt::format("Blocks on {}", count_of(figure.v, "point"))
+                                     : figure.title;
   round.description = "Points on a circle; newly covered pairs in the colour of their block: ";
   round.nodes = circle(static_cast<std::size_t>(figure.v), figure.names);
   place(round.nodes, [&](std::size_t i) { return figure.centre != i; });

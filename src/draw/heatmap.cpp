@@ -169,12 +169,12 @@ class Heatmap {
       return fmt::format("{}: none exists, {}", who, *cell.impossible);
     }
     if (!cell.best) {
-      return fmt::format("{}: open, at least {} blocks", who, cell.bound.blocks);
+      return fmt::format("{}: open, at least {}", who, count_of(cell.bound.blocks, "block"));
     }
-    return fmt::format("{}: {} blocks by {}, {}", who, cell.best->b, cell.best->recipe.construction,
-                       cell.status() == "minimum"
-                           ? "minimum"
-                           : fmt::format("at least {} needed", cell.bound.blocks));
+    return fmt::format(
+        "{}: {} by {}, {}", who, count_of(cell.best->b, "block"), cell.best->recipe.construction,
+        cell.status() == "minimum" ? "minimum"
+                                   : fmt::format("at least {} needed", cell.bound.blocks));
   }
 
   Mark axes() const {

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "changeover/core/error.hpp"
+#include "core/words.hpp"
 #include "isomorphism/least_form.hpp"
 
 namespace changeover {
@@ -72,8 +73,9 @@ Isomorphism inverse(const Isomorphism& map, std::size_t b) {
 
 Design image(const Isomorphism& map, const Design& design) {
   if (!fits(map, design)) {
-    throw BadInput(fmt::format("this map does not act on {} elements and {} blocks", design.v(),
-                               design.block_count()));
+    throw BadInput(fmt::format("this map does not act on {} and {}",
+                               count_of(design.v(), "element"),
+                               count_of(design.block_count(), "block")));
   }
   const std::size_t b = design.block_count();
   const std::size_t k = design.k();

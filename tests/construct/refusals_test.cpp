@@ -70,6 +70,8 @@ TEST(Refusals, SayWhatIsWrongWithACall) {
   for (const auto& [call, words] : std::vector<Case>{
            {[&] { (void)registry.build_design(cut_recipe(once, 2)); },
             "cut needs a list of blocks that can be read twice"},
+           {[&] { (void)registry.build_design(cut_recipe(once, 8)); },
+            "cut after block 8: there are only 7"},
            {[&] {
               (void)registry.build({"hold-and-stream",
                                     {14, 4, 1, Kind::linear, 2},

@@ -10,7 +10,8 @@ TEST(SearchLimits, CtrlCEndsTheSearchForAFirstDesign) {
   const TemporaryFolder folder;
   const auto begin = std::chrono::steady_clock::now();
   const Outcome outcome =
-      run("$changeover search 240 6 -t 4 --time 10m --quiet >answer & pid=$!; sleep 0.5; "
+      run("$changeover search 240 6 -t 4 --time 10m --quiet >answer & pid=$!; "
+          "until (($(cut -d ' ' -f 14 /proc/$pid/stat) >= 10)); do sleep 0.02; done; "
           "kill -INT $pid; wait $pid; code=$?; cat answer; exit $code",
           folder.path());
   EXPECT_EQ(outcome.code, 30) << outcome.err;

@@ -18,6 +18,7 @@
 #include "catalog/store/database.hpp"
 #include "changeover/core/version.hpp"
 #include "construct/shipped_catalog.hpp"
+#include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 #include "serve/pages/pages.hpp"
 #include "shell/build_information.hpp"
@@ -82,8 +83,8 @@ std::string features_text(const Features& features) {
     line(what, name + " " + number);
     what = "";
   }
-  line("catalog",
-       fmt::format("{} designs, tables of version {}", features.designs, features.catalog_shape));
+  line("catalog", fmt::format("{}, tables of version {}", count_of(features.designs, "design"),
+                              features.catalog_shape));
   line("explorer", features.explorer ? "its pages are in the program"
                                      : "without pages: the server answers with data only");
   line("PDF and PNG", features.rsvg_convert.empty()

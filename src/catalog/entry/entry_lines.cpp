@@ -11,6 +11,7 @@
 #include "changeover/io/formats.hpp"
 #include "core/lines.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 #include "io/read/recipe_handler.hpp"
 #include "io/scan/json_events.hpp"
 #include "io/write/json_writer.hpp"
@@ -276,8 +277,8 @@ CatalogEntry entry_from_line(std::string_view line, const std::string& name, std
     json.fail(0, "the recipe has unprintable characters; remove them");
   }
   if (entry.b == 0 || entry.b < entry.lower_bound) {
-    json.fail(0, fmt::format("{} blocks, where the lower bound is {}; correct the line", entry.b,
-                             entry.lower_bound));
+    json.fail(0, fmt::format("{}, where the lower bound is {}; correct the line",
+                             count_of(entry.b, "block"), entry.lower_bound));
   }
   if (handler.label != entry.label()) {
     json.fail(0, fmt::format("the label {} does not fit its entry, which is {}; correct it",

@@ -11,6 +11,7 @@
 
 #include "changeover/core/error.hpp"
 #include "construct/expansion/inserter.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -36,8 +37,8 @@ std::optional<std::string> shape_defect(const Parameters& p, const ExpansionSet&
   for (std::size_t i = 0; i < set.size(); ++i) {
     const auto& [position, elements] = set[i];
     if (elements.size() != size) {
-      return fmt::format("the subset at position {} has {} elements, not k - m = {}", position,
-                         elements.size(), size);
+      return fmt::format("the subset at position {} has {}, not k - m = {}", position,
+                         count_of(elements.size(), "element"), size);
     }
     for (std::size_t j = 0; j < elements.size(); ++j) {
       const Element x = elements[j];

@@ -25,6 +25,7 @@
 #include "construct/expansion/inserter.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -130,8 +131,9 @@ std::optional<std::string> cover_defect(const Parameters& p, const UnchangedCove
                                         std::uint64_t w) {
   const auto& subsets = cover.subsets;
   if (subsets.size() < least_positions(p, w)) {
-    return fmt::format("{} subsets: {} new elements take at least {} positions", subsets.size(), w,
-                       least_positions(p, w));
+    return fmt::format("{}: {} {} at least {}", count_of(subsets.size(), "subset"),
+                       count_of(w, "new element"), w == 1 ? "takes" : "take",
+                       count_of(least_positions(p, w), "position"));
   }
   for (std::size_t i = 0; i < subsets.size(); ++i) {
     const auto& [position, elements] = subsets[i];
@@ -140,8 +142,8 @@ std::optional<std::string> cover_defect(const Parameters& p, const UnchangedCove
                          subsets[i - 1].position);
     }
     if (elements.size() != p.k - p.change) {
-      return fmt::format("the subset at position {} has {} elements, not k - m = {}", position,
-                         elements.size(), p.k - p.change);
+      return fmt::format("the subset at position {} has {}, not k - m = {}", position,
+                         count_of(elements.size(), "element"), p.k - p.change);
     }
     if (!increase(elements) || elements.back() >= p.v) {
       return fmt::format("the elements of the subset at position {} do not increase below v = {}",
@@ -170,8 +172,8 @@ std::optional<std::string> place_defect(const Parameters& p, const UnchangedSubs
   }
   if (!before.empty() && !after.empty() &&
       intersection(before, after).size() != subset.elements.size()) {
-    return fmt::format("the blocks at position {} do not differ in {} elements", subset.position,
-                       p.change);
+    return fmt::format("the blocks at position {} do not differ in {}", subset.position,
+                       count_of(p.change, "element"));
   }
   if (beside != nullptr && w < p.change &&
       !(intersection(*beside, before).empty() && intersection(*beside, after).empty())) {
@@ -445,8 +447,9 @@ Design expand_by(const Design& design, const UnchangedCover& cover, std::uint64_
   if (cover.subsets.size() < least) {
     enough.beside.clear();
     if (!add_positions(enough, one_subset_a_position(design), least)) {
-      throw BadInput(fmt::format("{} new elements take at least {} positions: there are only {}", w,
-                                 least, enough.subsets.size()));
+      throw BadInput(fmt::format("{} {} at least {}: there are only {}", count_of(w, "new element"),
+                                 w == 1 ? "takes" : "take", count_of(least, "position"),
+                                 enough.subsets.size()));
     }
   }
   throw_if(cover_defect(design, enough, w));

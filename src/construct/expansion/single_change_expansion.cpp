@@ -34,8 +34,8 @@ std::optional<std::string> set_defect(const Parameters& p, const ExpansionSet& s
                          set[i - 1].position);
     }
     if (elements.size() != p.k - 1) {
-      return fmt::format("the subset at position {} has {} elements, not k - 1 = {}", position,
-                         elements.size(), p.k - 1);
+      return fmt::format("the subset at position {} has {}, not k - 1 = {}", position,
+                         count_of(elements.size(), "element"), p.k - 1);
     }
     for (std::size_t j = 0; j < elements.size(); ++j) {
       if (elements[j] >= p.v) {

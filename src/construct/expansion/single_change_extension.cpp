@@ -17,6 +17,7 @@
 #include "construct/expansion/inserter.hpp"
 #include "construct/tools/exact_cover.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -284,7 +285,7 @@ std::optional<std::string> single_change_extension_defect(const Design& design) 
     return fmt::format("a {} is not a single-change design of strength 2", name(p));
   }
   if (!has_single_change_extension(p.k)) {
-    return fmt::format("no extension is known for blocks of {} elements", p.k);
+    return fmt::format("no extension is known for blocks of {}", count_of(p.k, "element"));
   }
   if (p.v < old_roles(p.k) || design.block_count() < p.k) {
     return fmt::format("it needs v >= 2k - 2 = {} and at least k = {} blocks", old_roles(p.k), p.k);

@@ -6,6 +6,7 @@
 #include "construct/expansion/single_change_extension.hpp"
 #include "construct/tools/short_blocks.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -84,15 +85,15 @@ std::string ExtendedMinima::explanation(const Parameters& p) const {
   const std::uint64_t rounds = rounds_to(p, listed);
   const std::uint64_t count = listed_count(listed, k_);
   if (rounds == 0) {
-    return fmt::format("A list of {} blocks.", count);
+    return fmt::format("A list of {}.", count_of(count, "block"));
   }
   Parameters smaller = p;
   smaller.v = listed.v;
   return fmt::format(
-      "Extend a listed {} of {} blocks {} by {} elements: two sets of {} new elements are held "
+      "Extend a listed {} of {} blocks {} by {} elements: two sets of {} are held "
       "beside almost every old one.",
       changeover::name(smaller), count, rounds == 1 ? "once" : fmt::format("{} times", rounds),
-      2 * (k_ - 1), k_ - 1);
+      2 * (k_ - 1), count_of(k_ - 1, "new element"));
 }
 
 }  // namespace changeover

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "changeover/io/tables.hpp"
+#include "core/words.hpp"
 #include "draw/design/frame.hpp"
 #include "draw/text/measure.hpp"
 
@@ -162,13 +163,11 @@ class Array {
                             .height =
                                 (static_cast<double>(p.k) + 1) * line_height * font_ - 0.6 * font_},
          .kind = "bad-step",
-         .title =
-             number == 1
-                 ? fmt::format(
-                       "the step from the last block to block 1 changes {} elements, not {}",
-                       changes, p.change)
-                 : fmt::format("the step from block {} to block {} changes {} elements, not {}",
-                               number - 1, number, changes, p.change),
+         .title = number == 1
+                      ? fmt::format("the step from the last block to block 1 changes {}, not {}",
+                                    count_of(changes, "element"), p.change)
+                      : fmt::format("the step from block {} to block {} changes {}, not {}",
+                                    number - 1, number, count_of(changes, "element"), p.change),
          .data = {{"block", std::to_string(number)}, {"changes", std::to_string(changes)}},
          .style = {.fill = Paint(Paint::Role::alarm)}});
   }

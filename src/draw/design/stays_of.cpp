@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "changeover/core/design.hpp"
+#include "core/words.hpp"
 #include "draw/design/frame.hpp"
 #include "draw/text/measure.hpp"
 
@@ -164,9 +165,9 @@ class Stays {
     content.add({.shape = std::move(names),
                  .kind = "names",
                  .style = {.font_size = font_, .anchor = Anchor::end}});
-    content.description = fmt::format(
-        "{}: a row for each element, a bar for each of its {} stays; the longest takes {} blocks.",
-        drawing_.summary(), count_, longest_);
+    content.description =
+        fmt::format("{}: a row for each element, a bar for each of its {}; the longest takes {}.",
+                    drawing_.summary(), count_of(count_, "stay"), count_of(longest_, "block"));
     return framed(drawing_.heading(), std::move(content), legend());
   }
 

@@ -7,6 +7,7 @@
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
+#include "core/words.hpp"
 #include "io/scan/text_scanner.hpp"
 
 namespace changeover {
@@ -153,7 +154,8 @@ std::optional<std::string> label_count_defect(std::size_t labels, const ReadOpti
     return "no labels; list one for each element, or leave the list out";
   }
   if (declared.v && *declared.v != labels) {
-    return fmt::format("{} labels for v = {} elements; give one each", labels, *declared.v);
+    return fmt::format("{} for v = {} elements; give one each", count_of(labels, "label"),
+                       *declared.v);
   }
   return std::nullopt;
 }
@@ -198,10 +200,11 @@ bool only_numbers(std::string_view beginning) {
 
 std::string size_defect(std::uint64_t number, std::uint64_t size, std::uint64_t k, bool declared) {
   if (declared) {
-    return fmt::format("block {} has {} elements, not k = {}; correct it, or k", number, size, k);
+    return fmt::format("block {} has {}, not k = {}; correct it, or k", number,
+                       count_of(size, "element"), k);
   }
-  return fmt::format("block {} has {} elements, the blocks before have {}; correct one of them",
-                     number, size, k);
+  return fmt::format("block {} has {}, the blocks before have {}; correct one of them", number,
+                     count_of(size, "element"), k);
 }
 
 std::string surplus_defect(std::uint64_t number, std::uint64_t k, bool declared) {
@@ -209,12 +212,13 @@ std::string surplus_defect(std::uint64_t number, std::uint64_t k, bool declared)
     return fmt::format("block {} has more than k = {} elements; correct it, or k", number, k);
   }
   if (number == 1) {
-    return fmt::format("more than {} elements in a block; end each block with a line end", k);
+    return fmt::format("more than {} in a block; end each block with a line end",
+                       count_of(k, "element"));
   }
   return fmt::format(
-      "block {} has more than the {} elements of the blocks before; correct one of "
+      "block {} has more than the {} of the blocks before; correct one of "
       "them",
-      number, k);
+      number, count_of(k, "element"));
 }
 
 std::string repeat_defect(std::uint64_t number, std::string_view word) {

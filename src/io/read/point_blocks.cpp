@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/words.hpp"
 #include "io/read/declared.hpp"
 #include "io/scan/text_scanner.hpp"
 
@@ -93,7 +94,8 @@ void PointBlocks::end_block(std::size_t offset) {
 
 Design PointBlocks::finish(const ReadOptions& options, std::uint32_t first) {
   if (v_ && file_.v && *v_ != *file_.v) {
-    fail(v_offset_, fmt::format("{} points, but a comment says v={}; correct one", *v_, *file_.v));
+    fail(v_offset_,
+         fmt::format("{}, but a comment says v={}; correct one", count_of(*v_, "point"), *file_.v));
   }
   if (v_) {
     file_.v = v_;

@@ -6,6 +6,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/search/local_search.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 #include "run/grace.hpp"
 #include "search/local/local_search_arms.hpp"
 #include "search/local/random_list.hpp"
@@ -58,8 +59,8 @@ void require_steps(const Design& beginning) {
   if (verdict.bad_steps > 0) {
     const BadStep& step = verdict.bad_step_examples.front();
     throw BadInput(fmt::format(
-        "the step from block {} to block {} changes {} elements, not {}; repair the list first",
-        step.from, step.to, step.changes, linear.change));
+        "the step from block {} to block {} changes {}, not {}; repair the list first",
+        step.from, step.to, count_of(step.changes, "element"), linear.change));
   }
 }
 

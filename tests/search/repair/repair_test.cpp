@@ -148,7 +148,7 @@ TEST(Extend, RefusesAWrongStep) {
     FAIL();
   } catch (const BadInput& fault) {
     EXPECT_STREQ(fault.what(),
-                 "the step from block 1 to block 2 changes 1 elements, not 2; repair the list "
+                 "the step from block 1 to block 2 changes 1 element, not 2; repair the list "
                  "first");
   }
   EXPECT_REFUSAL(static_cast<void>(extend(Design(p), {}, control)), BadInput,

@@ -10,6 +10,7 @@
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/io/tables.hpp"
+#include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 
 namespace changeover::cli {
@@ -134,7 +135,8 @@ void add_keys(const std::string& sentence, std::vector<std::string>& keys) {
 std::string bibtex_of(const CatalogEntry& entry) {
   std::string text =
       misc("changeover-" + entry.label(), entry.credit.who,
-           fmt::format("{} with {} blocks", name(entry.parameters), entry.b), entry.credit.date,
+           fmt::format("{} with {}", name(entry.parameters), count_of(entry.b, "block")),
+           entry.credit.date,
            fmt::format("Changeover {}, catalog label {}, SHA-256 of the blocks {}{}{}", version,
                        entry.label(), to_hex(entry.checksum), entry.note.empty() ? "" : "; ",
                        entry.note));
@@ -160,8 +162,8 @@ std::string bibtex_of(const Catalog& catalog) {
   });
   return misc("changeover-catalog-" + latest, "The Changeover developers",
               "A catalog of change covering designs", latest,
-              fmt::format("Changeover {}; {} designs as of {}; SHA-256 of their checksums {}",
-                          version, count, latest, to_hex(hash.finish())));
+              fmt::format("Changeover {}; {} as of {}; SHA-256 of their checksums {}", version,
+                          count_of(count, "design"), latest, to_hex(hash.finish())));
 }
 
 Completeness completeness(const Catalog& catalog, const CatalogFilter& filter) {

@@ -25,8 +25,8 @@ Judgement judge(const Verdict& verdict, const std::optional<Bound>& proved) {
                        .minimum_proved = verdict.valid() && verdict.b == judgement.bound.blocks};
   judgement.certificate = "every block read";
   if (verdict.valid() && verdict.b < judgement.bound.blocks) {
-    throw InternalError(fmt::format("{} has {} blocks, below the lower bound {}",
-                                    name(verdict.parameters), verdict.b, judgement.bound.blocks));
+    throw InternalError(fmt::format("{} has {}, below the lower bound {}", name(verdict.parameters),
+                                    count_of(verdict.b, "block"), judgement.bound.blocks));
   }
   return judgement;
 }

@@ -16,6 +16,7 @@
 #include "changeover/io/input.hpp"
 #include "changeover/io/output.hpp"
 #include "changeover/run/control.hpp"
+#include "core/words.hpp"
 #include "io/file/file_lock.hpp"
 #include "io/write/json_writer.hpp"
 #include "serve/http/guard.hpp"
@@ -192,7 +193,8 @@ KeptRun RunStore::add_result(const std::string& id, RunResult result,
   ++run.revision;
   if (!result.result.empty() || !result.notes.empty()) {
     if (run.results.size() >= run.tests) {
-      throw Refusal{422, fmt::format("the sheet has {} tests, and each has a result", run.tests)};
+      throw Refusal{
+          422, fmt::format("the sheet has {}, and each has a result", count_of(run.tests, "test"))};
     }
     result.at = run.changed;
     run.results.push_back(std::move(result));

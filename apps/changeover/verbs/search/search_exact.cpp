@@ -30,7 +30,7 @@ std::string seconds(std::chrono::duration<double> time) {
 std::string bytes(std::uint64_t count) {
   constexpr double kilo = 1000;
   const auto number = static_cast<double>(count);
-  return number < kilo          ? fmt::format("{} bytes", count)
+  return number < kilo          ? fmt::format("{}", count_of(count, "byte"))
          : number < kilo * kilo ? fmt::format("{:.1f} kB", number / kilo)
                                 : fmt::format("{:.1f} MB", number / kilo / kilo);
 }
@@ -294,9 +294,9 @@ void explain_proofs(const ExactSearch& request, const MinimumResult& result) {
     files += fmt::format("## No {} with {}\n\n", name(p), count_of(step.b, "block"));
     if (!step.cubes_path.empty()) {
       files += fmt::format(
-          "The question is split into {} cubes, listed in `{}`; there is a formula and a proof for "
+          "The question is split into {}, listed in `{}`; there is a formula and a proof for "
           "each. The cubes leave no case out if their negations, as clauses, have no solution.\n\n",
-          step.cubes, file_name(step.cubes_path));
+          count_of(step.cubes, "cube"), file_name(step.cubes_path));
     }
     files += "| formula | variables | clauses | proof | bytes |\n|:---|---:|---:|:---|---:|\n";
     for (const CheckedPart& part : step.parts) {

@@ -15,6 +15,7 @@
 #include "construct/tools/concatenation/pieces.hpp"
 #include "construct/trusted_entry.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover::concatenate_entry {
 namespace {
@@ -51,12 +52,12 @@ class Concatenate final : public Entry {
     const std::uint64_t times = required_times(recipe);
     const Parameters& second = recipe.inputs[1].parameters;
     return fmt::format(
-        "After the {} put the {}{}: {} elements at the end of what is there are the new one's too, "
+        "After the {} put the {}{}: {} at the end of what is there {} the new one's too, "
         "the others new; beside {} unchanged subsets, which hold all of these, every old element "
         "is inserted.",
         changeover::name(recipe.inputs[0].parameters), changeover::name(second),
-        times == 1 ? "" : fmt::format(" {} times", times), second.k - 1,
-        recipe.blocks.front().size());
+        times == 1 ? "" : fmt::format(" {} times", times), count_of(second.k - 1, "element"),
+        second.k == 2 ? "is" : "are", recipe.blocks.front().size());
   }
 
  private:

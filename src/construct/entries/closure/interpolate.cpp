@@ -14,6 +14,7 @@
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover::interpolate_entry {
 namespace {
@@ -100,9 +101,9 @@ class InterpolatedSource final : public BlockByBlock<InterpolatedSource> {
     std::set_difference(next.begin(), next.end(), from.begin(), from.end(),
                         std::back_inserter(entering_));
     if (leaving_.size() != steps_ * parameters_.change || leaving_.size() != entering_.size()) {
-      throw BadInput(
-          fmt::format("interpolate: a step of the input changes {} elements instead of {}",
-                      leaving_.size(), steps_ * parameters_.change));
+      throw BadInput(fmt::format("interpolate: a step of the input changes {} instead of {}",
+                                 count_of(leaving_.size(), "element"),
+                                 steps_ * parameters_.change));
     }
     done_ = 0;
     return true;

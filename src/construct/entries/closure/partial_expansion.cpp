@@ -26,6 +26,7 @@
 #include "construct/expansion/partial_expansion_parts.hpp"
 #include "construct/trusted_entry.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover::partial_expansion_entry {
 namespace {
@@ -396,8 +397,9 @@ class PartialExpander final : public Rule {
     const auto all = one_subset_a_position(design);
     const auto count = best_positions(design.parameters(), cover->subsets.size(), all.size(), w);
     if (!count || !add_positions(*cover, all, *count)) {
-      throw BadInput(fmt::format("partial-expansion: {} new elements take more than {} positions",
-                                 w, all.size()));
+      throw BadInput(fmt::format("partial-expansion: {} {} more than {}",
+                                 count_of(w, "new element"), w == 1 ? "takes" : "take",
+                                 count_of(all.size(), "position")));
     }
     return *std::move(cover);
   }

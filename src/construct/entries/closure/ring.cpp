@@ -15,6 +15,7 @@
 #include "construct/tools/concatenation/pieces.hpp"
 #include "construct/tools/short_blocks.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover::ring_entry {
 namespace {
@@ -79,10 +80,10 @@ class Ring final : public Entry {
   std::string explain(const Recipe& recipe) const override {
     const Piece piece = path_of(recipe);
     return fmt::format(
-        "Close the {} by a path of {} blocks on {} new elements and {} at each of its ends; beside "
+        "Close the {} by a path of {} on {} and {} at each of its ends; beside "
         "{} unchanged subsets, which hold all new ones, every other element is inserted.",
-        changeover::name(recipe.inputs.front().parameters), piece.blocks.size(), piece.fresh.size(),
-        piece.first.size(), piece.parts.size());
+        changeover::name(recipe.inputs.front().parameters), count_of(piece.blocks.size(), "block"),
+        count_of(piece.fresh.size(), "new element"), piece.first.size(), piece.parts.size());
   }
 
  private:
@@ -98,8 +99,8 @@ class Ring final : public Entry {
       if (input.v >= 2 * p.k - 2 && p.v > fresh && input == linear(p, p.v - fresh)) {
         for (const Block& block : blocks) {
           if (block.size() != p.k) {
-            throw BadInput(fmt::format("ring: a block of the path has {} elements, not k = {}",
-                                       block.size(), p.k));
+            throw BadInput(fmt::format("ring: a block of the path has {}, not k = {}",
+                                       count_of(block.size(), "element"), p.k));
           }
         }
         return closing_piece(std::move(blocks), recipe.blocks.front());

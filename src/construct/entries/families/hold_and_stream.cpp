@@ -25,6 +25,7 @@
 #include "construct/entry.hpp"
 #include "construct/tools/path.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover::hold_and_stream_entry {
 namespace {
@@ -382,14 +383,14 @@ class HoldAndStream final : public Entry {
                    : static_cast<std::uint64_t>(given->second);
       if (p.kind != Kind::linear || rounds < 1 || rounds > count.after_round.size() ||
           rounds * (p.k - p.change) + p.k > p.v) {
-        throw BadInput(fmt::format("hold-and-stream for {}: no design can follow after {} rounds",
-                                   changeover::name(p), rounds));
+        throw BadInput(fmt::format("hold-and-stream for {}: no design can follow after {}",
+                                   changeover::name(p), count_of(rounds, "round")));
       }
       rest.v -= rounds * (p.k - p.change);
       if (input.parameters != rest) {
-        throw BadInput(fmt::format("hold-and-stream for {}: after {} rounds a {} follows, not a {}",
-                                   changeover::name(p), rounds, changeover::name(rest),
-                                   changeover::name(input.parameters)));
+        throw BadInput(fmt::format("hold-and-stream for {}: after {} a {} follows, not a {}",
+                                   changeover::name(p), count_of(rounds, "round"),
+                                   changeover::name(rest), changeover::name(input.parameters)));
       }
       tail = registry.build(input);
       const std::optional<std::uint64_t> blocks = tail->block_count();

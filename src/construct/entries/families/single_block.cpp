@@ -6,6 +6,7 @@
 
 #include "changeover/construct/registry.hpp"
 #include "construct/entry.hpp"
+#include "core/words.hpp"
 
 namespace changeover::single_block_entry {
 namespace {
@@ -39,7 +40,7 @@ class SingleBlock final : public Family {
   }
 
   std::string explanation(const Parameters& p) const override {
-    return fmt::format("All {} elements in one block.", p.k);
+    return fmt::format("All {} in one block.", count_of(p.k, "element"));
   }
 };
 

@@ -13,6 +13,7 @@
 #include "construct/tools/concatenation/slopes.hpp"
 #include "core/checked.hpp"
 #include "core/sorted.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -228,8 +229,8 @@ class Joint {
     if (hinge.elements.size() != n_ ||
         !(at_end ? holds_all(block(order_.size() - 1), hinge.elements)
                  : unchanged(hinge.at) == sorted(hinge.elements))) {
-      refuse_groups(
-          fmt::format("the hinge must be {} elements that stay at position {}", n_, hinge.at));
+      refuse_groups(fmt::format("the hinge must be {} that stay at position {}",
+                                count_of(n_, "element"), hinge.at));
     }
     std::uint64_t last = 0;
     Block taken = sorted(hinge.elements);
@@ -245,7 +246,8 @@ class Joint {
       last = position;
       parts_.push_back(unchanged(position));
       if (parts_.back().size() != n_) {
-        refuse_groups(fmt::format("not {} elements change at position {}", p_.change, position));
+        refuse_groups(
+            fmt::format("not {} change at position {}", count_of(p_.change, "element"), position));
       }
       for (const Element x : parts_.back()) {
         if (is[x]) {
@@ -258,8 +260,8 @@ class Joint {
     hole_ = others(base_.v(), taken);
     classes_ = class_count(how_.groups, p_.change);
     if (classes_ == 0 || parts_.size() < classes_) {
-      refuse_groups(fmt::format("{} groups of {} elements take {} parts", how_.groups.groups,
-                                how_.groups.size,
+      refuse_groups(fmt::format("{} of {} take {} parts", count_of(how_.groups.groups, "group"),
+                                count_of(how_.groups.size, "element"),
                                 classes_ == 0 ? "unknown" : std::to_string(classes_)));
     }
   }
@@ -313,12 +315,14 @@ class Joint {
 
   OpenedPiece piece_of(const Design& design, std::uint64_t dropped) const {
     if (design.v() != hole_.size() + how_.groups.size) {
-      refuse_groups(fmt::format("a piece has {} elements, {} in the hole and {} in the group",
-                                hole_.size() + how_.groups.size, hole_.size(), how_.groups.size));
+      refuse_groups(fmt::format("a piece has {}, {} in the hole and {} in the group",
+                                count_of(hole_.size() + how_.groups.size, "element"), hole_.size(),
+                                how_.groups.size));
     }
     auto piece = opened(design, hole_.size(), dropped);
     if (!piece) {
-      refuse_groups(fmt::format("no hole of {} elements fits into a piece", hole_.size()));
+      refuse_groups(
+          fmt::format("no hole of {} fits into a piece", count_of(hole_.size(), "element")));
     }
     return *std::move(piece);
   }

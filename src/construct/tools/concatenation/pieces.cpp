@@ -17,6 +17,7 @@
 #include "construct/tools/short_blocks.hpp"
 #include "construct/trusted_entry.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -284,7 +285,8 @@ Recipe written_recipe(const WrittenPiece& piece) {
 Piece open_piece(std::vector<Block> blocks, const std::vector<Element>& positions) {
   Piece piece = with_parts(std::move(blocks), positions);
   if (piece.first.size() + 1 != piece.blocks.front().size()) {
-    refuse(fmt::format("{} elements are in no part, not k-1", piece.first.size()));
+    refuse(fmt::format("{} {} in no part, not k-1", count_of(piece.first.size(), "element"),
+                       piece.first.size() == 1 ? "is" : "are"));
   }
   if (!std::ranges::includes(piece.blocks.front(), piece.first)) {
     reverse(piece);
