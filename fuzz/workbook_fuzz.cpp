@@ -2,8 +2,6 @@
 // sheet is read to its end or refused in one line, and so is a list of parts on it.
 #include <zip.h>
 
-#include <map>
-
 #include "changeover/plan/job_request.hpp"
 #include "io/workbook/cell_text.hpp"
 #include "io/workbook/workbook_sheet.hpp"

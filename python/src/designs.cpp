@@ -3,7 +3,6 @@
 #include <cstring>
 #include <limits>
 #include <map>
-#include <sstream>
 #include <tuple>
 
 #include "bind.hpp"

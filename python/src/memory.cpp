@@ -1,7 +1,6 @@
 #include "memory.hpp"
 
 #include <memory>
-#include <new>
 #include <vector>
 
 #include "bind.hpp"

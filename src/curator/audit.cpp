@@ -7,7 +7,6 @@
 #include <mutex>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/core/error.hpp"
 #include "changeover/core/sha256.hpp"
 #include "changeover/run/control.hpp"
 #include "construct/trusted_entry.hpp"

@@ -10,7 +10,6 @@
 #include "changeover/core/error.hpp"
 #include "core/words.hpp"
 #include "draw/design/frame.hpp"
-#include "draw/text/measure.hpp"
 
 namespace changeover {
 namespace {

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include "changeover/core/design.hpp"
 #include "changeover/core/developed.hpp"
 #include "changeover/core/error.hpp"

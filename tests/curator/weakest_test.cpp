@@ -4,7 +4,6 @@
 
 #include <map>
 #include <set>
-#include <tuple>
 
 #include "../catalog/entries.hpp"
 #include "run_program.hpp"

@@ -13,7 +13,6 @@
 #include "changeover/core/error.hpp"
 #include "changeover/io/formats.hpp"
 #include "changeover/verify/verdict.hpp"
-#include "core/checked.hpp"
 #include "naive_verdict.hpp"
 #include "run_program.hpp"
 

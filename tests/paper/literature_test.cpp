@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
 
 #include "changeover/catalog/catalog.hpp"
 #include "changeover/catalog/entry.hpp"

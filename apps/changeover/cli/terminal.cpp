@@ -7,7 +7,6 @@
 #include <charconv>
 #include <csignal>
 #include <cstdlib>
-#include <initializer_list>
 #include <string_view>
 
 namespace changeover::cli {

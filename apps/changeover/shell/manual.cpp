@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <string_view>
 
 #include "changeover/core/version.hpp"
 #include "shell/build_information.hpp"

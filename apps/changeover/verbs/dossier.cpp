@@ -3,7 +3,6 @@
 #include "answer/known/known_table.hpp"
 #include "changeover/catalog/catalog.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/error.hpp"
 #include "request/catalog_request.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"

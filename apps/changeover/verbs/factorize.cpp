@@ -1,8 +1,6 @@
 // changeover factorize N: 1-factorizations of the complete graph K_N.
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "answer/answer.hpp"
 #include "changeover/construct/one_factorization.hpp"
 #include "changeover/core/error.hpp"

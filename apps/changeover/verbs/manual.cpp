@@ -7,7 +7,6 @@
 #include <filesystem>
 
 #include "answer/answer.hpp"
-#include "changeover/core/error.hpp"
 #include "cli/spelling.hpp"
 #include "core/words.hpp"
 #include "io/file/remedies.hpp"

@@ -1,10 +1,8 @@
 // changeover paper: every table, theorem and corollary of the source paper, rebuilt and compared.
-#include <fmt/format.h>
 
 #include <filesystem>
 
 #include "answer/answer.hpp"
-#include "changeover/core/error.hpp"
 #include "io/file/remedies.hpp"
 #include "paper/report.hpp"
 #include "verbs.hpp"

@@ -3,14 +3,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <csignal>
-#include <thread>
 
 #include "answer/answer.hpp"
 #include "changeover/catalog/catalog.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/run/control.hpp"
 #include "cli/status_line.hpp"

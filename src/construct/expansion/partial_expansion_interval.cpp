@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 #include "changeover/core/error.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"

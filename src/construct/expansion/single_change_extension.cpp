@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
-#include <map>
 #include <string_view>
 #include <utility>
 #include <vector>

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
 
 #include "changeover/core/error.hpp"
 #include "core/printable.hpp"

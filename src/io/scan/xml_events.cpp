@@ -8,8 +8,6 @@
 #include <new>
 #include <utility>
 
-#include "changeover/core/error.hpp"
-
 namespace changeover {
 namespace {
 

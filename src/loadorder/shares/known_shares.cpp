@@ -7,8 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "changeover/core/error.hpp"
-#include "core/checked.hpp"
 #include "core/words.hpp"
 #include "loadorder/shares/idle_workers.hpp"
 #include "loadorder/shares/planes.hpp"

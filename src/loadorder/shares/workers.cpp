@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "bounds/counting_bound.hpp"
-#include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "core/checked.hpp"

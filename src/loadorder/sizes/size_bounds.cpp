@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "changeover/core/error.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "core/checked.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"

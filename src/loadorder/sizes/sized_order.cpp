@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 #include <utility>
 
@@ -13,7 +12,6 @@
 #include "core/checked.hpp"
 #include "core/words.hpp"
 #include "loadorder/order/kept_steps.hpp"
-#include "loadorder/pairs/pair_bounds.hpp"
 #include "loadorder/pairs/starts.hpp"
 #include "loadorder/sizes/byte_closing.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"

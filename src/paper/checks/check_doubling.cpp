@@ -9,7 +9,6 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/expansion.hpp"
 #include "changeover/core/developed.hpp"
-#include "changeover/core/error.hpp"
 #include "changeover/verify/difference.hpp"
 #include "paper/checks/checking.hpp"
 #include "paper/checks/checks.hpp"

@@ -9,7 +9,6 @@
 #include "changeover/construct/expansion.hpp"
 #include "changeover/construct/one_factorization.hpp"
 #include "changeover/core/design.hpp"
-#include "core/checked.hpp"
 #include "paper/checks/checking.hpp"
 #include "paper/checks/checks.hpp"
 

@@ -5,7 +5,6 @@
 
 #include "changeover/construct/expansion.hpp"
 #include "changeover/core/design.hpp"
-#include "changeover/core/error.hpp"
 #include "core/words.hpp"
 #include "paper/checks/checking.hpp"
 #include "paper/checks/checks.hpp"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
-#include <set>
 #include <sstream>
 
 #include "changeover/core/error.hpp"

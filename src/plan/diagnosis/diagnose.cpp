@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "changeover/core/error.hpp"
 #include "changeover/plan/diagnosis.hpp"
 #include "plan/diagnosis/evidence.hpp"
 #include "plan/job/prices.hpp"

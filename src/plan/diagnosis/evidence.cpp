@@ -1,13 +1,10 @@
 #include "plan/diagnosis/evidence.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <set>
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
-#include "core/words.hpp"
 
 namespace changeover {
 namespace {

@@ -1,8 +1,6 @@
 // Reads change costs by what is replaced from a square table.
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "changeover/plan/job.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/part_finder.hpp"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "changeover/core/error.hpp"
 #include "changeover/plan/model.hpp"
 #include "changeover/run/control.hpp"
 #include "plan/job/pair_numbers.hpp"

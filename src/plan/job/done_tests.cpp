@@ -1,7 +1,6 @@
 // Removes tests that were done from a job.
 #include <fmt/format.h>
 
-#include <limits>
 #include <utility>
 #include <vector>
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "changeover/core/error.hpp"
-#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

@@ -6,7 +6,6 @@
 #include <unordered_set>
 #include <utility>
 
-#include "changeover/core/error.hpp"
 #include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "plan/model/model_text.hpp"

@@ -5,7 +5,6 @@
 #include <charconv>
 #include <utility>
 
-#include "changeover/core/error.hpp"
 #include "io/scan/place.hpp"
 #include "plan/model/model_builder.hpp"
 #include "plan/model/model_text.hpp"

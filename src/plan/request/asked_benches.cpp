@@ -6,7 +6,6 @@
 #include <set>
 
 #include "changeover/core/error.hpp"
-#include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "plan/job/bench_jobs.hpp"
 #include "plan/job/bench_list.hpp"

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <limits>
-#include <map>
 #include <utility>
 
 #include "changeover/core/error.hpp"

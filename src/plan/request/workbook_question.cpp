@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "changeover/core/error.hpp"

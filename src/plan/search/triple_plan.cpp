@@ -1,12 +1,8 @@
 #include "plan/search/triple_plan.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <utility>
 
-#include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "plan/search/lists/lists.hpp"
 #include "plan/search/lists/lists_plan.hpp"

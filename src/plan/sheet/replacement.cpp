@@ -6,8 +6,6 @@
 #include <numeric>
 #include <optional>
 
-#include "core/checked.hpp"
-
 namespace changeover {
 namespace {
 

@@ -1,5 +1,4 @@
 // Writes run sheets as JSON.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>

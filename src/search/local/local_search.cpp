@@ -9,7 +9,6 @@
 #include <mutex>
 #include <new>
 #include <utility>
-#include <vector>
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/best_known.hpp"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <utility>
-
 #include "construction_checks.hpp"
 #include "message_of.hpp"
 

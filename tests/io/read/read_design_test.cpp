@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "changeover/io/formats.hpp"
 #include "changeover/verify/verdict.hpp"

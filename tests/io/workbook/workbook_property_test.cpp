@@ -7,7 +7,6 @@
 #include <array>
 #include <iterator>
 
-#include "changeover/core/error.hpp"
 #include "damage.hpp"
 #include "io/workbook/cell_text.hpp"
 #include "io/workbook/workbook_sheet.hpp"

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "../pairs/pairs_support.hpp"
-#include "changeover/core/error.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "loadorder/listed/lockstep_events.hpp"
 #include "loadorder/order/kept_steps.hpp"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include "changeover/core/error.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
 #include "damage.hpp"
 #include "io/scan/row_reader.hpp"

@@ -12,7 +12,6 @@
 #include <fstream>
 #include <map>
 #include <mutex>
-#include <numeric>
 
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/workers.hpp"

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "changeover/core/error.hpp"
 #include "damage.hpp"
 #include "loadorder/run/journal.hpp"
 #include "run_program.hpp"

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <deque>
 #include <map>
 #include <mutex>
 #include <random>
@@ -11,7 +10,6 @@
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/all_pairs.hpp"
 #include "changeover/loadorder/load_request.hpp"
-#include "core/checked.hpp"
 #include "message_of.hpp"
 #include "pairs/pairs_support.hpp"
 

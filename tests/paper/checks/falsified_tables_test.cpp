@@ -1,7 +1,6 @@
 // The tables of the print falsified at one place: the item there must differ.
 #include <gtest/gtest.h>
 
-#include "changeover/core/error.hpp"
 #include "falsified.hpp"
 
 namespace changeover::falsified_tables_test {

@@ -1,5 +1,4 @@
 // What tests that were done leave to be tested, against a checker that looks at one pair at a time.
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

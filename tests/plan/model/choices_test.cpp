@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "plan/job/choices.hpp"
 #include "plan/search/choices/choice_lists.hpp"

@@ -6,7 +6,6 @@
 #include <map>
 #include <set>
 
-#include "changeover/core/error.hpp"
 #include "some_models.hpp"
 
 namespace changeover::follow_rules_test {

@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "message_of.hpp"
 #include "random_models.hpp"

@@ -4,11 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <fmt/format.h>
-
-#include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
-#include "plan/request/workbook_question.hpp"
 #include "planned_workbook.hpp"
 #include "run_workbooks.hpp"
 #include "some_names.hpp"

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <fmt/format.h>
-
 #include <random>
 
 #include "changeover/core/error.hpp"
@@ -13,7 +11,6 @@
 #include "io/workbook/workbook_sheet.hpp"
 #include "plan/request/workbook_question.hpp"
 #include "planned_workbook.hpp"
-#include "random_jobs.hpp"
 #include "run_workbooks.hpp"
 #include "some_names.hpp"
 #include "zip_files.hpp"

@@ -5,9 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 
-#include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "cheapest.hpp"
 #include "message_of.hpp"

@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "changeover/core/error.hpp"
 #include "cheapest.hpp"
-#include "random_jobs.hpp"
 #include "replacing_jobs.hpp"
 
 namespace changeover::what_if_test {

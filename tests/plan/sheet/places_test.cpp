@@ -2,7 +2,6 @@
 // replans.
 #include "plan/sheet/places.hpp"
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

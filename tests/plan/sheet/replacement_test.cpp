@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include "plan/search/lists/assignment.hpp"
 #include "replacing_jobs.hpp"
 

@@ -8,7 +8,6 @@
 #include <filesystem>
 
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "damage.hpp"
 #include "run_program.hpp"

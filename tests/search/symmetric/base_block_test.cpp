@@ -7,7 +7,6 @@
 #include <numeric>
 #include <set>
 
-#include "bounds/counting_bound.hpp"
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"

@@ -1,5 +1,4 @@
 // The atlas says what the table says, and groups are those of the designs.
-#include <gmock/gmock.h>
 
 #include "changeover/io/input.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"

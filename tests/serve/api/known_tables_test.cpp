@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "answer/known/known_table.hpp"
-#include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "cli/cli.hpp"
 #include "serve/api/explorer.hpp"

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "answer/catalog/entry_words.hpp"
 #include "answer/known/known_table.hpp"
-#include "changeover/core/error.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/draw/draw.hpp"
 #include "core/words.hpp"

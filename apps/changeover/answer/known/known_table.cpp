@@ -6,7 +6,6 @@
 
 #include "changeover/construct/best_known.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/error.hpp"
 #include "cli/cli.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"

@@ -1,5 +1,4 @@
 // Designs and tables as pictures.
-#include <fmt/format.h>
 
 #include <algorithm>
 

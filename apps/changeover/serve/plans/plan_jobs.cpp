@@ -7,7 +7,6 @@
 #include <thread>
 #include <utility>
 
-#include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "io/write/json_writer.hpp"
 #include "serve/http/message.hpp"

@@ -1,7 +1,6 @@
 // Run sheets for experimenters, searched for at once or followed, and runs that are kept.
 #include <fmt/format.h>
 
-#include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "io/write/json_writer.hpp"
 #include "serve/api/request/query.hpp"

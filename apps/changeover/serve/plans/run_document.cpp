@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string_view>
-#include <utility>
 
 #include "changeover/core/error.hpp"
 #include "io/scan/json_events.hpp"

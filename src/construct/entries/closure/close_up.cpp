@@ -2,8 +2,6 @@
 // construct/tools/close_up.hpp for the rule and why it loses no pair.
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"

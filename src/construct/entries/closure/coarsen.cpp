@@ -1,8 +1,6 @@
 // Coarsen: g consecutive blocks of a single-change design in one. See construct/tools/coarsen.hpp.
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"

@@ -9,7 +9,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"

@@ -8,7 +8,6 @@
 #include <fmt/ranges.h>
 
 #include <numeric>
-#include <utility>
 
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"

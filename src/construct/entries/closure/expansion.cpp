@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 
 namespace changeover::expansion_entry {

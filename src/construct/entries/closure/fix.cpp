@@ -4,11 +4,8 @@
 // that know which input to take compose it.
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 #include "core/checked.hpp"
 

@@ -14,7 +14,6 @@
 #include "construct/entry.hpp"
 #include "construct/tools/concatenation/pieces.hpp"
 #include "construct/tools/short_blocks.hpp"
-#include "core/checked.hpp"
 #include "core/words.hpp"
 
 namespace changeover::ring_entry {

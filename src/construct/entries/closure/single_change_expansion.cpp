@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 
 namespace changeover::single_change_expansion_entry {

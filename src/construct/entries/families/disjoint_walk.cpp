@@ -17,7 +17,6 @@
 #include <utility>
 
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "construct/entry.hpp"
 #include "construct/tools/path.hpp"

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <deque>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>

@@ -4,8 +4,6 @@
 // older program carries the blocks as its input.
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "bounds/counting_bound.hpp"
 #include "changeover/catalog/catalog.hpp"
 #include "changeover/catalog/entry.hpp"

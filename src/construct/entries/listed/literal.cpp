@@ -7,7 +7,6 @@
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/expansion.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 
 namespace changeover::literal_entry {

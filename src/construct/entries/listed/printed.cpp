@@ -6,7 +6,6 @@
 // is then in no unchanged subset. The DCCD(9,3,12) has none: its inner unchanged subsets and two
 // ends meet at most 7 elements.
 #include <array>
-#include <utility>
 
 #include "changeover/construct/registry.hpp"
 #include "construct/entry.hpp"

@@ -2,12 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <unordered_set>
 #include <utility>
 
-#include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"

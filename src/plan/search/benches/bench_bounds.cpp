@@ -9,7 +9,6 @@
 #include <optional>
 #include <utility>
 
-#include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "changeover/core/error.hpp"
 #include "core/checked.hpp"
 #include "plan/job/bench_jobs.hpp"
 #include "plan/search/benches/step_costs.hpp"

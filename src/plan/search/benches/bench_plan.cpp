@@ -2,9 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
-#include <new>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -12,7 +10,6 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/benches.hpp"
 #include "changeover/run/control.hpp"
-#include "core/words.hpp"
 #include "plan/job/bench_jobs.hpp"
 #include "plan/search/benches/bench_bounds.hpp"
 #include "plan/search/benches/bench_field.hpp"

@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
-#include <numeric>
 #include <optional>
 #include <vector>
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/run/control.hpp"
-#include "core/checked.hpp"
 #include "core/words.hpp"
 #include "plan/job/check_in_full.hpp"
 #include "plan/job/pair_numbers.hpp"

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "bounds/short_stays.hpp"
-#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

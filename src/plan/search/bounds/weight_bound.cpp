@@ -1,7 +1,5 @@
 // Bounds on what a budget can pay for.
 #include <algorithm>
-#include <limits>
-#include <numeric>
 
 #include "changeover/run/control.hpp"
 #include "plan/job/pair_numbers.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "changeover/core/error.hpp"
 #include "changeover/plan/model.hpp"
 #include "core/checked.hpp"
 #include "plan/job/pair_numbers.hpp"

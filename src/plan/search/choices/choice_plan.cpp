@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <limits>
 #include <tuple>
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "core/words.hpp"
 #include "plan/search/anneal/attempts.hpp"
 #include "plan/search/budget.hpp"
 #include "plan/search/candidates.hpp"

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
-#include <utility>
 
 #include "plan/search/choices/choice_search.hpp"
 

@@ -1,7 +1,6 @@
 #include "plan/search/choices/equal_values.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include "core/checked.hpp"

@@ -1,7 +1,6 @@
 #include "plan/search/choices/tests_apart.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <map>

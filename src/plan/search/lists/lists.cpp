@@ -1,7 +1,6 @@
 #include "plan/search/lists/lists.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "changeover/run/control.hpp"

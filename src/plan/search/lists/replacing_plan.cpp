@@ -1,7 +1,5 @@
 #include "plan/search/lists/replacing_plan.hpp"
 
-#include <utility>
-
 #include "plan/job/prices.hpp"
 #include "plan/search/budget.hpp"
 #include "plan/search/lists/lists_plan.hpp"

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstring>
-#include <limits>
 
 #include "changeover/core/error.hpp"
 #include "plan/job/fitting.hpp"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <random>
-#include <set>
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "construction_checks.hpp"

@@ -7,7 +7,6 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
 #include "damage.hpp"
-#include "plan/job/parts/heading_words.hpp"
 
 namespace changeover::spreadsheets_test {
 namespace {

@@ -1,7 +1,6 @@
 // Plans where change costs depend on what is replaced, against looking at all lists.
 #include "replacing_jobs.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "changeover/core/error.hpp"

@@ -8,7 +8,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "changeover/core/error.hpp"
 #include "cli/cli.hpp"
 #include "core/printable.hpp"
 #include "io/scan/json_events.hpp"

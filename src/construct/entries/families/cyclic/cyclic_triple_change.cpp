@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <span>
 
-#include "changeover/core/error.hpp"
 #include "construct/entries/families/cyclic/interval_family.hpp"
 
 namespace changeover::cyclic_triple_change_entry {

@@ -25,7 +25,6 @@
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
-#include "core/checked.hpp"
 #include "core/words.hpp"
 
 namespace changeover::relayed_cyclic_entry {
