@@ -29,25 +29,68 @@ def main(program):
     packages = sorted({package_of(library) for library in libraries})
     version = output(program, "--version").split()[1]
     when = os.environ.get("SOURCE_DATE_EPOCH") or output("git", "log", "-1", "--format=%ct")
-    created = datetime.datetime.fromtimestamp(int(when), datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
+    created = datetime.datetime.fromtimestamp(int(when), datetime.timezone.utc).strftime(
+        "%Y-%m-%dT%H:%M:%SZ"
+    )
     digest = hashlib.sha256(pathlib.Path(program).read_bytes()).hexdigest()
-    described = [{
-        "SPDXID": "SPDXRef-changeover", "name": "changeover", "versionInfo": version, "downloadLocation": "NOASSERTION",
-        "filesAnalyzed": False, "licenseDeclared": "MIT", "supplier": "Organization: The Changeover developers",
-        "checksums": [{"algorithm": "SHA256", "checksumValue": digest}]}]
-    relations = [{"spdxElementId": "SPDXRef-DOCUMENT", "relationshipType": "DESCRIBES", "relatedSpdxElement": "SPDXRef-changeover"}]
+    described = [
+        {
+            "SPDXID": "SPDXRef-changeover",
+            "name": "changeover",
+            "versionInfo": version,
+            "downloadLocation": "NOASSERTION",
+            "filesAnalyzed": False,
+            "licenseDeclared": "MIT",
+            "supplier": "Organization: The Changeover developers",
+            "checksums": [{"algorithm": "SHA256", "checksumValue": digest}],
+        }
+    ]
+    relations = [
+        {
+            "spdxElementId": "SPDXRef-DOCUMENT",
+            "relationshipType": "DESCRIBES",
+            "relatedSpdxElement": "SPDXRef-changeover",
+        }
+    ]
     for package in packages:
-        name, number, source = output("dpkg-query", "--show", "--showformat=${Package} ${Version} ${source:Package}", package).split()
+        name, number, source = output(
+            "dpkg-query", "--show", "--showformat=${Package} ${Version} ${source:Package}", package
+        ).split()
         identity = "SPDXRef-" + re.sub(r"[^A-Za-z0-9.-]", "-", name)
-        described.append({
-            "SPDXID": identity, "name": name, "versionInfo": number, "sourceInfo": f"Debian source package {source}",
-            "downloadLocation": "NOASSERTION", "filesAnalyzed": False})
-        relations.append({"spdxElementId": "SPDXRef-changeover", "relationshipType": "DYNAMIC_LINK", "relatedSpdxElement": identity})
-    json.dump({
-        "spdxVersion": "SPDX-2.3", "dataLicense": "CC0-1.0", "SPDXID": "SPDXRef-DOCUMENT", "name": f"changeover-{version}",
-        "documentNamespace": f"urn:changeover:{version}:{digest}",
-        "creationInfo": {"created": created, "creators": ["Organization: The Changeover developers"]},
-        "packages": described, "relationships": relations}, sys.stdout, indent=1)
+        described.append(
+            {
+                "SPDXID": identity,
+                "name": name,
+                "versionInfo": number,
+                "sourceInfo": f"Debian source package {source}",
+                "downloadLocation": "NOASSERTION",
+                "filesAnalyzed": False,
+            }
+        )
+        relations.append(
+            {
+                "spdxElementId": "SPDXRef-changeover",
+                "relationshipType": "DYNAMIC_LINK",
+                "relatedSpdxElement": identity,
+            }
+        )
+    json.dump(
+        {
+            "spdxVersion": "SPDX-2.3",
+            "dataLicense": "CC0-1.0",
+            "SPDXID": "SPDXRef-DOCUMENT",
+            "name": f"changeover-{version}",
+            "documentNamespace": f"urn:changeover:{version}:{digest}",
+            "creationInfo": {
+                "created": created,
+                "creators": ["Organization: The Changeover developers"],
+            },
+            "packages": described,
+            "relationships": relations,
+        },
+        sys.stdout,
+        indent=1,
+    )
     print()
 
 

@@ -31,8 +31,14 @@ item_bytes = 8 << 20
 
 
 def workers_of(count, memory="auto", **named):
-    return LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=None, memory_limit=memory,
-                        silence_logs=logging.CRITICAL, **named)
+    return LocalCluster(
+        n_workers=count,
+        threads_per_worker=1,
+        dashboard_address=None,
+        memory_limit=memory,
+        silence_logs=logging.CRITICAL,
+        **named,
+    )
 
 
 def read(folder, x):
@@ -55,14 +61,25 @@ def moved(client):
 
 def by_graph(client, folder, items):
     loads = [dask.delayed(read, pure=False)(folder, x) for x in range(items)]
-    pairs = [dask.delayed(product, pure=False)(i, j, loads[i], loads[j]) for i in range(items) for j in range(i + 1, items)]
+    pairs = [
+        dask.delayed(product, pure=False)(i, j, loads[i], loads[j])
+        for i in range(items)
+        for j in range(i + 1, items)
+    ]
     return sum(client.gather(client.compute(pairs)))
 
 
 def by_stretches(client, folder, items):
     total = []
-    report = cluster.all_pairs(client, items=items, room=8, load=lambda x: read(folder, x), compute=product,
-                               sink=lambda i, j, result: total.append(result), sizes=item_bytes)
+    report = cluster.all_pairs(
+        client,
+        items=items,
+        room=8,
+        load=lambda x: read(folder, x),
+        compute=product,
+        sink=lambda i, j, result: total.append(result),
+        sizes=item_bytes,
+    )
     return sum(total), report
 
 
@@ -75,7 +92,9 @@ def bench_bytes():
         rows = []
         for name in ("graph", "stretches") * 2:
             # Each time with new workers, whose memory is as it was.
-            with workers_of(2, 260_000_000, local_directory=folder) as workers, Client(workers) as client:
+            with workers_of(2, 260_000_000, local_directory=folder) as workers, Client(
+                workers
+            ) as client:
                 wait(client.map(lambda x: x, range(10), pure=False))
                 before, begin = moved(client), time.perf_counter()
                 if name == "graph":
@@ -86,14 +105,19 @@ def bench_bytes():
                 seconds = time.perf_counter() - begin
                 counts = moved(client) - before
             rows.append((name, *counts, seconds, total))
-            print(f"{name}: {counts[0] / 1e9:.2f} GB read, {counts[1] / 1e9:.2f} GB written, {seconds:.1f} s; {loads or ''}", flush=True)
+            print(
+                f"{name}: {counts[0] / 1e9:.2f} GB read, {counts[1] / 1e9:.2f} GB written, {seconds:.1f} s; {loads or ''}",
+                flush=True,
+            )
         assert max(row[4] for row in rows) - min(row[4] for row in rows) < 1e-3 * abs(rows[0][4])
 
         def mean(name, column):
             return statistics.mean(row[column] for row in rows if row[0] == name)
         both = [mean(name, 1) + mean(name, 2) for name in ("graph", "stretches")]
-        print(f"graph / ours: bytes read {mean('graph', 1) / mean('stretches', 1):.1f}, read and written {both[0] / both[1]:.1f}, "
-              f"seconds {mean('graph', 3) / mean('stretches', 3):.1f}")
+        print(
+            f"graph / ours: bytes read {mean('graph', 1) / mean('stretches', 1):.1f}, read and written {both[0] / both[1]:.1f}, "
+            f"seconds {mean('graph', 3) / mean('stretches', 3):.1f}"
+        )
 
 
 def bench_straggler():
@@ -105,7 +129,9 @@ def bench_straggler():
 
         def seconds():
             begin = time.perf_counter()
-            report = cluster.all_pairs(client, items=32, room=8, load=lambda x: time.sleep(0.005), compute=compute)
+            report = cluster.all_pairs(
+                client, items=32, room=8, load=lambda x: time.sleep(0.005), compute=compute
+            )
             return time.perf_counter() - begin, report
 
         taken = {"static": [], "stolen": []}
@@ -117,38 +143,70 @@ def bench_straggler():
             each, report = seconds()
             taken["stolen"].append(each)
         static, stolen = (statistics.median(each) for each in taken.values())
-        print(f"straggler: shares that stay {static:.1f} s, stolen {stolen:.1f} s, ratio {static / stolen:.1f}; {report}")
+        print(
+            f"straggler: shares that stay {static:.1f} s, stolen {stolen:.1f} s, ratio {static / stolen:.1f}; {report}"
+        )
 
 
 def bench_simulated():
-    print("| items | room | workers | a load, ms | a pair, ms | overlap | loads | simulated loads | s | simulated s | ratio |")
+    print(
+        "| items | room | workers | a load, ms | a pair, ms | overlap | loads | simulated loads | s | simulated s | ratio |"
+    )
     print("|---:|---:|---:|---:|---:|:---|---:|---:|---:|---:|---:|")
     for count in (1, 2, 4):
         with workers_of(count) as workers, Client(workers) as client:
-            for items, room, load, pair, overlap in ((32, 8, 0.02, 0.004, False), (32, 8, 0.02, 0.004, True),
-                                                     (60, 12, 0.01, 0.005, False), (40, 10, 0.05, 0.001, False)):
+            for items, room, load, pair, overlap in (
+                (32, 8, 0.02, 0.004, False),
+                (32, 8, 0.02, 0.004, True),
+                (60, 12, 0.01, 0.005, False),
+                (40, 10, 0.05, 0.001, False),
+            ):
+
                 def read_item(_x, load=load):
                     time.sleep(load)
 
                 def compute(_i, _j, _first, _second, pair=pair):
                     time.sleep(pair)
                 begin = time.perf_counter()
-                report = cluster.all_pairs(client, items=items, room=room, load=read_item, compute=compute, overlap=overlap)
+                report = cluster.all_pairs(
+                    client, items=items, room=room, load=read_item, compute=compute, overlap=overlap
+                )
                 seconds = time.perf_counter() - begin
-                said = cluster.simulate(items=items, room=room, workers=count, pair_seconds=pair, item_bytes=1, latency=load,
-                                        overlap=overlap, overhead=0.02)
-                print(f"| {items} | {room} | {count} | {1000 * load:.0f} | {1000 * pair:.0f} | {'yes' if overlap else ''} | {report.loads} | "
-                      f"{said.loads} | {seconds:.2f} | {said.seconds:.2f} | {said.seconds / seconds:.2f} |", flush=True)
+                said = cluster.simulate(
+                    items=items,
+                    room=room,
+                    workers=count,
+                    pair_seconds=pair,
+                    item_bytes=1,
+                    latency=load,
+                    overlap=overlap,
+                    overhead=0.02,
+                )
+                print(
+                    f"| {items} | {room} | {count} | {1000 * load:.0f} | {1000 * pair:.0f} | {'yes' if overlap else ''} | {report.loads} | "
+                    f"{said.loads} | {seconds:.2f} | {said.seconds:.2f} | {said.seconds / seconds:.2f} |",
+                    flush=True,
+                )
 
 
 def bench_scale():
     for named in ({}, {"store": 1e12}, {"store": 1e12, "failures": 0.01, "stragglers": 0.02}):
         for room in (10_000, 100_000):
             begin = time.perf_counter()
-            said = cluster.simulate(items=1_000_000, room=room, workers=10_000, pair_seconds=1e-5, item_bytes=10**6, **named)
-            print(f"{named} room {room}: {said}; planned {said.planned_loads} loads, computing {said.computing:.1%}, loading "
-                  f"{said.loading:.1%}, waiting {said.waiting:.1%}, stolen {said.stolen}, retried {said.retried}; simulated in "
-                  f"{time.perf_counter() - begin:.1f} s", flush=True)
+            said = cluster.simulate(
+                items=1_000_000,
+                room=room,
+                workers=10_000,
+                pair_seconds=1e-5,
+                item_bytes=10**6,
+                **named,
+            )
+            print(
+                f"{named} room {room}: {said}; planned {said.planned_loads} loads, computing {said.computing:.1%}, loading "
+                f"{said.loading:.1%}, waiting {said.waiting:.1%}, stolen {said.stolen}, retried {said.retried}; simulated in "
+                f"{time.perf_counter() - begin:.1f} s",
+                flush=True,
+            )
 
 
 def bench_kills():

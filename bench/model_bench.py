@@ -30,12 +30,19 @@ seeds = 20
 
 def text_of(shape):
     sizes = [size for size, count in shape.items() for _ in range(count)]
-    return "".join(f"P{i}: {', '.join(f'v{i}_{j}' for j in range(size))}\n" for i, size in enumerate(sizes)), sizes
+    return (
+        "".join(
+            f"P{i}: {', '.join(f'v{i}_{j}' for j in range(size))}\n" for i, size in enumerate(sizes)
+        ),
+        sizes,
+    )
 
 
 def changes(rows):
     """Values that are set: all of the first test, and then those that are others than before."""
-    return len(rows[0]) + sum(a != b for before, row in zip(rows, rows[1:]) for a, b in zip(before, row))
+    return len(rows[0]) + sum(
+        a != b for before, row in zip(rows, rows[1:]) for a, b in zip(before, row)
+    )
 
 
 def check(rows, sizes):
@@ -48,7 +55,9 @@ def check(rows, sizes):
 def main():
     ours, pict = (str(pathlib.Path(program).resolve()) for program in sys.argv[1:3])
     seconds = float(sys.argv[3]) if len(sys.argv) > 3 else 20
-    print("| model | PICT: tests | changes | s | ours: tests | no fewer than | changes | of PICT's | s |")
+    print(
+        "| model | PICT: tests | changes | s | ours: tests | no fewer than | changes | of PICT's | s |"
+    )
     print("|:---|---:|---:|---:|---:|---:|---:|---:|---:|")
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "model.txt"
@@ -58,27 +67,67 @@ def main():
             runs = []
             begun = time.monotonic()
             for seed in range(seeds + 1):
-                out = subprocess.run([pict, file, *([f"/r:{seed}"] if seed else [])], check=True, capture_output=True, text=True).stdout
+                out = subprocess.run(
+                    [pict, file, *([f"/r:{seed}"] if seed else [])],
+                    check=True,
+                    capture_output=True,
+                    text=True,
+                ).stdout
                 rows = [line.split("\t") for line in out.splitlines()[1:]]
                 check(rows, sizes)
                 runs.append((len(rows), changes(rows)))
             theirs, their_time = min(runs), (time.monotonic() - begun) / len(runs)
             begun = time.monotonic()
             sheet = subprocess.run(
-                [ours, "plan", "--model", file, "--objective", "tests", "--time", f"{seconds}s", "--threads", "1", "--quiet",
-                 "--format", "csv"], check=True, capture_output=True, text=True).stdout
+                [
+                    ours,
+                    "plan",
+                    "--model",
+                    file,
+                    "--objective",
+                    "tests",
+                    "--time",
+                    f"{seconds}s",
+                    "--threads",
+                    "1",
+                    "--quiet",
+                    "--format",
+                    "csv",
+                ],
+                check=True,
+                capture_output=True,
+                text=True,
+            ).stdout
             our_time = time.monotonic() - begun
             table = list(csv.DictReader(sheet.splitlines()))
             rows = [[row[f"P{i}"] for i in range(len(sizes))] for row in table]
             check(rows, sizes)
             bound = bound_of(ours, file)
-            print(f"| {name} | {theirs[0]} | {theirs[1]} | {their_time:.1f} | {len(rows)} | {bound} | {changes(rows)} | "
-                  f"{changes(rows) / theirs[1]:.0%} | {our_time:.1f} |", flush=True)
+            print(
+                f"| {name} | {theirs[0]} | {theirs[1]} | {their_time:.1f} | {len(rows)} | {bound} | {changes(rows)} | "
+                f"{changes(rows) / theirs[1]:.0%} | {our_time:.1f} |",
+                flush=True,
+            )
 
 
 def bound_of(ours, file):
-    answer = subprocess.run([ours, "plan", "--model", file, "--objective", "tests", "--steps", "1", "--quiet", "--json"],
-                            check=True, capture_output=True, text=True).stdout
+    answer = subprocess.run(
+        [
+            ours,
+            "plan",
+            "--model",
+            file,
+            "--objective",
+            "tests",
+            "--steps",
+            "1",
+            "--quiet",
+            "--json",
+        ],
+        check=True,
+        capture_output=True,
+        text=True,
+    ).stdout
     return json.loads(answer)["lower_bound"]["tests"]
 
 

@@ -46,11 +46,17 @@ def sources() -> list[str]:
     """What belongs to a source archive: what git knows, or without git all but what builds leave behind."""
     listed = subprocess.run(["git", "ls-files", "-z"], cwd=root, capture_output=True, text=True)
     if (root / ".git").exists() and listed.returncode == 0:
-        return sorted(path for path in listed.stdout.split("\0") if path and (root / path).is_file())
+        return sorted(
+            path for path in listed.stdout.split("\0") if path and (root / path).is_file()
+        )
     left = {"build", "dist", "node_modules", "__pycache__", ".git"}
     found = []
     for folder, folders, files in os.walk(root):
-        folders[:] = [each for each in folders if each not in left or pathlib.Path(folder, each) == root / "web/dist"]
+        folders[:] = [
+            each
+            for each in folders
+            if each not in left or pathlib.Path(folder, each) == root / "web/dist"
+        ]
         found += [str(pathlib.Path(folder, file).relative_to(root)) for file in files]
     return sorted(path for path in found if path != "PKG-INFO")
 
@@ -70,12 +76,24 @@ def build_sdist(sdist_directory: str, config_settings: dict | None = None) -> st
 
 def built(folder: pathlib.Path) -> pathlib.Path:
     """The package as CMake makes it, in a build folder."""
-    configure = ["cmake", "-S", str(root), "-B", str(folder), f"-DPython_EXECUTABLE={sys.executable}"]
+    configure = [
+        "cmake",
+        "-S",
+        str(root),
+        "-B",
+        str(folder),
+        f"-DPython_EXECUTABLE={sys.executable}",
+    ]
     if not (folder / "CMakeCache.txt").exists():
         configure += ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"]
-    for command in (configure, ["cmake", "--build", str(folder), "--target", "changeover_python_package"]):
+    for command in (
+        configure,
+        ["cmake", "--build", str(folder), "--target", "changeover_python_package"],
+    ):
         if subprocess.run(command, stdout=sys.stderr).returncode != 0:
-            raise RuntimeError("CMake failed; what it lacks is said above, and ./dev setup installs it on Debian")
+            raise RuntimeError(
+                "CMake failed; what it lacks is said above, and ./dev setup installs it on Debian"
+            )
     return folder / "python" / name
 
 
@@ -100,9 +118,9 @@ def build_wheel(
     info = f"{stem}.dist-info"
     files[f"{info}/METADATA"] = metadata().encode()
     files[f"{info}/LICENSE"] = (root / "LICENSE").read_bytes()
-    files[f"{info}/WHEEL"] = (
-        f"Wheel-Version: 1.0\nGenerator: changeover\nRoot-Is-Purelib: false\nTag: {tag}-{tag}-{platform}\n".encode()
-    )
+    files[
+        f"{info}/WHEEL"
+    ] = f"Wheel-Version: 1.0\nGenerator: changeover\nRoot-Is-Purelib: false\nTag: {tag}-{tag}-{platform}\n".encode()
     record = ""
     for path, content in files.items():
         digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()

@@ -30,9 +30,18 @@ elsewhere = {
     "CHANGELOG.md": "changelog.md",
 }
 mathjax = pathlib.Path("/usr/share/javascript/mathjax")
-# What pages with formulas load: TeX in, SVG out. Glyphs are outlines in scripts, so there are no fonts to fetch.
-mathjax_parts = ["MathJax.js", "config/TeX-AMS_SVG.js", "jax/input/TeX", "jax/output/SVG", "jax/element", "extensions/TeX",
-                 "extensions/MathEvents.js", "extensions/tex2jax.js"]
+# What pages with formulas load: TeX in, SVG out. Glyphs are outlines in scripts, so there are no
+# fonts to fetch.
+mathjax_parts = [
+    "MathJax.js",
+    "config/TeX-AMS_SVG.js",
+    "jax/input/TeX",
+    "jax/output/SVG",
+    "jax/element",
+    "extensions/TeX",
+    "extensions/MathEvents.js",
+    "extensions/tex2jax.js",
+]
 awesome = pathlib.Path("/usr/share/doxygen-awesome-css")
 
 
@@ -73,15 +82,32 @@ def retarget(text: str, source: str, pages: dict) -> tuple:
 
 def commands(described: dict) -> str:
     """The page of all verbs and options, from what the program says of itself."""
-    out = ["# Commands", "", "Every verb and option, as `changeover describe` has them. `changeover VERB --help` adds examples.", ""]
+    out = [
+        "# Commands",
+        "",
+        "Every verb and option, as `changeover describe` has them. `changeover VERB --help` adds examples.",
+        "",
+    ]
 
     def cell(words: str) -> str:
         return words.replace("|", "\\|").replace("<", "&lt;").replace("$", "\\$")
 
     for verb in described["verbs"]:
-        names = [argument["name"] if argument.get("required") else f"[{argument['name']}]" for argument in verb["arguments"]]
-        out += [f"## {verb['typed']}", "", cell(verb["summary"]) + ".", "", f"    changeover {' '.join([verb['typed'], *names])}", ""]
-        rows = [(f"`{argument['name']}`", argument.get("help", "")) for argument in verb["arguments"]]
+        names = [
+            argument["name"] if argument.get("required") else f"[{argument['name']}]"
+            for argument in verb["arguments"]
+        ]
+        out += [
+            f"## {verb['typed']}",
+            "",
+            cell(verb["summary"]) + ".",
+            "",
+            f"    changeover {' '.join([verb['typed'], *names])}",
+            "",
+        ]
+        rows = [
+            (f"`{argument['name']}`", argument.get("help", "")) for argument in verb["arguments"]
+        ]
         for option in verb["options"]:
             kind = "" if option["kind"] == "flag" else " " + option["kind"].upper()
             words = ", ".join(f"`{word}`" for word in option.get("words", []))
@@ -109,7 +135,9 @@ def stage(folder: pathlib.Path, static: pathlib.Path, program: pathlib.Path) -> 
         shutil.copyfile(root / file, folder / "files" / file)
     for page in here.glob("*.md"):
         shutil.copyfile(page, folder / page.name)
-    described = subprocess.run([program, "describe"], check=True, capture_output=True, text=True).stdout
+    described = subprocess.run(
+        [program, "describe"], check=True, capture_output=True, text=True
+    ).stdout
     (folder / "commands.md").write_text(commands(json.loads(described)), encoding="utf-8")
     shutil.copytree(root / "docs" / "img", folder / "img")
     for part in mathjax_parts:
@@ -123,15 +151,23 @@ def stage(folder: pathlib.Path, static: pathlib.Path, program: pathlib.Path) -> 
 
 
 def version() -> str:
-    return re.search(r"project\([^)]*VERSION ([0-9.]+)", (root / "CMakeLists.txt").read_text(encoding="utf-8")).group(1)
+    return re.search(
+        r"project\([^)]*VERSION ([0-9.]+)", (root / "CMakeLists.txt").read_text(encoding="utf-8")
+    ).group(1)
 
 
 def fill(template: str, **values: object) -> str:
-    return re.sub(r"@([a-z_]+)@", lambda match: str(values[match.group(1)]), (here / template).read_text(encoding="utf-8"))
+    return re.sub(
+        r"@([a-z_]+)@",
+        lambda match: str(values[match.group(1)]),
+        (here / template).read_text(encoding="utf-8"),
+    )
 
 
 def run(*command: object, **environment: str) -> None:
-    done = subprocess.run([str(word) for word in command], cwd=root, env={**os.environ, **environment})
+    done = subprocess.run(
+        [str(word) for word in command], cwd=root, env={**os.environ, **environment}
+    )
     if done.returncode:
         sys.exit(f"{command[0]} ended with code {done.returncode}")
 
@@ -142,26 +178,49 @@ def build_cpp(build: pathlib.Path, scratch: pathlib.Path, out: pathlib.Path) -> 
         shutil.rmtree(made, ignore_errors=True)
     headers = scratch / "include"
     shutil.copytree(root / "include", headers)
-    shutil.copyfile(build / "generated/include/changeover/core/version.hpp", headers / "changeover/core/version.hpp")
+    shutil.copyfile(
+        build / "generated/include/changeover/core/version.hpp",
+        headers / "changeover/core/version.hpp",
+    )
     shutil.copyfile(here / "cpp_main.dox", headers / "main.dox")
     header, layout = scratch / "header.html", scratch / "layout.xml"
     run("doxygen", "-w", "html", header, scratch / "footer.html", scratch / "style.css")
     # Doxygen's own head, and the button for light and dark.
-    header.write_text(header.read_text(encoding="utf-8").replace(
-        "</head>", '<script type="text/javascript" src="$relpath^doxygen-awesome-darkmode-toggle.js"></script>\n'
-        '<script type="text/javascript">DoxygenAwesomeDarkModeToggle.init()</script>\n</head>'), encoding="utf-8")
+    header.write_text(
+        header.read_text(encoding="utf-8").replace(
+            "</head>",
+            '<script type="text/javascript" src="$relpath^doxygen-awesome-darkmode-toggle.js"></script>\n'
+            '<script type="text/javascript">DoxygenAwesomeDarkModeToggle.init()</script>\n</head>',
+        ),
+        encoding="utf-8",
+    )
     # Doxygen's own layout, with what a header says of itself before the list of what is in it.
     run("doxygen", "-l", layout)
     text = layout.read_text(encoding="utf-8")
     for kind in ("file", "class"):
         part = re.search(rf"<{kind}>.*?</{kind}>", text, re.S).group(0)
         words = re.search(r"\s*<detaileddescription[^>]*/>", part).group(0)
-        changed = re.sub(r"\s*<briefdescription[^>]*/>", lambda _: words.replace('title=""', 'title=" "'), part.replace(words, ""), count=1)
+        changed = re.sub(
+            r"\s*<briefdescription[^>]*/>",
+            lambda _: words.replace('title=""', 'title=" "'),
+            part.replace(words, ""),
+            count=1,
+        )
         text = text.replace(part, changed)
     layout.write_text(text, encoding="utf-8")
     (scratch / "Doxyfile").write_text(
-        fill("Doxyfile.in", headers=headers, here=here, out=out, awesome=awesome, version=version(), scratch=scratch,
-             layout=layout), encoding="utf-8")
+        fill(
+            "Doxyfile.in",
+            headers=headers,
+            here=here,
+            out=out,
+            awesome=awesome,
+            version=version(),
+            scratch=scratch,
+            layout=layout,
+        ),
+        encoding="utf-8",
+    )
     run("doxygen", scratch / "Doxyfile")
     settle_anchors(out)
 
@@ -169,14 +228,22 @@ def build_cpp(build: pathlib.Path, scratch: pathlib.Path, out: pathlib.Path) -> 
 def settle_anchors(out: pathlib.Path) -> None:
     """Doxygen links to some private members, of which it says nothing: these links lead to the page."""
     pages = {page.name: page.read_text(encoding="utf-8") for page in out.glob("*.html")}
-    anchors = {name: set(re.findall(r'(?:id|name)="([^"]+)"', text)) for name, text in pages.items()}
+    anchors = {
+        name: set(re.findall(r'(?:id|name)="([^"]+)"', text)) for name, text in pages.items()
+    }
 
     def settled(name: str, match: re.Match) -> str:
         there = match.group(1) or name
-        return match.group(0) if there not in anchors or match.group(2) in anchors[there] else f'href="{there}"'
+        return (
+            match.group(0)
+            if there not in anchors or match.group(2) in anchors[there]
+            else f'href="{there}"'
+        )
 
     for name, text in pages.items():
-        changed = re.sub(r'href="([^"#:]*)#([^"]+)"', lambda match, name=name: settled(name, match), text)
+        changed = re.sub(
+            r'href="([^"#:]*)#([^"]+)"', lambda match, name=name: settled(name, match), text
+        )
         if changed != text:
             (out / name).write_text(changed, encoding="utf-8")
 
@@ -187,21 +254,39 @@ def settle_theme(out: pathlib.Path) -> None:
     system is dark gets the dark look without asking for it."""
     script = out / "_static/scripts/furo.js"
     text = script.read_text(encoding="utf-8")
-    script.write_text(re.sub(r'import Gumshoe from "\./(gumshoe-patched\.js)";',
-                             lambda match: script.with_name(match.group(1)).read_text(encoding="utf-8"), text), encoding="utf-8")
+    script.write_text(
+        re.sub(
+            r'import Gumshoe from "\./(gumshoe-patched\.js)";',
+            lambda match: script.with_name(match.group(1)).read_text(encoding="utf-8"),
+            text,
+        ),
+        encoding="utf-8",
+    )
     style = out / "_static/styles/furo.css"
-    text = re.sub(r"@import url\((/javascript/[^)]+)\);",
-                  lambda match: pathlib.Path("/usr/share" + match.group(1)).read_text(encoding="utf-8"),
-                  style.read_text(encoding="utf-8"))
+    text = re.sub(
+        r"@import url\((/javascript/[^)]+)\);",
+        lambda match: pathlib.Path("/usr/share" + match.group(1)).read_text(encoding="utf-8"),
+        style.read_text(encoding="utf-8"),
+    )
     if "prefers-color-scheme" not in text:
-        dark = re.search(r"@media not print \{\s*(body\[data-theme=\"dark\"\].*?\} *\})\s*\n\n", text, re.S).group(1)
-        text += f"\n@media screen and (prefers-color-scheme: dark) {{\n{dark}\n".replace('"dark"', '"auto"')
+        dark = re.search(
+            r"@media not print \{\s*(body\[data-theme=\"dark\"\].*?\} *\})\s*\n\n", text, re.S
+        ).group(1)
+        text += f"\n@media screen and (prefers-color-scheme: dark) {{\n{dark}\n".replace(
+            '"dark"', '"auto"'
+        )
     style.write_text(text, encoding="utf-8")
 
 
 def missing(cpp: bool) -> str:
-    for module, package in (("sphinx", "python3-sphinx"), ("myst_parser", "python3-myst-parser"), ("furo", "furo")):
-        if subprocess.run([sys.executable, "-c", f"import {module}"], capture_output=True).returncode:
+    for module, package in (
+        ("sphinx", "python3-sphinx"),
+        ("myst_parser", "python3-myst-parser"),
+        ("furo", "furo"),
+    ):
+        if subprocess.run(
+            [sys.executable, "-c", f"import {module}"], capture_output=True
+        ).returncode:
             return package
     if not mathjax.is_dir():
         return "libjs-mathjax"
@@ -213,10 +298,14 @@ def missing(cpp: bool) -> str:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--out", type=pathlib.Path, default=root / "build" / "site")
     parser.add_argument("--build", type=pathlib.Path, default=root / "build" / "release")
-    parser.add_argument("--without-cpp", action="store_true", help="the guide alone, which is faster")
+    parser.add_argument(
+        "--without-cpp", action="store_true", help="the guide alone, which is faster"
+    )
     arguments = parser.parse_args()
     package = missing(not arguments.without_cpp)
     if package:
@@ -226,10 +315,30 @@ def main() -> None:
     scratch = out.with_name(out.name + ".work")
     stage(scratch / "pages", scratch / "static", build / "changeover")
     shutil.rmtree(out / "_static", ignore_errors=True)
-    run(sys.executable, "-m", "sphinx", "-W", "--keep-going", "-n", "-q", "-j", "2", "-b", "html", "-c", here,
-        "-d", scratch / "doctrees", scratch / "pages", out,
-        PYTHONPATH=str(build / "python"), CHANGEOVER_CATALOG="", CHANGEOVER_VERSION=version(),
-        CHANGEOVER_STATIC=str(scratch / "static"), PYTHONDONTWRITEBYTECODE="1")
+    run(
+        sys.executable,
+        "-m",
+        "sphinx",
+        "-W",
+        "--keep-going",
+        "-n",
+        "-q",
+        "-j",
+        "2",
+        "-b",
+        "html",
+        "-c",
+        here,
+        "-d",
+        scratch / "doctrees",
+        scratch / "pages",
+        out,
+        PYTHONPATH=str(build / "python"),
+        CHANGEOVER_CATALOG="",
+        CHANGEOVER_VERSION=version(),
+        CHANGEOVER_STATIC=str(scratch / "static"),
+        PYTHONDONTWRITEBYTECODE="1",
+    )
     settle_theme(out)
     if not arguments.without_cpp:
         build_cpp(build, scratch / "cpp", out / "cpp")

@@ -15,12 +15,31 @@ extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.mathjax"]
 exclude_patterns = ["files"]
 nitpicky = True
 # Types of the standard library have no pages here.
-nitpick_ignore_regex = [(r"py:.*", r"(collections\.abc\.|typing\.|decimal\.)?(int|str|bool|float|None|object|list|dict|tuple|range|slice|memoryview|Any"
-                         r"|Literal|Union|Callable|Iterable|Iterator|Mapping|Sequence|SupportsIndex|Decimal|\w*Error|Exception)")]
+nitpick_ignore_regex = [
+    (
+        r"py:.*",
+        r"(collections\.abc\.|typing\.|decimal\.)?(int|str|bool|float|None|object|list|dict|tuple|range|slice|memoryview|Any"
+        r"|Literal|Union|Callable|Iterable|Iterator|Mapping|Sequence|SupportsIndex|Decimal|\w*Error|Exception)",
+    )
+]
 # Names for types of arguments, which the page of the reference explains.
-nitpick_ignore = [("py:class", name)
-                  for name in ("Cost", "Part", "Pair", "Parts", "Pairs", "Room", "Done", "Objective", "CostUnit",
-                               "Benches", "First", "Model")]
+nitpick_ignore = [
+    ("py:class", name)
+    for name in (
+        "Cost",
+        "Part",
+        "Pair",
+        "Parts",
+        "Pairs",
+        "Room",
+        "Done",
+        "Objective",
+        "CostUnit",
+        "Benches",
+        "First",
+        "Model",
+    )
+]
 smartquotes = False
 highlight_language = "none"
 
@@ -47,10 +66,19 @@ mathjax2_config = {
     "showProcessingMessages": False,
     "messageStyle": "none",
     "skipStartupTypeset": False,
-    "menuSettings": {"assistiveMML": False, "collapsible": False, "explorer": False, "inTabOrder": False},
+    "menuSettings": {
+        "assistiveMML": False,
+        "collapsible": False,
+        "explorer": False,
+        "inTabOrder": False,
+    },
     "SVG": {"font": "TeX", "scale": 92, "linebreaks": {"automatic": True, "width": "container"}},
-    "tex2jax": {"inlineMath": [["\\(", "\\)"]], "displayMath": [["\\[", "\\]"]], "ignoreClass": "document|body|content",
-                "processClass": "math"},
+    "tex2jax": {
+        "inlineMath": [["\\(", "\\)"]],
+        "displayMath": [["\\[", "\\]"]],
+        "ignoreClass": "document|body|content",
+        "processClass": "math",
+    },
 }
 
 autodoc_member_order = "bysource"
@@ -86,18 +114,34 @@ def mathematics(app, doctree):
     if app.env.docname not in MATHEMATICS:
         return
     if app.env.docname == "theorems":
-        app.env.get_domain("math").data["has_equations"]["theorems"] = True  # So that MathJax is loaded.
+        app.env.get_domain("math").data["has_equations"][
+            "theorems"
+        ] = True  # So that MathJax is loaded.
         for block in list(doctree.findall(nodes.literal_block)):
             if not block.astext().startswith("$ "):
                 latex = rf"\[{formulas.to_latex(block.astext().strip())}\]"
                 block.replace_self(nodes.math_block(latex, latex, nowrap=True, number=None))
     for text in list(doctree.findall(nodes.Text)):
-        if isinstance(text.parent, (nodes.literal, nodes.literal_block, nodes.math, nodes.math_block, nodes.comment, nodes.raw)):
+        if isinstance(
+            text.parent,
+            (
+                nodes.literal,
+                nodes.literal_block,
+                nodes.math,
+                nodes.math_block,
+                nodes.comment,
+                nodes.raw,
+            ),
+        ):
             continue
         pieces = formulas.scripts(str(text))
         if any(mark for mark, _ in pieces):
-            made = [nodes.Text(words) if not mark else
-                    (nodes.subscript if mark == "_" else nodes.superscript)("", nodes.Text(words)) for mark, words in pieces]
+            made = [
+                nodes.Text(words)
+                if not mark
+                else (nodes.subscript if mark == "_" else nodes.superscript)("", nodes.Text(words))
+                for mark, words in pieces
+            ]
             text.parent.replace(text, made)
 
 

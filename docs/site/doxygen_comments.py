@@ -46,7 +46,9 @@ def translated(lines: list, language: str) -> list:
             state = ""
         elif 2 <= deep <= 4:
             text = line.strip()
-            if state != "list" or (deep <= 3 and not text.startswith(("- ", "* ")) and deep == item):
+            if state != "list" or (
+                deep <= 3 and not text.startswith(("- ", "* ")) and deep == item
+            ):
                 if not re.match(r"[-*] |\d+\. ", text):
                     text = "- " + re.sub(r"  +", ": ", text, count=1)
                 if state != "list":
@@ -79,13 +81,18 @@ def of_cpp(lines: list) -> list:
     out, i = [], 0
     while i < len(lines):
         opening = re.match(r"(\s*)//(/?)(?!/)(?!<)", lines[i])
-        # A comment that stands alone, with a gap after it, is of the file as the one at its head is.
+        # A comment that stands alone, with a gap after it, is of the file as the one at its head
+        # is.
         end = i
         while end < len(lines) and lines[end].startswith("//") and not lines[end].startswith("///"):
             end += 1
-        is_head = (i == 0 and end > 0) or (end > i + 1 and end < len(lines) and not lines[end] and not lines[i - 1])
+        is_head = (i == 0 and end > 0) or (
+            end > i + 1 and end < len(lines) and not lines[end] and not lines[i - 1]
+        )
         if not opening or not (is_head or opening.group(2)):
-            code, mark, words = lines[i].partition("///<")  # What stands behind a member is the member's.
+            code, mark, words = lines[i].partition(
+                "///<"
+            )  # What stands behind a member is the member's.
             out.append(code + mark + escaped(words))
             i += 1
             continue
@@ -97,7 +104,9 @@ def of_cpp(lines: list) -> list:
             i += 1
         body = without_margin(translated(comment, ".cpp"))
         # Only the first sentence of the first comment is the file's summary.
-        out += as_comment((["@file", "" if len(out) == 0 else "@details"] if is_head else []) + body, indent)
+        out += as_comment(
+            (["@file", "" if len(out) == 0 else "@details"] if is_head else []) + body, indent
+        )
         if is_head:
             out.append("")
     return out

@@ -8,11 +8,43 @@ import re
 
 WORDS = {"if", "or", "and", "for", "blocks", "every", "hence"}
 SYMBOLS = {
-    "≤": r"\le ", "≥": r"\ge ", "<": "<", ">": ">", "=": "=", "+": "+", "−": "-", "±": r"\pm ", "·": r"\cdot ", "/": "/",
-    "⌈": r"\lceil ", "⌉": r"\rceil ", "⌊": r"\lfloor ", "⌋": r"\rfloor ", "…": r"\dots ", "⊂": r"\subset ", "∪": r"\cup ",
-    "Σ": r"\sum ", "ℓ": r"\ell ", "²": "^2", "³": "^3", "′": "'", "∎": r"\blacksquare ", "{": r"\{", "}": r"\}",
-    "∈": r"\in ", "∋": r"\ni ", "∌": r"\not\ni ", "∩": r"\cap ", "|": "|", "π": r"\pi ",
-    "(": "(", ")": ")", ",": ",", ".": ".", ":": ":", "*": "",
+    "≤": r"\le ",
+    "≥": r"\ge ",
+    "<": "<",
+    ">": ">",
+    "=": "=",
+    "+": "+",
+    "−": "-",
+    "±": r"\pm ",
+    "·": r"\cdot ",
+    "/": "/",
+    "⌈": r"\lceil ",
+    "⌉": r"\rceil ",
+    "⌊": r"\lfloor ",
+    "⌋": r"\rfloor ",
+    "…": r"\dots ",
+    "⊂": r"\subset ",
+    "∪": r"\cup ",
+    "Σ": r"\sum ",
+    "ℓ": r"\ell ",
+    "²": "^2",
+    "³": "^3",
+    "′": "'",
+    "∎": r"\blacksquare ",
+    "{": r"\{",
+    "}": r"\}",
+    "∈": r"\in ",
+    "∋": r"\ni ",
+    "∌": r"\not\ni ",
+    "∩": r"\cap ",
+    "|": "|",
+    "π": r"\pi ",
+    "(": "(",
+    ")": ")",
+    ",": ",",
+    ".": ".",
+    ":": ":",
+    "*": "",
 }
 
 
@@ -25,7 +57,9 @@ def line_to_latex(line: str) -> str:
         word = re.match(r"[A-Za-z]+", line[i:])
         if script:
             inside = script.group(1)
-            out.append(here + "{" + line_to_latex(inside[1:-1] if inside.startswith("{") else inside) + "}")
+            out.append(
+                here + "{" + line_to_latex(inside[1:-1] if inside.startswith("{") else inside) + "}"
+            )
             i += script.end()
         elif here == " ":
             gap = len(line[i:]) - len(line[i:].lstrip(" "))

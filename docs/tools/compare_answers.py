@@ -62,12 +62,30 @@ class Questions:
         draw = self.random
         count = draw.randint(4, 11)
         names = draw.sample(
-            ["camera", "lens a", "lens,b", "SSD 1", "GPU-A", "Käfer", "日本", "P\"7", "x", "y", "disk", "fan", "board"], count
+            [
+                "camera",
+                "lens a",
+                "lens,b",
+                "SSD 1",
+                "GPU-A",
+                "Käfer",
+                "日本",
+                "P\"7",
+                "x",
+                "y",
+                "disk",
+                "fan",
+                "board",
+            ],
+            count,
         )
         costs = [draw.choice(["1", "2.50", "10", "0.05", "7"]) for _ in names]
         slots = [draw.choice(["a", "b", "c"]) for _ in names]
         separator = draw.choice([",", ";", "\t"])
-        quoted = ['"' + name.replace('"', '""') + '"' if separator in name or '"' in name else name for name in names]
+        quoted = [
+            '"' + name.replace('"', '""') + '"' if separator in name or '"' in name else name
+            for name in names
+        ]
         form = draw.choice(["names", "costs", "slots", "headless"])
         rows = {
             "names": [["name"]] + [[name] for name in quoted],
@@ -113,7 +131,12 @@ class Questions:
             words += ["-k", at_once, "--test-cost", draw.choice(["1", "10", "12.50", "0"])]
             if form == "slots" and draw.random() < 0.9:
                 rooms = sorted(set(slots))
-                words += ["--slot", ",".join(f"{room}={draw.choice(['1', '..2', '0..2', '1..3'])}" for room in rooms)]
+                words += [
+                    "--slot",
+                    ",".join(
+                        f"{room}={draw.choice(['1', '..2', '0..2', '1..3'])}" for room in rooms
+                    ),
+                ]
             if draw.random() < 0.2:
                 words += ["--never", self.pairs_of(number, names, draw.randint(1, 3), "never")]
             if draw.random() < 0.15:
@@ -125,7 +148,10 @@ class Questions:
             if draw.random() < 0.1:
                 words += ["--first", self.setups_of(number, names, at_once, "first")]
             if draw.random() < 0.1:
-                words += ["--priority", self.pairs_of(number, names, 4, "worth", lambda: f",{draw.randint(1, 9)}")]
+                words += [
+                    "--priority",
+                    self.pairs_of(number, names, 4, "worth", lambda: f",{draw.randint(1, 9)}"),
+                ]
             if draw.random() < 0.1:
                 words += ["--budget", draw.choice(["5", "30", "100"])]
             if draw.random() < 0.1:
@@ -141,7 +167,12 @@ class Questions:
             words += ["--steps", 2000, "--seed", draw.randint(1, 9)]
             form = draw.choice(["", "", "json", "csv", "markdown", "html", "xlsx", "file"])
             if form == "file":
-                words += ["-o", draw.choice(["out.csv", "out.json", "out.md", "out.html", "out.xlsx", "out.txt"])]
+                words += [
+                    "-o",
+                    draw.choice(
+                        ["out.csv", "out.json", "out.md", "out.html", "out.xlsx", "out.txt"]
+                    ),
+                ]
             elif form == "xlsx":
                 words += ["--format", "xlsx", "-o", "out.xlsx"]
             elif form:
@@ -151,31 +182,95 @@ class Questions:
     def _benches(self):
         draw = self.random
         for _ in range(60):
-            self.ask("plan", "--items", draw.randint(4, 12), "-k", draw.randint(2, 4), "--test-cost", draw.randint(0, 9),
-                     "--change-cost", draw.randint(0, 5), "--benches", draw.randint(1, 4), "--objective",
-                     draw.choice(["makespan", "cost"]), "--steps", 1000, "--format",
-                     draw.choice(["table", "json", "csv", "markdown", "html"]))
+            self.ask(
+                "plan",
+                "--items",
+                draw.randint(4, 12),
+                "-k",
+                draw.randint(2, 4),
+                "--test-cost",
+                draw.randint(0, 9),
+                "--change-cost",
+                draw.randint(0, 5),
+                "--benches",
+                draw.randint(1, 4),
+                "--objective",
+                draw.choice(["makespan", "cost"]),
+                "--steps",
+                1000,
+                "--format",
+                draw.choice(["table", "json", "csv", "markdown", "html"]),
+            )
 
     def _faulty_plans(self):
         """One fault each: the line that refuses it is an answer, too."""
         parts = self.file("good.csv", "part,cost\na,1\nb,2\nc,3\nd,4\n")
         good = ["plan", parts, "-k", "3", "--test-cost", "2", "--steps", "100"]
-        for extra in (["--never", "absent.csv"], ["--slot", "CPU=1"], ["--budget", "x"], ["--budget", "-1"],
-                      ["--benches", "0"], ["--benches", "9999"], ["--strength", "4"], ["--mounted", "z"],
-                      ["--done-first", "1"], ["--diagnose"], ["--objective", "cost"], ["--header", "--no-header"],
-                      ["--mounted", "a,b,c,d"], ["--start", "a,a"], ["--items", "4"], ["--title", "\x01"],
-                      ["--priority", self.file("w1.csv", "a,b,x\n")], ["--never", self.file("n1.csv", "a,q\n")],
-                      ["--never", self.file("n2.csv", "a,a\n")], ["--first", self.file("f1.csv", "a,b,c,d\n")],
-                      ["--done", self.file("d1.csv", "a,zz\n")], ["--change-costs", self.file("c1.csv", "a,b\n1\n")],
-                      ["--slots", self.file("s1.csv", "CPU,1\n")], ["--pairs", self.file("p1.csv", "\n")],
-                      ["-o", parts], ["-o", "absent/out.csv"], ["--what-if", "--format", "html"],
-                      ["--compact", "--format", "csv"], ["--never", self.file("n3.csv", "a,b\na,c\na,d\nb,c\nb,d\nc,d\n")]):
+        for extra in (
+            ["--never", "absent.csv"],
+            ["--slot", "CPU=1"],
+            ["--budget", "x"],
+            ["--budget", "-1"],
+            ["--benches", "0"],
+            ["--benches", "9999"],
+            ["--strength", "4"],
+            ["--mounted", "z"],
+            ["--done-first", "1"],
+            ["--diagnose"],
+            ["--objective", "cost"],
+            ["--header", "--no-header"],
+            ["--mounted", "a,b,c,d"],
+            ["--start", "a,a"],
+            ["--items", "4"],
+            ["--title", "\x01"],
+            ["--priority", self.file("w1.csv", "a,b,x\n")],
+            ["--never", self.file("n1.csv", "a,q\n")],
+            ["--never", self.file("n2.csv", "a,a\n")],
+            ["--first", self.file("f1.csv", "a,b,c,d\n")],
+            ["--done", self.file("d1.csv", "a,zz\n")],
+            ["--change-costs", self.file("c1.csv", "a,b\n1\n")],
+            ["--slots", self.file("s1.csv", "CPU,1\n")],
+            ["--pairs", self.file("p1.csv", "\n")],
+            ["-o", parts],
+            ["-o", "absent/out.csv"],
+            ["--what-if", "--format", "html"],
+            ["--compact", "--format", "csv"],
+            ["--never", self.file("n3.csv", "a,b\na,c\na,d\nb,c\nb,d\nc,d\n")],
+        ):
             self.ask(*good, *extra)
-        for text in ("", "a\n", "a\na\n", "part,cost\na,x\n", "part,cost\na,-1\nb,2\n", "\ufeffpart,cost\na,1\nb,2\n",
-                     "part,cost,cost\na,1,2\n", "a,1\nb\n", "\"a,1\nb,2\n", "part;cost\na;1,5\nb;2\n", "a\x00b\n"):
-            self.ask("plan", self.file(f"odd{len(self.files)}.csv", text), "-k", 2, "--test-cost", 1, "--steps", 10)
-        for words in (["-k", "1"], ["-k", "0"], [], ["-k", "x"], ["-k", "2"], ["--test-cost", "1"],
-                      ["-k", "2", "--test-cost", "1e3"], ["-k", "2", "--test-cost", "99999999999999999999"]):
+        for text in (
+            "",
+            "a\n",
+            "a\na\n",
+            "part,cost\na,x\n",
+            "part,cost\na,-1\nb,2\n",
+            "\ufeffpart,cost\na,1\nb,2\n",
+            "part,cost,cost\na,1,2\n",
+            "a,1\nb\n",
+            "\"a,1\nb,2\n",
+            "part;cost\na;1,5\nb;2\n",
+            "a\x00b\n",
+        ):
+            self.ask(
+                "plan",
+                self.file(f"odd{len(self.files)}.csv", text),
+                "-k",
+                2,
+                "--test-cost",
+                1,
+                "--steps",
+                10,
+            )
+        for words in (
+            ["-k", "1"],
+            ["-k", "0"],
+            [],
+            ["-k", "x"],
+            ["-k", "2"],
+            ["--test-cost", "1"],
+            ["-k", "2", "--test-cost", "1e3"],
+            ["-k", "2", "--test-cost", "99999999999999999999"],
+        ):
             self.ask("plan", parts, *words)
 
     def _loads(self):
@@ -183,7 +278,9 @@ class Questions:
         for _ in range(300):
             items = draw.randint(1, 60)
             words = ["loadorder", "--items", items, "--room", draw.randint(2, 12)]
-            kind = draw.choice(["plain", "plain", "against", "done", "workers", "disjoint", "prefetch", "fast"])
+            kind = draw.choice(
+                ["plain", "plain", "against", "done", "workers", "disjoint", "prefetch", "fast"]
+            )
             if kind == "against":
                 words += ["--against", draw.randint(1, 30)]
             elif kind == "done":
@@ -204,13 +301,23 @@ class Questions:
                     words += [draw.choice(["--ordered", "--self", "--shuffle"])]
             words += ["--format", draw.choice(["text", "jsonl", "csv"])]
             self.ask(*words)
-        for words in (["--items", 5], ["--room", 3], ["--items", 0, "--room", 3], ["--items", 5, "--room", 1],
-                      ["--items", 5, "--room", 3, "--workers", 0], ["--items", 5, "--room", 3, "--disjoint"],
-                      ["--items", 2**40, "--room", 3], ["--items", 5, "--room", 2**40],
-                      ["--items", 9, "--room", 3, "--fast-room", 4], ["--items", 9, "--room", 3, "--fast-room", 1],
-                      ["--items", 9, "--room", 3, "--item-bytes", 3], ["--items", 9, "--room", 3, "--done-items", 10],
-                      ["--items", 9, "--room", 3, "--pairs", "absent"], ["--room", 3, "--pairs", "absent"],
-                      ["--items", 9, "--room", 3, "--prefetch", "--workers", 2]):
+        for words in (
+            ["--items", 5],
+            ["--room", 3],
+            ["--items", 0, "--room", 3],
+            ["--items", 5, "--room", 1],
+            ["--items", 5, "--room", 3, "--workers", 0],
+            ["--items", 5, "--room", 3, "--disjoint"],
+            ["--items", 2**40, "--room", 3],
+            ["--items", 5, "--room", 2**40],
+            ["--items", 9, "--room", 3, "--fast-room", 4],
+            ["--items", 9, "--room", 3, "--fast-room", 1],
+            ["--items", 9, "--room", 3, "--item-bytes", 3],
+            ["--items", 9, "--room", 3, "--done-items", 10],
+            ["--items", 9, "--room", 3, "--pairs", "absent"],
+            ["--room", 3, "--pairs", "absent"],
+            ["--items", 9, "--room", 3, "--prefetch", "--workers", 2],
+        ):
             self.ask("loadorder", *words)
 
     def _lists_of_pairs(self):
@@ -219,47 +326,127 @@ class Questions:
             items = draw.randint(2, 40)
             named = draw.random() < 0.3
             name = (lambda i: f"img{i:03}.jpg") if named else str
-            pairs = {tuple(sorted(draw.sample(range(items), 2))) for _ in range(draw.randint(1, 3 * items))}
+            pairs = {
+                tuple(sorted(draw.sample(range(items), 2)))
+                for _ in range(draw.randint(1, 3 * items))
+            }
             separator = draw.choice([" ", ",", "\t"])
             text = "".join(f"{name(a)}{separator}{name(b)}\n" for a, b in sorted(pairs))
-            path = self.file(f"list{number}.txt", ("# some pairs\n" if draw.random() < 0.3 else "") + text)
-            words = ["loadorder", "--pairs", path, "--room", draw.randint(2, 8), "--format", draw.choice(["text", "jsonl", "csv"])]
+            path = self.file(
+                f"list{number}.txt", ("# some pairs\n" if draw.random() < 0.3 else "") + text
+            )
+            words = [
+                "loadorder",
+                "--pairs",
+                path,
+                "--room",
+                draw.randint(2, 8),
+                "--format",
+                draw.choice(["text", "jsonl", "csv"]),
+            ]
             if draw.random() < 0.2:
                 words += ["--workers", draw.randint(1, 4)]
             if draw.random() < 0.3:
                 words += ["--new-pairs"]
             self.ask(*words)
-        for text in ("", "1\n", "1 2 3\n", "1,1\n", "a b c\n", "1 x\n", "-1 2\n", "1 99999999999999999999\n", "\"a\n"):
-            self.ask("loadorder", "--pairs", self.file(f"bad{len(self.files)}.txt", text), "--room", 3)
+        for text in (
+            "",
+            "1\n",
+            "1 2 3\n",
+            "1,1\n",
+            "a b c\n",
+            "1 x\n",
+            "-1 2\n",
+            "1 99999999999999999999\n",
+            "\"a\n",
+        ):
+            self.ask(
+                "loadorder", "--pairs", self.file(f"bad{len(self.files)}.txt", text), "--room", 3
+            )
 
     def _designs(self):
         draw = self.random
-        design = self.file("mine.txt", "# v=6 k=3 change=1 linear\n0 1 2\n1 2 3\n1 3 4\n3 4 5\n4 5 0\n0 5 1\n0 2 5\n0 2 4\n")
+        design = self.file(
+            "mine.txt",
+            "# v=6 k=3 change=1 linear\n0 1 2\n1 2 3\n1 3 4\n3 4 5\n4 5 0\n0 5 1\n0 2 5\n0 2 4\n",
+        )
         for _ in range(300):
             v, k = draw.randint(3, 60), draw.randint(2, 9)
             kind = draw.choice([[], ["--linear"], ["--circular"]])
             change = draw.choice([[], ["--change", "1"], ["--change", "2"], ["--change", "3"]])
             verb = draw.choice(["design", "bounds", "explain", "design", "bounds"])
-            form = {"design": ["text", "json", "csv", "table", "latex"], "bounds": ["text", "json"],
-                    "explain": ["text", "json"]}[verb]
-            self.ask(verb, v, k, *kind, *change, *draw.choice([[], ["--format", draw.choice(form)], ["--json"]]))
+            form = {
+                "design": ["text", "json", "csv", "table", "latex"],
+                "bounds": ["text", "json"],
+                "explain": ["text", "json"],
+            }[verb]
+            self.ask(
+                verb,
+                v,
+                k,
+                *kind,
+                *change,
+                *draw.choice([[], ["--format", draw.choice(form)], ["--json"]]),
+            )
         for _ in range(60):
             low = draw.randint(4, 30)
-            self.ask("table", "--k", f"{draw.randint(3, 5)}..{draw.randint(5, 7)}", "--v", f"{low}..{low + draw.randint(0, 9)}",
-                     *draw.choice([[], ["--change", "1"], ["--change", "3"]]), *draw.choice([[], ["--linear"], ["--circular"]]),
-                     "--format", draw.choice(["text", "json", "csv", "markdown", "latex"]))
+            self.ask(
+                "table",
+                "--k",
+                f"{draw.randint(3, 5)}..{draw.randint(5, 7)}",
+                "--v",
+                f"{low}..{low + draw.randint(0, 9)}",
+                *draw.choice([[], ["--change", "1"], ["--change", "3"]]),
+                *draw.choice([[], ["--linear"], ["--circular"]]),
+                "--format",
+                draw.choice(["text", "json", "csv", "markdown", "latex"]),
+            )
         for form in ("text", "json", "table"):
             self.ask("verify", design, "--format", form)
             self.ask("verify", design, "--change", 1, "--linear", "--format", form)
-            self.ask("verify", self.file("wrong.txt", "0 1 2\n3 4 5\n"), "--change", 1, "--linear", "--format", form)
-        for verb in ("constructions", "describe", "minima", "catalog completeness", "catalog list", "catalog show 9 3",
-                     "catalog show 20 5 --change 1", "factorize 8", "classify 6 3 8 --change 1 --linear", "--help", "--version",
-                     "plan --help", "loadorder --help", "design --help", "search --help", "nonsense", "desing 5 3"):
+            self.ask(
+                "verify",
+                self.file("wrong.txt", "0 1 2\n3 4 5\n"),
+                "--change",
+                1,
+                "--linear",
+                "--format",
+                form,
+            )
+        for verb in (
+            "constructions",
+            "describe",
+            "minima",
+            "catalog completeness",
+            "catalog list",
+            "catalog show 9 3",
+            "catalog show 20 5 --change 1",
+            "factorize 8",
+            "classify 6 3 8 --change 1 --linear",
+            "--help",
+            "--version",
+            "plan --help",
+            "loadorder --help",
+            "design --help",
+            "search --help",
+            "nonsense",
+            "desing 5 3",
+        ):
             self.ask(*verb.split())
         for _ in range(40):
             v, k = draw.randint(4, 8), 3
-            self.ask("search", v, k, "--exact", draw.choice(["--linear", "--circular"]), "--change", draw.choice([1, 2]), "--json",
-                     "--threads", 1)
+            self.ask(
+                "search",
+                v,
+                k,
+                "--exact",
+                draw.choice(["--linear", "--circular"]),
+                "--change",
+                draw.choice([1, 2]),
+                "--json",
+                "--threads",
+                1,
+            )
         for picture in ("array", "stays", "coverage", "circle", "recipe"):
             for form in ("svg", "tikz"):
                 self.ask("draw", 13, 4, "--picture", picture, "--format", form)
@@ -271,8 +458,16 @@ class Questions:
         draw = self.random
         for _ in range(120):
             parts = draw.randint(2, 9)
-            body = {"parts": draw.choice([parts, [{"name": f"p{i}", "cost": draw.choice([1, "2.5"])} for i in range(parts)]]),
-                    "at_once": draw.randint(2, 4), "test_cost": draw.choice([1, "0.5", 10])}
+            body = {
+                "parts": draw.choice(
+                    [
+                        parts,
+                        [{"name": f"p{i}", "cost": draw.choice([1, "2.5"])} for i in range(parts)],
+                    ]
+                ),
+                "at_once": draw.randint(2, 4),
+                "test_cost": draw.choice([1, "0.5", 10]),
+            }
             if draw.random() < 0.5:
                 body["change_cost"] = draw.choice([1, "0.75"])
             if draw.random() < 0.2:
@@ -287,11 +482,26 @@ class Questions:
             if draw.random() < 0.2 and body["items"] > 3:
                 body["pairs"] = [draw.sample(range(body["items"]), 2) for _ in range(5)]
             self.post("api/loadorder", body)
-        for body in ("", "{", "[]", "{}", '{"items":5}', '{"items":"x","room":3}', '{"items":5,"room":1}'):
+        for body in (
+            "",
+            "{",
+            "[]",
+            "{}",
+            '{"items":5}',
+            '{"items":"x","room":3}',
+            '{"items":5,"room":1}',
+        ):
             self.post("api/loadorder", body)
             self.post("api/plan", body)
-        for path in ("api/design?v=61&k=4&change=2&kind=circular", "api/design?v=13&k=4", "api/bounds?v=20&k=5",
-                     "api/table?k=3..5&v=5..12&change=1", "api/constructions", "api/design?v=x", "api/nothing"):
+        for path in (
+            "api/design?v=61&k=4&change=2&kind=circular",
+            "api/design?v=13&k=4",
+            "api/bounds?v=20&k=5",
+            "api/table?k=3..5&v=5..12&change=1",
+            "api/constructions",
+            "api/design?v=x",
+            "api/nothing",
+        ):
             self.requests.append(("GET", path, None))
         self.post("api/verify", "0 1 2\n0 1 3\n")
 
@@ -299,18 +509,32 @@ class Questions:
         draw = self.random
         for _ in range(150):
             v, k, m = draw.randint(4, 40), draw.randint(3, 7), draw.randint(1, 3)
-            self.calls.append(draw.choice([
-                f"c.design({v}, {k}, change={m}).b", f"c.bounds({v}, {k}, change={m}).lower_bound",
-                f"c.bounds({v}, {k}, change={m}).reason", f"c.load_order({v}, {k}).loads",
-                f"c.plan({max(v // 4, 2)}, {min(k, 4)}, test_cost=2, change_cost=1).cost",
-                f"c.plan({{'a': 1, 'b': '2.5', 'c': 3, 'd': 1}}, 3, test_cost={m}).cost",
-                f"c.plan(['a', 'b', 'c', 'd', 'e'], 3, test_cost={m}, change_cost=2, never=[('a', 'b')]).cost",
-                f"c.plan(6, 3, test_cost={m}, change_cost=1).to_csv()",
-                f"c.explain({v}, {k}, change={m})", f"c.plan(5, 1, test_cost=1, change_cost=1)", f"c.load_order({v}, 1)",
-            ]))
+            self.calls.append(
+                draw.choice(
+                    [
+                        f"c.design({v}, {k}, change={m}).b",
+                        f"c.bounds({v}, {k}, change={m}).lower_bound",
+                        f"c.bounds({v}, {k}, change={m}).reason",
+                        f"c.load_order({v}, {k}).loads",
+                        f"c.plan({max(v // 4, 2)}, {min(k, 4)}, test_cost=2, change_cost=1).cost",
+                        f"c.plan({{'a': 1, 'b': '2.5', 'c': 3, 'd': 1}}, 3, test_cost={m}).cost",
+                        f"c.plan(['a', 'b', 'c', 'd', 'e'], 3, test_cost={m}, change_cost=2, never=[('a', 'b')]).cost",
+                        f"c.plan(6, 3, test_cost={m}, change_cost=1).to_csv()",
+                        f"c.explain({v}, {k}, change={m})",
+                        f"c.plan(5, 1, test_cost=1, change_cost=1)",
+                        f"c.load_order({v}, 1)",
+                    ]
+                )
+            )
 
 
-ENVIRONMENT = {**os.environ, "CHANGEOVER_CATALOG": "", "NO_COLOR": "1", "COLUMNS": "100", "LC_ALL": "C.UTF-8"}
+ENVIRONMENT = {
+    **os.environ,
+    "CHANGEOVER_CATALOG": "",
+    "NO_COLOR": "1",
+    "COLUMNS": "100",
+    "LC_ALL": "C.UTF-8",
+}
 
 
 def content(path):
@@ -319,13 +543,17 @@ def content(path):
         import zipfile
 
         with zipfile.ZipFile(path) as book:
-            parts = {name: book.read(name) for name in sorted(book.namelist()) if "docProps" not in name}
+            parts = {
+                name: book.read(name) for name in sorted(book.namelist()) if "docProps" not in name
+            }
         return {name: hashlib.sha256(text).hexdigest() for name, text in parts.items()}
     return text_of(data)
 
 
 def text_of(data):
-    text = re.sub(r"\b\d+\.\d+ s\b|\"seconds\":[0-9.e-]+", "…", data.decode("utf-8", "surrogateescape"))  # how long a proof took
+    text = re.sub(
+        r"\b\d+\.\d+ s\b|\"seconds\":[0-9.e-]+", "…", data.decode("utf-8", "surrogateescape")
+    )  # how long a proof took
     if len(text) > 20000:
         checksum = hashlib.sha256(text.encode("utf-8", "surrogateescape")).hexdigest()
         return f"{text[:2000]} … {len(text)} characters, {checksum}"
@@ -340,8 +568,14 @@ def answer_line(program, files, words):
                 (place / name).write_bytes(files[name].encode())
         before = set(os.listdir(folder))
         try:
-            done = subprocess.run([program, *words], cwd=folder, env=ENVIRONMENT, stdin=subprocess.DEVNULL,
-                                  capture_output=True, timeout=PATIENCE)
+            done = subprocess.run(
+                [program, *words],
+                cwd=folder,
+                env=ENVIRONMENT,
+                stdin=subprocess.DEVNULL,
+                capture_output=True,
+                timeout=PATIENCE,
+            )
         except subprocess.TimeoutExpired:
             return {"code": "no end"}
         written = {name: content(place / name) for name in sorted(set(os.listdir(folder)) - before)}
@@ -351,17 +585,27 @@ def answer_line(program, files, words):
 
 def answers_of_server(program, requests):
     with tempfile.TemporaryDirectory() as folder:
-        server = subprocess.Popen([program, "serve", "--port", "0"], cwd=folder, env=ENVIRONMENT, text=True,
-                                  stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        server = subprocess.Popen(
+            [program, "serve", "--port", "0"],
+            cwd=folder,
+            env=ENVIRONMENT,
+            text=True,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+        )
         try:
             address = server.stdout.readline().strip()
             base, _, token = address.partition("/?")
             base = base.rstrip("/") + "/"
             found = {}
             for method, path, body in requests:
-                request = urllib.request.Request(base + path, method=method, data=None if body is None else body.encode())
+                request = urllib.request.Request(
+                    base + path, method=method, data=None if body is None else body.encode()
+                )
                 if body is not None:
-                    request.add_header("Content-Type", "text/plain" if path == "api/verify" else "application/json")
+                    request.add_header(
+                        "Content-Type", "text/plain" if path == "api/verify" else "application/json"
+                    )
                 try:
                     with urllib.request.urlopen(request, timeout=PATIENCE) as got:
                         code, text = got.status, got.read()
@@ -387,10 +631,18 @@ for call in json.load(sys.stdin):
 
 
 def answers_of_python(build, calls):
-    done = subprocess.run(["/usr/bin/python3", "-c", PYTHON], input=json.dumps(calls), text=True, capture_output=True,
-                          env={**ENVIRONMENT, "PYTHONPATH": str(build / "python")}, timeout=20 * PATIENCE)
+    done = subprocess.run(
+        ["/usr/bin/python3", "-c", PYTHON],
+        input=json.dumps(calls),
+        text=True,
+        capture_output=True,
+        env={**ENVIRONMENT, "PYTHONPATH": str(build / "python")},
+        timeout=20 * PATIENCE,
+    )
     said = [json.loads(line) for line in done.stdout.splitlines()]
-    return dict(zip((f"python {call}" for call in calls), said + [done.stderr] * (len(calls) - len(said))))
+    return dict(
+        zip((f"python {call}" for call in calls), said + [done.stderr] * (len(calls) - len(said)))
+    )
 
 
 def record(build, path, seed):
@@ -399,17 +651,23 @@ def record(build, path, seed):
     questions = Questions(seed)
     answers = {}
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        jobs = [pool.submit(answer_line, program, questions.files, words) for words in questions.lines]
+        jobs = [
+            pool.submit(answer_line, program, questions.files, words) for words in questions.lines
+        ]
         for words, job in zip(questions.lines, jobs):
             answers["changeover " + " ".join(words)] = job.result()
     answers.update(answers_of_server(program, questions.requests))
     answers.update(answers_of_python(build, questions.calls))
-    pathlib.Path(path).write_text(json.dumps(answers, indent=1, ensure_ascii=False), encoding="utf-8")
+    pathlib.Path(path).write_text(
+        json.dumps(answers, indent=1, ensure_ascii=False), encoding="utf-8"
+    )
     print(f"{len(answers)} answers in {path}")
 
 
 def compare(old, new):
-    first, second = (json.loads(pathlib.Path(path).read_text(encoding="utf-8")) for path in (old, new))
+    first, second = (
+        json.loads(pathlib.Path(path).read_text(encoding="utf-8")) for path in (old, new)
+    )
     different = [question for question in first if first[question] != second.get(question)]
     for question in different:
         print(f"== {question!r}\n-- {first[question]!r:.1500}\n++ {second.get(question)!r:.1500}")

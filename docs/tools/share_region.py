@@ -17,14 +17,37 @@ import sys
 
 def measured(program, items, room, workers):
     made = subprocess.run(
-        [program, "loadorder", "--items", str(items), "--room", str(room), "--workers", str(workers),
-         "--worker", "0", "--json", "--quiet"], capture_output=True, text=True, check=True)
+        [
+            program,
+            "loadorder",
+            "--items",
+            str(items),
+            "--room",
+            str(room),
+            "--workers",
+            str(workers),
+            "--worker",
+            "0",
+            "--json",
+            "--quiet",
+        ],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
     head = json.loads(made.stdout.split("\n", 1)[0])
     pairs = head["pairs_per_worker"]
-    return {"items": items, "room": room, "workers": workers, "x": room * math.sqrt(workers) / items,
-            "loads": head["makespan"], "bound": head["makespan_bound"],
-            "over": head["makespan"] / head["makespan_bound"],
-            "pairs_over_mean": pairs["max"] / pairs["mean"], "method": head["method"]}
+    return {
+        "items": items,
+        "room": room,
+        "workers": workers,
+        "x": room * math.sqrt(workers) / items,
+        "loads": head["makespan"],
+        "bound": head["makespan_bound"],
+        "over": head["makespan"] / head["makespan_bound"],
+        "pairs_over_mean": pairs["max"] / pairs["mean"],
+        "method": head["method"],
+    }
 
 
 def main():
@@ -41,11 +64,13 @@ def main():
     for items in (256, 1024, 4096):
         of = [row for row in rows if row["items"] == items]
         worst = max(of, key=lambda row: row["over"])
-        print(f"P = {items}: mean {sum(row['over'] for row in of) / len(of):.4f}, worst {worst['over']:.3f} "
-              f"at C = {worst['room']}, W = {worst['workers']} ({worst['method']}); "
-              f"{sum(row['over'] > 1.15 for row in of)} of {len(of)} above 1.15, "
-              f"{sum(row['over'] > 1.25 for row in of)} above 1.25; "
-              f"pairs at most {max(row['pairs_over_mean'] for row in of):.3f} of the mean")
+        print(
+            f"P = {items}: mean {sum(row['over'] for row in of) / len(of):.4f}, worst {worst['over']:.3f} "
+            f"at C = {worst['room']}, W = {worst['workers']} ({worst['method']}); "
+            f"{sum(row['over'] > 1.15 for row in of)} of {len(of)} above 1.15, "
+            f"{sum(row['over'] > 1.25 for row in of)} above 1.25; "
+            f"pairs at most {max(row['pairs_over_mean'] for row in of):.3f} of the mean"
+        )
 
 
 main()

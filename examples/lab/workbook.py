@@ -58,21 +58,44 @@ def make(path, sheets):
     """sheets: pairs of a name and its rows."""
     head = '<?xml version="1.0" encoding="UTF-8" standalone="yes"?>\n'
     numbered = list(enumerate(sheets, 1))
-    types = "".join(f'<Override PartName="/xl/worksheets/sheet{n}.xml" ContentType='
-                    '"application/vnd.openxmlformats-officedocument.spreadsheetml.worksheet+xml"/>' for n, _ in numbered)
-    book = "".join(f'<sheet name={quoteattr(name)} sheetId="{n}" r:id="rId{n}"/>' for n, (name, _) in numbered)
-    relations = "".join(f'<Relationship Id="rId{n}" Type="{KIND}/worksheet" Target="worksheets/sheet{n}.xml"/>'
-                        for n, _ in numbered)
-    pack(path, [
-        ("[Content_Types].xml", f'{head}<Types xmlns="{PACKAGE}/content-types"><Default Extension="rels" ContentType='
-         '"application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="xml" ContentType="application/xml"/>'
-         '<Override PartName="/xl/workbook.xml" ContentType='
-         f'"application/vnd.openxmlformats-officedocument.spreadsheetml.sheet.main+xml"/>{types}</Types>'),
-        ("_rels/.rels", f'{head}<Relationships xmlns="{PACKAGE}/relationships"><Relationship Id="rId1" '
-         f'Type="{KIND}/officeDocument" Target="xl/workbook.xml"/></Relationships>'),
-        ("xl/workbook.xml", f'{head}<workbook xmlns="{MAIN}" xmlns:r="{KIND}"><sheets>{book}</sheets></workbook>'),
-        ("xl/_rels/workbook.xml.rels", f'{head}<Relationships xmlns="{PACKAGE}/relationships">{relations}</Relationships>'),
-        *((f"xl/worksheets/sheet{n}.xml", head + sheet_of(rows)) for n, (_, rows) in numbered)])
+    types = "".join(
+        f'<Override PartName="/xl/worksheets/sheet{n}.xml" ContentType='
+        '"application/vnd.openxmlformats-officedocument.spreadsheetml.worksheet+xml"/>'
+        for n, _ in numbered
+    )
+    book = "".join(
+        f'<sheet name={quoteattr(name)} sheetId="{n}" r:id="rId{n}"/>' for n, (name, _) in numbered
+    )
+    relations = "".join(
+        f'<Relationship Id="rId{n}" Type="{KIND}/worksheet" Target="worksheets/sheet{n}.xml"/>'
+        for n, _ in numbered
+    )
+    pack(
+        path,
+        [
+            (
+                "[Content_Types].xml",
+                f'{head}<Types xmlns="{PACKAGE}/content-types"><Default Extension="rels" ContentType='
+                '"application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="xml" ContentType="application/xml"/>'
+                '<Override PartName="/xl/workbook.xml" ContentType='
+                f'"application/vnd.openxmlformats-officedocument.spreadsheetml.sheet.main+xml"/>{types}</Types>',
+            ),
+            (
+                "_rels/.rels",
+                f'{head}<Relationships xmlns="{PACKAGE}/relationships"><Relationship Id="rId1" '
+                f'Type="{KIND}/officeDocument" Target="xl/workbook.xml"/></Relationships>',
+            ),
+            (
+                "xl/workbook.xml",
+                f'{head}<workbook xmlns="{MAIN}" xmlns:r="{KIND}"><sheets>{book}</sheets></workbook>',
+            ),
+            (
+                "xl/_rels/workbook.xml.rels",
+                f'{head}<Relationships xmlns="{PACKAGE}/relationships">{relations}</Relationships>',
+            ),
+            *((f"xl/worksheets/sheet{n}.xml", head + sheet_of(rows)) for n, (_, rows) in numbered),
+        ],
+    )
 
 
 class Sheet:
@@ -84,7 +107,11 @@ class Sheet:
         book = ET.fromstring(self.members["xl/workbook.xml"])
         relations = ET.fromstring(self.members["xl/_rels/workbook.xml.rels"])
         targets = {each.get("Id"): each.get("Target") for each in relations}
-        found = [targets[each.get(f"{{{KIND}}}id")] for each in book.iter(f"{{{MAIN}}}sheet") if each.get("name") == name]
+        found = [
+            targets[each.get(f"{{{KIND}}}id")]
+            for each in book.iter(f"{{{MAIN}}}sheet")
+            if each.get("name") == name
+        ]
         if not found:
             sys.exit(f"{source} has no sheet {name}")
         self.member = "xl/" + found[0]
@@ -94,13 +121,21 @@ class Sheet:
         ET.register_namespace("r", KIND)
         self.sheet = ET.fromstring(self.members[self.member])
         self.rows = list(self.sheet.iter(f"{{{MAIN}}}row"))
-        self.heads = {self.said(each): re.match("[A-Z]+", each.get("r")).group() for each in self.rows[0]}
+        self.heads = {
+            self.said(each): re.match("[A-Z]+", each.get("r")).group() for each in self.rows[0]
+        }
 
     def said(self, each):
         if each.get("t") == "inlineStr":
             return "".join(text.text or "" for text in each.iter(f"{{{MAIN}}}t"))
         value = each.find(f"{{{MAIN}}}v")
-        return "" if value is None else self.texts[int(value.text)] if each.get("t") == "s" else value.text
+        return (
+            ""
+            if value is None
+            else self.texts[int(value.text)]
+            if each.get("t") == "s"
+            else value.text
+        )
 
     def table(self):
         """A dict for each row below the head."""
@@ -121,8 +156,12 @@ def fill(book, path, results, name="Run sheet"):
         result = left.pop(said["step"], None)
         if result is not None:
             place = run.heads["result"] + row.get("r")
-            filled = ET.fromstring(f'<c xmlns="{MAIN}" r="{place}" t="inlineStr"><is><t>{escape(result)}</t></is></c>')
-            before = [each for each in row if (len(each.get("r")), each.get("r")) < (len(place), place)]
+            filled = ET.fromstring(
+                f'<c xmlns="{MAIN}" r="{place}" t="inlineStr"><is><t>{escape(result)}</t></is></c>'
+            )
+            before = [
+                each for each in row if (len(each.get("r")), each.get("r")) < (len(place), place)
+            ]
             row.insert(len(before), filled)
     if left:
         sys.exit(f"{source} has no step {', '.join(left)}")
@@ -135,7 +174,10 @@ def play(tests, faults):
     def results(rows):
         for row in rows[:tests]:
             mounted = {part for head, part in row.items() if head.startswith("slot_")}
-            yield row["step"], "FAILED - hang" if any(fault <= mounted for fault in faults) else "pass"
+            yield row["step"], "FAILED - hang" if any(
+                fault <= mounted for fault in faults
+            ) else "pass"
+
     return results
 
 

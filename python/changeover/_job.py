@@ -241,7 +241,9 @@ def _check_columns(columns: list[Any]) -> None:
 def _parts_in_columns(frame: Any) -> list[dict[str, str]]:
     """A table of columns is read as a file of it would be: the same headers, the same refusals."""
     index = frame.index
-    has_names = any(_core.read_as("heading", words_of(column)) == "name" for column in frame.columns)
+    has_names = any(
+        _core.read_as("heading", words_of(column)) == "name" for column in frame.columns
+    )
     # Rows that were left out leave numbers that say nothing.
     says_nothing = type(index).__name__ == "RangeIndex" or (has_names and has_numbered_rows(frame))
     if index.name is not None or not says_nothing:
@@ -329,8 +331,10 @@ def _parts(given: Any, slots: Any, slot_of: Any, quantities: Any, needs_costs: b
         for part, value in _items(argument, said) if said is not None else ():
             name = words_of(part)
             if name not in by_name:
-                raise BadInput(f"{argument}: there is no part {_core.quoted(name)}; give a name that "
-                               "parts has")
+                raise BadInput(
+                    f"{argument}: there is no part {_core.quoted(name)}; give a name that "
+                    "parts has"
+                )
             by_name[name][key] = words_of(value)
     if needs_costs and not all(part.get("cost") for part in parts):
         raise BadInput("give change_cost, or parts as a dict from names to their change costs")

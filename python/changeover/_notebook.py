@@ -35,4 +35,8 @@ def _cell(value: Any) -> str:
     if isinstance(value, (list, tuple)):
         return f"<td>{escape(', '.join(map(str, value)))}</td>"
     text = escape(str(value))
-    return f"<td>{text}</td>" if isinstance(value, str) else f'<td style="text-align:right">{text}</td>'
+    return (
+        f"<td>{text}</td>"
+        if isinstance(value, str)
+        else f'<td style="text-align:right">{text}</td>'
+    )

@@ -7,7 +7,18 @@ import importlib
 import json
 import operator
 from array import array
-from typing import Any, Dict, Iterator, List, Literal, Optional, SupportsIndex, Tuple, Union, overload
+from typing import (
+    Any,
+    Dict,
+    Iterator,
+    List,
+    Literal,
+    Optional,
+    SupportsIndex,
+    Tuple,
+    Union,
+    overload,
+)
 
 from . import _core
 from ._given import attempt, listed, rows_of, words_of
@@ -125,12 +136,21 @@ def _verdict(core: Any) -> Verdict:
     text = core.verdict()
     said = json.loads(text)
     bound = core.lower_bound()
-    return made(Verdict, {
-        **said, "name": core.facts()["name"], "lower_bound": bound, "minimum": said["valid"] and said["b"] == bound,
-        "bad_step_examples": [(step["from"], step["to"], step["changes"])
-                              for step in said["bad_step_examples"]],
-        "introductions": [each["introductions"] for each in said["elements"]],
-        "memberships": [each["blocks"] for each in said["elements"]]}, text)
+    return made(
+        Verdict,
+        {
+            **said,
+            "name": core.facts()["name"],
+            "lower_bound": bound,
+            "minimum": said["valid"] and said["b"] == bound,
+            "bad_step_examples": [
+                (step["from"], step["to"], step["changes"]) for step in said["bad_step_examples"]
+            ],
+            "introductions": [each["introductions"] for each in said["elements"]],
+            "memberships": [each["blocks"] for each in said["elements"]],
+        },
+        text,
+    )
 
 
 class Design(Made):

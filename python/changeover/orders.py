@@ -12,8 +12,21 @@ import pickle
 import zlib
 from array import array
 from typing import (
-    Any, Callable, Dict, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Set, SupportsIndex, Tuple,
-    Union, overload)
+    Any,
+    Callable,
+    Dict,
+    Iterable,
+    Iterator,
+    List,
+    Mapping,
+    NamedTuple,
+    Optional,
+    Set,
+    SupportsIndex,
+    Tuple,
+    Union,
+    overload,
+)
 
 from . import _core
 from ._given import (
@@ -52,8 +65,10 @@ class _Recorded:
 
     def in_format(self, format: str) -> str:
         if format != "jsonl":
-            raise BadInput("an order from a pickle has only its steps, nothing for Marius or COLMAP; "
-                           "plan it anew")
+            raise BadInput(
+                "an order from a pickle has only its steps, nothing for Marius or COLMAP; "
+                "plan it anew"
+            )
         return self._text
 
     def fault(self) -> str:
@@ -99,8 +114,10 @@ def _made_again(kind: Any, state: bytes, checksum: int) -> Any:
         core, again = _core.Loads.planned(
             json.dumps({**asked, "verify_beside": False}), ends, None, 1, seed, None)
         if again != facts:
-            raise BadInput("another version of changeover pickled this load order, and made another "
-                           "one; make it anew")
+            raise BadInput(
+                "another version of changeover pickled this load order, and made another "
+                "one; make it anew"
+            )
     return made(kind, {**facts, "_asked": (asked, ends, seed, text)}, core)
 
 
@@ -305,8 +322,10 @@ def _ends(pairs: Any, costs: Optional[List[List[str]]] = None) -> array[int]:
                                    "number, 0 or more")
                 costs.append([str(ends[-2]), str(ends[-1]), repr(cost)])
             if len(costs) not in (0, number + 1):
-                raise BadInput(f"pairs: only some of the rows 0 to {number} have a cost; give one to "
-                               "every pair or to none")
+                raise BadInput(
+                    f"pairs: only some of the rows 0 to {number} have a cost; give one to "
+                    "every pair or to none"
+                )
         for _ in more:
             raise BadInput(f"pairs: row {number} has {most}")
     return ends

@@ -202,7 +202,9 @@ class RunSheet(_Sheets):
                 setup = names_in("results", setup)
                 self._core.check_parts(setup)
             elif of_sheet == len(steps):
-                raise BadInput("results has more entries than the sheet has tests; give at most one per test")
+                raise BadInput(
+                    "results has more entries than the sheet has tests; give at most one per test"
+                )
             else:
                 of_sheet += 1
             said = result_of(result)

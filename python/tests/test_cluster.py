@@ -346,7 +346,9 @@ def play(items, room, workers, pairs, seed, sink, retries=0, faulty=None, cost=N
         assert outcome.most_held <= room
         return outcome
 
-    engine = _simulation._Simulated(setting, workers, seed, do, lambda each: memories.pop(each, None))
+    engine = _simulation._Simulated(
+        setting, workers, seed, do, lambda each: memories.pop(each, None)
+    )
     team = _team.Team(engine, work.deliver, work.replan, work.again, 8, lambda _: None)
     shares, _ = work.first_shares(workers)
     team.planned_loads = sum(run.loads for share in shares for run in share)
@@ -396,7 +398,9 @@ class Teams(unittest.TestCase):
         self.assertEqual(max(tries.values()), 3)
         self.assertGreater(team.retried, 5)
         tries.clear()
-        with self.assertRaisesRegex(cluster.Failed, r"compute\(\d+, \d+\) raised ValueError: not yet"):
+        with self.assertRaisesRegex(
+            cluster.Failed, r"compute\(\d+, \d+\) raised ValueError: not yet"
+        ):
             play(14, 5, 3, None, 1, None, retries=1, faulty=sometimes)
 
     def test_what_kills_its_workers_is_named(self):
@@ -409,7 +413,10 @@ class Teams(unittest.TestCase):
         original = _simulation._Simulated
         _simulation._Simulated = Kills
         try:
-            with self.assertRaisesRegex(_team.NoWorkers, r"the pair \(3, 8\) was under way on 8 workers when they were lost; does it take more memory than they have\?"):
+            with self.assertRaisesRegex(
+                _team.NoWorkers,
+                r"the pair \(3, 8\) was under way on 8 workers when they were lost; does it take more memory than they have\?",
+            ):
                 play(14, 5, 3, None, 1, None, restart=1.0)
         finally:
             _simulation._Simulated = original
@@ -473,7 +480,9 @@ class Questions(unittest.TestCase):
                          set(itertools.combinations_with_replacement(range(5), 2)))
 
     def test_pairs_are_said_in_one_way(self):
-        with self.assertRaisesRegex(changeover.BadInput, "give one of pairs, groups, against and done_items"):
+        with self.assertRaisesRegex(
+            changeover.BadInput, "give one of pairs, groups, against and done_items"
+        ):
             wanted(5, 3, [(0, 1)], against=2)
         for groups, fault in (([], "groups has no pair"), ([[1], [2]], "groups has no pair"),
                               ([[0, 7]], "groups: there are 5 items, .* a group has number 7"),
@@ -481,7 +490,9 @@ class Questions(unittest.TestCase):
                               ([3], "groups")):
             with self.assertRaisesRegex((changeover.BadInput, TypeError), fault):
                 wanted(5, 3, groups=groups)
-        with self.assertRaisesRegex(changeover.BadInput, "a list of costs goes with a list of pairs"):
+        with self.assertRaisesRegex(
+            changeover.BadInput, "a list of costs goes with a list of pairs"
+        ):
             wanted(5, 3, groups=[[0, 1]], cost=[1])
 
     def test_a_simulation_takes_groups(self):
@@ -543,7 +554,9 @@ class Simulations(unittest.TestCase):
         self.assertLess(each.idle, 0.9)
 
     def test_both_ways_to_count_agree(self):
-        exact = cluster.simulate(items=600, room=60, workers=20, pair_seconds=0.01, item_bytes=10**6)
+        exact = cluster.simulate(
+            items=600, room=60, workers=20, pair_seconds=0.01, item_bytes=10**6
+        )
         most, _simulation._exact_pairs = _simulation._exact_pairs, 1000
         try:
             bulk = cluster.simulate(items=600, room=60, workers=20, pair_seconds=0.01,

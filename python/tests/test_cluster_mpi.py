@@ -90,9 +90,12 @@ class Mpi(unittest.TestCase):
             "say('; '.join(told))\n")
         self.assertEqual(len(said), 4)
         self.assertEqual(len(set(said.values())), 1)
-        self.assertRegex(said[3], r"^compute\(2, 19\) raised KeyError: 'nothing'; load\(\d+\) raised "
-                         r"OSError: gone; room 1: .*; sink\(\d+, \d+\) raised ZeroDivisionError: "
-                         r"division by zero; /no/such/place: cannot open the journal: ")
+        self.assertRegex(
+            said[3],
+            r"^compute\(2, 19\) raised KeyError: 'nothing'; load\(\d+\) raised "
+            r"OSError: gone; room 1: .*; sink\(\d+, \d+\) raised ZeroDivisionError: "
+            r"division by zero; /no/such/place: cannot open the journal: ",
+        )
 
     def test_what_is_no_exception_ends_it_everywhere(self):
         """Ctrl-C, and sys.exit() in a function: no process waits for another for ever."""
@@ -126,8 +129,12 @@ class Mpi(unittest.TestCase):
                 "    if len(got) == 100: os.kill(os.getpid(), 9)\n"
                 "job(journal=sys.argv[1], sink=die)\n")
             self.run_program(program, 3, [journal], code=1)
-            said, _ = self.run_program("report = job(journal=sys.argv[1])\n"
-                                       "say(report.resumed, report.pairs, len(got))\n", 2, [journal])
+            said, _ = self.run_program(
+                "report = job(journal=sys.argv[1])\n"
+                "say(report.resumed, report.pairs, len(got))\n",
+                2,
+                [journal],
+            )
             self.assertEqual(said[0], "99 177 177")
 
     def test_searches_in_shares(self):

@@ -15,7 +15,9 @@ def is_design(blocks, v, change, circular):
     blocks = [set(block) for block in blocks]
     pairs = {frozenset(pair) for block in blocks for pair in itertools.combinations(block, 2)}
     steps = list(zip(blocks, blocks[1:])) + ([(blocks[-1], blocks[0])] if circular else [])
-    return len(pairs) == v * (v - 1) // 2 and all(len(b - a) == change == len(a - b) for a, b in steps)
+    return len(pairs) == v * (v - 1) // 2 and all(
+        len(b - a) == change == len(a - b) for a, b in steps
+    )
 
 
 class Designs(unittest.TestCase):
@@ -38,7 +40,11 @@ class Designs(unittest.TestCase):
     def test_without_a_kind_the_shorter_one_comes(self):
         for v, k in ((11, 4), (20, 5), (9, 4)):
             best = min(
-                (d for d in (changeover.design(v, k, kind=kind) for kind in ("circular", "linear")) if d),
+                (
+                    d
+                    for d in (changeover.design(v, k, kind=kind) for kind in ("circular", "linear"))
+                    if d
+                ),
                 key=lambda d: d.b,
             )
             self.assertEqual(changeover.design(v, k).b, best.b)
@@ -175,7 +181,9 @@ class Designs(unittest.TestCase):
         self.assertEqual((larger.v, larger.b), (15, 35))
         self.assertTrue(is_design(larger.blocks, 15, 2, True))
         overlapping = changeover.design(7, 4).expand()  # it has no expansion set
-        self.assertTrue(is_design(overlapping.blocks, overlapping.v, 2, overlapping.kind == "circular"))
+        self.assertTrue(
+            is_design(overlapping.blocks, overlapping.v, 2, overlapping.kind == "circular")
+        )
 
     def test_streams_are_the_same_designs(self):
         design = changeover.design(101, 4)
@@ -200,7 +208,10 @@ class Designs(unittest.TestCase):
         self.assertEqual(len(cells), 2 * 2 * 10)
         for cell in cells:
             known = changeover.bounds(cell.v, cell.k, 1, cell.kind)
-            self.assertEqual((cell.b, cell.lower_bound, cell.status), (known.best_known, known.lower_bound, known.status))
+            self.assertEqual(
+                (cell.b, cell.lower_bound, cell.status),
+                (known.best_known, known.lower_bound, known.status),
+            )
         for wrong in ((2, 1), (0, 5)):
             with self.assertRaises(changeover.BadInput):
                 changeover.table(3, wrong)
@@ -228,8 +239,14 @@ class Numpy(unittest.TestCase):
         np = self.np
         array = np.asarray(changeover.design(61, 4).blocks)
         for kind in (np.uint8, np.int16, np.uint16, np.int32, np.int64, np.uint64):
-            self.assertTrue(changeover.verify(array.astype(kind)[:, ::-1], v=61, change=2, kind="circular").tight)
-        self.assertTrue(changeover.verify(np.asfortranarray(array), v=61, change=2, kind="circular").tight)
+            self.assertTrue(
+                changeover.verify(
+                    array.astype(kind)[:, ::-1], v=61, change=2, kind="circular"
+                ).tight
+            )
+        self.assertTrue(
+            changeover.verify(np.asfortranarray(array), v=61, change=2, kind="circular").tight
+        )
         wrong = array.astype(np.int64)
         wrong[5, 2] = -1
         with self.assertRaisesRegex(changeover.BadInput, "block 6: an element is negative"):

@@ -68,18 +68,24 @@ class Bags(unittest.TestCase):
         bag = _bag.Bag(lambda *_: None)
         bag.put({})
         engine = self.Engine(lambda over, threads: 1, ["a"], dies=range(1, 10))
-        with self.assertRaisesRegex(changeover.MissingResource, " workers were lost, one after the other, while they had the same part"):
+        with self.assertRaisesRegex(
+            changeover.MissingResource,
+            " workers were lost, one after the other, while they had the same part",
+        ):
             bag.run(engine, lambda _: None)
 
     def test_without_workers_a_run_ends(self):
         bag = _bag.Bag(lambda *_: None)
-        with self.assertRaisesRegex(changeover.MissingResource, "there are no workers; start some, and wait for them"):
+        with self.assertRaisesRegex(
+            changeover.MissingResource, "there are no workers; start some, and wait for them"
+        ):
             bag.run(self.Engine(lambda over, threads: 1, []), lambda _: None)
         bag.put({})
         engine = self.Engine(lambda over, threads: 1, ["a"], dies=[1])
         engine.wait = lambda _: [_team_event("lost", "a", 1)] if engine.names else []
-        with mock.patch.object(_bag, "_without_workers", -1.0), \
-                self.assertRaisesRegex(changeover.MissingResource, "all workers were lost, and none came for"):
+        with mock.patch.object(_bag, "_without_workers", -1.0), self.assertRaisesRegex(
+            changeover.MissingResource, "all workers were lost, and none came for"
+        ):
             bag.run(engine, lambda _: None)
 
     def test_a_client_of_dask_that_cannot_be_used_is_named(self):
@@ -88,10 +94,14 @@ class Bags(unittest.TestCase):
             status = "closed"
 
         client = Client()
-        with self.assertRaisesRegex(changeover.BadInput, "client is closed; give one that is connected"):
+        with self.assertRaisesRegex(
+            changeover.BadInput, "client is closed; give one that is connected"
+        ):
             _dask.DaskEngine(client, None)
         client.asynchronous = True
-        with self.assertRaisesRegex(TypeError, "client is asynchronous; give one that is not: Client"):
+        with self.assertRaisesRegex(
+            TypeError, "client is asynchronous; give one that is not: Client"
+        ):
             _dask.DaskEngine(client, None)
 
     def test_cubes_that_leave_something_out_are_noticed(self):
@@ -208,19 +218,24 @@ class Ray(unittest.TestCase):
 
     def test_without_actors_a_run_ends(self):
         with mock.patch.object(_team, "_without_workers", -1.0), self.assertRaisesRegex(
-                changeover.MissingResource, "all workers were lost, and none came for -1 s; 0 of 276 pairs are done"):
+            changeover.MissingResource,
+            "all workers were lost, and none came for -1 s; 0 of 276 pairs are done",
+        ):
             self.run_job(24, (1, 2, 3, 4))
 
     def test_what_goes_wrong_with_an_actor_is_named(self):
         def fails(_ray, _ref):
             raise RayStandIn.exceptions.RayError("it is full")
 
-        with mock.patch.object(RayStandIn, "get", fails), \
-                self.assertRaisesRegex(changeover.MissingResource, " cannot do its part: it is full"):
+        with mock.patch.object(RayStandIn, "get", fails), self.assertRaisesRegex(
+            changeover.MissingResource, " cannot do its part: it is full"
+        ):
             self.run_job(24)
 
     def test_what_raises_is_named(self):
-        with self.assertRaisesRegex(ValueError, r"compute\(2, 50\) raised ValueError: odd \(on actor"):
+        with self.assertRaisesRegex(
+            ValueError, r"compute\(2, 50\) raised ValueError: odd \(on actor"
+        ):
             self.run_job(60)
 
 

@@ -142,7 +142,11 @@ class Ends(unittest.TestCase):
                         "time.sleep(0.5)\n"
                     )
                     ended = subprocess.run(
-                        [sys.executable, "-c", program, items], capture_output=True, text=True, timeout=60)
+                        [sys.executable, "-c", program, items],
+                        capture_output=True,
+                        text=True,
+                        timeout=60,
+                    )
                     self.assertEqual((ended.returncode, ended.stderr), (0, ""))
 
     def test_what_shall_be_done_at_the_end_still_works(self):
@@ -154,7 +158,9 @@ class Ends(unittest.TestCase):
             "    raise SystemExit\n"
             "os.wait()\n"
         )
-        ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+        ended = subprocess.run(
+            [sys.executable, "-c", program], capture_output=True, text=True, timeout=60
+        )
         self.assertEqual((ended.returncode, ended.stderr, len(ended.stdout.split())), (0, "", 2))
 
     def test_a_thread_that_the_end_waits_for_still_works(self):
@@ -167,7 +173,9 @@ class Ends(unittest.TestCase):
             "atexit.register(work)\n"
             "import changeover\n"
         )
-        ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+        ended = subprocess.run(
+            [sys.executable, "-c", program], capture_output=True, text=True, timeout=60
+        )
         self.assertEqual((ended.returncode, ended.stderr, len(ended.stdout.split())), (0, "", 1))
 
     def test_a_progress_function_may_fork(self):
@@ -184,7 +192,9 @@ class Ends(unittest.TestCase):
                 "        print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))\n"
                 "print(changeover.plan(30, 5, test_cost=1, change_cost=5, time=0.5, progress=progress).complete)\n"
             )
-            ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+            ended = subprocess.run(
+                [sys.executable, "-c", program], capture_output=True, text=True, timeout=60
+            )
             self.assertEqual(ended.returncode, 0)
             self.assertEqual(ended.stdout.split(), ["6" if "exit" in end else "1", "True"])
             self.assertEqual("forked by a progress function" in ended.stderr, end == "return")
@@ -197,7 +207,10 @@ class Catalog(unittest.TestCase):
         self.assertEqual(entry.design().b, entry.b)
         self.assertIsNone(changeover.catalog.find("no.such.label"))
         cells = changeover.catalog.entries(k_from=4, k_to=4, v_from=10, v_to=12, change=1)
-        self.assertEqual({(each.v, each.kind) for each in cells}, set(itertools.product((10, 11, 12), ("linear", "circular"))))
+        self.assertEqual(
+            {(each.v, each.kind) for each in cells},
+            set(itertools.product((10, 11, 12), ("linear", "circular"))),
+        )
 
 
 class Plans(unittest.TestCase):
@@ -219,12 +232,16 @@ class Plans(unittest.TestCase):
 
     def test_what_was_done_need_not_be_done_again(self):
         first = changeover.plan(7, 3, test_cost=1, change_cost=5)
-        rest = changeover.plan(7, 3, test_cost=1, change_cost=5, done=[step["setup"] for step in first.steps[:3]])
+        rest = changeover.plan(
+            7, 3, test_cost=1, change_cost=5, done=[step["setup"] for step in first.steps[:3]]
+        )
         self.assertLess(rest.cost, first.cost)
         self.assertEqual(rest.steps[0]["number"], 4)
 
     def test_rules_too_hard_to_decide_end_with_the_time(self):
-        parameters = [f"P{i}: " + ", ".join(map(str, range(11))) for i in range(12)]  # all different, of eleven values
+        parameters = [
+            f"P{i}: " + ", ".join(map(str, range(11))) for i in range(12)
+        ]  # all different, of eleven values
         rules = [f"[P{i}] <> [P{j}];" for i, j in itertools.combinations(range(12), 2)]
         began = time.monotonic()
         with self.assertRaises(TimeoutError):
@@ -237,7 +254,13 @@ class Plans(unittest.TestCase):
             {"parts": 5, "at_once": 3, "test_cost": -1, "change_cost": 1},
             {"parts": 5, "at_once": 3, "test_cost": 1},
             {"parts": 1, "at_once": 3, "test_cost": 1, "change_cost": 1},
-            {"parts": ["a", "b"], "at_once": 2, "test_cost": 1, "change_cost": 1, "never": [("a", "z")]},
+            {
+                "parts": ["a", "b"],
+                "at_once": 2,
+                "test_cost": 1,
+                "change_cost": 1,
+                "never": [("a", "z")],
+            },
         ):
             with self.assertRaises(changeover.BadInput):
                 changeover.plan(**wrong)
@@ -278,13 +301,22 @@ class Loads(unittest.TestCase):
             seen, kept = [], []
 
             def compute(i, j, first, second):
-                seen.append((i, j, bytes(first) == data[64 * i : 64 * i + 64], bytes(second) == data[64 * j : 64 * j + 64]))
+                seen.append(
+                    (
+                        i,
+                        j,
+                        bytes(first) == data[64 * i : 64 * i + 64],
+                        bytes(second) == data[64 * j : 64 * j + 64],
+                    )
+                )
                 kept.append(first)
 
             report = changeover.all_pairs(path, 64, 5, compute, threads=2)
             self.assertTrue(report.finished)
             self.assertEqual(report.pairs, 16 * 17 // 2)
-            self.assertEqual(sorted(pair[:2] for pair in seen), [(i, j) for i in range(16) for j in range(i, 16)])
+            self.assertEqual(
+                sorted(pair[:2] for pair in seen), [(i, j) for i in range(16) for j in range(i, 16)]
+            )
             self.assertTrue(all(pair[2] and pair[3] for pair in seen))
             with self.assertRaises(ValueError):
                 kept[0][0]  # the view ended with its call
@@ -296,7 +328,9 @@ class Loads(unittest.TestCase):
                 changeover.all_pairs(path, 64, 5, fails)
             if hasattr(caught.exception, "__notes__"):
                 self.assertEqual(len(caught.exception.__notes__), 1)
-                self.assertRegex(caught.exception.__notes__[0], r"^compute\(\d+, \d+\) raised this$")
+                self.assertRegex(
+                    caught.exception.__notes__[0], r"^compute\(\d+, \d+\) raised this$"
+                )
             with self.assertRaises(changeover.MissingResource):
                 changeover.all_pairs(path + "x", 64, 5, compute)
 

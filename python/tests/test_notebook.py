@@ -41,11 +41,15 @@ class Shown(unittest.TestCase):
 
     def test_names_are_escaped(self):
         names = ["<b>", "a&b", "c_1"]
-        design = changeover.Design([[names[0], names[1]], [names[1], names[2]], [names[2], names[0]]] * 30)
+        design = changeover.Design(
+            [[names[0], names[1]], [names[1], names[2]], [names[2], names[0]]] * 30
+        )
         page = design._repr_html_()
         self.assertIn("&lt;b&gt;, a&amp;b", page)
         well_formed(page)
-        latex = changeover.Design([["$x^^5c", "a&b"], ["a&b", "c~1"], ["c~1", "$x^^5c"]])._repr_latex_()
+        latex = changeover.Design(
+            [["$x^^5c", "a&b"], ["a&b", "c~1"], ["c~1", "$x^^5c"]]
+        )._repr_latex_()
         self.assertEqual(latex.count("$"), 4)
         self.assertNotRegex(latex, "[~^]")  # in LaTeX no letters
         self.assertIn(r"\text{a\&b}", latex)
@@ -56,7 +60,11 @@ class Shown(unittest.TestCase):
     def test_verdicts_bounds_and_tables(self):
         design = changeover.design(8, 5)
         for each in (design.verdict, changeover.bounds(8, 5), changeover.table((3, 5), (4, 9))):
-            for part in each._repr_html_().replace("</div>\n<div>\n<strong>", "</div>\0<div>\n<strong>").split("\0"):
+            for part in (
+                each._repr_html_()
+                .replace("</div>\n<div>\n<strong>", "</div>\0<div>\n<strong>")
+                .split("\0")
+            ):
                 well_formed(part)
         table = changeover.table(4, (2, 8), kind="linear")
         self.assertIn("<td>6=</td>", table._repr_html_())
@@ -110,7 +118,9 @@ class Pictures(unittest.TestCase):
             self.assertEqual(file.stat().st_mode & 0o777, 0o666 & ~self.mask())
             picture.save(str(file.with_suffix(".tex")))
             self.assertEqual(file.with_suffix(".tex").read_text(encoding="utf-8"), picture.tikz)
-            with self.assertRaisesRegex(changeover.BadInput, "unknown file extension; use .svg, .tikz or .tex"):
+            with self.assertRaisesRegex(
+                changeover.BadInput, "unknown file extension; use .svg, .tikz or .tex"
+            ):
                 picture.save(str(file.with_suffix(".pdf")))
             with self.assertRaisesRegex(changeover.MissingResource, "d.svg"):
                 picture.save(str(file / "x" / "d.svg"))
@@ -143,7 +153,9 @@ class Sequences(unittest.TestCase):
 class Frames(unittest.TestCase):
     def test_there_and_back(self):
         design = changeover.design(15, 5)
-        self.assertEqual(changeover.Design(design.to_frame(), v=15, kind=design.kind).blocks, design.blocks)
+        self.assertEqual(
+            changeover.Design(design.to_frame(), v=15, kind=design.kind).blocks, design.blocks
+        )
         frame = changeover.table((2, 4), (4, 6)).to_frame()
         self.assertEqual(str(frame["b"].dtype), "Int64")
         self.assertEqual(list(frame[(frame.v == 4) & (frame.k == 2)]["status"]), ["impossible"] * 2)
@@ -156,14 +168,23 @@ def minimum_of(v):
 class Pickles(unittest.TestCase):
     def test_answers_go_there_and_back(self):
         design = changeover.design(9, 4)
-        for each in (design.verdict, changeover.bounds(9, 4), changeover.bounds(9, 4).all[0], changeover.table(4, 9)[0],
-                     changeover.search(9, 4, change=1, time=1), changeover.classify(9, 4, 6, 2, "circular"), design.draw()):
+        for each in (
+            design.verdict,
+            changeover.bounds(9, 4),
+            changeover.bounds(9, 4).all[0],
+            changeover.table(4, 9)[0],
+            changeover.search(9, 4, change=1, time=1),
+            changeover.classify(9, 4, 6, 2, "circular"),
+            design.draw(),
+        ):
             again = pickle.loads(pickle.dumps(each))
             self.assertEqual(repr(again), repr(each))
             for name in dir(type(each)):
                 if isinstance(getattr(type(each), name), property):
                     self.assertEqual(repr(getattr(again, name)), repr(getattr(each, name)), name)
-        self.assertEqual(pickle.loads(pickle.dumps(design.verdict)).as_dict(), design.verdict.as_dict())
+        self.assertEqual(
+            pickle.loads(pickle.dumps(design.verdict)).as_dict(), design.verdict.as_dict()
+        )
 
     def test_what_was_tampered_with_is_refused(self):
         with self.assertRaises(TypeError):
@@ -180,7 +201,12 @@ class Pickles(unittest.TestCase):
 
     def test_what_another_version_pickled_is_read_or_refused(self):
         design = changeover.design(9, 4)
-        for each in (design.verdict, changeover.bounds(9, 4), changeover.table(4, 9)[0], design.draw()):
+        for each in (
+            design.verdict,
+            changeover.bounds(9, 4),
+            changeover.table(4, 9)[0],
+            design.draw(),
+        ):
             rebuild, (kind, state, _) = each.__reduce_ex__(4)
             facts, core = pickle.loads(state)
 
@@ -194,10 +220,13 @@ class Pickles(unittest.TestCase):
             names += kind._hidden
             for name in names:
                 with self.assertRaisesRegex(
-                        changeover.BadInput,
-                        f"another version of changeover pickled this .*, which has no {name}; make it anew"):
+                    changeover.BadInput,
+                    f"another version of changeover pickled this .*, which has no {name}; make it anew",
+                ):
                     again({key: value for key, value in facts.items() if key != name})
-            with self.assertRaisesRegex(changeover.BadInput, "another version of changeover pickled this .*; make it anew"):
+            with self.assertRaisesRegex(
+                changeover.BadInput, "another version of changeover pickled this .*; make it anew"
+            ):
                 rebuild(kind, facts, core)  # As 0.1 did.
 
     def test_processes_exchange_them(self):
@@ -309,7 +338,9 @@ class Progress(unittest.TestCase):
                              (" pairs", 28, 9, "computing, best 3", True))
 
     def test_what_is_no_function_is_refused(self):
-        with self.assertRaisesRegex(TypeError, "progress is a function, True, False or None, not 3"):
+        with self.assertRaisesRegex(
+            TypeError, "progress is a function, True, False or None, not 3"
+        ):
             changeover.search(9, 4, progress=3)
 
 

@@ -80,7 +80,10 @@ class Loads(unittest.TestCase):
         for wrong, words in (
             ({"pairs": [(1, 2, 3)]}, "costs are for workers"),
             ({"pairs": [(1, 2, 3)], "workers": 2, "pair_cost": {}}, "costs are for workers"),
-            ({"pairs": [(1, 2, 3), (2, 3)], "workers": 2}, "only some of the rows 0 to 1 have a cost"),
+            (
+                {"pairs": [(1, 2, 3), (2, 3)], "workers": 2},
+                "only some of the rows 0 to 1 have a cost",
+            ),
             ({"pairs": [(1, 2), (2, 3, 1)], "workers": 2}, "only some of the rows"),
             ({"pairs": [(1, 2, 3, 4)]}, "row 0 has more than two items"),
             ({"groups": [(1, 2), (8, 9)]}, "item 8 is not one of 8 items"),
@@ -95,7 +98,9 @@ class Loads(unittest.TestCase):
             ({"pairs": [(1, 2)], "against": 3}, "one of pairs, groups, against and done_items"),
             ({"done_items": 8}, ""),
         ):
-            with self.subTest(wrong=wrong), self.assertRaisesRegex(changeover.BadInput, words) as caught:
+            with self.subTest(wrong=wrong), self.assertRaisesRegex(
+                changeover.BadInput, words
+            ) as caught:
                 changeover.load_order(8, 3, **wrong)
             self.assertNotIn("\n", str(caught.exception))
         with self.assertRaises(TypeError):
@@ -147,8 +152,12 @@ class Orders(unittest.TestCase):
         self.assertAlmostEqual(sum(spread.worker_costs), 23 * 30 + 253)
         self.assertLess(max(spread.worker_costs), 350)
         self.assertIsNone(split.worker_costs)
-        for wrong, says in (({(0, 1): -1}, "0 or more"), ({(0, 99): 1}, "99"), ([(0, 1)], "not two items"),
-                            ({(0, "x"): 1}, "")):
+        for wrong, says in (
+            ({(0, 1): -1}, "0 or more"),
+            ({(0, 99): 1}, "99"),
+            ([(0, 1)], "not two items"),
+            ({(0, "x"): 1}, ""),
+        ):
             with self.assertRaisesRegex((changeover.BadInput, TypeError), says):
                 changeover.load_order(24, 8, workers=3, pair_cost=wrong)
 
@@ -166,9 +175,12 @@ class Orders(unittest.TestCase):
             order.steps_from(order.steps + 1)
 
     def test_orders_can_be_pickled(self):
-        made = [changeover.load_order(30, 7), changeover.load_order(30, 7, workers=3, new_pairs=True),
-                changeover.load_order(None, 3, pairs=[(0, 1), (1, 2), (2, 0), (2, 3)]),
-                changeover.load_order(30, 7, time=0.1, new_pairs=True)]
+        made = [
+            changeover.load_order(30, 7),
+            changeover.load_order(30, 7, workers=3, new_pairs=True),
+            changeover.load_order(None, 3, pairs=[(0, 1), (1, 2), (2, 0), (2, 3)]),
+            changeover.load_order(30, 7, time=0.1, new_pairs=True),
+        ]
         for each in made:
             again = pickle.loads(pickle.dumps(each))
             self.assertIs(type(again), type(each))
@@ -221,7 +233,10 @@ class Orders(unittest.TestCase):
 
     def test_workers_share_a_load_order(self):
         split = changeover.load_order(24, 6, workers=3)
-        self.assertEqual((len(split), split.makespan, split.loads), (3, max(split.worker_loads), sum(split.worker_loads)))
+        self.assertEqual(
+            (len(split), split.makespan, split.loads),
+            (3, max(split.worker_loads), sum(split.worker_loads)),
+        )
         self.assertLessEqual(split.makespan_bound, split.makespan)
         met = set()
         for worker in range(3):
@@ -237,7 +252,10 @@ class Orders(unittest.TestCase):
         self.assertEqual(sum(some.worker_loads), some.loads)
         with self.assertRaises(IndexError):
             split.steps(3)
-        for wrong, words in (({"workers": 0}, "^workers 0: give at least 1"), ({"workers": 2**40}, "^workers 1099511627776: give 1 to")):
+        for wrong, words in (
+            ({"workers": 0}, "^workers 0: give at least 1"),
+            ({"workers": 2**40}, "^workers 1099511627776: give 1 to"),
+        ):
             with self.assertRaisesRegex(changeover.BadInput, words):
                 changeover.load_order(24, 6, **wrong)
 
@@ -256,12 +274,18 @@ class Sizes(unittest.TestCase):
         self.assertEqual((loaded, len(set(pairs)), len(pairs)), (order.bytes, 190, 190))
         self.assertLessEqual(order.bytes_bound, order.bytes)
         self.assertIsNone(changeover.load_order(6, 3).bytes)
-        listed = changeover.load_order(None, pairs=[(0, 2), (2, 3)], sizes={0: 5, 2: 4, 3: 3}, memory=9)
+        listed = changeover.load_order(
+            None, pairs=[(0, 2), (2, 3)], sizes={0: 5, 2: 4, 3: 3}, memory=9
+        )
         self.assertEqual(listed.bytes, 12)
 
     def test_what_does_not_fit_is_refused(self):
-        for more, why in (({"sizes": [3, 6], "memory": 8}, "9 bytes together"), ({"sizes": [3, 6]}, "memory"),
-                          ({"sizes": [3, 0.5], "memory": 9}, "whole number of bytes"), ({}, "give items")):
+        for more, why in (
+            ({"sizes": [3, 6], "memory": 8}, "9 bytes together"),
+            ({"sizes": [3, 6]}, "memory"),
+            ({"sizes": [3, 0.5], "memory": 9}, "whole number of bytes"),
+            ({}, "give items"),
+        ):
             with self.assertRaisesRegex(changeover.BadInput, why):
                 changeover.load_order(None, **more)
 
@@ -270,7 +294,16 @@ class Epochs(unittest.TestCase):
     def test_every_pair_is_computed_once_in_each_epoch(self):
         for more in ({}, {"workers": 3}, {"workers": 2, "disjoint": True}, {"write_back": True}):
             order = changeover.load_order(
-                16, 5, epochs=3, new_pairs=True, spread=True, ordered=True, with_self=True, seed=2, **more)
+                16,
+                5,
+                epochs=3,
+                new_pairs=True,
+                spread=True,
+                ordered=True,
+                with_self=True,
+                seed=2,
+                **more,
+            )
             self.assertEqual(len(order.epoch_loads), 3)
             self.assertEqual(sum(order.epoch_loads), order.loads)
             seen = collections.Counter()
@@ -283,7 +316,9 @@ class Epochs(unittest.TestCase):
                     for i, j in step.pairs:
                         self.assertTrue({i, j} <= held)
                         seen[step.epoch, i, j] += 1
-            self.assertEqual(seen, collections.Counter(itertools.product((1, 2, 3), range(16), range(16))))
+            self.assertEqual(
+                seen, collections.Counter(itertools.product((1, 2, 3), range(16), range(16)))
+            )
             again = pickle.loads(pickle.dumps(order))
             self.assertEqual((again.loads, again.epoch_loads), (order.loads, order.epoch_loads))
 
@@ -293,7 +328,9 @@ class Epochs(unittest.TestCase):
         self.assertEqual(first["buffer_states"][-1], second["buffer_states"][0])
         for epoch in (first, second):
             self.assertEqual((epoch["num_partitions"], epoch["buffer_capacity"]), (16, 4))
-            buckets = [tuple(bucket) for each in epoch["edge_buckets_per_buffer"] for bucket in each]
+            buckets = [
+                tuple(bucket) for each in epoch["edge_buckets_per_buffer"] for bucket in each
+            ]
             self.assertEqual(sorted(buckets), list(itertools.product(range(16), range(16))))
             for state, each in zip(epoch["buffer_states"], epoch["edge_buckets_per_buffer"]):
                 self.assertEqual(len(set(state)), 4)
@@ -301,7 +338,9 @@ class Epochs(unittest.TestCase):
         with self.assertRaisesRegex(changeover.BadInput, "one buffer"):
             changeover.load_order(16, 4, prefetch=True).for_marius()
         # Not only the command line holds to what fits into memory.
-        with self.assertRaisesRegex(changeover.BadInput, "epochs 100000: with spread or for Marius"):
+        with self.assertRaisesRegex(
+            changeover.BadInput, "epochs 100000: with spread or for Marius"
+        ):
             changeover.load_order(64, 16, epochs=100000).for_marius()
         with self.assertRaisesRegex(changeover.BadInput, "give epochs 49603 or less"):
             changeover.load_order(64, 16, epochs=100000, new_pairs=True, spread=True)
@@ -329,11 +368,25 @@ class Epochs(unittest.TestCase):
                 if len(calls) in stops:
                     raise OSError("stopped")
                 for view, other in ((first, j), (second, i)):
-                    view[:2] = (int.from_bytes(view[:2], "little") + other + 1).to_bytes(2, "little")
+                    view[:2] = (int.from_bytes(view[:2], "little") + other + 1).to_bytes(
+                        2, "little"
+                    )
 
-            return changeover.update_pairs(
-                data, 8, 4, update, journal=os.path.join(folder, "journal"), workers=workers, epochs=3,
-                spread=True, shuffle=True, checkpoint_every=5), pathlib.Path(data).read_bytes()
+            return (
+                changeover.update_pairs(
+                    data,
+                    8,
+                    4,
+                    update,
+                    journal=os.path.join(folder, "journal"),
+                    workers=workers,
+                    epochs=3,
+                    spread=True,
+                    shuffle=True,
+                    checkpoint_every=5,
+                ),
+                pathlib.Path(data).read_bytes(),
+            )
 
         for workers in (1, 2):
             with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as other:

@@ -15,20 +15,56 @@ import re
 import sys
 import urllib.parse
 
-LOADED = {("script", "src"), ("img", "src"), ("source", "src"), ("source", "srcset"), ("iframe", "src"), ("embed", "src"),
-          ("object", "data"), ("video", "src"), ("audio", "src"), ("track", "src"), ("input", "src"), ("use", "href"),
-          ("image", "href"), ("form", "action"), ("video", "poster"), ("img", "srcset"), ("base", "href")}
+LOADED = {
+    ("script", "src"),
+    ("img", "src"),
+    ("source", "src"),
+    ("source", "srcset"),
+    ("iframe", "src"),
+    ("embed", "src"),
+    ("object", "data"),
+    ("video", "src"),
+    ("audio", "src"),
+    ("track", "src"),
+    ("input", "src"),
+    ("use", "href"),
+    ("image", "href"),
+    ("form", "action"),
+    ("video", "poster"),
+    ("img", "srcset"),
+    ("base", "href"),
+}
 # Links that the browser follows by itself; others (canonical, author) are words.
-LOADED_LINKS = {"stylesheet", "icon", "shortcut icon", "preconnect", "dns-prefetch", "preload", "prefetch", "modulepreload",
-                "manifest", "search", "apple-touch-icon", "mask-icon"}
-# Addresses in scripts that are names, or a link in a menu that these pages do not show (MathJax): nothing asks them.
+LOADED_LINKS = {
+    "stylesheet",
+    "icon",
+    "shortcut icon",
+    "preconnect",
+    "dns-prefetch",
+    "preload",
+    "prefetch",
+    "modulepreload",
+    "manifest",
+    "search",
+    "apple-touch-icon",
+    "mask-icon",
+}
+# Addresses in scripts that are names, or a link in a menu that these pages do not show (MathJax):
+# nothing asks them.
 NAMES_IN_SCRIPTS = ("http://www.w3.org/", "https://www.w3.org/", "http://www.mathjax.org/")
 
 
 class Page(html.parser.HTMLParser):
     def __init__(self):
         super().__init__()
-        self.loaded, self.links, self.anchors, self.styles, self.scripts, self.inside = [], [], set(), [], [], None
+        self.loaded, self.links, self.anchors, self.styles, self.scripts, self.inside = (
+            [],
+            [],
+            set(),
+            [],
+            [],
+            None,
+        )
 
     def handle_starttag(self, tag, attributes):
         given = {name: value or "" for name, value in attributes}
@@ -41,17 +77,30 @@ class Page(html.parser.HTMLParser):
             self.links.append((line, given["href"]))
         if tag == "link" and given.get("rel", "").lower() in LOADED_LINKS:
             self.loaded.append((line, given.get("href", "")))
-        if tag == "meta" and given.get("http-equiv", "").lower() == "refresh" and "url=" in given.get("content", "").lower():
+        if (
+            tag == "meta"
+            and given.get("http-equiv", "").lower() == "refresh"
+            and "url=" in given.get("content", "").lower()
+        ):
             self.links.append((line, re.split("url=", given["content"], flags=re.I)[1]))
         for name, value in given.items():
             if (tag, name) in LOADED:
-                self.loaded += [(line, part.split()[0]) for part in value.split(",")] if name == "srcset" else [(line, value)]
+                self.loaded += (
+                    [(line, part.split()[0]) for part in value.split(",")]
+                    if name == "srcset"
+                    else [(line, value)]
+                )
             if name == "style":
                 self.styles.append((line, value))
             if name.startswith("on"):
                 self.scripts.append((line, value))
         self.inside = tag if tag in ("style", "script") else None
-        if tag == "script" and given.get("type", "").lower() not in ("", "text/javascript", "module", "application/javascript"):
+        if tag == "script" and given.get("type", "").lower() not in (
+            "",
+            "text/javascript",
+            "module",
+            "application/javascript",
+        ):
             self.inside = None
 
     def handle_endtag(self, tag):
@@ -67,7 +116,10 @@ class Page(html.parser.HTMLParser):
 
 def leaves(address):
     """Is it of another place than the folder of the site?"""
-    return re.match(r"(?!data:|blob:|javascript:|about:)[A-Za-z][A-Za-z0-9+.-]*:|/", address) is not None
+    return (
+        re.match(r"(?!data:|blob:|javascript:|about:)[A-Za-z][A-Za-z0-9+.-]*:|/", address)
+        is not None
+    )
 
 
 def style_faults(text):
@@ -82,8 +134,16 @@ def script_faults(text):
     """Addresses in a script, without its comments."""
     text = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
     text = re.sub(r"(?m)(^|[\s;{}])//(?![\w.-]+\.[a-z]+/).*$", r"\1", text)
-    found = [match.group(0) for match in re.finditer(r"(?:(?:https?|wss?):)//[A-Za-z0-9.-]+\.[A-Za-z]{2,}[^\s'\"`)]*", text)]
-    found += [match.group(1) for match in re.finditer(r"['\"`](//[A-Za-z0-9-]+\.[A-Za-z0-9./-]+)['\"`]", text)]
+    found = [
+        match.group(0)
+        for match in re.finditer(
+            r"(?:(?:https?|wss?):)//[A-Za-z0-9.-]+\.[A-Za-z]{2,}[^\s'\"`)]*", text
+        )
+    ]
+    found += [
+        match.group(1)
+        for match in re.finditer(r"['\"`](//[A-Za-z0-9-]+\.[A-Za-z0-9./-]+)['\"`]", text)
+    ]
     return [address for address in found if not address.startswith(NAMES_IN_SCRIPTS)]
 
 
@@ -102,14 +162,23 @@ def site_faults(site):
 
     for file, page in pages.items():
         where = file.relative_to(site.resolve())
-        for line, address in page.loaded + [(line, each) for line, text in page.styles for each in style_faults(text)]:
+        for line, address in page.loaded + [
+            (line, each) for line, text in page.styles for each in style_faults(text)
+        ]:
             if leaves(address):
                 faults.append(f"{where}:{line}: loads {address}")
-            elif address and not re.match("data:|about:|blob:|javascript:", address) and not target(file, address).exists() \
-                    and not address.startswith("#"):
+            elif (
+                address
+                and not re.match("data:|about:|blob:|javascript:", address)
+                and not target(file, address).exists()
+                and not address.startswith("#")
+            ):
                 faults.append(f"{where}:{line}: loads {address}, which is not there")
         for line, text in page.scripts:
-            faults += [f"{where}:{line}: a script has the address {address}" for address in script_faults(text)]
+            faults += [
+                f"{where}:{line}: a script has the address {address}"
+                for address in script_faults(text)
+            ]
         for line, address in page.links:
             if re.match(r"https?:|mailto:|javascript:", address):
                 continue
@@ -121,10 +190,14 @@ def site_faults(site):
             if not there.exists():
                 faults.append(f"{where}:{line}: leads to {address}, which is not there")
             elif anchor and there in pages and anchor not in pages[there].anchors:
-                faults.append(f"{where}:{line}: leads to {address}, but there is no such place on that page")
+                faults.append(
+                    f"{where}:{line}: leads to {address}, but there is no such place on that page"
+                )
     for file in sorted(site.rglob("*.css")):
         for address in style_faults(file.read_text(encoding="utf-8")):
-            if leaves(address) or (not address.startswith(("data:", "#")) and not target(file, address).exists()):
+            if leaves(address) or (
+                not address.startswith(("data:", "#")) and not target(file, address).exists()
+            ):
                 faults.append(f"{file.relative_to(site)}: loads {address}")
     for file in sorted(site.rglob("*.js")):
         faults += [f"{file.relative_to(site)}: has the address {address}"
@@ -137,7 +210,11 @@ def headings(text):
     found, counts = set(), {}
     text = re.sub(r"(?ms)^```.*?^```", "", text)
     for match in re.finditer(r"(?m)^#{1,6} +(.*?) *#*$", text):
-        words = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", match.group(1)).replace("`", "").replace("*", "")
+        words = (
+            re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", match.group(1))
+            .replace("`", "")
+            .replace("*", "")
+        )
         anchor = re.sub(r"[^\w\- ]", "", words.lower()).replace(" ", "-")
         number = counts.get(anchor, 0)
         counts[anchor] = number + 1
@@ -147,7 +224,14 @@ def headings(text):
 
 def page_faults(root):
     faults = []
-    pages = [page for page in [*root.glob("*.md"), *(root / "docs").glob("*.md"), *(root / "bench").glob("*.md")]]
+    pages = [
+        page
+        for page in [
+            *root.glob("*.md"),
+            *(root / "docs").glob("*.md"),
+            *(root / "bench").glob("*.md"),
+        ]
+    ]
     if not pages:
         return [f"{root}: no pages"]
     for page in sorted(pages):
@@ -160,9 +244,17 @@ def page_faults(root):
                 path, _, anchor = address.partition("#")
                 there = (page.parent / path).resolve() if path else page.resolve()
                 if not there.exists():
-                    faults.append(f"{page.relative_to(root)}:{number}: leads to {address}, which is not there")
-                elif anchor and there.suffix == ".md" and anchor not in headings(there.read_text(encoding="utf-8")):
-                    faults.append(f"{page.relative_to(root)}:{number}: leads to {address}, but there is no such heading")
+                    faults.append(
+                        f"{page.relative_to(root)}:{number}: leads to {address}, which is not there"
+                    )
+                elif (
+                    anchor
+                    and there.suffix == ".md"
+                    and anchor not in headings(there.read_text(encoding="utf-8"))
+                ):
+                    faults.append(
+                        f"{page.relative_to(root)}:{number}: leads to {address}, but there is no such heading"
+                    )
     return faults
 
 
@@ -177,7 +269,11 @@ def main():
         faults = site_faults(site)
     else:
         sys.exit(__doc__)
-    print("\n".join(faults) if faults else "all links lead somewhere, and nothing is loaded from elsewhere")
+    print(
+        "\n".join(faults)
+        if faults
+        else "all links lead somewhere, and nothing is loaded from elsewhere"
+    )
     sys.exit(1 if faults else 0)
 
 

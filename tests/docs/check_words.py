@@ -11,10 +11,30 @@ import sys
 READ = ("README.md", "src", "apps", "include", "python", "docs", "web/src")
 # Proofs and histories stay as they were written; style.md shows the words.
 LEFT_OUT = ("docs/theorems.md", "docs/style.md")
-SUFFIXES = {".cpp", ".hpp", ".c", ".h", ".py", ".pyi", ".md", ".ts", ".css", ".html", ".json", ".csv",
-            ".bib", ".txt", ".sh", ".in", ".dox", ".cmake", ".svg"}
+SUFFIXES = {
+    ".cpp",
+    ".hpp",
+    ".c",
+    ".h",
+    ".py",
+    ".pyi",
+    ".md",
+    ".ts",
+    ".css",
+    ".html",
+    ".json",
+    ".csv",
+    ".bib",
+    ".txt",
+    ".sh",
+    ".in",
+    ".dox",
+    ".cmake",
+    ".svg",
+}
 
-# Each as a pattern, in which a space is any gap (also one between two lines of a comment), and what to say instead.
+# Each as a pattern, in which a space is any gap (also one between two lines of a comment), and what
+# to say instead.
 WORDS = [
     ("nobody", "none, no other thread, no caller, …"),
     ("whoever", "the caller, the reader, a process that, …"),
@@ -34,8 +54,10 @@ WORDS = [
     ("what the words mean", "Glossary"),
     ("colou?r says what|what a colou?r says", "Colour by, what a colour shows"),
     ("point at a cell", "select a cell"),
-    ("a (test|set-up|part|pair|slot|bench|block|file|line|step|row|item|object|rule) a (line|row|kind|file|bench|cell|block)",
-     "one … per …"),
+    (
+        "a (test|set-up|part|pair|slot|bench|block|file|line|step|row|item|object|rule) a (line|row|kind|file|bench|cell|block)",
+        "one … per …",
+    ),
     ("parts called", "parts named"),
     ("the results of --done blame", "explain the failed tests"),
     ("simply|obviously|of course|basically", "(leave it out)"),
@@ -44,13 +66,16 @@ WORDS = [
     ("whereof|wherefrom|whereto|thereof|therein|heretofore", "of which, in it, …"),
 ]
 
-# What stands between two words of one sentence: blanks, line ends, the marks of comments, the quotes of a string that goes on.
+# What stands between two words of one sentence: blanks, line ends, the marks of comments, the
+# quotes of a string that goes on.
 GAP = r"[\s/#*\"]+"
 
 
 def patterns():
     for words, better in WORDS:
-        yield re.compile(r"(?<![\w-])(?:" + words.replace(" ", GAP) + r")(?![\w-])", re.IGNORECASE), better
+        yield re.compile(
+            r"(?<![\w-])(?:" + words.replace(" ", GAP) + r")(?![\w-])", re.IGNORECASE
+        ), better
 
 
 def files(root):

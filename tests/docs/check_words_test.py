@@ -10,12 +10,32 @@ import check_words
 
 # Each of the forbidden ways once, in the order of the list.
 EXAMPLES = [
-    "Nobody waits", "whoever asks", "if somebody writes", "it gives leave to write", "labels are not given away",
-    "it began anew", "wait for its end", "nothing else can come beside", "make items larger",
-    "characters which are no text", "x is no key of an entry", "which format is that?", "what came of it",
-    "is it one, and how good", "What is known is said here", "What the words mean", "Colour says what",
-    "Point at a cell", "write a set-up a line", "9 parts called 1", "the results of --done blame", "Of course it is",
-    "in order to see", "utilize it", "the length thereof"]
+    "Nobody waits",
+    "whoever asks",
+    "if somebody writes",
+    "it gives leave to write",
+    "labels are not given away",
+    "it began anew",
+    "wait for its end",
+    "nothing else can come beside",
+    "make items larger",
+    "characters which are no text",
+    "x is no key of an entry",
+    "which format is that?",
+    "what came of it",
+    "is it one, and how good",
+    "What is known is said here",
+    "What the words mean",
+    "Colour says what",
+    "Point at a cell",
+    "write a set-up a line",
+    "9 parts called 1",
+    "the results of --done blame",
+    "Of course it is",
+    "in order to see",
+    "utilize it",
+    "the length thereof",
+]
 
 
 class Words(unittest.TestCase):
@@ -43,29 +63,67 @@ class Words(unittest.TestCase):
             self.assertTrue(lines[0].endswith(f"; say: {better}"), lines[0])
 
     def test_each_room_is_read(self):
-        for name in ["README.md", "src/a/b.hpp", "apps/a/main.c", "include/a.hpp", "python/a/b.py", "docs/schema/a.json",
-                     "docs/a.md", "docs/tools/a.sh", "web/src/a/b.ts"]:
-            self.assertEqual(self.checked("nobody", name), ([f"{name}:1: 'nobody'; say: {check_words.WORDS[0][1]}"], 1))
+        for name in [
+            "README.md",
+            "src/a/b.hpp",
+            "apps/a/main.c",
+            "include/a.hpp",
+            "python/a/b.py",
+            "docs/schema/a.json",
+            "docs/a.md",
+            "docs/tools/a.sh",
+            "web/src/a/b.ts",
+        ]:
+            self.assertEqual(
+                self.checked("nobody", name),
+                ([f"{name}:1: 'nobody'; say: {check_words.WORDS[0][1]}"], 1),
+            )
 
     def test_over_the_end_of_a_line(self):
-        for text in ["// they begin\n// anew\n", "/* begin\n * anew */\n", "# begin\n# anew\n", '"begin "\n    "anew"\n',
-                     "/// begin\n  ///    anew\n"]:
-            self.assertEqual(self.checked("\n" + text)[0], ["src/core/a.cpp:2: 'begin anew'; say: restart, start again"])
+        for text in [
+            "// they begin\n// anew\n",
+            "/* begin\n * anew */\n",
+            "# begin\n# anew\n",
+            '"begin "\n    "anew"\n',
+            "/// begin\n  ///    anew\n",
+        ]:
+            self.assertEqual(
+                self.checked("\n" + text)[0],
+                ["src/core/a.cpp:2: 'begin anew'; say: restart, start again"],
+            )
 
     def test_each_place_is_named_in_order(self):
         lines, _ = self.checked("whoever\n\nwhoever, nobody\n")
-        self.assertEqual([line.split(";")[0] for line in lines],
-                         ["src/core/a.cpp:1: 'whoever'", "src/core/a.cpp:3: 'nobody'", "src/core/a.cpp:3: 'whoever'"])
+        self.assertEqual(
+            [line.split(";")[0] for line in lines],
+            [
+                "src/core/a.cpp:1: 'whoever'",
+                "src/core/a.cpp:3: 'nobody'",
+                "src/core/a.cpp:3: 'whoever'",
+            ],
+        )
 
     def test_plain_words_pass(self):
-        for text in ["No thread waits; it is planned anew.\n", "nobody_else, some-body, whoevers\n", "their whoever_\n",
-                     "one set-up per line; parts named 1\n", "the order to take\n"]:
+        for text in [
+            "No thread waits; it is planned anew.\n",
+            "nobody_else, some-body, whoevers\n",
+            "their whoever_\n",
+            "one set-up per line; parts named 1\n",
+            "the order to take\n",
+        ]:
             self.assertEqual(self.checked(text), ([], 0), text)
 
     def test_what_is_left_out(self):
         (self.root / "README.md").write_text("Plain.\n", encoding="utf-8")
-        for name in ["docs/theorems.md", "docs/style.md", "CHANGELOG.md", "web/dist/a.js", "tests/a_test.cpp",
-                     "python/__pycache__/a.py", "docs/img/a.png"]:
+        for name in [
+            "docs/theorems.md",
+            "docs/style.md",
+            "CHANGELOG.md",
+            "web/dist/a.js",
+            "tests/a_test.cpp",
+            "python/__pycache__/a.py",
+            "docs/img/a.png",
+        ]:
             self.assertEqual(self.checked("nobody", name), ([], 0), name)
 
     def test_an_empty_tree_is_no_success(self):

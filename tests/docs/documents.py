@@ -48,7 +48,9 @@ def schema(name, inside=None):
     """`inside` follows keys and $defs of that schema, as in "$defs/cell"."""
     document = json.loads((root / "docs/schema" / f"{name}.json").read_text())
     here = jsonschema.RefResolver(f"{(root / 'docs/schema').as_uri()}/{name}.json", document)
-    return jsonschema.Draft202012Validator({"$ref": f"#/{inside}"} if inside else document, resolver=here)
+    return jsonschema.Draft202012Validator(
+        {"$ref": f"#/{inside}"} if inside else document, resolver=here
+    )
 
 
 def fits(name, document, inside=None):
@@ -61,7 +63,9 @@ def check_generated():
     for kind in ("job", "load-request"):
         kept = root / f"docs/schema/changeover-{kind}-1.json"
         if run("describe", "--schema", kind).stdout != kept.read_text():
-            fault(f"{kept.name} is not what `changeover describe --schema {kind}` says; write it anew")
+            fault(
+                f"{kept.name} is not what `changeover describe --schema {kind}` says; write it anew"
+            )
     if run("describe", "--doors").stdout not in (root / "docs/doors.md").read_text():
         fault("docs/doors.md is not what `changeover describe --doors` says; write it anew")
     for file in sorted((root / "docs/schema").glob("*.json")):
@@ -70,13 +74,21 @@ def check_generated():
 
 class Server:
     def __init__(self, catalog):
-        self.process = subprocess.Popen([program, "serve", "--catalog", catalog], stdout=subprocess.PIPE, text=True)
+        self.process = subprocess.Popen(
+            [program, "serve", "--catalog", catalog], stdout=subprocess.PIPE, text=True
+        )
         self.address, _, token = self.process.stdout.readline().strip().partition("?token=")
         self.token = token
 
     def post(self, target, body, kind="application/json"):
-        return self.ask(urllib.request.Request(self.address + target, body.encode(), method="POST", headers={
-            "Content-Type": kind, "X-Changeover-Token": self.token}))
+        return self.ask(
+            urllib.request.Request(
+                self.address + target,
+                body.encode(),
+                method="POST",
+                headers={"Content-Type": kind, "X-Changeover-Token": self.token},
+            )
+        )
 
     def get(self, target):
         return self.ask(self.address + target)
@@ -102,15 +114,49 @@ class Server:
 
 def any_job(rng):
     """A job that may or may not make sense."""
-    parts = rng.choice([7, ["A", "B", "C", "D", "E"], [{"name": "A", "cost": 2}, {"name": "B", "cost": "1.50", "quantity": 1}, "C", "D"]])
-    names = [str(i + 1) for i in range(parts)] if isinstance(parts, int) else [p if isinstance(p, str) else p["name"] for p in parts]
+    parts = rng.choice(
+        [
+            7,
+            ["A", "B", "C", "D", "E"],
+            [{"name": "A", "cost": 2}, {"name": "B", "cost": "1.50", "quantity": 1}, "C", "D"],
+        ]
+    )
+    names = (
+        [str(i + 1) for i in range(parts)]
+        if isinstance(parts, int)
+        else [p if isinstance(p, str) else p["name"] for p in parts]
+    )
     pair = lambda: rng.sample(names, 2)  # noqa: E731
-    job = {"parts": parts, "at_once": rng.choice([2, 3, 3, 4]), "test_cost": rng.choice([1, "2.50", 0]), "change_cost": rng.choice([1, "0.25"])}
+    job = {
+        "parts": parts,
+        "at_once": rng.choice([2, 3, 3, 4]),
+        "test_cost": rng.choice([1, "2.50", 0]),
+        "change_cost": rng.choice([1, "0.25"]),
+    }
     may_be = {
-        "strength": rng.choice([2, 3]), "pairs": [pair() for _ in range(3)], "never": [[*pair(), "too hot"]], "cost_unit": "minutes", "mounted": names[:1], "start": names[:2],
-        "first": [names[:2]], "weights": [[*pair(), 5]], "budget": "30", "done": [names[:2], {"parts": names[1:3], "result": "FAIL"}],
-        "done_first": 1, "trust_failed": True, "benches": any_benches(rng, names), "objective": "cost", "without": names[2:3], "hours": 8, "what_if": True, "diagnose": True, "shuffle": 3,
-        "title": "A title", "steps": 300, "compact": False, "header": False,
+        "strength": rng.choice([2, 3]),
+        "pairs": [pair() for _ in range(3)],
+        "never": [[*pair(), "too hot"]],
+        "cost_unit": "minutes",
+        "mounted": names[:1],
+        "start": names[:2],
+        "first": [names[:2]],
+        "weights": [[*pair(), 5]],
+        "budget": "30",
+        "done": [names[:2], {"parts": names[1:3], "result": "FAIL"}],
+        "done_first": 1,
+        "trust_failed": True,
+        "benches": any_benches(rng, names),
+        "objective": "cost",
+        "without": names[2:3],
+        "hours": 8,
+        "what_if": True,
+        "diagnose": True,
+        "shuffle": 3,
+        "title": "A title",
+        "steps": 300,
+        "compact": False,
+        "header": False,
     }
     for key in rng.sample(list(may_be), rng.choice([0, 1, 1, 2, 2, 3])):
         job[key] = may_be[key]
@@ -124,16 +170,45 @@ def any_job(rng):
 
 def any_model(rng):
     """A job of a model that may or may not make sense."""
-    rules = ["", 'IF [Browser] = "Edge" THEN [OS] = "Windows";', '[OS] <> "Windows" OR [N] > 2;', "IF [N] = 1 THEN IsNegative(X);"]
-    text = "OS: Debian, Fedora | RHEL, Windows\nBrowser: Firefox, Edge\nN: 1, 2, 3\nX: a, ~b\n" + "\n".join(rng.sample(rules, 2)) + "\n"
-    job = {"model": rng.choice([text, text, {"text": text}, text + "[OS] = 3;"]), "test_cost": rng.choice([1, "2.50", 0]),
-           "change_cost": rng.choice([1, "0.25"]), "steps": 300}
+    rules = [
+        "",
+        'IF [Browser] = "Edge" THEN [OS] = "Windows";',
+        '[OS] <> "Windows" OR [N] > 2;',
+        "IF [N] = 1 THEN IsNegative(X);",
+    ]
+    text = (
+        "OS: Debian, Fedora | RHEL, Windows\nBrowser: Firefox, Edge\nN: 1, 2, 3\nX: a, ~b\n"
+        + "\n".join(rng.sample(rules, 2))
+        + "\n"
+    )
+    job = {
+        "model": rng.choice([text, text, {"text": text}, text + "[OS] = 3;"]),
+        "test_cost": rng.choice([1, "2.50", 0]),
+        "change_cost": rng.choice([1, "0.25"]),
+        "steps": 300,
+    }
     may_be = {
-        "strength": rng.choice([2, 3]), "pairs": [["Debian", "a"], ["OS: Windows", "N: 3"]], "never": [["Firefox", "1"]],
-        "mounted": ["Firefox"], "start": ["Windows", "Edge"], "first": [["Edge", "Windows"]], "budget": "30",
-        "done": [["Windows", "Edge", "3", "a"], {"parts": ["Debian", "Firefox", "2", "a"], "result": "FAIL"}], "done_first": 1,
-        "trust_failed": True, "objective": rng.choice(["cost", "tests"]), "change_costs": [["OS", 30], ["OS", "Debian", "Fedora", "4"], ["N", "1", 2]],
-        "what_if": True, "diagnose": True, "title": "A title", "benches": 2, "shuffle": 3, "at_once": 2,
+        "strength": rng.choice([2, 3]),
+        "pairs": [["Debian", "a"], ["OS: Windows", "N: 3"]],
+        "never": [["Firefox", "1"]],
+        "mounted": ["Firefox"],
+        "start": ["Windows", "Edge"],
+        "first": [["Edge", "Windows"]],
+        "budget": "30",
+        "done": [
+            ["Windows", "Edge", "3", "a"],
+            {"parts": ["Debian", "Firefox", "2", "a"], "result": "FAIL"},
+        ],
+        "done_first": 1,
+        "trust_failed": True,
+        "objective": rng.choice(["cost", "tests"]),
+        "change_costs": [["OS", 30], ["OS", "Debian", "Fedora", "4"], ["N", "1", 2]],
+        "what_if": True,
+        "diagnose": True,
+        "title": "A title",
+        "benches": 2,
+        "shuffle": 3,
+        "at_once": 2,
     }
     for key in rng.sample(list(may_be), rng.choice([0, 1, 1, 2, 2, 3])):
         job[key] = may_be[key]
@@ -143,8 +218,22 @@ def any_model(rng):
 
 
 def any_benches(rng, names):
-    return rng.choice([1, 2, ["North", "South"], [{"name": "North", "start": names[:2], "hours": 7}, {"without": names[:1]}, {"down": True}],
-                       [{"at_once": 3, "test_cost": "1.50", "change_factor": 2, "own": names[1:2]}, {"mounted": names[:1]}]])
+    return rng.choice(
+        [
+            1,
+            2,
+            ["North", "South"],
+            [
+                {"name": "North", "start": names[:2], "hours": 7},
+                {"without": names[:1]},
+                {"down": True},
+            ],
+            [
+                {"at_once": 3, "test_cost": "1.50", "change_factor": 2, "own": names[1:2]},
+                {"mounted": names[:1]},
+            ],
+        ]
+    )
 
 
 def check_plans(server, count):
@@ -176,21 +265,46 @@ def check_plans(server, count):
         shown = run("plan", "--request", "-", "--show-request", stdin=body).stdout
         if run("plan", "--request", "-", "--json", stdin=shown).stdout != by_line.stdout:
             fault(f"--show-request says something else: {body} {shown}")
-        arguments = {key: value for key, value in job.items() if key not in ("what_if", "diagnose", "compact", "header")}
+        arguments = {
+            key: value
+            for key, value in job.items()
+            if key not in ("what_if", "diagnose", "compact", "header")
+        }
         if kind in ("plan", "benches"):
             if isinstance(parts := job.get("parts"), list):
-                arguments["quantities"] = {part["name"]: part["quantity"] for part in parts if "quantity" in part}
-            for key, to in (("parts", lambda p: {(q if isinstance(q, str) else q["name"]): (
-                    job["change_cost"] if isinstance(q, str) else q["cost"]) for q in p} if isinstance(p, list) else p),
-                    ("weights", lambda w: {(a, b): c for a, b, c in w})):
+                arguments["quantities"] = {
+                    part["name"]: part["quantity"] for part in parts if "quantity" in part
+                }
+            for key, to in (
+                (
+                    "parts",
+                    lambda p: {
+                        (q if isinstance(q, str) else q["name"]): (
+                            job["change_cost"] if isinstance(q, str) else q["cost"]
+                        )
+                        for q in p
+                    }
+                    if isinstance(p, list)
+                    else p,
+                ),
+                ("weights", lambda w: {(a, b): c for a, b, c in w}),
+            ):
                 if key in arguments:
                     arguments[key] = to(arguments[key])
             if "model" in job:
                 costs = arguments.pop("change_costs", None)
-                arguments["change_costs"] = costs and {row[0] if len(row) == 2 else tuple(row[:-1]): row[-1] for row in costs}
-                arguments["model"] = job["model"]["text"] if isinstance(job["model"], dict) else job["model"]
+                arguments["change_costs"] = costs and {
+                    row[0] if len(row) == 2 else tuple(row[:-1]): row[-1] for row in costs
+                }
+                arguments["model"] = (
+                    job["model"]["text"] if isinstance(job["model"], dict) else job["model"]
+                )
             else:
-                arguments = {"parts": arguments.pop("parts"), "at_once": arguments.pop("at_once"), **arguments}
+                arguments = {
+                    "parts": arguments.pop("parts"),
+                    "at_once": arguments.pop("at_once"),
+                    **arguments,
+                }
             by_python = changeover.plan(**arguments).to_json()
             if by_python != by_line.stdout:
                 fault(f"Python answers another document: {body}\n{by_line.stdout}\n{by_python}")
@@ -201,22 +315,51 @@ def check_plans(server, count):
 
 def check_workbooks(server):
     """A workbook is the same question at each door: its lists on other sheets, and a run sheet that was filled in."""
-    tables = {"Parts": "part,slot,swap (min),qty\nXeon,CPU,5,1\nEpyc,CPU,4,1\nA,DIMM,2,4\nB,DIMM,2,2\nE810,NIC,3,1\nX710,NIC,1,1\n",
-              "Slots": "slot,min,max\nCPU,1,1\nDIMM,3,3\nNIC,1,1\n", "Never": "part,part 2,why\nEpyc,X710,no driver\n"}
+    tables = {
+        "Parts": "part,slot,swap (min),qty\nXeon,CPU,5,1\nEpyc,CPU,4,1\nA,DIMM,2,4\nB,DIMM,2,2\nE810,NIC,3,1\nX710,NIC,1,1\n",
+        "Slots": "slot,min,max\nCPU,1,1\nDIMM,3,3\nNIC,1,1\n",
+        "Never": "part,part 2,why\nEpyc,X710,no driver\n",
+    }
     for name, table in tables.items():
         pathlib.Path(f"{name}.csv").write_text(table)
     script = [sys.executable, root / "examples/lab/workbook.py"]
-    subprocess.run([*script, "make", "stock.xlsx", *(f"{name}={name}.csv" for name in tables)], check=True)
+    subprocess.run(
+        [*script, "make", "stock.xlsx", *(f"{name}={name}.csv" for name in tables)], check=True
+    )
     made = run("plan", "stock.xlsx", "--test-cost", "9", "--steps", "300", "-o", "run.xlsx")
     if made.returncode != 0:
         fault(f"no plan of a workbook: {made.stderr}")
         return
-    subprocess.run([*script, "fill", "run.xlsx", "filled.xlsx", "1=pass", "2=FAILED - hang"], check=True)
-    for book, more in (("stock.xlsx", {"test_cost": 9, "steps": 300}), ("stock.xlsx", {"test_cost": 9, "steps": 300, "cost_column": "swap (MIN)"}), ("run.xlsx", {}), ("filled.xlsx", {}), ("filled.xlsx", {"diagnose": True})):
+    subprocess.run(
+        [*script, "fill", "run.xlsx", "filled.xlsx", "1=pass", "2=FAILED - hang"], check=True
+    )
+    for book, more in (
+        ("stock.xlsx", {"test_cost": 9, "steps": 300}),
+        ("stock.xlsx", {"test_cost": 9, "steps": 300, "cost_column": "swap (MIN)"}),
+        ("run.xlsx", {}),
+        ("filled.xlsx", {}),
+        ("filled.xlsx", {"diagnose": True}),
+    ):
         bytes_of_it = base64.b64encode(pathlib.Path(book).read_bytes()).decode()
-        documents = [run("plan", "--request", "-", "--json", stdin=json.dumps({"parts": {"file": book}, **more})).stdout,
-                     run("plan", "--request", "-", "--json", stdin=json.dumps({"parts": {"workbook": bytes_of_it}, **more})).stdout]
-        by_server = server.post("api/plan", json.dumps({"parts": {"workbook": bytes_of_it}, **more}))
+        documents = [
+            run(
+                "plan",
+                "--request",
+                "-",
+                "--json",
+                stdin=json.dumps({"parts": {"file": book}, **more}),
+            ).stdout,
+            run(
+                "plan",
+                "--request",
+                "-",
+                "--json",
+                stdin=json.dumps({"parts": {"workbook": bytes_of_it}, **more}),
+            ).stdout,
+        ]
+        by_server = server.post(
+            "api/plan", json.dumps({"parts": {"workbook": bytes_of_it}, **more})
+        )
         documents.append(json.dumps(by_server.get("diagnosis" if "diagnose" in more else "plan")))
         if "diagnose" not in more:
             documents.append(changeover.plan(pathlib.Path(book), **more).to_json())
@@ -231,7 +374,19 @@ def check_workbooks(server):
                 fault(f"an answer to {book} {more} is against its schema: {problem}")
                 return
             for note in answer.pop("notes"):
-                if not note.startswith((book, "parts", "costs", "done", "1 further", "2 further", "3 further", "5 parts", "2 pairs cannot")):
+                if not note.startswith(
+                    (
+                        book,
+                        "parts",
+                        "costs",
+                        "done",
+                        "1 further",
+                        "2 further",
+                        "3 further",
+                        "5 parts",
+                        "2 pairs cannot",
+                    )
+                ):
                     fault(f"a note of {book}: {note}")
         if any(answer != answers[0] for answer in answers):
             fault(f"the doors differ on {book} {more}: {documents}")
@@ -247,17 +402,51 @@ def check_loads(server, count):
     answered = 0
     keys = set()
     # What chance may pass over.
-    together = [{"fast_room": 2, "item_bytes": 8}, {"workers": 3, "disjoint": True}, {"workers": 3, "worker": 2},
-                {"workers": 3, "pair_cost": [[0, 1, 2.5]]}, {"workers": 2, "first_holder": True},
-                {"items": None, "workers": 2, "pairs": [[0, 1, 2.5], [1, 2, 4]]},
-                {"epochs": 2, "new_pairs": True, "spread": True}, {"room": None, "sizes": [[i, 1 + i % 3] for i in range(20)], "memory": 9}]
+    together = [
+        {"fast_room": 2, "item_bytes": 8},
+        {"workers": 3, "disjoint": True},
+        {"workers": 3, "worker": 2},
+        {"workers": 3, "pair_cost": [[0, 1, 2.5]]},
+        {"workers": 2, "first_holder": True},
+        {"items": None, "workers": 2, "pairs": [[0, 1, 2.5], [1, 2, 4]]},
+        {"epochs": 2, "new_pairs": True, "spread": True},
+        {"room": None, "sizes": [[i, 1 + i % 3] for i in range(20)], "memory": 9},
+    ]
     for number in range(count):
         ask = {"items": rng.choice([1, 9, 20, 64]), "room": rng.choice([2, 3, 8, 70])}
-        pairs = [[[0, 1], [1, 2], [0, 8]], [["a", "b"], ["b", "a thing"]], {"text": "a,b\nb,\"c d\"\n"}]
+        pairs = [
+            [[0, 1], [1, 2], [0, 8]],
+            [["a", "b"], ["b", "a thing"]],
+            {"text": "a,b\nb,\"c d\"\n"},
+        ]
         groups = [[[0, 1, 2], [2, 0, 8], [3]], {"text": "a,b,c\nb,\"c d\"\n"}]
-        may_be = {"pairs": rng.choice(pairs), "groups": rng.choice(groups), "against": 5, "done_items": 4, "fast_room": 2, "item_bytes": 8, "workers": 3, "disjoint": True,
-                  "write_back": True, "prefetch": True, "new_pairs": True, "ordered": True, "self": True, "shuffle": True, "seed": 4,
-                  "worker": 1, "from_step": 1, "epochs": 3, "spread": True, "sizes": [[i, 1 + i % 3] for i in range(20)], "memory": 9, "balance": True, "first_holder": True, "pair_cost": [[0, 1, 2.5]], "verify_beside": True}
+        may_be = {
+            "pairs": rng.choice(pairs),
+            "groups": rng.choice(groups),
+            "against": 5,
+            "done_items": 4,
+            "fast_room": 2,
+            "item_bytes": 8,
+            "workers": 3,
+            "disjoint": True,
+            "write_back": True,
+            "prefetch": True,
+            "new_pairs": True,
+            "ordered": True,
+            "self": True,
+            "shuffle": True,
+            "seed": 4,
+            "worker": 1,
+            "from_step": 1,
+            "epochs": 3,
+            "spread": True,
+            "sizes": [[i, 1 + i % 3] for i in range(20)],
+            "memory": 9,
+            "balance": True,
+            "first_holder": True,
+            "pair_cost": [[0, 1, 2.5]],
+            "verify_beside": True,
+        }
         for key in rng.sample(list(may_be), rng.choice([0, 1, 1, 2, 3])):
             ask[key] = may_be[key]
         if number < len(together):
@@ -271,13 +460,46 @@ def check_loads(server, count):
         if problem and by_line.returncode == 0:
             fault(f"answered, but against its schema ({problem}): {body}")
         shown = run("loadorder", "--request", "-", "--show-request", stdin=body)
-        if by_line.returncode == 0 and json.loads(shown.stdout) != {"format": "changeover-load-request/1", **ask} and not {"pairs", "groups", "pair_cost", "sizes"} & set(ask):
+        if (
+            by_line.returncode == 0
+            and json.loads(shown.stdout) != {"format": "changeover-load-request/1", **ask}
+            and not {"pairs", "groups", "pair_cost", "sizes"} & set(ask)
+        ):
             fault(f"--show-request says something else: {body} {shown.stdout}")
         by_server = server.post("api/loadorder", body)
-        for_all = not set(ask) - {"items", "room", "pairs", "groups", "against", "done_items", "workers", "balance", "first_holder", "epochs"}
+        for_all = not set(ask) - {
+            "items",
+            "room",
+            "pairs",
+            "groups",
+            "against",
+            "done_items",
+            "workers",
+            "balance",
+            "first_holder",
+            "epochs",
+        }
         if for_all and (by_line.returncode == 0) != ("error" not in by_server):
-            fault(f"the server and the command line disagree: {body} {by_line.stderr} {by_server.get('error')}")
-        if set(ask) - {"items", "room", "pairs", "groups", "against", "done_items", "workers", "prefetch", "balance", "first_holder", "epochs"} and "error" not in by_server:
+            fault(
+                f"the server and the command line disagree: {body} {by_line.stderr} {by_server.get('error')}"
+            )
+        if (
+            set(ask)
+            - {
+                "items",
+                "room",
+                "pairs",
+                "groups",
+                "against",
+                "done_items",
+                "workers",
+                "prefetch",
+                "balance",
+                "first_holder",
+                "epochs",
+            }
+            and "error" not in by_server
+        ):
             fault(f"the server answers what it does not know: {body}")
         for said in map(json.loads, by_line.stdout.splitlines() if by_line.returncode == 0 else []):
             keys |= said.keys()
@@ -285,10 +507,22 @@ def check_loads(server, count):
             if problem:
                 fault(f"a line of the answer is against its schema ({problem}): {body}")
                 break
-        of_python = not set(ask) & {"fast_room", "item_bytes", "worker", "from_step", "balance"} and ask.get("pairs") not in pairs[1:] and ask.get("groups") not in groups[1:]
+        of_python = (
+            not set(ask) & {"fast_room", "item_bytes", "worker", "from_step", "balance"}
+            and ask.get("pairs") not in pairs[1:]
+            and ask.get("groups") not in groups[1:]
+        )
         if of_python and by_line.returncode == 0:
-            arguments = {"with_self" if key == "self" else key: value for key, value in ask.items() if key not in ("items", "room")}
-            text = changeover.load_order(ask.get("items"), ask.get("room"), **({**arguments, "sizes": dict(ask["sizes"])} if "sizes" in ask else arguments)).to_json()
+            arguments = {
+                "with_self" if key == "self" else key: value
+                for key, value in ask.items()
+                if key not in ("items", "room")
+            }
+            text = changeover.load_order(
+                ask.get("items"),
+                ask.get("room"),
+                **({**arguments, "sizes": dict(ask["sizes"])} if "sizes" in ask else arguments),
+            ).to_json()
             if text != by_line.stdout:
                 fault(f"Python answers another document: {body}\n{by_line.stdout}\n{text}")
         if for_all and by_line.returncode == 0:
@@ -311,10 +545,34 @@ def check_designs(server, count):
     """The same document at each door; read again, it is the same design; damaged, it is refused or judged anew."""
     rng = random.Random(3)
     keys = set()
-    cells = [(rng.randint(3, 40), rng.randint(2, 7), rng.randint(1, 3), rng.choice(["linear", "circular"]), rng.choice([2, 2, 2, 3]))
-             for _ in range(count)]
-    for v, k, change, kind, strength in [*cells, (9, 5, 1, "circular", 3), (16, 5, 1, "linear", 2), (83, 4, 2, "circular", 2)]:
-        by_line = run("design", str(v), str(k), "--change", str(change), f"--{kind}", "--strength", str(strength), "--format", "json")
+    cells = [
+        (
+            rng.randint(3, 40),
+            rng.randint(2, 7),
+            rng.randint(1, 3),
+            rng.choice(["linear", "circular"]),
+            rng.choice([2, 2, 2, 3]),
+        )
+        for _ in range(count)
+    ]
+    for v, k, change, kind, strength in [
+        *cells,
+        (9, 5, 1, "circular", 3),
+        (16, 5, 1, "linear", 2),
+        (83, 4, 2, "circular", 2),
+    ]:
+        by_line = run(
+            "design",
+            str(v),
+            str(k),
+            "--change",
+            str(change),
+            f"--{kind}",
+            "--strength",
+            str(strength),
+            "--format",
+            "json",
+        )
         cell = {"v": v, "k": k, "change": change, "kind": kind, "strength": strength}
         if by_line.returncode != 0:
             continue
@@ -345,14 +603,22 @@ def check_designs(server, count):
     missing = {*known["properties"]} - keys - {"label", "labels"}
     if missing:
         fault(f"no design was asked for that has {missing}")
-    problem = fits("changeover-design-1", json.loads(changeover.loads("a b c\na b d\nd b c\n").to_json()))
+    problem = fits(
+        "changeover-design-1", json.loads(changeover.loads("a b c\na b d\nd b c\n").to_json())
+    )
     if problem:
         fault(f"a design with names is against its schema: {problem}")
 
 
 def check_dossiers(server):
     """A dossier is what its schema says, and what it tells to run does what it says."""
-    cells = [("8", "5", "--circular"), ("9", "5", "--linear"), ("253", "13"), ("26.4.2.circular.65",), ("26", "6", "--change", "1", "--linear")]
+    cells = [
+        ("8", "5", "--circular"),
+        ("9", "5", "--linear"),
+        ("253", "13"),
+        ("26.4.2.circular.65",),
+        ("26", "6", "--change", "1", "--linear"),
+    ]
     seen = set()
     for cell in cells:
         answer = json.loads(run("dossier", *cell, "--json").stdout)
@@ -361,20 +627,31 @@ def check_dossiers(server):
             fault(f"a dossier is against its schema ({problem}): {cell}")
         query = f"v={answer['v']}&k={answer['k']}&change={answer['change']}&kind={answer['kind']}"
         for format in ("json", "latex", "markdown", "html"):
-            if server.text(f"{server.address}api/dossier?{query}&format={format}") != run("dossier", *cell, "--format", format).stdout:
+            if (
+                server.text(f"{server.address}api/dossier?{query}&format={format}")
+                != run("dossier", *cell, "--format", format).stdout
+            ):
                 fault(f"the server writes another dossier: {cell} {format}")
         seen |= {key for key in ("label", "reported", "blocks") if answer[key] is not None}
         seen.add(f"{len(answer['check'])} commands")
         with tempfile.TemporaryDirectory() as folder:
             write, check = (words.split() for words in answer["check"][:2])
             subprocess.run([program, *write[1:]], cwd=folder, check=True)
-            said = subprocess.run([str(build / "checkdesign"), *check[1:]], cwd=folder, capture_output=True, text=True).stdout.split()
-            lines = [line for line in (pathlib.Path(folder) / "design.txt").read_text().splitlines(True) if not line.startswith("#")]
+            said = subprocess.run(
+                [str(build / "checkdesign"), *check[1:]], cwd=folder, capture_output=True, text=True
+            ).stdout.split()
+            lines = [
+                line
+                for line in (pathlib.Path(folder) / "design.txt").read_text().splitlines(True)
+                if not line.startswith("#")
+            ]
         if said[0] != "valid" or said[said.index("blocks") + 1] != str(answer["b"]):
             fault(f"checkdesign says otherwise: {cell}: {said}")
         if hashlib.sha256("".join(lines).encode()).hexdigest() != answer["hash"]:
             fault(f"the blocks have another checksum: {cell}")
-        if answer["blocks"] and "".join(" ".join(map(str, block)) + "\n" for block in answer["blocks"]) != "".join(lines):
+        if answer["blocks"] and "".join(
+            " ".join(map(str, block)) + "\n" for block in answer["blocks"]
+        ) != "".join(lines):
             fault(f"a dossier lists other blocks: {cell}")
     if missing := {"label", "reported", "blocks", "2 commands", "4 commands"} - seen:
         fault(f"no dossier was asked for that has {missing}")
@@ -414,7 +691,10 @@ def unpack(shelf):
 
         def numbers(count):
             nonlocal at
-            found = [int.from_bytes(rest[at + i * wide:at + (i + 1) * wide], "little") for i in range(count)]
+            found = [
+                int.from_bytes(rest[at + i * wide : at + (i + 1) * wide], "little")
+                for i in range(count)
+            ]
             at += count * wide
             return found
 
@@ -438,38 +718,62 @@ def unpack(shelf):
 
 def check_explorer(server):
     """What the explorer's pages are answered, and the files of `serve --export`, at each address that the schema has."""
-    schemas = {file.name: json.loads(file.read_text()) for file in (root / "docs/schema").glob("*.json")}
+    schemas = {
+        file.name: json.loads(file.read_text()) for file in (root / "docs/schema").glob("*.json")
+    }
     said = schemas["explorer-1.json"]["properties"]
     tried, found = set(), {}
 
     def look(method, address, answer, where=""):
         tried.add((method, address))
-        problem = fits("explorer-1", answer, f"properties/{method}/properties/{address.replace('/', '~1')}")
+        problem = fits(
+            "explorer-1", answer, f"properties/{method}/properties/{address.replace('/', '~1')}"
+        )
         if problem:
-            fault(f"{where or method} api/{address}: against its schema ({problem.message}) at {list(problem.absolute_path)}")
+            fault(
+                f"{where or method} api/{address}: against its schema ({problem.message}) at {list(problem.absolute_path)}"
+            )
         keys_of(answer, ("explorer-1.json", said[method]["properties"][address]), schemas, found)
         return answer
 
     def get(address, query=""):
-        return look("get", address, server.get(f"api/{address.partition('?')[0]}{query}"), "get" + query)
+        return look(
+            "get", address, server.get(f"api/{address.partition('?')[0]}{query}"), "get" + query
+        )
 
     def post(address, body="", query="", kind="application/json"):
         if not isinstance(body, str):
-            problem = fits("explorer-1", body, f"properties/body/properties/{address.replace('/', '~1')}")
+            problem = fits(
+                "explorer-1", body, f"properties/body/properties/{address.replace('/', '~1')}"
+            )
             if problem:
                 fault(f"what is sent to api/{address} is against its schema ({problem.message})")
             tried.add(("body", address))
             body = json.dumps(body)
-        return look("post", address, server.post(f"api/{address}{query}", body, kind), f"post {query}")
+        return look(
+            "post", address, server.post(f"api/{address}{query}", body, kind), f"post {query}"
+        )
 
     for address in ("about", "completeness", "constructions", "theorems"):
         get(address)
     get("table", "?k=3..6&v=4..20")
-    for query in ("?k=3..5&v=4..20&kind=linear", "?k=3..5&v=4..20&kind=circular&change=1", "?k=4..5&v=5..9&kind=linear&strength=3"):
+    for query in (
+        "?k=3..5&v=4..20&kind=linear",
+        "?k=3..5&v=4..20&kind=circular&change=1",
+        "?k=4..5&v=5..9&kind=linear&strength=3",
+    ):
         get("atlas", query)
         get("groups", query)
-    cells = ("v=9&k=4&change=2&kind=linear", "v=4&k=3&change=2&kind=circular", "v=40&k=6&change=1&kind=linear",
-             "v=7&k=4&change=3&kind=circular&strength=3", "v=9&k=4&change=2&kind=linear&strength=3", "v=7&k=3&change=2&kind=linear", "v=9&k=4&change=1&kind=circular", "v=100&k=30&change=7&kind=circular")
+    cells = (
+        "v=9&k=4&change=2&kind=linear",
+        "v=4&k=3&change=2&kind=circular",
+        "v=40&k=6&change=1&kind=linear",
+        "v=7&k=4&change=3&kind=circular&strength=3",
+        "v=9&k=4&change=2&kind=linear&strength=3",
+        "v=7&k=3&change=2&kind=linear",
+        "v=9&k=4&change=1&kind=circular",
+        "v=100&k=30&change=7&kind=circular",
+    )
     for cell in cells:
         for address in ("cell", "bounds"):
             get(address, "?" + cell)
@@ -485,29 +789,74 @@ def check_explorer(server):
             problem = fits("verify-1", by_line)
             if problem or any(by_server[key] != by_line[key] for key in by_line):
                 fault(f"verify --json: {problem} {by_line} {by_server}")
-    post("repair", "1 3 7 8\n2 5 7 8\n0 2 3 8\n2 3 4 5\n1 2 3 6\n0 1 4 7\n0 1 5 6\n4 6 7 8\n", "?change=2&kind=circular", "text/plain")
+    post(
+        "repair",
+        "1 3 7 8\n2 5 7 8\n0 2 3 8\n2 3 4 5\n1 2 3 6\n0 1 4 7\n0 1 5 6\n4 6 7 8\n",
+        "?change=2&kind=circular",
+        "text/plain",
+    )
     for more in ({}, {"done": [["A", "B"]]}, {"benches": 2}, {"what_if": True}):
         post("plan", {"parts": ["A", "B", "C", "D"], "at_once": 2, "steps": 100, **more})
-    post("plan", {"parts": ["A", "B", "C"], "at_once": 2, "diagnose": True, "done": [{"parts": ["A", "B"], "result": "FAIL"}]})
+    post(
+        "plan",
+        {
+            "parts": ["A", "B", "C"],
+            "at_once": 2,
+            "diagnose": True,
+            "done": [{"parts": ["A", "B"], "result": "FAIL"}],
+        },
+    )
     post("plan/read", {"parts": {"text": "part,cost,slot\nA,1,x\nB,,y\n"}})
-    post("plan/read", {"parts": ["A", "B"], "at_once": 2, "done": {"text": "step,slot_1,slot_2,result\n1,A,B,ok\n"}})
+    post(
+        "plan/read",
+        {
+            "parts": ["A", "B"],
+            "at_once": 2,
+            "done": {"text": "step,slot_1,slot_2,result\n1,A,B,ok\n"},
+        },
+    )
     plan = post("plan/start", {"parts": ["A", "B", "C", "D"], "at_once": 2, "seconds": 20})["id"]
     for _ in range(600):
         if get("plan/job", f"?id={plan}")["state"] != "running":
             break
         time.sleep(0.1)
     post("plan/stop", "", f"?id={plan}")
-    sheet = {"title": "a run", "tests": 2, "sheet": {"of": "the page"}, "results": [{"test": "1", "result": "pass", "notes": "", "by": "", "at": ""}]}
+    sheet = {
+        "title": "a run",
+        "tests": 2,
+        "sheet": {"of": "the page"},
+        "results": [{"test": "1", "result": "pass", "notes": "", "by": "", "at": ""}],
+    }
     kept = post("run", sheet)
     post("run", {**sheet, **{key: kept[key] for key in ("id", "sheet_revision")}})
-    post("run/result", {"test": "2", "result": "FAIL", "notes": "hot", "by": "Ann", "sheet_revision": 2}, f"?id={kept['id']}")
+    post(
+        "run/result",
+        {"test": "2", "result": "FAIL", "notes": "hot", "by": "Ann", "sheet_revision": 2},
+        f"?id={kept['id']}",
+    )
     get("run")
     get("run?id", f"?id={kept['id']}")
     post("run/remove", "", f"?id={kept['id']}")
-    for more in ({}, {"workers": 2}, {"pairs": [[0, 1], [1, 8]]}, {"bytes_per_item": 8}, {"prefetch": True}, {"seconds": 0.1}):
+    for more in (
+        {},
+        {"workers": 2},
+        {"pairs": [[0, 1], [1, 8]]},
+        {"bytes_per_item": 8},
+        {"prefetch": True},
+        {"seconds": 0.1},
+    ):
         post("loadorder", {"items": 9, "room": 3, **more})
-    for more in ({"way": "exact"}, {"way": "base-blocks", "kind": "circular", "blocks": 8}, {"way": "locked", "v": 10, "first": [0, 1], "expansion_set": True}, {"strength": 3}):
-        post("search/stop", "", f"?id={post('search', {'v': 9, 'k': 4, 'kind': 'linear', 'seconds': 20, **more})['id']}")
+    for more in (
+        {"way": "exact"},
+        {"way": "base-blocks", "kind": "circular", "blocks": 8},
+        {"way": "locked", "v": 10, "first": [0, 1], "expansion_set": True},
+        {"strength": 3},
+    ):
+        post(
+            "search/stop",
+            "",
+            f"?id={post('search', {'v': 9, 'k': 4, 'kind': 'linear', 'seconds': 20, **more})['id']}",
+        )
         for _ in range(600):
             if get("search")[0]["state"] != "running":
                 break
@@ -521,7 +870,9 @@ def check_explorer(server):
     post("search/stop", "", f"?id={job}")
     post("search/keep", "", f"?id={job}")
     post("catalog/add", json.dumps(server.get(f"api/design?job={job}")))
-    label = post("catalog/add", "0 1 2\n1 2 3\n2 3 0\n3 0 1\n", "?change=1&kind=circular", "text/plain")["label"]
+    label = post(
+        "catalog/add", "0 1 2\n1 2 3\n2 3 0\n3 0 1\n", "?change=1&kind=circular", "text/plain"
+    )["label"]
     run("catalog", "retract", label, "--why", "a test", "--catalog", "own.db")
     get("cell", "?v=4&k=3&change=1&kind=circular")
     refusals = server.get("api/cell?v=1"), server.post("api/verify", "1 2 3\n2 2 3\n", "text/plain")
@@ -529,7 +880,19 @@ def check_explorer(server):
         problem = fits("explorer-1", refusal, "$defs/refusal")
         if problem:
             fault(f"a refusal is against its schema ({problem.message})")
-    run("serve", "--export", "site", "--k", "3..4", "--v", "4..8", "--change", "2", "--address", "https://example.org/designs")
+    run(
+        "serve",
+        "--export",
+        "site",
+        "--k",
+        "3..4",
+        "--v",
+        "4..8",
+        "--change",
+        "2",
+        "--address",
+        "https://example.org/designs",
+    )
     site = pathlib.Path("site")
     data = site / "data"
     look("get", "about", json.loads((data / "config.json").read_text()), "config.json")
@@ -545,23 +908,46 @@ def check_explorer(server):
             if explained:
                 look("get", "explain", explained, str(file))
             labels |= {entry["label"] for entry in cell["designs"] if "retracted" not in entry}
-            if any(not text.startswith("@misc{") for text in cites.values()) or set(cites) != {entry["label"] for entry in cell["designs"]}:
+            if any(not text.startswith("@misc{") for text in cites.values()) or set(cites) != {
+                entry["label"] for entry in cell["designs"]
+            }:
                 fault(f"{file}: what to cite is not that of its designs")
-    unpacked = {design["label"]: design for file in data.glob("design/*.gz") for design in unpack(gzip.decompress(file.read_bytes()))}
+    unpacked = {
+        design["label"]: design
+        for file in data.glob("design/*.gz")
+        for design in unpack(gzip.decompress(file.read_bytes()))
+    }
     if set(unpacked) != labels:
         fault(f"designs that are packed are not those of the cells: {labels ^ set(unpacked)}")
     for label, design in unpacked.items():
         look("get", "design", design, label)
-        digits = hashlib.sha256("".join(" ".join(map(str, block)) + "\n" for block in design["blocks"]).encode()).hexdigest()[:8]
+        digits = hashlib.sha256(
+            "".join(" ".join(map(str, block)) + "\n" for block in design["blocks"]).encode()
+        ).hexdigest()[:8]
         if not label.endswith(digits):
             fault(f"{label}: the packed blocks are others ({digits})")
-    addresses = [address for file in site.glob("sitemap-*.gz") for address in re.findall("<loc>(.*?)</loc>", gzip.decompress(file.read_bytes()).decode())]
-    if not {f"https://example.org/designs/?design={label}" for label in labels} <= set(addresses) or "https://example.org/designs/?cell=8.4.2.linear" not in addresses:
+    addresses = [
+        address
+        for file in site.glob("sitemap-*.gz")
+        for address in re.findall("<loc>(.*?)</loc>", gzip.decompress(file.read_bytes()).decode())
+    ]
+    if (
+        not {f"https://example.org/designs/?design={label}" for label in labels} <= set(addresses)
+        or "https://example.org/designs/?cell=8.4.2.linear" not in addresses
+    ):
         fault("the sitemap lacks addresses")
-    entries = xml.etree.ElementTree.parse(site / "feed.xml").getroot().findall("{http://www.w3.org/2005/Atom}entry")
-    if not entries or any(entry.find("{http://www.w3.org/2005/Atom}updated") is None for entry in entries):
+    entries = (
+        xml.etree.ElementTree.parse(site / "feed.xml")
+        .getroot()
+        .findall("{http://www.w3.org/2005/Atom}entry")
+    )
+    if not entries or any(
+        entry.find("{http://www.w3.org/2005/Atom}updated") is None for entry in entries
+    ):
         fault("the feed has no entries, or some without a date")
-    missing = {(method, address) for method in said for address in said[method]["properties"]} - tried
+    missing = {
+        (method, address) for method in said for address in said[method]["properties"]
+    } - tried
     if missing:
         fault(f"nothing was asked of {missing}")
     never = sorted({key for keys in found.values() for key in keys})

@@ -52,7 +52,14 @@ PROGRESS = re.compile(r"changeover: .*; [\d:]+ (s|min|h|d)(, [\d:]+ (s|min|h|d) 
 
 class Command:
     def __init__(self, line, text):
-        self.line, self.text, self.shown, self.first, self.slow, self.skip = line, text, [], [], False, False
+        self.line, self.text, self.shown, self.first, self.slow, self.skip = (
+            line,
+            text,
+            [],
+            [],
+            False,
+            False,
+        )
 
 
 class Code:
@@ -80,7 +87,9 @@ def parse(text):
         elif lines[i].startswith("    $ ") and (i == 0 or not lines[i - 1].strip() or marks):
             before = next((line for line in reversed(lines[:i]) if line.strip()), "")
             if re.match(r"\s*([-*+]|\d+[.)]) |  ", before):
-                raise ValueError(f"line {i + 1}: this is read as a part of the list before it; put a sentence between them")
+                raise ValueError(
+                    f"line {i + 1}: this is read as a part of the list before it; put a sentence between them"
+                )
             kinds = {what for _, what, _ in marks}
             first = [words for _, what, words in marks if what == "first"]
             needs = [words for _, what, words in marks if what == "needs"]
@@ -88,16 +97,22 @@ def parse(text):
             while i < len(lines) and (lines[i].startswith("    ") or not lines[i].strip()):
                 if lines[i].startswith("    $ "):
                     found.append(Command(i, lines[i][6:]))
-                    found[-1].slow, found[-1].skip = "slow" in kinds, "not run" in kinds or not all(map(is_there, needs))
+                    found[-1].slow, found[-1].skip = "slow" in kinds, "not run" in kinds or not all(
+                        map(is_there, needs)
+                    )
                     found[-1].first, first = first, []
                 else:
                     found[-1].shown.append(lines[i][4:])
                 i += 1
             for command in found:
-                while isinstance(command, Command) and command.shown and not command.shown[-1].strip():
+                while (
+                    isinstance(command, Command) and command.shown and not command.shown[-1].strip()
+                ):
                     command.shown.pop()
             continue
-        elif lines[i].startswith("    ") and marks and all(what == "not run" for _, what, _ in marks):
+        elif (
+            lines[i].startswith("    ") and marks and all(what == "not run" for _, what, _ in marks)
+        ):
             marks = []
         i += 1
     if marks:
@@ -107,7 +122,9 @@ def parse(text):
 
 def is_there(needed):
     kind, _, name = needed.rpartition(":")
-    return (importlib.util.find_spec(name) if kind == "module" else shutil.which(needed)) is not None
+    return (
+        importlib.util.find_spec(name) if kind == "module" else shutil.which(needed)
+    ) is not None
 
 
 def usual(line):
@@ -120,7 +137,10 @@ def line_matches(shown, printed):
     shown, printed = usual(shown), usual(printed)
     if shown == printed:
         return True
-    return "…" in shown and re.fullmatch(".*".join(map(re.escape, shown.split("…"))), printed) is not None
+    return (
+        "…" in shown
+        and re.fullmatch(".*".join(map(re.escape, shown.split("…"))), printed) is not None
+    )
 
 
 def matches(shown, printed):
@@ -130,7 +150,9 @@ def matches(shown, printed):
         if line.strip() == "…":
             reachable = set(range(min(reachable), len(printed) + 1)) if reachable else set()
         else:
-            reachable = {n + 1 for n in reachable if n < len(printed) and line_matches(line, printed[n])}
+            reachable = {
+                n + 1 for n in reachable if n < len(printed) and line_matches(line, printed[n])
+            }
     return len(printed) in reachable
 
 
@@ -138,24 +160,43 @@ class Session:
     def __init__(self, root, build, slow):
         self.root, self.build, self.slow = root, build, slow
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="changeover_page_"))
-        shutil.copytree(root / "examples", self.folder / "examples", ignore=shutil.ignore_patterns("*.cpp", "*.hpp"))
-        # python3 is the one that the package was built for; Open MPI would refuse root and few processors.
+        shutil.copytree(
+            root / "examples",
+            self.folder / "examples",
+            ignore=shutil.ignore_patterns("*.cpp", "*.hpp"),
+        )
+        # python3 is the one that the package was built for; Open MPI would refuse root and few
+        # processors.
         own = self.folder / ".bin"
         own.mkdir()
         (own / "python3").symlink_to(sys.executable)
         path = f"{own}:{build}:{build / 'examples'}:{os.environ['PATH']}"
-        self.environment = {**os.environ, "PATH": path, "COLUMNS": "100", "LC_ALL": "C.UTF-8",
-                            "CHANGEOVER_CATALOG": str(self.folder / ".catalog.db"),
-                            "PYTHONPATH": str(build / "python"), "OMPI_ALLOW_RUN_AS_ROOT": "1",
-                            "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
-                            "OMPI_MCA_btl_vader_single_copy_mechanism": "none"}
+        self.environment = {
+            **os.environ,
+            "PATH": path,
+            "COLUMNS": "100",
+            "LC_ALL": "C.UTF-8",
+            "CHANGEOVER_CATALOG": str(self.folder / ".catalog.db"),
+            "PYTHONPATH": str(build / "python"),
+            "OMPI_ALLOW_RUN_AS_ROOT": "1",
+            "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+            "OMPI_MCA_rmaps_base_oversubscribe": "1",
+            "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
+        }
 
     def close(self):
         shutil.rmtree(self.folder, ignore_errors=True)
 
     def run(self, text):
-        done = subprocess.run(["bash", "-c", text], cwd=self.folder, env=self.environment, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=1800 if self.slow else 240)
+        done = subprocess.run(
+            ["bash", "-c", text],
+            cwd=self.folder,
+            env=self.environment,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            timeout=1800 if self.slow else 240,
+        )
         return done.returncode, done.stdout.decode("utf-8", "replace").rstrip("\n")
 
     def command(self, command):
@@ -166,13 +207,19 @@ class Session:
                 return f"{text!r} before it ended with code {code}: {printed}", None
         shown_file = re.fullmatch(r"cat ([\w.]+)", command.text)
         if shown_file and not (self.folder / shown_file.group(1)).exists():
-            (self.folder / shown_file.group(1)).write_text("\n".join(command.shown) + "\n", encoding="utf-8")
+            (self.folder / shown_file.group(1)).write_text(
+                "\n".join(command.shown) + "\n", encoding="utf-8"
+            )
             return None, None
         try:
             code, printed = self.run(command.text)
         except subprocess.TimeoutExpired:
             return "has not ended in time", None
-        lines = [line for line in printed.split("\n") if not PROGRESS.fullmatch(line)] if printed else []
+        lines = (
+            [line for line in printed.split("\n") if not PROGRESS.fullmatch(line)]
+            if printed
+            else []
+        )
         if not command.shown:
             return (None if code in SUCCESS else f"ended with code {code}: {printed}"), None
         return (None if matches(command.shown, lines) else "printed something else"), lines
@@ -180,20 +227,42 @@ class Session:
     def code(self, code):
         if code.part_of is not None:
             file = self.root / code.part_of
-            return None if file.is_file() and "\n".join(code.text) in file.read_text(encoding="utf-8") else \
-                f"is no part of {code.part_of}"
+            return (
+                None
+                if file.is_file() and "\n".join(code.text) in file.read_text(encoding="utf-8")
+                else f"is no part of {code.part_of}"
+            )
         if code.language != "cpp":
             return None
         source = self.folder / "page.cpp"
         source.write_text("\n".join(code.text) + "\n", encoding="utf-8")
-        done = subprocess.run([os.environ.get("CXX", "c++"), "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror",
-                               f"-I{self.root / 'include'}", f"-I{self.build / 'generated' / 'include'}", source],
-                              capture_output=True, text=True)
+        done = subprocess.run(
+            [
+                os.environ.get("CXX", "c++"),
+                "-std=c++20",
+                "-fsyntax-only",
+                "-Wall",
+                "-Wextra",
+                "-Werror",
+                f"-I{self.root / 'include'}",
+                f"-I{self.build / 'generated' / 'include'}",
+                source,
+            ],
+            capture_output=True,
+            text=True,
+        )
         return f"does not compile: {done.stderr}" if done.returncode else None
 
 
 def difference(shown, printed):
-    return "".join(["  the page:\n", *(f"    {line}\n" for line in shown), "  printed:\n", *(f"    {line}\n" for line in printed)])
+    return "".join(
+        [
+            "  the page:\n",
+            *(f"    {line}\n" for line in shown),
+            "  printed:\n",
+            *(f"    {line}\n" for line in printed),
+        ]
+    )
 
 
 def run_page(page, session, write):
@@ -228,7 +297,9 @@ def run_page(page, session, write):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("root", type=pathlib.Path)
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--slow", action="store_true")

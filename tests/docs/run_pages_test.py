@@ -50,9 +50,13 @@ class Pages(unittest.TestCase):
         self.wrong("    $ printf 'a\\nb\\nc\\n'\n    …\n    d\n    …\n")
         self.right("    $ echo 'a label 123abc'\n    a label …\n")
         self.wrong("    $ echo 'no label 123abc'\n    a label …\n")
-        self.right("    $ echo '3 blocks in 0.25 s on 2026-01-02'\n    3 blocks in 7.1 s on 2025-12-31\n")
+        self.right(
+            "    $ echo '3 blocks in 0.25 s on 2026-01-02'\n    3 blocks in 7.1 s on 2025-12-31\n"
+        )
         self.wrong("    $ echo '4 blocks in 0.25 s'\n    3 blocks in 0.25 s\n")
-        self.right("    $ echo 'changeover: search; 9 k moves; 1:11 min, 4 s left' >&2; echo done\n    done\n")
+        self.right(
+            "    $ echo 'changeover: search; 9 k moves; 1:11 min, 4 s left' >&2; echo done\n    done\n"
+        )
 
     def test_commands_without_output(self):
         self.right("    $ echo anything\n")
@@ -89,8 +93,14 @@ class Pages(unittest.TestCase):
         self.right("```json\n{}\n```\n", 0)
 
     def test_writing(self):
-        page = self.ran("Before.\n\n    $ echo a\n    b\n    $ printf 'c\\n\\nd\\n'\n    ?\n\nAfter.\n", write=True)[2]
-        self.assertEqual(page, "Before.\n\n    $ echo a\n    a\n    $ printf 'c\\n\\nd\\n'\n    c\n\n    d\n\nAfter.\n")
+        page = self.ran(
+            "Before.\n\n    $ echo a\n    b\n    $ printf 'c\\n\\nd\\n'\n    ?\n\nAfter.\n",
+            write=True,
+        )[2]
+        self.assertEqual(
+            page,
+            "Before.\n\n    $ echo a\n    a\n    $ printf 'c\\n\\nd\\n'\n    c\n\n    d\n\nAfter.\n",
+        )
 
 
 if __name__ == "__main__":

@@ -18,7 +18,9 @@ import messages
 TESTS = ("tests", "python/tests", "web/tests", "bench")
 SUFFIXES = (".cpp", ".hpp", ".c", ".py", ".sh", ".mjs")
 NO_TESTS = ("tests/errors", "tests/docs")  # they hold words of messages, and run none
-LIMITS = "docs/limits.md"  # tests try each row of its tables, and hold the last column to what is said
+LIMITS = (
+    "docs/limits.md"  # tests try each row of its tables, and hold the last column to what is said
+)
 SHORTEST = 16  # characters in a row of a message that a test must repeat
 LEAST = 10     # characters of a message that has holes between them, where a test has all of it
 LITERALS = re.compile(r'"((?:[^"\\\n]|\\.)*)"|\'((?:[^\'\\\n]|\\.)*)\'')
@@ -29,14 +31,21 @@ def words_of_tests(root):
     words = set()
     for top in TESTS:
         for path in sorted((root / top).rglob("*")) if (root / top).is_dir() else []:
-            if (path.suffix in SUFFIXES and "__pycache__" not in path.parts
-                    and not path.relative_to(root).as_posix().startswith(NO_TESTS)):
-                text = re.sub(r'"\s*\n\s*f?"', "", path.read_text(encoding="utf-8", errors="replace"))
+            if (
+                path.suffix in SUFFIXES
+                and "__pycache__" not in path.parts
+                and not path.relative_to(root).as_posix().startswith(NO_TESTS)
+            ):
+                text = re.sub(
+                    r'"\s*\n\s*f?"', "", path.read_text(encoding="utf-8", errors="replace")
+                )
                 words.update(literal for quoted in LITERALS.findall(text) for literal in quoted)
     # Those of Python are patterns.
     words = {re.sub(r"\\(.)", r"\1", literal).strip("^$") for literal in words}
     if (root / LIMITS).is_file():
-        words.update(re.findall(r"`([^`]+)` \|$", (root / LIMITS).read_text(encoding="utf-8"), re.MULTILINE))
+        words.update(
+            re.findall(r"`([^`]+)` \|$", (root / LIMITS).read_text(encoding="utf-8"), re.MULTILINE)
+        )
     return {literal for literal in words if len(literal) >= SHORTEST and " " in literal.strip()}
 
 
@@ -50,12 +59,19 @@ def held(found, tests):
     all_words = "\n".join(tests)
     candidates = [(words, messages) for words, messages in by_longest.items() if words in all_words]
     for literal in tests:
-        within = [message for words, messages in candidates if words in literal for message in messages]
-        shown |= {message.shown for message in within
-                  if sum(len(part.strip()) for part in message.parts) >= LEAST and message.is_in(literal)}
+        within = [
+            message for words, messages in candidates if words in literal for message in messages
+        ]
+        shown |= {
+            message.shown
+            for message in within
+            if sum(len(part.strip()) for part in message.parts) >= LEAST and message.is_in(literal)
+        }
         parts = {message.shown for message in within if len(longest(message)) >= SHORTEST}
         if literal in all_parts:
-            parts |= {message.shown for message in found for part in message.parts if literal in part}
+            parts |= {
+                message.shown for message in found for part in message.parts if literal in part
+            }
         shown |= parts if len(parts) == 1 else set()
     return shown
 
@@ -92,7 +108,11 @@ def accounts(root, found):
             how.append("bug")
         elif message.shown in in_tests:
             how.append("test")
-        elif matching := [number for number, shown, _ in reasons if shown and shown in (message.shown, f"{message.path}: *")]:
+        elif matching := [
+            number
+            for number, shown, _ in reasons
+            if shown and shown in (message.shown, f"{message.path}: *")
+        ]:
             used.update(matching)
             how.append("elsewhere")
         else:
@@ -103,19 +123,28 @@ def accounts(root, found):
 def faults(root):
     found, bare = messages.of_sources(root)
     how, used = accounts(root, found)
-    missing = [f"{message.path}:{message.line}: '{message.shown}': no row of {errors.TABLE} says it, and no test"
-               for message, account in zip(found, how) if not account]
+    missing = [
+        f"{message.path}:{message.line}: '{message.shown}': no row of {errors.TABLE} says it, and no test"
+        for message, account in zip(found, how)
+        if not account
+    ]
     for number, shown, reason in elsewhere(root):
         place = f"{errors.TABLE}/elsewhere.txt:{number}"
         if not shown or not reason:
-            missing.append(f"{place}: words of a message on a line, and below it a reason, indented by four blanks")
+            missing.append(
+                f"{place}: words of a message on a line, and below it a reason, indented by four blanks"
+            )
         elif number not in used:
-            missing.append(f"{place}: '{shown}': no message of the sources, or one that a row or a test says")
+            missing.append(
+                f"{place}: '{shown}': no message of the sources, or one that a row or a test says"
+            )
         for test in re.findall(r"\btests/[\w./]+\w", reason):
             if not (root / test).exists():
                 missing.append(f"{place}: there is no {test}")
-    missing += [f"{path}:{line}: {kind} is thrown with words that come from nowhere; word it here or in a function ..._defect()"
-                for path, line, kind in bare]
+    missing += [
+        f"{path}:{line}: {kind} is thrown with words that come from nowhere; word it here or in a function ..._defect()"
+        for path, line, kind in bare
+    ]
     counts = {account: how.count(account) for account in ("row", "test", "elsewhere", "bug")}
     return counts, missing
 
@@ -127,8 +156,10 @@ def main(arguments):
     counts, missing = faults(pathlib.Path(arguments[0]))
     for line in missing:
         print(line)
-    print(f"{sum(counts.values())} messages: {counts['row']} in the table, {counts['test']} in other tests, "
-          f"{counts['elsewhere']} with a reason, {counts['bug']} bugs of ours; {len(missing)} faults")
+    print(
+        f"{sum(counts.values())} messages: {counts['row']} in the table, {counts['test']} in other tests, "
+        f"{counts['elsewhere']} with a reason, {counts['bug']} bugs of ours; {len(missing)} faults"
+    )
     return 1 if missing or not counts["row"] else 0
 
 

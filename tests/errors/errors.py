@@ -63,7 +63,10 @@ class Row:
         self.answer, self.message, self.meaning, self.needs = "", "", [], None
 
     def is_said(self, said):
-        return re.fullmatch(".*".join(map(re.escape, self.message.split("…"))), said, re.DOTALL) is not None
+        return (
+            re.fullmatch(".*".join(map(re.escape, self.message.split("…"))), said, re.DOTALL)
+            is not None
+        )
 
 
 class Section:
@@ -83,9 +86,15 @@ def parsed(path):
     def indented(blanks):
         nonlocal at
         found = []
-        while at < len(lines) and (lines[at].startswith(blanks) or
-                                   (not lines[at] and blanks == "    " and "".join(lines[at:at + 2]).startswith(blanks))):
-            found.append(lines[at][len(blanks):])
+        while at < len(lines) and (
+            lines[at].startswith(blanks)
+            or (
+                not lines[at]
+                and blanks == "    "
+                and "".join(lines[at : at + 2]).startswith(blanks)
+            )
+        ):
+            found.append(lines[at][len(blanks) :])
             at += 1
         return found
 
@@ -110,7 +119,9 @@ def parsed(path):
             row = Row(path, at - 1, line)
             row.needs, needs = needs, None
             row.answer, _, row.message = (lines[at] if at < len(lines) else "").partition(" ")
-            if row.answer != "?" and (not re.fullmatch(r"[1-5]|[45]\d\d|[A-Z]\w+", row.answer) or not row.message):
+            if row.answer != "?" and (
+                not re.fullmatch(r"[1-5]|[45]\d\d|[A-Z]\w+", row.answer) or not row.message
+            ):
                 raise ValueError(f"{place}: below a row stand its exit code and its message")
             at += 1
             row.meaning = indented("  ")
@@ -123,7 +134,9 @@ def parsed(path):
 
 
 def table(root):
-    return [parsed(path) for path in sorted((root / TABLE).glob("*.txt")) if path.stem != "elsewhere"]
+    return [
+        parsed(path) for path in sorted((root / TABLE).glob("*.txt")) if path.stem != "elsewhere"
+    ]
 
 
 class Session:
@@ -133,8 +146,13 @@ class Session:
         self.build, self.server, self.address = build, None, ""
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="changeover_errors_"))
         self.catalog = pathlib.Path(tempfile.mkdtemp(prefix="changeover_errors_"))
-        self.environment = {**os.environ, "PATH": f"{build}:{build / 'examples'}:{os.environ['PATH']}", "LC_ALL": "C.UTF-8",
-                            "CHANGEOVER_CATALOG": str(self.catalog / "catalog.db"), "PYTHONPATH": str(build / "python")}
+        self.environment = {
+            **os.environ,
+            "PATH": f"{build}:{build / 'examples'}:{os.environ['PATH']}",
+            "LC_ALL": "C.UTF-8",
+            "CHANGEOVER_CATALOG": str(self.catalog / "catalog.db"),
+            "PYTHONPATH": str(build / "python"),
+        }
         self.names = {}
 
     def close(self):
@@ -145,9 +163,19 @@ class Session:
             shutil.rmtree(folder, ignore_errors=True)
 
     def bash(self, command):
-        done = subprocess.run(["bash", "-c", command], cwd=self.folder, env=self.environment, stdin=subprocess.DEVNULL,
-                              capture_output=True, timeout=240)
-        return done.returncode, done.stdout.decode("utf-8", "replace"), done.stderr.decode("utf-8", "replace")
+        done = subprocess.run(
+            ["bash", "-c", command],
+            cwd=self.folder,
+            env=self.environment,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            timeout=240,
+        )
+        return (
+            done.returncode,
+            done.stdout.decode("utf-8", "replace"),
+            done.stderr.decode("utf-8", "replace"),
+        )
 
     def typed(self, command):
         code, out, err = self.bash(command)
@@ -169,9 +197,15 @@ class Session:
             return "", "", ""
 
     def started(self):
-        self.server = subprocess.Popen([self.build / "changeover", "serve", "--port", "0"], cwd=self.folder,
-                                       env=self.environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                       stderr=subprocess.DEVNULL, text=True)
+        self.server = subprocess.Popen(
+            [self.build / "changeover", "serve", "--port", "0"],
+            cwd=self.folder,
+            env=self.environment,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+        )
         printed = self.server.stdout.readline()
         found = re.search(r"(http://[^/\s]+/)\S*token=(\w+)", printed)
         self.address, self.token = found.group(1), found.group(2)
@@ -182,8 +216,11 @@ class Session:
         method, address, *body = line.split(" ", 2)
         sent = body[0] if body else None
         kind = "text/plain" if sent and sent.startswith("text ") else "application/json"
-        request = urllib.request.Request(self.address + address.lstrip("/"), method=method,
-                                         data=sent.removeprefix("text ").encode() if sent is not None else None)
+        request = urllib.request.Request(
+            self.address + address.lstrip("/"),
+            method=method,
+            data=sent.removeprefix("text ").encode() if sent is not None else None,
+        )
         request.add_header("X-Changeover-Token", self.token)
         request.add_header("Content-Type", kind)
         try:
@@ -218,8 +255,11 @@ class Session:
             word, lambda: self.asked(step.typed))()
         if answer == step.answer and step.is_said(said) and not out:
             return None, None
-        return f"{step.place}: {step.typed}\n  the table: {step.answer} {step.message}\n  the run:   {answer} {said}" + (
-            f"\n  and on standard output: {out[:200]}" if out else ""), f"{answer} {said}"
+        return (
+            f"{step.place}: {step.typed}\n  the table: {step.answer} {step.message}\n  the run:   {answer} {said}"
+            + (f"\n  and on standard output: {out[:200]}" if out else ""),
+            f"{answer} {said}",
+        )
 
 
 def write(row, said):
@@ -244,7 +284,11 @@ def run_section(section, build, writes):
 def run(root, build, names, writes):
     sections = [section for section in table(root) if not names or section.path.stem in names]
     with concurrent.futures.ThreadPoolExecutor(max_workers=2) as pool:
-        faults = [fault for found in pool.map(lambda section: run_section(section, build, writes), sections) for fault in found]
+        faults = [
+            fault
+            for found in pool.map(lambda section: run_section(section, build, writes), sections)
+            for fault in found
+        ]
     rows = sum(len(section.rows()) for section in sections)
     for fault in faults:
         print(fault)
@@ -265,7 +309,9 @@ def page(root):
         for row in section.rows():
             typed = row.typed.removeprefix("$ ")
             meaning = " " + " ".join(row.meaning) if row.meaning else ""
-            items.append(f"- {code_span(row.message)}\\\n  {row.answer}: {code_span(typed)}.{meaning}")
+            items.append(
+                f"- {code_span(row.message)}\\\n  {row.answer}: {code_span(typed)}.{meaning}"
+            )
         parts.append("\n".join(items) + "\n")
     return "\n".join(parts)
 
@@ -274,7 +320,12 @@ def main(arguments):
     writes = "--write" in arguments
     arguments = [argument for argument in arguments if argument != "--write"]
     if len(arguments) >= 3 and arguments[0] == "run":
-        return run(pathlib.Path(arguments[1]).resolve(), pathlib.Path(arguments[2]).resolve(), arguments[3:], writes)
+        return run(
+            pathlib.Path(arguments[1]).resolve(),
+            pathlib.Path(arguments[2]).resolve(),
+            arguments[3:],
+            writes,
+        )
     if len(arguments) == 2 and arguments[0] == "page":
         sys.stdout.write(page(pathlib.Path(arguments[1])))
         return 0

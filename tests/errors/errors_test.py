@@ -30,7 +30,9 @@ class Check(unittest.TestCase):
         self.root = pathlib.Path(folder.name)
         self.write("src/paint.cpp", SOURCE)
         self.write("tests/data/errors/paint.txt", ROW)
-        self.write("tests/paint_test.cpp", 'TEST(Paint, Is) { says("other words of a message"); }\n')
+        self.write(
+            "tests/paint_test.cpp", 'TEST(Paint, Is) { says("other words of a message"); }\n'
+        )
 
     def write(self, name, text):
         path = self.root / name
@@ -54,7 +56,10 @@ class Check(unittest.TestCase):
     def test_a_new_message_needs_a_row(self):
         self.throws('MissingResource("no paint is left; buy some")')
         self.assertEqual(len(self.faults()), 1)
-        self.write("tests/data/errors/more.txt", "# More\n\n$ changeover paint\n4 no paint is left; buy some\n")
+        self.write(
+            "tests/data/errors/more.txt",
+            "# More\n\n$ changeover paint\n4 no paint is left; buy some\n",
+        )
         self.assertEqual(self.faults(), [])
 
     def test_or_a_test_that_has_its_words(self):
@@ -66,7 +71,10 @@ class Check(unittest.TestCase):
         self.assertEqual(len(self.faults()), 1)
         self.write("tests/lost_test.cpp", 'TEST(Lost, Is) { says("; some words of a message"); }\n')
         self.assertEqual(self.faults(), [])
-        self.write("src/ladder.cpp", 'void h() { throw BadInput("a ladder is lost; some words of a message"); }\n')
+        self.write(
+            "src/ladder.cpp",
+            'void h() { throw BadInput("a ladder is lost; some words of a message"); }\n',
+        )
         self.assertEqual(len(self.faults()), 2)
 
     def test_words_with_what_fills_them_do(self):
@@ -82,13 +90,20 @@ class Check(unittest.TestCase):
 
     def test_a_reason_for_what_a_test_holds_is_a_fault(self):
         self.throws('BadInput("other words of a message; read them")')
-        self.write("tests/data/errors/elsewhere.txt", "other words of a message; read them\n    needs luck\n")
+        self.write(
+            "tests/data/errors/elsewhere.txt",
+            "other words of a message; read them\n    needs luck\n",
+        )
         self.assertEqual(len(self.faults()), 1)
 
     def test_or_a_reason_and_a_test_that_is_there(self):
         self.throws('MissingResource("no paint is left; buy some")')
-        for reason, faults in (("    needs an empty shop\n", 0), ("", 2), ("    tests/shop_test.cpp\n", 1),
-                               ("    tests/paint_test.cpp\n", 0)):
+        for reason, faults in (
+            ("    needs an empty shop\n", 0),
+            ("", 2),
+            ("    tests/shop_test.cpp\n", 1),
+            ("    tests/paint_test.cpp\n", 0),
+        ):
             self.write("tests/data/errors/elsewhere.txt", "no paint is left; buy some\n" + reason)
             self.assertEqual(len(self.faults()) > 0, faults > 0, (reason, self.faults()))
 
@@ -97,10 +112,12 @@ class Check(unittest.TestCase):
         self.assertEqual(len(self.faults()), 1)
 
     def test_words_are_found_behind_variables_and_functions(self):
-        for source in ('void g() { const std::string why = first ? "no paint is left" : "no brush is left";\n throw BadInput(why); }\n',
-                       'std::string paint_defect(int n) { return "no paint is left"; }\n',
-                       '[[noreturn]] void stop(int n);\nvoid g() { stop("no paint is left"); }\n',
-                       'void g() { fail(at, fmt::format("no paint {} left", n)); }\n'):
+        for source in (
+            'void g() { const std::string why = first ? "no paint is left" : "no brush is left";\n throw BadInput(why); }\n',
+            'std::string paint_defect(int n) { return "no paint is left"; }\n',
+            '[[noreturn]] void stop(int n);\nvoid g() { stop("no paint is left"); }\n',
+            'void g() { fail(at, fmt::format("no paint {} left", n)); }\n',
+        ):
             self.write("src/other.cpp", source)
             self.assertGreaterEqual(len(self.faults()), 1, source)
 
@@ -113,7 +130,10 @@ class Check(unittest.TestCase):
         self.assertEqual(self.faults(), [])
 
     def test_python_is_read_too(self):
-        self.write("python/changeover/paint.py", 'def f(n):\n    raise ValueError(f"{n} colours are too many; mix them")\n')
+        self.write(
+            "python/changeover/paint.py",
+            'def f(n):\n    raise ValueError(f"{n} colours are too many; mix them")\n',
+        )
         found, _ = messages.of_sources(self.root)
         self.assertIn("{} colours are too many; mix them", [message.shown for message in found])
 
@@ -146,17 +166,28 @@ class Table(unittest.TestCase):
         self.assertEqual(len(self.run_table("# X\n\n$ echo no >&2; echo yes; exit 2\n2 no\n")), 1)
 
     def test_python_says_its_class(self):
-        self.assertEqual(self.run_table("# X\n\n>>> changeover.design(4, 9)\nImpossibleParameters k = 9 …\n"), [])
-        self.assertEqual(len(self.run_table("# X\n\n>>> changeover.design(4, 9)\nBadInput k = 9 …\n")), 1)
+        self.assertEqual(
+            self.run_table("# X\n\n>>> changeover.design(4, 9)\nImpossibleParameters k = 9 …\n"), []
+        )
+        self.assertEqual(
+            len(self.run_table("# X\n\n>>> changeover.design(4, 9)\nBadInput k = 9 …\n")), 1
+        )
 
     def test_what_is_not_understood_is_said(self):
-        for text in ("no heading\n", "# X\n\n$ changeover\n", "# X\n\n$ changeover\nno code\n", "# X\n\nfiles a\n"):
+        for text in (
+            "no heading\n",
+            "# X\n\n$ changeover\n",
+            "# X\n\n$ changeover\nno code\n",
+            "# X\n\nfiles a\n",
+        ):
             self.path.write_text(text, encoding="utf-8")
             with self.assertRaises(ValueError, msg=text):
                 errors.parsed(self.path)
 
     def test_the_page_has_each_row(self):
-        self.path.write_text("# X\nText.\n\n$ changeover `x`\n2 no; stop\n  Why.\n", encoding="utf-8")
+        self.path.write_text(
+            "# X\nText.\n\n$ changeover `x`\n2 no; stop\n  Why.\n", encoding="utf-8"
+        )
         page = errors.page(self.root)
         for words in ("## X", "Text.", "`no; stop`", "`` changeover `x` ``", "Why."):
             self.assertIn(words, page)

@@ -11,13 +11,38 @@ import re
 
 SOURCES = ("include", "src", "apps", "python/src", "python/changeover")
 BUG = "InternalError"  # exit code 5: what is thrown there is never seen if we are right
-EXCEPTIONS = ("BadInput", "BadOption", "ImpossibleParameters", "MissingResource", "ReaderGone", BUG, "Refusal", "UsageError",
-              "value_error", "type_error", "index_error", "key_error")
+EXCEPTIONS = (
+    "BadInput",
+    "BadOption",
+    "ImpossibleParameters",
+    "MissingResource",
+    "ReaderGone",
+    BUG,
+    "Refusal",
+    "UsageError",
+    "value_error",
+    "type_error",
+    "index_error",
+    "key_error",
+)
 # Functions and lambdas that throw what they are given, beside those that are [[noreturn]].
 REFUSERS = {"fail", "refuse", "refused", "doubtful"}
 # Functions that word messages which others throw, as patterns of their names.
-MAKERS = (r"\w*_defect", "defect", "defect_of", "complaint", "how_to_mend", "has_no_design", "left_out", "impossibility",
-          "why_forbidden", "refusal", "fault_of_entry", r"simple_reason", "model_defect")
+MAKERS = (
+    r"\w*_defect",
+    "defect",
+    "defect_of",
+    "complaint",
+    "how_to_mend",
+    "has_no_design",
+    "left_out",
+    "impossibility",
+    "why_forbidden",
+    "refusal",
+    "fault_of_entry",
+    r"simple_reason",
+    "model_defect",
+)
 
 LITERAL = re.compile(r'(?:u8|L)?"((?:[^"\\\n]|\\.)*)"')
 RAW = re.compile(r'R"([^(\s]*)\((.*?)\)\1"', re.DOTALL)
@@ -25,8 +50,12 @@ CHARACTER = re.compile(r"(?<![0-9A-Za-z_])'(?:[^'\\\n]|\\.[0-7a-fA-F]*)'")
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 HOLE = re.compile(r"\{\{|\}\}|\{[^{}]*\}")
 NORETURN = re.compile(r"\[\[noreturn\]\][^;{(]*?(\w+)\(")
-# What a throw without words of its own may pass on: a fault that was caught, or what a function of MAKERS or a parameter says.
-PASSED_ON = re.compile(r"\b(?:what|message|defect|why|line|fault|missing|left_out_)\b|" + "|".join(rf"\b{m}\(" for m in MAKERS))
+# What a throw without words of its own may pass on: a fault that was caught, or what a function of
+# MAKERS or a parameter says.
+PASSED_ON = re.compile(
+    r"\b(?:what|message|defect|why|line|fault|missing|left_out_)\b|"
+    + "|".join(rf"\b{m}\(" for m in MAKERS)
+)
 THROW = re.compile(r"\bthrow\s+(?:\w+::)*(?P<kind>" + "|".join(EXCEPTIONS) + r")\s*[({]")
 
 
@@ -58,7 +87,12 @@ def unescaped(literal):
 def without_comments(text):
     """The same length and lines, with blanks in place of comments."""
     out, at = [], 0
-    token = re.compile("|".join(f"(?:{each.pattern})" for each in (RAW, LITERAL, CHARACTER, COMMENT)).replace(r"\1", r"\1"), re.DOTALL)
+    token = re.compile(
+        "|".join(f"(?:{each.pattern})" for each in (RAW, LITERAL, CHARACTER, COMMENT)).replace(
+            r"\1", r"\1"
+        ),
+        re.DOTALL,
+    )
     for match in token.finditer(text):
         if match.group().startswith(("//", "/*")):
             out += [text[at:match.start()], re.sub(r"[^\n]", " ", match.group())]
@@ -93,7 +127,11 @@ def scanned(text, opening):
 
 def worded(text, opening, offset=0):
     """The literals between two brackets that are words of a message: with a blank, and longer than a connective."""
-    return [(at + offset, words) for at, words in scanned(text, opening)[0] if " " in words.strip() and len(words) > 6]
+    return [
+        (at + offset, words)
+        for at, words in scanned(text, opening)[0]
+        if " " in words.strip() and len(words) > 6
+    ]
 
 
 def between(text, opening):
@@ -106,15 +144,21 @@ def of_variables(text, names):
     found = []
     for name in set(names):
         for match in re.finditer(rf"\b{name}(?:\[\])? ?\+?=(?!=)", text):
-            found += worded("(" + text[match.end():text.find(";\n", match.end())] + ")", 0, match.end() - 1)
+            found += worded(
+                "(" + text[match.end() : text.find(";\n", match.end())] + ")", 0, match.end() - 1
+            )
     return found
 
 
 def of_cpp(path, text, functions):
     """Messages of a source, and the sites that throw words which stand elsewhere: (line, kind)."""
     text = without_comments(text)
-    site = re.compile(THROW.pattern + r"|(?<![\w\"])(?P<function>" + "|".join(sorted(functions)) + r")\(")
-    body = re.compile(r"(?<=[\s*&:])(?P<maker>" + "|".join(MAKERS) + r")\([^;{}]*\)(?: const)?(?: noexcept)? \{")
+    site = re.compile(
+        THROW.pattern + r"|(?<![\w\"])(?P<function>" + "|".join(sorted(functions)) + r")\("
+    )
+    body = re.compile(
+        r"(?<=[\s*&:])(?P<maker>" + "|".join(MAKERS) + r")\([^;{}]*\)(?: const)?(?: noexcept)? \{"
+    )
     found, bare, seen = [], [], set()
     for match in [*site.finditer(text), *body.finditer(text)]:
         opening = match.end() - 1
@@ -145,8 +189,12 @@ def of_python(path, text):
         kind = ast.unparse(node.exc.func)
         for part in ast.walk(node.exc):
             if isinstance(part, ast.JoinedStr):
-                words = "".join(piece.value.replace("{", "{{").replace("}", "}}") if isinstance(piece, ast.Constant) else "{}"
-                                for piece in part.values)
+                words = "".join(
+                    piece.value.replace("{", "{{").replace("}", "}}")
+                    if isinstance(piece, ast.Constant)
+                    else "{}"
+                    for piece in part.values
+                )
             elif isinstance(part, ast.Constant) and isinstance(part.value, str):
                 words = part.value.replace("{", "{{").replace("}", "}}")
             else:
@@ -154,13 +202,24 @@ def of_python(path, text):
             if " " in words.strip() and len(words) > 6:
                 found.append(Message(path, part.lineno, kind, words))
     pieces = {(message.line, message.shown) for message in found}
-    return [message for message in found
-            if not any(line <= message.line and message.shown in shown and message.shown != shown for line, shown in pieces)]
+    return [
+        message
+        for message in found
+        if not any(
+            line <= message.line and message.shown in shown and message.shown != shown
+            for line, shown in pieces
+        )
+    ]
 
 
 def of_sources(root):
     """All messages of the sources below `root`, and the sites without words of their own: (path, line, kind)."""
-    files = [path for top in SOURCES for path in sorted((root / top).rglob("*")) if path.suffix in (".cpp", ".hpp", ".h", ".py")]
+    files = [
+        path
+        for top in SOURCES
+        for path in sorted((root / top).rglob("*"))
+        if path.suffix in (".cpp", ".hpp", ".h", ".py")
+    ]
     texts = {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8") for path in files}
     functions = {name for text in texts.values() for name in NORETURN.findall(text)} | REFUSERS
     messages, bare = [], []

@@ -16,7 +16,12 @@ class Step(ctypes.Structure):
 
 library = ctypes.CDLL(sys.argv[1])
 library.changeover_loadorder_open.restype = ctypes.c_void_p
-library.changeover_loadorder_open.argtypes = [ctypes.c_uint64, ctypes.c_uint64, ctypes.c_char_p, ctypes.c_size_t]
+library.changeover_loadorder_open.argtypes = [
+    ctypes.c_uint64,
+    ctypes.c_uint64,
+    ctypes.c_char_p,
+    ctypes.c_size_t,
+]
 library.changeover_loadorder_next.argtypes = [ctypes.c_void_p, ctypes.POINTER(Step)]
 library.changeover_loadorder_close.argtypes = [ctypes.c_void_p]
 library.changeover_loadorder_close.restype = None

@@ -53,8 +53,13 @@ def compile_commands():
     commands = {}
     for entry in json.load(open(path)):
         command = shlex.split(entry["command"])
-        # Sources that are compiled together stand in a file that includes them, each by its whole path.
-        together = re.findall(r'^#include "(.+)"$', open(entry["file"]).read(), flags=re.M) if "/Unity/" in entry["file"] else []
+        # Sources that are compiled together stand in a file that includes them, each by its whole
+        # path.
+        together = (
+            re.findall(r'^#include "(.+)"$', open(entry["file"]).read(), flags=re.M)
+            if "/Unity/" in entry["file"]
+            else []
+        )
         commands |= {source: command for source in together or [entry["file"]]}
     return commands
 
@@ -63,7 +68,11 @@ def files_of(room):
     out = []
     for top in (f"src/{room}", f"include/changeover/{room}"):
         for folder, _, names in os.walk(os.path.join(ROOT, top)):
-            out += [os.path.relpath(os.path.join(folder, n), ROOT) for n in names if n.endswith((".cpp", ".hpp"))]
+            out += [
+                os.path.relpath(os.path.join(folder, n), ROOT)
+                for n in names
+                if n.endswith((".cpp", ".hpp"))
+            ]
     return sorted(out)
 
 
@@ -123,18 +132,27 @@ class Room:
                 self.keys[fault.number] = key
             self.found[path] = found
 
-    # ---- Building -------------------------------------------------------------------------------------------
+    # ---- Building
+    # -------------------------------------------------------------------------------------------
 
     def planted_path(self, path):
         return os.path.join(self.folder, path)
 
     def write(self, path):
-        text = planted.plant(open(os.path.join(ROOT, path), "rb").read(), self.found[path], self.without,
-                             self.fixed_without[path])
+        text = planted.plant(
+            open(os.path.join(ROOT, path), "rb").read(),
+            self.found[path],
+            self.without,
+            self.fixed_without[path],
+        )
         head = f'#include "{HERE}/planted.hpp"\n#line 1\n'
         if "#pragma once" in text:
-            text = text.replace("#pragma once", f'#pragma once\n#include "{HERE}/planted.hpp"\n#line '
-                                + str(text[:text.index("#pragma once")].count("\n") + 2), 1)
+            text = text.replace(
+                "#pragma once",
+                f'#pragma once\n#include "{HERE}/planted.hpp"\n#line '
+                + str(text[: text.index("#pragma once")].count("\n") + 2),
+                1,
+            )
         else:
             text = head + text
         target = self.planted_path(path)
@@ -155,21 +173,45 @@ class Room:
             elif not word.startswith(("-W", "-O")):
                 kept.append(word)
         source = self.planted_path(path) if path in self.found else os.path.join(ROOT, path)
-        first = [f"-I{self.folder}/include", f"-I{self.folder}/src", f"-I{os.path.dirname(os.path.join(ROOT, path))}"]
-        cache = ["ccache"] if subprocess.run(["which", "ccache"], capture_output=True).returncode == 0 else []
-        return [*cache, given[0], *first, *kept, "-O2" if path in self.found else "-O1", "-w", "-Wno-narrowing", "-fmax-errors=0", "-o", output,
-                *more, source]
+        first = [
+            f"-I{self.folder}/include",
+            f"-I{self.folder}/src",
+            f"-I{os.path.dirname(os.path.join(ROOT, path))}",
+        ]
+        cache = (
+            ["ccache"]
+            if subprocess.run(["which", "ccache"], capture_output=True).returncode == 0
+            else []
+        )
+        return [
+            *cache,
+            given[0],
+            *first,
+            *kept,
+            "-O2" if path in self.found else "-O1",
+            "-w",
+            "-Wno-narrowing",
+            "-fmax-errors=0",
+            "-o",
+            output,
+            *more,
+            source,
+        ]
 
     def object_of(self, path):
         return os.path.join(self.folder, path.replace("/", "-") + ".o")
 
     def compile(self, path):
-        return subprocess.run(self.command(path, self.object_of(path), "-c"), capture_output=True, text=True)
+        return subprocess.run(
+            self.command(path, self.object_of(path), "-c"), capture_output=True, text=True
+        )
 
     def drop_what_fails(self, errors):
         """Not every change is C++: takes out the faults that the compiler names. False if there is none."""
         dropped = False
-        for file, line, column in set(re.findall(r"^(\S+?):(\d+):(\d+): error:", errors, flags=re.M)):
+        for file, line, column in set(
+            re.findall(r"^(\S+?):(\d+):(\d+): error:", errors, flags=re.M)
+        ):
             path = os.path.relpath(file, self.folder)
             if path not in self.found:
                 continue
@@ -177,8 +219,11 @@ class Room:
             shift = next(i for i, t in enumerate(text) if t.startswith("#line")) + 1
             start = int(text[shift - 1].split()[1])
             here = text[int(line) - start + shift]
-            before = here.encode()[:int(column) - 1].decode(errors="ignore")
-            numbers = re.findall(r"planted_\w+\((\d+)\)", before) or re.findall(r"planted_\w+\((\d+)\)", here)[:1]
+            before = here.encode()[: int(column) - 1].decode(errors="ignore")
+            numbers = (
+                re.findall(r"planted_\w+\((\d+)\)", before)
+                or re.findall(r"planted_\w+\((\d+)\)", here)[:1]
+            )
             if numbers and int(numbers[-1]) not in self.without:
                 self.without.add(int(numbers[-1]))
                 dropped = True
@@ -193,7 +238,11 @@ class Room:
     def build(self):
         os.makedirs(self.folder, exist_ok=True)
         sources = [p for p in files_of(self.name) if not p.endswith(".hpp")]
-        tests = [os.path.relpath(p, ROOT) for p in self.commands if p.startswith(f"{ROOT}/tests/{self.name}/")]
+        tests = [
+            os.path.relpath(p, ROOT)
+            for p in self.commands
+            if p.startswith(f"{ROOT}/tests/{self.name}/")
+        ]
         for _ in range(60):
             for path in self.found:
                 self.write(path)
@@ -209,9 +258,19 @@ class Room:
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
             for path, result in zip(tests, pool.map(self.compile, tests)):
                 if result.returncode != 0:
-                    fail(f"{path} does not compile with the planted headers:\n{result.stderr[:2000]}")
-        link = subprocess.run(["ninja", "-C", RELEASE, "-t", "commands", f"test_{self.name}"], capture_output=True,
-                              text=True, check=True).stdout.strip().split("\n")[-1]
+                    fail(
+                        f"{path} does not compile with the planted headers:\n{result.stderr[:2000]}"
+                    )
+        link = (
+            subprocess.run(
+                ["ninja", "-C", RELEASE, "-t", "commands", f"test_{self.name}"],
+                capture_output=True,
+                text=True,
+                check=True,
+            )
+            .stdout.strip()
+            .split("\n")[-1]
+        )
         words = [w for w in shlex.split(link) if w not in (":", "&&") and not w.endswith(".o")]
         own = [self.object_of(p) for p in [*sources, *tests]]
         at = words.index("-o")
@@ -220,7 +279,8 @@ class Room:
         words = [w for w in words if not w.endswith(f"libchangeover_{self.name}.a")]
         subprocess.run([*words[:at], *own, *words[at:]], cwd=RELEASE, check=True)
 
-    # ---- Running --------------------------------------------------------------------------------------------
+    # ---- Running
+    # --------------------------------------------------------------------------------------------
 
     def commands_to_run(self):
         if not self.quick:
@@ -244,13 +304,23 @@ class Room:
                 resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
             try:
-                done = subprocess.run([*command, "--gtest_fail_fast"], env=env, stdout=subprocess.PIPE,
-                                      stderr=subprocess.DEVNULL, preexec_fn=limits, timeout=60 * seconds, text=True,
-                                      errors="replace", cwd=self.folder)
+                done = subprocess.run(
+                    [*command, "--gtest_fail_fast"],
+                    env=env,
+                    stdout=subprocess.PIPE,
+                    stderr=subprocess.DEVNULL,
+                    preexec_fn=limits,
+                    timeout=60 * seconds,
+                    text=True,
+                    errors="replace",
+                    cwd=self.folder,
+                )
             except subprocess.TimeoutExpired:
                 return "time"
             if fault is None:
-                self.quick += cheapest(re.findall(r"\[       OK \] (\S+) \((\d+) ms\)", done.stdout))
+                self.quick += cheapest(
+                    re.findall(r"\[       OK \] (\S+) \((\d+) ms\)", done.stdout)
+                )
             if done.returncode in (-24, -9):
                 return "time"
             if done.returncode < 0:
@@ -265,7 +335,9 @@ class Room:
         path = os.path.join(self.folder, "results")
         if not self.again or not os.path.exists(path):
             return {}
-        rows = (line.split("\t", 2) for line in open(path, encoding="utf-8").read().split("\n") if line)
+        rows = (
+            line.split("\t", 2) for line in open(path, encoding="utf-8").read().split("\n") if line
+        )
         return {key: how for how, _, key in rows if how not in ("survived", "not reached")}
 
     def look(self):
@@ -290,12 +362,18 @@ class Room:
                 open(os.path.join(self.folder, "results"), "w", encoding="utf-8") as out:
             for number in wanted:
                 if results[number] != "not reached":
-                    print(f"{results[number]}\t{self.faults[number].line}\t{self.keys[number]}", file=out)
+                    print(
+                        f"{results[number]}\t{self.faults[number].line}\t{self.keys[number]}",
+                        file=out,
+                    )
             numbers = [n for n in wanted if n in reached and results[n] == "not reached"]
             for number, result in zip(numbers, pool.map(lambda n: self.run(n, seconds), numbers)):
                 results[number] = result
-                print(f"{result or 'survived'}\t{self.faults[number].line}\t{self.keys[number]}", file=out,
-                      flush=True)
+                print(
+                    f"{result or 'survived'}\t{self.faults[number].line}\t{self.keys[number]}",
+                    file=out,
+                    flush=True,
+                )
         return results
 
 
@@ -322,10 +400,19 @@ class Parser(argparse.ArgumentParser):
 def main():
     parser = Parser(prog="./dev mutate", description=__doc__.split("\n")[0])
     parser.add_argument("--list", action="store_true", help="write the faults, run nothing")
-    parser.add_argument("--again", action="store_true", help="only what survived the last run; tests only grew")
+    parser.add_argument(
+        "--again", action="store_true", help="only what survived the last run; tests only grew"
+    )
     parser.add_argument("-j", type=int, default=2, metavar="N", help="runs at a time (default 2)")
-    parser.add_argument("--understood", action="store_true", help=argparse.SUPPRESS)  # do these words mean anything
-    parser.add_argument("what", nargs="*", metavar="ROOM|FILE", help=f"one of {', '.join(ROOMS)}, or a file of theirs")
+    parser.add_argument(
+        "--understood", action="store_true", help=argparse.SUPPRESS
+    )  # do these words mean anything
+    parser.add_argument(
+        "what",
+        nargs="*",
+        metavar="ROOM|FILE",
+        help=f"one of {', '.join(ROOMS)}, or a file of theirs",
+    )
     asked = parser.parse_args()
     if asked.j < 1:
         parser.error(f"-j {asked.j}: at least one run at a time")
@@ -363,7 +450,9 @@ def main():
                 faults += 1
                 print(f"survivors.txt: this does not survive: {key}")
         table.append((name, len(results), len(results) - len(survivors), len(survivors)))
-        say(f"{name}: {len(results) - len(survivors)} of {len(results)} killed in {time.time() - began:.0f} s")
+        say(
+            f"{name}: {len(results) - len(survivors)} of {len(results)} killed in {time.time() - began:.0f} s"
+        )
     for row in table:
         print("%-12s %5d faults %5d killed %4d survive" % row)
     if faults:

@@ -22,18 +22,46 @@ from clang.cindex import CursorKind as Kind
 from clang.cindex import Index, TypeKind
 
 OTHER = {
-    "<": ["<=", ">="], "<=": ["<", ">"], ">": [">=", "<="], ">=": [">", "<"], "==": ["!="], "!=": ["=="],
-    "+": ["-"], "-": ["+"], "*": ["+"], "/": ["*"], "%": ["/"],
-    "&": ["|"], "|": ["&"], "^": ["|"], "<<": [">>"], ">>": ["<<"],
-    "+=": ["-="], "-=": ["+="], "*=": ["+="], "/=": ["*="], "%=": ["/="],
-    "|=": ["&="], "&=": ["|="], "^=": ["|="], "<<=": [">>="], ">>=": ["<<="],
+    "<": ["<=", ">="],
+    "<=": ["<", ">"],
+    ">": [">=", "<="],
+    ">=": [">", "<"],
+    "==": ["!="],
+    "!=": ["=="],
+    "+": ["-"],
+    "-": ["+"],
+    "*": ["+"],
+    "/": ["*"],
+    "%": ["/"],
+    "&": ["|"],
+    "|": ["&"],
+    "^": ["|"],
+    "<<": [">>"],
+    ">>": ["<<"],
+    "+=": ["-="],
+    "-=": ["+="],
+    "*=": ["+="],
+    "/=": ["*="],
+    "%=": ["/="],
+    "|=": ["&="],
+    "&=": ["|="],
+    "^=": ["|="],
+    "<<=": [">>="],
+    ">>=": ["<<="],
 }
 DECIDES = {"<", "<=", ">", ">=", "==", "!=", "&&", "||"}
 # Exchanging the arguments of these changes nothing.
 SYMMETRIC = {"min", "max", "gcd", "swap", "checked_add", "checked_multiply", "add_pair"}
 LOOPS = {Kind.FOR_STMT, Kind.WHILE_STMT, Kind.DO_STMT, Kind.CXX_FOR_RANGE_STMT}
-FUNCTIONS = {Kind.FUNCTION_DECL, Kind.CXX_METHOD, Kind.CONSTRUCTOR, Kind.DESTRUCTOR, Kind.FUNCTION_TEMPLATE,
-             Kind.LAMBDA_EXPR, Kind.CONVERSION_FUNCTION}
+FUNCTIONS = {
+    Kind.FUNCTION_DECL,
+    Kind.CXX_METHOD,
+    Kind.CONSTRUCTOR,
+    Kind.DESTRUCTOR,
+    Kind.FUNCTION_TEMPLATE,
+    Kind.LAMBDA_EXPR,
+    Kind.CONVERSION_FUNCTION,
+}
 
 
 @dataclass
@@ -54,7 +82,9 @@ class Fault:
 @dataclass
 class Found:
     faults: list = field(default_factory=list)
-    fixed: list = field(default_factory=list)  # (start, end, text, name): constants that are made at run time
+    fixed: list = field(
+        default_factory=list
+    )  # (start, end, text, name): constants that are made at run time
     constants: list = field(default_factory=list)  # (start, end): where these are declared
 
 
@@ -81,7 +111,8 @@ class Finder:
             if cursor.location.file and cursor.location.file.name == path:
                 self.visit(cursor, None, False)
 
-    # ---- Places -----------------------------------------------------------------------------------------
+    # ---- Places
+    # -----------------------------------------------------------------------------------------
 
     def range(self, cursor):
         return cursor.extent.start.offset, cursor.extent.end.offset
@@ -119,7 +150,10 @@ class Finder:
     def operator(self, cursor):
         """The operator with two operands that the cursor is, with them, or None."""
         is_call = cursor.kind == Kind.CALL_EXPR and cursor.spelling.startswith("operator")
-        if cursor.kind not in (Kind.BINARY_OPERATOR, Kind.COMPOUND_ASSIGNMENT_OPERATOR) and not is_call:
+        if (
+            cursor.kind not in (Kind.BINARY_OPERATOR, Kind.COMPOUND_ASSIGNMENT_OPERATOR)
+            and not is_call
+        ):
             return None
         inner = self.children(cursor)
         if len(inner) < 2:
@@ -129,12 +163,20 @@ class Finder:
         between = between.strip("() ")
         return (between, left, right) if between in OTHER or between in ("&&", "||", "=") else None
 
-    # ---- Faults -----------------------------------------------------------------------------------------
+    # ---- Faults
+    # -----------------------------------------------------------------------------------------
 
     def visit(self, cursor, parent, in_loop):
         kind = cursor.kind
-        if kind in (Kind.STATIC_ASSERT, Kind.ENUM_DECL, Kind.TYPEDEF_DECL, Kind.TYPE_ALIAS_DECL, Kind.CASE_STMT,
-                    Kind.TEMPLATE_NON_TYPE_PARAMETER, Kind.USING_DECLARATION):
+        if kind in (
+            Kind.STATIC_ASSERT,
+            Kind.ENUM_DECL,
+            Kind.TYPEDEF_DECL,
+            Kind.TYPE_ALIAS_DECL,
+            Kind.CASE_STMT,
+            Kind.TEMPLATE_NON_TYPE_PARAMETER,
+            Kind.USING_DECLARATION,
+        ):
             if kind != Kind.CASE_STMT:
                 return
         if kind in (Kind.VAR_DECL, Kind.FIELD_DECL) and not self.variable(cursor):
@@ -160,12 +202,27 @@ class Finder:
         head = re.match(r"(static\s+)?(inline\s+)?constexpr\b", text)
         if not head:
             return "[" not in text.split("=")[0] or cursor.kind == Kind.VAR_DECL and "{" in text
-        if cursor.type.get_canonical().kind not in (TypeKind.INT, TypeKind.UINT, TypeKind.LONG, TypeKind.ULONG):
+        if cursor.type.get_canonical().kind not in (
+            TypeKind.INT,
+            TypeKind.UINT,
+            TypeKind.LONG,
+            TypeKind.ULONG,
+        ):
             return False
         self.found.constants.append((start, end))
-        in_class = cursor.semantic_parent.kind in (Kind.CLASS_DECL, Kind.STRUCT_DECL, Kind.CLASS_TEMPLATE)
-        self.found.fixed.append((start, start + len(head.group(0)),
-                                 "inline static const" if in_class else "static const", cursor.spelling))
+        in_class = cursor.semantic_parent.kind in (
+            Kind.CLASS_DECL,
+            Kind.STRUCT_DECL,
+            Kind.CLASS_TEMPLATE,
+        )
+        self.found.fixed.append(
+            (
+                start,
+                start + len(head.group(0)),
+                "inline static const" if in_class else "static const",
+                cursor.spelling,
+            )
+        )
         return True
 
     def faults_at(self, cursor):
@@ -230,7 +287,9 @@ class Finder:
         match = re.fullmatch(r"(0[xX][0-9a-fA-F']+|[0-9][0-9']*)([uUlL]*)", text)
         if not match:
             return
-        value = int(match.group(1).replace("'", ""), 0 if match.group(1)[:2] in ("0x", "0X") else 10)
+        value = int(
+            match.group(1).replace("'", ""), 0 if match.group(1)[:2] in ("0x", "0X") else 10
+        )
         changes = (1,) if value == 0 or match.group(1)[:2] in ("0x", "0X") else (1, -1)
         for change in changes:
             self.add(cursor, f"{text} -> {value + change}", f"{value + change}{match.group(2)}")
@@ -238,7 +297,9 @@ class Finder:
     def negate(self, cursor):
         bare = self.bare(cursor)
         found = self.operator(bare)
-        if (found and found[0] in DECIDES) or (bare.kind == Kind.UNARY_OPERATOR and self.text(bare)[0] == "!"):
+        if (found and found[0] in DECIDES) or (
+            bare.kind == Kind.UNARY_OPERATOR and self.text(bare)[0] == "!"
+        ):
             return
         if bare.kind in (Kind.INTEGER_LITERAL, Kind.CXX_BOOL_LITERAL_EXPR):
             return
@@ -254,16 +315,30 @@ class Finder:
             name = self.text(inner[0]).split("<")[0].split("::")[-1]
         if name in ("min", "max"):
             other = "max" if name == "min" else "min"
-            self.add(cursor, f"{text}: {name} -> {other}", re.sub(rf"\b{name}\b", other, text, count=1))
-        if name.startswith("operator") or name in SYMMETRIC or "[&" in text or "[](" in text or "[=" in text:
+            self.add(
+                cursor, f"{text}: {name} -> {other}", re.sub(rf"\b{name}\b", other, text, count=1)
+            )
+        if (
+            name.startswith("operator")
+            or name in SYMMETRIC
+            or "[&" in text
+            or "[](" in text
+            or "[=" in text
+        ):
             return
         given = [a for a in cursor.get_arguments() if a is not None and self.mine(a)]
         start, _ = self.range(cursor)
         for left, right in zip(given, given[1:]):
             a, b = self.text(left), self.text(right)
-            same = left.type.get_canonical().spelling.replace("const ", "") == \
-                right.type.get_canonical().spelling.replace("const ", "")
-            if not same or a == b or a.endswith("begin()") or self.range(left)[1] >= self.range(right)[0]:
+            same = left.type.get_canonical().spelling.replace(
+                "const ", ""
+            ) == right.type.get_canonical().spelling.replace("const ", "")
+            if (
+                not same
+                or a == b
+                or a.endswith("begin()")
+                or self.range(left)[1] >= self.range(right)[0]
+            ):
                 continue
             _, end = self.range(cursor)
             exchanged = (self.bytes[start:self.range(left)[0]].decode() + b +
@@ -271,17 +346,23 @@ class Finder:
                          self.bytes[self.range(right)[1]:end].decode())
             self.add(cursor, f"{name}: '{a}' and '{b}' exchanged", flat(exchanged))
 
-    # ---- Statements ---------------------------------------------------------------------------------------
+    # ---- Statements
+    # ---------------------------------------------------------------------------------------
 
     def statements(self, cursor, parent, in_loop):
         """Those directly inside the cursor that can be dropped."""
         inner = self.children(cursor)
         if cursor.kind == Kind.COMPOUND_STMT:
-            last_of_function = inner[-1] if inner and parent is not None and parent.kind in FUNCTIONS else None
+            last_of_function = (
+                inner[-1] if inner and parent is not None and parent.kind in FUNCTIONS else None
+            )
             for child in inner:
                 last = last_of_function is not None and child == last_of_function
-                if last and (self.bare(child).kind in (Kind.RETURN_STMT, Kind.CXX_THROW_EXPR) or
-                             b"noreturn" in self.bytes[max(0, self.range(parent)[0] - 16):self.range(child)[0]]):
+                if last and (
+                    self.bare(child).kind in (Kind.RETURN_STMT, Kind.CXX_THROW_EXPR)
+                    or b"noreturn"
+                    in self.bytes[max(0, self.range(parent)[0] - 16) : self.range(child)[0]]
+                ):
                     continue  # a function that must not end there: the compiler may assume that it does not
                 self.drop(child, in_loop)
         elif cursor.kind in LOOPS or cursor.kind == Kind.IF_STMT:
@@ -297,9 +378,17 @@ class Finder:
 
     def drop(self, child, in_loop):
         bare = self.bare(child)
-        effect = bare.kind in (Kind.CALL_EXPR, Kind.BINARY_OPERATOR, Kind.COMPOUND_ASSIGNMENT_OPERATOR,
-                               Kind.CONDITIONAL_OPERATOR, Kind.UNARY_OPERATOR, Kind.CXX_THROW_EXPR,
-                               Kind.RETURN_STMT, Kind.CONTINUE_STMT, Kind.UNEXPOSED_EXPR)
+        effect = bare.kind in (
+            Kind.CALL_EXPR,
+            Kind.BINARY_OPERATOR,
+            Kind.COMPOUND_ASSIGNMENT_OPERATOR,
+            Kind.CONDITIONAL_OPERATOR,
+            Kind.UNARY_OPERATOR,
+            Kind.CXX_THROW_EXPR,
+            Kind.RETURN_STMT,
+            Kind.CONTINUE_STMT,
+            Kind.UNEXPOSED_EXPR,
+        )
         if bare.kind == Kind.BREAK_STMT and in_loop:
             effect = True
         if bare.kind == Kind.UNARY_OPERATOR and self.text(bare)[:2] in ("++", "--"):

@@ -10,13 +10,17 @@ import xml.etree.ElementTree as tree
 
 def run(path):
     document = json.loads(path.read_text(encoding="utf-8"))
-    assert document["nbformat"] == 4 and len({cell["id"] for cell in document["cells"]}) == len(document["cells"])
+    assert document["nbformat"] == 4 and len({cell["id"] for cell in document["cells"]}) == len(
+        document["cells"]
+    )
     space = {"__name__": "__main__"}
     rich = 0
     for number, cell in enumerate(document["cells"]):
         if cell["cell_type"] != "code":
             continue
-        assert cell["outputs"] == [] and cell["execution_count"] is None, f"{path}: cell {number} is kept with its output"
+        assert (
+            cell["outputs"] == [] and cell["execution_count"] is None
+        ), f"{path}: cell {number} is kept with its output"
         body = ast.parse("".join(cell["source"]), f"{path.name}, cell {number}")
         last = body.body.pop() if isinstance(body.body[-1], ast.Expr) else None
         exec(compile(body, path.name, "exec"), space)
