@@ -79,9 +79,9 @@ struct RequestList {
 
 /// One option, for the command line, documents, the server and Python.
 struct OptionRecord {
-  std::string_view key;  ///< in documents and in Python
-  std::string_view
-      flags;  ///< on the command line: "-k,--at-once"; without hyphens a positional argument
+  std::string_view key = {};  ///< in documents and in Python
+  /// On the command line: "-k,--at-once"; without hyphens a positional argument.
+  std::string flags = {};
   ValueKind kind = ValueKind::flag;
   std::string_view value = {};  ///< the name of its value in the help: "K", "FILE"
   std::string_view help = {};

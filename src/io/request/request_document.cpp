@@ -327,8 +327,7 @@ std::string spelled(const OptionRecord& record, Door door) {
     return std::string(record.key);
   }
   const std::size_t comma = record.flags.find(",--");
-  return std::string(comma == std::string_view::npos ? record.flags
-                                                     : record.flags.substr(comma + 1));
+  return comma == std::string::npos ? record.flags : record.flags.substr(comma + 1);
 }
 
 std::string spelled_with_value(const OptionRecord& record, Door door) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "changeover/io/request.hpp"
+#include "io/request/option.hpp"
 
 namespace changeover {
 
@@ -15,31 +16,18 @@ template <typename Request>
 [[nodiscard]] std::vector<RequestOption<Request>> with_search_options(
     std::vector<RequestOption<Request>> options, std::string_view how_long,
     std::string_view no_time_in_server = {}) {
-  options.push_back({{.key = "seconds",
-                      .flags = "--time",
-                      .kind = ValueKind::seconds,
-                      .value = "DURATION",
-                      .help = how_long,
-                      .python = "time",
-                      .not_in_server = no_time_in_server,
-                      .of_every_search = true},
-                     &Request::seconds});
-  options.push_back({{.key = "threads",
-                      .flags = "--threads",
-                      .kind = ValueKind::number,
-                      .value = "N",
-                      .help = "threads to use",
-                      .not_in_server = "the server gives each request its share",
-                      .of_every_search = true},
-                     &Request::threads});
-  options.push_back({{.key = "seed",
-                      .flags = "--seed",
-                      .kind = ValueKind::number,
-                      .value = "N",
-                      .help = "seed of the random numbers (default 1)",
-                      .not_in_server = "the same request has the same answer for every caller",
-                      .of_every_search = true},
-                     &Request::seed});
+  options.push_back(option("seconds", "DURATION", how_long, &Request::seconds,
+                           {.flags = "--time",
+                            .python = "time",
+                            .not_in_server = no_time_in_server,
+                            .of_every_search = true}));
+  options.push_back(option(
+      "threads", "N", "threads to use", &Request::threads,
+      {.not_in_server = "the server gives each request its share", .of_every_search = true}));
+  options.push_back(
+      option("seed", "N", "seed of the random numbers (default 1)", &Request::seed,
+             {.not_in_server = "the same request has the same answer for every caller",
+              .of_every_search = true}));
   return options;
 }
 
