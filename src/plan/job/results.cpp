@@ -78,9 +78,9 @@ ResultWords result_words_of(std::string_view text) {
   return words;
 }
 
-template <std::size_t N>
-bool is_one_of(const std::string& word, const std::array<std::string_view, N>& all) {
-  return std::find(all.begin(), all.end(), word) != all.end();
+// Whether these, with a blank before and after each, have the word.
+bool is_one_of(const std::string& word, std::string_view all) {
+  return all.find(" " + word + " ") != std::string_view::npos;
 }
 
 template <std::size_t N>
@@ -94,84 +94,24 @@ bool begins_with(const std::string& word, const std::array<std::string_view, N>&
 bool is_pass(const std::string& word) {
   constexpr auto others = std::to_array<std::string_view>(
       {"passiv", "passw", "passag", "passen", "passpo", "passth", "passba", "passat"});
-  constexpr auto all = std::to_array<std::string_view>(
-      {"ok",       "okay",      "okey",     "io",          "success",  "successful", "succeeded",
-       "succeeds", "bestanden", "erfolg",   "erfolgreich", "reussi",   "reussie",    "reussite",
-       "succes",   "conforme",  "aprobado", "aprobada",    "exito",    "correcto",   "correcta",
-       "pasa",     "superato",  "superata", "riuscito",    "riuscita", "successo",   "aprovado",
-       "aprovada", "sucesso",   "geslaagd", "goedgekeurd", "合格",     "良",         "良好",
-       "正常",     "成功",      "通过",     "通過",        "합격",     "통과",       "성공",
-       "정상",     "✓",         "✔",        "✅",           "☑",        "👍",          "akzeptiert"});
+  constexpr std::string_view all =
+      " ok okay okey io success successful succeeded succeeds bestanden erfolg erfolgreich"
+      " reussi reussie reussite succes conforme aprobado aprobada exito correcto correcta"
+      " pasa superato superata riuscito riuscita successo aprovado aprovada sucesso geslaagd"
+      " goedgekeurd 合格 良 良好 正常 成功 通过 通過 합격 통과 성공 정상 ✓ ✔ ✅ ☑ 👍 akzeptiert ";
   return (word.starts_with("pass") && !begins_with(word, others)) || is_one_of(word, all);
 }
 
 bool is_fail(const std::string& word) {
   constexpr auto others = std::to_array<std::string_view>(
       {"failover", "failsafe", "failback", "failproof", "failless"});
-  constexpr auto all = std::to_array<std::string_view>({"nok",
-                                                        "ko",
-                                                        "ng",
-                                                        "nio",
-                                                        "error",
-                                                        "errors",
-                                                        "errored",
-                                                        "err",
-                                                        "crash",
-                                                        "crashed",
-                                                        "crashes",
-                                                        "hang",
-                                                        "hangs",
-                                                        "hung",
-                                                        "broken",
-                                                        "dead",
-                                                        "died",
-                                                        "defective",
-                                                        "timeout",
-                                                        "reject",
-                                                        "rejected",
-                                                        "fehler",
-                                                        "fehlgeschlagen",
-                                                        "fehlerhaft",
-                                                        "defekt",
-                                                        "durchgefallen",
-                                                        "kaputt",
-                                                        "ausfall",
-                                                        "ausgefallen",
-                                                        "echec",
-                                                        "echoue",
-                                                        "echouee",
-                                                        "erreur",
-                                                        "panne",
-                                                        "defaut",
-                                                        "fallo",
-                                                        "falla",
-                                                        "fallido",
-                                                        "fallida",
-                                                        "rechazado",
-                                                        "rechazada",
-                                                        "fallito",
-                                                        "fallita",
-                                                        "errore",
-                                                        "guasto",
-                                                        "respinto",
-                                                        "falha",
-                                                        "falhou",
-                                                        "erro",
-                                                        "reprovado",
-                                                        "reprovada",
-                                                        "gefaald",
-                                                        "mislukt",
-                                                        "fout",
-                                                        "afgekeurd",
-                                                        "✗",
-                                                        "✘",
-                                                        "✕",
-                                                        "✖",
-                                                        "×",
-                                                        "❌",
-                                                        "👎",
-                                                        "nichtbestanden",
-                                                        "misslungen"});
+  constexpr std::string_view all =
+      " nok ko ng nio error errors errored err crash crashed crashes hang hangs hung broken"
+      " dead died defective timeout reject rejected fehler fehlgeschlagen fehlerhaft defekt"
+      " durchgefallen kaputt ausfall ausgefallen echec echoue echouee erreur panne defaut"
+      " fallo falla fallido fallida rechazado rechazada fallito fallita errore guasto"
+      " respinto falha falhou erro reprovado reprovada gefaald mislukt fout afgekeurd ✗ ✘ ✕ ✖"
+      " × ❌ 👎 nichtbestanden misslungen ";
   constexpr auto beginnings = std::to_array<std::string_view>(
       {"不合格", "不良", "不可", "失敗", "失败", "異常", "异常", "故障", "未通过", "未通過", "错误",
        "エラー", "불합격", "실패", "오류"});
@@ -184,15 +124,12 @@ bool is_fail(const std::string& word) {
 }
 
 bool is_not_run(const std::string& word) {
-  constexpr auto all = std::to_array<std::string_view>(
-      {"skip",        "skipped",      "block",        "blocked",   "untested",   "pending",
-       "todo",        "tbd",          "postponed",    "deferred",  "abort",      "aborted",
-       "cancelled",   "canceled",     "ubersprungen", "blockiert", "ungetestet", "ausstehend",
-       "abgebrochen", "verschoben",   "ignore",       "bloque",    "saute",      "reporte",
-       "annule",      "omitido",      "omitida",      "saltado",   "bloqueado",  "pendiente",
-       "pendente",    "cancelado",    "saltato",      "bloccato",  "sospeso",    "ignorado",
-       "pulado",      "overgeslagen", "geblokkeerd",  "スキップ",  "保留",       "跳过",
-       "건너뜀"});
+  constexpr std::string_view all =
+      " skip skipped block blocked untested pending todo tbd postponed deferred abort aborted"
+      " cancelled canceled ubersprungen blockiert ungetestet ausstehend abgebrochen"
+      " verschoben ignore bloque saute reporte annule omitido omitida saltado bloqueado"
+      " pendiente pendente cancelado saltato bloccato sospeso ignorado pulado overgeslagen"
+      " geblokkeerd スキップ 保留 跳过 건너뜀 ";
   constexpr auto beginnings =
       std::to_array<std::string_view>({"未実施", "未実行", "未試験", "未执行", "未测试", "阻塞"});
   return is_one_of(word, all) || begins_with(word, beginnings);
@@ -200,14 +137,11 @@ bool is_not_run(const std::string& word) {
 
 // The result if it is only this word.
 TestResult of_one_word(const std::string& word) {
-  constexpr auto pass = std::to_array<std::string_view>(
-      {"p", "yes", "good", "ja", "oui", "si", "sim", "bon", "bien", "gut", "goed", "bom", "buono"});
-  constexpr auto fail = std::to_array<std::string_view>(
-      {"f", "no", "bad", "nein", "non", "nee", "nao", "mal", "mauvais", "schlecht"});
-  constexpr auto done = std::to_array<std::string_view>(
-      {"done",     "ran",    "tested", "complete", "completed", "finished", "executed",  "erledigt",
-       "getestet", "fertig", "fait",   "faite",    "termine",   "hecho",    "terminado", "fatto",
-       "feito",    "gedaan", "済",     "済み",     "完了",      "完成"});
+  constexpr std::string_view pass = " p yes good ja oui si sim bon bien gut goed bom buono ";
+  constexpr std::string_view fail = " f no bad nein non nee nao mal mauvais schlecht ";
+  constexpr std::string_view done =
+      " done ran tested complete completed finished executed erledigt getestet fertig fait"
+      " faite termine hecho terminado fatto feito gedaan 済 済み 完了 完成 ";
   return is_one_of(word, pass)   ? TestResult::pass
          : is_one_of(word, fail) ? TestResult::fail
          : is_one_of(word, done) ? TestResult::done
@@ -216,17 +150,16 @@ TestResult of_one_word(const std::string& word) {
 }
 
 bool negates(const std::string& word) {
-  constexpr auto all = std::to_array<std::string_view>(
-      {"not", "no", "non", "nicht", "pas", "ne", "niet", "nao", "didn", "doesn"});
+  constexpr std::string_view all = " not no non nicht pas ne niet nao didn doesn ";
   return is_one_of(word, all);
 }
 
 // "not ok", "not run", "nicht bestanden"; "no error" may mean success or introduce a failure.
 TestResult of_negated(const ResultWords& words) {
-  constexpr auto was_run = std::to_array<std::string_view>(
-      {"run",      "tested",       "done",       "executed", "performed", "started",   "applicable",
-       "getestet", "durchgefuhrt", "ausgefuhrt", "gelaufen", "teste",     "execute",   "realise",
-       "probado",  "ejecutado",    "eseguito",   "testado",  "executado", "uitgevoerd"});
+  constexpr std::string_view was_run =
+      " run tested done executed performed started applicable getestet durchgefuhrt"
+      " ausgefuhrt gelaufen teste execute realise probado ejecutado eseguito testado"
+      " executado uitgevoerd ";
   for (std::size_t i = 1; i < std::min<std::size_t>(words.size(), 3); ++i) {
     if (is_pass(words[i]) || words[i] == "good" || words[i] == "valid") {
       return TestResult::fail;
@@ -240,9 +173,9 @@ TestResult of_negated(const ResultWords& words) {
 
 // Whether the words after a success qualify it.
 bool takes_back(const ResultWords& words, std::string_view text) {
-  constexpr auto hedges = std::to_array<std::string_view>(
-      {"but", "until", "till", "then", "except", "aber", "bis", "dann", "ausser", "mais", "sauf",
-       "puis", "pero", "hasta", "salvo", "poi", "maar", "hardly", "almost"});
+  constexpr std::string_view hedges =
+      " but until till then except aber bis dann ausser mais sauf puis pero hasta salvo poi"
+      " maar hardly almost ";
   return text.find('?') != std::string_view::npos || (words.size() > 1 && negates(words[1])) ||
          std::any_of(words.begin() + 1, words.end(), [&](const std::string& word) {
            return is_one_of(word, hedges) || is_fail(word);
@@ -251,8 +184,7 @@ bool takes_back(const ResultWords& words, std::string_view text) {
 
 // "error-free", "fail safe": no failures.
 bool is_of_no_failure(const ResultWords& words) {
-  constexpr auto second =
-      std::to_array<std::string_view>({"free", "frei", "safe", "over", "proof", "less"});
+  constexpr std::string_view second = " free frei safe over proof less ";
   return words.size() > 1 && is_one_of(words[1], second);
 }
 
