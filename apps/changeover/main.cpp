@@ -8,42 +8,20 @@ int main(int argc, char** argv) {
   prepare_process();
   const Watched watched;
   Program program;
-  add_design(program);
-  add_verify(program);
-  add_bounds(program);
-  add_explain(program);
-  add_search(program);
-  add_classify(program);
-  add_same(program);
-  add_table(program);
-  add_minima(program);
-  add_plan(program);
-  add_expand(program);
-  add_draw(program);
-  add_dossier(program);
-  add_factorize(program);
-  add_constructions(program);
-  add_paper(program);
-  add_loadorder(program);
-  add_serve(program);
+  for (AddVerb* const add :
+       {add_design, add_verify, add_bounds, add_explain, add_search, add_classify, add_same,
+        add_table, add_minima, add_plan, add_expand, add_draw, add_dossier, add_factorize,
+        add_constructions, add_paper, add_loadorder, add_serve}) {
+    add(program);
+  }
   program.add_group("catalog", "browse and extend the catalog of known designs");
-  add_catalog_show(program);
-  add_catalog_list(program);
-  add_catalog_history(program);
-  add_catalog_cite(program);
-  add_catalog_completeness(program);
-  add_catalog_add(program);
-  add_catalog_retract(program);
-  add_catalog_alias(program);
-  add_catalog_export(program);
-  add_catalog_import(program);
-  add_catalog_verify(program);
-  add_catalog_diff(program);
-  add_catalog_improve(program);
-  add_catalog_submit(program);
-  add_completion(program);
-  add_manual(program);
-  add_describe(program);
+  for (AddVerb* const add :
+       {add_catalog_show, add_catalog_list, add_catalog_history, add_catalog_cite,
+        add_catalog_completeness, add_catalog_add, add_catalog_retract, add_catalog_alias,
+        add_catalog_export, add_catalog_import, add_catalog_verify, add_catalog_diff,
+        add_catalog_improve, add_catalog_submit, add_completion, add_manual, add_describe}) {
+    add(program);
+  }
   const int code = program.run(argc, argv);
   Team::leave(code);
   return code;

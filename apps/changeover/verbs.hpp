@@ -5,40 +5,13 @@
 
 namespace changeover::cli {
 
-void add_design(Program& program);
-void add_verify(Program& program);
-void add_bounds(Program& program);
-void add_explain(Program& program);
-void add_search(Program& program);
-void add_classify(Program& program);
-void add_same(Program& program);
-void add_minima(Program& program);
-void add_table(Program& program);
-void add_plan(Program& program);
-void add_expand(Program& program);
-void add_draw(Program& program);
-void add_dossier(Program& program);
-void add_factorize(Program& program);
-void add_constructions(Program& program);
-void add_paper(Program& program);
-void add_loadorder(Program& program);
-void add_serve(Program& program);
-void add_catalog_show(Program& program);
-void add_catalog_list(Program& program);
-void add_catalog_history(Program& program);
-void add_catalog_cite(Program& program);
-void add_catalog_completeness(Program& program);
-void add_catalog_add(Program& program);
-void add_catalog_retract(Program& program);
-void add_catalog_alias(Program& program);
-void add_catalog_export(Program& program);
-void add_catalog_import(Program& program);
-void add_catalog_verify(Program& program);
-void add_catalog_diff(Program& program);
-void add_catalog_improve(Program& program);
-void add_catalog_submit(Program& program);
-void add_completion(Program& program);
-void add_manual(Program& program);
-void add_describe(Program& program);
+using AddVerb = void(Program& program);
+AddVerb add_design, add_verify, add_bounds, add_explain, add_search, add_classify, add_same,
+    add_minima, add_table, add_plan, add_expand, add_draw, add_dossier, add_factorize,
+    add_constructions, add_paper, add_loadorder, add_serve, add_catalog_show, add_catalog_list,
+    add_catalog_history, add_catalog_cite, add_catalog_completeness, add_catalog_add,
+    add_catalog_retract, add_catalog_alias, add_catalog_export, add_catalog_import,
+    add_catalog_verify, add_catalog_diff, add_catalog_improve, add_catalog_submit, add_completion,
+    add_manual, add_describe;
 
 }  // namespace changeover::cli
