@@ -8,13 +8,6 @@ std::function<Lane(const Request&)> always(Lane lane) {
   return [lane](const Request&) { return lane; };
 }
 
-void require_writing(const Explorer& explorer) {
-  if (!explorer.may_write) {
-    throw Refusal{403,
-                  "the server was started with --no-write: it searches nothing and keeps nothing"};
-  }
-}
-
 Route question(Explorer& explorer, std::string path, std::vector<std::string> parameters,
                Again again, std::function<Response(const Request&)> answer) {
   Route route;
@@ -36,6 +29,22 @@ Route posted(Explorer& explorer, std::string path, std::vector<std::string> para
                      : body == Body::json ? explorer.limits.json_bytes
                                           : 0;
   route.lane = always(Lane::slow);
+  return route;
+}
+
+Route changing(Explorer& explorer, std::string path, std::vector<std::string> parameters, Body body,
+               Lane lane, std::function<Response(const Request&)> answer) {
+  Route route = posted(explorer, std::move(path), std::move(parameters), body,
+                       [&explorer, answer = std::move(answer)](const Request& request) {
+                         if (!explorer.may_write) {
+                           throw Refusal{403,
+                                         "the server was started with --no-write: it searches "
+                                         "nothing and keeps nothing"};
+                         }
+                         return answer(request);
+                       });
+  route.action = Action::changes;
+  route.lane = always(lane);
   return route;
 }
 

@@ -34,8 +34,11 @@ void add_pages(Router& router, const Pages& pages);
                            std::vector<std::string> parameters, Body body,
                            std::function<Response(const Request&)> answer);
 
-/// @throws Refusal 403 if the server was started with --no-write.
-void require_writing(const Explorer& explorer);
+/// The same for what changes something, in that lane: refused with 403 if the server was started
+/// with --no-write.
+[[nodiscard]] Route changing(Explorer& explorer, std::string path,
+                             std::vector<std::string> parameters, Body body, Lane lane,
+                             std::function<Response(const Request&)> answer);
 
 /// A constant lane.
 [[nodiscard]] std::function<Lane(const Request&)> always(Lane lane);

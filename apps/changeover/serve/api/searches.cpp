@@ -141,32 +141,27 @@ void add_searches(Router& router, Explorer& explorer) {
   };
   router.add(std::move(events));
 
-  const auto act = [&](const std::string& path, std::vector<std::string> parameters, Body body,
-                       Lane lane, std::function<Response(const Request&)> answer) {
-    Route route = posted(explorer, path, std::move(parameters), body,
-                         [&explorer, answer = std::move(answer)](const Request& request) {
-                           require_writing(explorer);
-                           return answer(request);
-                         });
-    route.action = Action::changes;
-    route.lane = always(lane);
-    router.add(std::move(route));
-  };
-  act("api/search", {}, Body::json, Lane::quick, [&explorer](const Request& request) {
-    return json_response(fmt::format("{{\"id\":{}}}\n", explorer.jobs->start(order_of(request))));
-  });
-  act("api/search/stop", {"id"}, Body::none, Lane::quick, [&explorer](const Request& request) {
-    explorer.jobs->stop(needed_number(request, "id"));
-    return json_response("{}\n");
-  });
-  act("api/search/keep", {"id"}, Body::none, Lane::slow, [&explorer](const Request& request) {
-    return json_response(kept_json(explorer.jobs->keep(needed_number(request, "id"))));
-  });
-  act("api/catalog/add", {"v", "k", "change", "kind", "strength"}, Body::any, Lane::slow,
+  router.add(changing(
+      explorer, "api/search", {}, Body::json, Lane::quick, [&explorer](const Request& request) {
+        return json_response(
+            fmt::format("{{\"id\":{}}}\n", explorer.jobs->start(order_of(request))));
+      }));
+  router.add(changing(explorer, "api/search/stop", {"id"}, Body::none, Lane::quick,
+                      [&explorer](const Request& request) {
+                        explorer.jobs->stop(needed_number(request, "id"));
+                        return json_response("{}\n");
+                      }));
+  router.add(changing(explorer, "api/search/keep", {"id"}, Body::none, Lane::slow,
+                      [&explorer](const Request& request) {
+                        return json_response(
+                            kept_json(explorer.jobs->keep(needed_number(request, "id"))));
+                      }));
+  router.add(changing(
+      explorer, "api/catalog/add", {"v", "k", "change", "kind", "strength"}, Body::any, Lane::slow,
       [&explorer](const Request& request) {
         return json_response(kept_json(keep_in_catalog(
             explorer.catalog, read_design(input_from_text(request.body), reading_of(request)))));
-      });
+      }));
 }
 
 }  // namespace changeover::serve

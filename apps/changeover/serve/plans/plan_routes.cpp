@@ -95,22 +95,13 @@ void add_plans(Router& router, Explorer& explorer) {
   router.add(posted(explorer, "api/plan/read", {}, Body::json, [](const Request& request) {
     return json_response(read_job_json(request.body));
   }));
-  const auto changes = [&](const std::string& path, std::vector<std::string> parameters, Body body,
-                           std::function<Response(const Request&)> answer) {
-    Route route = posted(explorer, path, std::move(parameters), body,
-                         [&explorer, answer = std::move(answer)](const Request& request) {
-                           require_writing(explorer);
-                           return answer(request);
-                         });
-    route.action = Action::changes;
-    router.add(std::move(route));
-  };
-  changes("api/plan/start", {}, Body::json,
-          [&explorer](const Request& request) { return start(explorer, request); });
-  changes("api/plan/stop", {"id"}, Body::none, [&explorer](const Request& request) {
-    explorer.plans->stop(needed_number(request, "id"));
-    return json_response("{}\n");
-  });
+  router.add(changing(explorer, "api/plan/start", {}, Body::json, Lane::slow,
+                      [&explorer](const Request& request) { return start(explorer, request); }));
+  router.add(changing(explorer, "api/plan/stop", {"id"}, Body::none, Lane::slow,
+                      [&explorer](const Request& request) {
+                        explorer.plans->stop(needed_number(request, "id"));
+                        return json_response("{}\n");
+                      }));
   router.add(question(explorer, "api/plan/job", {"id"}, Again::made_anew,
                       [&explorer](const Request& request) {
                         return explorer.plans->answer(needed_number(request, "id"));
@@ -123,14 +114,16 @@ void add_plans(Router& router, Explorer& explorer) {
         const auto id = request.parameter("id");
         return json_response(id ? explorer.runs->json(*id) : explorer.runs->list_json());
       }));
-  changes("api/run", {}, Body::json,
-          [&explorer](const Request& request) { return keep_run(explorer, request); });
-  changes("api/run/result", {"id"}, Body::json,
-          [&explorer](const Request& request) { return add_result(explorer, request); });
-  changes("api/run/remove", {"id"}, Body::none, [&explorer](const Request& request) {
-    explorer.runs->remove(request.parameter("id").value_or(""));
-    return json_response("{}\n");
-  });
+  router.add(changing(explorer, "api/run", {}, Body::json, Lane::slow,
+                      [&explorer](const Request& request) { return keep_run(explorer, request); }));
+  router.add(
+      changing(explorer, "api/run/result", {"id"}, Body::json, Lane::slow,
+               [&explorer](const Request& request) { return add_result(explorer, request); }));
+  router.add(changing(explorer, "api/run/remove", {"id"}, Body::none, Lane::slow,
+                      [&explorer](const Request& request) {
+                        explorer.runs->remove(request.parameter("id").value_or(""));
+                        return json_response("{}\n");
+                      }));
 }
 
 }  // namespace changeover::serve

@@ -142,15 +142,21 @@ const nlohmann::json* JsonBody::find(const std::string& name) {
   return found == object_->end() || found->is_null() ? nullptr : &*found;
 }
 
-std::optional<std::uint64_t> JsonBody::number(const std::string& name) {
+template <typename Value, typename Fits>
+std::optional<Value> JsonBody::read(const std::string& name, std::string_view what, Fits&& fits) {
   const nlohmann::json* const value = find(name);
   if (value == nullptr) {
     return std::nullopt;
   }
-  if (!value->is_number_unsigned()) {
-    refuse_type(name, "a whole number");
+  if (!fits(*value)) {
+    refuse_type(name, what);
   }
-  return value->get<std::uint64_t>();
+  return value->get<Value>();
+}
+
+std::optional<std::uint64_t> JsonBody::number(const std::string& name) {
+  return read<std::uint64_t>(name, "a whole number",
+                             [](const auto& value) { return value.is_number_unsigned(); });
 }
 
 std::uint64_t JsonBody::needed_number(const std::string& name) {
@@ -176,36 +182,18 @@ std::optional<std::string> JsonBody::decimal(const std::string& name) {
 }
 
 std::optional<double> JsonBody::seconds(const std::string& name) {
-  const nlohmann::json* const value = find(name);
-  if (value == nullptr) {
-    return std::nullopt;
-  }
-  if (!value->is_number() || !std::isfinite(value->get<double>()) || value->get<double>() < 0) {
-    refuse_type(name, "a number of seconds");
-  }
-  return value->get<double>();
+  return read<double>(name, "a number of seconds", [](const auto& value) {
+    return value.is_number() && std::isfinite(value.template get<double>()) &&
+           value.template get<double>() >= 0;
+  });
 }
 
 std::optional<bool> JsonBody::boolean(const std::string& name) {
-  const nlohmann::json* const value = find(name);
-  if (value == nullptr) {
-    return std::nullopt;
-  }
-  if (!value->is_boolean()) {
-    refuse_type(name, "true or false");
-  }
-  return value->get<bool>();
+  return read<bool>(name, "true or false", [](const auto& value) { return value.is_boolean(); });
 }
 
 std::optional<std::string> JsonBody::text(const std::string& name) {
-  const nlohmann::json* const value = find(name);
-  if (value == nullptr) {
-    return std::nullopt;
-  }
-  if (!value->is_string()) {
-    refuse_type(name, "a string");
-  }
-  return value->get<std::string>();
+  return read<std::string>(name, "a string", [](const auto& value) { return value.is_string(); });
 }
 
 void JsonBody::finish() const {

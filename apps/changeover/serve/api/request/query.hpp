@@ -77,6 +77,9 @@ class JsonBody {
   void finish() const;
 
  private:
+  template <typename Value, typename Fits>
+  std::optional<Value> read(const std::string& name, std::string_view what, Fits&& fits);
+
   std::unique_ptr<nlohmann::json> object_;
   std::set<std::string> asked_;
 };
