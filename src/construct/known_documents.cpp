@@ -42,9 +42,7 @@ void write_reported(JsonWriter& json, const KnownBounds& known) {
 }
 
 void begin_known(JsonWriter& json, const KnownBounds& known) {
-  const Parameters& p = known.parameters;
-  json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
-  json.key("kind").value(to_string(p.kind)).key("strength").value(std::uint64_t{p.strength});
+  json.begin_object().cell(known.parameters).key("strength").value(known.parameters.strength);
   json.key("lower_bound");
   known.impossible ? json.null() : json.value(known.bounds.front().blocks);
   json.key("reason").value(known.impossible ? *known.impossible : known.bounds.front().reason);
@@ -72,18 +70,14 @@ std::string table_json(const Cells& cells, CellKeys keys) {
   JsonWriter json;
   json.begin_array();
   for (const KnownCell* cell : cells) {
-    const Parameters& p = cell->parameters;
-    json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
-    json.key("kind").value(to_string(p.kind)).key("b");
+    json.begin_object().cell(cell->parameters).key("b");
     cell->best ? json.value(cell->best->b) : json.null();
     json.key("lower_bound");
     cell->impossible ? json.null() : json.value(cell->bound.blocks);
     json.key("status").value(cell->status()).key("construction");
     cell->best ? json.value(cell->best->recipe.construction) : json.null();
     if (keys == CellKeys::with_label) {
-      const std::string label = cell->best ? label_of(*cell->best) : "";
-      json.key("label");
-      label.empty() ? json.null() : json.value(label);
+      json.key("label").value_or_null(cell->best ? label_of(*cell->best) : "");
     }
     if (keys == CellKeys::with_reason) {
       json.key("reason").value(cell->impossible ? *cell->impossible : cell->bound.reason);
@@ -117,11 +111,7 @@ namespace {
 
 void add_node(const RecipeNode& node, const Recipe& recipe, JsonWriter& json,
               const WriteVerdict& verdict) {
-  json.begin_object();
-  json.key("construction").value(node.construction->name());
-  json.key("v").value(node.parameters.v).key("k").value(node.parameters.k);
-  json.key("change").value(node.parameters.change);
-  json.key("kind").value(to_string(node.parameters.kind));
+  json.begin_object().key("construction").value(node.construction->name()).cell(node.parameters);
   json.key("explanation").value(node.explanation).key("citation").value(node.citation);
   json.key("b").value(node.b.value_or(0));
   if (verdict) {

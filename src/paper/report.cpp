@@ -227,7 +227,7 @@ std::string render_json(const PaperReport& report) {
     json.key("status").value(to_string(item.status));
     json.key("checked").value(item.checked).key("unit").value(item.unit);
     json.key("follows");
-    item.follows.empty() ? json.null() : json.value(item.follows);
+    json.value_or_null(item.follows);
     json.key("findings").begin_array();
     for (const PaperFinding& finding : item.findings) {
       json.begin_object().key("printed").value(finding.printed).key("truth").value(finding.truth);

@@ -97,7 +97,7 @@ std::string features_json(const Features& features) {
   JsonWriter json;
   json.begin_object().key("version").value(version).key("compiler").value(features.compiler);
   json.key("build_type").value(features.build_type).key("sanitizers");
-  features.sanitizers.empty() ? json.null() : json.value(features.sanitizers);
+  json.value_or_null(features.sanitizers);
   json.key("mpi").value(features.mpi).key("libraries").begin_object();
   for (const auto& [name, number] : features.libraries) {
     json.key(name).value(number);
@@ -105,8 +105,7 @@ std::string features_json(const Features& features) {
   json.end_object().key("catalog").begin_object().key("designs").value(features.designs);
   json.key("shape").value(features.catalog_shape).end_object();
   json.key("explorer").value(features.explorer).key("rsvg_convert");
-  features.rsvg_convert.empty() ? json.null() : json.value(features.rsvg_convert);
-  return json.end_object().take() + "\n";
+  return json.value_or_null(features.rsvg_convert).end_object().take() + "\n";
 }
 
 }  // namespace changeover::cli

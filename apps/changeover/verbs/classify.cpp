@@ -164,11 +164,9 @@ std::string text(const Classified& answer) {
 }
 
 std::string json(const Classified& answer) {
-  const Parameters& p = answer.parameters;
   const Classification& found = answer.found;
   JsonWriter json;
-  json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
-  json.key("kind").value(to_string(p.kind)).key("b").value(answer.b);
+  json.begin_object().cell(answer.parameters).key("b").value(answer.b);
   json.key("reversal").value(answer.reversal);
   json.key("complete").value(answer.complete()).key("stopped").value(to_string(found.why_stopped));
   json.key("reason").value(answer.impossible);

@@ -100,22 +100,22 @@ JsonWriter& JsonWriter::raw(std::string_view json) {
   return *this;
 }
 
+JsonWriter& JsonWriter::cell(const Parameters& p) {
+  key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
+  return key("kind").value(to_string(p.kind));
+}
+
+JsonWriter& JsonWriter::parameters(const Parameters& p) {
+  cell(p);
+  return p.strength == 2 ? *this : key("strength").value(p.strength);
+}
+
 std::string JsonWriter::take() { return std::exchange(text_, std::string()); }
 
 namespace {
 
-// v, k, change, kind and, if it is not 2 or `always`, strength.
-void write_parameters(JsonWriter& json, const Parameters& p, bool always = false) {
-  json.key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
-  json.key("kind").value(to_string(p.kind));
-  if (always || p.strength != 2) {
-    json.key("strength").value(p.strength);
-  }
-}
-
 void write_recipe(JsonWriter& json, const Recipe& recipe) {
-  json.begin_object().key("construction").value(recipe.construction);
-  write_parameters(json, recipe.parameters);
+  json.begin_object().key("construction").value(recipe.construction).parameters(recipe.parameters);
   json.key("arguments").begin_object();
   for (const auto& [name, value] : recipe.arguments) {
     json.key(name).value(value);
@@ -159,8 +159,7 @@ std::uint64_t write_json(BlockSource& source, Sink& sink, const TextHeader& head
   const std::vector<std::string> numbers_only;
   ElementText text(sink, p.v, numbers_only, ',');
   JsonWriter json;
-  json.begin_object().key("format").value("changeover-design/1");
-  write_parameters(json, p);
+  json.begin_object().key("format").value("changeover-design/1").parameters(p);
   json.key("blocks").begin_array();
   text.put(json.take());
   std::uint64_t blocks = 0;
@@ -204,8 +203,7 @@ std::string verdict_to_json(const DesignVerdict& verdict) {
 
 std::string verdict_to_json(const Verdict& verdict, const std::vector<std::string>& labels) {
   JsonWriter json;
-  json.begin_object();
-  write_parameters(json, verdict.parameters, true);
+  json.begin_object().cell(verdict.parameters).key("strength").value(verdict.parameters.strength);
   json.key("valid").value(verdict.valid()).key("tight").value(verdict.tight());
   json.key("economical").value(verdict.economical()).key("b").value(verdict.b);
   json.key("counting_bound").value(verdict.counting_bound);
@@ -226,11 +224,7 @@ std::string verdict_to_json(const Verdict& verdict, const std::vector<std::strin
   json.key("excess").value(verdict.excess).key("fixed");
   write_elements(json, verdict.fixed, labels);
   json.key("degree_identity");
-  if (verdict.parameters.strength == 2) {
-    json.value(verdict.degree_identity);
-  } else {
-    json.null();
-  }
+  verdict.parameters.strength == 2 ? json.value(verdict.degree_identity) : json.null();
   json.key("unchanged_subsets").value(verdict.unchanged_subsets).key("never_unchanged");
   write_elements(json, verdict.never_unchanged, labels);
   json.key("elements").begin_array();

@@ -17,6 +17,8 @@
 #include <string_view>
 #include <vector>
 
+#include "changeover/core/parameters.hpp"
+
 namespace changeover {
 
 /// Appends `text` to `out` as a JSON string with its quotes.
@@ -50,6 +52,14 @@ class JsonWriter {
   JsonWriter& value(const std::optional<T>& maybe) {
     return maybe ? value(*maybe) : null();
   }
+
+  /// null for an empty text.
+  JsonWriter& value_or_null(std::string_view text) { return text.empty() ? null() : value(text); }
+
+  /// The keys v, k, change and kind.
+  JsonWriter& cell(const Parameters& p);
+  /// And strength, if it is not 2.
+  JsonWriter& parameters(const Parameters& p);
 
   /// An array of the members of a range: numbers, strings, truth values or ranges of them.
   template <std::ranges::input_range Range>

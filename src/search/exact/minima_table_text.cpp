@@ -274,9 +274,7 @@ std::string minima_json(const std::vector<MinimaRow>& rows) {
   JsonWriter json;
   json.begin_object().key("minima").begin_array();
   for (const MinimaRow& row : rows) {
-    const Parameters& p = row.parameters;
-    json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
-    json.key("kind").value(to_string(p.kind)).key("strength").value(std::uint64_t{p.strength});
+    json.begin_object().cell(row.parameters).key("strength").value(row.parameters.strength);
     json.key("settled").value(row.settled()).key("bound_on_paper").value(row.start);
     json.key("lower_bound").value(row.lower).key("upper_bound").value(row.upper);
     json.key("design_by").value(row.by).key("seconds").value(row.seconds);

@@ -63,13 +63,7 @@ std::string misc(const std::string& key, const std::string& author, const std::s
 }  // namespace
 
 void write_entry(JsonWriter& json, const CatalogEntry& entry) {
-  const Parameters& p = entry.parameters;
-  json.begin_object().key("label").value(entry.label());
-  json.key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
-  json.key("kind").value(to_string(p.kind));
-  if (p.strength != 2) {
-    json.key("strength").value(std::uint64_t{p.strength});
-  }
+  json.begin_object().key("label").value(entry.label()).parameters(entry.parameters);
   json.key("b").value(entry.b).key("lower_bound").value(entry.lower_bound);
   json.key("reason").value(entry.reason).key("status").value(entry.status());
   json.key("construction").value(entry.recipe.construction);

@@ -127,16 +127,12 @@ Dossier dossier_of(ChosenDesign chosen, const std::optional<CatalogEntry>& entry
 std::string dossier_json(const Dossier& dossier) {
   const Parameters& p = dossier.parameters;
   JsonWriter json;
-  json.begin_object().key("format").value("changeover-dossier/1");
-  json.key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
-  json.key("kind").value(to_string(p.kind)).key("strength").value(std::uint64_t{p.strength});
+  json.begin_object().key("format").value("changeover-dossier/1").cell(p);
+  json.key("strength").value(p.strength);
   json.key("b").value(dossier.b).key("statement").value(dossier.statement);
   json.key("quality").value(dossier.quality).key("verified").value(dossier.certificate);
-  json.key("status").value(dossier.known.status());
-  json.key("label");
-  dossier.label.empty() ? json.null() : json.value(dossier.label);
-  json.key("credit");
-  dossier.credit.empty() ? json.null() : json.value(dossier.credit);
+  json.key("status").value(dossier.known.status()).key("label").value_or_null(dossier.label);
+  json.key("credit").value_or_null(dossier.credit);
   json.key("hash").value(to_hex(dossier.checksum)).key("bounds").begin_array();
   for (const Bound& bound : dossier.known.bounds) {
     json.begin_object().key("lower_bound").value(bound.blocks).key("name").value(bound.name);

@@ -77,12 +77,7 @@ std::map<std::string_view, Parameters> examples_of_constructions() {
 
 void write_example(JsonWriter& json, const std::optional<Parameters>& p) {
   json.key("example");
-  if (!p) {
-    json.null();
-    return;
-  }
-  json.begin_object().key("v").value(p->v).key("k").value(p->k).key("change").value(p->change);
-  json.key("kind").value(to_string(p->kind)).end_object();
+  p ? json.begin_object().cell(*p).end_object() : json.null();
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ std::string atlas_json(const AtlasQuestion& asked, const Cells& cells) {
   });
   write_column(json, "label", cells, [&](const KnownCell& cell) {
     const std::string label = cell.best ? label_of(*cell.best) : "";
-    label.empty() ? json.null() : json.value(label.substr(label.rfind('.') + 1));
+    json.value_or_null(label.substr(label.rfind('.') + 1));
   });
   return json.end_object().take();
 }

@@ -38,8 +38,7 @@ void write_best(JsonWriter& json, const KnownBounds& known) {
   }
   const Offer& offer = *known.best;
   const std::string label = label_of(offer);
-  json.begin_object().key("b").value(offer.b).key("label");
-  label.empty() ? json.null() : json.value(label);
+  json.begin_object().key("b").value(offer.b).key("label").value_or_null(label);
   json.key("status").value(known.status());
   json.key("construction").value(offer.recipe.construction);
   json.key("recipe").raw(recipe_to_json(offer.recipe)).end_object();
@@ -130,9 +129,7 @@ std::string cell_json(const Catalog& catalog, const Parameters& p, Offers how) {
   }
   json.end_array();
   write_classified(json, known);
-  json.key("impossible");
-  known.impossible ? json.value(*known.impossible) : json.null();
-  return json.end_object().take();
+  return json.key("impossible").value(known.impossible).end_object().take();
 }
 
 void add_cells(Router& router, Explorer& explorer) {

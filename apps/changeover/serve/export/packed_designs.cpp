@@ -96,11 +96,7 @@ void PackedDesigns::add(const std::string& label, const Design& design,
   const Parameters& p = design.parameters();
   JsonWriter json;
   json.begin_object().key("label").value(label).key("format").value("changeover-design/1");
-  json.key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
-  json.key("kind").value(to_string(p.kind));
-  if (p.strength != 2) {
-    json.key("strength").value(std::uint64_t{p.strength});
-  }
+  json.parameters(p);
   if (!design.labels().empty()) {
     json.key("labels").value(design.labels());
   }

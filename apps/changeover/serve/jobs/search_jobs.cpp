@@ -139,9 +139,8 @@ void SearchJobs::Job::end_deciding(const Decision& decision) {
 void SearchJobs::Job::write(JsonWriter& json, bool with_points) const {
   const std::scoped_lock lock(mutex);
   const Parameters& p = order.parameters;
-  json.begin_object().key("id").value(id).key("v").value(p.v).key("k").value(p.k);
-  json.key("change").value(p.change).key("kind").value(to_string(p.kind));
-  json.key("strength").value(std::uint64_t{p.strength}).key("way").value(to_string(order.way));
+  json.begin_object().key("id").value(id).cell(p).key("strength").value(p.strength);
+  json.key("way").value(to_string(order.way));
   json.key("state").value(state).key("best").value(best).key("lower_bound").value(lower_bound);
   json.key("start_best").value(start_best).key("seconds").value(seconds);
   json.key("limit").value(order.seconds).key("threads").value(order.threads);

@@ -95,9 +95,7 @@ void write_json(JsonWriter& json, const Arrival& arrival) {
   }
   json.key("gains").begin_array();
   for (const Gain& gain : arrival.gains) {
-    const Parameters& p = gain.parameters;
-    json.begin_object().key("rule").value(gain.rule).key("v").value(p.v).key("k").value(p.k);
-    json.key("change").value(p.change).key("kind").value(to_string(p.kind)).key("b").value(gain.b);
+    json.begin_object().key("rule").value(gain.rule).cell(gain.parameters).key("b").value(gain.b);
     if (gain.before) {
       json.key("before").value(*gain.before);
     }

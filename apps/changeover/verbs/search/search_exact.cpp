@@ -212,9 +212,7 @@ std::string to_json(const MinimumResult& result, const std::optional<SearchFind>
                     bool settled) {
   const Parameters& p = result.parameters;
   JsonWriter json;
-  json.begin_object();
-  json.key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
-  json.key("kind").value(to_string(p.kind)).key("strength").value(std::uint64_t{p.strength});
+  json.begin_object().cell(p).key("strength").value(p.strength);
   if (result.impossible) {
     json.key("impossible").value(*result.impossible);
   } else if (settled) {
