@@ -189,14 +189,6 @@ TEST(ModelUsage, WhatMeansNothingIsRefused) {
        {plan + " --objective makespan", 2, "--objective makespan is for several benches"},
        {plan + " --strength 4", 2, "--strength 4: give 2, for pairs, or 3, for triples"},
        {plan + " --strength 3", 0, "needed triples tested"},
-       {"$changeover plan --items 5 -k 2 --test-cost 1 --change-cost 1 --objective tests", 2,
-        "--objective is for --benches or --model"},
-       {"$changeover plan --items 5 -k 2 --benches 2 --test-cost 1 --change-cost 1 --objective tests",
-        2, "--objective tests is for a model"},
-       {"$changeover plan --model m.txt --change-cost 1", 2,
-        "give --test-cost X, what it costs to run one test; or --objective tests"},
-       {"$changeover plan --model m.txt --test-cost 1", 2,
-        "give --change-cost Y, what it costs to set a value"},
        {"$changeover plan --model missing.txt --objective tests", 4, "missing.txt"},
        {"$changeover plan --model sub.txt --objective tests", 3,
         "sub.txt:4:1: sub-models are not supported"},
@@ -238,8 +230,7 @@ TEST(ModelUsage, AsADocument) {
   EXPECT_EQ(plan.at("tests_done"), 1);
   spit(folder.file("bad.json"), "{\"model\":[\"OS: a\"],\"objective\":\"tests\"}");
   expect(
-      {{"$changeover plan --request bad.json", 3, "model: write a string, or {\"file\":"},
-       {"printf %s '{\"model\":\"A: a\\nB b\",\"objective\":\"tests\"}' | $changeover plan --request -",
+      {{"printf %s '{\"model\":\"A: a\\nB b\",\"objective\":\"tests\"}' | $changeover plan --request -",
         2, "model:2:1: 'B b' is not a parameter"}},
       folder);
 }

@@ -18,23 +18,16 @@ TEST(Serve, SaysWhatIsWrong) {
   spit(folder.file("pages/index.html"), "<html><head></head></html>");
   std::filesystem::create_directory(folder.path() / "full");
   spit(folder.file("full/mine"), "mine");
-  expect({{"$changeover serve --port 65536", 2, "--port 65536: give 0 to 65535"},
-          {"$changeover serve --port x", 2, "--port"},
-          {"$changeover serve --threads 0", 2, "--threads 0: give 1 to 256"},
+  expect({{"$changeover serve --port x", 2, "--port"},
           {"$changeover serve --host 203.0.113.7", 4, "cannot listen on 203.0.113.7:0"},
-          {"$changeover serve --host no.such.name.invalid", 4, "--host no.such.name.invalid"},
           {"$changeover serve missing.txt", 4, "missing.txt"},
           {"$changeover serve good.txt bad.txt", 3, "bad.txt:2:"},
           {"$changeover serve --assets missing", 4, "--assets missing: there is no such folder"},
-          {"$changeover serve --k 3..4", 2, "is for --export; give both"},
           {"$changeover serve --export x --port 80", 2, "has no meaning with --export"},
-          {"$changeover serve good.txt --export x", 2, "FILE has no meaning with --export"},
           {"$changeover serve --assets pages --export x --k 4..3", 2, "the range is empty"},
           {"$changeover serve --assets pages --export x --v 5..5000", 2, "v = 1000"},
-          {"$changeover serve --assets pages --export full", 4, "holds other things"},
           {"mkdir here && cd here && $changeover serve --assets ../pages --export .", 4,
            "--export .: you are in this folder"},
-          {"$changeover serve --assets pages --export full/mine", 4, "it is no folder"},
           {"$changeover serve --assets pages --export none/such/x", 4, "cannot make a folder"},
           {"$changeover serve --assets full --export x", 4, "without pages"},
           {"$changeover serve --help", 0, "--no-write"}},
@@ -85,7 +78,6 @@ TEST(Serve, ExportsWhatItWouldAnswer) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "site" / "sitemap.xml"));
   expect({{site + " --address example.org", 2, "write where the site will be"},
           {site + " --address 'https://example.org/?a'", 2, "write where the site will be"},
-          {"$changeover serve --address https://example.org", 2, "is for --export"},
           {site + " --address https://example.org/designs", 0, "designs"}},
          folder);
   EXPECT_NE(slurp(folder.file("site/robots.txt"))
