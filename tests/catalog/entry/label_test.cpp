@@ -59,13 +59,13 @@ TEST(Label, IsNothingElse) {
                                  "20.5.6.linear",
                                  "20.2.1.linear.t3",
                                  "20,5,2,linear",
-                                 "99999999999999999999.5.2.linear",
                                  "4294967296.5.2.linear",
                                  "-1.5.2.linear",
                                  "20.5.2.linear\n",
                                  "1e3.5.2.linear"}) {
     EXPECT_FALSE(parse_cell_label(text)) << text;
   }
+  EXPECT_FALSE(parse_cell_label("99999999999999999999.5.2.linear"));
   EXPECT_TRUE(parse_cell_label("20.5.2.linear"));
   for (const char* const text :
        {"20.5.2.linear.39", "20.5.2.linear.39.", "20.5.2.linear.39.3fa9c1d",

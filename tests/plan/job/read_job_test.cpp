@@ -219,14 +219,14 @@ TEST(ReadJob, AnyMutantIsReadOrRefusedWithOneLine) {
                                         "=",
                                         "#",
                                         "-1",
-                                        "18446744073709551616",
                                         "1e308",
                                         "\xff",
                                         "\xe2\x80\xae",
-                                        std::string(1, '\0'),
                                         "set_up",
                                         "slot_1",
                                         "Motor",
+                                        "18446744073709551616",
+                                        std::string(1, '\0'),
                                         std::string(300, 'x')};
   Random random(7);
   std::uint64_t refused = 0;
