@@ -115,7 +115,7 @@ TEST(Refusals, SayWhyASetDoesNotServe) {
 TEST(Refusals, SayWhyACoverDoesNotServe) {
   const Design design = cyclic();
   UnchangedCover none;
-  EXPECT_EQ(cover_defect(design, none, 2), "0 subsets: 2 new elements take at least 1 positions");
+  EXPECT_EQ(cover_defect(design, none, 2), "0 subsets: 2 new elements take at least 1 position");
   UnchangedCover cover = *find_cover(design, {.new_elements = 1});
   cover.beside.assign(cover.subsets.size(), {});
   EXPECT_EQ(cover_defect(design, cover, 1),

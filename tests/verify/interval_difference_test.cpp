@@ -318,7 +318,7 @@ TEST(IntervalDevelopedSource, RefusesWhatHasNoShape) {
   EXPECT_THROW(IntervalDevelopedSource(p, 0, 2, 0, nothing), BadInput);
   EXPECT_THROW(IntervalDevelopedSource(p, 0, 2, ~std::uint64_t{0}, nothing), ImpossibleParameters);
   EXPECT_REFUSAL(IntervalDevelopedSource({p, 0, 2, {2}}), BadInput,
-                 "1 points cannot be shared out among base blocks: each takes 2");
+                 "1 point cannot be shared out among base blocks: each takes 2");
   EXPECT_REFUSAL(IntervalDevelopedSource({p, 0, 4, {2}}), BadInput,
                  "an interval of 4 elements leaves no point in a block of k = 4");
   EXPECT_REFUSAL((void)(IntervalBaseBlocks{p, 0, 4, {2}}.written_out()), BadInput,

@@ -87,7 +87,7 @@ TEST(FiguresTest, WhatDoesNotFitIsRefused) {
             }),
             "{0,4} is no edge of K_4");
   EXPECT_EQ(message_of([] { (void)draw_factors(FactorFigure{.order = 4, .names = {"a"}}); }),
-            "1 names for 4 points; give one each");
+            "1 name for 4 points; give one each");
   EXPECT_EQ(message_of([] { (void)draw_circle(CircleFigure{.v = 1001}); }),
             "v = 1001: a picture has 1 to 1000 points");
   EXPECT_NE(message_of([] { (void)draw_circle(CircleFigure{.v = 3, .blocks = {{{3}, {}}}}); }), "");

@@ -149,7 +149,7 @@ TEST(JsonTest, EachFaultHasItsLineColumnAndRemedy) {
       {"{\"labels\":[\"\"]}", "f:1:12: an element has an empty name; name it"},
       {"{\"labels\":[[]]}", "f:1:12: expected a label in quotes, found an array; correct it"},
       {"{\"v\":3,\"labels\":[\"a\"],\"blocks\":[[0,1]]}",
-       "f:1:17: 1 labels for v = 3 elements; give one each"},
+       "f:1:17: 1 label for v = 3 elements; give one each"},
       {"{\"labels\":[\"a\",\"b\"],\"blocks\":[[\"a\",\"c\"]]}",
        "f:1:36: element 'c' is not in the list of labels; correct one of them"},
       {"{\"v\":2,\"blocks\":[[\"a\",\"b\"],\n[\"a\",\"c\"]]}",
