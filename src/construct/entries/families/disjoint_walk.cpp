@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <map>
 #include <mutex>
 #include <numeric>
@@ -33,7 +32,8 @@ class Walk {
         k_(static_cast<std::size_t>(p.k)),
         covered_(p.v),
         words_(ceil_div(p.v, 64)),
-        missing_(v_ * words_, 0) {
+        missing_(v_ * words_, 0),
+        left_of_(v_, v_ - 1) {
     for (std::size_t x = 0; x < v_; ++x) {
       for (std::size_t y = 0; y < v_; ++y) {
         missing_[x * words_ + y / 64] |= x == y ? 0 : std::uint64_t{1} << (y % 64);
@@ -46,7 +46,7 @@ class Walk {
     std::iota(first.begin(), first.end(), 0U);
     visit(first);
     while (left_ > 0) {
-      Block block = best(outside(blocks_.back(), {}));
+      Block block = best(outside(blocks_.back(), {}), blocks_.back());
       if (block.empty()) {
         // The uncovered pair stays free while one step is made; then it is outside.
         Block pair;
@@ -76,6 +76,11 @@ class Walk {
 
   void meet(Element x, Element y) {
     missing_[x * words_ + y / 64] &= ~(std::uint64_t{1} << (y % 64));
+    --left_of_[x];
+  }
+
+  [[nodiscard]] std::uint64_t is_missing(Element x, Element y) const {
+    return missing_[x * words_ + y / 64] >> (y % 64) & 1;
   }
 
   [[nodiscard]] Block outside(const Block& block, const Block& also) const {
@@ -95,19 +100,17 @@ class Walk {
     return rest;
   }
 
-  // k elements of `from`, each the one with most uncovered pairs among those before it, the first
-  // the one with most among all; empty if no pair is uncovered there.
-  [[nodiscard]] Block best(const Block& from) const {
-    std::vector<std::uint64_t> among(words_, 0);
-    for (const Element y : from) {
-      among[y / 64] |= std::uint64_t{1} << (y % 64);
-    }
-    std::vector<std::uint64_t> gain(from.size(), 0);
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      for (std::size_t word = 0; word < words_; ++word) {
-        gain[i] += static_cast<std::uint64_t>(
-            std::popcount(missing_[from[i] * words_ + word] & among[word]));
+  // k elements of `from`, all but those of `without`, each the one with most uncovered pairs among
+  // those before it, the first the one with most among all; empty if no pair is uncovered there.
+  [[nodiscard]] Block best(const Block& from, const Block& without) const {
+    std::vector<std::uint64_t> gain;
+    gain.reserve(from.size());
+    for (const Element x : from) {
+      std::uint64_t open = left_of_[x];
+      for (const Element y : without) {
+        open -= is_missing(x, y);
       }
+      gain.push_back(open);
     }
     const auto next = std::max_element(gain.begin(), gain.end());
     if (*next == 0) {
@@ -128,7 +131,7 @@ class Walk {
         if (used[i]) {
           continue;
         }
-        gain[i] += covered_.contains(from[i], block.back()) ? 0U : 1U;
+        gain[i] += is_missing(from[i], block.back());
         if (most == from.size() || gain[i] > gain[most]) {
           most = i;
         }
@@ -143,6 +146,7 @@ class Walk {
   PairSet covered_;
   std::size_t words_;
   std::vector<std::uint64_t> missing_;  // a row of bits for each x: the y that it has not met
+  std::vector<std::uint64_t> left_of_;  // how many these are
   std::uint64_t left_ = binomial(p_.v, 2);
   std::vector<Block> blocks_;
 };
