@@ -2,8 +2,7 @@
 // builds the explorer too.
 //
 //     node build.mjs            write dist/
-//     node build.mjs --check    compare dist/ with what the sources make; exit code 1 if they
-// differ
+//     node build.mjs --check    compare dist/ with the sources; exit code 1 if they differ
 //     node build.mjs --watch    write dist/ whenever a source changes (for work on pages)
 //
 // dist/sources.sha256 has the checksum of each source: it tells without Node whether dist/ is of

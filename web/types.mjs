@@ -2,8 +2,7 @@
 // docs/schema; and references.json: the works that are cited, from docs/references.bib.
 //
 //     node types.mjs            write them
-//     node types.mjs --check    compare; exit code 1 if the schemas or the bibliography say
-// something else
+//     node types.mjs --check    compare; exit code 1 if the schemas or the bibliography differ
 import { readdir, readFile, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';

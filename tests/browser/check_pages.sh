@@ -18,7 +18,7 @@ there=$({
     types.mjs
 } | sort)
 [[ $listed == "$there" ]] || {
-  other=$(comm -3 <(printf '%s\n' "$listed") <(printf '%s\n' "$there") | tr -d '\t' | head -1)
+  other=$(comm -3 <(printf '%s\n' "$listed") <(printf '%s\n' "$there") | tr -d '\t' | sed -n 1p)
   fail "$other is new or gone"
 }
 for page in index.html assets/app.js assets/style.css; do

@@ -21,7 +21,7 @@ tools=$scratch/tools
 mkdir "$tools/designs" "$tools/sums" "$tools/best"
 : >"$tools/acknowledged"
 
-# ---------------------------------------------------------------------------- what the verbs work o
+# --------------------------------------------------------------------------- what the verbs work on
 
 # A design under other names of its elements, and as far as it likes beyond its end, so that there
 # is always another one to add.
@@ -54,7 +54,7 @@ if [[ -n $ALL_PAIRS ]]; then
   mv data.dist "$tools/right.dist"
 fi
 
-# ---------------------------------------------------------------------------------------- what hold
+# --------------------------------------------------------------------------------------- what holds
 
 # The last word on each file: its name, and its checksum when nobody was writing to it.
 remember() { # FILE...
@@ -121,7 +121,7 @@ keeps_the_best() {
   printf '%s' "$found" >"$best"
 }
 
-# ----------------------------------------------------------------------------------------- the verb
+# ---------------------------------------------------------------------------------------- the verbs
 # Each kind has words_KIND, which sets `words` (the command) and `files` (what it may change, in the
 # folder of state), and judge_KIND TRIED, which looks at what it left.
 
@@ -303,7 +303,7 @@ visit_server() {
 }
 judge_serve() { :; }
 
-# ------------------------------------------------------------------------------------------ the soa
+# ----------------------------------------------------------------------------------------- the soak
 
 kinds=(search search exact design table plan orders classify minima add add import improve export verify serve)
 [[ -z $ALL_PAIRS ]] || kinds+=(pairs)

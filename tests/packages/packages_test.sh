@@ -64,8 +64,9 @@ make_packages "$work/third" 1700000001 -D CPACK_COMPONENTS_ALL=library
 package=$(basename "$work"/third/libchangeover-loadorder*.deb)
 [[ -f $work/first/$package && -f $work/third/$package ]] ||
   fail "there is no package of the library alone: $package"
-if cmp -s "$work/third/$package" "$work/first/$package"; then fail \
-  "packages of different dates are the same"; fi
+if cmp -s "$work/third/$package" "$work/first/$package"; then
+  fail "packages of different dates are the same"
+fi
 
 # An older version of each, with a file that the new one has no more.
 mkdir "$work/old"

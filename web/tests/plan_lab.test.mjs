@@ -156,7 +156,7 @@ test('a search is seen while it goes on, and the best so far is kept', async () 
   await page.getByText('Cancelled.').waitFor();
 });
 
-test('two windows write into one run, which outlives both; without the token they look', async () => {
+test('two windows write into one run, which outlives both; without the token: look only', async () => {
   const one = await explorer.open('#/plan');
   await planNine(one);
   await press(one, 1);

@@ -523,7 +523,7 @@ export class PlanPage {
     }
   }
 
-  /** On the server once results are written, else in this browser and in the link. */
+  /** Keeps the sheet: on the server once results are written, else in browser and link. */
   private async keepSheet(begin = false): Promise<void> {
     try {
       if (this.writes && (this.run || begin)) {
