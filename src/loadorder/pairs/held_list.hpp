@@ -26,9 +26,9 @@ struct HeldList {
   [[nodiscard]] std::vector<LoadMove> moves(const PairGraph& graph) const;
 };
 
-/// The best of several groupings: the items as they are numbered, by degree, and one after another
-/// as they share most partners with the group, where that takes at most a second or so. O(pairs) for
-/// each but the last. Room ≥ 2. `give_up` ends the last grouping early.
+/// The best of several groupings: by number, by degree, and one after another as items share most
+/// partners with the group, where that takes at most a second or so. O(pairs) for each but the
+/// last. Room ≥ 2. `give_up` ends the last grouping early.
 [[nodiscard]] HeldList held_list(const PairGraph& graph, std::uint64_t room,
                                  const std::function<bool()>& give_up);
 

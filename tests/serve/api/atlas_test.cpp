@@ -1,9 +1,9 @@
 // The atlas says what the table says, and groups are those of the designs.
 
+#include "serve/api/atlas.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"
 #include "changeover/verify/verdict.hpp"
-#include "serve/api/atlas.hpp"
 #include "served.hpp"
 
 namespace changeover::test::atlas_test {
