@@ -78,26 +78,8 @@ def main():
                 runs.append((len(rows), changes(rows)))
             theirs, their_time = min(runs), (time.monotonic() - begun) / len(runs)
             begun = time.monotonic()
-            sheet = subprocess.run(
-                [
-                    ours,
-                    "plan",
-                    "--model",
-                    file,
-                    "--objective",
-                    "tests",
-                    "--time",
-                    f"{seconds}s",
-                    "--threads",
-                    "1",
-                    "--quiet",
-                    "--format",
-                    "csv",
-                ],
-                check=True,
-                capture_output=True,
-                text=True,
-            ).stdout
+            words = ["--time", f"{seconds}s", "--threads", "1", "--format", "csv"]
+            sheet = planned(ours, file, *words)
             our_time = time.monotonic() - begun
             table = list(csv.DictReader(sheet.splitlines()))
             rows = [[row[f"P{i}"] for i in range(len(sizes))] for row in table]
@@ -110,24 +92,13 @@ def main():
             )
 
 
+def planned(ours, file, *words):
+    command = [ours, "plan", "--model", file, "--objective", "tests", "--quiet", *words]
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
 def bound_of(ours, file):
-    answer = subprocess.run(
-        [
-            ours,
-            "plan",
-            "--model",
-            file,
-            "--objective",
-            "tests",
-            "--steps",
-            "1",
-            "--quiet",
-            "--json",
-        ],
-        check=True,
-        capture_output=True,
-        text=True,
-    ).stdout
+    answer = planned(ours, file, "--steps", "1", "--json")
     return json.loads(answer)["lower_bound"]["tests"]
 
 

@@ -77,12 +77,7 @@ def build_sdist(sdist_directory: str, config_settings: dict | None = None) -> st
 def built(folder: pathlib.Path) -> pathlib.Path:
     """The package as CMake makes it, in a build folder."""
     configure = [
-        "cmake",
-        "-S",
-        str(root),
-        "-B",
-        str(folder),
-        f"-DPython_EXECUTABLE={sys.executable}",
+        "cmake", "-S", str(root), "-B", str(folder), f"-DPython_EXECUTABLE={sys.executable}",
     ]
     if not (folder / "CMakeCache.txt").exists():
         configure += ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"]

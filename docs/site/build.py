@@ -33,14 +33,8 @@ mathjax = pathlib.Path("/usr/share/javascript/mathjax")
 # What pages with formulas load: TeX in, SVG out. Glyphs are outlines in scripts, so there are no
 # fonts to fetch.
 mathjax_parts = [
-    "MathJax.js",
-    "config/TeX-AMS_SVG.js",
-    "jax/input/TeX",
-    "jax/output/SVG",
-    "jax/element",
-    "extensions/TeX",
-    "extensions/MathEvents.js",
-    "extensions/tex2jax.js",
+    "MathJax.js", "config/TeX-AMS_SVG.js", "jax/input/TeX", "jax/output/SVG", "jax/element",
+    "extensions/TeX", "extensions/MathEvents.js", "extensions/tex2jax.js",
 ]
 awesome = pathlib.Path("/usr/share/doxygen-awesome-css")
 
@@ -223,6 +217,17 @@ def build_cpp(build: pathlib.Path, scratch: pathlib.Path, out: pathlib.Path) -> 
     )
     run("doxygen", scratch / "Doxyfile")
     settle_anchors(out)
+    style = out / "doxygen.css"
+    style.write_text(settled_style(style.read_text(encoding="utf-8"), out), encoding="utf-8")
+
+
+def settled_style(text: str, folder: pathlib.Path) -> str:
+    """Doxygen's style names pictures of parts that are turned off (1.9.8: the search): without them."""
+    return re.sub(
+        r"url\(\s*(['\"]?)([^'\":)]+)\1\s*\)",
+        lambda match: match.group(0) if (folder / match.group(2)).exists() else "none",
+        text,
+    )
 
 
 def settle_anchors(out: pathlib.Path) -> None:
@@ -316,20 +321,8 @@ def main() -> None:
     stage(scratch / "pages", scratch / "static", build / "changeover")
     shutil.rmtree(out / "_static", ignore_errors=True)
     run(
-        sys.executable,
-        "-m",
-        "sphinx",
-        "-W",
-        "--keep-going",
-        "-n",
-        "-q",
-        "-j",
-        "2",
-        "-b",
-        "html",
-        "-c",
-        here,
-        "-d",
+        sys.executable, "-m", "sphinx", "-W", "--keep-going", "-n", "-q", "-j", "2", "-b", "html",
+        "-c", here, "-d",
         scratch / "doctrees",
         scratch / "pages",
         out,

@@ -26,18 +26,8 @@ nitpick_ignore_regex = [
 nitpick_ignore = [
     ("py:class", name)
     for name in (
-        "Cost",
-        "Part",
-        "Pair",
-        "Parts",
-        "Pairs",
-        "Room",
-        "Done",
-        "Objective",
-        "CostUnit",
-        "Benches",
-        "First",
-        "Model",
+        "Cost", "Part", "Pair", "Parts", "Pairs", "Room", "Done", "Objective", "CostUnit",
+        "Benches", "First", "Model",
     )
 ]
 smartquotes = False
@@ -125,11 +115,7 @@ def mathematics(app, doctree):
         if isinstance(
             text.parent,
             (
-                nodes.literal,
-                nodes.literal_block,
-                nodes.math,
-                nodes.math_block,
-                nodes.comment,
+                nodes.literal, nodes.literal_block, nodes.math, nodes.math_block, nodes.comment,
                 nodes.raw,
             ),
         ):

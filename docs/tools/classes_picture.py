@@ -16,14 +16,7 @@ def cells(program: str, kind: str) -> dict[int, tuple[int, int]]:
     """Blocks, and blocks over the bound, by v."""
     answer = subprocess.run(
         [
-            program,
-            "table",
-            "--k",
-            "5..5",
-            "--v",
-            f"{FIRST}..{LAST}",
-            "--change",
-            "1",
+            program, "table", "--k", "5..5", "--v", f"{FIRST}..{LAST}", "--change", "1",
             "--" + kind,
             "--json",
         ],

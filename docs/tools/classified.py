@@ -34,16 +34,8 @@ def cells(program):
     for change in (1, 2, 3):
         for kind in ("circular", "linear"):
             table = answer(
-                program,
-                "table",
-                "--k",
-                "3..8",
-                "--v",
-                "4..24",
-                "--change",
-                str(change),
-                f"--{kind}",
-                "--json",
+                program, "table", "--k", "3..8", "--v", "4..24", "--change", str(change),
+                f"--{kind}", "--json",
             )
             found += [
                 (c["b"] * c["v"] * c["k"], change, kind, c["k"], c["v"], c["b"])
@@ -69,20 +61,8 @@ def main():
         if late.get((change, kind, k), 0) >= GIVE_UP_AFTER:
             continue
         counted = answer(
-            program,
-            "classify",
-            str(v),
-            str(k),
-            str(b),
-            "--change",
-            str(change),
-            f"--{kind}",
-            "--json",
-            "--quiet",
-            "--time",
-            f"{SECONDS}s",
-            "--threads",
-            "1",
+            program, "classify", str(v), str(k), str(b), "--change", str(change), f"--{kind}",
+            "--json", "--quiet", "--time", f"{SECONDS}s", "--threads", "1",
         )
         if counted.get("complete"):
             rows.append(((change, kind, k, v), row(counted)))

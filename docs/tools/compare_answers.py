@@ -63,19 +63,9 @@ class Questions:
         count = draw.randint(4, 11)
         names = draw.sample(
             [
-                "camera",
-                "lens a",
-                "lens,b",
-                "SSD 1",
-                "GPU-A",
-                "Käfer",
-                "日本",
+                "camera", "lens a", "lens,b", "SSD 1", "GPU-A", "Käfer", "日本",
                 "P\"7",
-                "x",
-                "y",
-                "disk",
-                "fan",
-                "board",
+                "x", "y", "disk", "fan", "board",
             ],
             count,
         )
@@ -239,14 +229,8 @@ class Questions:
         ):
             self.ask(*good, *extra)
         for text in (
-            "",
-            "a\n",
-            "a\na\n",
-            "part,cost\na,x\n",
-            "part,cost\na,-1\nb,2\n",
-            "\ufeffpart,cost\na,1\nb,2\n",
-            "part,cost,cost\na,1,2\n",
-            "a,1\nb\n",
+            "", "a\n", "a\na\n", "part,cost\na,x\n", "part,cost\na,-1\nb,2\n",
+            "\ufeffpart,cost\na,1\nb,2\n", "part,cost,cost\na,1,2\n", "a,1\nb\n",
             "\"a,1\nb,2\n",
             "part;cost\na;1,5\nb;2\n",
             "a\x00b\n",
@@ -254,12 +238,7 @@ class Questions:
             self.ask(
                 "plan",
                 self.file(f"odd{len(self.files)}.csv", text),
-                "-k",
-                2,
-                "--test-cost",
-                1,
-                "--steps",
-                10,
+                "-k", 2, "--test-cost", 1, "--steps", 10,
             )
         for words in (
             ["-k", "1"],
@@ -350,14 +329,7 @@ class Questions:
                 words += ["--new-pairs"]
             self.ask(*words)
         for text in (
-            "",
-            "1\n",
-            "1 2 3\n",
-            "1,1\n",
-            "a b c\n",
-            "1 x\n",
-            "-1 2\n",
-            "1 99999999999999999999\n",
+            "", "1\n", "1 2 3\n", "1,1\n", "a b c\n", "1 x\n", "-1 2\n", "1 99999999999999999999\n",
             "\"a\n",
         ):
             self.ask(
@@ -381,20 +353,13 @@ class Questions:
                 "explain": ["text", "json"],
             }[verb]
             self.ask(
-                verb,
-                v,
-                k,
-                *kind,
-                *change,
+                verb, v, k, *kind, *change,
                 *draw.choice([[], ["--format", draw.choice(form)], ["--json"]]),
             )
         for _ in range(60):
             low = draw.randint(4, 30)
             self.ask(
-                "table",
-                "--k",
-                f"{draw.randint(3, 5)}..{draw.randint(5, 7)}",
-                "--v",
+                "table", "--k", f"{draw.randint(3, 5)}..{draw.randint(5, 7)}", "--v",
                 f"{low}..{low + draw.randint(0, 9)}",
                 *draw.choice([[], ["--change", "1"], ["--change", "3"]]),
                 *draw.choice([[], ["--linear"], ["--circular"]]),
@@ -407,30 +372,13 @@ class Questions:
             self.ask(
                 "verify",
                 self.file("wrong.txt", "0 1 2\n3 4 5\n"),
-                "--change",
-                1,
-                "--linear",
-                "--format",
-                form,
+                "--change", 1, "--linear", "--format", form,
             )
         for verb in (
-            "constructions",
-            "describe",
-            "minima",
-            "catalog completeness",
-            "catalog list",
-            "catalog show 9 3",
-            "catalog show 20 5 --change 1",
-            "factorize 8",
-            "classify 6 3 8 --change 1 --linear",
-            "--help",
-            "--version",
-            "plan --help",
-            "loadorder --help",
-            "design --help",
-            "search --help",
-            "nonsense",
-            "desing 5 3",
+            "constructions", "describe", "minima", "catalog completeness", "catalog list",
+            "catalog show 9 3", "catalog show 20 5 --change 1", "factorize 8",
+            "classify 6 3 8 --change 1 --linear", "--help", "--version", "plan --help",
+            "loadorder --help", "design --help", "search --help", "nonsense", "desing 5 3",
         ):
             self.ask(*verb.split())
         for _ in range(40):
@@ -483,24 +431,14 @@ class Questions:
                 body["pairs"] = [draw.sample(range(body["items"]), 2) for _ in range(5)]
             self.post("api/loadorder", body)
         for body in (
-            "",
-            "{",
-            "[]",
-            "{}",
-            '{"items":5}',
-            '{"items":"x","room":3}',
-            '{"items":5,"room":1}',
+            "", "{", "[]", "{}", '{"items":5}', '{"items":"x","room":3}', '{"items":5,"room":1}',
         ):
             self.post("api/loadorder", body)
             self.post("api/plan", body)
         for path in (
-            "api/design?v=61&k=4&change=2&kind=circular",
-            "api/design?v=13&k=4",
-            "api/bounds?v=20&k=5",
-            "api/table?k=3..5&v=5..12&change=1",
-            "api/constructions",
-            "api/design?v=x",
-            "api/nothing",
+            "api/design?v=61&k=4&change=2&kind=circular", "api/design?v=13&k=4",
+            "api/bounds?v=20&k=5", "api/table?k=3..5&v=5..12&change=1", "api/constructions",
+            "api/design?v=x", "api/nothing",
         ):
             self.requests.append(("GET", path, None))
         self.post("api/verify", "0 1 2\n0 1 3\n")
@@ -514,15 +452,13 @@ class Questions:
                     [
                         f"c.design({v}, {k}, change={m}).b",
                         f"c.bounds({v}, {k}, change={m}).lower_bound",
-                        f"c.bounds({v}, {k}, change={m}).reason",
-                        f"c.load_order({v}, {k}).loads",
+                        f"c.bounds({v}, {k}, change={m}).reason", f"c.load_order({v}, {k}).loads",
                         f"c.plan({max(v // 4, 2)}, {min(k, 4)}, test_cost=2, change_cost=1).cost",
                         f"c.plan({{'a': 1, 'b': '2.5', 'c': 3, 'd': 1}}, 3, test_cost={m}).cost",
                         f"c.plan(['a', 'b', 'c', 'd', 'e'], 3, test_cost={m}, change_cost=2, never=[('a', 'b')]).cost",
                         f"c.plan(6, 3, test_cost={m}, change_cost=1).to_csv()",
                         f"c.explain({v}, {k}, change={m})",
-                        f"c.plan(5, 1, test_cost=1, change_cost=1)",
-                        f"c.load_order({v}, 1)",
+                        f"c.plan(5, 1, test_cost=1, change_cost=1)", f"c.load_order({v}, 1)",
                     ]
                 )
             )

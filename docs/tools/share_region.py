@@ -18,18 +18,8 @@ import sys
 def measured(program, items, room, workers):
     made = subprocess.run(
         [
-            program,
-            "loadorder",
-            "--items",
-            str(items),
-            "--room",
-            str(room),
-            "--workers",
-            str(workers),
-            "--worker",
-            "0",
-            "--json",
-            "--quiet",
+            program, "loadorder", "--items", str(items), "--room", str(room), "--workers",
+            str(workers), "--worker", "0", "--json", "--quiet",
         ],
         capture_output=True,
         text=True,

@@ -8,16 +8,7 @@ import json
 import operator
 from array import array
 from typing import (
-    Any,
-    Dict,
-    Iterator,
-    List,
-    Literal,
-    Optional,
-    SupportsIndex,
-    Tuple,
-    Union,
-    overload,
+    Any, Dict, Iterator, List, Literal, Optional, SupportsIndex, Tuple, Union, overload,
 )
 
 from . import _core

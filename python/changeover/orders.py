@@ -12,20 +12,8 @@ import pickle
 import zlib
 from array import array
 from typing import (
-    Any,
-    Callable,
-    Dict,
-    Iterable,
-    Iterator,
-    List,
-    Mapping,
-    NamedTuple,
-    Optional,
-    Set,
-    SupportsIndex,
-    Tuple,
-    Union,
-    overload,
+    Any, Callable, Dict, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Set,
+    SupportsIndex, Tuple, Union, overload,
 )
 
 from . import _core

@@ -153,12 +153,7 @@ class Calls(unittest.TestCase):
 
     def test_objects_in_which_there_is_nothing_are_refused(self):
         looks = (
-            repr,
-            copy.copy,
-            copy.deepcopy,
-            memoryview,
-            len,
-            iter,
+            repr, copy.copy, copy.deepcopy, memoryview, len, iter,
             lambda it: it == it,
             lambda it: it[0],
             lambda it: it.__reduce_ex__(1),
@@ -195,13 +190,8 @@ class Calls(unittest.TestCase):
     def test_every_function_and_method_does(self):
         seen = 0
         for owner in (
-            changeover,
-            changeover.catalog,
-            changeover.Design,
-            changeover.Blocks,
-            changeover.Verdict,
-            changeover.RunSheet,
-            changeover.LoadOrder,
+            changeover, changeover.catalog, changeover.Design, changeover.Blocks,
+            changeover.Verdict, changeover.RunSheet, changeover.LoadOrder,
         ):
             for name, each in vars(owner).items():
                 if (
@@ -346,10 +336,7 @@ class Calls(unittest.TestCase):
 
     def test_help_says_each_signature_once_with_its_types(self):
         for owner in (
-            changeover,
-            changeover.catalog,
-            changeover.Design,
-            changeover.RunSheet,
+            changeover, changeover.catalog, changeover.Design, changeover.RunSheet,
             changeover.BenchSheets,
         ):
             for name, each in vars(owner).items():

@@ -36,18 +36,8 @@ LOADED = {
 }
 # Links that the browser follows by itself; others (canonical, author) are words.
 LOADED_LINKS = {
-    "stylesheet",
-    "icon",
-    "shortcut icon",
-    "preconnect",
-    "dns-prefetch",
-    "preload",
-    "prefetch",
-    "modulepreload",
-    "manifest",
-    "search",
-    "apple-touch-icon",
-    "mask-icon",
+    "stylesheet", "icon", "shortcut icon", "preconnect", "dns-prefetch", "preload", "prefetch",
+    "modulepreload", "manifest", "search", "apple-touch-icon", "mask-icon",
 }
 # Addresses in scripts that are names, or a link in a menu that these pages do not show (MathJax):
 # nothing asks them.

@@ -39,8 +39,7 @@ class Sites(unittest.TestCase):
             '<script src="https://example.org/a.js"></script>',
             '<script src="//example.org/a.js"></script>',
             '<link rel="stylesheet" href="http://example.org/s.css">',
-            '<link rel="preconnect" href="https://example.org">',
-            '<img src="/p.svg">',
+            '<link rel="preconnect" href="https://example.org">', '<img src="/p.svg">',
             '<img srcset="p.svg 1x, https://example.org/p.svg 2x">',
             '<iframe src="https://example.org"></iframe>',
             '<p style="background: url(https://example.org/p.svg)"></p>',
@@ -60,12 +59,8 @@ class Sites(unittest.TestCase):
 
     def test_what_is_not_there(self):
         for inside in (
-            '<a href="c2.html">c</a>',
-            '<a href="b.html#there">b</a>',
-            '<a href="#there">b</a>',
-            '<img src="q.svg">',
-            '<link rel="icon" href="i.svg">',
-            '<a href="/b.html">b</a>',
+            '<a href="c2.html">c</a>', '<a href="b.html#there">b</a>', '<a href="#there">b</a>',
+            '<img src="q.svg">', '<link rel="icon" href="i.svg">', '<a href="/b.html">b</a>',
         ):
             self.assertEqual(len(self.faults(c_html=self.page(inside))), 1, inside)
         self.assertEqual(len(self.faults(s_css="p { background: url(q.svg) }")), 1)
@@ -86,20 +81,12 @@ class Sources(unittest.TestCase):
 
     def test_links(self):
         for right in (
-            "[a](docs/a.md)",
-            "[a](docs/a.md#a-b-c-d)",
-            "[a](docs/a.md#twice-1)",
-            "[a](https://example.org)",
-            "`[a](no.md)`",
-            "# Here\n\n[a](#here)",
-            "![a](docs/a.md)",
+            "[a](docs/a.md)", "[a](docs/a.md#a-b-c-d)", "[a](docs/a.md#twice-1)",
+            "[a](https://example.org)", "`[a](no.md)`", "# Here\n\n[a](#here)", "![a](docs/a.md)",
         ):
             self.assertEqual(self.faults(right), [], right)
         for wrong in (
-            "[a](docs/b.md)",
-            "[a](docs/a.md#b)",
-            "[a](docs/a.md#no-heading)",
-            "[a](#here)",
+            "[a](docs/b.md)", "[a](docs/a.md#b)", "[a](docs/a.md#no-heading)", "[a](#here)",
             "![a](docs/a.png)",
         ):
             self.assertEqual(len(self.faults(wrong)), 1, wrong)

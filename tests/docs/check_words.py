@@ -12,25 +12,8 @@ READ = ("README.md", "src", "apps", "include", "python", "docs", "web/src")
 # Proofs and histories stay as they were written; style.md shows the words.
 LEFT_OUT = ("docs/theorems.md", "docs/style.md")
 SUFFIXES = {
-    ".cpp",
-    ".hpp",
-    ".c",
-    ".h",
-    ".py",
-    ".pyi",
-    ".md",
-    ".ts",
-    ".css",
-    ".html",
-    ".json",
-    ".csv",
-    ".bib",
-    ".txt",
-    ".sh",
-    ".in",
-    ".dox",
-    ".cmake",
-    ".svg",
+    ".cpp", ".hpp", ".c", ".h", ".py", ".pyi", ".md", ".ts", ".css", ".html", ".json", ".csv",
+    ".bib", ".txt", ".sh", ".in", ".dox", ".cmake", ".svg",
 }
 
 # Each as a pattern, in which a space is any gap (also one between two lines of a comment), and what

@@ -10,30 +10,13 @@ import check_words
 
 # Each of the forbidden ways once, in the order of the list.
 EXAMPLES = [
-    "Nobody waits",
-    "whoever asks",
-    "if somebody writes",
-    "it gives leave to write",
-    "labels are not given away",
-    "it began anew",
-    "wait for its end",
-    "nothing else can come beside",
-    "make items larger",
-    "characters which are no text",
-    "x is no key of an entry",
-    "which format is that?",
-    "what came of it",
-    "is it one, and how good",
-    "What is known is said here",
-    "What the words mean",
-    "Colour says what",
-    "Point at a cell",
-    "write a set-up a line",
-    "9 parts called 1",
-    "the results of --done blame",
-    "Of course it is",
-    "in order to see",
-    "utilize it",
+    "Nobody waits", "whoever asks", "if somebody writes", "it gives leave to write",
+    "labels are not given away", "it began anew", "wait for its end",
+    "nothing else can come beside", "make items larger", "characters which are no text",
+    "x is no key of an entry", "which format is that?", "what came of it",
+    "is it one, and how good", "What is known is said here", "What the words mean",
+    "Colour says what", "Point at a cell", "write a set-up a line", "9 parts called 1",
+    "the results of --done blame", "Of course it is", "in order to see", "utilize it",
     "the length thereof",
 ]
 
@@ -64,15 +47,8 @@ class Words(unittest.TestCase):
 
     def test_each_room_is_read(self):
         for name in [
-            "README.md",
-            "src/a/b.hpp",
-            "apps/a/main.c",
-            "include/a.hpp",
-            "python/a/b.py",
-            "docs/schema/a.json",
-            "docs/a.md",
-            "docs/tools/a.sh",
-            "web/src/a/b.ts",
+            "README.md", "src/a/b.hpp", "apps/a/main.c", "include/a.hpp", "python/a/b.py",
+            "docs/schema/a.json", "docs/a.md", "docs/tools/a.sh", "web/src/a/b.ts",
         ]:
             self.assertEqual(
                 self.checked("nobody", name),
@@ -105,24 +81,16 @@ class Words(unittest.TestCase):
 
     def test_plain_words_pass(self):
         for text in [
-            "No thread waits; it is planned anew.\n",
-            "nobody_else, some-body, whoevers\n",
-            "their whoever_\n",
-            "one set-up per line; parts named 1\n",
-            "the order to take\n",
+            "No thread waits; it is planned anew.\n", "nobody_else, some-body, whoevers\n",
+            "their whoever_\n", "one set-up per line; parts named 1\n", "the order to take\n",
         ]:
             self.assertEqual(self.checked(text), ([], 0), text)
 
     def test_what_is_left_out(self):
         (self.root / "README.md").write_text("Plain.\n", encoding="utf-8")
         for name in [
-            "docs/theorems.md",
-            "docs/style.md",
-            "CHANGELOG.md",
-            "web/dist/a.js",
-            "tests/a_test.cpp",
-            "python/__pycache__/a.py",
-            "docs/img/a.png",
+            "docs/theorems.md", "docs/style.md", "CHANGELOG.md", "web/dist/a.js",
+            "tests/a_test.cpp", "python/__pycache__/a.py", "docs/img/a.png",
         ]:
             self.assertEqual(self.checked("nobody", name), ([], 0), name)
 

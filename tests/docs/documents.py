@@ -376,15 +376,8 @@ def check_workbooks(server):
             for note in answer.pop("notes"):
                 if not note.startswith(
                     (
-                        book,
-                        "parts",
-                        "costs",
-                        "done",
-                        "1 further",
-                        "2 further",
-                        "3 further",
-                        "5 parts",
-                        "2 pairs cannot",
+                        book, "parts", "costs", "done", "1 further", "2 further", "3 further",
+                        "5 parts", "2 pairs cannot",
                     )
                 ):
                     fault(f"a note of {book}: {note}")
@@ -468,16 +461,8 @@ def check_loads(server, count):
             fault(f"--show-request says something else: {body} {shown.stdout}")
         by_server = server.post("api/loadorder", body)
         for_all = not set(ask) - {
-            "items",
-            "room",
-            "pairs",
-            "groups",
-            "against",
-            "done_items",
-            "workers",
-            "balance",
-            "first_holder",
-            "epochs",
+            "items", "room", "pairs", "groups", "against", "done_items", "workers", "balance",
+            "first_holder", "epochs",
         }
         if for_all and (by_line.returncode == 0) != ("error" not in by_server):
             fault(
@@ -486,17 +471,8 @@ def check_loads(server, count):
         if (
             set(ask)
             - {
-                "items",
-                "room",
-                "pairs",
-                "groups",
-                "against",
-                "done_items",
-                "workers",
-                "prefetch",
-                "balance",
-                "first_holder",
-                "epochs",
+                "items", "room", "pairs", "groups", "against", "done_items", "workers", "prefetch",
+                "balance", "first_holder", "epochs",
             }
             and "error" not in by_server
         ):
@@ -562,16 +538,8 @@ def check_designs(server, count):
         (83, 4, 2, "circular", 2),
     ]:
         by_line = run(
-            "design",
-            str(v),
-            str(k),
-            "--change",
-            str(change),
-            f"--{kind}",
-            "--strength",
-            str(strength),
-            "--format",
-            "json",
+            "design", str(v), str(k), "--change", str(change), f"--{kind}", "--strength",
+            str(strength), "--format", "json",
         )
         cell = {"v": v, "k": k, "change": change, "kind": kind, "strength": strength}
         if by_line.returncode != 0:
@@ -765,14 +733,10 @@ def check_explorer(server):
         get("atlas", query)
         get("groups", query)
     cells = (
-        "v=9&k=4&change=2&kind=linear",
-        "v=4&k=3&change=2&kind=circular",
-        "v=40&k=6&change=1&kind=linear",
-        "v=7&k=4&change=3&kind=circular&strength=3",
-        "v=9&k=4&change=2&kind=linear&strength=3",
-        "v=7&k=3&change=2&kind=linear",
-        "v=9&k=4&change=1&kind=circular",
-        "v=100&k=30&change=7&kind=circular",
+        "v=9&k=4&change=2&kind=linear", "v=4&k=3&change=2&kind=circular",
+        "v=40&k=6&change=1&kind=linear", "v=7&k=4&change=3&kind=circular&strength=3",
+        "v=9&k=4&change=2&kind=linear&strength=3", "v=7&k=3&change=2&kind=linear",
+        "v=9&k=4&change=1&kind=circular", "v=100&k=30&change=7&kind=circular",
     )
     for cell in cells:
         for address in ("cell", "bounds"):
@@ -881,16 +845,7 @@ def check_explorer(server):
         if problem:
             fault(f"a refusal is against its schema ({problem.message})")
     run(
-        "serve",
-        "--export",
-        "site",
-        "--k",
-        "3..4",
-        "--v",
-        "4..8",
-        "--change",
-        "2",
-        "--address",
+        "serve", "--export", "site", "--k", "3..4", "--v", "4..8", "--change", "2", "--address",
         "https://example.org/designs",
     )
     site = pathlib.Path("site")

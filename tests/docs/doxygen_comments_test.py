@@ -25,26 +25,16 @@ class Comments(unittest.TestCase):
                 "/// Does:", "///", "///     if (a) {", "///       b();", "///     }", "void f();"
             ),
             [
-                "/// Does:",
-                "///",
-                "///",
-                "/// @code{.cpp}",
-                "/// if (a) {",
-                "///   b();",
-                "/// }",
-                "/// @endcode",
-                "void f();",
+                "/// Does:", "///", "///", "/// @code{.cpp}", "/// if (a) {", "///   b();", "/// }",
+                "/// @endcode", "void f();",
             ],
         )
 
     def test_items(self):
         said = "\n".join(
             self.of(
-                "// With:",
-                "//   counting  linear",
-                "//             and so on",
-                "//   degree    even",
-                "#pragma once",
+                "// With:", "//   counting  linear", "//             and so on",
+                "//   degree    even", "#pragma once",
             )
         )
         self.assertIn("- counting: linear", said)
@@ -60,27 +50,14 @@ class Comments(unittest.TestCase):
 
     def test_a_comment_that_stands_alone_is_of_the_file_and_one_before_a_declaration_is_not(self):
         said = self.of(
-            "// Head.",
-            "#pragma once",
-            "",
-            "// Other formats.",
-            "// And more.",
-            "",
-            "// private",
+            "// Head.", "#pragma once", "", "// Other formats.", "// And more.", "", "// private",
             "int a;",
         )
         self.assertEqual(
             said[5:],
             [
-                "",
-                "/// @file",
-                "/// @details",
-                "/// Other formats.",
-                "/// And more.",
-                "",
-                "",
-                "// private",
-                "int a;",
+                "", "/// @file", "/// @details", "/// Other formats.", "/// And more.", "", "",
+                "// private", "int a;",
             ],
         )
 
@@ -91,19 +68,9 @@ class Comments(unittest.TestCase):
         self.assertEqual(
             said,
             [
-                "/// @file",
-                "///",
-                "/// Orders.",
-                "///",
-                "///",
-                "/// @code{.c}",
-                "/// open();",
-                "/// @endcode",
-                "",
-                "/// One step.",
-                "struct step {",
-                "  int number; /**< from 1 */",
-                "};",
+                "/// @file", "///", "/// Orders.", "///", "///", "/// @code{.c}", "/// open();",
+                "/// @endcode", "", "/// One step.", "struct step {",
+                "  int number; /**< from 1 */", "};",
             ],
         )
 

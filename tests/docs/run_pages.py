@@ -239,14 +239,8 @@ class Session:
         done = subprocess.run(
             [
                 os.environ.get("CXX", "c++"),
-                "-std=c++20",
-                "-fsyntax-only",
-                "-Wall",
-                "-Wextra",
-                "-Werror",
-                f"-I{self.root / 'include'}",
-                f"-I{self.build / 'generated' / 'include'}",
-                source,
+                "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror",
+                f"-I{self.root / 'include'}", f"-I{self.build / 'generated' / 'include'}", source,
             ],
             capture_output=True,
             text=True,

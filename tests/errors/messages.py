@@ -12,36 +12,16 @@ import re
 SOURCES = ("include", "src", "apps", "python/src", "python/changeover")
 BUG = "InternalError"  # exit code 5: what is thrown there is never seen if we are right
 EXCEPTIONS = (
-    "BadInput",
-    "BadOption",
-    "ImpossibleParameters",
-    "MissingResource",
-    "ReaderGone",
-    BUG,
-    "Refusal",
-    "UsageError",
-    "value_error",
-    "type_error",
-    "index_error",
-    "key_error",
+    "BadInput", "BadOption", "ImpossibleParameters", "MissingResource", "ReaderGone", BUG,
+    "Refusal", "UsageError", "value_error", "type_error", "index_error", "key_error",
 )
 # Functions and lambdas that throw what they are given, beside those that are [[noreturn]].
 REFUSERS = {"fail", "refuse", "refused", "doubtful"}
 # Functions that word messages which others throw, as patterns of their names.
 MAKERS = (
     r"\w*_defect",
-    "defect",
-    "defect_of",
-    "complaint",
-    "how_to_mend",
-    "has_no_design",
-    "left_out",
-    "impossibility",
-    "why_forbidden",
-    "refusal",
-    "fault_of_entry",
-    r"simple_reason",
-    "model_defect",
+    "defect", "defect_of", "complaint", "how_to_mend", "has_no_design", "left_out", "impossibility",
+    "why_forbidden", "refusal", "fault_of_entry", r"simple_reason", "model_defect",
 )
 
 LITERAL = re.compile(r'(?:u8|L)?"((?:[^"\\\n]|\\.)*)"')

@@ -189,13 +189,7 @@ class Room:
             *first,
             *kept,
             "-O2" if path in self.found else "-O1",
-            "-w",
-            "-Wno-narrowing",
-            "-fmax-errors=0",
-            "-o",
-            output,
-            *more,
-            source,
+            "-w", "-Wno-narrowing", "-fmax-errors=0", "-o", output, *more, source,
         ]
 
     def object_of(self, path):

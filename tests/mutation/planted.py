@@ -54,13 +54,8 @@ DECIDES = {"<", "<=", ">", ">=", "==", "!=", "&&", "||"}
 SYMMETRIC = {"min", "max", "gcd", "swap", "checked_add", "checked_multiply", "add_pair"}
 LOOPS = {Kind.FOR_STMT, Kind.WHILE_STMT, Kind.DO_STMT, Kind.CXX_FOR_RANGE_STMT}
 FUNCTIONS = {
-    Kind.FUNCTION_DECL,
-    Kind.CXX_METHOD,
-    Kind.CONSTRUCTOR,
-    Kind.DESTRUCTOR,
-    Kind.FUNCTION_TEMPLATE,
-    Kind.LAMBDA_EXPR,
-    Kind.CONVERSION_FUNCTION,
+    Kind.FUNCTION_DECL, Kind.CXX_METHOD, Kind.CONSTRUCTOR, Kind.DESTRUCTOR, Kind.FUNCTION_TEMPLATE,
+    Kind.LAMBDA_EXPR, Kind.CONVERSION_FUNCTION,
 }
 
 
@@ -169,13 +164,8 @@ class Finder:
     def visit(self, cursor, parent, in_loop):
         kind = cursor.kind
         if kind in (
-            Kind.STATIC_ASSERT,
-            Kind.ENUM_DECL,
-            Kind.TYPEDEF_DECL,
-            Kind.TYPE_ALIAS_DECL,
-            Kind.CASE_STMT,
-            Kind.TEMPLATE_NON_TYPE_PARAMETER,
-            Kind.USING_DECLARATION,
+            Kind.STATIC_ASSERT, Kind.ENUM_DECL, Kind.TYPEDEF_DECL, Kind.TYPE_ALIAS_DECL,
+            Kind.CASE_STMT, Kind.TEMPLATE_NON_TYPE_PARAMETER, Kind.USING_DECLARATION,
         ):
             if kind != Kind.CASE_STMT:
                 return
@@ -379,15 +369,9 @@ class Finder:
     def drop(self, child, in_loop):
         bare = self.bare(child)
         effect = bare.kind in (
-            Kind.CALL_EXPR,
-            Kind.BINARY_OPERATOR,
-            Kind.COMPOUND_ASSIGNMENT_OPERATOR,
-            Kind.CONDITIONAL_OPERATOR,
-            Kind.UNARY_OPERATOR,
-            Kind.CXX_THROW_EXPR,
-            Kind.RETURN_STMT,
-            Kind.CONTINUE_STMT,
-            Kind.UNEXPOSED_EXPR,
+            Kind.CALL_EXPR, Kind.BINARY_OPERATOR, Kind.COMPOUND_ASSIGNMENT_OPERATOR,
+            Kind.CONDITIONAL_OPERATOR, Kind.UNARY_OPERATOR, Kind.CXX_THROW_EXPR, Kind.RETURN_STMT,
+            Kind.CONTINUE_STMT, Kind.UNEXPOSED_EXPR,
         )
         if bare.kind == Kind.BREAK_STMT and in_loop:
             effect = True

@@ -106,9 +106,9 @@ struct Made {
                                                  std::uint64_t g);
 
 /// *Join ends*: a circular design, a linear one and after it the s − 1 blocks between its last
-/// block and its first, where s is the least number of steps from one to the other. `design` is what
-/// the input builds. nullopt if it is circular, its first and last block are the same, it has fewer
-/// than 3 blocks or there is no way. O(k²).
+/// block and its first, where s is the least number of steps from one to the other. `design` is
+/// what the input builds. nullopt if it is circular, its first and last block are the same, it has
+/// fewer than 3 blocks or there is no way. O(k²).
 [[nodiscard]] std::optional<Made> join_ends_recipe(const Recipe& input, const Design& design);
 
 /// A cover of a design by unchanged subsets, as a recipe names it.

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "changeover/loadorder/workers.hpp"
-#include "loadorder/pairs/held_blocks.hpp"
+#include "loadorder/pairs/held/held_blocks.hpp"
 #include "loadorder/shares/group_shares.hpp"
 
 namespace changeover {

@@ -8,7 +8,7 @@
 #include "core/checked.hpp"
 #include "loadorder/listed/listed_levels.hpp"
 #include "loadorder/listed/quick_moves.hpp"
-#include "loadorder/pairs/held_blocks.hpp"
+#include "loadorder/pairs/held/held_blocks.hpp"
 #include "loadorder/shares/few_workers.hpp"
 #include "loadorder/shares/known_shares.hpp"
 #include "loadorder/shares/owners/pair_table.hpp"

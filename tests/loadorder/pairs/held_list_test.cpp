@@ -5,7 +5,7 @@
 #include <set>
 
 #include "changeover/loadorder/schedule.hpp"
-#include "loadorder/pairs/held_list.hpp"
+#include "loadorder/pairs/held/held_list.hpp"
 #include "pairs_support.hpp"
 
 namespace changeover::test::held_list_test {

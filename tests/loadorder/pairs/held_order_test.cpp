@@ -1,12 +1,12 @@
 // Two sets, and items that are new, against everything there is.
-#include "loadorder/pairs/held_order.hpp"
+#include "loadorder/pairs/held/held_order.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/workers.hpp"
-#include "loadorder/pairs/held_blocks.hpp"
+#include "loadorder/pairs/held/held_blocks.hpp"
 #include "loadorder/pairs/pair_bounds.hpp"
 #include "message_of.hpp"
 #include "pairs_support.hpp"

@@ -31,15 +31,7 @@ class Walk {
         v_(static_cast<std::size_t>(p.v)),
         k_(static_cast<std::size_t>(p.k)),
         covered_(p.v),
-        words_(ceil_div(p.v, 64)),
-        missing_(v_ * words_, 0),
-        left_of_(v_, v_ - 1) {
-    for (std::size_t x = 0; x < v_; ++x) {
-      for (std::size_t y = 0; y < v_; ++y) {
-        missing_[x * words_ + y / 64] |= x == y ? 0 : std::uint64_t{1} << (y % 64);
-      }
-    }
-  }
+        open_(v_, v_ - 1) {}
 
   std::vector<Block> run() {
     Block first(k_);
@@ -63,10 +55,10 @@ class Walk {
   void visit(const Block& block) {
     for (std::size_t i = 0; i < block.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        if (!covered_.contains(block[i], block[j])) {
+        if (is_open(block[i], block[j])) {
           covered_.insert(block[i], block[j]);
-          meet(block[i], block[j]);
-          meet(block[j], block[i]);
+          --open_[block[i]];
+          --open_[block[j]];
           --left_;
         }
       }
@@ -74,14 +66,7 @@ class Walk {
     blocks_.push_back(block);
   }
 
-  void meet(Element x, Element y) {
-    missing_[x * words_ + y / 64] &= ~(std::uint64_t{1} << (y % 64));
-    --left_of_[x];
-  }
-
-  [[nodiscard]] std::uint64_t is_missing(Element x, Element y) const {
-    return missing_[x * words_ + y / 64] >> (y % 64) & 1;
-  }
+  [[nodiscard]] bool is_open(Element x, Element y) const { return !covered_.contains(x, y); }
 
   [[nodiscard]] Block outside(const Block& block, const Block& also) const {
     std::vector<char> taken(v_, 0);
@@ -106,9 +91,9 @@ class Walk {
     std::vector<std::uint64_t> gain;
     gain.reserve(from.size());
     for (const Element x : from) {
-      std::uint64_t open = left_of_[x];
+      std::uint64_t open = open_[x];
       for (const Element y : without) {
-        open -= is_missing(x, y);
+        open -= is_open(x, y) ? 1U : 0U;
       }
       gain.push_back(open);
     }
@@ -131,7 +116,7 @@ class Walk {
         if (used[i]) {
           continue;
         }
-        gain[i] += is_missing(from[i], block.back());
+        gain[i] += is_open(from[i], block.back()) ? 1U : 0U;
         if (most == from.size() || gain[i] > gain[most]) {
           most = i;
         }
@@ -144,9 +129,7 @@ class Walk {
   std::size_t v_;
   std::size_t k_;
   PairSet covered_;
-  std::size_t words_;
-  std::vector<std::uint64_t> missing_;  // a row of bits for each x: the y that it has not met
-  std::vector<std::uint64_t> left_of_;  // how many these are
+  std::vector<std::uint64_t> open_;  // by element: how many it has not met
   std::uint64_t left_ = binomial(p_.v, 2);
   std::vector<Block> blocks_;
 };

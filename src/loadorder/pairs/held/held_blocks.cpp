@@ -1,4 +1,4 @@
-#include "loadorder/pairs/held_blocks.hpp"
+#include "loadorder/pairs/held/held_blocks.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "loadorder/pairs/held_order.hpp"
+#include "loadorder/pairs/held/held_order.hpp"
 
 #include <fmt/format.h>
 

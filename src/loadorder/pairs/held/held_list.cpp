@@ -1,7 +1,7 @@
-#include "loadorder/pairs/held_list.hpp"
+#include "loadorder/pairs/held/held_list.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <unordered_set>
 #include <utility>
 
 #include "core/checked.hpp"
@@ -19,8 +19,6 @@ class Passing {
       : graph_(graph),
         done_(static_cast<std::size_t>(graph.items()), false),
         seen_(static_cast<std::size_t>(graph.items()), 0) {}
-
-  [[nodiscard]] bool is_done(Element x) const { return done_[x]; }
 
   /// Calls pass(y) for each item that has a pair with the group, is not in it and not done. Then
   /// the group is done.
@@ -50,28 +48,51 @@ class Passing {
   std::uint32_t round_ = 0;
 };
 
-// An item that passed last may be in the next group: it stays.
-std::uint64_t loads_of(const PairGraph& graph, const Groups& groups) {
+// Calls load(move) for each load. Of the items that pass, one that is in the next group comes last, if
+// there is one: it stays.
+template <typename Load>
+void play(const PairGraph& graph, const Groups& groups, std::uint64_t room, Load&& load) {
   Passing passing(graph);
-  std::vector<bool> passed(static_cast<std::size_t>(graph.items()), false);
-  std::uint64_t loads = 0;
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    loads += groups[g].size();
-    std::vector<Element> now;
-    passing.each(groups[g], [&](Element y) {
-      passed[y] = true;
-      now.push_back(y);
-    });
-    loads += now.size();
-    if (g + 1 < groups.size() && std::any_of(groups[g + 1].begin(), groups[g + 1].end(),
-                                             [&](Element x) { return passed[x]; })) {
-      --loads;
+  std::vector<Element> may_go;  // what is in memory for nothing; the last one goes first
+  std::uint64_t held = 0;
+  const auto come = [&](Element x) {
+    LoadMove move{x, LoadMove::nothing};
+    if (held < room) {
+      ++held;
+    } else {
+      move.evict = may_go.back();
+      may_go.pop_back();
     }
-    for (const Element y : now) {
-      passed[y] = false;
+    load(move);
+  };
+  std::vector<Element> pass;
+  Element stayed = LoadMove::nothing;
+  for (auto group = groups.begin(); group != groups.end(); ++group) {
+    for (const Element x : *group) {
+      if (x != stayed) {
+        come(x);
+      }
     }
+    pass.clear();
+    passing.each(*group, [&](Element y) { pass.push_back(y); });
+    stayed = LoadMove::nothing;
+    if (const auto next = group + 1; next != groups.end()) {
+      const std::unordered_set<Element> members(next->begin(), next->end());
+      const auto stays =
+          std::find_if(pass.begin(), pass.end(), [&](Element y) { return members.contains(y); });
+      if (stays != pass.end()) {
+        std::iter_swap(stays, pass.end() - 1);
+        stayed = pass.back();
+      }
+    }
+    for (const Element y : pass) {
+      come(y);
+      if (y != stayed) {
+        may_go.push_back(y);
+      }
+    }
+    may_go.insert(may_go.begin(), group->begin(), group->end());
   }
-  return loads;
 }
 
 // Groups in that order. Items whose pairs have all met when their turn comes are left out.
@@ -174,49 +195,9 @@ std::vector<Element> by_shared_partners(const PairGraph& graph, std::uint64_t ro
 }  // namespace
 
 std::vector<LoadMove> HeldList::moves(const PairGraph& graph) const {
-  Passing passing(graph);
   std::vector<LoadMove> moves;
   moves.reserve(static_cast<std::size_t>(loads));
-  std::vector<Element> memory;  // what may go
-  std::uint64_t held = 0;       // in memory
-  const auto load = [&](Element x) {
-    LoadMove move{x, LoadMove::nothing};
-    if (held < room) {
-      ++held;
-    } else {
-      move.evict = memory.back();
-      memory.pop_back();
-    }
-    moves.push_back(move);
-  };
-  std::vector<Element> last;  // at most one item: it is there already
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    for (const Element x : groups[g]) {
-      if (last.empty() || last.front() != x) {
-        load(x);
-      }
-    }
-    // What is left of the group before went, or goes first.
-    std::vector<Element> pass;
-    passing.each(groups[g], [&](Element y) { pass.push_back(y); });
-    if (g + 1 < groups.size()) {
-      const auto stays =
-          std::find_first_of(pass.begin(), pass.end(), groups[g + 1].begin(), groups[g + 1].end());
-      if (stays != pass.end()) {
-        std::iter_swap(stays, pass.end() - 1);
-        last = {pass.back()};
-      } else {
-        last.clear();
-      }
-    }
-    for (const Element y : pass) {
-      load(y);
-      if (last.empty() || last.front() != y) {
-        memory.push_back(y);
-      }
-    }
-    memory.insert(memory.begin(), groups[g].begin(), groups[g].end());
-  }
+  play(graph, groups, room, [&](const LoadMove& move) { moves.push_back(move); });
   return moves;
 }
 
@@ -236,7 +217,9 @@ HeldList held_list(const PairGraph& graph, std::uint64_t room,
   HeldList best{.room = room, .groups = {}, .loads = ~std::uint64_t{0}};
   const auto consider = [&](const std::vector<Element>& order) {
     Groups groups = cut(graph, order, room);
-    if (const std::uint64_t loads = loads_of(graph, groups); loads < best.loads) {
+    std::uint64_t loads = 0;
+    play(graph, groups, room, [&](const LoadMove&) { ++loads; });
+    if (loads < best.loads) {
       best.groups = std::move(groups);
       best.loads = loads;
     }

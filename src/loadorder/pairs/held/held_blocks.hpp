@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "changeover/loadorder/wanted_pairs.hpp"
-#include "loadorder/pairs/held_order.hpp"
+#include "loadorder/pairs/held/held_order.hpp"
 
 namespace changeover {
 
