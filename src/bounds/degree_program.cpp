@@ -1,6 +1,8 @@
 #include "bounds/degree_program.hpp"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <vector>
 
 #include "changeover/run/control.hpp"
@@ -11,8 +13,70 @@ namespace {
 using Number = std::int64_t;
 
 Number ceil_div_signed(Number a, Number b) { return a >= 0 ? (a + b - 1) / b : -(-a / b); }
+Number floor_div_signed(Number a, Number b) { return -ceil_div_signed(-a, b); }
 
-using Counts = std::vector<Number>;
+// The least and the most of one number.
+struct Range {
+  Number least = 0;
+  Number most = 0;
+};
+
+// a·x + b·y ≤ most.
+struct HalfPlane {
+  Number a = 0;
+  Number b = 0;
+  Number most = 0;
+};
+
+// Whole numbers x, y ≥ 0 in all of these half-planes.
+class Plane {
+ public:
+  void add(HalfPlane h) { (h.b > 0 ? above_ : h.b < 0 ? below_ : beside_).push_back(h); }
+
+  [[nodiscard]] bool has_point(Number largest_x) const {
+    Range range{0, largest_x};
+    for (const HalfPlane& h : beside_) {
+      narrow(range, h.a, h.most);
+    }
+    // y is between two lines for a real y at all only where x is in this range.
+    for (const HalfPlane& up : above_) {
+      for (const HalfPlane& down : below_) {
+        narrow(range, up.a * -down.b + down.a * up.b, up.most * -down.b + down.most * up.b);
+      }
+    }
+    for (Number x = range.least; x <= range.most; ++x) {
+      if (has_point_at(x)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  // The x of the range with a·x ≤ most.
+  static void narrow(Range& range, Number a, Number most) {
+    if (a > 0) {
+      range.most = std::min(range.most, floor_div_signed(most, a));
+    } else if (a < 0) {
+      range.least = std::max(range.least, ceil_div_signed(-most, -a));
+    } else if (most < 0) {
+      range.most = -1;
+    }
+  }
+
+  [[nodiscard]] bool has_point_at(Number x) const {
+    Range y{0, std::numeric_limits<Number>::max()};
+    for (const HalfPlane& h : above_) {
+      y.most = std::min(y.most, floor_div_signed(h.most - h.a * x, h.b));
+    }
+    for (const HalfPlane& h : below_) {
+      y.least = std::max(y.least, ceil_div_signed(h.a * x - h.most, -h.b));
+    }
+    return y.least <= y.most;
+  }
+
+  std::vector<HalfPlane> above_, below_, beside_;  // b > 0, b < 0, b = 0
+};
 
 struct Program {
   Number n = 0;  // elements that are not in every block
@@ -31,56 +95,6 @@ struct Program {
   }
   [[nodiscard]] bool allowed(Number i) const { return i >= 1 && least_r(i) <= r_most - i; }
 
-  /// Whether the inequality of stays holds for every s, with counts[j] elements of i_x = low + j.
-  [[nodiscard]] bool stays_fit(Number low, const Counts& counts) const {
-    const auto values = static_cast<Number>(counts.size());
-    // Beyond these s every element counts, and the left side grows more slowly than the right one.
-    const Number last = std::max(low + values, (n + fixed) / (2 * k) + 1);
-    for (Number s = 1; s <= last; ++s) {
-      Number sum = fixed * s - cut;
-      for (Number j = 0; j < values; ++j) {
-        sum += counts[static_cast<std::size_t>(j)] * std::max<Number>(0, s + 1 - low - j);
-      }
-      if (sum > (s * s - s + 1) * k) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /// Whether `left` elements can have the values low + j, …, low + m with Σ i_x = sum and Σ
-  /// r_x ≤ r, where counts[0], …, counts[j−1] elements have the lower values.
-  [[nodiscard]] bool possible(Number low, Number j, Number left, Number sum, Number r,
-                              Counts& counts) const {
-    const Number i = low + j;
-    if (r < 0 || sum < i * left || sum > (low + m) * left) {
-      return false;
-    }
-    Number least = 0;
-    Number most = left;
-    if (j == m) {
-      least = left;
-    } else if (j + 1 == m) {  // two unknowns, two equations
-      least = most = left - (sum - i * left);
-    }
-    if (!allowed(i)) {
-      most = 0;
-    }
-    for (Number count = least; count <= most; ++count) {
-      if (j + 2 < m) {
-        stop_if_asked();
-      }
-      counts[static_cast<std::size_t>(j)] = count;
-      if (j == m) {
-        return count * least_r(i) <= r && stays_fit(low, counts);
-      }
-      if (possible(low, j + 1, left - count, sum - count * i, r - count * least_r(i), counts)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
   [[nodiscard]] bool feasible() const {
     if (i_sum < n || r_sum > n * r_most - i_sum) {
       return false;
@@ -88,12 +102,60 @@ struct Program {
     const Number middle = i_sum / n;
     for (Number low = std::max<Number>(1, middle - m); low <= middle; ++low) {
       stop_if_asked();
-      Counts counts(static_cast<std::size_t>(m + 1), 0);
-      if (possible(low, 0, n, i_sum, r_sum, counts)) {
+      if (feasible_from(low)) {
         return true;
       }
     }
     return false;
+  }
+
+ private:
+  static constexpr std::size_t most_values = 4;      // m + 1
+  using PerValue = std::array<Number, most_values>;  // by i_x − low
+
+  // Whether all elements can have the values low, …, low + m. The numbers c_j of elements with
+  // i_x = low + j: c_0 = x and c_1 = y are free, as far as they are not the last two, which the
+  // sums settle.
+  [[nodiscard]] bool feasible_from(Number low) const {
+    Plane plane;
+    const auto require = [&](const PerValue& weight, Number most) {
+      plane.add(in_free_counts(low, weight, most));
+    };
+    for (Number j = 0; j <= m; ++j) {
+      PerValue one{};
+      at(one, j) = -1;
+      require(one, 0);
+      if (!allowed(low + j)) {
+        at(one, j) = 1;
+        require(one, 0);
+      }
+    }
+    PerValue weight{};
+    for (Number j = 0; j <= m; ++j) {
+      at(weight, j) = least_r(low + j);
+    }
+    require(weight, r_sum);
+    // The inequality of stays. Beyond these s every element counts, and the left side grows more
+    // slowly than the right one; before low, no element does.
+    const Number last = std::max(low + m + 1, (n + fixed) / (2 * k) + 1);
+    for (Number s = fixed > 0 ? 1 : low; s <= last; ++s) {
+      for (Number j = 0; j <= m; ++j) {
+        at(weight, j) = std::max<Number>(0, s + 1 - low - j);
+      }
+      require(weight, (s * s - s + 1) * k - fixed * s + cut);
+    }
+    return plane.has_point(m > 1 ? n : 0);
+  }
+
+  static Number& at(PerValue& values, Number j) { return values[static_cast<std::size_t>(j)]; }
+
+  // Σ weight_j·c_j ≤ most, where Σ c_j = n and Σ (low + j)·c_j = i_sum.
+  [[nodiscard]] HalfPlane in_free_counts(Number low, PerValue weight, Number most) const {
+    // With the last two weights taken off along the line through them, only the free ones are left.
+    const Number slope = at(weight, m) - at(weight, m - 1);
+    const Number start = at(weight, m) - slope * m;
+    most -= start * n + slope * (i_sum - low * n);
+    return {m > 1 ? at(weight, 0) - start : 0, m > 2 ? at(weight, 1) - start - slope : 0, most};
   }
 };
 

@@ -16,7 +16,9 @@
 // ⌈(v−1−i_x(k−1−m))/m⌉), is convex along steps of m, and its slopes do not depend on the residue
 // but through i_x; so moving two elements whose i_x are more than m apart towards each other by m
 // never makes the sum larger. Nor does it make the sums of stays larger, which are convex in i_x.
-// So only m + 1 neighbouring values of i_x need be tried.
+// So only m + 1 neighbouring values of i_x need be tried. How many elements have each of them is
+// settled by the two sums but for m − 1 of these numbers: a point with whole coordinates in a
+// polygon of the plane, for m ≤ 3.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +29,8 @@
 namespace changeover {
 
 /// The least b ≥ from for which such numbers exist. nullopt if the program is not tried (m > 3,
-/// v > 2000, strength above 2, v = k) or nothing is found up to from + 10,000. m ≤ 2: O(v·k + v²/k)
-/// a value of b.
+/// v > 2000, strength above 2, v = k) or nothing is found up to from + 10,000. O(v²/k) a value
+/// of b, for each of the k − m + 1 values of f if circular.
 [[nodiscard]] std::optional<std::uint64_t> degree_program(const Parameters& p, std::uint64_t from);
 
 }  // namespace changeover
