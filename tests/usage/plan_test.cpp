@@ -397,7 +397,7 @@ TEST(Plan, ReadsALongListOfTests) {
   }
   spit(folder.file("done.csv"), rows);
   expect({{"timeout 120 $changeover plan --items 1000 -k 5 --test-cost 1 --change-cost 1 --quiet "
-           "--time 2s --done done.csv -o plan.txt && cat plan.txt",
+           "--time 8s --done done.csv -o plan.txt && cat plan.txt",
            0, "after 200 tests done"}},
          folder);
 }

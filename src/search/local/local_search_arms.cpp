@@ -215,6 +215,9 @@ Annealed run(State state, const AnnealSchedule& schedule, Random& random, RunCon
   annealed.outcome = anneal(state, schedule, random, control, watch);
   if (annealed.outcome.missing == 0) {
     annealed.design = state.design();
+    if constexpr (requires { state.parts(); }) {
+      annealed.parts = state.parts();
+    }
   }
   return annealed;
 }
@@ -242,17 +245,17 @@ std::uint64_t annealing_bytes(const Parameters& p, std::uint64_t blocks) {
 
 Annealed anneal_blocks(const Design& start, std::size_t frozen, const AnnealSchedule& schedule,
                        Random& random, RunControl& control, const AnnealWatch& watch,
-                       std::span<const LockedCell> locked) {
+                       const Locks& locks) {
   control.require_memory(annealing_bytes(start.parameters(), start.block_count()),
                          "local search for the " + name(start.parameters()));
   if (start.parameters().strength != 2) {
     return run(SegmentSubsets(start, frozen), schedule, random, control, watch);
   }
   if (Bytes::fits(start)) {
-    return run(Bytes(start, frozen, locked), schedule, random, control, watch);
+    return run(Bytes(start, frozen, locks), schedule, random, control, watch);
   }
   if (Words::fits(start)) {
-    return run(Words(start, frozen, locked), schedule, random, control, watch);
+    return run(Words(start, frozen, locks), schedule, random, control, watch);
   }
   throw MissingResource("local search supports elements in at most 65535 blocks each");
 }

@@ -21,6 +21,9 @@ namespace {
 
 constexpr std::uint64_t largest_locked_v = 4096;
 constexpr std::uint64_t first_moves = std::uint64_t{1} << 22;
+// Few temperatures, where lists that miss one pair are entered most often: (16,5,29) and (20,5,46).
+constexpr double hot = 0.28;
+constexpr double cold = 0.24;
 constexpr std::uint64_t most_doublings = 12;
 constexpr int most_drawings = 200;  // of places, before an attempt has failed
 
@@ -46,11 +49,11 @@ Block in_parts(const Parameters& p, const Wanted& wanted) {
   return rest;
 }
 
-/// A list to start from, the locked cells, and the places of the parts.
+/// A list to start from, and what is locked in it.
 struct Draft {
   Design list;
   std::vector<LockedCell> locked;
-  std::vector<std::size_t> positions;
+  std::vector<LockedPart> parts;
 };
 
 /// Draws places for the required properties, and blocks that have them.
@@ -79,7 +82,7 @@ class Drawing {
   struct Place {
     std::size_t block;
     Block whole;   // the block at this place at the start
-    Block locked;  // the elements of it that stay
+    Block locked;  // the elements of it that stay for ever
   };
 
   std::optional<Draft> free_list() {
@@ -188,12 +191,11 @@ class Drawing {
       const Block part = sorted(std::span(rest).subspan(j * part_size_, part_size_));
       const Block before =
           previous == step ? filled_after(part, places_.back().whole) : filled(part, {});
-      add(step, before, part);
-      add(next, filled(part, difference(before, part)), part);
-      parts_.push_back(step + 1);
+      add(step, before, {});
+      add(next, filled(part, difference(before, part)), {});
+      parts_.push_back({part, static_cast<std::uint32_t>(step)});
       previous = next + 1;
     }
-    std::ranges::sort(parts_);
     return true;
   }
 
@@ -252,7 +254,7 @@ class Drawing {
   Random& random_;
   std::vector<bool> taken_;  // by block
   std::vector<Place> places_;
-  std::vector<std::size_t> parts_;  // positions
+  std::vector<LockedPart> parts_;
 };
 
 class LockedSearch {
@@ -317,28 +319,33 @@ class LockedSearch {
     Annealed annealed;
     if (draft) {
       annealed = anneal_blocks(
-          draft->list, 0, {.moves = moves}, random, control_,
+          draft->list, 0, {.moves = moves, .hot = hot, .cold = cold}, random, control_,
           telling(control_, {.phase = fmt::format("annealing {} blocks with locked cells", aim),
                              .steps = moves_,
                              .best = best_blocks_ > 0 ? std::optional<std::uint64_t>(best_blocks_)
                                                       : std::nullopt,
                              .lower_bound = bound_}),
-          draft->locked);
+          {draft->locked, draft->parts});
       moves_ += annealed.outcome.moves;
     }
     const std::scoped_lock lock(mutex_);
     if (annealed.design) {
-      take(*std::move(annealed.design), draft->positions);
+      take(*std::move(annealed.design), annealed.parts);
     } else if (aim == aim_ && !annealed.outcome.stopped) {
       failed();
     }
   }
 
-  void take(Design design, const std::vector<std::size_t>& positions) {
+  void take(Design design, const std::vector<LockedPart>& parts_of_it) {
     if (best_blocks_ > 0 && design.block_count() >= best_blocks_) {
       return;
     }
     const RunGrace to_the_end(control_);
+    std::vector<std::size_t> positions;
+    for (const LockedPart& part : parts_of_it) {
+      positions.push_back(part.block + 1);
+    }
+    std::ranges::sort(positions);
     auto parts = parts_as_wanted(design, wanted_, positions);
     if (!parts) {
       throw InternalError("a search with locked cells lost what was wanted");

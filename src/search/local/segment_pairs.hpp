@@ -61,9 +61,8 @@ class SegmentPairs {
   }
 
   /// Starts with one or more blocks; needs fits() and v ≤ 65,535. The first `frozen` < b blocks and
-  /// the locked cells never change.
-  explicit SegmentPairs(const Design& design, std::size_t frozen = 0,
-                        std::span<const LockedCell> locked = {})
+  /// the locked cells never change; parts stay parts.
+  explicit SegmentPairs(const Design& design, std::size_t frozen = 0, const Locks& locks = {})
       : parameters_(design.parameters()),
         v_(static_cast<std::uint32_t>(design.v())),
         k_(static_cast<std::uint32_t>(design.k())),
@@ -71,6 +70,7 @@ class SegmentPairs {
         frozen_(static_cast<std::uint32_t>(frozen)),
         circular_(design.parameters().kind == Kind::circular),
         usual_(usual_segment(design.k(), design.parameters().change)),
+        parts_(locks.parts.begin(), locks.parts.end()),
         row_(static_cast<std::uint32_t>(vectors_of_a_row(v_))) {
     grow(counts_, std::size_t{v_} * row_, Sixteen{});
     grow(members_, std::size_t{b_} * row_, Sixteen{});
@@ -97,10 +97,14 @@ class SegmentPairs {
         }
       }
     }
-    if (!locked.empty()) {
+    if (!locks.cells.empty() || !parts_.empty()) {
       locked_.resize(std::size_t{b_} * v_);
-      for (const LockedCell& cell : locked) {
-        locked_[std::size_t{cell.block} * v_ + cell.element] = true;
+      for (const LockedCell& cell : locks.cells) {
+        ++locks_at(cell.block)[cell.element];
+      }
+      for (const LockedPart& part : parts_) {
+        lock(part, part.block, 1);
+        lock(part, after(part.block), 1);
       }
     }
     for (Element y = 1; y < v_; ++y) {
@@ -125,6 +129,9 @@ class SegmentPairs {
   [[nodiscard]] std::span<const std::uint16_t> block(std::uint32_t index) const {
     return std::span(elements_).subspan(std::size_t{index} * k_, k_);
   }
+
+  /// The parts, with the first of the two blocks where each is now.
+  [[nodiscard]] const std::vector<LockedPart>& parts() const { return parts_; }
 
   /// The current blocks.
   [[nodiscard]] Design design() const {
@@ -159,7 +166,10 @@ class SegmentPairs {
   }
 
   /// A move at a random place.
-  [[nodiscard]] SegmentSwap propose(Random& random) const {
+  [[nodiscard]] SegmentSwap propose(Random& random) {
+    if (!parts_.empty()) {
+      shift_some_part(random);
+    }
     const std::uint32_t i = frozen_ + random.below(b_ - frozen_);
     const Element x = block(i)[random.below(k_)];
     Element y = random.below(v_);
@@ -170,7 +180,7 @@ class SegmentPairs {
   }
 
   /// A move that brings the elements of some uncovered pair together; needs missing() > 0.
-  [[nodiscard]] SegmentSwap propose_aimed(Random& random) const {
+  [[nodiscard]] SegmentSwap propose_aimed(Random& random) {
     const std::uint64_t bits = random.next();
     const auto which = static_cast<std::size_t>(((bits & 0xffffffff) * uncovered_.size()) >> 32);
     Element p = uncovered_[which].x;
@@ -250,12 +260,48 @@ class SegmentPairs {
     std::uint32_t j = move.first;
     for (std::uint32_t n = 0; n < move.length; ++n) {
       const std::size_t row = std::size_t{j} * v_;
-      if (locked_[row + move.x] || locked_[row + move.y]) {
+      if (locked_[row + move.x] != 0 || locked_[row + move.y] != 0) {
         return true;
       }
       j = j + 1 == b_ ? 0 : j + 1;
     }
     return false;
+  }
+
+  [[nodiscard]] std::uint8_t* locks_at(std::uint32_t block) {
+    return locked_.data() + std::size_t{block} * v_;
+  }
+  void lock(const LockedPart& part, std::uint32_t block, int by) {
+    for (const Element x : part.elements) {
+      locks_at(block)[x] = static_cast<std::uint8_t>(locks_at(block)[x] + by);
+    }
+  }
+  [[nodiscard]] std::uint32_t after(std::uint32_t block) const {
+    return block + 1 == b_ ? 0 : block + 1;
+  }
+  [[nodiscard]] std::uint32_t before(std::uint32_t block) const {
+    return block == 0 ? b_ - 1 : block - 1;
+  }
+
+  // A part that a third block holds may be locked one block later or earlier from now on.
+  void shift_some_part(Random& random) {
+    LockedPart& part = parts_[random.below(static_cast<std::uint32_t>(parts_.size()))];
+    const bool later = random.one_in_two();
+    const std::uint32_t second = after(part.block);
+    const std::uint32_t next = later ? after(second) : before(part.block);
+    if (!circular_ && (later ? second + 1 == b_ : part.block == 0)) {
+      return;
+    }
+    const std::uint32_t place = later ? second : next;
+    const bool fits =
+        std::ranges::all_of(part.elements, [&](Element x) { return contains(next, x); });
+    if (!fits || std::ranges::any_of(
+                     parts_, [&](const LockedPart& other) { return other.block == place; })) {
+      return;
+    }
+    lock(part, next, 1);
+    lock(part, later ? part.block : second, -1);
+    part.block = place;
   }
 
   // One move in 16 may have any length.
@@ -419,7 +465,8 @@ class SegmentPairs {
   std::vector<Sixteen> gained_;           // of the move that was evaluated last
   std::vector<std::uint16_t> elements_;   // k of each block
   std::vector<std::uint32_t> blocks_of_;  // by element
-  std::vector<bool> locked_;              // b rows of v cells; empty for none
+  std::vector<std::uint8_t> locked_;      // b rows of v cells, how often; empty for none
+  std::vector<LockedPart> parts_;         // where they are now
   std::vector<Pair> uncovered_;           // in any order
   std::vector<std::uint32_t> place_;      // of a pair in uncovered_
 };

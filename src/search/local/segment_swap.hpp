@@ -16,6 +16,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "changeover/core/block.hpp"
 
@@ -36,6 +37,19 @@ struct SegmentSwap {
 struct LockedCell {
   std::uint32_t block = 0;
   Element element = 0;
+};
+
+/// These elements stay together from one block to the next. Where may change: at first it is from
+/// `block` to the block after it, and a move may leave any two neighbours that hold all of them.
+struct LockedPart {
+  Block elements{};
+  std::uint32_t block = 0;
+};
+
+/// What moves must leave as it is, strength 2 only.
+struct Locks {
+  std::span<const LockedCell> cells{};
+  std::span<const LockedPart> parts{};  ///< disjoint
 };
 
 /// Successful moves exchange runs of about k/m blocks. Longer ones than this are rarely accepted

@@ -26,7 +26,7 @@ namespace {
 using Seconds = std::chrono::duration<double>;
 
 // Generous: machines are busy. Without listening these take a minute and more.
-constexpr Seconds soon{10};
+constexpr Seconds soon{60};
 
 std::vector<Block> random_blocks(const Parameters& p, std::size_t count) {
   Random random(5);

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <vector>
 
 #include "changeover/core/design.hpp"
+#include "core/sorted.hpp"
 #include "naive_verdict.hpp"
 #include "search/local/anneal.hpp"
 #include "search/local/random_list.hpp"
@@ -139,6 +141,49 @@ TEST(SegmentPairs, CountsWhatACountFromScratchCounts) {
     ASSERT_NO_FATAL_FAILURE(walk_pairs<std::uint16_t>(of, 2, walked));
   }
   EXPECT_GE(walked, 2 * cases().size() - 4);
+}
+
+TEST(SegmentPairs, PartsStayPartsWhereverTheyGo) {
+  std::size_t moved = 0;
+  for (const Kind kind : {Kind::linear, Kind::circular}) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      Random random(seed);
+      const Parameters p{.v = 9, .k = 4, .change = 1, .kind = kind};
+      const Design start = random_list(p, 16, random).value();
+      // Two disjoint sets that stay from one block to the next.
+      std::vector<LockedPart> parts;
+      for (std::uint32_t i = 0; i + 1 < 16 && parts.size() < 2; ++i) {
+        Block stays;
+        std::ranges::set_intersection(sorted(start.block(i)), sorted(start.block(i + 1)),
+                                      std::back_inserter(stays));
+        if (parts.empty() || std::ranges::none_of(stays, [&](Element x) {
+              return std::ranges::find(parts[0].elements, x) != parts[0].elements.end();
+            })) {
+          parts.push_back({stays, i});
+        }
+      }
+      SegmentPairs<std::uint8_t> state(start, 0, {.cells = {}, .parts = parts});
+      walk(state, 3000, random, [&](const SegmentPairs<std::uint8_t>& now) {
+        for (const LockedPart& part : now.parts()) {
+          for (const Element x : part.elements) {
+            ASSERT_TRUE(now.contains(part.block, x));
+            ASSERT_TRUE(now.contains((part.block + 1) % 16, x));
+          }
+        }
+      });
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        ASSERT_EQ(state.parts()[i].elements, parts[i].elements);
+        moved += state.parts()[i].block != parts[i].block ? 1 : 0;
+      }
+      // What they left is free again: all cells that are locked now belong to them.
+      std::size_t free = 0;
+      for (int n = 0; n < 200; ++n) {
+        free += state.propose(random).length > 0 ? 1 : 0;
+      }
+      EXPECT_GT(free, 20U);
+    }
+  }
+  EXPECT_GT(moved, 20U);
 }
 
 TEST(SegmentPairs, BytesAndWordsGoTheSameWay) {
