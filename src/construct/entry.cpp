@@ -129,6 +129,19 @@ void Entry::require_input(const Recipe& recipe, const std::optional<Parameters>&
                          : std::nullopt);
 }
 
+Element Entry::element_of(const Recipe& recipe, const Parameters& larger,
+                          std::string_view takes) const {
+  const auto given = recipe.arguments.find("element");
+  if (recipe.construction != name() || recipe.inputs.size() != 1 || !recipe.blocks.empty() ||
+      recipe.arguments.size() != 1 || given == recipe.arguments.end() || given->second < 0 ||
+      static_cast<std::uint64_t>(given->second) >= larger.v ||
+      recipe.inputs.front().parameters != larger) {
+    throw BadInput(
+        fmt::format("{} to {} takes {}", name(), changeover::name(recipe.parameters), takes));
+  }
+  return static_cast<Element>(given->second);
+}
+
 std::uint64_t Rule::number(const Recipe& recipe) const {
   const Parameters& p = recipe.parameters;
   try {
@@ -204,25 +217,28 @@ std::optional<Offer> best_input(const Parameters& p, Need need, const Constructi
   return best;
 }
 
-std::optional<Offer> best_leaf(const Parameters& p, const Registry& registry) {
+std::optional<Offer> best_that_asks_none(const Parameters& p, Need need, const Registry& registry) {
   std::optional<Offer> best;
-  const auto consider = [&](const Parameters& asked) {
-    for (const Construction* construction : registry.constructions()) {
-      if (construction->asks_registry()) {
-        continue;
-      }
-      std::optional<Offer> offer = construction->offer(asked, registry);
-      if (offer && (!best || offer->b < best->b)) {
+  for (const Construction* construction : registry.constructions()) {
+    if (!construction->asks_registry()) {
+      std::optional<Offer> offer = construction->offer(p, registry);
+      if (offer && (need == Need::blocks || offer->expansion_set) &&
+          (!best || offer->b < best->b)) {
         best = std::move(offer);
       }
     }
-  };
-  consider(p);
+  }
+  return best;
+}
+
+std::optional<Offer> best_leaf(const Parameters& p, const Registry& registry) {
+  std::optional<Offer> best = best_that_asks_none(p, Need::blocks, registry);
   if (p.kind == Kind::linear) {
     Parameters circular = p;
     circular.kind = Kind::circular;
-    consider(circular);
-    if (best && best->recipe.parameters.kind == Kind::circular) {
+    std::optional<Offer> cut = best_that_asks_none(circular, Need::blocks, registry);
+    if (cut && (!best || cut->b < best->b)) {
+      best = std::move(cut);
       best->recipe = cut_recipe(std::move(best->recipe));
       best->tight = false;
     }
@@ -250,10 +266,14 @@ std::vector<UnchangedSubset> known_expansion_set(const Recipe& input, const Regi
   return *std::move(set);
 }
 
-std::vector<std::string> labels_with_new(const Recipe& recipe, const Registry& registry) {
+std::vector<std::string> labels_of_input(const Recipe& recipe, const Registry& registry) {
   const Recipe& input = recipe.inputs.front();
-  return expanded_labels(registry.construction_of(input).labels(input, registry),
-                         recipe.parameters.v - input.parameters.v);
+  return registry.construction_of(input).labels(input, registry);
+}
+
+std::vector<std::string> labels_with_new(const Recipe& recipe, const Registry& registry) {
+  return expanded_labels(labels_of_input(recipe, registry),
+                         recipe.parameters.v - recipe.inputs.front().parameters.v);
 }
 
 std::unique_ptr<BlockSource> mapped(

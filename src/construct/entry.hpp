@@ -64,6 +64,11 @@ class Entry : public Construction {
     return {std::string(name()), p, std::move(arguments), std::move(inputs), {}};
   }
 
+  /// The argument `element` of a recipe whose one input has that element and the parameters
+  /// `larger`, and that says nothing else. @throws BadInput, with what the rule takes
+  [[nodiscard]] Element element_of(const Recipe& recipe, const Parameters& larger,
+                                   std::string_view takes) const;
+
   /// @throws BadInput unless the recipe has one input, any recipe of the parameters `smaller`, and
   /// is else a recipe of this construction with these arguments.
   void require_input(const Recipe& recipe, const std::optional<Parameters>& smaller,
@@ -154,8 +159,12 @@ enum class Need : std::uint8_t { blocks, expansion_set };
 [[nodiscard]] std::optional<Offer> best_input(const Parameters& p, Need need,
                                               const Construction& asking, const Registry& registry);
 
-/// The offer with the fewest blocks of the constructions that do not ask the registry; a circular
-/// design serves as a linear one, cut open.
+/// The offer with the fewest blocks of the constructions that do not ask the registry, so that
+/// questions end.
+[[nodiscard]] std::optional<Offer> best_that_asks_none(const Parameters& p, Need need,
+                                                       const Registry& registry);
+
+/// The same, where a circular design serves as a linear one, too, cut open.
 [[nodiscard]] std::optional<Offer> best_leaf(const Parameters& p, const Registry& registry);
 
 /// "0,1,2", or "0,…,9" when there are many; for explanations.
@@ -165,7 +174,11 @@ enum class Need : std::uint8_t { blocks, expansion_set };
 [[nodiscard]] std::vector<UnchangedSubset> known_expansion_set(const Recipe& input,
                                                                const Registry& registry);
 
-/// The labels of the recipe's one input, and of the elements that are new; see expanded_labels().
+/// The labels of the recipe's one input.
+[[nodiscard]] std::vector<std::string> labels_of_input(const Recipe& recipe,
+                                                       const Registry& registry);
+
+/// The same, and those of the elements that are new; see expanded_labels().
 [[nodiscard]] std::vector<std::string> labels_with_new(const Recipe& recipe,
                                                        const Registry& registry);
 

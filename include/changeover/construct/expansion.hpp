@@ -144,7 +144,7 @@ struct UnchangedCover {
   /// The old elements that come beside unmatched new ones, for each subset: at most m − w of them
   /// if w < m, at most one if m = 2 and w is odd. What is not said is chosen when expanding, and so
   /// is everything if this is empty. Increasing.
-  std::vector<Block> beside;
+  std::vector<Block> beside = {};
   /// The index of the subset at whose position there is a sweep, if there is one.
   std::size_t sweep = 0;
   /// Proved: no fewer subsets do, but for positions that were added because w is large.

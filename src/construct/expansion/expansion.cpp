@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <functional>
 #include <limits>
 #include <set>
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "construct/expansion/inserter.hpp"
+#include "construct/expansion/partial_expansion_parts.hpp"
 #include "core/words.hpp"
 
 namespace changeover {
@@ -64,8 +63,8 @@ std::optional<std::string> shape_defect(const Parameters& p, const ExpansionSet&
   return std::nullopt;
 }
 
-// What Theorem 2 makes of parameters p with an expansion set of ℓ subsets.
-Parameters expanded_parameters(const Parameters& p, std::size_t subsets) {
+// Whether Theorem 2 can be applied to parameters p with an expansion set of ℓ subsets.
+void check_expanded(const Parameters& p, std::size_t subsets) {
   if (p.change != 2 || p.strength != 2) {
     throw ImpossibleParameters(
         fmt::format("expansion needs a double-change design of strength 2, not a {}", name(p)));
@@ -78,36 +77,7 @@ Parameters expanded_parameters(const Parameters& p, std::size_t subsets) {
   Parameters larger = p;
   larger.v = p.v + subsets + 1;  // at most 2p.v + 1
   check(larger);
-  return larger;
 }
-
-// U ∪ e for the edges e of the factor of U, vertex x being the element v + x.
-class ExpandedSource final : public InsertingSource {
- public:
-  using Factors = std::function<OneFactor(std::uint32_t index)>;
-
-  ExpandedSource(std::unique_ptr<BlockSource> source, ExpansionSet set, Factors factors)
-      : InsertingSource(std::move(source), expanded_parameters(source->parameters(), set.size()),
-                        {set.size(), set.size() * (set.size() + 1) / 2}, " of the expansion set"),
-        set_(std::move(set)),
-        factors_(std::move(factors)) {}
-
- private:
-  [[nodiscard]] std::uint64_t position(std::uint64_t i) const override { return set_[i].position; }
-
-  [[nodiscard]] Insertion insertion(std::uint64_t i, const Place&) override {
-    const std::uint64_t v = parameters().v - set_.size() - 1;
-    Insertion result{set_[i].elements, {}};
-    for (const auto [a, b] : factors_(static_cast<std::uint32_t>(i))) {
-      result.others.push_back(static_cast<Element>(v + a));
-      result.others.push_back(static_cast<Element>(v + b));
-    }
-    return result;
-  }
-
-  ExpansionSet set_;
-  Factors factors_;
-};
 
 }  // namespace
 
@@ -176,7 +146,7 @@ std::vector<std::string> expanded_labels(std::vector<std::string> labels, std::u
 
 Design expand(const Design& design, const ExpansionSet& set,
               const OneFactorization& factorization) {
-  (void)expanded_parameters(design.parameters(), set.size());
+  check_expanded(design.parameters(), set.size());
   if (const auto defect = expansion_set_defect(design, set)) {
     throw BadInput(fmt::format("not an expansion set: {}", *defect));
   }
@@ -187,9 +157,10 @@ Design expand(const Design& design, const ExpansionSet& set,
   if (const auto defect = factorization_defect(factorization)) {
     throw BadInput(fmt::format("not a 1-factorization: {}", *defect));
   }
-  ExpandedSource source(std::make_unique<DesignSource>(design), set,
-                        [&](std::uint32_t i) { return factorization.factors[i]; });
-  Design result = read_all(source);
+  const auto source =
+      expand_with(std::make_unique<DesignSource>(design), {.subsets = set}, set.size() + 1,
+                  [&](std::uint32_t i) { return factorization.factors[i]; });
+  Design result = read_all(*source);
   result.set_labels(expanded_labels(design.labels(), set.size() + 1));
   return result;
 }
@@ -197,16 +168,12 @@ Design expand(const Design& design, const ExpansionSet& set,
 std::unique_ptr<BlockSource> expand(std::unique_ptr<BlockSource> source, ExpansionSet set,
                                     FactorizationKind kind) {
   const Parameters& p = source->parameters();
-  (void)expanded_parameters(p, set.size());
+  check_expanded(p, set.size());
   if (const auto defect = shape_defect(p, set, nullptr)) {
     throw BadInput(fmt::format("not an expansion set: {}", *defect));
   }
-  const auto order = static_cast<std::uint32_t>(set.size() + 1);
-  return std::make_unique<ExpandedSource>(
-      std::move(source), std::move(set), [kind, order](std::uint32_t i) {
-        return kind == FactorizationKind::circle ? circle_factor(order, i)
-                                                 : doubled_factor(order, i);
-      });
+  const std::size_t order = set.size() + 1;
+  return expand_by(std::move(source), {.subsets = std::move(set)}, order, kind);
 }
 
 }  // namespace changeover

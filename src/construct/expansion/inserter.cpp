@@ -11,11 +11,10 @@
 namespace changeover {
 
 InsertingSource::InsertingSource(std::unique_ptr<BlockSource>&& source, const Parameters& larger,
-                                 Amount amount, std::string_view chosen)
+                                 Amount amount)
     : source_(std::move(source)),
       parameters_(larger),
       amount_(amount),
-      chosen_(chosen),
       circular_(larger.kind == Kind::circular) {}
 
 std::optional<std::uint64_t> InsertingSource::block_count() const {
@@ -90,8 +89,8 @@ bool InsertingSource::make(std::span<Element> block) {
   }
   if (!read_one(block)) {
     if (begun_ < amount_.insertions) {
-      throw BadInput(fmt::format("position {}{} is past the last block, {}", position(begun_),
-                                 chosen_, read_));
+      throw BadInput(
+          fmt::format("position {} is past the last block, {}", position(begun_), read_));
     }
     return false;
   }

@@ -18,7 +18,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "changeover/core/block.hpp"
@@ -53,9 +52,7 @@ class InsertingSource : public BlockSource {
   };
 
   /// @param larger the parameters with the new elements; k is that of the source.
-  /// @param chosen of what the positions are, for a message: " of the cover", or nothing.
-  InsertingSource(std::unique_ptr<BlockSource>&& source, const Parameters& larger, Amount amount,
-                  std::string_view chosen = "");
+  InsertingSource(std::unique_ptr<BlockSource>&& source, const Parameters& larger, Amount amount);
 
   /// Where the i-th insertion is, i = 0, 1, …; the positions do not decrease.
   [[nodiscard]] virtual std::uint64_t position(std::uint64_t i) const = 0;
@@ -72,7 +69,6 @@ class InsertingSource : public BlockSource {
   std::unique_ptr<BlockSource> source_;
   Parameters parameters_;
   Amount amount_;
-  std::string_view chosen_;
   bool circular_;
 
   std::uint64_t read_ = 0;           // blocks handed on from the source: the position

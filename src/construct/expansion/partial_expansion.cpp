@@ -196,23 +196,22 @@ std::optional<std::string> sweep_defect(const UnchangedSubset& subset, Element l
 class PartiallyExpandedSource final : public InsertingSource {
  public:
   PartiallyExpandedSource(std::unique_ptr<BlockSource> source, UnchangedCover cover,
-                          std::uint64_t w, FactorizationKind kind)
+                          std::uint64_t w, Factors factors)
       : PartiallyExpandedSource(source->parameters(), left_out_by(source->parameters(), cover), w,
-                                std::move(source), std::move(cover), kind) {}
+                                std::move(source), std::move(cover), std::move(factors)) {}
 
  private:
   PartiallyExpandedSource(const Parameters& small, std::optional<Element> left_out, std::uint64_t w,
                           std::unique_ptr<BlockSource>&& source, UnchangedCover&& cover,
-                          FactorizationKind kind)
+                          Factors&& factors)
       : InsertingSource(std::move(source), with_more(small, w),
                         {cover.subsets.size(),
-                         blocks_added(small, cover.subsets.size(), w, left_out.has_value())},
-                        " of the cover"),
+                         blocks_added(small, cover.subsets.size(), w, left_out.has_value())}),
         small_(small),
         left_out_(left_out),
         w_(w),
         cover_(std::move(cover)),
-        kind_(kind),
+        factors_(std::move(factors)),
         sweeps_(takes_sweep(small, cover_.subsets.size(), w)) {}
 
   // The element that is left out, m = 1.
@@ -283,12 +282,9 @@ class PartiallyExpandedSource final : public InsertingSource {
   [[nodiscard]] Block factor(std::uint64_t index, const Block* beside,
                              std::span<const Element> before) const {
     const Block& kept = cover_.subsets[index].elements;
-    const auto order = static_cast<std::uint32_t>(w_ + w_ % 2);
-    const auto which = static_cast<std::uint32_t>(index % (order - 1));
     Block edges;
     std::optional<Element> unmatched;
-    for (const auto [a, b] : kind_ == FactorizationKind::circle ? circle_factor(order, which)
-                                                                : doubled_factor(order, which)) {
+    for (const auto [a, b] : factors_(static_cast<std::uint32_t>(index % (w_ + w_ % 2 - 1)))) {
       if (b == w_) {
         unmatched = new_element(a);
       } else {
@@ -324,7 +320,7 @@ class PartiallyExpandedSource final : public InsertingSource {
   std::optional<Element> left_out_;
   std::uint64_t w_;
   UnchangedCover cover_;
-  FactorizationKind kind_;
+  Factors factors_;
   bool sweeps_;
 };
 
@@ -437,7 +433,17 @@ std::optional<std::string> cover_defect(const Design& design, const UnchangedCov
 std::unique_ptr<BlockSource> expand_by(std::unique_ptr<BlockSource> source, UnchangedCover cover,
                                        std::uint64_t w, FactorizationKind kind) {
   throw_if(cover_defect(source->parameters(), cover, w));
-  return std::make_unique<PartiallyExpandedSource>(std::move(source), std::move(cover), w, kind);
+  const auto order = static_cast<std::uint32_t>(w + w % 2);
+  return expand_with(std::move(source), std::move(cover), w, [kind, order](std::uint32_t which) {
+    return kind == FactorizationKind::circle ? circle_factor(order, which)
+                                             : doubled_factor(order, which);
+  });
+}
+
+std::unique_ptr<BlockSource> expand_with(std::unique_ptr<BlockSource> source, UnchangedCover cover,
+                                         std::uint64_t w, Factors factors) {
+  return std::make_unique<PartiallyExpandedSource>(std::move(source), std::move(cover), w,
+                                                   std::move(factors));
 }
 
 Design expand_by(const Design& design, const UnchangedCover& cover, std::uint64_t w,

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,6 +12,14 @@
 #include "changeover/construct/expansion.hpp"
 
 namespace changeover {
+
+/// The 1-factors of K_w, or of K_{w+1} if w is odd, by number.
+using Factors = std::function<OneFactor(std::uint32_t which)>;
+
+/// As expand_by(), with such factors and a cover that was checked.
+[[nodiscard]] std::unique_ptr<BlockSource> expand_with(std::unique_ptr<BlockSource> source,
+                                                       UnchangedCover cover, std::uint64_t w,
+                                                       Factors factors);
 
 /// The sweep for m = 1: the blocks between U ∪ {a} and U ∪ {b} that cover all pairs of new elements
 /// and all pairs of a new and an old element of U, and those of new elements with a if a is left

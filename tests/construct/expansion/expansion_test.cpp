@@ -223,8 +223,7 @@ TEST(Expand, AsAStreamChecksTheShapeOfTheSet) {
   set = g.set;
   set.back().position = 16;
   const auto source = expand(std::make_unique<DesignSource>(g.design), set);
-  EXPECT_REFUSAL((void)blocks_of(*source), BadInput,
-                 "position 16 of the expansion set is past the last block, 15");
+  EXPECT_REFUSAL((void)blocks_of(*source), BadInput, "position 16 is past the last block, 15");
 }
 
 TEST(Expand, LabelsNewElementsWithFreshNumbers) {

@@ -1,12 +1,8 @@
-#include "construct/expansion/single_change_expansion.hpp"
-
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "changeover/bounds/lower_bound.hpp"
+#include "changeover/construct/expansion.hpp"
 #include "construction_checks.hpp"
-#include "message_of.hpp"
 #include "oracle_minima.hpp"
 
 namespace changeover::single_change_expansion_test {
@@ -20,11 +16,6 @@ Parameters parameters(std::uint64_t v, std::uint64_t k, Kind kind) { return {v, 
 
 Design design_of(const char* maker, const Parameters& p) {
   return standard().build_design(offer_of(maker, p)->recipe);
-}
-
-Design linear_four() {
-  return Design(parameters(4, 3, Kind::linear),
-                std::vector<Block>{{0, 1, 2}, {0, 2, 3}, {1, 2, 3}});
 }
 
 TEST(SingleChangeExpansion, IsTightWhereTheSmallerDesignIs) {
@@ -56,86 +47,33 @@ TEST(SingleChangeExpansion, NeverBeatsTheKnownMinima) {
   EXPECT_GE(attained, 15U);
 }
 
-TEST(SingleChangeExpansion, InsertsAtAGivenListOfPositions) {
-  const Design larger = expand_single_change(linear_four(), {2, 0});
+TEST(SingleChangeExpansion, InsertsTheNewElementBesideEachSubset) {
+  const Design four(parameters(4, 3, Kind::linear),
+                    std::vector<Block>{{0, 1, 2}, {0, 2, 3}, {1, 2, 3}});
+  const Design larger = expand_by(four, {.subsets = {{0, {0, 1}}, {2, {2, 3}}}}, 1);
   EXPECT_EQ(larger.parameters(), parameters(5, 3, Kind::linear));
   EXPECT_EQ(larger.blocks(),
             (std::vector<Block>{{0, 1, 4}, {0, 1, 2}, {0, 2, 3}, {2, 3, 4}, {1, 2, 3}}));
   EXPECT_TRUE(naive_verdict(larger).valid);
-  EXPECT_EQ(expand_single_change(linear_four(), ExpansionSet{{0, {0, 1}}, {2, {2, 3}}}).blocks(),
-            larger.blocks());
 }
 
 // ⌈v/(k−1)⌉ intervals cover Z_v: economical designs for v + 1 out of tight ones.
-TEST(SingleChangeExpansion, TakesSubsetsThatOverlap) {
+TEST(SingleChangeExpansion, IsEconomicalForSubsetsThatOverlap) {
   for (std::uint64_t k = 3; k <= 12; ++k) {
     const Design design = design_of("mcsorley-circular", parameters(2 * k - 1, k, Kind::circular));
-    const std::vector<std::size_t> positions{1, static_cast<std::size_t>(k),
-                                             static_cast<std::size_t>(2 * k - 1)};
-    const Design larger = expand_single_change(design, positions);
+    const auto found = unchanged_subsets(design);
+    const UnchangedCover cover{
+        .subsets = {found[0], found[static_cast<std::size_t>(k - 1)], found.back()}};
+    const Design larger = expand_by(design, cover, 1);
     const Verdict verdict = verify(larger);
     EXPECT_TRUE(verdict.economical()) << k;
     EXPECT_EQ(verdict.b, 2 * k + 2);
     EXPECT_EQ(verdict.excess, 3 * (k - 1) - (2 * k - 1));
-    const auto found = unchanged_subsets(design);
-    const auto source =
-        expand_single_change(standard().build(*design.recipe),
-                             {found[0], found[static_cast<std::size_t>(k - 1)], found.back()});
+    const auto source = expand_by(standard().build(*design.recipe), cover, 1);
     EXPECT_EQ(blocks_of(*source), larger.blocks());
     ASSERT_TRUE(source->rewind());
     EXPECT_EQ(blocks_of(*source), larger.blocks());
   }
-}
-
-TEST(SingleChangeExpansion, NamesTheNewElement) {
-  Design design = linear_four();
-  design.set_labels({"a", "b", "c", "d"});
-  EXPECT_EQ(expand_single_change(design, {0, 2}).label(4), "4");
-}
-
-TEST(SingleChangeExpansion, NamesWhatStandsInTheWay) {
-  const auto defect = [](const ExpansionSet& set) {
-    return single_change_expansion_defect(linear_four(), set).value_or("none");
-  };
-  EXPECT_EQ(defect({{0, {0, 1}}, {2, {2, 3}}}), "none");
-  EXPECT_EQ(defect({{0, {0, 1}}}), "element 2 is in no chosen subset");
-  EXPECT_EQ(defect({{2, {2, 3}}, {0, {0, 1}}}),
-            "position 0 follows position 2: positions must increase");
-  EXPECT_EQ(defect({{0, {0, 1, 2}}}), "the subset at position 0 has 3 elements, not k - 1 = 2");
-  EXPECT_EQ(defect({{0, {0, 4}}}), "the subset at position 0 holds 4, which is not below v = 4");
-  EXPECT_EQ(defect({{0, {1, 0}}}), "the elements of the subset at position 0 do not increase");
-  EXPECT_EQ(defect({{0, {0, 1}}, {4, {2, 3}}}),
-            "there is no position 4 in a linear design of 3 blocks");
-  EXPECT_EQ(defect({{0, {0, 3}}, {3, {1, 2}}}),
-            "the subset at position 0 is not in the first block");
-  EXPECT_EQ(defect({{1, {0, 1}}, {2, {2, 3}}}),
-            "the subset at position 1 is not what blocks 1 and 2 have in common");
-  Design circular = linear_four();
-  circular.set_kind(Kind::circular);
-  EXPECT_TRUE(single_change_expansion_defect(circular, {{0, {0, 1}}, {2, {2, 3}}}));
-  EXPECT_TRUE(single_change_expansion_defect(Design({9, 3, 2, Kind::linear, 2}), {}));
-}
-
-TEST(SingleChangeExpansion, RefusesWhatDoesNotFit) {
-  EXPECT_REFUSAL((void)expand_single_change(linear_four(), {0, 4}), BadInput,
-                 "one element cannot be added: there is no position 4");
-  EXPECT_REFUSAL((void)expand_single_change(linear_four(), {0, 0, 2}), BadInput,
-                 "one element cannot be added: there is no position 0 twice");
-  EXPECT_REFUSAL((void)expand_single_change(linear_four(), {0, 1}), BadInput,
-                 "one element cannot be added: element 3 is in no chosen subset");
-  EXPECT_REFUSAL((void)expand_single_change(linear_four(), ExpansionSet{}), BadInput,
-                 "one element cannot be added: element 0 is in no chosen subset");
-  EXPECT_REFUSAL(
-      (void)expand_single_change(Design({9, 3, 2, Kind::linear, 2}), ExpansionSet{}),
-      ImpossibleParameters,
-      "the v + 1 expansion needs a single-change design of strength 2, not a linear DCCD(9,3)");
-  const Design design = linear_four();
-  EXPECT_REFUSAL(
-      (void)expand_single_change(std::make_unique<DesignSource>(design), ExpansionSet{{0, {0, 1}}}),
-      BadInput, "one element cannot be added: element 2 is in no chosen subset");
-  const auto short_source = expand_single_change(std::make_unique<DesignSource>(design),
-                                                 ExpansionSet{{0, {0, 1}}, {9, {2, 3}}});
-  EXPECT_THROW((void)blocks_of(*short_source), BadInput);
 }
 
 TEST(SingleChangeExpansion, BuildsOnALiteralDesign) {

@@ -4,7 +4,6 @@
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 #include "construct/tools/close_up.hpp"
 
@@ -42,17 +41,13 @@ class CloseUp final : public Entry {
   Element deleted(const Recipe& recipe) const {
     Parameters larger = recipe.parameters;
     ++larger.v;
-    const auto given = recipe.arguments.find("element");
-    if (given == recipe.arguments.end() || given->second < 0 ||
-        static_cast<std::uint64_t>(given->second) >= larger.v || larger.v <= larger.k + 1 ||
-        larger.change != 1 || larger.kind != Kind::linear || larger.strength != 2) {
-      throw BadInput(
-          fmt::format("close-up to {} takes a linear single-change design on one element more "
-                      "and the number of the element to delete",
-                      changeover::name(recipe.parameters)));
+    if (larger.v <= larger.k + 1 || larger.change != 1 || larger.kind != Kind::linear ||
+        larger.strength != 2) {
+      require_recipe(recipe, *this, std::nullopt);
     }
-    require_input(recipe, larger, {{"element", given->second}});
-    return static_cast<Element>(given->second);
+    return element_of(recipe, larger,
+                      "a linear single-change design on one element more and the number of the "
+                      "element to delete");
   }
 };
 

@@ -81,17 +81,16 @@ class CutSource final : public BlockSource {
   std::uint64_t again_ = 0;  // blocks read since
 };
 
-class Cut final : public Construction {
+constexpr Description description{
+    .name = "cut",
+    .summary = "a circular design read as a linear one that begins after block `at`",
+    .preconditions = "linear, and a circular design with the same m, v, k",
+    .guarantee = "as many blocks as the circular design",
+};
+
+class Cut final : public Entry {
  public:
-  std::string_view name() const override { return "cut"; }
-  std::string_view summary() const override {
-    return "a circular design read as a linear one that begins after block `at`";
-  }
-  std::string_view preconditions() const override {
-    return "linear, and a circular design with the same m, v, k";
-  }
-  std::string_view guarantee() const override { return "as many blocks as the circular design"; }
-  Citation citation() const override { return {}; }
+  Cut() : Entry(description) {}
 
   bool asks_registry() const override { return true; }
 
@@ -147,8 +146,7 @@ class Cut final : public Construction {
 
   std::vector<std::string> labels(const Recipe& recipe, const Registry& registry) const override {
     (void)place(recipe);
-    const Recipe& input = recipe.inputs.front();
-    return registry.construction_of(input).labels(input, registry);
+    return labels_of_input(recipe, registry);
   }
 
  private:
@@ -157,26 +155,16 @@ class Cut final : public Construction {
     if (recipe.parameters.kind != Kind::linear) {
       require_recipe(recipe, *this, std::nullopt);
     }
-    if (recipe.inputs.size() != 1 ||
-        recipe.inputs.front().parameters != circular(recipe.parameters)) {
-      throw BadInput(fmt::format("cut to {} takes one input, a {}",
-                                 changeover::name(recipe.parameters),
-                                 changeover::name(circular(recipe.parameters))));
-    }
     const auto at = recipe.arguments.find("at");
     const std::int64_t value = at != recipe.arguments.end() && at->second > 0 ? at->second : 0;
-    require_recipe(recipe, *this,
-                   cut_recipe(recipe.inputs.front(), static_cast<std::uint64_t>(value)));
+    require_input(recipe, circular(recipe.parameters), {{"at", value}});
     return static_cast<std::uint64_t>(value);
   }
 };
 
 }  // namespace
 
-const Construction& construction() {
-  static const Cut construction;
-  return construction;
-}
+const Construction& construction() { return only<Cut>(); }
 
 }  // namespace changeover::cut_entry
 

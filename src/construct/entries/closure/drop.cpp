@@ -12,7 +12,6 @@
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/design.hpp"
-#include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "changeover/run/control.hpp"
 #include "construct/entry.hpp"
@@ -169,28 +168,21 @@ class Dropping {
   std::vector<std::size_t> gone_;        // in the order in which they went
 };
 
-class Drop final : public Construction {
- public:
-  std::string_view name() const override { return "drop"; }
-  std::string_view summary() const override { return "leave out blocks that are not needed"; }
-  std::string_view preconditions() const override {
-    return "a block whose pairs are elsewhere and whose neighbours differ in m elements";
-  }
-  std::string_view guarantee() const override { return "fewer blocks"; }
-  Citation citation() const override { return {}; }
+// Which blocks can go is known only when they are there; see construct/best_known.hpp.
+constexpr Description description{
+    .name = "drop",
+    .summary = "leave out blocks that are not needed",
+    .preconditions = "a block whose pairs are elsewhere and whose neighbours differ in m elements",
+    .guarantee = "fewer blocks",
+};
 
-  // Which blocks can go is known only when they are there; see construct/best_known.hpp.
-  std::optional<Offer> offer(const Parameters&, const Registry&) const override {
-    return std::nullopt;
-  }
+class Drop final : public Entry {
+ public:
+  Drop() : Entry(description) {}
 
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
-    if (recipe.construction != name() || recipe.inputs.size() != 1 || !recipe.blocks.empty() ||
-        !recipe.arguments.empty() || recipe.inputs.front().parameters != recipe.parameters) {
-      throw BadInput(fmt::format("drop takes one input, a {}, and no arguments",
-                                 changeover::name(recipe.parameters)));
-    }
+    require_input(recipe, recipe.parameters, {});
     const std::unique_ptr<BlockSource> source = registry.build(recipe.inputs.front());
     const Design design = read_within_memory(*source);
     Dropping dropping(design);
@@ -204,17 +196,13 @@ class Drop final : public Construction {
   }
 
   std::vector<std::string> labels(const Recipe& recipe, const Registry& registry) const override {
-    const Recipe& input = recipe.inputs.front();
-    return registry.construction_of(input).labels(input, registry);
+    return labels_of_input(recipe, registry);
   }
 };
 
 }  // namespace
 
-const Construction& construction() {
-  static const Drop construction;
-  return construction;
-}
+const Construction& construction() { return only<Drop>(); }
 
 }  // namespace changeover::drop_entry
 

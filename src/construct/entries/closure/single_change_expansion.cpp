@@ -1,13 +1,12 @@
 // The v → v+1 expansion: U ∪ {v}, inserted at the positions of an expansion set of an SCCD(v,k).
-//
-// See construct/expansion/single_change_expansion.hpp, which also serves subsets that overlap.
-#include "construct/expansion/single_change_expansion.hpp"
-#include "bounds/counting_bound.hpp"
-
+// It is the partial expansion by one element at subsets that do not overlap [PreeceEtAl1995], for
+// circular designs too [McSorley1999].
 #include <fmt/format.h>
 
 #include <utility>
 
+#include "bounds/counting_bound.hpp"
+#include "changeover/construct/expansion.hpp"
 #include "changeover/construct/registry.hpp"
 #include "construct/entry.hpp"
 
@@ -21,21 +20,6 @@ std::optional<Parameters> input_parameters(const Parameters& p) {
   Parameters smaller = p;
   --smaller.v;
   return smaller;
-}
-
-// Only what does not ask the registry itself is asked, so that questions end.
-std::optional<Offer> best_with_expansion_set(const Parameters& p, const Registry& registry) {
-  std::optional<Offer> best;
-  for (const Construction* construction : registry.constructions()) {
-    if (construction->asks_registry()) {
-      continue;
-    }
-    std::optional<Offer> offer = construction->offer(p, registry);
-    if (offer && offer->expansion_set && (!best || offer->b < best->b)) {
-      best = std::move(offer);
-    }
-  }
-  return best;
 }
 
 constexpr Description description{
@@ -57,7 +41,7 @@ class SingleChangeExpansion final : public Entry {
     if (!smaller) {
       return std::nullopt;
     }
-    std::optional<Offer> input = best_with_expansion_set(*smaller, registry);
+    std::optional<Offer> input = best_that_asks_none(*smaller, Need::expansion_set, registry);
     std::uint64_t b = 0;
     if (!input || __builtin_add_overflow(input->b, smaller->v / (p.k - 1), &b)) {
       return std::nullopt;
@@ -71,7 +55,7 @@ class SingleChangeExpansion final : public Entry {
     require_fit(recipe);
     const Recipe& input = recipe.inputs.front();
     ExpansionSet set = known_expansion_set(input, registry);
-    return expand_single_change(registry.build(input), std::move(set));
+    return expand_by(registry.build(input), {.subsets = std::move(set)}, 1);
   }
 
   std::string explain(const Recipe& recipe) const override {

@@ -148,22 +148,18 @@ class Truncation {
   std::size_t stamp_ = 0;
 };
 
-class Truncate final : public Construction {
- public:
-  std::string_view name() const override { return "truncate"; }
-  std::string_view summary() const override {
-    return "delete an element; other elements take its place, run by run";
-  }
-  std::string_view preconditions() const override {
-    return "a design on v+1 elements in which each run of some element leaves another one free";
-  }
-  std::string_view guarantee() const override { return "as many blocks as the larger design"; }
-  Citation citation() const override { return {}; }
+// A planner finds out which element can go; see construct/best_known.hpp.
+constexpr Description description{
+    .name = "truncate",
+    .summary = "delete an element; other elements take its place, run by run",
+    .preconditions =
+        "a design on v+1 elements in which each run of some element leaves another one free",
+    .guarantee = "as many blocks as the larger design",
+};
 
-  // A planner finds out which element can go; see construct/best_known.hpp.
-  std::optional<Offer> offer(const Parameters&, const Registry&) const override {
-    return std::nullopt;
-  }
+class Truncate final : public Entry {
+ public:
+  Truncate() : Entry(description) {}
 
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
@@ -184,28 +180,17 @@ class Truncate final : public Construction {
   }
 
  private:
-  static Element deleted(const Recipe& recipe) {
-    const auto given = recipe.arguments.find("element");
+  Element deleted(const Recipe& recipe) const {
     Parameters larger = recipe.parameters;
     ++larger.v;
-    if (recipe.construction != "truncate" || recipe.inputs.size() != 1 || !recipe.blocks.empty() ||
-        recipe.arguments.size() != 1 || given == recipe.arguments.end() || given->second < 0 ||
-        static_cast<std::uint64_t>(given->second) >= larger.v ||
-        recipe.inputs.front().parameters != larger) {
-      throw BadInput(
-          fmt::format("truncate to {} takes one input on {} elements and the element to delete",
-                      changeover::name(recipe.parameters), larger.v));
-    }
-    return static_cast<Element>(given->second);
+    return element_of(recipe, larger,
+                      fmt::format("one input on {} elements and the element to delete", larger.v));
   }
 };
 
 }  // namespace
 
-const Construction& construction() {
-  static const Truncate construction;
-  return construction;
-}
+const Construction& construction() { return only<Truncate>(); }
 
 }  // namespace changeover::truncate_entry
 

@@ -51,18 +51,12 @@ class Unfix final : public Entry {
 
  private:
   Element taken(const Recipe& recipe) const {
-    const auto given = recipe.arguments.find("element");
     Parameters larger = recipe.parameters;
     ++larger.v;
     ++larger.k;
-    if (recipe.construction != name() || recipe.inputs.size() != 1 || !recipe.blocks.empty() ||
-        recipe.arguments.size() != 1 || given == recipe.arguments.end() || given->second < 0 ||
-        static_cast<std::uint64_t>(given->second) >= larger.v ||
-        recipe.inputs.front().parameters != larger) {
-      throw BadInput(fmt::format("unfix to {} takes one input, a {}, and the element to take away",
-                                 changeover::name(recipe.parameters), changeover::name(larger)));
-    }
-    return static_cast<Element>(given->second);
+    return element_of(
+        recipe, larger,
+        fmt::format("one input, a {}, and the element to take away", changeover::name(larger)));
   }
 };
 

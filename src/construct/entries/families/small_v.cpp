@@ -415,8 +415,7 @@ class SmallV final : public Entry {
     if (recipe.inputs.empty()) {
       return {};
     }
-    const Recipe& input = recipe.inputs.front();
-    return registry.construction_of(input).labels(input, registry);
+    return labels_of_input(recipe, registry);
   }
 };
 
