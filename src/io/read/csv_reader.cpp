@@ -6,7 +6,7 @@
 #include <array>
 #include <cctype>
 #include <optional>
-#include <span>
+#include <utility>
 
 #include "io/read/declared.hpp"
 #include "io/scan/place.hpp"
@@ -16,22 +16,6 @@
 
 namespace changeover {
 namespace {
-
-// Bytes in memory. They are read twice if a place in them is needed.
-class BytesInput final : public Input {
- public:
-  BytesInput(std::string_view bytes, const std::string& name) : Input(name), rest_(bytes) {}
-
-  std::size_t read(std::span<char> buffer) override {
-    const std::size_t count = std::min(buffer.size(), rest_.size());
-    std::copy_n(rest_.data(), count, buffer.data());
-    rest_.remove_prefix(count);
-    return count;
-  }
-
- private:
-  std::string_view rest_;
-};
 
 Place place_of_field(const Field& field) { return {field.line, field.offset + 1}; }
 
@@ -166,12 +150,12 @@ class Columns {
 }  // namespace
 
 Design read_csv(Input& input, const ReadOptions& options) {
-  const std::string bytes = read_to_end(input);
+  std::string bytes = read_to_end(input);
   if (const auto defect = table_defect(without_byte_order_mark(bytes).substr(0, 1U << 16))) {
     fail(input.name(), {}, *defect);
   }
-  BytesInput text(bytes, input.name());
-  RowReader rows(text, RowOptions::of_any_length());
+  const auto text = input_from_text(std::move(bytes), input.name());
+  RowReader rows(*text, RowOptions::of_any_length());
   const auto next_of = [](RowReader& reader, Row& row) {
     while (reader.next_line()) {
       if (reader.split(row)) {
@@ -206,8 +190,8 @@ Design read_csv(Input& input, const ReadOptions& options) {
                              .place = place.value_or(Place()),
                              .named = labels,
                              .place_of_word = [&](std::uint64_t word) {
-                               BytesInput again(bytes, input.name());
-                               RowReader reader(again, RowOptions::of_any_length());
+                               text->rewind();
+                               RowReader reader(*text, RowOptions::of_any_length());
                                Row row;
                                for (std::uint64_t i = 0; i <= word / k + (header ? 1 : 0); ++i) {
                                  static_cast<void>(next_of(reader, row));

@@ -31,16 +31,10 @@ std::optional<std::string> declare_number(std::optional<T>& found, std::string_v
 
 std::vector<std::string_view> words_of(std::string_view line) {
   std::vector<std::string_view> words;
-  while (true) {
-    const std::size_t start = line.find_first_not_of(" \t\r");
-    if (start == std::string_view::npos) {
-      return words;
-    }
-    line.remove_prefix(start);
-    const std::size_t length = std::min(line.find_first_of(" \t\r"), line.size());
-    words.push_back(line.substr(0, length));
-    line.remove_prefix(length);
+  for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
+    words.push_back(word);
   }
+  return words;
 }
 
 // The lines that are not blank or comments, up to `limit` of them.
@@ -70,6 +64,14 @@ bool is_block_name(std::string_view word) {
 
 }  // namespace
 
+std::string_view next_word(std::string_view& words) {
+  constexpr std::string_view blanks = " \t\r\n";
+  words.remove_prefix(std::min(words.find_first_not_of(blanks), words.size()));
+  const std::string_view word = words.substr(0, words.find_first_of(blanks));
+  words.remove_prefix(word.size());
+  return word;
+}
+
 std::optional<std::string> declare(ReadOptions& found, std::string_view key,
                                    std::string_view text) {
   if (key == "v") {
@@ -93,6 +95,20 @@ std::optional<std::string> declare(ReadOptions& found, std::string_view key,
       return fmt::format("kind={}: bad value; give linear or circular", shown(text));
     }
   }
+  return std::nullopt;
+}
+
+std::optional<std::string> add_label(TokenTable& labels, std::string_view label) {
+  if (auto defect = word_defect(label)) {
+    return defect;
+  }
+  if (labels.find(label) != TokenTable::none) {
+    return fmt::format("label {} is listed twice; remove or correct one", shown(label));
+  }
+  if (labels.size() == max_elements_in_memory) {
+    return label_count_defect(labels.size() + 1, {});
+  }
+  labels.add(label);
   return std::nullopt;
 }
 

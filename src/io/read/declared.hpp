@@ -16,10 +16,16 @@
 
 namespace changeover {
 
+/// Takes the next word of a text; empty at the end.
+std::string_view next_word(std::string_view& words);
+
 /// Records key = text of a file, for the keys v, k, change, kind and strength; ignores other keys.
 /// Returns what is wrong with it, if anything.
 [[nodiscard]] std::optional<std::string> declare(ReadOptions& found, std::string_view key,
                                                  std::string_view text);
+
+/// Adds a label to those that a file has listed so far. Returns what is wrong with it, if anything.
+[[nodiscard]] std::optional<std::string> add_label(TokenTable& labels, std::string_view label);
 
 /// The declared parameters, and which of them the caller declared.
 struct Declared : ReadOptions {

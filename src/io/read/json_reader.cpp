@@ -222,17 +222,9 @@ class DesignHandler final : public JsonHandler {
     if (event.type != Type::string && event.type != Type::natural) {
       json_->fail_expecting(event, "a label in quotes");
     }
-    if (const auto defect = word_defect(event.text)) {
+    if (const auto defect = add_label(known_labels_, event.text)) {
       json_->fail(event.offset, *defect);
     }
-    if (known_labels_.find(event.text) != TokenTable::none) {
-      json_->fail(event.offset, fmt::format("label {} is listed twice; remove or correct one",
-                                            shown(event.text)));
-    }
-    if (labels_->size() == max_elements_in_memory) {
-      json_->fail(event.offset, *label_count_defect(labels_->size() + 1, {}));
-    }
-    known_labels_.add(event.text);
     labels_->emplace_back(event.text);
   }
 

@@ -10,17 +10,6 @@
 #include "io/scan/text_scanner.hpp"
 
 namespace changeover {
-namespace {
-
-// Takes the next word; empty at the end.
-std::string_view next_word(std::string_view& words) {
-  words.remove_prefix(std::min(words.find_first_not_of(" \t\r\n"), words.size()));
-  const std::string_view word = words.substr(0, words.find_first_of(" \t\r\n"));
-  words.remove_prefix(word.size());
-  return word;
-}
-
-}  // namespace
 
 void PointBlocks::comment(std::string_view words, std::size_t offset) {
   const std::string_view first = next_word(words);
@@ -41,22 +30,14 @@ void PointBlocks::read_labels(std::string_view words, std::size_t offset) {
   if (labels_) {
     fail(offset, "labels are listed twice; list them once");
   }
-  labels_.emplace();
   labels_offset_ = offset;
   TokenTable known;
   for (std::string_view word = next_word(words); !word.empty(); word = next_word(words)) {
-    if (const auto defect = word_defect(word)) {
+    if (const auto defect = add_label(known, word)) {
       fail(offset, *defect);
     }
-    if (known.find(word) != TokenTable::none) {
-      fail(offset, fmt::format("label {} is listed twice; remove or correct one", shown(word)));
-    }
-    if (labels_->size() == max_elements_in_memory) {
-      fail(offset, *label_count_defect(labels_->size() + 1, {}));
-    }
-    known.add(word);
-    labels_->emplace_back(word);
   }
+  labels_ = known.words();
 }
 
 void PointBlocks::declare_v(std::string_view number, std::size_t offset) {

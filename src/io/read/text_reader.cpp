@@ -172,17 +172,9 @@ class TextSource final : public BlockByBlock<TextSource, DesignInput> {
     labels_place_ = place;
     TextScanner::CommentWord word;
     while (scanner_.comment_word(word, max_token_bytes + 1)) {
-      if (const auto defect = word_defect(word.text)) {
+      if (const auto defect = add_label(table_, word.text)) {
         scanner_.fail(word.place, *defect);
       }
-      if (table_.find(word.text) != TokenTable::none) {
-        scanner_.fail(word.place, fmt::format("label {} is listed twice; remove or correct one",
-                                              shown(word.text)));
-      }
-      if (table_.size() == max_elements_in_memory) {
-        scanner_.fail(word.place, *label_count_defect(table_.size() + 1, {}));
-      }
-      table_.add(word.text);
     }
   }
 
