@@ -71,11 +71,7 @@ py::tuple next_work(Work& self) {
 }
 
 // Steps with all that was asked for.
-struct FullSteps {
-  std::shared_ptr<const LoadsAnswer> answer;  // outlives the source
-  std::unique_ptr<StepSource> source;
-  bool busy = false;
-};
+struct FullSteps : Work {};
 
 // (number, worker, evict, load, store, pairs, overlap, late, epoch)
 py::tuple next_full(FullSteps& self) {
@@ -276,68 +272,61 @@ py::bytes shapes_of(const Loads& loads) {
   return {reinterpret_cast<const char*>(shapes.data()), shapes.size() * sizeof(shapes[0])};
 }
 
-std::optional<std::vector<std::uint64_t>> loads_of_epochs(std::uint64_t epochs,
-                                                          std::vector<std::uint64_t> loads) {
-  return epochs > 1 ? std::optional(std::move(loads)) : std::nullopt;
+// What both kinds of facts say.
+template <typename Facts>
+py::dict facts_in(const Facts& facts, const Loads& loads) {
+  py::dict said(py::arg("items") = facts.items, py::arg("room") = loads.room(),
+                py::arg("loads") = facts.loads, py::arg("certificate") = facts.certificate);
+  said["epoch_loads"] = facts.epochs > 1 ? std::optional(facts.epoch_loads) : std::nullopt;
+  return said;
+}
+
+py::dict facts_of(const LoadOrder& order, const Loads& loads) {
+  const LoadOrderFacts& facts = order.facts();
+  py::dict said = facts_in(facts, loads);
+  said["method"] = facts.method;
+  if (facts.lockstep == 0) {
+    said["steps"] = facts.steps;
+    said["lower_bound"] = facts.bound.loads;
+    said["reason"] = facts.bound.reason;
+    said["bytes"] = facts.sizes ? std::optional(facts.bytes) : std::nullopt;
+    said["bytes_bound"] = facts.sizes ? std::optional(facts.byte_bound.loads) : std::nullopt;
+    return said;
+  }
+  said["worker_loads"] = facts.worker_loads;
+  said["makespan"] = facts.makespan();
+  said["makespan_bound"] = facts.makespan_bound.loads;
+  said["reason"] = facts.makespan_bound.reason;
+  said["worker_pairs"] =
+      facts.worker_pairs.empty() ? std::nullopt : std::optional(facts.worker_pairs);
+  said["worker_costs"] = py::none();
+  said["span"] = facts.span;
+  return said;
 }
 
 py::dict facts_of(const Loads& loads) {
-  if (const LoadOrder* const one = loads.one(); one != nullptr && one->facts().lockstep == 0) {
-    const auto& facts = one->facts();
-    return py::dict(py::arg("items") = facts.items, py::arg("room") = loads.room(),
-                    py::arg("loads") = facts.loads, py::arg("steps") = facts.steps,
-                    py::arg("lower_bound") = facts.bound.loads,
-                    py::arg("reason") = facts.bound.reason, py::arg("method") = facts.method,
-                    py::arg("certificate") = facts.certificate,
-                    py::arg("epoch_loads") = loads_of_epochs(facts.epochs, facts.epoch_loads),
-                    py::arg("bytes") = facts.sizes ? std::optional(facts.bytes) : std::nullopt,
-                    py::arg("bytes_bound") =
-                        facts.sizes ? std::optional(facts.byte_bound.loads) : std::nullopt);
-  }
-  std::vector<std::uint64_t> of_workers;
-  std::optional<std::vector<std::uint64_t>> pairs;
-  std::optional<std::vector<double>> costs;
   if (const LoadOrder* const one = loads.one()) {
-    const auto& facts = one->facts();
-    of_workers = facts.worker_loads;
-    if (!facts.worker_pairs.empty()) {
-      pairs = facts.worker_pairs;
-    }
-    return py::dict(py::arg("items") = facts.items, py::arg("room") = loads.room(),
-                    py::arg("loads") = facts.loads, py::arg("worker_loads") = of_workers,
-                    py::arg("makespan") = facts.makespan(),
-                    py::arg("makespan_bound") = facts.makespan_bound.loads,
-                    py::arg("reason") = facts.makespan_bound.reason,
-                    py::arg("method") = facts.method, py::arg("certificate") = facts.certificate,
-                    py::arg("worker_pairs") = pairs, py::arg("worker_costs") = costs,
-                    py::arg("span") = std::optional(facts.span),
-                    py::arg("epoch_loads") = loads_of_epochs(facts.epochs, facts.epoch_loads));
+    return facts_of(*one, loads);
   }
-  const auto& facts = loads.split().facts();
-  if (facts.pairs_are_known) {
-    pairs.emplace();
-  }
-  if (facts.has_costs) {
-    costs.emplace();
-  }
+  const SplitFacts& facts = loads.split().facts();
+  py::list of_workers;
+  py::list pairs;
+  py::list costs;
   for (const WorkerFacts& worker : facts.workers) {
-    of_workers.push_back(worker.loads);
-    if (pairs) {
-      pairs->push_back(worker.pairs);
-    }
-    if (costs) {
-      costs->push_back(worker.cost);
-    }
+    of_workers.append(worker.loads);
+    pairs.append(worker.pairs);
+    costs.append(worker.cost);
   }
-  return py::dict(py::arg("items") = facts.items, py::arg("room") = loads.room(),
-                  py::arg("loads") = facts.loads, py::arg("worker_loads") = of_workers,
-                  py::arg("makespan") = facts.makespan,
-                  py::arg("makespan_bound") = facts.makespan_bound.loads,
-                  py::arg("reason") = facts.makespan_bound.reason,
-                  py::arg("method") = loads.split().order().facts().method,
-                  py::arg("certificate") = facts.certificate, py::arg("worker_pairs") = pairs,
-                  py::arg("worker_costs") = costs, py::arg("span") = std::optional<std::uint64_t>(),
-                  py::arg("epoch_loads") = loads_of_epochs(facts.epochs, facts.epoch_loads));
+  py::dict said = facts_in(facts, loads);
+  said["method"] = loads.split().order().facts().method;
+  said["worker_loads"] = of_workers;
+  said["makespan"] = facts.makespan;
+  said["makespan_bound"] = facts.makespan_bound.loads;
+  said["reason"] = facts.makespan_bound.reason;
+  said["worker_pairs"] = facts.pairs_are_known ? py::object(pairs) : py::none();
+  said["worker_costs"] = facts.has_costs ? py::object(costs) : py::none();
+  said["span"] = py::none();
+  return said;
 }
 
 py::tuple order(const std::string& document, const std::optional<py::bytes>& pairs,
@@ -545,7 +534,7 @@ void bind_loads(py::module_& module) {
                             std::uint64_t step) { return Steps{self.one()->stream_from(step)}; })
       .def("full_steps",
            [](const Loads& self, std::optional<std::uint64_t> worker) {
-             return FullSteps{self.answer, self.answer->steps(worker)};
+             return FullSteps{{self.answer, self.answer->steps(worker)}};
            })
       .def("steps", [](const Loads& self, std::uint64_t worker) {
         return Steps{self.one() == nullptr               ? self.split().stream(worker)

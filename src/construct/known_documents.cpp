@@ -57,12 +57,11 @@ std::string bounds_json(const KnownBounds& answer) {
   answer.best ? json.value(answer.best->recipe.construction) : json.null();
   json.key("status").value(answer.status());
   write_reported(json, answer);
-  json.key("bounds").begin_array();
-  for (const Bound& bound : answer.bounds) {
-    json.begin_object().key("lower_bound").value(bound.blocks).key("name").value(bound.name);
-    json.key("reason").value(bound.reason).end_object();
-  }
-  json.end_array().end_object();
+  json.objects("bounds", answer.bounds, [&](const Bound& bound) {
+    json.key("lower_bound").value(bound.blocks).key("name").value(bound.name);
+    json.key("reason").value(bound.reason);
+  });
+  json.end_object();
   return json.take();
 }
 

@@ -221,21 +221,19 @@ std::string render_json(const PaperReport& report) {
   json.key("vacuous").value(report.count(PaperStatus::vacuous));
   json.key("not_checkable").value(report.count(PaperStatus::not_checkable));
   json.key("consequences").value(report.consequences());
-  json.key("items").begin_array();
-  for (const PaperItem& item : report.items) {
-    json.begin_object().key("place").value(item.place).key("what").value(item.what);
+  json.objects("items", report.items, [&](const PaperItem& item) {
+    json.key("place").value(item.place).key("what").value(item.what);
     json.key("status").value(to_string(item.status));
     json.key("checked").value(item.checked).key("unit").value(item.unit);
     json.key("follows");
     json.value_or_null(item.follows);
-    json.key("findings").begin_array();
-    for (const PaperFinding& finding : item.findings) {
-      json.begin_object().key("printed").value(finding.printed).key("truth").value(finding.truth);
-      json.key("why").value(finding.why).end_object();
-    }
-    json.end_array().key("notes").value(item.notes).end_object();
-  }
-  json.end_array().end_object();
+    json.objects("findings", item.findings, [&](const PaperFinding& finding) {
+      json.key("printed").value(finding.printed).key("truth").value(finding.truth);
+      json.key("why").value(finding.why);
+    });
+    json.key("notes").value(item.notes);
+  });
+  json.end_object();
   return json.take();
 }
 

@@ -177,9 +177,9 @@ std::string json(const Classified& answer) {
   for (const auto& [order, classes] : found.group_orders) {
     json.key(order).value(classes);
   }
-  json.end_object().key("representatives").begin_array();
-  for (const DesignClass& each : found.kept) {
-    json.begin_object().key("standard_forms").value(each.forms);
+  json.end_object();
+  json.objects("representatives", found.kept, [&](const DesignClass& each) {
+    json.key("standard_forms").value(each.forms);
     json.key("group_order").value(each.group_order).key("rotations").value(each.rotations);
     json.key("own_reversal").value(each.reflections).key("fixed").value(each.fixed);
     json.key("tight").value(each.tight).key("economical").value(each.economical);
@@ -187,9 +187,9 @@ std::string json(const Classified& answer) {
     for (std::size_t i = 0; i < each.representative.block_count(); ++i) {
       json.value(each.representative.block(i));
     }
-    json.end_array().end_object();
-  }
-  json.end_array().end_object();
+    json.end_array();
+  });
+  json.end_object();
   return json.take() + "\n";
 }
 

@@ -64,22 +64,18 @@ void write_codes(JsonWriter& json, const std::vector<ExitCodeDescription>& codes
 
 std::string as_json(const Program& program) {
   JsonWriter json;
-  json.begin_object().key("version").value(version).key("verbs").begin_array();
-  for (const VerbDescription& verb : program.verbs()) {
-    json.begin_object().key("name").value(verb.name).key("typed").value(verb.typed());
+  json.begin_object().key("version").value(version);
+  json.objects("verbs", program.verbs(), [&](const VerbDescription& verb) {
+    json.key("name").value(verb.name).key("typed").value(verb.typed());
     json.key("summary").value(verb.summary);
     write_options(json.key("arguments"), verb, true);
     write_options(json.key("options"), verb, false);
     json.key("rules").value(verb.rules).key("examples").value(verb.examples);
     write_codes(json.key("outcomes"), verb.outcomes);
-    json.end_object();
-  }
-  json.end_array().key("groups").begin_array();
-  for (const GroupDescription& group : program.groups()) {
-    json.begin_object().key("name").value(group.name).key("summary").value(group.summary);
-    json.end_object();
-  }
-  json.end_array();
+  });
+  json.objects("groups", program.groups(), [&](const GroupDescription& group) {
+    json.key("name").value(group.name).key("summary").value(group.summary);
+  });
   write_codes(json.key("exit_codes"), exit_codes());
   return json.end_object().take() + "\n";
 }

@@ -51,15 +51,15 @@ std::size_t elements_in(const ExpansionSet& set) {
 void add_set(const Design& design, const ExpansionSet& set, JsonWriter& json) {
   json.begin_array();
   for (const UnchangedSubset& subset : set) {
-    json.begin_object().key("position").value(subset.position).key("elements").begin_array();
-    for (const Element x : subset.elements) {
+    json.begin_object().key("position").value(subset.position);
+    json.list("elements", subset.elements, [&](const Element x) {
       if (design.labels().empty()) {
         json.value(x);
       } else {
         json.value(design.label(x));
       }
-    }
-    json.end_array().end_object();
+    });
+    json.end_object();
   }
   json.end_array();
 }
@@ -88,11 +88,7 @@ Answer report(const ExpandRequest& request, const Design& design) {
     JsonWriter json;
     json.begin_object().key("complete").value(search.complete).key("reason").value(search.reason);
     json.key("count").value(search.count).key("partial").value(request.partial);
-    json.key("sets").begin_array();
-    for (const ExpansionSet& set : search.sets) {
-      add_set(design, set, json);
-    }
-    json.end_array();
+    json.list("sets", search.sets, [&](const ExpansionSet& set) { add_set(design, set, json); });
     if (largest) {
       json.key("largest");
       add_set(design, largest->set, json);

@@ -70,15 +70,13 @@ std::string as_json(const FactorizeRequest& request, const Factors& factors) {
   JsonWriter json;
   json.begin_object().key("order").value(*request.order);
   json.key("kind").value(request.near ? "near" : request.kind);
-  json.key("factors").begin_array();
-  for (const Edges& edges : factors.edges) {
+  json.list("factors", factors.edges, [&](const Edges& edges) {
     json.begin_array();
     for (const auto& [a, b] : edges) {
       json.begin_array().value(a).value(b).end_array();
     }
     json.end_array();
-  }
-  json.end_array();
+  });
   if (request.near) {
     json.key("isolated").value(factors.isolated);
   }

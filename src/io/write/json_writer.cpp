@@ -120,11 +120,8 @@ void write_recipe(JsonWriter& json, const Recipe& recipe) {
   for (const auto& [name, value] : recipe.arguments) {
     json.key(name).value(value);
   }
-  json.end_object().key("inputs").begin_array();
-  for (const Recipe& input : recipe.inputs) {
-    write_recipe(json, input);
-  }
-  json.end_array();
+  json.end_object();
+  json.list("inputs", recipe.inputs, [&](const Recipe& input) { write_recipe(json, input); });
   if (!recipe.blocks.empty()) {
     json.key("blocks").value(recipe.blocks);
   }
@@ -207,18 +204,14 @@ std::string verdict_to_json(const Verdict& verdict, const std::vector<std::strin
   json.key("valid").value(verdict.valid()).key("tight").value(verdict.tight());
   json.key("economical").value(verdict.economical()).key("b").value(verdict.b);
   json.key("counting_bound").value(verdict.counting_bound);
-  json.key("bad_steps").value(verdict.bad_steps).key("bad_step_examples").begin_array();
-  for (const BadStep& step : verdict.bad_step_examples) {
-    json.begin_object().key("from").value(step.from).key("to").value(step.to);
-    json.key("changes").value(step.changes).end_object();
-  }
-  json.end_array();
+  json.key("bad_steps").value(verdict.bad_steps);
+  json.objects("bad_step_examples", verdict.bad_step_examples, [&](const BadStep& step) {
+    json.key("from").value(step.from).key("to").value(step.to);
+    json.key("changes").value(step.changes);
+  });
   json.key("subsets").value(verdict.subsets).key("uncovered").value(verdict.uncovered);
-  json.key("uncovered_examples").begin_array();
-  for (const Block& subset : verdict.uncovered_examples) {
-    write_elements(json, subset, labels);
-  }
-  json.end_array();
+  json.list("uncovered_examples", verdict.uncovered_examples,
+            [&](const Block& subset) { write_elements(json, subset, labels); });
   json.key("covered").value(verdict.covered);
   json.key("never_newly_covered").value(verdict.never_newly_covered);
   json.key("excess").value(verdict.excess).key("fixed");

@@ -71,6 +71,26 @@ class JsonWriter {
     return end_array();
   }
 
+  /// A key with an array, for which write(member) writes a value for each member of a range.
+  template <std::ranges::input_range Range, typename Write>
+  JsonWriter& list(std::string_view name, Range&& range, Write&& write) {
+    key(name).begin_array();
+    for (auto&& member : range) {
+      write(member);
+    }
+    return end_array();
+  }
+
+  /// The same with an array of objects, of each of which write(member) writes the keys.
+  template <std::ranges::input_range Range, typename Write>
+  JsonWriter& objects(std::string_view name, Range&& range, Write&& write) {
+    return list(name, range, [&](auto&& member) {
+      begin_object();
+      write(member);
+      end_object();
+    });
+  }
+
   /// Appends text that is JSON already.
   JsonWriter& raw(std::string_view json);
 

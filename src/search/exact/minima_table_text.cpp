@@ -272,16 +272,16 @@ std::string minima_text(const std::vector<MinimaRow>& rows, const Style& style) 
 
 std::string minima_json(const std::vector<MinimaRow>& rows) {
   JsonWriter json;
-  json.begin_object().key("minima").begin_array();
-  for (const MinimaRow& row : rows) {
-    json.begin_object().cell(row.parameters).key("strength").value(row.parameters.strength);
+  json.begin_object();
+  json.objects("minima", rows, [&](const MinimaRow& row) {
+    json.cell(row.parameters).key("strength").value(row.parameters.strength);
     json.key("settled").value(row.settled()).key("bound_on_paper").value(row.start);
     json.key("lower_bound").value(row.lower).key("upper_bound").value(row.upper);
     json.key("design_by").value(row.by).key("seconds").value(row.seconds);
     json.key("proof_bytes").value(row.proof_bytes).key("proof_steps").value(row.proof_steps);
-    json.key("conflicts").value(row.limit).end_object();
-  }
-  json.end_array().end_object();
+    json.key("conflicts").value(row.limit);
+  });
+  json.end_object();
   return json.take() + "\n";
 }
 

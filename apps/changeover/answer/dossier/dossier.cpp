@@ -133,20 +133,18 @@ std::string dossier_json(const Dossier& dossier) {
   json.key("quality").value(dossier.quality).key("verified").value(dossier.certificate);
   json.key("status").value(dossier.known.status()).key("label").value_or_null(dossier.label);
   json.key("credit").value_or_null(dossier.credit);
-  json.key("hash").value(to_hex(dossier.checksum)).key("bounds").begin_array();
-  for (const Bound& bound : dossier.known.bounds) {
-    json.begin_object().key("lower_bound").value(bound.blocks).key("name").value(bound.name);
-    json.key("reason").value(bound.reason).end_object();
-  }
-  json.end_array();
+  json.key("hash").value(to_hex(dossier.checksum));
+  json.objects("bounds", dossier.known.bounds, [&](const Bound& bound) {
+    json.key("lower_bound").value(bound.blocks).key("name").value(bound.name);
+    json.key("reason").value(bound.reason);
+  });
   write_reported(json, dossier.known);
-  json.key("steps").begin_array();
-  for (const RecipeStep& step : dossier.steps) {
-    json.begin_object().key("depth").value(std::uint64_t{step.depth});
+  json.objects("steps", dossier.steps, [&](const RecipeStep& step) {
+    json.key("depth").value(std::uint64_t{step.depth});
     json.key("design").value(step.design).key("how").value(step.how);
-    json.key("citation").value(step.citation).end_object();
-  }
-  json.end_array().key("recipe").raw(dossier.recipe).key("blocks");
+    json.key("citation").value(step.citation);
+  });
+  json.key("recipe").raw(dossier.recipe).key("blocks");
   if (dossier.design) {
     json.begin_array();
     for (std::uint64_t i = 0; i < dossier.design->block_count(); ++i) {

@@ -133,14 +133,13 @@ Answer decline(const std::vector<Parameters>& asked, const std::string& construc
   }
   JsonWriter json;
   json.begin_object().key("served").value(false).key("explanation").value(text);
-  json.key("lower_bounds").begin_array();
-  for (const Parameters& p : asked) {
+  json.list("lower_bounds", asked, [&](const Parameters& p) {
     if (!impossibility(p)) {
       json.begin_object().key("kind").value(to_string(p.kind));
       json.key("lower_bound").value(lower_bound(p).blocks).end_object();
     }
-  }
-  json.end_array().end_object();
+  });
+  json.end_object();
   text.pop_back();
   return no_design(output, exit_code::missing_resource, text, json.take());
 }

@@ -94,19 +94,14 @@ std::string cell_json(const Catalog& catalog, const Parameters& p, Offers how) {
   begin_known(json, known);
   json.key("status").value(known.status());
   write_reported(json, known);
-  json.key("bounds").begin_array();
-  for (const Bound& bound : known.bounds) {
-    json.begin_object().key("name").value(bound.name).key("blocks").value(bound.blocks);
-    json.key("reason").value(bound.reason).end_object();
-  }
-  json.end_array();
+  json.objects("bounds", known.bounds, [&](const Bound& bound) {
+    json.key("name").value(bound.name).key("blocks").value(bound.blocks);
+    json.key("reason").value(bound.reason);
+  });
   write_best(json, known);
   const std::vector<CatalogEntry> entries = catalog.cell(p);
-  json.key("designs").begin_array();
-  for (const CatalogEntry& entry : entries) {
-    cli::write_entry(json, entry);
-  }
-  json.end_array().key("offers").begin_array();
+  json.list("designs", entries, [&](const CatalogEntry& entry) { cli::write_entry(json, entry); });
+  json.key("offers").begin_array();
   constexpr std::size_t most_offers = 20;
   const std::vector<Offer> offers =
       known.impossible ? std::vector<Offer>() : Registry::standard().offers(p);

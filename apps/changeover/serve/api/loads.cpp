@@ -225,11 +225,9 @@ void write_workers(JsonWriter& json, const WorkerSplit& split,
   const SplitFacts& facts = split.facts();
   json.key("makespan").value(facts.makespan);
   json.key("makespan_bound").value(facts.makespan_bound.loads);
-  json.key("worker_loads").begin_array();
-  for (const WorkerFacts& worker : facts.workers) {
-    json.value(worker.loads);
-  }
-  json.end_array().key("worker_pairs").begin_array();
+  json.list("worker_loads", facts.workers,
+            [&](const WorkerFacts& worker) { json.value(worker.loads); });
+  json.key("worker_pairs").begin_array();
   for (std::size_t i = 0; i < facts.workers.size(); ++i) {
     const std::uint64_t met = i < pairs_of.size() ? pairs_of[i] : 0;
     json.value(facts.pairs_are_known ? facts.workers[i].pairs : met);

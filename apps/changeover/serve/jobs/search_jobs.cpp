@@ -146,21 +146,16 @@ void SearchJobs::Job::write(JsonWriter& json, bool with_points) const {
   json.key("limit").value(order.seconds).key("threads").value(order.threads);
   json.key("seed").value(order.seed).key("restarts").value(restarts);
   json.key("message").value(message).key("steps").value(moves).key("unit").value(unit);
-  json.key("decisions").begin_array();
-  for (const DecidedBlocks& decided : decisions) {
-    json.begin_object().key("blocks").value(decided.blocks).key("outcome").value(decided.outcome);
+  json.objects("decisions", decisions, [&](const DecidedBlocks& decided) {
+    json.key("blocks").value(decided.blocks).key("outcome").value(decided.outcome);
     json.key("seconds").value(decided.end - decided.begin).key("steps").value(decided.steps);
-    json.end_object();
-  }
-  json.end_array();
+  });
   if (with_points) {
-    json.key("points").begin_array();
-    for (const Point& point : points) {
-      json.begin_object().key("seconds").value(point.seconds).key("best").value(point.best);
+    json.objects("points", points, [&](const Point& point) {
+      json.key("seconds").value(point.seconds).key("best").value(point.best);
       json.key("lower_bound").value(point.lower_bound);
-      json.key("rate").value(point.rate).end_object();
-    }
-    json.end_array();
+      json.key("rate").value(point.rate);
+    });
   }
   json.end_object();
 }

@@ -63,15 +63,13 @@ void write_tests(JsonWriter& json, const Job& job, const std::vector<DoneTest>& 
 }
 
 void write_alternatives(JsonWriter& json, const Job& job, const RunPlan& plan) {
-  json.key("alternatives").begin_array();
-  for (const Candidate& candidate : plan.candidates) {
-    json.begin_object().key("name").value(candidate.name).key("how").value(candidate.how);
+  json.objects("alternatives", plan.candidates, [&](const Candidate& candidate) {
+    json.key("name").value(candidate.name).key("how").value(candidate.how);
     json.key("change").value(run_sheet(job, candidate.setups).constant_change());
     json.key("tests").value(candidate.tests()).key("changes").value(candidate.changes);
     json.key("cost").raw(to_string(candidate.cost));
-    json.key("bound").raw(to_string(plan.bound.cost)).end_object();
-  }
-  json.end_array();
+    json.key("bound").raw(to_string(plan.bound.cost));
+  });
 }
 
 // The keys that the explorer's pages read, from before there was a document of a plan.
@@ -209,21 +207,19 @@ std::string_view word_of(TestResult result) {
 }
 
 void write_done(JsonWriter& json, const DoneRecord& record) {
-  json.key("done").begin_object().key("places").begin_array();
-  for (const DonePlace& place : record.places) {
-    json.begin_object().key("number").value(place.number).key("slot");
+  json.key("done").begin_object();
+  json.objects("places", record.places, [&](const DonePlace& place) {
+    json.key("number").value(place.number).key("slot");
     place.slot.empty() ? json.null() : json.value(place.slot);
-    json.end_object();
-  }
-  json.end_array().key("tests").begin_array();
-  for (const DoneRecord::Test& test : record.tests) {
-    json.begin_object().key("bench");
+  });
+  json.objects("tests", record.tests, [&](const DoneRecord::Test& test) {
+    json.key("bench");
     test.bench.empty() ? json.null() : json.value(test.bench);
     json.key("places").value(test.parts).key("result").value(test.result);
     json.key("verdict").value(word_of(result_of(test.result)));
-    json.key("notes").value(test.notes).end_object();
-  }
-  json.end_array().end_object();
+    json.key("notes").value(test.notes);
+  });
+  json.end_object();
 }
 
 }  // namespace

@@ -93,15 +93,13 @@ void write_json(JsonWriter& json, const Arrival& arrival) {
   if (arrival.same_as) {
     json.key("isomorphic_to").value(*arrival.same_as);
   }
-  json.key("gains").begin_array();
-  for (const Gain& gain : arrival.gains) {
-    json.begin_object().key("rule").value(gain.rule).cell(gain.parameters).key("b").value(gain.b);
+  json.objects("gains", arrival.gains, [&](const Gain& gain) {
+    json.key("rule").value(gain.rule).cell(gain.parameters).key("b").value(gain.b);
     if (gain.before) {
       json.key("before").value(*gain.before);
     }
-    json.end_object();
-  }
-  json.end_array().end_object();
+  });
+  json.end_object();
 }
 
 Answer run(const AddRequest& request) {

@@ -119,12 +119,12 @@ Answer run(const AuditRequest& request) {
   JsonWriter json;
   json.begin_object().key("entries").value(audit.entries).key("checked").value(audit.checked);
   json.key("checked_before").value(std::uint64_t{ledger.done.size()}).key("complete");
-  json.value(complete).key("faults").begin_array();
-  for (const Audit::Fault& fault : audit.faults) {
+  json.value(complete);
+  json.list("faults", audit.faults, [&](const Audit::Fault& fault) {
     text += fmt::format("WRONG: {}: {}\n", fault.label, printable(fault.what));
     json.begin_object().key("label").value(fault.label).key("what").value(fault.what).end_object();
-  }
-  json.end_array().end_object();
+  });
+  json.end_object();
   text += fmt::format("{} of {} built and verified{} in {:.1f} s, {}{}\n", audit.checked,
                       count_of(audit.entries, "design"),
                       ledger.done.empty() ? "" : fmt::format(" ({} before)", ledger.done.size()),

@@ -227,20 +227,16 @@ std::string to_json(const MinimumResult& result, const std::optional<SearchFind>
     json.key("name").value(judgement.bound.name).key("reason").value(judgement.bound.reason);
     json.end_object().key("blocks").value(find->design.blocks());
   }
-  json.key("steps").begin_array();
-  for (const Decision& step : result.steps) {
-    json.begin_object().key("blocks").value(step.b).key("answer").value(to_string(step.outcome));
-    json.key("seconds").value(step.time.count()).key("proofs").begin_array();
-    for (const CheckedPart& part : step.parts) {
-      json.begin_object();
+  json.objects("steps", result.steps, [&](const Decision& step) {
+    json.key("blocks").value(step.b).key("answer").value(to_string(step.outcome));
+    json.key("seconds").value(step.time.count());
+    json.objects("proofs", step.parts, [&](const CheckedPart& part) {
       json.key("cnf").value(part.cnf_path).key("drat").value(part.proof_path);
       json.key("variables").value(part.variables).key("clauses").value(part.clauses);
       json.key("proof_bytes").value(part.proof_bytes).key("proof_steps").value(part.proof_steps);
-      json.end_object();
-    }
-    json.end_array().end_object();
-  }
-  json.end_array().end_object();
+    });
+  });
+  json.end_object();
   return json.take();
 }
 
