@@ -234,9 +234,7 @@ std::optional<Offer> best_that_asks_none(const Parameters& p, Need need, const R
 std::optional<Offer> best_leaf(const Parameters& p, const Registry& registry) {
   std::optional<Offer> best = best_that_asks_none(p, Need::blocks, registry);
   if (p.kind == Kind::linear) {
-    Parameters circular = p;
-    circular.kind = Kind::circular;
-    std::optional<Offer> cut = best_that_asks_none(circular, Need::blocks, registry);
+    std::optional<Offer> cut = best_that_asks_none(p.as(Kind::circular), Need::blocks, registry);
     if (cut && (!best || cut->b < best->b)) {
       best = std::move(cut);
       best->recipe = cut_recipe(std::move(best->recipe));

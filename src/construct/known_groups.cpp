@@ -103,9 +103,7 @@ void KnownDesigns::add_candidates(const Parameters& p, const Ptr& base, const Gr
   const std::uint64_t classes = class_count(groups, p.change);
   const std::uint64_t a_class = groups.groups * groups.size / p.change;
   const auto piece = [&](Kind kind, std::uint64_t h) {
-    Parameters q = p;
-    q.v = groups.size + h;
-    q.kind = kind;
+    const Parameters q = p.as(kind).on(groups.size + h);
     return possible(q) ? at(q, 2, false) : nullptr;
   };
   for (const Hinge& hinge : hinges_of(base)) {
@@ -206,9 +204,7 @@ const std::vector<KnownDesigns::Ptr>& KnownDesigns::with_groups_at(const Paramet
   const Ptr without = at(p, 1, false);
   for (std::uint64_t w = p.k + 1; without && p.change >= 2 && w + 2 <= p.v; ++w) {
     for (const Kind kind : {Kind::linear, Kind::circular}) {
-      Parameters q = p;
-      q.v = w;
-      q.kind = kind;
+      const Parameters q = p.as(kind).on(w);
       if ((p.kind == Kind::linear || kind == Kind::circular) && possible(q)) {
         add_candidates(p, q, without->offer.b + most_over, candidates);
       }

@@ -157,8 +157,7 @@ std::vector<Offer> Registry::nearest(const Parameters& p, std::size_t limit,
         if ((above && rest == 0) || (!above && rest > p.k) || found.size() == limit) {
           continue;
         }
-        Parameters near = p;
-        near.v = v;
+        Parameters near = p.on(v);
         near.k = above ? p.k + rest : p.k - rest;
         if (!can_be_written_down(near)) {
           continue;

@@ -25,9 +25,7 @@ void each_neighbour(const Parameters& p, Take&& take) {
     q.change = change;
     return q;
   };
-  Parameters cut = p;
-  cut.kind = Kind::linear;
-  take(cut);
+  take(p.as(Kind::linear));                // cut
   take(with(p.v + 1, p.k + 1, p.change));  // fix
   take(with(p.v - 1, p.k, p.change));      // truncate
   for (std::uint64_t s = 2; s <= most_copies; ++s) {

@@ -43,6 +43,15 @@ struct Parameters {
   std::uint32_t strength = 2;  ///< every subset of this size must lie in some block (t)
 
   auto operator<=>(const Parameters&) const = default;
+
+  /// The same with another kind.
+  [[nodiscard]] constexpr Parameters as(Kind other) const {
+    return {v, k, change, other, strength};
+  }
+  /// The same with another number of elements.
+  [[nodiscard]] constexpr Parameters on(std::uint64_t elements) const {
+    return {elements, k, change, kind, strength};
+  }
 };
 
 /// Checks that blocks with these parameters can be written down at all: 1 ≤ m ≤ k ≤ v < 2³²,

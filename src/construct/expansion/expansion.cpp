@@ -74,9 +74,7 @@ void check_expanded(const Parameters& p, std::size_t subsets) {
         fmt::format("expansion needs an odd number of subsets, not {}: K_{} has no 1-factorization",
                     subsets, subsets + 1));
   }
-  Parameters larger = p;
-  larger.v = p.v + subsets + 1;  // at most 2p.v + 1
-  check(larger);
+  check(p.on(p.v + subsets + 1));  // at most 2p.v + 1
 }
 
 }  // namespace

@@ -204,7 +204,7 @@ class PartiallyExpandedSource final : public InsertingSource {
   PartiallyExpandedSource(const Parameters& small, std::optional<Element> left_out, std::uint64_t w,
                           std::unique_ptr<BlockSource>&& source, UnchangedCover&& cover,
                           Factors&& factors)
-      : InsertingSource(std::move(source), with_more(small, w),
+      : InsertingSource(std::move(source), small.on(small.v + w),
                         {cover.subsets.size(),
                          blocks_added(small, cover.subsets.size(), w, left_out.has_value())}),
         small_(small),
@@ -218,11 +218,6 @@ class PartiallyExpandedSource final : public InsertingSource {
   static std::optional<Element> left_out_by(const Parameters& p, const UnchangedCover& cover) {
     const Block rest = p.change == 1 ? left_out_elements(p.v, cover.subsets) : Block{};
     return rest.empty() ? std::nullopt : std::optional(rest.front());
-  }
-
-  static Parameters with_more(Parameters p, std::uint64_t w) {
-    p.v += w;
-    return p;
   }
 
   [[nodiscard]] std::uint64_t position(std::uint64_t i) const override {

@@ -153,9 +153,7 @@ std::optional<std::uint64_t> interval_cover_for_one_more_size(const Parameters& 
     return std::nullopt;
   }
   const auto inner = interval_cover_size(p, c, w);
-  Parameters larger = p;
-  larger.v += w;
-  if (!inner || takes_sweep(p, inner->subsets, w) || !fits(larger, 1)) {
+  if (!inner || takes_sweep(p, inner->subsets, w) || !fits(p.on(p.v + w), 1)) {
     return std::nullopt;
   }
   const std::uint64_t n = p.k - 2;

@@ -235,9 +235,7 @@ std::optional<NewElements> best_new_elements(const Design& design, std::uint64_t
     const bool left_out = p.change == 1 && !left_out_elements(p.v, mine.cover.subsets).empty();
     mine.b =
         checked_add(design.block_count(), blocks_added(p, mine.cover.subsets.size(), w, left_out));
-    Parameters larger = p;
-    larger.v += w;
-    mine.lower_bound = lower_bound(larger).blocks;
+    mine.lower_bound = lower_bound(p.on(p.v + w)).blocks;
     if (!best ||
         checked_multiply(mine.b, best->lower_bound) < checked_multiply(best->b, mine.lower_bound)) {
       best = std::move(mine);

@@ -147,8 +147,7 @@ Parameters extended_parameters(const Design& design, std::uint64_t rounds) {
   if (const auto defect = single_change_extension_defect(design)) {
     throw BadInput(fmt::format("cannot be extended: {}", *defect));
   }
-  Parameters p = design.parameters();
-  p.v = size_after(design, rounds).v;
+  const Parameters p = design.parameters().on(size_after(design, rounds).v);
   check(p);
   return p;
 }

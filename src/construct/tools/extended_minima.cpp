@@ -87,13 +87,12 @@ std::string ExtendedMinima::explanation(const Parameters& p) const {
   if (rounds == 0) {
     return fmt::format("A list of {}.", count_of(count, "block"));
   }
-  Parameters smaller = p;
-  smaller.v = listed.v;
   return fmt::format(
       "Extend a listed {} of {} blocks {} by {} elements: two sets of {} are held "
       "beside almost every old one.",
-      changeover::name(smaller), count, rounds == 1 ? "once" : fmt::format("{} times", rounds),
-      2 * (k_ - 1), count_of(k_ - 1, "new element"));
+      changeover::name(p.on(listed.v)), count,
+      rounds == 1 ? "once" : fmt::format("{} times", rounds), 2 * (k_ - 1),
+      count_of(k_ - 1, "new element"));
 }
 
 }  // namespace changeover

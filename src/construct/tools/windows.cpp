@@ -46,9 +46,7 @@ class Window {
 };
 
 Design part(const Design& design, std::size_t begin, std::size_t length) {
-  Parameters p = design.parameters();
-  p.kind = Kind::linear;
-  Design linear(p);
+  Design linear(design.parameters().as(Kind::linear));
   for (std::size_t i = begin; i < begin + length; ++i) {
     linear.append(design.block(i % design.block_count()));
   }

@@ -316,8 +316,7 @@ PaperItem check_least(const PaperContext& context, const PrintedTable& table) {
     return std::move(check).finish();
   }
   for (const Kind kind : kinds_of(table)) {
-    Parameters p = table.parameters;
-    p.kind = kind;
+    const Parameters p = table.parameters.as(kind);
     const Bound bound = lower_bound(p);
     check.expect(table.b == bound.blocks, [&] {
       return PaperFinding{

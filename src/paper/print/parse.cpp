@@ -169,8 +169,7 @@ std::string element_name(const PrintedTable& table, Element element) {
 }
 
 Design printed_design(const PrintedTable& table, Kind kind) {
-  Parameters parameters = table.parameters;
-  parameters.kind = kind;
+  const Parameters parameters = table.parameters.as(kind);
   std::vector<std::string> names;
   for (Element x = 0; x < parameters.v; ++x) {
     names.push_back(element_name(table, x));

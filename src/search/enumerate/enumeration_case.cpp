@@ -51,8 +51,7 @@ std::vector<EnumerationCase> enumeration_cases(const Parameters& p, std::uint64_
   const std::uint64_t most_fixed =
       circular ? p.k - std::min(p.k, std::max<std::uint64_t>(p.change, 2)) : 0;
   for (std::uint64_t f = 0; f <= most_fixed; f = f == 0 ? 2 : f + 1) {
-    Parameters rest = p;
-    rest.v -= f;
+    Parameters rest = p.on(p.v - f);
     rest.k -= f;
     const EnumerationCase base{.v = rest.v,
                                .k = rest.k,

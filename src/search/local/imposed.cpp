@@ -82,8 +82,7 @@ ImposedOutcome search_imposed(const Parameters& p, const Automorphism& pi, std::
         pi.n, pi.fixed, name(p), base_blocks, largest_imposed_v));
   }
   ImposedOutcome outcome;
-  Parameters circular = p;
-  circular.kind = Kind::circular;
+  const Parameters circular = p.as(Kind::circular);
   if (p.v < p.k + p.change) {
     return outcome;
   }

@@ -113,12 +113,9 @@ std::uint64_t SearchArms::bytes_left_out(std::uint64_t best) const {
 }
 
 Parameters SearchArms::parameters_of(const SearchArm& arm) const {
-  Parameters p = parameters_;
-  if (arm.method == Method::imposed) {
-    p.v += arm.extra;
-    p.kind = Kind::circular;
-  }
-  return p;
+  return arm.method == Method::imposed
+             ? parameters_.on(parameters_.v + arm.extra).as(Kind::circular)
+             : parameters_;
 }
 
 std::optional<std::uint64_t> SearchArms::aim(const SearchArm& arm, std::uint64_t best,

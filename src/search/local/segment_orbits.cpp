@@ -25,7 +25,7 @@ std::uint64_t SegmentOrbits::bytes(const Parameters& p, const Automorphism& pi, 
 
 SegmentOrbits::SegmentOrbits(const Parameters& p, const Automorphism& pi,
                              std::span<const Block> base_blocks)
-    : parameters_(p),
+    : parameters_(p.as(Kind::circular)),
       pi_(pi),
       n_(static_cast<std::uint32_t>(pi.n)),
       v_(static_cast<std::uint32_t>(p.v)),
@@ -35,7 +35,6 @@ SegmentOrbits::SegmentOrbits(const Parameters& p, const Automorphism& pi,
       images_(std::size_t{n_} * v_),
       orbits_(pi),
       members_(std::size_t{c_} * v_, 0) {
-  parameters_.kind = Kind::circular;
   for (std::uint32_t s = 0; s < n_; ++s) {
     stop_if_asked();
     for (Element x = 0; x < v_; ++x) {

@@ -51,16 +51,14 @@ std::uint64_t fewest_blocks(const Design& beginning, const Verdict& verdict) {
 }
 
 void require_steps(const Design& beginning) {
-  Parameters linear = beginning.parameters();
-  linear.kind = Kind::linear;
   Design list = beginning;
   list.set_kind(Kind::linear);
   const Verdict verdict = verify(list);
   if (verdict.bad_steps > 0) {
     const BadStep& step = verdict.bad_step_examples.front();
-    throw BadInput(
-        fmt::format("the step from block {} to block {} changes {}, not {}; repair the list first",
-                    step.from, step.to, count_of(step.changes, "element"), linear.change));
+    throw BadInput(fmt::format(
+        "the step from block {} to block {} changes {}, not {}; repair the list first", step.from,
+        step.to, count_of(step.changes, "element"), beginning.parameters().change));
   }
 }
 

@@ -29,9 +29,11 @@ constexpr std::array methods{std::pair{BaseBlockMethod::automatic, "automatic"},
 class Search {
  public:
   Search(const Parameters& p, const BaseBlockOptions& options, RunControl& control)
-      : p_(p), circular_(p), options_(options), control_(control), random_(control.seed()) {
-    circular_.kind = Kind::circular;
-  }
+      : p_(p),
+        circular_(p.as(Kind::circular)),
+        options_(options),
+        control_(control),
+        random_(control.seed()) {}
 
   BaseBlockResult run() {
     const RunScope scope(control_);

@@ -122,8 +122,7 @@ std::string to_string(const BaseBlockShape& shape) {
 std::optional<std::string> shape_obstruction(const Parameters& p, const BaseBlockShape& shape,
                                              bool tight) {
   check(p);
-  Parameters circular = p;
-  circular.kind = Kind::circular;
+  const Parameters circular = p.as(Kind::circular);
   if (auto reason = impossibility(circular)) {
     return reason;
   }
@@ -141,8 +140,7 @@ std::optional<std::string> shape_obstruction(const Parameters& p, const BaseBloc
 
 std::vector<BaseBlockShape> base_block_shapes(const Parameters& p, const ShapeOptions& options) {
   check(p);
-  Parameters circular = p;
-  circular.kind = Kind::circular;
+  const Parameters circular = p.as(Kind::circular);
   std::vector<BaseBlockShape> shapes;
   if (impossibility(circular) || p.strength != 2) {
     return shapes;

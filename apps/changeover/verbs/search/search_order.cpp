@@ -99,8 +99,7 @@ Answer search(const OrderSearch& request) {
                                                                        : exit_code::limit_reached;
   }
 
-  Parameters p = given.parameters();
-  p.kind = request.kind;
+  Parameters p = given.parameters().as(request.kind);
   p.change = request.change.value_or(p.change);
   Design design(p, arranged(blocks, ordered.order));
   design.set_labels(given.labels());

@@ -39,8 +39,7 @@ class CloseUp final : public Entry {
 
  private:
   Element deleted(const Recipe& recipe) const {
-    Parameters larger = recipe.parameters;
-    ++larger.v;
+    const Parameters larger = recipe.parameters.on(recipe.parameters.v + 1);
     if (larger.v <= larger.k + 1 || larger.change != 1 || larger.kind != Kind::linear ||
         larger.strength != 2) {
       require_recipe(recipe, *this, std::nullopt);
@@ -69,9 +68,7 @@ std::optional<Made> close_up_recipe(const Recipe& input, const Design& design) {
   if (!best) {
     return std::nullopt;
   }
-  Parameters smaller = p;
-  --smaller.v;
-  return Made{{"close-up", smaller, {{"element", best->element}}, {input}, {}}, best->blocks};
+  return Made{{"close-up", p.on(p.v - 1), {{"element", best->element}}, {input}, {}}, best->blocks};
 }
 
 }  // namespace changeover

@@ -20,11 +20,6 @@
 namespace changeover::cut_entry {
 namespace {
 
-Parameters circular(Parameters p) {
-  p.kind = Kind::circular;
-  return p;
-}
-
 class CutSource final : public BlockSource {
  public:
   CutSource(const Parameters& parameters, std::unique_ptr<BlockSource> source, std::uint64_t at)
@@ -98,7 +93,7 @@ class Cut final : public Entry {
     if (p.kind != Kind::linear || !asks_for_pairs(p, p.change)) {
       return std::nullopt;
     }
-    std::optional<Offer> input = best_input(circular(p), Need::blocks, *this, registry);
+    std::optional<Offer> input = best_input(p.as(Kind::circular), Need::blocks, *this, registry);
     if (!input) {
       return std::nullopt;
     }
@@ -157,7 +152,7 @@ class Cut final : public Entry {
     }
     const auto at = recipe.arguments.find("at");
     const std::int64_t value = at != recipe.arguments.end() && at->second > 0 ? at->second : 0;
-    require_input(recipe, circular(recipe.parameters), {{"at", value}});
+    require_input(recipe, recipe.parameters.as(Kind::circular), {{"at", value}});
     return static_cast<std::uint64_t>(value);
   }
 };
@@ -174,8 +169,7 @@ Recipe cut_recipe(Recipe input, std::uint64_t at) {
   if (input.parameters.kind != Kind::circular) {
     throw BadInput("cut: only a circular design can be cut open");
   }
-  Parameters linear = input.parameters;
-  linear.kind = Kind::linear;
+  const Parameters linear = input.parameters.as(Kind::linear);
   return {"cut", linear, {{"at", static_cast<std::int64_t>(at)}}, {std::move(input)}, {}};
 }
 

@@ -24,9 +24,7 @@ std::optional<Parameters> input_parameters(const Parameters& p) {
   if (subsets % 2 == 0 || subsets * (p.k - 2) < p.k) {
     return std::nullopt;
   }
-  Parameters smaller = p;
-  smaller.v = subsets * (p.k - 2);
-  return smaller;
+  return p.on(subsets * (p.k - 2));
 }
 
 using Arguments = std::map<std::string, std::int64_t>;

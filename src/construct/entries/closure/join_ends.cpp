@@ -20,11 +20,6 @@
 namespace changeover::join_ends_entry {
 namespace {
 
-Parameters linear(Parameters p) {
-  p.kind = Kind::linear;
-  return p;
-}
-
 constexpr Description description{
     .name = "join-ends",
     .summary = "a linear design, and after it a shortest way from its last block back to its first",
@@ -43,7 +38,7 @@ class JoinEnds final : public Entry {
     if (p.kind != Kind::circular || p.v <= p.k) {
       require_recipe(recipe, *this, std::nullopt);
     }
-    require_input(recipe, linear(p), {});
+    require_input(recipe, p.as(Kind::linear), {});
     const Design design = read_within_memory(*registry.build(recipe.inputs.front()));
     std::vector<Block> blocks = design.blocks();
     if (!join_ends_recipe(recipe.inputs.front(), design)) {
@@ -59,7 +54,7 @@ class JoinEnds final : public Entry {
   }
 
   std::string explain(const Recipe& recipe) const override {
-    require_input(recipe, linear(recipe.parameters), {});
+    require_input(recipe, recipe.parameters.as(Kind::linear), {});
     return fmt::format("Close the {} by a shortest way from its last block to its first.",
                        changeover::name(recipe.inputs.front().parameters));
   }
@@ -74,7 +69,7 @@ const Construction& construction() { return only<JoinEnds>(); }
 namespace changeover {
 
 std::optional<Made> join_ends_recipe(const Recipe& input, const Design& design) {
-  Parameters p = input.parameters;
+  const Parameters& p = input.parameters;
   if (p.kind != Kind::linear || design.block_count() < 3) {
     return std::nullopt;
   }
@@ -88,8 +83,8 @@ std::optional<Made> join_ends_recipe(const Recipe& input, const Design& design) 
   if (distance == 0 || !steps) {
     return std::nullopt;
   }
-  p.kind = Kind::circular;
-  return Made{{"join-ends", p, {}, {input}, {}}, design.block_count() + *steps - 1};
+  return Made{{"join-ends", p.as(Kind::circular), {}, {input}, {}},
+              design.block_count() + *steps - 1};
 }
 
 }  // namespace changeover

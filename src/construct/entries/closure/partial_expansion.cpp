@@ -263,8 +263,7 @@ class PartialExpander final : public Rule {
     std::vector<Parameters> result;
     for (const std::uint64_t v : sizes) {
       if (v < p.v && v > p.k) {
-        result.push_back(p);
-        result.back().v = v;
+        result.push_back(p.on(v));
       }
     }
     return result;
@@ -315,9 +314,7 @@ class PartialExpander final : public Rule {
     if (!count) {
       return std::nullopt;
     }
-    Parameters between = p;
-    --between.v;
-    std::optional<Offer> first = with(between, *input, *interval_cover_size(smaller, c, w));
+    std::optional<Offer> first = with(p.on(p.v - 1), *input, *interval_cover_size(smaller, c, w));
     return first ? with(p, *std::move(first), {*count, true}) : std::nullopt;
   }
 
@@ -426,9 +423,8 @@ class PartialExpander final : public Rule {
                : 0;
   }
   Recipe with(const Recipe& input, std::uint64_t w) const override {
-    Parameters p = input.parameters;
-    p.v += w;
-    return recipe_of(p, {{"w", static_cast<std::int64_t>(w)}}, {input});
+    return recipe_of(input.parameters.on(input.parameters.v + w),
+                     {{"w", static_cast<std::int64_t>(w)}}, {input});
   }
   std::string_view needs() const override { return "with fewer elements that is else alike"; }
 };
@@ -479,13 +475,11 @@ std::optional<std::uint64_t> partial_expansion_count(const Parameters& p, std::u
 }
 
 Recipe partial_expansion_recipe(const Recipe& input, const CoverPositions& cover, std::uint64_t w) {
-  Recipe recipe{std::string(partial_expansion_entry::own_name),
-                input.parameters,
-                {{"w", static_cast<std::int64_t>(w)}},
-                {input},
-                {cover.positions}};
-  recipe.parameters.v = checked_add(input.parameters.v, w);
-  return recipe;
+  return {std::string(partial_expansion_entry::own_name),
+          input.parameters.on(checked_add(input.parameters.v, w)),
+          {{"w", static_cast<std::int64_t>(w)}},
+          {input},
+          {cover.positions}};
 }
 
 }  // namespace changeover

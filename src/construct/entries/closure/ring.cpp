@@ -27,12 +27,6 @@ constexpr Description description{
     .place = "docs/theorems.md, Theorem 13",
 };
 
-Parameters linear(Parameters p, std::uint64_t v) {
-  p.kind = Kind::linear;
-  p.v = v;
-  return p;
-}
-
 class Ring final : public Entry {
  public:
   Ring() : Entry(description) {}
@@ -50,7 +44,7 @@ class Ring final : public Entry {
       if (path.k != p.k || p.v < path.fresh + 2 * p.k) {
         continue;
       }
-      auto input = best_concatenation(linear(p, p.v - path.fresh), registry, true);
+      auto input = best_concatenation(p.as(Kind::linear).on(p.v - path.fresh), registry, true);
       if (!input) {
         continue;
       }
@@ -95,7 +89,7 @@ class Ring final : public Entry {
       const Parameters& input = recipe.inputs.front().parameters;
       const std::uint64_t fresh = recipe.blocks.front().size() * (p.k - 1);
       std::vector<Block> blocks(recipe.blocks.begin() + 1, recipe.blocks.end());
-      if (input.v >= 2 * p.k - 2 && p.v > fresh && input == linear(p, p.v - fresh)) {
+      if (input.v >= 2 * p.k - 2 && p.v > fresh && input == p.as(Kind::linear).on(p.v - fresh)) {
         for (const Block& block : blocks) {
           if (block.size() != p.k) {
             throw BadInput(fmt::format("ring: a block of the path has {}, not k = {}",

@@ -17,9 +17,7 @@ std::optional<Parameters> input_parameters(const Parameters& p) {
   if (!asks_for_pairs(p, 1) || p.v <= p.k || (p.v - 1) % (p.k - 1) != 0) {
     return std::nullopt;
   }
-  Parameters smaller = p;
-  --smaller.v;
-  return smaller;
+  return p.on(p.v - 1);
 }
 
 constexpr Description description{

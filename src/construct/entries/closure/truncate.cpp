@@ -18,11 +18,6 @@
 namespace changeover::truncate_entry {
 namespace {
 
-Parameters smaller(Parameters p) {
-  --p.v;
-  return p;
-}
-
 /// Where the elements of a design are, to see which of them can go.
 class Truncation {
  public:
@@ -181,8 +176,7 @@ class Truncate final : public Entry {
 
  private:
   Element deleted(const Recipe& recipe) const {
-    Parameters larger = recipe.parameters;
-    ++larger.v;
+    const Parameters larger = recipe.parameters.on(recipe.parameters.v + 1);
     return element_of(recipe, larger,
                       fmt::format("one input on {} elements and the element to delete", larger.v));
   }
@@ -199,7 +193,7 @@ namespace changeover {
 std::optional<Recipe> truncate_recipe(const Recipe& input, const Design& design) {
   if (const auto x = truncate_entry::Truncation(design).last_that_can_go()) {
     return Recipe{
-        "truncate", truncate_entry::smaller(input.parameters), {{"element", *x}}, {input}, {}};
+        "truncate", input.parameters.on(input.parameters.v - 1), {{"element", *x}}, {input}, {}};
   }
   return std::nullopt;
 }
@@ -212,7 +206,7 @@ std::optional<Design> truncated(const Design& design, std::uint64_t elements) {
     if (!x) {
       return std::nullopt;
     }
-    result = Design(truncate_entry::smaller(result.parameters()), *truncation.without(*x));
+    result = Design(result.parameters().on(result.v() - 1), *truncation.without(*x));
   }
   return result;
 }

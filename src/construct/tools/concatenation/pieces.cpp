@@ -223,11 +223,6 @@ class PieceSource final : public BlockByBlock<PieceSource> {
   std::uint64_t next_ = 0;   // the next to be inserted beside a part
 };
 
-Parameters with_v(Parameters p, std::uint64_t v) {
-  p.v = v;
-  return p;
-}
-
 // The best design for p that is no concatenation, no ring, and not cut from one.
 std::optional<Offer> best_base(const Parameters& p, const Registry& registry) {
   std::optional<Offer> best;
@@ -247,9 +242,7 @@ std::optional<Offer> best_base(const Parameters& p, const Registry& registry) {
     }
   };
   consider(p);
-  Parameters circular = p;
-  circular.kind = Kind::circular;
-  consider(circular);
+  consider(p.as(Kind::circular));
   if (const Catalog* catalog = registry.catalog()) {
     for (auto known = catalog->fewest(p); known && (!best || known->b < best->b);
          known = catalog->fewest(p)) {
@@ -373,7 +366,7 @@ std::optional<Offer> best_concatenation(const Parameters& p, const Registry& reg
       if (times + other == 0) {
         continue;
       }
-      if (auto base = best_base(with_v(p, v), registry)) {
+      if (auto base = best_base(p.on(v), registry)) {
         Offer offer = with(with(*std::move(base), second, other), main, times);
         consider(std::move(offer.recipe), offer.b);
       }

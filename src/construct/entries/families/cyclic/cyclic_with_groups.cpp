@@ -202,17 +202,13 @@ class CyclicWithGroups final : public Family {
 
   std::string explanation(const Parameters& p) const override {
     const Shape s = *shape(p);
-    Parameters base = p;
-    base.v = s.w;
-    Parameters piece = p;
-    piece.v = s.groups.size + s.hole;
     return fmt::format(
         "The cyclic {} has the unchanged subsets {{x, ..., x+{}}} for all x. At those with x = "
         "{}, {}, ... pairs of {} groups of {} new elements are inserted, so that two of different "
         "groups meet. After the last block comes for each group the cyclic {}, {} elements of "
         "which are the first ones of the other.",
-        changeover::name(base), s.n - 1, s.hole, s.hole + s.n, s.groups.groups, s.groups.size,
-        changeover::name(piece), s.hole);
+        changeover::name(p.on(s.w)), s.n - 1, s.hole, s.hole + s.n, s.groups.groups, s.groups.size,
+        changeover::name(p.on(s.groups.size + s.hole)), s.hole);
   }
 };
 
