@@ -13,13 +13,7 @@ namespace changeover {
 std::string_view to_string(Kind kind) { return kind == Kind::circular ? "circular" : "linear"; }
 
 std::optional<Kind> kind_from_string(std::string_view name) {
-  if (name == "circular") {
-    return Kind::circular;
-  }
-  if (name == "linear") {
-    return Kind::linear;
-  }
-  return std::nullopt;
+  return named(name, {Kind::linear, Kind::circular});
 }
 
 void check(const Parameters& p) {

@@ -6,7 +6,10 @@
 //     change_name(2)                     // double-change
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,6 +21,13 @@ namespace changeover {
 
 /// The name for m changes: single-change, double-change, 3-change.
 [[nodiscard]] std::string change_name(std::uint64_t m);
+
+/// The value that to_string() calls by this name; nullopt if there is none.
+template <typename Value>
+[[nodiscard]] std::optional<Value> named(std::string_view name, std::initializer_list<Value> all) {
+  const auto found = std::ranges::find(all, name, [](Value each) { return to_string(each); });
+  return found == all.end() ? std::nullopt : std::optional(*found);
+}
 
 /// True for 0 to 9, whatever the locale.
 [[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }

@@ -11,16 +11,6 @@
 namespace changeover {
 namespace {
 
-template <typename Word, std::size_t N>
-std::optional<Word> word_of(const std::array<Word, N>& words, std::string_view name) {
-  for (const Word word : words) {
-    if (to_string(word) == name) {
-      return word;
-    }
-  }
-  return std::nullopt;
-}
-
 // What to do about too many blocks.
 constexpr std::string_view a_part = "draw a part of them with --from and --to";
 
@@ -33,9 +23,8 @@ std::string_view to_string(PictureKind kind) {
 }
 
 std::optional<PictureKind> picture_kind_from_string(std::string_view name) {
-  return word_of(std::array{PictureKind::array, PictureKind::stays, PictureKind::coverage,
-                            PictureKind::circle, PictureKind::recipe},
-                 name);
+  return named(name, {PictureKind::array, PictureKind::stays, PictureKind::coverage,
+                      PictureKind::circle, PictureKind::recipe});
 }
 
 std::string_view to_string(ElementOrder order) {
@@ -44,7 +33,7 @@ std::string_view to_string(ElementOrder order) {
 }
 
 std::optional<ElementOrder> element_order_from_string(std::string_view name) {
-  return word_of(std::array{ElementOrder::first, ElementOrder::stays, ElementOrder::given}, name);
+  return named(name, {ElementOrder::first, ElementOrder::stays, ElementOrder::given});
 }
 
 std::string_view to_string(StayColour colour) {
@@ -52,7 +41,7 @@ std::string_view to_string(StayColour colour) {
 }
 
 std::optional<StayColour> stay_colour_from_string(std::string_view name) {
-  return word_of(std::array{StayColour::length, StayColour::ordinal}, name);
+  return named(name, {StayColour::length, StayColour::ordinal});
 }
 
 std::optional<std::string> range_defect(const DrawOptions& options) {

@@ -250,12 +250,7 @@ std::string_view to_string(HeatMeasure measure) {
 }
 
 std::optional<HeatMeasure> heat_measure_from_string(std::string_view name) {
-  for (const HeatMeasure measure : {HeatMeasure::ratio, HeatMeasure::status, HeatMeasure::gap}) {
-    if (to_string(measure) == name) {
-      return measure;
-    }
-  }
-  return std::nullopt;
+  return named(name, {HeatMeasure::ratio, HeatMeasure::status, HeatMeasure::gap});
 }
 
 Picture draw_heatmap(std::span<const KnownCell> cells, HeatMeasure measure) {

@@ -14,7 +14,7 @@
 // *paint*, a role that the theme turns into a colour when the picture is written, so one picture
 // serves light and dark grounds. Colours of series are those of Okabe and Ito, those of a ramp are
 // viridis; both as far as they stand out from the ground: every mark by 3:1, every text by 4.5:1
-// (WCAG 2.1), which palette_defect() proves.
+// (WCAG 2.1).
 //
 // SVG has presentation attributes and classes only: no style sheet, no style attribute, no script,
 // no ids, no link. So it can be put into a page under the strictest policy, several of them into
@@ -70,9 +70,6 @@ class Paint {
   bool upon_ = false;
   std::uint16_t index_ = 0;  // of the series, or thousandths of the ramp
 };
-
-/// Why the colours of a theme do not stand out as promised above, in one line; nullopt if they do.
-[[nodiscard]] std::optional<std::string> palette_defect(Theme theme);
 
 enum class Anchor : std::uint8_t { start, middle, end };
 

@@ -114,12 +114,6 @@ struct ShapeOptions {
 
 enum class BaseBlockMethod : std::uint8_t { automatic, sat, anneal };
 
-/// The name of a method: "automatic", "sat", "anneal".
-[[nodiscard]] std::string_view to_string(BaseBlockMethod method);
-
-/// The method with this name; nullopt for other words.
-[[nodiscard]] std::optional<BaseBlockMethod> base_block_method_from_string(std::string_view name);
-
 struct BaseBlockOptions {
   ShapeOptions shapes = {};  ///< which shapes; only tight designs if shapes.tight
   std::uint64_t shift = 1;   ///< what π adds in the result: a unit of each tried Z_n

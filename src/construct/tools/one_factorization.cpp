@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 
@@ -127,13 +128,7 @@ std::string_view to_string(FactorizationKind kind) {
 }
 
 std::optional<FactorizationKind> factorization_kind_from_string(std::string_view name) {
-  if (name == "circle") {
-    return FactorizationKind::circle;
-  }
-  if (name == "doubled") {
-    return FactorizationKind::doubled;
-  }
-  return std::nullopt;
+  return named(name, {FactorizationKind::circle, FactorizationKind::doubled});
 }
 
 OneFactor circle_factor(std::uint32_t order, std::uint32_t index) {

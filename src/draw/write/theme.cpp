@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "changeover/draw/picture.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -96,12 +97,7 @@ constexpr double steps_of_a_ramp = 1000;
 std::string_view to_string(Theme theme) { return theme == Theme::light ? "light" : "dark"; }
 
 std::optional<Theme> theme_from_string(std::string_view name) {
-  for (const Theme theme : {Theme::light, Theme::dark}) {
-    if (name == to_string(theme)) {
-      return theme;
-    }
-  }
-  return std::nullopt;
+  return named(name, {Theme::light, Theme::dark});
 }
 
 Paint Paint::series(std::size_t index) {
@@ -157,34 +153,6 @@ std::string Paint::hex(Theme theme) const {
     return std::string(contrast(colour, black) > contrast(colour, white) ? black : white);
   }
   return colour;
-}
-
-std::optional<std::string> palette_defect(Theme theme) {
-  constexpr double of_marks = 3, of_texts = 4.5;
-  const std::string ground = Paint(Paint::Role::ground).hex(theme);
-  std::optional<std::string> defect;
-  const auto hold = [&](const std::string& colour, const std::string& below, double least) {
-    if (!defect && contrast(colour, below) < least) {
-      defect = fmt::format("{} on {} has contrast {:.2f}, not {}", colour, below,
-                           contrast(colour, below), least);
-    }
-  };
-  for (const Paint::Role role :
-       {Paint::Role::ink, Paint::Role::soft, Paint::Role::accent, Paint::Role::alarm}) {
-    hold(Paint(role).hex(theme), ground, of_texts);
-  }
-  std::vector<Paint> marks;
-  for (std::size_t i = 0; i < Paint::series_length; ++i) {
-    marks.push_back(Paint::series(i));
-  }
-  for (int i = 0; i <= 100; ++i) {
-    marks.push_back(Paint::ramp(i / 100.0));
-  }
-  for (const Paint& mark : marks) {
-    hold(mark.hex(theme), ground, of_marks);
-    hold(Paint::upon(mark).hex(theme), mark.hex(theme), of_texts);
-  }
-  return defect;
 }
 
 }  // namespace changeover

@@ -21,9 +21,6 @@ namespace {
 
 constexpr std::uint64_t most_elements = 2000;
 constexpr std::uint64_t few_base_blocks = 8;
-constexpr std::array methods{std::pair{BaseBlockMethod::automatic, "automatic"},
-                             std::pair{BaseBlockMethod::sat, "sat"},
-                             std::pair{BaseBlockMethod::anneal, "anneal"}};
 
 /// One search: its question, and its results so far.
 class Search {
@@ -223,19 +220,6 @@ class Search {
 };
 
 }  // namespace
-
-std::string_view to_string(BaseBlockMethod method) {
-  return methods.at(static_cast<std::size_t>(method)).second;
-}
-
-std::optional<BaseBlockMethod> base_block_method_from_string(std::string_view name) {
-  for (const auto& [method, its_name] : methods) {
-    if (name == its_name) {
-      return method;
-    }
-  }
-  return std::nullopt;
-}
 
 std::string_view to_string(Comparison comparison) {
   constexpr std::array<std::string_view, 4> names{"only", "better", "equal", "worse"};

@@ -1,13 +1,50 @@
 #include "changeover/draw/picture.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "drawn.hpp"
 
 namespace changeover::writers_test {
 namespace {
 
+// Relative luminance as WCAG 2.1 has it.
+double luminance(const std::string& hex) {
+  double sum = 0;
+  for (const auto& [at, weight] : {std::pair{1U, 0.2126}, {3U, 0.7152}, {5U, 0.0722}}) {
+    const double value = std::stoi(hex.substr(at, 2), nullptr, 16) / 255.0;
+    sum += weight * (value <= 0.03928 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
+  }
+  return sum;
+}
+
+double contrast(const std::string& one, const std::string& other) {
+  const auto [darker, lighter] = std::minmax({luminance(one), luminance(other)});
+  return (lighter + 0.05) / (darker + 0.05);
+}
+
 TEST(ThemeTest, ColoursStandOutFromTheGround) {
-  EXPECT_EQ(palette_defect(Theme::light).value_or(""), "");
-  EXPECT_EQ(palette_defect(Theme::dark).value_or(""), "");
+  constexpr double of_marks = 3;
+  constexpr double of_texts = 4.5;
+  std::vector<Paint> marks;
+  for (std::size_t i = 0; i < Paint::series_length; ++i) {
+    marks.push_back(Paint::series(i));
+  }
+  for (int i = 0; i <= 100; ++i) {
+    marks.push_back(Paint::ramp(i / 100.0));
+  }
+  for (const Theme theme : {Theme::light, Theme::dark}) {
+    const std::string ground = Paint(Paint::Role::ground).hex(theme);
+    for (const Paint::Role role :
+         {Paint::Role::ink, Paint::Role::soft, Paint::Role::accent, Paint::Role::alarm}) {
+      EXPECT_GE(contrast(Paint(role).hex(theme), ground), of_texts);
+    }
+    for (const Paint& mark : marks) {
+      const std::string colour = mark.hex(theme);
+      EXPECT_GE(contrast(colour, ground), of_marks) << colour;
+      EXPECT_GE(contrast(Paint::upon(mark).hex(theme), colour), of_texts) << colour;
+    }
+  }
   EXPECT_EQ(theme_from_string("dark"), Theme::dark);
   EXPECT_EQ(theme_from_string("Dark"), std::nullopt);
 }

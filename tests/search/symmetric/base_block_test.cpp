@@ -492,13 +492,5 @@ TEST(SearchBaseBlocks, MutatedBaseBlocksAreNoTightDesign) {
   EXPECT_FALSE(is_tight(dropped));
 }
 
-TEST(BaseBlockMethod, HasNames) {
-  for (const BaseBlockMethod method :
-       {BaseBlockMethod::automatic, BaseBlockMethod::sat, BaseBlockMethod::anneal}) {
-    EXPECT_EQ(base_block_method_from_string(to_string(method)), method);
-  }
-  EXPECT_FALSE(base_block_method_from_string("magic"));
-}
-
 }  // namespace
 }  // namespace changeover::base_block_test
