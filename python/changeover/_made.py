@@ -93,6 +93,11 @@ def name_of(v: int, k: int, change: int, kind: str, strength: int = 2, **_: Any)
     return f"{kind} {short}({v},{k})" + ("" if strength == 2 else f", t = {strength}")
 
 
+def count_of(number: int, one: str, many: str = "") -> str:
+    """A number and the word for what it counts: "1 block", "2 blocks"."""
+    return f"{number} {one if number == 1 else many or one + 's'}"
+
+
 def _made_again(kind: Any, *state: Any) -> Any:
     """What pickle has of an object: facts and core as bytes, and their checksum. Raises BadInput for
     what is damaged or misses facts that this version has."""

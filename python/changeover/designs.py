@@ -13,7 +13,7 @@ from typing import (
 
 from . import _core
 from ._given import attempt, listed, rows_of, words_of
-from ._made import Kind, Made, check_calls, fact, in_a_line, known, made
+from ._made import Kind, Made, check_calls, count_of, fact, in_a_line, known, made
 from ._notebook import shown, table
 from .errors import BadInput
 from .pictures import Picture, PictureKind, Theme, picture_of
@@ -53,7 +53,7 @@ class Blocks(_core.Memory):
             raise TypeError(f"blocks have a number or a slice as index, not {shown}")
         place = operator.index(index)
         if not -count <= place < count:
-            raise IndexError(f"there are {count} blocks")
+            raise IndexError(f"there is no block {place} of {count}")
         return self.row(place % count)
 
     def __len__(self) -> int:
@@ -75,7 +75,7 @@ class Blocks(_core.Memory):
         return memoryview(exporter)
 
     def __repr__(self) -> str:
-        return "<{} blocks of {} elements>".format(*self.shape)
+        return "<{} of {} elements>".format(count_of(self.shape[0], "block"), self.shape[1])
 
 
 class Verdict(Made):
@@ -114,7 +114,7 @@ class Verdict(Made):
 
     def __repr__(self) -> str:
         found = "not valid" if not self.valid else "valid, tight" if self.tight else "valid"
-        return f"<Verdict: {self._facts['name']}, {self.b} blocks, {found}>"
+        return f"<Verdict: {self._facts['name']}, {count_of(self.b, 'block')}, {found}>"
 
     def _repr_html_(self) -> str:
         rows = [(name, getattr(self, name)) for name in (
@@ -276,7 +276,8 @@ class Design(Made):
         quality = ", ".join(
             [word for word in ("tight", "economical", "minimum") if getattr(known, word)]
             if known.valid else ["not valid"])
-        title = f"{self._facts['name']}, {self.b} blocks" + (f": {quality}" if quality else "")
+        title = (f"{self._facts['name']}, {count_of(self.b, 'block')}"
+                 + (f": {quality}" if quality else ""))
         drawn = self._repr_svg_()
         if drawn is not None:
             return shown(title, (), drawn)
@@ -322,7 +323,7 @@ class Design(Made):
 
     def __repr__(self) -> str:
         fault = "" if self._facts["valid"] else ", not valid"
-        return f"<{self._facts['name']}, {self.b} blocks{fault}>"
+        return f"<{self._facts['name']}, {count_of(self.b, 'block')}{fault}>"
 
 
 def _math(name: str) -> str:

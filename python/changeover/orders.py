@@ -19,7 +19,7 @@ from typing import (
 from . import _core
 from ._given import (
     attempt, file_name, is_text, leads_from_keys, listed, rows_of, share_of, words_of)
-from ._made import Made, Progress, check_calls, fact, in_a_line, made
+from ._made import Made, Progress, check_calls, count_of, fact, in_a_line, made
 from ._notebook import shown, table
 from .errors import BadInput, InternalError
 
@@ -174,7 +174,7 @@ class LoadOrder(_Loads):
         most_shown = 20
         first = itertools.islice(self, most_shown)
         return shown(
-            f"{self.loads} loads for {self.items} items, room for {self.room}",
+            repr(self)[len("<LoadOrder: "):-1],
             [f"at least {self.lower_bound} loads: {self.reason}", self.certificate],
             table(("step", "evict", "load"),
                   ((number, *step) for number, step in enumerate(first, 1))),
@@ -188,7 +188,7 @@ class LoadOrder(_Loads):
         """The steps from `step` on, from 1; the first of them loads everything that is in memory
         then."""
         if not 1 <= step <= self.steps:
-            raise IndexError(f"there are {self.steps} steps, numbered from 1")
+            raise IndexError(f"there is no step {step}; they are numbered from 1 to {self.steps}")
         steps: Iterator[Step] = self._core.steps_from(step)
         return steps
 
@@ -201,7 +201,8 @@ class LoadOrder(_Loads):
         return self.steps
 
     def __repr__(self) -> str:
-        return f"<LoadOrder: {self.loads} loads for {self.items} items, room for {self.room}>"
+        return (f"<LoadOrder: {count_of(self.loads, 'load')} for {count_of(self.items, 'item')}, "
+                f"room for {self.room}>")
 
 
 class WorkerLoads(_Loads):
@@ -227,7 +228,7 @@ class WorkerLoads(_Loads):
     def steps(self, worker: int) -> Iterator[Step]:
         """The steps of one worker, from 0."""
         if worker >= len(self):
-            raise IndexError(f"there are {len(self)} workers")
+            raise IndexError(f"there is no worker {worker} of {len(self)}")
         steps: Iterator[Step] = self._core.steps(worker)
         return steps
 
@@ -235,14 +236,15 @@ class WorkerLoads(_Loads):
         """The same with the pairs that each step computes and the items that it stores, if
         requested."""
         if worker >= len(self):
-            raise IndexError(f"there are {len(self)} workers")
+            raise IndexError(f"there is no worker {worker} of {len(self)}")
         return map(WorkStep._make, self._core.full_steps(worker))
 
     def __len__(self) -> int:
         return len(self.worker_loads)
 
     def __repr__(self) -> str:
-        return f"<WorkerLoads: {len(self)} workers, the busiest has {self.makespan} loads>"
+        return (f"<WorkerLoads: {count_of(len(self), 'worker')}, the busiest has "
+                f"{count_of(self.makespan, 'load')}>")
 
 
 class UpdateReport(Made):

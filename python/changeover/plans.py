@@ -11,7 +11,7 @@ from typing import Any, Dict, Iterable, List, Literal, Mapping, Optional, Tuple,
 
 from . import _core
 from ._job import benches_of, document_of, names_in, result_of
-from ._made import Made, Progress, check_calls, fact, made
+from ._made import Made, Progress, check_calls, count_of, fact, made
 from ._notebook import shown, table
 from .errors import BadInput
 
@@ -250,7 +250,8 @@ class RunSheet(_Sheets):
         return self.tests
 
     def __repr__(self) -> str:
-        return f"<RunSheet: {self.tests} tests, {self.changes} changes, cost {self.cost}>"
+        return (f"<RunSheet: {count_of(self.tests, 'test')}, {count_of(self.changes, 'change')}, "
+                f"cost {self.cost}>")
 
 
 class BenchSheets(_Sheets):
@@ -277,7 +278,8 @@ class BenchSheets(_Sheets):
         return len(self.sheets)
 
     def __repr__(self) -> str:
-        return f"<BenchSheets: {len(self)} benches, {self.tests} tests, makespan {self.makespan}>"
+        return (f"<BenchSheets: {count_of(len(self), 'bench', 'benches')}, "
+                f"{count_of(self.tests, 'test')}, makespan {self.makespan}>")
 
 
 def _facts(core: Any) -> Dict[str, Any]:

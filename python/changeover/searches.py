@@ -6,7 +6,7 @@ from typing import Any, Dict, List, Optional, Tuple
 
 from . import _core
 from ._given import share_of
-from ._made import Kind, Made, Progress, check_calls, fact, made
+from ._made import Kind, Made, Progress, check_calls, count_of, fact, made
 from .designs import Design, design_of
 
 
@@ -25,7 +25,7 @@ class SearchResult(Made):
     seconds: float = fact()
 
     def __repr__(self) -> str:
-        found = "no design" if self.b is None else f"{self.b} blocks"
+        found = "no design" if self.b is None else count_of(self.b, "block")
         return f"<SearchResult: {found}, at least {self.lower_bound}, {self.why_stopped}>"
 
 
@@ -44,7 +44,7 @@ class Classification(Made):
                          "do. 0 if shares were taken by a cluster.")
 
     def __repr__(self) -> str:
-        return f"<{self.classes} classes>"
+        return f"<{count_of(self.classes, 'class', 'classes')}>"
 
 
 def search(

@@ -73,7 +73,7 @@ Audit audit_entries(const Catalog& catalog, const AuditScope& scope, RunControl&
       }
     }
     if (control.progress_due()) {
-      control.tell({.phase = fmt::format("verifying {} entries", labels.size()),
+      control.tell({.phase = "verifying " + count_of(labels.size(), "entry", "entries"),
                     .steps = count,
                     .unit = "entries"});
     }

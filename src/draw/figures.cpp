@@ -77,10 +77,10 @@ Round round_of(const FactorFigure& figure) {
   Round round;
   round.title =
       figure.title.empty() ? fmt::format("1-factorization of K_{}", figure.order) : figure.title;
-  round.description =
-      fmt::format("{} vertices on a circle{}; the edges of each of the {} factors have a colour.",
-                  figure.order - (figure.centre ? 1U : 0U),
-                  figure.centre ? " and one in its centre" : "", figure.factors.size());
+  round.description = fmt::format(
+      "{} on a circle{}; {}, each with a colour for its edges.",
+      count_of(figure.order - (figure.centre ? 1U : 0U), "vertex", "vertices"),
+      figure.centre ? " and one in its centre" : "", count_of(figure.factors.size(), "factor"));
   round.nodes = circle(figure.order, figure.names);
   place(round.nodes, [&](std::size_t i) { return figure.centre != i; });
   for (std::size_t i = 0; i < figure.factors.size(); ++i) {

@@ -78,7 +78,7 @@ class Heatmap {
         v_to_, k_from_, k_to_, words());
     return framed(
         {.headline = fmt::format("{} {} covering designs, best known", to_string(p.kind), what),
-         .note = fmt::format("{} of {} cells proved minimum", minimum_, possible_)},
+         .note = fmt::format("{} of {} proved minimum", minimum_, count_of(possible_, "cell"))},
         std::move(content), legend());
   }
 

@@ -11,6 +11,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -87,8 +88,8 @@ void start_threads(std::vector<std::thread>& threads, unsigned count,
     }
   } catch (const std::system_error& fault) {
     give_up();
-    throw MissingResource(fmt::format("cannot start {} threads: {}; use fewer, or allow more",
-                                      count, fault.code().message()));
+    throw MissingResource(fmt::format("cannot start {}: {}; use fewer, or allow more",
+                                      count_of(count, "thread"), fault.code().message()));
   } catch (...) {
     give_up();
     throw;

@@ -211,10 +211,10 @@ std::string summary(const Cells& cells) {
       ratios += static_cast<double>(cell->best->b) / static_cast<double>(cell->bound.blocks);
     }
   }
-  return possible == 0
-             ? std::string()
-             : fmt::format("{} cells, {} proved minimum; mean of b / lower bound {:.4f}\n",
-                           possible, minimum, ratios / static_cast<double>(possible));
+  return possible == 0 ? std::string()
+                       : fmt::format("{}, {} proved minimum; mean of b / lower bound {:.4f}\n",
+                                     count_of(possible, "cell"), minimum,
+                                     ratios / static_cast<double>(possible));
 }
 
 Answer run(const TableRequest& request) {

@@ -75,8 +75,8 @@ std::optional<std::string> beside_defect(const Parameters& p, const UnchangedCov
     return std::nullopt;
   }
   if (cover.beside.size() != cover.subsets.size()) {
-    return fmt::format("{} subsets but {} lists of what comes beside", cover.subsets.size(),
-                       cover.beside.size());
+    return fmt::format("{} but {} of what comes beside", count_of(cover.subsets.size(), "subset"),
+                       count_of(cover.beside.size(), "list"));
   }
   const std::uint64_t most = beside_at_most(p, w);
   for (std::size_t i = 0; i < cover.beside.size(); ++i) {

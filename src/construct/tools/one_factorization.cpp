@@ -195,8 +195,8 @@ std::optional<std::string> factorization_defect(const OneFactorization& factoriz
   }
   // Before anything of that size is allocated.
   if (factorization.factors.size() != order - 1) {
-    return fmt::format("{} factors where K_{} needs {}", factorization.factors.size(), order,
-                       order - 1);
+    return fmt::format("{} where K_{} needs {}", count_of(factorization.factors.size(), "factor"),
+                       order, order - 1);
   }
   std::vector<std::uint32_t> last_met(order, nowhere);
   for (std::uint32_t f = 0; f < order - 1; ++f) {

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "changeover/core/design.hpp"
+#include "core/words.hpp"
 #include "draw/design/frame.hpp"
 #include "draw/design/stays_of.hpp"
 #include "draw/text/measure.hpp"
@@ -85,9 +86,8 @@ class Coverage {
     add_names(content);
     content.description = fmt::format(
         "{}: below the diagonal the block in which each pair first meets, above it how often it "
-        "is newly covered if that is not once. {} pairs are newly covered more than once, {} are "
-        "in no block.",
-        drawing_.summary(), repeated_, uncovered_);
+        "is newly covered if that is not once. Newly covered more than once: {}; in no block: {}.",
+        drawing_.summary(), count_of(repeated_, "pair"), count_of(uncovered_, "pair"));
     return framed(drawing_.heading(), std::move(content), legend());
   }
 

@@ -16,6 +16,7 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/tools/path.hpp"
+#include "core/words.hpp"
 #include "run/grace.hpp"
 #include "run/threads.hpp"
 #include "search/local/anneal.hpp"
@@ -299,11 +300,11 @@ class Improver {
     }
     std::optional<Design> design = without_extra(*found.design, arm.extra);
     if (design) {
-      attempted.how =
-          fmt::format("{} base blocks under an automorphism of order {} with {} fixed elements{}{}",
-                      attempt.aim, arm.order, arm.fixed,
-                      arm.extra == 0 ? "" : fmt::format(", {} elements truncated", arm.extra),
-                      parameters_.kind == Kind::linear ? ", cut" : "");
+      attempted.how = fmt::format(
+          "{} under an automorphism of order {} with {}{}{}", count_of(attempt.aim, "base block"),
+          arm.order, count_of(arm.fixed, "fixed element"),
+          arm.extra == 0 ? "" : fmt::format(", {} truncated", count_of(arm.extra, "element")),
+          parameters_.kind == Kind::linear ? ", cut" : "");
       attempted.design = shorter(*design);
       if (parameters_.kind == Kind::linear && attempted.design->block_count() >= best_blocks_ &&
           design->block_count() >= best_blocks_ && best_blocks_ > goal_) {

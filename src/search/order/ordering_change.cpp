@@ -9,6 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "changeover/search/local_search.hpp"
+#include "core/words.hpp"
 #include "run/random.hpp"
 #include "search/order/ordering_bound.hpp"
 #include "search/sat/cardinality.hpp"
@@ -75,21 +76,19 @@ class ChangeGraph {
 // A short argument that there is no order, for b ≥ 2; empty if none is known.
 std::string obstruction(const ChangeGraph& graph, const ChangeWanted& wanted) {
   const bool circular = wanted.kind == Kind::circular && graph.count() > 2;
+  const std::string m = count_of(wanted.m, "element");
   std::size_t ends = 0;
   for (std::size_t i = 0; i < graph.count(); ++i) {
     const std::size_t degree = graph.neighbours(i).size();
     if (degree == 0) {
-      return fmt::format("no other block differs from block {} in exactly {} elements", i + 1,
-                         wanted.m);
+      return fmt::format("no other block differs from block {} in exactly {}", i + 1, m);
     }
     if (degree == 1 && circular) {
-      return fmt::format("only one other block differs from block {} in exactly {} elements", i + 1,
-                         wanted.m);
+      return fmt::format("only one other block differs from block {} in exactly {}", i + 1, m);
     }
     ends += degree == 1 ? 1 : 0;
     if (ends > 2 && !circular && graph.count() > 2) {
-      return fmt::format("three blocks differ from only one other block in exactly {} elements",
-                         wanted.m);
+      return fmt::format("three blocks differ from only one other block in exactly {}", m);
     }
   }
   if (graph.complete()) {
@@ -110,9 +109,8 @@ std::string obstruction(const ChangeGraph& graph, const ChangeWanted& wanted) {
     }
     if (count < graph.count()) {
       const auto out = std::find(reached.begin(), reached.end(), false) - reached.begin();
-      return fmt::format(
-          "block {} is not reached from block 1 by steps that change exactly {} elements", out + 1,
-          wanted.m);
+      return fmt::format("block {} is not reached from block 1 by steps that change exactly {}",
+                         out + 1, m);
     }
   }
   return "";
@@ -351,8 +349,8 @@ ChangeOrder order_for_change(std::span<const Block> blocks, const ChangeWanted& 
   }
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     if (blocks[i].size() != blocks[0].size()) {
-      throw BadInput(fmt::format("block {} has {} elements and block 1 has {}; all need the same",
-                                 i + 1, blocks[i].size(), blocks[0].size()));
+      throw BadInput(fmt::format("block {} has {} and block 1 has {}; all need the same", i + 1,
+                                 count_of(blocks[i].size(), "element"), blocks[0].size()));
     }
   }
   const RunScope scope(control);
@@ -401,8 +399,8 @@ ChangeOrder order_for_change(std::span<const Block> blocks, const ChangeWanted& 
   const Outcome outcome = exact.run(options.conflicts, control);
   result.conflicts = exact.conflicts();
   if (outcome == Outcome::none) {
-    result.reason =
-        fmt::format("the SAT solver says that there is none, after {} conflicts", result.conflicts);
+    result.reason = fmt::format("the SAT solver says that there is none, after {}",
+                                count_of(result.conflicts, "conflict"));
   }
   return finish(outcome, outcome == Outcome::found ? exact.order() : std::vector<std::size_t>{});
 }

@@ -12,6 +12,7 @@
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 #include "run/grace.hpp"
 #include "search/symmetric/base_block_anneal.hpp"
 #include "search/symmetric/base_block_sat.hpp"
@@ -166,10 +167,10 @@ class Search {
     result_.base_blocks = std::move(blocks);
     const std::string provenance =
         attempt.conflicts > 0 && attempt.moves == 0
-            ? fmt::format("SAT search for base blocks, seed {}, {} conflicts", control_.seed(),
-                          attempt.conflicts)
-            : fmt::format("annealing of base blocks, seed {}, {} moves, {} conflicts",
-                          control_.seed(), attempt.moves, attempt.conflicts);
+            ? fmt::format("SAT search for base blocks, seed {}, {}", control_.seed(),
+                          count_of(attempt.conflicts, "conflict"))
+            : fmt::format("annealing of base blocks, seed {}, {}, {}", control_.seed(),
+                          count_of(attempt.moves, "move"), count_of(attempt.conflicts, "conflict"));
     Recipe recipe =
         developed_recipe(circular_, shape, result_.base_blocks, options_.shift, provenance);
     if (p_.kind == Kind::linear) {
@@ -278,8 +279,8 @@ std::string describe(const BaseBlockResult& result) {
                  : fmt::format("Nothing tried: {}.", to_string(result.why_stopped));
     }
     return fmt::format(
-        "No base blocks found ({}): of {} shapes tried the SAT solver says none exist in {}.",
-        to_string(result.why_stopped), result.attempts.size(), none);
+        "No base blocks found ({}): of {} tried the SAT solver says none exist in {}.",
+        to_string(result.why_stopped), count_of(result.attempts.size(), "shape"), none);
   }
   const Verdict& verdict = result.verdict();
   std::string text = fmt::format("{} with {} blocks{}: {}.", name(verdict.parameters), verdict.b,

@@ -22,8 +22,8 @@ std::optional<std::string> tight_obstruction(const Parameters& p, const BaseBloc
   const std::uint64_t pairs = binomial(p.v, 2);
   const std::uint64_t newly = newly_covered_at_most(p);
   if (checked_multiply(shape.b(), newly) != pairs) {
-    return fmt::format("{} blocks newly cover {} pairs each, and there are {}", shape.b(), newly,
-                       pairs);
+    return fmt::format("{} blocks newly cover {} each, and there are {}", shape.b(),
+                       count_of(newly, "pair"), pairs);
   }
   if (shape.n % 2 == 0) {
     return fmt::format("n = {} is even: opposite elements of a cycle would meet anew twice",

@@ -51,8 +51,8 @@ std::string own_bibtex(const Dossier& dossier) {
   const Parameters& p = dossier.parameters;
   return fmt::format(
       "@misc{{changeover-{},\n  author = {{{{The Changeover developers}}}},\n  title  = {{{{{} with "
-      "{} blocks}}}},\n  note   = {{Changeover {}, SHA-256 of the blocks {}}}\n}}\n",
-      cell_label(p), name(p), dossier.b, version, to_hex(dossier.checksum));
+      "{}}}}},\n  note   = {{Changeover {}, SHA-256 of the blocks {}}}\n}}\n",
+      cell_label(p), name(p), count_of(dossier.b, "block"), version, to_hex(dossier.checksum));
 }
 
 }  // namespace

@@ -99,10 +99,10 @@ Answer search(const LocalSearch& request) {
                                     : std::string("."))));
   }
   const double seconds = result.elapsed.count();
-  const std::string effort =
-      fmt::format("{} moves in {:.1f} s ({:.1f} million/s), {}; stopped: {}", result.moves, seconds,
-                  seconds > 0 ? static_cast<double>(result.moves) / seconds / 1e6 : 0.0,
-                  count_of(result.attempts, "attempt"), to_string(result.why_stopped));
+  const std::string effort = fmt::format(
+      "{} in {:.1f} s ({:.1f} million/s), {}; stopped: {}", count_of(result.moves, "move"), seconds,
+      seconds > 0 ? static_cast<double>(result.moves) / seconds / 1e6 : 0.0,
+      count_of(result.attempts, "attempt"), to_string(result.why_stopped));
   SearchFind find{(*std::move(result.design)).take(), {}};
   if (better || !find.design.recipe) {
     find.design.recipe = literal_recipe(find.design, provenance(request, p, ""));

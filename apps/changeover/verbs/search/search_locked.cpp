@@ -30,9 +30,9 @@ std::string way_of(const Wanted& wanted) {
 namespace {
 
 std::vector<std::string> said_of(const LockedResult& result, const Wanted& wanted) {
-  std::vector<std::string> lines{
-      fmt::format("{} moves in {:.1f} s, {}; stopped: {}", result.moves, result.elapsed.count(),
-                  count_of(result.attempts, "attempt"), to_string(result.why_stopped))};
+  std::vector<std::string> lines{fmt::format(
+      "{} in {:.1f} s, {}; stopped: {}", count_of(result.moves, "move"), result.elapsed.count(),
+      count_of(result.attempts, "attempt"), to_string(result.why_stopped))};
   if (wanted.expansion_set) {
     std::vector<std::size_t> positions;
     for (const UnchangedSubset& part : result.parts) {

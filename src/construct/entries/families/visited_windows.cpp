@@ -252,15 +252,16 @@ class VisitedWindows final : public Family {
     if (is_windows_and_one(p)) {
       return fmt::format(
           "A window of {0} elements slides over Z_{1}; {0} new elements meet its beginning, then "
-          "visit one "
-          "window, and one more visits another and stands in at both ends.",
+          "visit one window, and one more visits another and stands in at both ends.",
           p.k - 1, u);
     }
     return fmt::format(
-        "A window of {0} elements slides over Z_{1}; {2} new elements meet each other and "
-        "0,...,{0} at the "
-        "start, then visit windows that hold all others.",
-        p.k - 1, u, p.v - u);
+        "A window of {0} elements slides over Z_{1}; {2} 0,...,{0} at the start, then {3} windows "
+        "that hold all others.",
+        p.k - 1, u,
+        p.v == u + 1 ? "a new element meets"
+                     : fmt::format("{} new elements meet each other and", p.v - u),
+        p.v == u + 1 ? "visits" : "visit");
   }
 };
 
