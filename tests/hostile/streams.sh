@@ -74,17 +74,18 @@ for command in "${commands[@]}"; do
   # A reader that left, as the shell has it, and with SIGPIPE ignored.
   for ignored in '' PIPE; do
     attacks=$((attacks + 1))
-    tried="{ sleep 0.05; changeover $command; } | true${ignored:+ (SIGPIPE ignored)}"
+    tried="changeover $command | true${ignored:+ (SIGPIPE ignored)}"
+    exec {gone}> >(true)
+    wait $!
     # shellcheck disable=SC2086
     {
-      {
+      (
         [[ -z $ignored ]] || trap '' PIPE
-        sleep 0.05
-        timeout -s KILL $((20 * slower)) "$CHANGEOVER" $command 2>"$err" </dev/null
-        printf '%s\n' "$?" >"$scratch/said/code"
-      } | true
+        timeout -s KILL $((20 * slower)) "$CHANGEOVER" $command 2>"$err" </dev/null >&"$gone"
+      )
+      code=$?
     } 2>/dev/null
-    read -r code <"$scratch/said/code"
+    exec {gone}>&-
     heard
     # As other filters, it may end by the signal, unless that is ignored.
     [[ $code == 141 && -z $ignored ]] || complain_unless_documented
