@@ -14,28 +14,6 @@ namespace {
 
 constexpr std::uint64_t unreached = std::numeric_limits<std::uint64_t>::max();
 
-/// From low to high, both included; empty if low > high.
-struct Range {
-  std::uint64_t low = 0;
-  std::uint64_t high = 0;
-
-  [[nodiscard]] bool empty() const { return low > high; }
-};
-
-/// One step at distance d from the goal: of the m that go, a are not in the goal; of the m that
-/// come, h are in neither block. Both can be chosen freely in their range, and lead to distance d −
-/// a + h.
-struct Moves {
-  Range a;
-  Range h;
-};
-
-Moves moves_at(std::uint64_t d, std::uint64_t k, std::uint64_t m, std::uint64_t v) {
-  const std::uint64_t right = k - d;        // in the goal too
-  const std::uint64_t outside = v - k - d;  // in neither block
-  return {{m > right ? m - right : 0, std::min(m, d)}, {m > d ? m - d : 0, std::min(m, outside)}};
-}
-
 }  // namespace
 
 Distances::Distances(std::uint64_t k, std::uint64_t change, std::uint64_t v)

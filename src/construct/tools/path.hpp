@@ -15,6 +15,7 @@
 //     while (way.next(block)) { … }                              // memory: O(v)
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -24,6 +25,29 @@
 #include "changeover/core/block.hpp"
 
 namespace changeover {
+
+/// From low to high, both included; empty if low > high.
+struct StepRange {
+  std::uint64_t low = 0;
+  std::uint64_t high = 0;
+
+  [[nodiscard]] bool empty() const { return low > high; }
+};
+
+/// One step at distance d from the goal: of the m elements that go, `wrong` are not in the goal; of
+/// the m that come, `strange` are in neither block. Both can be chosen freely in their range, and
+/// lead to distance d − wrong + strange.
+struct StepMoves {
+  StepRange wrong;
+  StepRange strange;
+
+  [[nodiscard]] bool possible() const { return !wrong.empty() && !strange.empty(); }
+};
+
+[[nodiscard]] constexpr StepMoves moves_at(std::uint64_t d, std::uint64_t k, std::uint64_t m,
+                                           std::uint64_t v) {
+  return {{m - std::min(m, k - d), std::min(m, d)}, {m - std::min(m, d), std::min(m, v - k - d)}};
+}
 
 /// How many steps of `change` elements there are between k-subsets of a v-set, by their distance.
 class Distances {

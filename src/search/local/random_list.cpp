@@ -7,6 +7,7 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
+#include "construct/tools/path.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {
@@ -95,28 +96,6 @@ Block choose_outside(const Block& one, const Block& other, std::uint64_t v, std:
   return chosen;
 }
 
-// A range of whole numbers, empty if least > most.
-struct Range {
-  std::uint64_t least = 0;
-  std::uint64_t most = 0;
-};
-
-// One step at distance d: `wrong` of the m leaving elements are not in the goal, and `strange` of
-// the m new elements are in neither block. The distance becomes d − wrong + strange; both are
-// chosen independently in their ranges.
-struct Steps {
-  Range wrong;
-  Range strange;
-
-  Steps(std::uint64_t d, const Parameters& p)
-      : wrong{p.change - std::min(p.change, p.k - d), std::min(p.change, d)},
-        strange{p.change - std::min(p.change, d), std::min(p.change, p.v - p.k - d)} {}
-
-  [[nodiscard]] bool possible() const {
-    return wrong.least <= wrong.most && strange.least <= strange.most;
-  }
-};
-
 // The distances from which the goal can be reached in exactly r steps, for all r up to a limit.
 class Arrivals {
  public:
@@ -132,10 +111,10 @@ class Arrivals {
       stop_if_asked();
       counts(r - 1, before);
       for (std::size_t d = 0; d < distances_; ++d) {
-        const Steps step(d, p);
+        const StepMoves step = moves_at(d, p.k, p.change, p.v);
         const bool reached =
-            step.possible() && number(before, d + step.strange.least - step.wrong.most,
-                                      d + step.strange.most - step.wrong.least) > 0;
+            step.possible() && number(before, d + step.strange.low - step.wrong.high,
+                                      d + step.strange.high - step.wrong.low) > 0;
         arrives_.push_back(reached);
       }
     }
@@ -174,15 +153,15 @@ std::pair<std::uint64_t, std::uint64_t> random_choice(const Arrivals& arrives, s
                                                       std::uint64_t d, const Parameters& p,
                                                       std::vector<std::uint32_t>& counts,
                                                       Random& random) {
-  const Steps step(d, p);
+  const StepMoves step = moves_at(d, p.k, p.change, p.v);
   arrives.counts(r, counts);
   std::uint64_t open = 0;
-  for (std::uint64_t wrong = step.wrong.least; wrong <= step.wrong.most; ++wrong) {
-    open += Arrivals::number(counts, d - wrong + step.strange.least, d - wrong + step.strange.most);
+  for (std::uint64_t wrong = step.wrong.low; wrong <= step.wrong.high; ++wrong) {
+    open += Arrivals::number(counts, d - wrong + step.strange.low, d - wrong + step.strange.high);
   }
   std::uint64_t chosen = random.below(static_cast<std::uint32_t>(open));
-  for (std::uint64_t wrong = step.wrong.least; wrong <= step.wrong.most; ++wrong) {
-    for (std::uint64_t strange = step.strange.least; strange <= step.strange.most; ++strange) {
+  for (std::uint64_t wrong = step.wrong.low; wrong <= step.wrong.high; ++wrong) {
+    for (std::uint64_t strange = step.strange.low; strange <= step.strange.high; ++strange) {
       const std::uint64_t next = d - wrong + strange;
       if (arrives(r, static_cast<std::size_t>(next)) && chosen-- == 0) {
         return {wrong, strange};
