@@ -58,8 +58,7 @@ Answer answer_of(const Picture& picture, const DrawRequest& request) {
     if (const std::size_t marks = mark_count(picture); marks > most_marks_of_tikz) {
       throw UsageError{fmt::format(
           "--format tikz: {} marks are too many for TeX, which takes {}; draw a part with --from "
-          "and --to, or "
-          "write svg",
+          "and --to, or write svg",
           marks, most_marks_of_tikz)};
     }
     return text_answer(tikz(picture, theme), request.output);

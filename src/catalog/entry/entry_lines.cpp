@@ -143,11 +143,8 @@ class LineHandler final : public JsonHandler {
     }
     if (event.text.size() > longest_text || !is_printable(event.text)) {
       json_.fail(event.offset,
-                 fmt::format("{} is longer than {} bytes or has unprintable characters; "
-                             "write "
-                             "one "
-                             "plain "
-                             "line",
+                 fmt::format("{} is longer than {} bytes or has unprintable characters; write one "
+                             "plain line",
                              key_, longest_text));
     }
     return std::string(event.text);
@@ -307,8 +304,7 @@ Credit shared_from_header(std::string_view line, const std::string& name) {
               fmt::format("not a catalog; the first line must be {{\"format\":\"{}\"}}", format));
   }
   if (handler.format_name != format) {
-    json.fail(0, fmt::format("a catalog of the unknown format {}; "
-                             "use a newer program",
+    json.fail(0, fmt::format("a catalog of the unknown format {}; use a newer program",
                              shown(handler.format_name)));
   }
   for (const std::string& key : handler.seen()) {

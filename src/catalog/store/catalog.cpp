@@ -90,8 +90,7 @@ std::optional<CatalogEntry> Catalog::find(std::string_view label) const {
   store_->from_users(true, collect);
   if (labels.size() > 1) {
     throw BadInput(
-        fmt::format("{} designs have a label that begins with {}, as {} and {}; write more "
-                    "of it",
+        fmt::format("{} designs have a label that begins with {}, as {} and {}; write more of it",
                     labels.size(), wanted, *labels.begin(), *labels.rbegin()));
   }
   return labels.empty() ? std::nullopt : store_->exact(*labels.begin());

@@ -122,10 +122,8 @@ std::vector<Added> Catalog::Store::put(Shelf& own, std::span<const CatalogEntry>
     const std::string label = entry.label();
     if (const auto there = exact(label)) {
       if (there->checksum != entry.checksum) {
-        throw BadInput(
-            fmt::format("{}: another design has that label; write its elements by other "
-                        "numbers",
-                        label));
+        throw BadInput(fmt::format(
+            "{}: another design has that label; write its elements by other numbers", label));
       }
       results.push_back(Added::already_there);
       continue;

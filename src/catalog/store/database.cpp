@@ -79,8 +79,7 @@ bool is_regular(const std::string& path) {
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
       throw BadInput(
-          fmt::format("{}: damaged, or not a catalog ({}); it stays as it is: put it aside "
-                      "and "
+          fmt::format("{}: damaged, or not a catalog ({}); it stays as it is: put it aside and "
                       "restore a copy, or name another file with --catalog",
                       name, what));
     default:

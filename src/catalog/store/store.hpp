@@ -32,8 +32,7 @@ namespace changeover {
 
 inline constexpr std::string_view entry_columns =
     "design.label, design.line, credit.json, v, k, change, kind, strength, b, lower_bound, "
-    "carries_blocks, construction, date FROM design LEFT JOIN credit ON "
-    "credit.id = design.credit ";
+    "carries_blocks, construction, date FROM design LEFT JOIN credit ON credit.id = design.credit ";
 inline constexpr std::string_view of_cell =
     "WHERE k = ? AND v = ? AND change = ? AND kind = ? AND strength = ? ";
 // Fewest blocks first; among equals those with a recipe.

@@ -29,8 +29,7 @@ using Role = std::uint32_t;
 constexpr std::string_view script_3 = "02a 12a 1ab *ab 3ab abd abc 0bc 2bc 2cd *cd 3cd 1cd 01d";
 constexpr std::string_view script_4 =
     "345a 45ab 5abc *abc 0abc 0abd 1abd 13bd 13cd 14cd 14de 4def 5def *def 2def 23ef 2aef 2bef "
-    "2cef "
-    "02ef 012f";
+    "2cef 02ef 012f";
 
 constexpr std::string_view script_text(std::uint64_t k) {
   switch (k) {

@@ -59,8 +59,7 @@ void FileLock::acquire(const std::string& path) {
       throw MissingResource(
           error == EWOULDBLOCK
               ? fmt::format("{}: another process is using it; wait until it finishes, or name "
-                            "another "
-                            "file",
+                            "another file",
                             path)
               : fmt::format("{}: cannot lock {}: {}; write elsewhere", path, lock_path_,
                             std::strerror(error)));

@@ -70,8 +70,7 @@ class Columns {
     }
     if (elements_.empty()) {
       rows.fail(fields[0],
-                "no columns element_1, element_2, …; give the columns of elements "
-                "these names");
+                "no columns element_1, element_2, …; give the columns of elements these names");
     }
     named_ = true;
     return true;
@@ -109,8 +108,7 @@ class Columns {
       const Field& field = fields[*column];
       if (!said_[i].empty()) {
         if (field.text != said_[i]) {
-          rows.fail(field, fmt::format("{} is {} here and {} in the rows before; make "
-                                       "them equal",
+          rows.fail(field, fmt::format("{} is {} here and {} in the rows before; make them equal",
                                        constants[i], shown(field.text), shown(said_[i])));
         }
         continue;

@@ -116,10 +116,8 @@ Declared merged(const std::string& name, const ReadOptions& caller, const ReadOp
   const auto require = [&](std::string_view key, const auto& value, std::uint64_t least,
                            std::uint64_t most) {
     if (value && (*value < least || *value > most)) {
-      throw BadOption(
-          fmt::format("{}: {} = {} is out of range; give a whole number from {} to "
-                      "{}",
-                      name, key, *value, least, most));
+      throw BadOption(fmt::format("{}: {} = {} is out of range; give a whole number from {} to {}",
+                                  name, key, *value, least, most));
     }
   };
   require("v", caller.v, 1, max_elements_in_memory);
@@ -231,10 +229,8 @@ std::string surplus_defect(std::uint64_t number, std::uint64_t k, bool declared)
     return fmt::format("more than {} in a block; end each block with a line end",
                        count_of(k, "element"));
   }
-  return fmt::format(
-      "block {} has more than the {} of the blocks before; correct one of "
-      "them",
-      number, count_of(k, "element"));
+  return fmt::format("block {} has more than the {} of the blocks before; correct one of them",
+                     number, count_of(k, "element"));
 }
 
 std::string repeat_defect(std::uint64_t number, std::string_view word) {

@@ -46,8 +46,7 @@ class LiteralReader {
     } else {
       points_.fail(start,
                    fmt::format("{} is not a design; give BlockDesign(v, blocks) of GAP or Sage, "
-                               "IncidenceStructure(v, blocks) of Sage or rec(v, blocks) of "
-                               "GAP",
+                               "IncidenceStructure(v, blocks) of Sage or rec(v, blocks) of GAP",
                                shown(word)));
     }
     while (take(";")) {

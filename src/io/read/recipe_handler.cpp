@@ -158,8 +158,7 @@ void RecipeHandler::on_argument(Frame& frame, const JsonEvent& event) {
   const auto result = std::from_chars(event.text.data(), end, value);
   if (result.ec != std::errc() || result.ptr != end) {
     json_->fail(event.offset, fmt::format("argument {} = {} is not a whole number of 64 bits; "
-                                          "correct "
-                                          "the recipe",
+                                          "correct the recipe",
                                           shown(frame.argument), shown(event.text)));
   }
   if (!frame.recipe.arguments.emplace(frame.argument, value).second) {

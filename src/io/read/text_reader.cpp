@@ -290,8 +290,7 @@ class TextSource final : public BlockByBlock<TextSource, DesignInput> {
       const Place place = word.place;
       if (word.text == "labels:" ||
           (word.text == "changeover" && scanner_.comment_word(word) && word.text == "design")) {
-        scanner_.fail(place, fmt::format("{} after the first block; move it to the top, one "
-                                         "design "
+        scanner_.fail(place, fmt::format("{} after the first block; move it to the top, one design "
                                          "per file",
                                          word.text == "labels:" ? "labels" : "a header"));
       }

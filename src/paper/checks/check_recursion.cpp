@@ -347,10 +347,8 @@ PaperItem check_new_elements(const Paper& paper, const std::vector<WithSet>& des
                                       end == 0 ? "first" : "last", braces(block, linear),
                                       end == 0 ? 0 : linear.block_count(), linear.label(*fresh)),
                           "by Section 2.2 every (k-2)-subset of the first and of the last block of "
-                          "a linear design is "
-                          "an unchanged subset. True of all others; and what is concluded, that "
-                          "there is no expansion "
-                          "set, holds all the same"};
+                          "a linear design is an unchanged subset. True of all others; and what is "
+                          "concluded, that there is no expansion set, holds all the same"};
     });
   }
   return std::move(check).finish();

@@ -11,10 +11,8 @@ std::vector<PrintedStatement> statements() {
        "at least g2 = C(v,2)/(2k-3)."},
       {"Theorem 2",
        "If v is an odd multiple of k-2 and a DCCD(v,k,b) has an expansion set, then a "
-       "DCCD(v*,k,b*) "
-       "exists with v* = v + v/(k-2) + 1 and b* = b + (1/2)(v/(k-2))(v/(k-2) + 1); tight, "
-       "economical "
-       "or circular if the given one is."},
+       "DCCD(v*,k,b*) exists with v* = v + v/(k-2) + 1 and b* = b + (1/2)(v/(k-2))(v/(k-2) + 1); "
+       "tight, economical or circular if the given one is."},
       {"Theorem 3",
        "A tight circular DCCD(2k-2,k,k-1) exists for all k >= 2 if and only if k is even."},
       {"Theorem 4", "A minimum circular DCCD(2k-2,k,k) exists for all odd k >= 5."},

@@ -78,8 +78,7 @@ class ProofFile {
  private:
   [[noreturn]] void fail() const {
     throw MissingResource(
-        fmt::format("{}: cannot write the proof: {}; free some space or name another "
-                    "directory",
+        fmt::format("{}: cannot write the proof: {}; free some space or name another directory",
                     path_, std::strerror(errno == 0 ? EIO : errno)));
   }
 

@@ -118,9 +118,8 @@ std::vector<std::string> RunStore::ids() const {
   }
   if (error && error != std::errc::no_such_file_or_directory) {
     throw MissingResource(
-        fmt::format("{}: cannot read this folder: {}; allow reading it, or move "
-                    "it away",
-                    folder_, error.message()));
+        fmt::format("{}: cannot read this folder: {}; allow reading it, or move it away", folder_,
+                    error.message()));
   }
   return found;
 }

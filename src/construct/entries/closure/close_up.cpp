@@ -32,8 +32,7 @@ class CloseUp final : public Entry {
   std::string explain(const Recipe& recipe) const override {
     return fmt::format(
         "Delete element {} of the {} and let each stay begin as soon as another one has ended; the "
-        "last element "
-        "takes its name.",
+        "last element takes its name.",
         deleted(recipe), changeover::name(recipe.inputs.front().parameters));
   }
 

@@ -80,8 +80,7 @@ class Expansion final : public Entry {
     const std::uint64_t w = recipe.parameters.v - input.v;
     return fmt::format(
         "At each of the {} positions of an expansion set of the {}, insert its unchanged subset "
-        "with the "
-        "edges of one 1-factor of K_{} on the new elements {},…,{}.",
+        "with the edges of one 1-factor of K_{} on the new elements {},…,{}.",
         w - 1, changeover::name(input), w, input.v, recipe.parameters.v - 1);
   }
 

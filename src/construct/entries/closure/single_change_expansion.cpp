@@ -61,8 +61,7 @@ class SingleChangeExpansion final : public Entry {
     const Parameters& input = recipe.inputs.front().parameters;
     return fmt::format(
         "At each of the {} positions of an expansion set of the {}, insert its unchanged subset "
-        "with "
-        "the new element {}.",
+        "with the new element {}.",
         input.v / (input.k - 1), changeover::name(input), input.v);
   }
 

@@ -146,8 +146,7 @@ class ClosedUpWindows final : public Family {
   std::string explanation(const Parameters& p) const override {
     return fmt::format(
         "A window of {} elements slides once over Z_{} without 0,...,{}; visitors stay where "
-        "windows "
-        "overlap, and the end is gone through with a queue.",
+        "windows overlap, and the end is gone through with a queue.",
         p.k - 1, 4 * p.k - 3, 4 * p.k - 4 - p.v);
   }
 };

@@ -82,8 +82,7 @@ class ShortLongRuns final : public Family {
     return fmt::format(
         "Number the blocks from 0 modulo {0}. For i = 0,…,{1}, put i_s into {2} blocks from block "
         "{3}i - 1 on and i_l into {4} blocks from block {2}i on; put ∞_s into blocks {3} and {5}, "
-        "and "
-        "∞_l into blocks 0 and {3}.",
+        "and ∞_l into blocks 0 and {3}.",
         k, k - 3, h, h - 1, h + 1, k - 1);
   }
 };

@@ -387,10 +387,8 @@ class SmallV final : public Entry {
     if (p.change == 1) {
       return fmt::format(
           "Keep {0} elements up to block {2} while {1} others pass one by one, then let them go "
-          "one by one "
-          "while those come back; from block 3 to {2} put one more in place of one of the {0}, and "
-          "keep "
-          "it up to block {3}.",
+          "one by one while those come back; from block 3 to {2} put one more in place of one of "
+          "the {0}, and keep it up to block {3}.",
           p.k - 1, p.k, p.k + 1, 2 * p.k);
     }
     const std::vector<Layer> layers = layers_of(shape, p.kind);

@@ -395,9 +395,8 @@ const std::vector<WrittenPiece>& open_pieces() {
        16,
        12,
        29,
-       "01235 12345 12456 24567 4567e 4567c 4567f 4567d 467bd 0467b 0467a 04679 46789 36789 "
-       "3789b 1789b 189ab 589ab 289ab 28abc 28abf 2abef 2adef 3adef 3cdef 9cdef 1cdef 0cdef "
-       "08def",
+       "01235 12345 12456 24567 4567e 4567c 4567f 4567d 467bd 0467b 0467a 04679 46789 36789 3789b "
+       "1789b 189ab 589ab 289ab 28abc 28abf 2abef 2adef 3adef 3cdef 9cdef 1cdef 0cdef 08def",
        {7, 18, 25}},
   };
   return pieces;
@@ -410,10 +409,9 @@ const std::vector<WrittenPiece>& closing_pieces() {
        20,
        12,
        43,
-       "2ghij 3ghij 13ghi 013gh 0134h 01234 0123d 01239 1239f 1239c 1238c 1238e 123ae 123ab "
-       "135ab 1357a 13567 1567j 0567j 4567j 4567h 4567f 24567 4567c 4567i 4567d 4567g 4567e "
-       "5679e 56789 6789b 689ab 89abg 89abh 89abj 489ab 89abd 89abi 08abi 08abf 0abcf 0bcef "
-       "bcdef",
+       "2ghij 3ghij 13ghi 013gh 0134h 01234 0123d 01239 1239f 1239c 1238c 1238e 123ae 123ab 135ab "
+       "1357a 13567 1567j 0567j 4567j 4567h 4567f 24567 4567c 4567i 4567d 4567g 4567e 5679e 56789 "
+       "6789b 689ab 89abg 89abh 89abj 489ab 89abd 89abi 08abi 08abf 0abcf 0bcef bcdef",
        {6, 27, 36}},
   };
   return pieces;

@@ -153,8 +153,7 @@ class RelayedCyclic final : public Entry {
     const Relay relay = required(recipe, Registry::standard());
     return fmt::format(
         "While the {} goes round, {} of the {} carriers, {} each, are beside its blocks; one "
-        "relieves "
-        "another every {} translates or so.",
+        "relieves another every {} translates or so.",
         changeover::name(recipe.inputs.front().parameters), relay.t, relay.carriers(),
         count_of(relay.m, "new element"), relay.u / relay.carriers());
   }
