@@ -8,21 +8,10 @@
 #include "cli/cli.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
+#include "io/table/table.hpp"
 
 namespace changeover::serve {
 namespace {
-
-std::string escaped(std::string_view text) {
-  std::string safe;
-  for (const char c : text) {
-    safe += c == '&'   ? "&amp;"
-            : c == '<' ? "&lt;"
-            : c == '>' ? "&gt;"
-            : c == '"' ? "&quot;"
-                       : std::string(1, c);
-  }
-  return safe;
-}
 
 // A day as Atom wants a time.
 std::string time_of(const std::string& day) {
@@ -59,7 +48,7 @@ std::string sitemap(const std::vector<std::string>& addresses) {
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<urlset xmlns=\"http://www.sitemaps.org/schemas/sitemap/0.9\">\n";
   for (const std::string& address : addresses) {
-    text += "<url><loc>" + escaped(address) + "</loc></url>\n";
+    text += "<url><loc>" + html_text(address) + "</loc></url>\n";
   }
   return text + "</urlset>\n";
 }
@@ -69,7 +58,7 @@ std::string sitemap_index(const std::vector<std::string>& sitemaps) {
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<sitemapindex xmlns=\"http://www.sitemaps.org/schemas/sitemap/0.9\">\n";
   for (const std::string& address : sitemaps) {
-    text += "<sitemap><loc>" + escaped(address) + "</loc></sitemap>\n";
+    text += "<sitemap><loc>" + html_text(address) + "</loc></sitemap>\n";
   }
   return text + "</sitemapindex>\n";
 }
@@ -93,16 +82,16 @@ std::string feed(const std::string& site, const Catalog& catalog) {
       "<feed xmlns=\"http://www.w3.org/2005/Atom\">\n"
       "<title>Changeover: new designs</title>\n<id>{0}</id>\n<link href=\"{0}\"/>\n"
       "<link rel=\"self\" href=\"{0}feed.xml\"/>\n<updated>{1}</updated>\n",
-      escaped(site), time_of(latest.empty() ? "" : latest.front().credit.date));
+      html_text(site), time_of(latest.empty() ? "" : latest.front().credit.date));
   for (const CatalogEntry& entry : latest) {
-    const std::string address = escaped(address_of_design(site, entry.label()));
+    const std::string address = html_text(address_of_design(site, entry.label()));
     text += fmt::format(
         "<entry><title>{}: {}</title><id>{}</id><link href=\"{}\"/><updated>{}</updated>"
         "<author><name>{}</name></author><summary>{} by {}; lower bound {}.</summary></entry>\n",
-        escaped(name(entry.parameters)), count_of(entry.b, "block"), address, address,
+        html_text(name(entry.parameters)), count_of(entry.b, "block"), address, address,
         time_of(entry.credit.date),
-        escaped(entry.credit.who.empty() ? "unknown" : entry.credit.who),
-        entry.b == entry.lower_bound ? "Minimum," : "Made", escaped(entry.recipe.construction),
+        html_text(entry.credit.who.empty() ? "unknown" : entry.credit.who),
+        entry.b == entry.lower_bound ? "Minimum," : "Made", html_text(entry.recipe.construction),
         entry.lower_bound);
   }
   return text + "</feed>\n";
