@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <string_view>
 
 #include "cli/cli.hpp"
+#include "core/parsed.hpp"
 
 namespace changeover::cli {
 
@@ -31,10 +31,7 @@ std::vector<Kind> kinds_of(std::optional<Kind> named) {
 }
 
 std::optional<std::uint64_t> whole_number(const std::string& text) {
-  std::uint64_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, failure] = std::from_chars(text.data(), end, value);
-  return failure == std::errc() && rest == end ? std::optional(value) : std::nullopt;
+  return parsed<std::uint64_t>(text);
 }
 
 void ParameterRequest::add_to(Verb& verb, bool required, const std::string& linear) {
@@ -133,13 +130,11 @@ ReadOptions ParameterRequest::reading() const {
 
 Range range_of(const std::string& option, const std::string& text, std::uint64_t least) {
   const auto number = [&](std::string_view digits) {
-    std::uint64_t value = 0;
-    const char* const end = digits.data() + digits.size();
-    const auto [rest, failure] = std::from_chars(digits.data(), end, value);
-    if (failure != std::errc() || rest != end || digits.empty()) {
+    const auto value = parsed<std::uint64_t>(digits);
+    if (!value) {
       throw UsageError{fmt::format("{} {}: write A..B, ..B or A with whole numbers", option, text)};
     }
-    return value;
+    return *value;
   };
   const std::size_t dots = text.find("..");
   Range range;

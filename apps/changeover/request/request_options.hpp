@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "changeover/io/input.hpp"
 #include "changeover/io/request.hpp"
 #include "cli/cli.hpp"
+#include "core/parsed.hpp"
 #include "io/request/request_document.hpp"
 #include "request/output.hpp"
 #include "request/run_request.hpp"
@@ -36,11 +36,8 @@ inline constexpr std::size_t most_request_bytes = std::size_t{1} << 28;
 
 /// "3" is a number, "benches.csv" a file, as "./3" is.
 [[nodiscard]] inline RequestList number_or_file(const std::string& text) {
-  std::uint64_t number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, failure] = std::from_chars(text.data(), end, number);
-  return failure == std::errc() && rest == end ? RequestList{.number = number}
-                                               : RequestList{.file = text};
+  const auto number = parsed<std::uint64_t>(text);
+  return number ? RequestList{.number = number} : RequestList{.file = text};
 }
 
 /// Adds an option for each record but those that `others` has already, and the rules. What

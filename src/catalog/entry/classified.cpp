@@ -1,10 +1,10 @@
 // The counts of all designs, as catalog/classified.txt has them.
 #include <algorithm>
-#include <charconv>
 #include <vector>
 
 #include "changeover/catalog/catalog.hpp"
 #include "core/lines.hpp"
+#include "core/parsed.hpp"
 
 namespace changeover {
 
@@ -18,12 +18,7 @@ Classified counted(std::string_view line) {
     line.remove_prefix(std::min(first.size() + 1, line.size()));
     return first;
   };
-  const auto number = [&word] {
-    std::uint64_t value = 0;
-    const std::string_view text = word();
-    std::from_chars(text.data(), text.data() + text.size(), value);
-    return value;
-  };
+  const auto number = [&word] { return parsed<std::uint64_t>(word()).value_or(0); };
   Classified cell;
   cell.parameters = {.v = number(), .k = number(), .change = number()};
   cell.parameters.kind = word() == "circular" ? Kind::circular : Kind::linear;

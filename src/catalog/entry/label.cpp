@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <string>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "changeover/catalog/entry.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/io/output.hpp"
+#include "core/parsed.hpp"
 #include "io/write/element_text.hpp"
 
 namespace changeover {
@@ -29,12 +29,8 @@ std::vector<std::string_view> parts(std::string_view text) {
 
 // As it is written: without signs, and zeros in front.
 std::optional<std::uint64_t> number(std::string_view text) {
-  std::uint64_t value = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault != std::errc() || end != text.data() + text.size() || fmt::to_string(value) != text) {
-    return std::nullopt;
-  }
-  return value;
+  const auto value = parsed<std::uint64_t>(text);
+  return value && fmt::to_string(*value) == text ? value : std::nullopt;
 }
 
 // Takes the parts of a cell from the front.

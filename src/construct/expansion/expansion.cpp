@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <set>
 #include <utility>
 
 #include "changeover/core/error.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
+#include "core/parsed.hpp"
 #include "core/words.hpp"
 
 namespace changeover {
@@ -123,11 +123,9 @@ std::vector<std::string> expanded_labels(std::vector<std::string> labels, std::u
   }
   std::set<std::uint64_t> taken;  // numbers from v on that are labels
   for (const std::string& label : labels) {
-    std::uint64_t number = 0;
-    const auto [end, fault] = std::from_chars(label.data(), label.data() + label.size(), number);
-    if (fault == std::errc() && end == label.data() + label.size() && number >= labels.size() &&
-        label.front() != '0') {
-      taken.insert(number);
+    const auto number = parsed<std::uint64_t>(label);
+    if (number && *number >= labels.size() && label.front() != '0') {
+      taken.insert(*number);
     }
   }
   std::uint64_t start = labels.size();

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 
 #include "changeover/core/parameters.hpp"
+#include "core/parsed.hpp"
 
 namespace changeover {
 
@@ -149,19 +149,16 @@ void RecipeHandler::on_value(Frame& frame, const JsonEvent& event) {
 }
 
 void RecipeHandler::on_argument(Frame& frame, const JsonEvent& event) {
-  std::int64_t value = 0;
-  const char* const end = event.text.data() + event.text.size();
-  const bool number = event.type == Type::natural || event.type == Type::other_number;
-  if (!number) {
+  if (event.type != Type::natural && event.type != Type::other_number) {
     json_->fail_expecting(event, "a whole number");
   }
-  const auto result = std::from_chars(event.text.data(), end, value);
-  if (result.ec != std::errc() || result.ptr != end) {
+  const auto value = parsed<std::int64_t>(event.text);
+  if (!value) {
     json_->fail(event.offset, fmt::format("argument {} = {} is not a whole number of 64 bits; "
                                           "correct the recipe",
                                           shown(frame.argument), shown(event.text)));
   }
-  if (!frame.recipe.arguments.emplace(frame.argument, value).second) {
+  if (!frame.recipe.arguments.emplace(frame.argument, *value).second) {
     json_->fail(event.offset,
                 fmt::format("argument {} is given twice; give it once", shown(frame.argument)));
   }

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <ctime>
 #include <new>
 #include <optional>
@@ -19,6 +18,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/io/tables.hpp"
+#include "core/parsed.hpp"
 #include "core/printable.hpp"
 #include "io/table/table_document.hpp"
 #include "io/workbook/cell_text.hpp"
@@ -185,10 +185,8 @@ class Workbook {
 // more than a number.
 std::optional<double> number_in(const std::string& words) {
   constexpr double most = 1e9;  // with six decimals
-  double number = 0;
-  const auto [end, error] = std::from_chars(words.data(), words.data() + words.size(), number);
-  const bool whole = error == std::errc() && end == words.data() + words.size();
-  return whole && number < most ? std::optional(number) : std::nullopt;
+  const auto number = parsed<double>(words);
+  return number && *number < most ? number : std::nullopt;
 }
 
 // Writes one sheet and remembers how wide its columns must be.

@@ -7,6 +7,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/parsed.hpp"
+
 namespace changeover {
 namespace {
 
@@ -173,10 +175,8 @@ std::optional<CellPlace> cell_place(std::string_view name) {
       return std::nullopt;
     }
   }
-  const char* const end = name.data() + name.size();
-  const auto [stop, failure] = std::from_chars(name.data() + at, end, place.row);
-  if (at == 0 || failure != std::errc() || stop != end || place.row == 0 ||
-      place.row > most_sheet_rows) {
+  place.row = parsed<std::uint64_t>(name.substr(at)).value_or(0);
+  if (at == 0 || place.row == 0 || place.row > most_sheet_rows) {
     return std::nullopt;
   }
   --place.column;

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <functional>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "core/parsed.hpp"
 #include "io/scan/xml_events.hpp"
 
 namespace changeover {
@@ -17,13 +17,7 @@ namespace {
 constexpr std::uint64_t most_shared_bytes = std::uint64_t{1} << 26;
 
 std::optional<std::uint64_t> natural(std::optional<std::string_view> text) {
-  std::uint64_t number = 0;
-  if (!text) {
-    return std::nullopt;
-  }
-  const char* const end = text->data() + text->size();
-  const auto [stop, failure] = std::from_chars(text->data(), end, number);
-  return failure == std::errc() && stop == end ? std::optional(number) : std::nullopt;
+  return text ? parsed<std::uint64_t>(*text) : std::nullopt;
 }
 
 bool is_true(std::optional<std::string_view> text) { return text == "1" || text == "true"; }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <deque>
 #include <filesystem>
@@ -16,6 +15,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
+#include "core/parsed.hpp"
 #include "io/scan/row_reader.hpp"
 #include "io/scan/xml_events.hpp"
 #include "io/workbook/workbook_parts.hpp"
@@ -109,9 +109,7 @@ class Rows final : public XmlHandler {
     const std::uint64_t before = row_.number;
     std::uint64_t number = before + 1;
     if (const auto given = attributes.find("r")) {
-      const char* const end = given->data() + given->size();
-      const auto [stop, failure] = std::from_chars(given->data(), end, number);
-      number = failure == std::errc() && stop == end ? number : 0;
+      number = parsed<std::uint64_t>(*given).value_or(0);
     }
     if (number <= before || number > most_sheet_rows) {
       throw BadInput(
@@ -205,11 +203,7 @@ class Rows final : public XmlHandler {
   static std::optional<Number> number_in(std::string_view text) {
     const std::size_t start = std::min(text.find_first_not_of(" \n\r\t"), text.size());
     text.remove_prefix(start);
-    text = text.substr(0, text.find_last_not_of(" \n\r\t") + 1);
-    Number number{};
-    const char* const end = text.data() + text.size();
-    const auto [stop, failure] = std::from_chars(text.data(), end, number);
-    return failure == std::errc() && stop == end ? std::optional(number) : std::nullopt;
+    return parsed<Number>(text.substr(0, text.find_last_not_of(" \n\r\t") + 1));
   }
 
   const WorkbookParts* parts_;

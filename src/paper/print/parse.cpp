@@ -2,31 +2,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <sstream>
 
 #include "changeover/core/error.hpp"
 #include "core/lines.hpp"
+#include "core/parsed.hpp"
 #include "paper/print/printed.hpp"
 
 namespace changeover {
 namespace {
 
-std::optional<std::uint64_t> number_in(std::string_view text) {
-  std::uint64_t number = 0;
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, number);
-  if (text.empty() || result.ec != std::errc{} || result.ptr != end) {
-    return std::nullopt;
-  }
-  return number;
-}
-
 PrintedCell cell_in(std::string_view token) {
   PrintedCell cell;
   if (const std::size_t colon = token.find(':'); colon != std::string_view::npos) {
-    const auto colour = number_in(token.substr(colon + 1));
+    const auto colour = parsed<std::uint64_t>(token.substr(colon + 1));
     if (!colour || *colour == 0 || *colour > 99) {
       throw BadInput(fmt::format("\"{}\": a colour is a number from 1", token));
     }
@@ -105,7 +95,7 @@ std::vector<Block> blocks_in(std::string_view text) {
   for (const std::string& line : lines_of(text)) {
     Block& block = blocks.emplace_back();
     for (const std::string& word : words(line)) {
-      const auto number = number_in(word);
+      const auto number = parsed<std::uint64_t>(word);
       if (!number || *number >= max_elements_in_memory) {
         throw BadInput(fmt::format("\"{}\" in \"{}\" is no element", word, line));
       }

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
@@ -11,6 +10,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/search/exact.hpp"
+#include "core/parsed.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/scan/row_reader.hpp"
@@ -41,13 +41,11 @@ class MinimaCells {
   template <typename Number>
   Number number() {
     const std::string_view digits = cell();
-    Number value{};
-    const auto [rest, failure] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (failure != std::errc() || rest != digits.data() + digits.size()) {
+    const auto value = parsed<Number>(digits);
+    if (!value) {
       fail(fmt::format("'{}' is not a number in the allowed range", digits));
     }
-    return value;
+    return *value;
   }
 
   void end() const {

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -19,6 +18,7 @@
 #include "changeover/io/output.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "core/lines.hpp"
+#include "core/parsed.hpp"
 #include "search/local/segment_orbits.hpp"
 
 namespace changeover {
@@ -60,14 +60,11 @@ class CheckpointLines {
   /// The next word, a number from `least` to `most`.
   template <typename Number>
   [[nodiscard]] Number number(Number least = 0, Number most = std::numeric_limits<Number>::max()) {
-    const std::string_view digits = word();
-    Number value{};
-    const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (fault != std::errc{} || end != digits.data() + digits.size() || value < least ||
-        value > most) {
+    const auto value = parsed<Number>(word());
+    if (!value || *value < least || *value > most) {
       damaged();
     }
-    return value;
+    return *value;
   }
 
   /// Checks that the line has no further words.

@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "changeover/core/error.hpp"
+#include "core/parsed.hpp"
 #include "core/printable.hpp"
 
 namespace changeover::serve {
@@ -29,12 +29,11 @@ bool Router::is_elsewhere(const std::string& path) const {
 
 std::size_t declared_length(const Request& request) {
   const std::string_view text = request.header("content-length");
-  std::size_t length = 0;
-  const auto [rest, failure] = std::from_chars(text.data(), text.data() + text.size(), length);
-  if (!text.empty() && (failure != std::errc() || rest != text.data() + text.size())) {
+  const auto length = parsed<std::size_t>(text);
+  if (!text.empty() && !length) {
     throw Refusal{400, "the header Content-Length is no number of bytes"};
   }
-  return length;
+  return length.value_or(0);
 }
 
 static constexpr const char* no_form = "send the file itself as the body, not a form";

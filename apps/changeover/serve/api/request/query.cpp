@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "cli/cli.hpp"
+#include "core/parsed.hpp"
 #include "core/printable.hpp"
 #include "io/scan/json_events.hpp"
 #include "request/parameters.hpp"
@@ -44,10 +44,8 @@ std::optional<std::uint64_t> number_of(const Request& request, std::string_view 
   if (!text) {
     return std::nullopt;
   }
-  std::uint64_t value = 0;
-  const char* const end = text->data() + text->size();
-  const auto [rest, failure] = std::from_chars(text->data(), end, value);
-  if (failure != std::errc() || rest != end || text->empty()) {
+  const auto value = parsed<std::uint64_t>(*text);
+  if (!value) {
     throw Refusal{400, fmt::format("{}={}: write a whole number", name, shown(*text))};
   }
   return value;
