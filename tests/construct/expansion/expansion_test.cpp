@@ -57,7 +57,8 @@ TEST(ExpansionSet, ThatIsSpoiltInOnePlaceIsRefused) {
   };
   expect_defect(g.design, {}, "element 0 is in no subset");
   expect_defect(g.design, spoilt([](auto& set) { set.pop_back(); }), "is in no subset");
-  expect_defect(g.design, spoilt([](auto& set) { std::swap(set[0], set[1]); }), "must increase");
+  expect_defect(g.design, spoilt([](auto& set) { std::swap(set[0], set[1]); }),
+                "position 3 follows position 6: positions must increase");
   expect_defect(g.design, spoilt([](auto& set) { set[1].position = set[0].position; }),
                 "must increase");
   expect_defect(g.design, spoilt([](auto& set) {
@@ -70,7 +71,7 @@ TEST(ExpansionSet, ThatIsSpoiltInOnePlaceIsRefused) {
   expect_defect(g.design, spoilt([](auto& set) { set[0].elements.pop_back(); }),
                 "the subset at position 3 has 2 elements, not k - m = 3");
   expect_defect(g.design, spoilt([](auto& set) { set[0].elements.back() = 15; }),
-                "not below v = 15");
+                "the subset at position 3 holds 15, which is not below v = 15");
   expect_defect(g.design, spoilt([](auto& set) { std::swap(set[0].elements, set[1].elements); }),
                 "is not what blocks");
   expect_defect(g.design, spoilt([](auto& set) { set.back().position = 16; }),
@@ -96,7 +97,7 @@ TEST(ExpansionSet, OfALinearDesignMayUseItsEndsFreely) {
   set[4].position = 4;  // element 6 is kept there as well
   EXPECT_EQ(expansion_set_defect(g.design, set), std::nullopt);
   std::swap(set.front().elements, set.back().elements);  // the last block lacks element 2
-  expect_defect(g.design, set, "not in the last block");
+  expect_defect(g.design, set, "the subset at position 7 is not in the last block");
   Design circular = g.design;
   circular.set_kind(Kind::circular);
   expect_defect(circular, g.set, "no position 0");
