@@ -23,7 +23,7 @@
 #include "cli/status_line.hpp"
 #include "cli/terminal.hpp"
 #include "core/printable.hpp"
-#include "io/request/request_document.hpp"
+#include "io/request/request_words.hpp"
 #include "request/output.hpp"
 #include "shell/features.hpp"
 

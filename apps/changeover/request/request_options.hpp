@@ -14,6 +14,7 @@
 #include "cli/cli.hpp"
 #include "core/parsed.hpp"
 #include "io/request/request_document.hpp"
+#include "io/request/request_words.hpp"
 #include "request/output.hpp"
 #include "request/run_request.hpp"
 
@@ -141,7 +142,7 @@ Request whole_request(Request request, RunRequest& run, const RequestTable<Reque
   run.threads = request.threads;
   run.seed = request.seed;
   if (run.time.empty() && request.seconds) {
-    run.time = fmt::format("{}s", *request.seconds);
+    run.time = fmt::format("{:f}s", *request.seconds);
   }
   return request;
 }

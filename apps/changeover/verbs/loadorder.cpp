@@ -73,7 +73,7 @@ Answer run(const LoadOrderRequest& typed) {
     require_memory_for_a_step(asked, request.ordered);
   }
   if (typed.output.format() == "marius") {
-    check_whole_epochs(request.epochs.value_or(1), asked.wanted(), Door::command_line);
+    check_whole_epochs(request, asked.wanted(), Door::command_line);
   }
   LoadOrderOptions options;
   options.seed = request.seed.value_or(1);

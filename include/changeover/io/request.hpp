@@ -9,7 +9,11 @@
 //     pairs.is_given();                                                  // true
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -75,6 +79,23 @@ struct RequestList {
     return !file.empty() || text || workbook || rows || number;
   }
   bool operator==(const RequestList&) const = default;
+};
+
+/// Where the document of a request has its values, for messages. Requests are equal wherever they
+/// stand.
+struct RequestPlaces {
+  std::string name = {};                         ///< of the document; empty: there is none
+  std::shared_ptr<const std::string> text = {};  ///< of the document
+  /// By key where its value begins in the text, then where each row of a list does.
+  std::map<std::string, std::vector<std::size_t>, std::less<>> offsets = {};
+
+  /// What a message begins with that is about a value of the document, "job.json:3:12: ". `what` is
+  /// a key, or a row of a list as "pairs[3]". Empty if the document has no such key.
+  [[nodiscard]] std::string before(std::string_view what) const;
+  /// The same for the document as a whole, where something is missing.
+  [[nodiscard]] std::string before_all() const;
+
+  bool operator==(const RequestPlaces& /*other*/) const { return true; }
 };
 
 /// One option, for the command line, documents, the server and Python.

@@ -54,6 +54,7 @@ struct LoadRequest {
   std::optional<double> seconds = {};
   std::optional<std::uint64_t> threads = {};
   std::optional<std::uint64_t> seed = {};
+  RequestPlaces places = {};
 
   bool operator==(const LoadRequest&) const = default;
 };
@@ -101,7 +102,7 @@ class CheckedLoads {
 /// Several epochs are kept in memory for "spread" and for Marius. checked_loads() calls this for
 /// "spread". @throws BadOption, naming options as the door does, if all epochs together have more
 /// than 10⁸ pairs.
-void check_whole_epochs(std::uint64_t epochs, const WantedPairs& wanted, Door door);
+void check_whole_epochs(const LoadRequest& request, const WantedPairs& wanted, Door door);
 
 /// Reads the pairs of a request and checks all of it, for every door. `pairs`, if given, replace
 /// those of the request. @throws BadOption, naming options as the door does, for wrong keys;

@@ -75,6 +75,7 @@ struct JobRequest {
   std::optional<double> seconds = {};
   std::optional<std::uint64_t> threads = {};
   std::optional<std::uint64_t> seed = {};
+  RequestPlaces places = {};
 
   bool operator==(const JobRequest&) const = default;
 };

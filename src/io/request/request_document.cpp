@@ -29,9 +29,9 @@ GivenRows::Fields sheet_header(std::size_t parts) {
 }  // namespace
 
 RequestDocument::RequestDocument(std::string_view format, std::string text, std::string name)
-    : text_(std::move(text)), name_(std::move(name)) {
+    : text_(std::make_shared<const std::string>(std::move(text))), name_(std::move(name)) {
   const std::string shown_name = name_.empty() ? "<text>" : name_;
-  object_ = json_tree({.text = text_, .name = shown_name});
+  object_ = json_tree({.text = *text_, .name = shown_name});
   if (!object_.is_object()) {
     throw BadInput((name_.empty() ? "" : name_ + ": ") + "give an object of JSON, {…}");
   }
@@ -58,9 +58,13 @@ void RequestDocument::rename(std::string_view from, std::string_view to) {
   }
 }
 
-std::optional<std::uint64_t> RequestDocument::take_number(const OptionRecord& record) {
+std::optional<std::uint64_t> RequestDocument::take_number(const OptionRecord& record,
+                                                          std::uint64_t least, std::uint64_t most) {
   const JsonNode* const node = find(record.key);
   const auto value = node == nullptr ? std::nullopt : std::optional(number(record, *node));
+  if (value && (*value < least || *value > most)) {
+    fail(*node, record.key, fmt::format("write {} to {}", least, most));
+  }
   std::erase_if(object_.members, [&](const auto& member) { return member.first == record.key; });
   return value;
 }
@@ -72,7 +76,22 @@ void RequestDocument::fail(const JsonNode& at, std::string_view key, std::string
   if (name_.empty()) {
     throw BadInput(line);
   }
-  changeover::fail(name_, place_of(text_, at.offset), line);
+  changeover::fail(name_, place_of(*text_, at.offset), line);
+}
+
+RequestPlaces RequestDocument::places() const {
+  if (name_.empty()) {
+    return {};
+  }
+  RequestPlaces places{.name = name_, .text = text_, .offsets = {{"", {object_.offset}}}};
+  for (const auto& [key, node] : object_.members) {
+    std::vector<std::size_t>& offsets = places.offsets[key];
+    offsets.push_back(node.offset);
+    for (const auto& [none, row] : node.members) {
+      offsets.push_back(row.offset);
+    }
+  }
+  return places;
 }
 
 void RequestDocument::require_known(const std::vector<std::string_view>& keys) const {
@@ -321,62 +340,5 @@ std::vector<std::string> names_in(std::string_view text) {
   }
   return names;
 }
-
-std::string spelled(const OptionRecord& record, Door door) {
-  if (door == Door::document) {
-    return std::string(record.key);
-  }
-  const std::size_t comma = record.flags.find(",--");
-  return comma == std::string::npos ? record.flags : record.flags.substr(comma + 1);
-}
-
-std::string spelled_with_value(const OptionRecord& record, Door door) {
-  const std::string key = spelled(record, door);
-  return door == Door::document || record.value.empty() ? key
-                                                        : fmt::format("{} {}", key, record.value);
-}
-
-std::string sentence_of(OptionRule::Says says, const std::vector<std::string>& keys,
-                        const std::vector<std::string>& others) {
-  const bool one = keys.size() == 1;
-  switch (says) {
-    case OptionRule::Says::exclude:
-      return enumerated(keys) + " exclude each other";
-    case OptionRule::Says::needs:
-      return enumerated(keys) + (one ? " needs " : " need ") + enumerated(others);
-    case OptionRule::Says::only_with:
-      return enumerated(keys) + (one ? " is" : " are") + " for " + enumerated(others, " or ") +
-             " only";
-    case OptionRule::Says::never_with:
-      return enumerated(keys) + (one ? " has" : " have") + " no meaning with " + enumerated(others);
-  }
-  return "";
-}
-
-std::string enumerated(const std::vector<std::string>& names, std::string_view last) {
-  const std::string but_last = fmt::format("{}", fmt::join(names.begin(), names.end() - 1, ", "));
-  return but_last + std::string(but_last.empty() ? "" : last) + names.back();
-}
-
-namespace request_rules {
-
-void refuse_excluded(const std::vector<std::string>& all) {
-  throw BadOption(enumerated(all) + " exclude each other");
-}
-
-void refuse_without(const std::string& key, const std::string& needed) {
-  throw BadOption(key + " needs " + needed + "; give it, too");
-}
-
-void refuse_alone(const std::string& key, const std::vector<std::string>& others) {
-  throw BadOption(key + " is for " + enumerated(others, " or ") +
-                  (others.size() == 1 ? "; give both" : "; give one of them, too"));
-}
-
-void refuse_together(const std::string& key, const std::vector<std::string>& others) {
-  throw BadOption(key + " has no meaning with " + enumerated(others) + "; leave it out");
-}
-
-}  // namespace request_rules
 
 }  // namespace changeover

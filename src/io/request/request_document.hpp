@@ -35,7 +35,8 @@ class RequestDocument {
   /// literals.
   void rename(std::string_view from, std::string_view to);
   /// Takes a number out of the document, whose key does not belong to the request.
-  std::optional<std::uint64_t> take_number(const OptionRecord& record);
+  std::optional<std::uint64_t> take_number(const OptionRecord& record, std::uint64_t least,
+                                           std::uint64_t most);
   [[noreturn]] void fail(const JsonNode& at, std::string_view key, std::string_view what) const;
 
   /// @throws BadInput for a member that is not one of these.
@@ -50,8 +51,11 @@ class RequestDocument {
                                                const JsonNode& node) const;
   [[nodiscard]] RequestList list(const OptionRecord& record, const JsonNode& node) const;
 
+  /// Where it has its values; nothing without a name.
+  [[nodiscard]] RequestPlaces places() const;
+
  private:
-  std::string text_;
+  std::shared_ptr<const std::string> text_;
   std::string name_;
   JsonNode object_;
   std::pair<std::string_view, std::string_view> renamed_;  // from, to
@@ -68,11 +72,6 @@ void write_list(JsonWriter& json, const OptionRecord& record, const RequestList&
 /// The names in a text with commas between them; they may be quoted. @throws BadInput (without a
 /// place)
 [[nodiscard]] std::vector<std::string> names_in(std::string_view text);
-
-/// @throws BadOption for the first rule that is broken. `given` tells which keys are given.
-template <typename Given, typename Spell, typename SpellInFull>
-void check_rules(const std::vector<OptionRule>& rules, Given&& given, Spell&& spell,
-                 SpellInFull&& spell_in_full);
 
 /// Whether a key of a request is given.
 template <typename Request>
@@ -137,6 +136,7 @@ Request read_request(const RequestTable<Request>& table, const RequestDocument& 
         option.field);
   }
   document.require_known(keys);
+  request.places = document.places();
   return request;
 }
 
@@ -165,85 +165,22 @@ std::string request_as_json(const RequestTable<Request>& table, const Request& r
   return json.end_object().take() + "\n";
 }
 
-/// @throws BadOption for the first rule that the request breaks, spelled as at `door`.
-template <typename Request>
-void check_rules(const RequestTable<Request>& table, const Request& request, Door door) {
-  check_rules(
-      table.rules, [&](std::string_view key) { return is_given(request, option_of(table, key)); },
-      [&](std::string_view key) { return spelled(option_of(table, key).record, door); },
-      [&](std::string_view key) { return spelled_with_value(option_of(table, key).record, door); });
-}
-
 /// Takes the keys that `request` does not give from `other`.
 template <typename Request>
 void complete(const RequestTable<Request>& table, Request& request, Request other) {
+  if constexpr (requires { request.items_are_parts; }) {
+    request.items_are_parts = request.items ? request.items_are_parts : other.items_are_parts;
+  }
+  RequestPlaces places = std::move(other.places);
   for (const auto& option : table.options) {
-    if (!is_given(request, option)) {
+    if (is_given(request, option)) {
+      places.offsets.erase(std::string(option.record.key));
+    } else {
       std::visit([&](auto field) { request.*field = std::move(other.*field); }, option.field);
     }
   }
-}
-
-/// A rule as a sentence: "--header and --no-header exclude each other".
-[[nodiscard]] std::string sentence_of(OptionRule::Says says, const std::vector<std::string>& keys,
-                                      const std::vector<std::string>& others);
-
-/// "--a, --b and --c".
-[[nodiscard]] std::string enumerated(const std::vector<std::string>& names,
-                                     std::string_view last = " and ");
-
-namespace request_rules {
-void refuse_excluded(const std::vector<std::string>& all);
-void refuse_without(const std::string& key, const std::string& needed);
-void refuse_alone(const std::string& key, const std::vector<std::string>& others);
-void refuse_together(const std::string& key, const std::vector<std::string>& others);
-}  // namespace request_rules
-
-template <typename Given, typename Spell, typename SpellInFull>
-void check_rules(const std::vector<OptionRule>& rules, Given&& given, Spell&& spell,
-                 SpellInFull&& spell_in_full) {
-  const auto spelled_all = [&](const std::vector<std::string_view>& keys) {
-    std::vector<std::string> all;
-    for (const std::string_view key : keys) {
-      all.push_back(spell(key));
-    }
-    return all;
-  };
-  for (const OptionRule& rule : rules) {
-    if (rule.says == OptionRule::Says::exclude) {
-      std::size_t count = 0;
-      for (const std::string_view key : rule.keys) {
-        count += given(key) ? 1U : 0U;
-      }
-      if (count > 1) {
-        request_rules::refuse_excluded(spelled_all(rule.keys));
-      }
-      continue;
-    }
-    if (rule.says == OptionRule::Says::needs) {
-      for (const std::string_view key : rule.keys) {
-        for (const std::string_view other : rule.others) {
-          if (given(key) && !given(other)) {
-            request_rules::refuse_without(spell_in_full(key), spell_in_full(other));
-          }
-        }
-      }
-      continue;
-    }
-    bool any = false;
-    for (const std::string_view other : rule.others) {
-      any = any || given(other);
-    }
-    for (const std::string_view key : rule.keys) {
-      if (given(key) && rule.says == OptionRule::Says::only_with && !any) {
-        request_rules::refuse_alone(spell_in_full(key), spelled_all(rule.others));
-      }
-      if (given(key) && rule.says == OptionRule::Says::never_with && any) {
-        std::vector<std::string_view> present;
-        std::ranges::copy_if(rule.others, std::back_inserter(present), given);
-        request_rules::refuse_together(spell_in_full(key), spelled_all(present));
-      }
-    }
+  if (request.places.name.empty()) {
+    request.places = std::move(places);
   }
 }
 

@@ -1,6 +1,8 @@
 // The options of every request that starts a search.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -29,6 +31,16 @@ template <typename Request>
              {.not_in_server = "the same request has the same answer for every caller",
               .of_every_search = true}));
   return options;
+}
+
+/// @throws BadInput, BadOption for more threads than any search takes, or none.
+template <typename Request, typename Words>
+void check_threads(const Request& request, const Words& words) {
+  constexpr std::uint64_t most_threads = 1024;
+  if (request.threads && (*request.threads == 0 || *request.threads > most_threads)) {
+    words.refuse("threads", fmt::format("{} {} is out of range; give 1 to {}", words.key("threads"),
+                                        *request.threads, most_threads));
+  }
 }
 
 }  // namespace changeover

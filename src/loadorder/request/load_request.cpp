@@ -11,6 +11,7 @@
 #include "io/request/option.hpp"
 #include "io/request/request_document.hpp"
 #include "io/request/request_schema.hpp"
+#include "io/request/request_words.hpp"
 #include "io/request/search_options.hpp"
 #include "loadorder/pairs/pair_costs.hpp"
 #include "loadorder/shares/owners/pair_table.hpp"
@@ -134,137 +135,143 @@ std::vector<OptionRule> rules() {
   };
 }
 
-std::string key(std::string_view name, Door door) {
-  return spelled(option_of(load_table(), name).record, door);
-}
+using Words = RequestWords<LoadRequest>;
 
-void refuse(const std::string& line) { throw BadOption(line); }
-
-void check_epochs_of(const LoadRequest& request, Door door) {
+void check_epochs_of(const LoadRequest& request, const Words& words) {
   if (request.epochs && (*request.epochs == 0 || *request.epochs > most_epochs)) {
-    refuse(fmt::format("{} {}: give 1 to {}", key("epochs", door), *request.epochs, most_epochs));
+    words.refuse("epochs", fmt::format("{} {}: give 1 to {}", words.key("epochs"), *request.epochs,
+                                       most_epochs));
   }
 }
 
 // Numbers that are out of range by themselves.
-void check_ranges(const LoadRequest& request, Door door) {
+void check_ranges(const LoadRequest& request, const Words& words) {
   const auto at_least_one = [&](std::string_view name, const std::optional<std::uint64_t>& value,
                                 std::string_view what) {
     if (value && *value == 0) {
-      refuse(fmt::format("{} 0: give at least 1{}", key(name, door), what));
+      words.refuse(name, fmt::format("{} 0: give at least 1{}", words.key(name), what));
     }
   };
   at_least_one("items", request.items, " item");
   if (*request.room < 2) {
-    refuse(fmt::format("{} {}: no two items could meet; give room for at least 2",
-                       key("room", door), *request.room));
+    words.refuse("room", fmt::format("{} {}: no two items could meet; give room for at least 2",
+                                     words.key("room"), *request.room));
   }
   if (*request.room > most_items) {
-    refuse(fmt::format("{} {}: give at most {}, the most items that there can be",
-                       key("room", door), *request.room, most_items));
+    words.refuse("room", fmt::format("{} {}: give at most {}, the most items that there can be",
+                                     words.key("room"), *request.room, most_items));
   }
   at_least_one("workers", request.workers, " worker");
   at_least_one("from_step", request.from_step, ", the first step");
   if (request.workers && *request.workers > most_workers) {
-    refuse(
-        fmt::format("{} {}: give 1 to {}", key("workers", door), *request.workers, most_workers));
+    words.refuse("workers", fmt::format("{} {}: give 1 to {}", words.key("workers"),
+                                        *request.workers, most_workers));
   }
   if (request.worker && *request.worker >= *request.workers) {
-    refuse(fmt::format("{} {}: of {} {} give 0 to {}", key("worker", door), *request.worker,
-                       key("workers", door), *request.workers, *request.workers - 1));
+    words.refuse("worker",
+                 fmt::format("{} {}: of {} {} give 0 to {}", words.key("worker"), *request.worker,
+                             words.key("workers"), *request.workers, *request.workers - 1));
   }
-  check_epochs_of(request, door);
+  check_epochs_of(request, words);
   at_least_one("against", request.against, " item");
   at_least_one("item_bytes", request.item_bytes, "");
   if (request.fast_room && (*request.fast_room < 2 || *request.fast_room > *request.room)) {
-    refuse(fmt::format("{} {}: of {} {} give 2 to {}", key("fast_room", door), *request.fast_room,
-                       key("room", door), *request.room, *request.room));
+    words.refuse("fast_room",
+                 fmt::format("{} {}: of {} {} give 2 to {}", words.key("fast_room"),
+                             *request.fast_room, words.key("room"), *request.room, *request.room));
   }
 }
 
 // For items with sizes.
-void at_least_two_fit(const LoadRequest& request, Door door) {
+void at_least_two_fit(const LoadRequest& request, const Words& words) {
   if (*request.memory < 2) {
-    refuse(fmt::format("{} {}: no two items could meet; give at least 2 bytes", key("memory", door),
-                       *request.memory));
+    words.refuse("memory", fmt::format("{} {}: no two items could meet; give at least 2 bytes",
+                                       words.key("memory"), *request.memory));
   }
   if (request.items && (*request.items == 0 || *request.items > max_elements_in_memory)) {
-    refuse(fmt::format("{} {}: with {} give 1 to {}", key("items", door), *request.items,
-                       key("sizes", door), max_elements_in_memory));
+    words.refuse("items", fmt::format("{} {}: with {} give 1 to {}", words.key("items"),
+                                      *request.items, words.key("sizes"), max_elements_in_memory));
   }
   if (request.against || request.done_items) {
     const std::uint64_t items = request.items.value_or(0);
     if (items == 0 || request.against.value_or(1) == 0 || request.done_items.value_or(0) >= items) {
-      refuse(fmt::format("{}: of how many items? give {}, 1 or more, and fewer that are done",
-                         key(request.against ? "against" : "done_items", door),
-                         key("items", door)));
+      words.refuse(
+          request.against ? "against" : "done_items",
+          fmt::format("{}: of how many items? give {}, 1 or more, and fewer that are done",
+                      words.key(request.against ? "against" : "done_items"), words.key("items")));
     }
   }
-  check_epochs_of(request, door);
+  check_epochs_of(request, words);
 }
 
 // Numbers that cannot be combined.
-void check_together(const LoadRequest& request, Door door, bool all) {
+void check_together(const LoadRequest& request, const Words& words, bool all) {
   const std::uint64_t items = request.items.value_or(0);
   if (request.done_items && *request.done_items >= items) {
-    refuse(fmt::format("{} {}: of {} {} none would be new; give fewer", key("done_items", door),
-                       *request.done_items, key("items", door), items));
+    words.refuse("done_items", fmt::format("{} {}: of {} {} none would be new; give fewer",
+                                           words.key("done_items"), *request.done_items,
+                                           words.key("items"), items));
   }
   if (request.disjoint && all && !request.against && !request.done_items && *request.workers > 1 &&
       items / *request.workers < *request.room) {
     const std::uint64_t most = items / *request.workers;
     const std::string less =
-        most < 2 ? "" : fmt::format("{} {} or less, or ", key("room", door), most);
-    refuse(fmt::format(
-        "{}: {} workers with room for {} would hold more than {}; give {}fewer "
-        "workers",
-        key("disjoint", door), *request.workers, *request.room, count_of(items, "item"), less));
+        most < 2 ? "" : fmt::format("{} {} or less, or ", words.key("room"), most);
+    words.refuse(
+        "disjoint",
+        fmt::format("{}: {} workers with room for {} would hold more than {}; give {}fewer "
+                    "workers",
+                    words.key("disjoint"), *request.workers, *request.room, count_of(items, "item"),
+                    less));
   }
   if ((request.disjoint || request.fast_room) && all && items > max_elements_in_memory) {
-    refuse(fmt::format("{}: at most {} items; group items into larger ones",
-                       key(request.disjoint ? "disjoint" : "fast_room", door),
-                       max_elements_in_memory));
+    words.refuse(request.disjoint ? "disjoint" : "fast_room",
+                 fmt::format("{}: at most {} items; group items into larger ones",
+                             words.key(request.disjoint ? "disjoint" : "fast_room"),
+                             max_elements_in_memory));
   }
   if (items > most_items || request.against.value_or(0) > most_items) {
-    refuse(fmt::format("{} and {}: give at most {}", key("items", door), key("against", door),
-                       most_items));
+    words.refuse("items", fmt::format("{} and {}: give at most {}", words.key("items"),
+                                      words.key("against"), most_items));
   }
   if (request.against && items + *request.against > most_items) {
-    refuse(fmt::format("{} {} and {} {} are {} items together; at most {}", key("items", door),
-                       items, key("against", door), *request.against, items + *request.against,
-                       most_items));
+    words.refuse("items", fmt::format("{} {} and {} {} are {} items together; at most {}",
+                                      words.key("items"), items, words.key("against"),
+                                      *request.against, items + *request.against, most_items));
   }
   if (request.epochs.value_or(1) > 1 && request.workers && !request.disjoint && all &&
       items > most_items_of_a_table && (request.new_pairs || request.prefetch)) {
-    refuse(
+    words.refuse(
+        "epochs",
         fmt::format("{} {}: which worker computes a pair in each epoch is known of at most {} "
                     "items; leave out {}, or group items into larger ones",
-                    key("epochs", door), *request.epochs, most_items_of_a_table,
-                    key(request.new_pairs ? "new_pairs" : "prefetch", door)));
+                    words.key("epochs"), *request.epochs, most_items_of_a_table,
+                    words.key(request.new_pairs ? "new_pairs" : "prefetch")));
   }
   if (request.write_back && request.workers && !request.disjoint) {
-    refuse(fmt::format("{} {}: two workers would change one item at once; {}",
-                       key("write_back", door), key("workers", door),
-                       request.fast_room ? "leave out one of them"
-                                         : fmt::format("add {}", key("disjoint", door))));
+    words.refuse("write_back",
+                 fmt::format("{} {}: two workers would change one item at once; {}",
+                             words.key("write_back"), words.key("workers"),
+                             request.fast_room ? "leave out one of them"
+                                               : fmt::format("add {}", words.key("disjoint"))));
   }
 }
 
-void check(const LoadRequest& request, Door door, bool has_pairs) {
-  check_rules(load_table(), request, door);
-  const auto in_full = [&](std::string_view name) {
-    return spelled_with_value(option_of(load_table(), name).record, door);
-  };
+void check(const LoadRequest& request, const Words& words, bool has_pairs) {
+  check_rules(load_table(), request, words);
+  check_threads(request, words);
   if (request.sizes.is_given()) {
-    at_least_two_fit(request, door);
+    at_least_two_fit(request, words);
     return;
   }
   if (!request.room || (!has_pairs && !request.items)) {
-    refuse(has_pairs ? fmt::format("{} is required", in_full("room"))
-                     : fmt::format("{} and {} are required", in_full("items"), in_full("room")));
+    words.refuse(request.room ? "items" : "room",
+                 has_pairs ? fmt::format("{} is required", words.with_value("room"))
+                           : fmt::format("{} and {} are required", words.with_value("items"),
+                                         words.with_value("room")));
   }
-  check_ranges(request, door);
-  check_together(request, door, !has_pairs);
+  check_ranges(request, words);
+  check_together(request, words, !has_pairs);
 }
 
 }  // namespace
@@ -290,10 +297,10 @@ std::string load_request_schema() {
 namespace {
 
 // Reads item sizes; names of items without a list of pairs define the items.
-void take_sizes(const LoadRequest& request, Door door, std::shared_ptr<const PairGraph>& pairs,
-                std::shared_ptr<const ItemSizes>& sizes) {
+void take_sizes(const LoadRequest& request, const Words& words,
+                std::shared_ptr<const PairGraph>& pairs, std::shared_ptr<const ItemSizes>& sizes) {
   const auto input =
-      open(request.sizes, option_of(load_table(), "sizes").record, key("sizes", door));
+      open(request.sizes, option_of(load_table(), "sizes").record, words.key("sizes"));
   std::vector<std::string> names;
   std::optional<std::uint64_t> items = request.items;
   if (items && request.against) {
@@ -303,10 +310,11 @@ void take_sizes(const LoadRequest& request, Door door, std::shared_ptr<const Pai
   if (!names.empty()) {
     constexpr std::uint64_t most_named = 2'000;
     if (names.size() > most_named || request.against || request.done_items) {
-      refuse(
+      words.refuse(
+          "sizes",
           fmt::format("{}: at most {} items with names, all pairs of them; number them, or list "
                       "the pairs",
-                      key("sizes", door), most_named));
+                      words.key("sizes"), most_named));
     }
     pairs = std::make_shared<const PairGraph>(
         names.size(),
@@ -327,26 +335,26 @@ bool lists_pairs(const LoadRequest& request) {
 }
 
 // What a third column of the pairs would say has no meaning.
-std::string why_no_costs(const LoadRequest& request, Door door) {
+std::string why_no_costs(const LoadRequest& request, const Words& words) {
   for (const std::string_view other : {"pair_cost", "first_holder", "disjoint"}) {
     if ((other == "pair_cost" && request.pair_cost.is_given()) ||
         (other == "first_holder" && request.first_holder) ||
         (other == "disjoint" && request.disjoint)) {
-      return fmt::format("; with {} no third column says what a pair costs", key(other, door));
+      return fmt::format("; with {} no third column says what a pair costs", words.key(other));
     }
   }
   return request.workers
              ? ""
-             : fmt::format("; a third column, what a pair costs, is for {}", key("workers", door));
+             : fmt::format("; a third column, what a pair costs, is for {}", words.key("workers"));
 }
 
-std::shared_ptr<const PairGraph> listed_pairs(const LoadRequest& request, Door door,
+std::shared_ptr<const PairGraph> listed_pairs(const LoadRequest& request, const Words& words,
                                               std::function<double(Element, Element)>& cost) {
   const bool groups = request.groups.is_given();
   const std::string_view name = groups ? "groups" : "pairs";
   const auto input = open(groups ? request.groups : request.pairs,
-                          option_of(load_table(), name).record, key(name, door));
-  const std::string no_costs = why_no_costs(request, door);
+                          option_of(load_table(), name).record, words.key(name));
+  const std::string no_costs = why_no_costs(request, words);
   return read_pairs(*input, {.items = request.items,
                              .groups = groups,
                              .costs = no_costs.empty() ? &cost : nullptr,
@@ -356,57 +364,64 @@ std::shared_ptr<const PairGraph> listed_pairs(const LoadRequest& request, Door d
 }  // namespace
 
 void check_options(const LoadRequest& request, Door door) {
-  check(request, door, lists_pairs(request));
+  check(request, Words(load_table(), request, door), lists_pairs(request));
 }
 
-void check_whole_epochs(std::uint64_t epochs, const WantedPairs& wanted, Door door) {
+void check_whole_epochs(const LoadRequest& request, const WantedPairs& wanted, Door door) {
   constexpr std::uint64_t most_pairs = 100'000'000;
+  const Words words(load_table(), request, door);
+  const std::uint64_t epochs = request.epochs.value_or(1);
   const std::uint64_t pairs = wanted.count();
   if (epochs > 1 && pairs > most_pairs / epochs) {
     const std::uint64_t most = most_pairs / pairs;
-    refuse(fmt::format(
-        "{} {}: with {} or {} all epochs have at most {} pairs; give {}", key("epochs", door),
-        epochs, key("spread", door), door == Door::command_line ? "--format marius" : "for Marius",
-        most_pairs,
-        most < 2 ? "fewer items" : fmt::format("{} {} or less", key("epochs", door), most)));
+    words.refuse(
+        "epochs",
+        fmt::format(
+            "{} {}: with {} or {} all epochs have at most {} pairs; give {}", words.key("epochs"),
+            epochs, words.key("spread"),
+            door == Door::command_line ? "--format marius" : "for Marius", most_pairs,
+            most < 2 ? "fewer items" : fmt::format("{} {} or less", words.key("epochs"), most)));
   }
 }
 
 CheckedLoads checked_loads(const LoadRequest& request, Door door,
                            std::shared_ptr<const PairGraph> pairs) {
-  check(request, door, lists_pairs(request) || pairs != nullptr);
-  CheckedLoads checked;
-  checked.room_ = request.room.value_or(0);
-  if (lists_pairs(request)) {
-    pairs = listed_pairs(request, door, checked.cost_);
-  }
-  const bool listed = pairs != nullptr;
-  if (request.sizes.is_given()) {
-    take_sizes(request, door, pairs, checked.sizes_);
-  }
-  if (pairs) {
-    checked.wanted_ =
-        listed ? WantedPairs::listed(std::move(pairs)) : WantedPairs::whole(std::move(pairs));
-  } else if (request.against) {
-    checked.wanted_ = WantedPairs::between(*request.items, *request.against);
-  } else if (request.done_items) {
-    checked.wanted_ = WantedPairs::beyond(*request.done_items, *request.items);
-  } else {
-    checked.wanted_ = checked.sizes_ ? checked.sizes_->bytes.size() : *request.items;
-  }
-  if (checked.sizes_) {
-    check_sizes(*checked.sizes_, checked.wanted_);
-    checked.room_ = most_held(*checked.sizes_, checked.wanted_);
-  }
-  if (request.spread) {
-    check_whole_epochs(request.epochs.value_or(1), checked.wanted_, door);
-  }
-  if (request.pair_cost.is_given()) {
-    const auto input = open(request.pair_cost, option_of(load_table(), "pair_cost").record,
-                            key("pair_cost", door));
-    checked.cost_ = read_pair_costs(*input, checked.wanted_);
-  }
-  return checked;
+  const Words words(load_table(), request, door);
+  check(request, words, lists_pairs(request) || pairs != nullptr);
+  return with_places(request.places, [&] {
+    CheckedLoads checked;
+    checked.room_ = request.room.value_or(0);
+    if (lists_pairs(request)) {
+      pairs = listed_pairs(request, words, checked.cost_);
+    }
+    const bool listed = pairs != nullptr;
+    if (request.sizes.is_given()) {
+      take_sizes(request, words, pairs, checked.sizes_);
+    }
+    if (pairs) {
+      checked.wanted_ =
+          listed ? WantedPairs::listed(std::move(pairs)) : WantedPairs::whole(std::move(pairs));
+    } else if (request.against) {
+      checked.wanted_ = WantedPairs::between(*request.items, *request.against);
+    } else if (request.done_items) {
+      checked.wanted_ = WantedPairs::beyond(*request.done_items, *request.items);
+    } else {
+      checked.wanted_ = checked.sizes_ ? checked.sizes_->bytes.size() : *request.items;
+    }
+    if (checked.sizes_) {
+      check_sizes(*checked.sizes_, checked.wanted_);
+      checked.room_ = most_held(*checked.sizes_, checked.wanted_);
+    }
+    if (request.spread) {
+      check_whole_epochs(request, checked.wanted_, door);
+    }
+    if (request.pair_cost.is_given()) {
+      const auto input = open(request.pair_cost, option_of(load_table(), "pair_cost").record,
+                              words.key("pair_cost"));
+      checked.cost_ = read_pair_costs(*input, checked.wanted_);
+    }
+    return checked;
+  });
 }
 
 }  // namespace changeover

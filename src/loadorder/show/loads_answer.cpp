@@ -182,7 +182,7 @@ void LoadsAnswer::write(const std::string& format, Sink& sink) const {
     how.new_pairs = how.compute.ordered = how.compute.self = true;
     how.write_back = false;
     const ScheduleRules all = rules();
-    check_whole_epochs(all.epochs, all.wanted.among(all.items), Door::document);
+    check_whole_epochs({.epochs = all.epochs}, all.wanted.among(all.items), Door::document);
   }
   if (format == "colmap") {
     const ScheduleRules all = rules();

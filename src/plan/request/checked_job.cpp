@@ -96,8 +96,9 @@ class JobMaker {
       return;
     }
     if (left_.size() < 2) {
-      throw BadOption(fmt::format("{}: {} left; a pair needs two", question_.key("without"),
-                                  left_.size() == 1 ? "one part is" : "no part is"));
+      question_.refuse("without",
+                       fmt::format("{}: {} left; a pair needs two", question_.key("without"),
+                                   left_.size() == 1 ? "one part is" : "no part is"));
     }
     notes_.push_back(fmt::format("without: left out from now on: {}", parts_text(without, names_)));
   }
@@ -157,7 +158,8 @@ class JobMaker {
       if (list.change_costs[i]) {
         job_.change_costs[i] = *list.change_costs[i];
       } else if (!change && !asked.change_costs.is_given()) {
-        throw BadOption(
+        question_.refuse(
+            "change_cost",
             fmt::format("{} has no change cost in the list; give {} for parts without one",
                         list.names[i], question_.with_value("change_cost")));
       }
@@ -193,8 +195,9 @@ class JobMaker {
       some_rest = some_rest || bench.hours.has_value();
     }
     if (!asked.first_day.empty() && !some_rest) {
-      throw BadOption(fmt::format("{} is for benches with hours of work a day; give {} too",
-                                  question_.key("first_day"), question_.with_value("hours")));
+      question_.refuse("first_day",
+                       fmt::format("{} is for benches with hours of work a day; give {} too",
+                                   question_.key("first_day"), question_.with_value("hours")));
     }
   }
 
@@ -210,7 +213,9 @@ class JobMaker {
       any.needed = PairSet(any.parts());
       any.triples.clear();
     }
-    check_benches(any, benches_, question_->benches.file);
+    const bool is_here = !question_->places.before("benches").empty();
+    const std::string& file = question_->benches.file;
+    check_benches(any, benches_, file.empty() && is_here ? "benches" : file);
   }
 
   // The unit of costs: as requested, or as in the list.
@@ -256,9 +261,10 @@ class JobMaker {
     const std::vector<bool> given = read_value_costs(*costs, job_);
     const auto without = std::ranges::find(given, false);
     if (!change && without != given.end()) {
-      throw BadOption(fmt::format("{} has no cost in {}; give {} for values without one",
-                                  job_.names[static_cast<std::size_t>(without - given.begin())],
-                                  costs->name(), question_.with_value("change_cost")));
+      question_.refuse("change_cost",
+                       fmt::format("{} has no cost in {}; give {} for values without one",
+                                   job_.names[static_cast<std::size_t>(without - given.begin())],
+                                   costs->name(), question_.with_value("change_cost")));
     }
   }
 
@@ -275,10 +281,12 @@ class JobMaker {
                   const std::string& name) {
     if (slots.empty()) {
       if (!of_parts.empty()) {
-        throw BadOption(fmt::format(
-            "{} has a column slot; give {} or {}, as in {} CPU=1,disk=2..4, or rename "
-            "the column",
-            name, question_.with_value("slots"), question_.key("slot"), question_.key("slot")));
+        question_.refuse(
+            "slots",
+            fmt::format("{} has a column slot; give {} or {}, as in {} CPU=1,disk=2..4, or rename "
+                        "the column",
+                        name, question_.with_value("slots"), question_.key("slot"),
+                        question_.key("slot")));
       }
       return;
     }
@@ -324,9 +332,9 @@ class JobMaker {
           fmt::format("{} fit at once, as many as the slots hold", count_of(job_.at_once, "part")));
     }
     if (job_.at_once < least) {
-      throw BadOption(fmt::format("{} {}: no {} can meet; give at least {}",
-                                  question_.key("at_once"), job_.at_once,
-                                  of_triples ? "triple" : "pair", least));
+      question_.refuse("at_once", fmt::format("{} {}: no {} can meet; give at least {}",
+                                              question_.key("at_once"), job_.at_once,
+                                              of_triples ? "triple" : "pair", least));
     }
   }
 
@@ -346,7 +354,7 @@ class JobMaker {
     const std::string give =
         fmt::format("give {}, how many parts fit at once", question_.with_value("at_once"));
     if (job_.slots.empty()) {
-      throw BadOption(give);
+      question_.refuse("at_once", give);
     }
     std::uint64_t room = 0;
     for (std::size_t s = 0; s < job_.slots.size(); ++s) {
@@ -356,8 +364,9 @@ class JobMaker {
     }
     const auto free = std::ranges::find(job_.slot_of, no_slot);
     if (free != job_.slot_of.end()) {
-      throw BadOption(fmt::format("{}: {} is in no slot", give,
-                                  job_.names[std::size_t(free - job_.slot_of.begin())]));
+      question_.refuse("at_once",
+                       fmt::format("{}: {} is in no slot", give,
+                                   job_.names[std::size_t(free - job_.slot_of.begin())]));
     }
     return room;
   }
@@ -538,14 +547,18 @@ class JobMaker {
     DoneWords words{.done_first = question_.key("done_first"),
                     .trust_failed = question_.key("trust_failed"),
                     .first_tests = first_tests_};
-    return take_done(open_done(asked.done, "done"),
-                     {.names = &names_,
-                      .left = &left_,
-                      .first = asked.done_first,
-                      .failed = asked.trust_failed ? FailedTests::trusted : FailedTests::again,
-                      .for_diagnosis = asked.diagnose,
-                      .all_parts_known = asked.done.rows.has_value()},
-                     words, job_, benches_);
+    try {
+      return take_done(open_done(asked.done, "done"),
+                       {.names = &names_,
+                        .left = &left_,
+                        .first = asked.done_first,
+                        .failed = asked.trust_failed ? FailedTests::trusted : FailedTests::again,
+                        .for_diagnosis = asked.diagnose,
+                        .all_parts_known = asked.done.rows.has_value()},
+                       words, job_, benches_);
+    } catch (const BadOption& fault) {
+      question_.refuse("done_first", fault.what());
+    }
   }
 
   Question question_;
@@ -561,16 +574,22 @@ class JobMaker {
 
 ParsedJob checked_job(const JobRequest& request, Door door) {
   check_options(request, door);
-  if (Question(request, door).has_file()) {
-    return JobMaker(request, door).make();
-  }
-  // Without a file, the options are at fault.
+  const Question question(request, door);
   try {
-    return JobMaker(request, door).make();
+    return with_places(request.places, [&] { return JobMaker(request, door).make(); });
   } catch (const BadOption&) {
     throw;
   } catch (const BadInput& fault) {
-    throw BadOption(fault.what());
+    const std::string what = fault.what();
+    const std::string& name = request.places.name;
+    if (question.has_file() || (!name.empty() && what.starts_with(name))) {
+      throw;
+    }
+    // Without a file or a document, the options are at fault.
+    if (name.empty()) {
+      throw BadOption(what);
+    }
+    throw BadInput(request.places.before_all() + what);
   }
 }
 

@@ -13,27 +13,30 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
 #include "io/request/request_document.hpp"
+#include "io/request/request_words.hpp"
 #include "plan/job/bench_list.hpp"
 
 namespace changeover {
 
 class Question {
  public:
-  Question(const JobRequest& request, Door door) : request_(request), door_(door) {}
+  Question(const JobRequest& request, Door door)
+      : request_(request), words_(job_table(), request, door) {}
 
   [[nodiscard]] const JobRequest& operator*() const { return request_; }
   [[nodiscard]] const JobRequest* operator->() const { return &request_; }
 
   // "--at-once", "at_once".
   [[nodiscard]] std::string key(std::string_view key) const {
-    const bool as_parts = door_ == Door::document && key == "items" && request_.items_are_parts;
-    return spelled(option_of(job_table(), as_parts ? "parts" : key).record, door_);
+    return is_parts(key) ? "parts" : words_.key(key);
   }
   // "--at-once K", "at_once".
   [[nodiscard]] std::string with_value(std::string_view key) const {
-    const OptionRecord& record = option_of(job_table(), key).record;
-    return door_ == Door::command_line ? fmt::format("{} {}", this->key(key), record.value)
-                                       : this->key(key);
+    return is_parts(key) ? "parts" : words_.with_value(key);
+  }
+  [[nodiscard]] Door door_of(std::string_view key) const { return words_.door_of(key); }
+  [[noreturn]] void refuse(std::string_view key, const std::string& line) const {
+    words_.refuse(key, line);
   }
   // A list that is not a file is read as part of a document, at every door, so that notes on it are
   // the same at all of them.
@@ -55,9 +58,9 @@ class Question {
     } catch (const BadOption&) {
       throw;
     } catch (const BadInput& fault) {
-      throw BadOption(fmt::format("{}: {}", this->key(key), fault.what()));
+      refuse(key, fmt::format("{}: {}", this->key(key), fault.what()));
     } catch (const ImpossibleParameters& fault) {
-      throw BadOption(fmt::format("{}: {}", this->key(key), fault.what()));
+      refuse(key, fmt::format("{}: {}", this->key(key), fault.what()));
     }
   }
   [[nodiscard]] std::optional<Amount> amount(std::string_view key, const std::string& text) const {
@@ -65,11 +68,14 @@ class Question {
       return parse_measure(text, key == "hours" ? "number of hours" : "cost");
     }));
   }
-  [[nodiscard]] Door door() const { return door_; }
 
  private:
+  [[nodiscard]] bool is_parts(std::string_view key) const {
+    return key == "items" && request_.items_are_parts && door_of(key) == Door::document;
+  }
+
   const JobRequest& request_;
-  Door door_;
+  RequestWords<JobRequest> words_;
 };
 
 }  // namespace changeover

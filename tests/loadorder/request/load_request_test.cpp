@@ -15,6 +15,7 @@ namespace changeover::load_request_test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 std::string refusal(const std::string& json, Door door = Door::document) {
   try {
@@ -133,6 +134,59 @@ TEST(LoadRequest, SaysWhatIsWrongInTheWordsOfTheDoor) {
   }
   EXPECT_THAT(refusal(R"({"items":9,"room":3,"fast_room":4})", Door::command_line),
               HasSubstr("--fast-room 4: of --room 3 give 2 to 3"));
+}
+
+TEST(LoadRequest, FaultsOfADocumentHaveTheirPlace) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"{\n \"items\": \"x\"}", "2:11: items: write a whole number"},
+      {"{\"items\":9,\n\"rooms\":3}", "2:9: unknown key 'rooms'; the keys are "},
+      {"{\"items\":9,\n\"room\":1}", "2:8: room 1: no two items could meet"},
+      {"{\"items\":9,\n\"room\":3,\n \"epochs\": 0}", "3:12: epochs 0: give 1 to "},
+      {"{\"items\":9,\"room\":3,\n\"disjoint\":true}", "2:12: disjoint is for workers; give both"},
+      {"{\"items\":9,\"room\":3,\"against\":2,\n\"done_items\":2}",
+       "1:31: pairs, groups, against and done_items exclude each other"},
+      {"{\"items\":9,\"room\":3,\"workers\":2,\n\"worker\":2}", "2:10: worker 2: of workers 2 "},
+      {"\n {\"items\":9}", "2:2: items and room are required"},
+      {"{\"room\":3,\"pairs\":[[0,1],\n [1,9],[2,3]],\"items\":9}", "2:2: pairs[1]: "},
+      {"{\"room\":3,\"groups\":{\"text\":\"a,b\\n\\\"c\\n\"}}", "1:20: groups:2:1: "},
+      {"{\"items\":9,\"room\":3,\n\"threads\":0,\"seconds\":1}", "2:11: threads 0 is out of range"},
+  };
+  for (const auto& [json, says] : cases) {
+    for (const Door door : {Door::document, Door::command_line}) {
+      try {
+        static_cast<void>(checked_loads(load_request(json, "job.json"), door));
+        ADD_FAILURE() << json;
+      } catch (const BadOption& fault) {
+        ADD_FAILURE() << fault.what();
+      } catch (const BadInput& fault) {
+        EXPECT_THAT(fault.what(), StartsWith("job.json:" + says)) << json;
+      }
+    }
+  }
+}
+
+// What the command line gives is called as there, and is not at fault in the document.
+TEST(LoadRequest, AKeyOfTheCommandLineHasNoPlaceInTheDocument) {
+  const auto fault = [](LoadRequest typed, const std::string& json) -> std::string {
+    complete(load_table(), typed, load_request(json, "job.json"));
+    try {
+      check_options(typed, Door::command_line);
+    } catch (const BadOption& option) {
+      return option.what();
+    } catch (const BadInput& document) {
+      return document.what();
+    }
+    return "taken";
+  };
+  EXPECT_EQ(fault({.room = 1}, R"({"items":9,"room":3})"),
+            "--room 1: no two items could meet; give room for at least 2");
+  EXPECT_EQ(fault({.prefetch = true}, R"({"items":9,"room":3,"workers":2,"disjoint":true})"),
+            "job.json:1:44: disjoint has no meaning with --prefetch; leave it out");
+  EXPECT_EQ(fault({.disjoint = true}, R"({"items":9,"room":3})"),
+            "--disjoint is for workers; give both");
+  EXPECT_EQ(fault({.workers = 2, .worker = 5}, R"({"items":9,"room":3,"workers":8})"),
+            "--worker 5: of --workers 2 give 0 to 1");
+  EXPECT_EQ(fault({.room = 4}, R"({"items":9,"room":1})"), "taken");
 }
 
 TEST(LoadRequest, ABadByteNeverBecomesAnotherFault) {

@@ -256,6 +256,45 @@ TEST(JobRequest, SaysWhatIsWrongAndWhere) {
               StartsWith("job.json:2:12: at_once: write a whole number"));
 }
 
+TEST(JobRequest, FaultsOfADocumentHaveTheirPlace) {
+  const std::string costs = "\"test_cost\":1,\"change_cost\":1";
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"{" + costs + ",\n\"parts\":7}", "2:9: parts needs at_once; give it, too"},
+      {"{" + costs + ",\"parts\":7,\n\"at_once\":1}", "2:11: at_once 1: no pair can meet"},
+      {"{" + costs + "}", "1:1: parts is missing"},
+      {"{\"parts\":7,\"at_once\":3}", "1:1: give test_cost, what it costs to run one test"},
+      {"{" + costs + ",\"parts\":7,\"at_once\":3,\n\"strength\":4}", "2:12: strength 4: give 2"},
+      {"{" + costs + ",\"parts\":7,\"at_once\":3,\n\"budget\":\"x\"}", "2:10: budget: "},
+      {"{" + costs + ",\"parts\":7,\"at_once\":3,\n\"first_day\":\"May\",\"benches\":2}",
+       "2:13: first_day: "},
+      {"{" + costs + ",\"parts\":7,\"at_once\":3,\n\"mounted\":[\"x\"]}", "2:11: mounted: "},
+      {"{" + costs + ",\"parts\":7,\"at_once\":3,\"compact\":true,\n\"what_if\":true}",
+       "1:64: compact has no meaning with what_if"},
+      {"{" + costs + ",\"parts\":7,\"at_once\":3,\"done\":[[1,2]],\n\"done_first\":2}",
+       "2:14: done_first 2: done has 1 set-up"},
+      {"{" + costs + ",\"parts\":7,\"at_once\":3,\"pairs\":[[1,2],\n[1,9]]}", "2:1: pairs[1]: "},
+      {"{" + costs + ",\"at_once\":2,\"parts\":[\"a\",\n\"b\",\n \"a\"]}", "3:2: parts[2]: "},
+      {"{" + costs + ",\"at_once\":2,\n\"parts\":{\"text\":\"a\\n\"}}",
+       "2:9: parts: one part is listed"},
+      {"{" + costs + ",\"at_once\":2,\"parts\":{\"text\":\"a\\nb\\na\\n\"}}", "1:52: parts:3:1: "},
+      {"{" + costs + ",\"parts\":7,\"at_once\":3,\n\"benches\":[\"x\",\n{\"name\":\"x\"}]}",
+       "2:11: benches: two benches are called x"},
+      {"{" + costs + ",\"parts\":7,\"at_once\":3,\n\"threads\":0}",
+       "2:11: threads 0 is out of range"},
+  };
+  for (const auto& [json, says] : cases) {
+    EXPECT_THAT(refusal(json, "job.json"), StartsWith("job.json:" + says)) << json;
+    EXPECT_EQ(refusal(json, "job.json").find('\n'), std::string::npos);
+    try {
+      static_cast<void>(checked_job(job_request(json, "job.json"), Door::command_line));
+    } catch (const BadOption& fault) {
+      ADD_FAILURE() << fault.what();
+    } catch (const BadInput& fault) {
+      EXPECT_THAT(fault.what(), StartsWith("job.json:" + says));
+    }
+  }
+}
+
 TEST(JobRequest, ABadByteNeverBecomesAnotherFault) {
   std::mt19937_64 random(3);
   const std::string good =

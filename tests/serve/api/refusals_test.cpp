@@ -7,6 +7,7 @@ namespace changeover::test::refusals_test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 std::string repeated(const std::string& text, int times) {
   std::string all;
@@ -252,6 +253,42 @@ TEST_F(Refusals, JsonThatIsNotWhatWasAsked) {
         ask(port(), "POST", "/api/loadorder", {{"Content-Type", "application/json"}}, body).status,
         422)
         << body;
+  }
+}
+
+TEST_F(Refusals, WhatIsWrongInARequestHasItsPlace) {
+  struct Placed {
+    std::string address;
+    std::string body;
+    int line;
+    int column;
+    std::string says;
+  };
+  const std::vector<Placed> cases{
+      {"/api/plan", "{\"parts\":9,\n\"at_once\":\"3\"}", 2, 11, "at_once: write a whole number"},
+      {"/api/plan", "{\"parts\":9,\n\"at_once\":1}", 2, 11,
+       "at_once 1: no pair can meet; give at least 2"},
+      {"/api/plan", "{\"parts\":9,\"at_once\":3,\n\"weekends\":true}", 2, 12,
+       "weekends is for first_day; give both"},
+      {"/api/plan", "{\"parts\":9,\"at_once\":3,\n\"colour\":1}", 2, 10, "unknown key 'colour'"},
+      {"/api/plan", "{\"parts\":9,\"at_once\":3,\n\"compact\":true}", 2, 11, "compact: not here"},
+      {"/api/plan", "{\"parts\":9,\"at_once\":3,\n\"pairs\":[[1,2],\n[1,10]]}", 3, 1, "pairs[1]: "},
+      {"/api/plan", "{\"parts\":9,\"at_once\":3,\n\"seconds\":0}", 2, 11,
+       "seconds: write more than 0"},
+      {"/api/loadorder", "{\"items\":9,\n\"room\":1}", 2, 8, "room 1: no two items"},
+      {"/api/loadorder", "{\"room\":3,\n\"items\":99999}", 2, 9, "items: write 1 to 20000"},
+      {"/api/loadorder", "{\"items\":9,\"room\":3,\n\"bytes_per_item\":0}", 2, 18,
+       "bytes_per_item: write 1 to "},
+      {"/api/loadorder", " {\"items\":9}", 1, 2, "items and room are required"},
+  };
+  for (const Placed& each : cases) {
+    const Reply reply =
+        ask(port(), "POST", each.address, {{"Content-Type", "application/json"}}, each.body);
+    EXPECT_EQ(reply.status, 422) << each.body;
+    EXPECT_THAT(message_of(reply), StartsWith(each.says)) << each.body;
+    const auto error = json_of(reply)["error"];
+    EXPECT_EQ(error["line"], each.line) << each.body << reply.body;
+    EXPECT_EQ(error["column"], each.column) << each.body << reply.body;
   }
 }
 

@@ -20,35 +20,6 @@
 namespace changeover::serve {
 namespace {
 
-// "<text>:3:7: what is wrong" with its place.
-Refusal malformed(std::string message) {
-  Refusal refusal{422, message};
-  constexpr std::string_view name = "<text>";
-  if (!message.starts_with(name)) {
-    return refusal;
-  }
-  refusal.message = message.substr(name.size());
-  std::uint64_t line = 0;
-  std::uint64_t column = 0;
-  const char* const end = message.data() + message.size();
-  const char* at = message.data() + name.size();
-  const auto number = [&](std::uint64_t& value) {
-    if (at == end || *at != ':') {
-      return false;
-    }
-    const auto [rest, failure] = std::from_chars(at + 1, end, value);
-    at = rest;
-    return failure == std::errc();
-  };
-  if (number(line) && number(column)) {
-    refusal.line = line;
-    refusal.column = column;
-    refusal.message = std::string(at, end);
-  }
-  refusal.message.erase(0, refusal.message.find_first_not_of(": "));
-  return refusal;
-}
-
 std::string without_dashes(const std::string& message) {
   return message.starts_with("--") ? message.substr(2) : message;
 }

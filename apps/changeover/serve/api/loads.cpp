@@ -38,13 +38,9 @@ struct LoadQuestion {
 // The page's own key, beside those of the document.
 std::uint64_t take_bytes_per_item(RequestDocument& document) {
   constexpr std::uint64_t most_bytes = 1'000'000'000'000;
-  const std::uint64_t bytes =
-      document.take_number({.key = "bytes_per_item", .flags = "", .kind = ValueKind::number})
-          .value_or(1);
-  if (bytes < 1 || bytes > most_bytes) {
-    throw Refusal{422, fmt::format("bytes_per_item: write 1 to {}", most_bytes)};
-  }
-  return bytes;
+  return document
+      .take_number({.key = "bytes_per_item", .flags = "", .kind = ValueKind::number}, 1, most_bytes)
+      .value_or(1);
 }
 
 // A search leaves time to read what it finds.
@@ -52,20 +48,20 @@ double search_time(const LoadRequest& request, const Limits& limits) {
   const double most = limits.seconds.count() / 2;
   const double seconds = request.seconds.value_or(0);
   if (seconds < 0 || seconds > most) {
-    throw Refusal{422,
-                  fmt::format("seconds: write 0 to {}; changeover loadorder takes more", most)};
+    throw malformed(fmt::format("{}seconds: write 0 to {}; changeover loadorder takes more",
+                                request.places.before("seconds"), most));
   }
   return seconds;
 }
 
 LoadQuestion question_of(const Explorer& explorer, const Request& sent) {
-  RequestDocument document(load_table().format, sent.body, "");
+  RequestDocument document(load_table().format, sent.body, std::string(name_of_body));
   const std::uint64_t bytes = take_bytes_per_item(document);
   const auto request = read_request(load_table(), document);
   require_of_server(request, load_table());
   if (request.items.value_or(1) > most_items_of_a_page) {
-    throw Refusal{422, fmt::format("items: write 1 to {}; changeover loadorder takes more",
-                                   most_items_of_a_page)};
+    throw malformed(fmt::format("{}items: write 1 to {}; changeover loadorder takes more",
+                                request.places.before("items"), most_items_of_a_page));
   }
   LoadQuestion question{.request = request,
                         .loads = from_body([&] { return checked_loads(request, Door::document); }),

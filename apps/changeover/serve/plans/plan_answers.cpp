@@ -15,7 +15,7 @@ namespace changeover::serve {
 namespace {
 
 JobRequest job_in(const std::string& body) {
-  JobRequest request = job_request(body);
+  JobRequest request = job_request(body, std::string(name_of_body));
   require_of_server(request, job_table());
   return request;
 }
@@ -179,7 +179,7 @@ ParsedJob checked_for_reading(OpenedRequest& opened, bool has_limits) {
   }
   try {
     return checked_job(opened, Door::document);
-  } catch (const BadOption&) {
+  } catch (const BadInput&) {
     if (!needs_room) {
       throw;
     }

@@ -20,7 +20,8 @@ constexpr double followed_seconds = 60;  // the same if nothing is said
 double seconds_of(const JobRequest& request, double usual, double most) {
   const double seconds = request.seconds.value_or(usual);
   if (seconds <= 0 || seconds > most) {
-    throw Refusal{422, fmt::format("seconds: write more than 0 and at most {}", most)};
+    throw malformed(fmt::format("{}seconds: write more than 0 and at most {}",
+                                request.places.before("seconds"), most));
   }
   return seconds;
 }

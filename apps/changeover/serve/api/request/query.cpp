@@ -39,6 +39,34 @@ Parameters parameters_of(const Request& request, Kind kind) {
 
 }  // namespace
 
+Refusal malformed(const std::string& message) {
+  Refusal refusal{422, message};
+  constexpr std::string_view name = name_of_body;
+  if (!message.starts_with(name)) {
+    return refusal;
+  }
+  refusal.message = message.substr(name.size());
+  std::uint64_t line = 0;
+  std::uint64_t column = 0;
+  const char* const end = message.data() + message.size();
+  const char* at = message.data() + name.size();
+  const auto number = [&](std::uint64_t& value) {
+    if (at == end || *at != ':') {
+      return false;
+    }
+    const auto [rest, failure] = std::from_chars(at + 1, end, value);
+    at = rest;
+    return failure == std::errc();
+  };
+  if (number(line) && number(column)) {
+    refusal.line = line;
+    refusal.column = column;
+    refusal.message = std::string(at, end);
+  }
+  refusal.message.erase(0, refusal.message.find_first_not_of(": "));
+  return refusal;
+}
+
 std::optional<std::uint64_t> number_of(const Request& request, std::string_view name) {
   const auto text = request.parameter(name);
   if (!text) {

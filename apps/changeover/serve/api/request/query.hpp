@@ -24,6 +24,12 @@
 
 namespace changeover::serve {
 
+/// What a body is called in messages of its readers.
+inline constexpr std::string_view name_of_body = "<text>";
+
+/// 422 with the place in the body with which such a message begins, if it does.
+[[nodiscard]] Refusal malformed(const std::string& message);
+
 /// @throws Refusal 400 if it is no whole number.
 [[nodiscard]] std::optional<std::uint64_t> number_of(const Request& request, std::string_view name);
 /// @throws Refusal 400 also if it is missing.
@@ -96,14 +102,14 @@ void require_of_server(const Request& request, const RequestTable<Request>& tabl
     if (!is_given(request, option)) {
       continue;
     }
+    const std::string place = request.places.before(record.key);
     if (!record.not_in_server.empty()) {
-      throw Refusal{422, fmt::format("{}: not here; {}", record.key, record.not_in_server)};
+      throw malformed(fmt::format("{}{}: not here; {}", place, record.key, record.not_in_server));
     }
     const auto* const field = std::get_if<RequestList Request::*>(&option.field);
     if (field != nullptr && !(request.**field).file.empty()) {
-      throw Refusal{422,
-                    fmt::format("{}: the server opens no files; send its rows, or {{\"text\":…}}",
-                                record.key)};
+      throw malformed(fmt::format(
+          "{}{}: the server opens no files; send its rows, or {{\"text\":…}}", place, record.key));
     }
   }
 }
@@ -114,7 +120,7 @@ auto from_body(Read&& read) {
   try {
     return read();
   } catch (const BadInput& fault) {
-    throw Refusal{422, fault.what()};
+    throw malformed(fault.what());
   } catch (const ImpossibleParameters& fault) {
     throw Refusal{422, fault.what()};
   }
