@@ -93,11 +93,13 @@ export async function askWith(url: string, init: RequestInit): Promise<Response>
   }
   if (!response.ok) {
     const body = (await response.json().catch(() => null)) as Refusal | null;
+    // Places in JSON that a page has written say nothing to its reader.
+    const isJson = new Headers(init.headers).get('Content-Type') === 'application/json';
     throw new ApiError(
       body?.error?.message ?? `The server answered ${response.status} ${response.statusText}.`,
       response.status,
-      body?.error?.line,
-      body?.error?.column,
+      isJson ? undefined : body?.error?.line,
+      isJson ? undefined : body?.error?.column,
     );
   }
   return response;
