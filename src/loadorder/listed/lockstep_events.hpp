@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "changeover/loadorder/wanted_pairs.hpp"
-#include "loadorder/listed/parts.hpp"
+#include "loadorder/shares/step_lists.hpp"
 
 namespace changeover {
 
@@ -18,6 +19,15 @@ struct LockstepEvent {
 
 /// By worker, in the order of the steps; of a step evictions first.
 using LockstepEvents = std::vector<std::vector<LockstepEvent>>;
+
+/// Steps of all workers: as many moves for each; workers beyond those have nothing to do.
+struct LockstepLists {
+  std::shared_ptr<const StepLists> lists;
+  std::uint64_t workers = 0;  ///< with lists
+  std::uint64_t steps = 0;
+  std::uint64_t span = 0;
+  std::uint64_t loads = 0;
+};
 
 /// Leaves out stays in which no listed pair meets for the first time, steps in which nothing moves,
 /// and joins steps that evict nothing to those before.

@@ -1,122 +1,13 @@
 #include "loadorder/listed/parts.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <set>
-#include <unordered_map>
 #include <utility>
 
-#include "changeover/run/control.hpp"
-#include "loadorder/listed/lockstep_events.hpp"
 #include "loadorder/listed/quick_moves.hpp"
 
 namespace changeover {
 namespace {
-
-struct Task {
-  std::size_t a = 0;  // parts, possibly the same
-  std::size_t b = 0;
-  std::vector<LoadMove> moves;
-};
-
-struct Tasks {
-  std::vector<std::vector<Element>> parts;  // their items
-  std::vector<Task> tasks;
-};
-
-// The needed items in the order in which one worker would load them first.
-std::vector<Element> sequence_of(const PairGraph& graph, std::uint64_t room) {
-  std::vector<Element> sequence;
-  std::vector<bool> seen(static_cast<std::size_t>(graph.items()), false);
-  for (const LoadMove& move : quick_moves(graph, room)) {
-    if (!seen[move.load]) {
-      seen[move.load] = true;
-      sequence.push_back(move.load);
-    }
-  }
-  return sequence;
-}
-
-// Consecutive items, with about as many pairs in each part.
-std::vector<std::vector<Element>> parts_of(const PairGraph& graph,
-                                           const std::vector<Element>& sequence,
-                                           std::size_t count) {
-  std::vector<std::vector<Element>> parts(count);
-  const std::uint64_t all = 2 * graph.pairs() + sequence.size();
-  std::uint64_t before = 0;
-  for (const Element x : sequence) {
-    parts[static_cast<std::size_t>(before * count / all)].push_back(x);
-    before += graph.partners(x).size() + 1;
-  }
-  std::erase_if(parts, [](const auto& part) { return part.empty(); });
-  return parts;
-}
-
-// Nullopt if there would be more than `most` tasks.
-std::optional<Tasks> tasks_of(const PairGraph& graph, std::vector<std::vector<Element>> parts,
-                              std::uint64_t room, std::size_t most) {
-  std::vector<std::size_t> part_of(static_cast<std::size_t>(graph.items()), 0);
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    for (const Element x : parts[p]) {
-      part_of[x] = p;
-    }
-  }
-  Tasks result;
-  std::vector<std::vector<ItemPair>> pairs;
-  std::unordered_map<std::uint64_t, std::size_t> number;
-  const auto task = [&](std::size_t a, std::size_t b) {
-    const auto [found, is_new] = number.try_emplace(
-        std::uint64_t{std::min(a, b)} * parts.size() + std::max(a, b), result.tasks.size());
-    if (is_new) {
-      result.tasks.push_back({a, b, {}});
-      pairs.emplace_back();
-    }
-    return found->second;
-  };
-  for (const std::vector<Element>& part : parts) {
-    for (const Element x : part) {
-      for (const Element y : graph.partners(x)) {
-        if (x < y && part_of[x] != part_of[y]) {
-          pairs[task(part_of[x], part_of[y])].emplace_back(x, y);
-        }
-      }
-    }
-    if (result.tasks.size() > most) {
-      return std::nullopt;
-    }
-  }
-  // Pairs within a part go to its largest task.
-  std::vector<std::size_t> largest(parts.size(), not_again);
-  for (std::size_t t = 0; t < result.tasks.size(); ++t) {
-    for (const std::size_t p : {result.tasks[t].a, result.tasks[t].b}) {
-      if (largest[p] == not_again || pairs[t].size() > pairs[largest[p]].size()) {
-        largest[p] = t;
-      }
-    }
-  }
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    for (const Element x : parts[p]) {
-      for (const Element y : graph.partners(x)) {
-        if (x < y && part_of[y] == p) {
-          pairs[largest[p] == not_again ? task(p, p) : largest[p]].emplace_back(x, y);
-        }
-      }
-      if (graph.partners(x).empty()) {
-        pairs[largest[p] == not_again ? task(p, p) : largest[p]].emplace_back(x, x);
-      }
-    }
-  }
-  for (std::size_t t = 0; t < result.tasks.size(); ++t) {
-    stop_if_asked();
-    result.tasks[t].moves = quick_moves(pairs[t], items_of(pairs[t]), room);
-    pairs[t] = {};
-  }
-  result.parts = std::move(parts);
-  return result;
-}
-
-/// Which task a worker takes that is ready.
-enum class NextTask : std::uint8_t { most_left, same_part, largest };
 
 /// Plays all workers, each of which loads at most one item in a step.
 class Lockstep {
@@ -133,8 +24,8 @@ class Lockstep {
         left_(tasks.parts.size(), 0),
         items_(static_cast<std::size_t>(items)) {
     for (const Task& task : tasks.tasks) {
-      left_[task.a] += task.moves.size();
-      left_[task.b] += task.a == task.b ? 0 : task.moves.size();
+      left_[task.a] += task.moves().size();
+      left_[task.b] += task.a == task.b ? 0 : task.moves().size();
     }
   }
 
@@ -163,9 +54,6 @@ class Lockstep {
     }
     return std::move(events_);
   }
-
-  [[nodiscard]] std::uint64_t steps() const { return step_; }
-  [[nodiscard]] std::uint64_t loads() const { return loads_; }
 
  private:
   struct Worker {
@@ -199,7 +87,7 @@ class Lockstep {
       };
       const std::pair<bool, std::uint64_t> its{
           choice_ == NextTask::same_part && last != not_again && (shares(task.a) || shares(task.b)),
-          choice_ == NextTask::largest ? task.moves.size() : left_[task.a] + left_[task.b]};
+          choice_ == NextTask::largest ? task.moves().size() : left_[task.a] + left_[task.b]};
       if (best == not_again || its > value) {
         best = t;
         value = its;
@@ -226,9 +114,9 @@ class Lockstep {
         }
       }
     }
-    worker.again.assign(task.moves.size(), not_again);
-    for (std::size_t i = task.moves.size(); i > 0; --i) {
-      Item& item = items_[task.moves[i - 1].load];
+    worker.again.assign(task.moves().size(), not_again);
+    for (std::size_t i = task.moves().size(); i > 0; --i) {
+      Item& item = items_[task.moves()[i - 1].load];
       worker.again[i - 1] = item.task == t ? item.upcoming : not_again;
       item.task = t;
       item.upcoming = i - 1;
@@ -245,9 +133,9 @@ class Lockstep {
     Worker& worker = workers_[w];
     const Task& task = tasks_.tasks[worker.task];
     bool has_loaded = false;
-    while (!has_loaded && worker.next < task.moves.size()) {
+    while (!has_loaded && worker.next < task.moves().size()) {
       const std::size_t i = worker.next++;
-      const auto& [x, out] = task.moves[i];
+      const auto& [x, out] = task.moves()[i];
       if (out != LoadMove::nothing && items_[out].holder == w) {
         make_idle(out);
       }
@@ -262,12 +150,12 @@ class Lockstep {
       }
       items_[x].upcoming = worker.again[i];
     }
-    if (worker.next < task.moves.size()) {
+    if (worker.next < task.moves().size()) {
       return true;
     }
     is_locked_[task.a] = is_locked_[task.b] = false;
-    left_[task.a] -= task.moves.size();
-    left_[task.b] -= task.a == task.b ? 0 : task.moves.size();
+    left_[task.a] -= task.moves().size();
+    left_[task.b] -= task.a == task.b ? 0 : task.moves().size();
     for (const Element x : worker.memory) {
       make_idle(x);
     }
@@ -296,7 +184,6 @@ class Lockstep {
     item.place = workers_[w].memory.size();
     workers_[w].memory.push_back(x);
     events_[w].push_back({static_cast<std::uint32_t>(step_), x, true});
-    ++loads_;
   }
   void evict(Element x) {
     Item& item = items_[x];
@@ -320,48 +207,13 @@ class Lockstep {
   std::vector<std::uint64_t> left_;
   std::vector<Item> items_;
   std::uint64_t step_ = 0;
-  std::uint64_t loads_ = 0;
 };
 
 }  // namespace
 
-LockstepLists lockstep_of_parts(const PairGraph& graph, std::uint64_t room, std::uint64_t workers) {
-  constexpr std::size_t most_tasks = 10'000;  // which a worker looks through
-  constexpr std::uint64_t most_parts = 2'000;
-  constexpr std::uint64_t most_work = 20'000'000;  // some seconds
-  const std::vector<Element> sequence = sequence_of(graph, room);
-  std::optional<LockstepLists> best;
-  std::uint64_t work = 0;
-  std::set<std::size_t> tried;
-  const auto consider = [&](std::uint64_t wanted, std::size_t most) {
-    const auto count =
-        static_cast<std::size_t>(std::min({wanted, most_parts, std::uint64_t{sequence.size()}}));
-    if (!tried.insert(count).second || (best && work > most_work)) {
-      return;
-    }
-    const auto tasks = tasks_of(graph, parts_of(graph, sequence, count), room, most);
-    work += graph.pairs();
-    if (!tasks) {
-      return;
-    }
-    for (const NextTask choice : {NextTask::most_left, NextTask::same_part, NextTask::largest}) {
-      stop_if_asked();
-      const std::uint64_t busy = std::min<std::uint64_t>(workers, tasks->parts.size());
-      Lockstep play(*tasks, graph.items(), room, busy, choice);
-      LockstepLists lists = lists_of(play.events(), graph);
-      if (!best || std::pair(lists.span, lists.loads) < std::pair(best->span, best->loads)) {
-        best = std::move(lists);
-        best->parts = count;
-      }
-    }
-  };
-  for (const std::uint64_t times : {2U, 3U, 4U, 1U, 6U, 8U}) {
-    consider(times * workers, most_tasks);
-  }
-  for (std::uint64_t parts = 128; !best; parts /= 2) {  // all have pairs with each other
-    consider(parts, not_again);
-  }
-  return std::move(*best);
+LockstepEvents play_tasks(const Tasks& tasks, std::uint64_t items, std::uint64_t room,
+                          std::uint64_t workers, NextTask choice) {
+  return Lockstep(tasks, items, room, workers, choice).events();
 }
 
 }  // namespace changeover

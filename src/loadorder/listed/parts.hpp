@@ -1,33 +1,22 @@
-// Internal: some pairs only, for workers that step together and never hold one item twice.
+// Internal: workers that take tasks, each of two parts of the items.
 //
-// The items are in parts. A task is two parts, or one, with the listed pairs between them and some
-// of those within them; it has an order of its own. No two workers have a task of the same part at
-// the same time, so they never hold the same item. A worker that is ready takes the task whose
-// parts have most left to do, or that shares a part with its last one, and items that stay useful
-// stay.
+// No two workers have a task of the same part at the same time, so they never hold the same item.
+// What stays useful stays.
 #pragma once
 
 #include <cstdint>
-#include <memory>
-#include <vector>
 
-#include "changeover/loadorder/wanted_pairs.hpp"
-#include "loadorder/shares/step_lists.hpp"
+#include "loadorder/listed/lockstep_events.hpp"
+#include "loadorder/listed/tasks.hpp"
 
 namespace changeover {
 
-/// Steps of all workers: as many moves for each; workers beyond those have nothing to do.
-struct LockstepLists {
-  std::shared_ptr<const StepLists> lists;
-  std::uint64_t workers = 0;  ///< with lists
-  std::uint64_t steps = 0;
-  std::uint64_t span = 0;
-  std::uint64_t loads = 0;
-  std::uint64_t parts = 0;
-};
+/// Which task a worker takes that is ready: whose parts have most left to do, that shares a part
+/// with its last one, or the largest.
+enum class NextTask : std::uint8_t { most_left, same_part, largest };
 
-/// The best for several numbers of parts. W ≥ 2.
-[[nodiscard]] LockstepLists lockstep_of_parts(const PairGraph& graph, std::uint64_t room,
-                                              std::uint64_t workers);
+/// Plays all workers, each of which loads at most one item in a step.
+[[nodiscard]] LockstepEvents play_tasks(const Tasks& tasks, std::uint64_t items, std::uint64_t room,
+                                        std::uint64_t workers, NextTask choice);
 
 }  // namespace changeover

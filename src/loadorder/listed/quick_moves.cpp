@@ -33,6 +33,22 @@ std::vector<LoadMove> quick_moves(const PairGraph& graph, std::uint64_t room) {
   return best;
 }
 
+std::vector<std::vector<LoadMove>> several_orders(const PairGraph& graph, std::uint64_t room) {
+  std::vector<std::vector<LoadMove>> orders;
+  std::uint64_t limit = Closing::no_limit;
+  each_start(graph, room, [&](const std::string&, std::vector<Element> start) {
+    stop_if_asked();
+    Closing closing(graph, room, start);
+    if (const std::uint64_t loads = closing.run(limit); loads <= limit) {
+      orders.push_back(closing.take_moves());
+      limit = std::min(limit, loads + loads / 3);
+    }
+    return true;
+  });
+  std::ranges::stable_sort(orders, {}, &std::vector<LoadMove>::size);
+  return orders;
+}
+
 std::vector<Element> items_of(std::span<const ItemPair> pairs) {
   std::vector<Element> items;
   items.reserve(2 * pairs.size());

@@ -10,7 +10,7 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
-#include "loadorder/listed/parts.hpp"
+#include "loadorder/listed/lockstep_cuts.hpp"
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/order/lockstep/eras.hpp"
 #include "loadorder/order/lockstep/grown.hpp"
@@ -201,15 +201,42 @@ class EmptySteps final : public StepSource {
   std::uint64_t number_ = 0;
 };
 
+// An order for all pairs is good if most pairs are listed.
+void consider_all_pairs(LoadOrderFacts& facts, const PairGraph& graph, LockstepLists& best,
+                        LoadOrderOptions options) {
+  const std::uint64_t items = facts.items;
+  if (2 * graph.pairs() < binomial(items, 2) || items > max_elements_in_memory ||
+      items / facts.lockstep < facts.room ||
+      makespan_lower_bound(items, facts.room, facts.lockstep).loads >= best.span) {
+    return;
+  }
+  options.search_pairs = nullptr;
+  const LoadOrder all = plan_disjoint_order(items, facts.room, facts.lockstep, options);
+  LockstepEvents events(static_cast<std::size_t>(facts.lockstep));
+  const auto steps = all.stream();
+  for (Step step; steps->next(step);) {
+    const auto number = static_cast<std::uint32_t>(step.number);
+    std::vector<LockstepEvent>& its = events[static_cast<std::size_t>(step.worker)];
+    for (const Element x : step.evict) {
+      its.push_back({number, x, false});
+    }
+    for (const Element x : step.load) {
+      its.push_back({number, x, true});
+    }
+  }
+  LockstepLists lists = lists_of(std::move(events), graph);
+  if (std::pair(lists.span, lists.loads) < std::pair(best.span, best.loads)) {
+    best = std::move(lists);
+    facts.method = all.facts().method;
+    facts.explanation = "An order for all pairs. " + all.facts().explanation;
+  }
+}
+
 // Of some pairs only.
-WorkerMaker listed_steps(LoadOrderFacts& facts) {
+WorkerMaker listed_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
   const WantedPairs list = as_list(facts.wanted);
-  const LockstepLists found = lockstep_of_parts(*list.graph(), facts.room, facts.lockstep);
-  facts.method = "parts";
-  facts.explanation = fmt::format(
-      "The items are in {} parts. A worker has two of them at a time, which no other one has, and "
-      "loads what their pairs need.",
-      found.parts);
+  LockstepLists found = lockstep_of_list(facts, *list.graph(), options);
+  consider_all_pairs(facts, *list.graph(), found, options);
   return [found](std::uint64_t worker) -> std::unique_ptr<StepSource> {
     if (worker < found.workers) {
       return found.lists->of(worker);
@@ -228,7 +255,7 @@ WorkerMaker best_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
     return [order](std::uint64_t) { return order->stream(); };
   }
   if (!facts.wanted.are_all()) {
-    return listed_steps(facts);
+    return listed_steps(facts, options);
   }
   const EraShape shape = best_eras(facts.items, facts.room, facts.lockstep);
   const EraCost eras = cost_of_eras(shape);
