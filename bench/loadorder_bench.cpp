@@ -57,6 +57,11 @@ void loads(benchmark::State& state) {
   state.counters["ours"] = mine;
   state.counters["bound"] = static_cast<double>(ours->facts().bound.loads);
   state.counters["gap_percent"] = 100 * ours->facts().gap();
+  if (items % room == 0 && room % 2 == 0 && room > 2) {
+    state.counters["comet"] = static_cast<double>(comet_order(items, room, 2).facts().loads);
+    state.counters["comet_two_groups"] =
+        static_cast<double>(comet_order(items, room, room / 2).facts().loads);
+  }
   double best = 0;
   for (const LoadOrder& other : baseline_orders(items, room)) {
     const auto count = static_cast<double>(other.facts().loads);

@@ -200,6 +200,30 @@ LoadOrder exhaustive_order(std::uint64_t items, std::uint64_t room) {
                 items == 1 ? single_item() : cache.take());
 }
 
+LoadOrder comet_order(std::uint64_t items, std::uint64_t room, std::uint64_t group) {
+  check(items, room);
+  if (group == 0 || items % group != 0 || room % group != 0 || room / group < 2) {
+    throw BadInput("COMET has groups that divide all items and the room, which has two or more");
+  }
+  const auto members = [group](const std::vector<Element>& groups) {
+    std::vector<Element> all;
+    for (const Element each : groups) {
+      for (std::uint64_t i = 0; i < group; ++i) {
+        all.push_back(static_cast<Element>(each * group + i));
+      }
+    }
+    return all;
+  };
+  LoadOrder of_groups = beta_order(items / group, room / group);
+  Steps steps;
+  for (Step step; of_groups.next(step);) {
+    step.load = members(step.load);
+    step.evict = members(step.evict);
+    steps.push_back(step);
+  }
+  return listed(items, room, "comet", "BETA of groups of items.", std::move(steps));
+}
+
 LoadOrder cover_order(std::uint64_t items) {
   constexpr std::uint64_t room = 4;
   check(items, room);

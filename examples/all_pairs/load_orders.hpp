@@ -12,6 +12,7 @@
 //             time, with a least-recently-used cache of C: exhaustive matching in COLMAP
 //             [SchonbergerFrahm2016], whose blocks have 50 images
 //
+//   comet     COMET [WaleffeEtAl2023]: BETA of groups of items, which come and go together
 //   cover     COVER [ZhengEtAl2024], which trains on several GPUs with 4 partitions each: P = 4^d
 //             partitions are the points of the affine space over the field of 4 elements, its lines
 //             are what a GPU holds, one parallel class of lines after another
@@ -33,11 +34,15 @@ namespace changeover {
 [[nodiscard]] LoadOrder tiles_order(std::uint64_t items, std::uint64_t room);
 [[nodiscard]] LoadOrder exhaustive_order(std::uint64_t items, std::uint64_t room);
 
+/// Groups of `group` items each. @throws BadInput unless `group` divides items and room, and two
+/// groups have room; ImpossibleParameters as above
+[[nodiscard]] LoadOrder comet_order(std::uint64_t items, std::uint64_t room, std::uint64_t group);
+
 /// Room for 4, one worker; all four items of a line are loaded. @throws BadInput unless items is 4,
 /// 16, 64, …; ImpossibleParameters as above
 [[nodiscard]] LoadOrder cover_order(std::uint64_t items);
 
-/// All of them but COVER, in this order; facts().method is the name above.
+/// All of them but COMET and COVER, in this order; facts().method is the name above.
 [[nodiscard]] std::vector<LoadOrder> baseline_orders(std::uint64_t items, std::uint64_t room);
 
 }  // namespace changeover

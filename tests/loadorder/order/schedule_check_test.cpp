@@ -141,6 +141,26 @@ RC_GTEST_PROP(ScheduleCheck, AgreesWithTheSimulation, ()) {
   RC_ASSERT(verdict.loads == simulation.loads);
 }
 
+TEST(Baselines, CometIsBetaOfGroups) {
+  for (const auto& [items, room, group, loads] :
+       std::vector<std::array<std::uint64_t, 4>>{{64, 16, 1, 166},
+                                                 {64, 16, 2, 172},
+                                                 {64, 16, 8, 232},
+                                                 {1000, 100, 50, 9550},
+                                                 {12, 6, 3, 21}}) {
+    LoadOrder order = comet_order(items, room, group);
+    EXPECT_EQ(order.facts().loads, loads);
+    if (items < 100) {
+      const Simulation simulation = simulate(order, items, room);
+      EXPECT_EQ(simulation.fault, "");
+      EXPECT_EQ(simulation.missing(), 0U);
+      EXPECT_EQ(simulation.loads, loads);
+    }
+  }
+  EXPECT_THROW(static_cast<void>(comet_order(64, 16, 3)), BadInput);
+  EXPECT_THROW(static_cast<void>(comet_order(64, 16, 16)), BadInput);
+}
+
 TEST(Baselines, AreLoadOrdersWithTheNumbersOfBlocksThatAreKnown) {
   struct Known {
     std::uint64_t items, room, blocks;
