@@ -462,7 +462,7 @@ def check_loads(server, count):
         by_server = server.post("api/loadorder", body)
         for_all = not set(ask) - {
             "items", "room", "pairs", "groups", "against", "done_items", "workers", "balance",
-            "first_holder", "epochs",
+            "first_holder", "epochs", "sizes", "memory",
         }
         if for_all and (by_line.returncode == 0) != ("error" not in by_server):
             fault(
@@ -472,7 +472,7 @@ def check_loads(server, count):
             set(ask)
             - {
                 "items", "room", "pairs", "groups", "against", "done_items", "workers", "prefetch",
-                "balance", "first_holder", "epochs",
+                "balance", "first_holder", "epochs", "sizes", "memory",
             }
             and "error" not in by_server
         ):

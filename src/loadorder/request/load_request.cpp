@@ -50,9 +50,9 @@ std::vector<RequestOption<R>> options() {
           option("sizes", "FILE",
                  "items differ in size: an item and its bytes per line, or the bytes of items "
                  "0, 1, … in turn; --memory says how many fit",
-                 &R::sizes, {.shape = RowShape::pairs, .not_in_server = of_pages}),
+                 &R::sizes, {.shape = RowShape::pairs}),
           option("memory", "SIZE", "bytes in memory at once, of items with --sizes", &R::memory,
-                 {.not_in_server = of_pages, .of_every_search = true}),
+                 {.of_every_search = true}),
           option("workers", "W", "split it for W workers with room C each", &R::workers),
           option("worker", "I", "only the steps of worker I of these, from 0", &R::worker,
                  {.not_in_server = of_pages, .not_in_python = "there steps(I) has them"}),
@@ -105,7 +105,8 @@ std::vector<OptionRule> rules() {
       {Says::exclude, {"new_pairs", "prefetch"}},
       {Says::needs, {"sizes"}, {"memory"}},
       {Says::only_with, {"memory"}, {"sizes"}},
-      // Memory limits what fits; orders by sizes support one memory and one level so far.
+      // How many items fit depends on which they are. Shares, levels and what is loaded ahead count
+      // places, each for any item, and so do their bounds.
       {Says::never_with,
        {"sizes"},
        {"room", "workers", "fast_room", "disjoint", "prefetch", "item_bytes"}},

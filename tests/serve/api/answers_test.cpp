@@ -338,6 +338,12 @@ TEST_F(Answers, LoadOrdersBringAllPairsTogether) {
                    "application/json"));
   EXPECT_EQ(some["loads"], 5) << some;
   EXPECT_EQ(some["pairs"], 3);
+  const auto sized = json_of(post(
+      "/api/loadorder", R"({"sizes":[[0,5],[1,7],[2,9],[3,4]],"memory":16})", "application/json"));
+  EXPECT_EQ(sized["bytes"], sized["order"]["bytes_loaded"]) << sized;
+  EXPECT_EQ(sized["bytes_bound"], sized["order"]["bytes_bound"]);
+  EXPECT_GE(sized["bytes"], 25);
+  EXPECT_EQ(sized["pairs"], 6);
 }
 
 TEST_F(Answers, AreGivenAgainWithoutABody) {

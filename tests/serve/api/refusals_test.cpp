@@ -279,6 +279,8 @@ TEST_F(Refusals, WhatIsWrongInARequestHasItsPlace) {
       {"/api/loadorder", "{\"room\":3,\n\"items\":99999}", 2, 9, "items: write 1 to 20000"},
       {"/api/loadorder", "{\"items\":9,\"room\":3,\n\"bytes_per_item\":0}", 2, 18,
        "bytes_per_item: write 1 to "},
+      {"/api/loadorder", "{\"memory\":9,\"bytes_per_item\":2,\n\"sizes\":[[0,1],[1,2]]}", 2, 9,
+       "sizes says how many bytes items have"},
       {"/api/loadorder", " {\"items\":9}", 1, 2, "items and room are required"},
   };
   for (const Placed& each : cases) {

@@ -36,11 +36,10 @@ struct LoadQuestion {
 };
 
 // The page's own key, beside those of the document.
-std::uint64_t take_bytes_per_item(RequestDocument& document) {
+std::optional<std::uint64_t> take_bytes_per_item(RequestDocument& document) {
   constexpr std::uint64_t most_bytes = 1'000'000'000'000;
-  return document
-      .take_number({.key = "bytes_per_item", .flags = "", .kind = ValueKind::number}, 1, most_bytes)
-      .value_or(1);
+  return document.take_number({.key = "bytes_per_item", .flags = "", .kind = ValueKind::number}, 1,
+                              most_bytes);
 }
 
 // A search leaves time to read what it finds.
@@ -56,16 +55,20 @@ double search_time(const LoadRequest& request, const Limits& limits) {
 
 LoadQuestion question_of(const Explorer& explorer, const Request& sent) {
   RequestDocument document(load_table().format, sent.body, std::string(name_of_body));
-  const std::uint64_t bytes = take_bytes_per_item(document);
+  const std::optional<std::uint64_t> bytes = take_bytes_per_item(document);
   const auto request = read_request(load_table(), document);
   require_of_server(request, load_table());
+  if (bytes && request.sizes.is_given()) {
+    throw malformed(fmt::format("{}sizes says how many bytes items have; leave out bytes_per_item",
+                                request.places.before("sizes")));
+  }
   if (request.items.value_or(1) > most_items_of_a_page) {
     throw malformed(fmt::format("{}items: write 1 to {}; changeover loadorder takes more",
                                 request.places.before("items"), most_items_of_a_page));
   }
   LoadQuestion question{.request = request,
                         .loads = from_body([&] { return checked_loads(request, Door::document); }),
-                        .bytes_per_item = bytes,
+                        .bytes_per_item = bytes.value_or(1),
                         .seconds = search_time(request, explorer.limits)};
   if (question.loads.items() > most_items_of_a_page) {
     throw Refusal{422, fmt::format("{} items; at most {} here; changeover loadorder takes more",
@@ -266,8 +269,12 @@ Response load_order(const Explorer& explorer, const Request& request) {
   json.key("lower_bound").value(bound.loads).key("reason").value(bound.reason);
   json.key("method").value(facts.method).key("explanation");
   json.value(planned.split != nullptr ? planned.split->facts().explanation : facts.explanation);
-  json.key("bytes").value(checked_multiply(loads, question.bytes_per_item));
-  json.key("bytes_bound").value(checked_multiply(bound.loads, question.bytes_per_item));
+  const bool has_sizes = asked.sizes() != nullptr;
+  json.key("bytes").value(has_sizes ? facts.bytes
+                                    : checked_multiply(loads, question.bytes_per_item));
+  json.key("bytes_bound")
+      .value(has_sizes ? facts.byte_bound.loads
+                       : checked_multiply(bound.loads, question.bytes_per_item));
   json.key("step_count").value(steps);
   json.key("steps").raw(lines.others()).key("truncated").value(steps > most_steps);
   json.key("sample_every").value(account.every());
