@@ -131,7 +131,6 @@ std::vector<OptionRule> rules() {
       // In the other direction another worker has a pair first.
       {Says::never_with, {"epochs"}, {"first_holder"}},
       {Says::exclude, {"pairs", "groups", "against", "done_items"}},
-      {Says::never_with, {"seconds"}, {"against", "done_items"}},
       {Says::only_with, {"threads"}, {"seconds"}},
   };
 }
@@ -261,6 +260,13 @@ void check_together(const LoadRequest& request, const Words& words, bool all) {
 void check(const LoadRequest& request, const Words& words, bool has_pairs) {
   check_rules(load_table(), request, words);
   check_threads(request, words);
+  // Of one worker, a search of some seconds found no order with fewer loads than groups have.
+  if (request.seconds && !request.disjoint && (request.against || request.done_items)) {
+    words.refuse(
+        "seconds",
+        fmt::format("{} with {} is for {}; leave it out", words.with_value("seconds"),
+                    words.key(request.against ? "against" : "done_items"), words.key("disjoint")));
+  }
   if (request.sizes.is_given()) {
     at_least_two_fit(request, words);
     return;

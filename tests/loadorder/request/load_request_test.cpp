@@ -109,6 +109,7 @@ TEST(LoadRequest, SaysWhatIsWrongInTheWordsOfTheDoor) {
       {R"({"items":9,"room":3,"fast_room":4})", "fast_room 4: of room 3 give 2 to 3"},
       {R"({"items":9,"room":3,"done_items":9})", "done_items 9: of items 9 none would be new"},
       {R"({"items":9,"room":3,"against":2,"pairs":[[0,1]]})", "exclude each other"},
+      {R"({"items":9,"room":3,"against":2,"seconds":1})", "seconds with against is for disjoint"},
       {R"({"items":9,"room":3,"ordered":true})",
        "ordered is for new_pairs, write_back or prefetch"},
       {R"({"items":9,"room":3,"write_back":true,"workers":2})",
