@@ -23,11 +23,8 @@
 #include "plan/sheet/clock.hpp"
 
 namespace changeover {
-namespace {
 
-constexpr std::uint64_t triples = 3;  // the strength at which triples must meet
-
-}  // namespace
+static constexpr std::uint64_t triples = 3;  // the strength at which triples must meet
 
 // Builds a checked job step by step.
 class JobMaker {
