@@ -178,12 +178,66 @@ bool heads_slots(std::string_view text) {
 }
 
 bool heads_quantities(std::string_view text) {
-  constexpr auto all = std::to_array<std::string_view>(
-      {"quantity",   "quantities", "qty",      "qty.",     "count",    "stock",    "in stock",
-       "on hand",    "pieces",     "pcs",      "pcs.",     "anzahl",   "menge",    "stück",
-       "stückzahl",  "bestand",    "quantité", "quantite", "cantidad", "quantità", "quantita",
-       "quantidade", "aantal",     "数量",     "수량",     "個数"});
-  return is_among(lower(text), all);
+  // All words of the heading, so that "Stock code" and "Number of ports" are none.
+  constexpr auto all = std::to_array<std::string_view>({"quantity",
+                                                        "quantities",
+                                                        "qty",
+                                                        "qty pcs",
+                                                        "count",
+                                                        "stock",
+                                                        "in stock",
+                                                        "on stock",
+                                                        "on hand",
+                                                        "pieces",
+                                                        "pcs",
+                                                        "how many",
+                                                        "how many parts",
+                                                        "how many pieces",
+                                                        "how many there are",
+                                                        "how many are there",
+                                                        "number of pieces",
+                                                        "number of parts",
+                                                        "number of units",
+                                                        "no of pieces",
+                                                        "no of units",
+                                                        "stock qty",
+                                                        "stock quantity",
+                                                        "stock count",
+                                                        "qty in stock",
+                                                        "quantity in stock",
+                                                        "units in stock",
+                                                        "pieces in stock",
+                                                        "qty on hand",
+                                                        "quantity on hand",
+                                                        "qty available",
+                                                        "quantity available",
+                                                        "anzahl",
+                                                        "menge",
+                                                        "stück",
+                                                        "stückzahl",
+                                                        "bestand",
+                                                        "lagerbestand",
+                                                        "wie viele",
+                                                        "quantité",
+                                                        "quantite",
+                                                        "combien",
+                                                        "cantidad",
+                                                        "existencias",
+                                                        "cuántos",
+                                                        "quantità",
+                                                        "quantita",
+                                                        "giacenza",
+                                                        "quantidade",
+                                                        "aantal",
+                                                        "voorraad",
+                                                        "数量",
+                                                        "수량",
+                                                        "個数"});
+  std::string words;
+  for (const std::string& word : heading_words(text)) {
+    words += (words.empty() || word.empty() ? "" : " ") + word;
+  }
+  return is_among(words, all);
 }
 
 bool heads_least(std::string_view text) {

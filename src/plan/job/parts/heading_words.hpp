@@ -30,7 +30,7 @@ namespace changeover {
 [[nodiscard]] CostUnit unit_in_heading(std::string_view text);
 
 [[nodiscard]] bool heads_slots(std::string_view text);
-/// A column of numbers of pieces: "Quantity", "Qty", "Anzahl".
+/// A column of numbers of pieces: "Quantity", "Qty (pcs)", "How many?", "In stock", "Anzahl".
 [[nodiscard]] bool heads_quantities(std::string_view text);
 /// The limits of a slot: "least", "min", "from"; "most", "max", "to".
 [[nodiscard]] bool heads_least(std::string_view text);

@@ -142,6 +142,30 @@ TEST(Spreadsheets, Quantities) {
   EXPECT_THAT(complaint("part,Qty,Count\nA,1,1\n"), HasSubstr("may both head the quantities"));
 }
 
+TEST(Spreadsheets, HeadingsOfQuantities) {
+  for (const std::string head : {"how many",     "How many?",      "COUNT",
+                                 "Count:",       "stock",          "In stock",
+                                 "in_stock",     "InStock",        "QTY",
+                                 "qty.",         "Qty (pcs.)",     "Number of pieces",
+                                 "No. of units", "# pieces",       "Stock qty",
+                                 "Qty on hand",  "Units in stock", "Wie viele?",
+                                 "Anzahl",       "Lagerbestand",   "Cantidad",
+                                 "個数"}) {
+    const PartList list = parts("part," + head + "\nA,4\nB,2\n");
+    EXPECT_THAT(list.quantities, ElementsAre(4U, 2U)) << head;
+    EXPECT_THAT(costs(list), ElementsAre("none", "none")) << head;
+    EXPECT_THAT(list.note, HasSubstr("no change costs, quantities in '" + head + "'"));
+    EXPECT_THAT(parts("part,cost," + head + "\nA,1,4\nB,2,2\n").quantities, ElementsAre(4U, 2U));
+  }
+  // Others are not, and the note says so.
+  for (const std::string head : {"Stock code", "Number of ports", "Minimum stock", "Reorder qty",
+                                 "How many cores", "Counter"}) {
+    const PartList list = parts("part,cost," + head + "\nA,1,4\nB,2,2\n");
+    EXPECT_THAT(list.quantities, IsEmpty()) << head;
+    EXPECT_THAT(list.note, HasSubstr("; not used: '" + head + "'"));
+  }
+}
+
 TEST(Spreadsheets, NumbersWithSignsAndTimesOnAClock) {
   const PartList minutes = parts("part,Swap time\nA,15 min\nB,2.5min\nC,3\n");
   EXPECT_THAT(costs(minutes), ElementsAre("15", "2.50", "3"));
