@@ -160,8 +160,9 @@ class ValueCosts {
     std::vector<bool> seen(job_.names.size(), false);
     for (std::size_t i = 0; i < of.values.size(); ++i) {
       if (++at_ == rows_.size()) {
-        reader_.fail(head, fmt::format("the table of {} has {}; give one for each of its {} values",
-                                       of.name, count_of(i, "row"), of.values.size()));
+        reader_.fail(head,
+                     fmt::format("the table of {} has {}; give one for each of its {}", of.name,
+                                 count_of(i, "row"), count_of(of.values.size(), "value")));
       }
       const Row& row = rows_[at_];
       const Element out = value_in(parameter, row.front());

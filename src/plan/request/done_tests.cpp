@@ -33,7 +33,9 @@ void note_unread(const DoneOptions& options, const DoneWords& words, ParsedJob& 
   answer.notes.push_back(
       fmt::format("{}: the result {} is not understood{}; its pairs {}; write pass or fail",
                   one.place, shown(one.text),
-                  answer.unread == 1 ? "" : fmt::format(", nor are {} others", answer.unread - 1),
+                  answer.unread == 1 ? ""
+                                     : fmt::format(", nor {} {}", answer.unread == 2 ? "is" : "are",
+                                                   count_of(answer.unread - 1, "other")),
                   fmt::format("count as tested{} {}",
                               options.failed == FailedTests::trusted ? ", by" : " only with",
                               words.trust_failed)));
@@ -301,8 +303,9 @@ class DoneTaker {
                                   not_run_ == 1 ? "is" : "are"));
     }
     if (!options_->first && has_results_ && answer_.done.size() < all_) {
-      notes.push_back(fmt::format("{}: {} of {} tests have a result and are done", name_,
-                                  answer_.done.size(), all_));
+      notes.push_back(fmt::format(
+          "{}: {} of {} {}", name_, answer_.done.size(), count_of(all_, "test"),
+          answer_.done.size() == 1 ? "has a result and is done" : "have a result and are done"));
     }
   }
 

@@ -10,6 +10,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "core/words.hpp"
 #include "plan/job/setup_list.hpp"
 #include "plan/search/budget.hpp"
 
@@ -148,7 +149,8 @@ std::vector<Candidate> affordable(const Job& job, const std::vector<Candidate>& 
       }
       part.setups.push_back(step.setup);
     }
-    part.how = fmt::format("the first {} of its {} tests", part.setups.size(), plan.tests());
+    part.how =
+        fmt::format("the first {} of its {}", part.setups.size(), count_of(plan.tests(), "test"));
     within.push_back(counted(job, part));
   }
   std::stable_sort(within.begin(), within.end(), tests_more);
@@ -169,8 +171,8 @@ void check_within(const std::vector<Candidate>& plans, Amount budget,
 
 void keep_what_there_is(RunPlan& plan, const std::function<void()>& work) {
   keep_what_there_is(plan.shortage, work, [&] {
-    return fmt::format("not enough memory to go on searching among lists of {} tests",
-                       plan.candidates.front().tests());
+    return fmt::format("not enough memory to go on searching among lists of {}",
+                       count_of(plan.candidates.front().tests(), "test"));
   });
 }
 

@@ -7,6 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
+#include "core/words.hpp"
 #include "plan/search/anneal/attempts.hpp"
 #include "plan/search/budget.hpp"
 #include "plan/search/candidates.hpp"
@@ -31,7 +32,7 @@ class PairsPlanner {
       most_weight_ = work_->most_weight(*options_->budget);
     }
     require_memory(bytes_of_plans(plan.bound.tests),
-                   fmt::format("a plan of {} tests", plan.bound.tests));
+                   fmt::format("a plan of {}", count_of(plan.bound.tests, "test")));
     if (job_->needed.size() == 0) {
       plan.candidates.push_back(counted(*job_, {"no test", "nothing is left to test", {}}));
     } else {
@@ -117,7 +118,7 @@ class PairsPlanner {
       return *std::min_element(all.begin(), all.end(), cheaper);
     };
     require_memory(bytes_of_search(best()),
-                   fmt::format("searching among lists of {} tests", best().tests()));
+                   fmt::format("searching among lists of {}", count_of(best().tests(), "test")));
     Attempts attempts(*job_, plan.bound, *control_);
     std::uint64_t steps = options_->steps == 0 ? attempts.suitable_steps(best()) : options_->steps;
     keep_what_there_is(plan, [&] {

@@ -10,6 +10,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/model.hpp"
+#include "core/words.hpp"
 #include "plan/sheet/replacement.hpp"
 
 namespace changeover {
@@ -138,8 +139,8 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
       sheet.faults.push_back(where() + " names a part twice");
     }
     if (step.setup.size() > job.at_once) {
-      sheet.faults.push_back(
-          fmt::format("{} has {} parts, {} fit", where(), step.setup.size(), job.at_once));
+      sheet.faults.push_back(fmt::format("{} has {}, {} fit", where(),
+                                         count_of(step.setup.size(), "part"), job.at_once));
     }
     if (!without(mounted, step.setup).empty()) {
       sheet.faults.push_back(where() + " lacks a part that stays mounted");
@@ -150,9 +151,9 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
         there += job.slot_of.at(x) == s ? 1U : 0U;
       }
       if (there < job.slots[s].least || there > job.slots[s].most) {
-        sheet.faults.push_back(fmt::format("{} has {} parts of slot {}, not {} to {}", where(),
-                                           there, job.slots[s].name, job.slots[s].least,
-                                           job.slots[s].most));
+        sheet.faults.push_back(fmt::format("{} has {} of slot {}, not {} to {}", where(),
+                                           count_of(there, "part"), job.slots[s].name,
+                                           job.slots[s].least, job.slots[s].most));
       }
     }
     if (job.model != nullptr) {

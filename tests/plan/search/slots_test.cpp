@@ -197,7 +197,7 @@ TEST(Slots, TheRefereeCountsThem) {
   drop_needed(job, cannot_meet(job));
   EXPECT_THAT(run_sheet(job, {{0, 3, 5, 6}}).faults, IsEmpty());
   EXPECT_THAT(run_sheet(job, {{0, 3, 5}}).faults,
-              ElementsAre("set-up 1 has 1 parts of slot disk, not 2 to 4"));
+              ElementsAre("set-up 1 has 1 part of slot disk, not 2 to 4"));
   EXPECT_THAT(run_sheet(job, {{0, 3, 5, 6}, {3, 5, 6}}).faults,
               ElementsAre(HasSubstr("set-up 2 has 0 parts of slot CPU")));
   EXPECT_THAT(run_sheet(job, {{0, 1, 3, 5, 6}}).faults,

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "core/words.hpp"
 #include "plan/search/anneal/cooling.hpp"
 #include "plan/search/budget.hpp"
 #include "run/threads.hpp"
@@ -84,9 +85,10 @@ std::optional<Start> Attempts::covering(const Candidate& from, std::uint64_t ste
   setups = order_cheaply(*job_, true_weights, std::move(setups), *control_);
   Sequence ordered(*job_, true_weights, setups);
   prune(ordered, *control_);
-  return Start{"ordered covering",
-               fmt::format("a covering with {} set-ups, in a cheap order", ordered.size()),
-               ordered.setups()};
+  return Start{
+      "ordered covering",
+      fmt::format("a covering with {}, in a cheap order", count_of(ordered.size(), "set-up")),
+      ordered.setups()};
 }
 
 Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>& others,

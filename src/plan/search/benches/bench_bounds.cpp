@@ -526,11 +526,11 @@ class BenchBounder {
       return pairs >= inner;
     });
     raise(found, [&] {
-      return field_->size() == 1
-                 ? fmt::format("for less, no more than {} pairs can be tested", inner - 1)
-                 : fmt::format("for less, {} cannot test {} together",
-                               count_of(field_->size(), "bench", "benches"),
-                               count_of(inner, "pair"));
+      return field_->size() == 1 ? fmt::format("for less, no more than {} can be tested",
+                                               count_of(inner - 1, "pair"))
+                                 : fmt::format("for less, {} cannot test {} together",
+                                               count_of(field_->size(), "bench", "benches"),
+                                               count_of(inner, "pair"));
     });
   }
 

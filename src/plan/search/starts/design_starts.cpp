@@ -136,10 +136,10 @@ std::optional<Start> design_start(const Job& job, const std::vector<Element>& pa
       design = std::move(better.design);
     }
   }
-  return Start{
-      change_name(m) + " design",
-      fmt::format("linear {} with {} blocks ({})", name(p, false), design->block_count(), how),
-      cheaper_direction(job, parts, *design, control)};
+  return Start{change_name(m) + " design",
+               fmt::format("linear {} with {} ({})", name(p, false),
+                           count_of(design->block_count(), "block"), how),
+               cheaper_direction(job, parts, *design, control)};
 }
 
 }  // namespace

@@ -195,7 +195,8 @@ std::vector<std::string> bench_facts(const BenchDocument& document, std::size_t 
                         : fmt::format("its first {} tests are given", b.first->size()));
   }
   if (b.hours) {
-    facts.push_back(fmt::format("{} hours a day", to_string(*b.hours)));
+    const bool one = b.hours->millionths == 1'000'000;
+    facts.push_back(fmt::format("{} {} a day", to_string(*b.hours), one ? "hour" : "hours"));
   }
   if (b.tests_done > 0) {
     facts.push_back(fmt::format("{} done before", count_of(b.tests_done, "test")));
