@@ -10,6 +10,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/benches.hpp"
 #include "changeover/run/control.hpp"
+#include "core/words.hpp"
 #include "plan/job/bench_jobs.hpp"
 #include "plan/search/benches/bench_bounds.hpp"
 #include "plan/search/benches/bench_field.hpp"
@@ -193,7 +194,10 @@ class BenchPlanner {
       const Job& rest = field_.rest(w);
       const bool can = rest.needed.size() == field_.common().needed.size() &&
                        rest.triples.size() == field_.common().triples.size();
-      if (!can || (found && (field_.alike() || part.control().stop_wanted()))) {
+      if (can && field_.alike()) {
+        return w;
+      }
+      if (!can || (found && part.control().stop_wanted())) {
         continue;
       }
       if (const Amount bound = bound_of_valid_job(rest).cost; !found || bound < least) {
@@ -231,8 +235,8 @@ class BenchPlanner {
     once.on_better = nullptr;
     once.rest.clear();
     const Job& rest = field_.rest(alone);
-    // A good list is good in pieces, too, unless parts are scarce or benches rest.
-    ShareOfTime part = part_of_the_time(field_.has_clock() ? 0.15 : 0.6);
+    // A good list is good in pieces, too, if no part is scarce and no bench rests.
+    ShareOfTime part = part_of_the_time(field_.has_clock() ? 0.3 : 0.7);
     const RunPlan one = plan_of_valid_job(rest, once, part.control());
     plan_.shortage = one.shortage;
     plan_.steps += one.steps;
@@ -323,8 +327,9 @@ class BenchPlanner {
       }
       prune(lists, *control_);
       add("one list, cut and shortened", "without what other benches test anyway", lists.lists());
+      ShareOfTime part = part_of_the_time(0.08);
       add("each bench anew", "cut, and each bench planned anew for what only it tests",
-          replan_each(lists.lists(), *control_));
+          replan_each(lists.lists(), part.control()));
     }
     for (std::size_t i = 0; i < starts.size(); ++i) {
       Lists lists(job, starts[i]);
@@ -339,7 +344,7 @@ class BenchPlanner {
     starts.insert(starts.begin(), without_first(best().lists));
     ListsSearch search{.aim = by_cost() ? Aim::least_cost : Aim::least_largest,
                        .steps = options_->plan.steps,
-                       .attempts = options_->plan.attempts,
+                       .attempts = attempts_between(),
                        .phase = between_benches};
     Rounds rounds(options_->plan);
     while (!is_best_possible() && !control_->stop_wanted()) {
@@ -358,6 +363,14 @@ class BenchPlanner {
       search.round = rounds.now();
       starts.front() = without_first(best().lists);
     }
+  }
+
+  // If the time is used up anyway, few long attempts find more than many short ones.
+  [[nodiscard]] unsigned attempts_between() const {
+    constexpr unsigned few = 2;  // on each thread
+    return options_->plan.until_stopped && control_->time_left()
+               ? std::min(few * control_->threads(), options_->plan.attempts)
+               : options_->plan.attempts;
   }
 
   // The needed pairs that only this bench tests.
@@ -458,7 +471,7 @@ class BenchPlanner {
       const BenchCandidate& whole = plan_.candidates[i];
       if (i == 0 || !control_->stop_wanted()) {
         BenchCandidate part = counted("beginning of: " + whole.name, "", affordable(whole, budget));
-        part.how = fmt::format("the first {} of its {} tests", part.tests, whole.tests);
+        part.how = fmt::format("the first {} of its {}", part.tests, count_of(whole.tests, "test"));
         within.push_back(std::move(part));
       }
     }

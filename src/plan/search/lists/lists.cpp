@@ -12,8 +12,6 @@
 namespace changeover {
 namespace {
 
-constexpr std::uint64_t one = 1'000'000;
-
 std::size_t choose_three(std::size_t n) { return n < 3 ? 0 : n * (n - 1) * (n - 2) / 6; }
 
 }  // namespace
@@ -196,10 +194,6 @@ Lists::Lists(const ListsJob& job, const BenchLists& lists)
     }
   }
   keep();
-}
-
-std::size_t Lists::index(Element x, Element y) const {
-  return x < y ? choose_two(y) + x : choose_two(x) + y;
 }
 
 std::size_t Lists::index(Element x, Element y, Element z) const {

@@ -22,6 +22,7 @@
 
 #include "changeover/plan/job.hpp"
 #include "plan/job/fitting.hpp"
+#include "plan/job/pair_numbers.hpp"
 #include "plan/search/anneal/sequence.hpp"
 #include "plan/search/benches/bench_clock.hpp"
 
@@ -138,6 +139,24 @@ class Lists {
   /// Whether y may be together with all parts of a set-up.
   [[nodiscard]] bool joins(std::span<const Element> setup, Element y) const;
 
+  /// Whether moves are evaluated before they are made: where pairs must meet, and costs do not
+  /// depend on what is replaced.
+  [[nodiscard]] bool foresees() const { return !triples_ && views_.front().replace.empty(); }
+  /// What the work of a bench, that of another and missing() would become more by a move, if
+  /// foresees().
+  struct Rise {
+    std::size_t bench = 0;
+    std::int64_t work = 0;
+    std::int64_t missing = 0;
+    std::size_t other = 0;
+    std::int64_t other_work = 0;
+  };
+  [[nodiscard]] Rise rise_of_replace(Spot where, Element out, Element in) const;
+  [[nodiscard]] Rise rise_of_take_out(Spot where) const;
+  [[nodiscard]] Rise rise_of_reverse(std::size_t bench, Stretch where) const;
+  /// Of move(), and of reverse() there after it.
+  [[nodiscard]] Rise rise_of_move(Spot from, std::size_t count, Spot to, bool reversed) const;
+
   /// Removes `out`, which is there, and adds `in`, which is not, where may_replace() allows it.
   void replace(Spot where, Element out, Element in);
   void take_out(Spot where);
@@ -181,6 +200,8 @@ class Lists {
     std::uint32_t b = 0;  // added part
   };
 
+  static constexpr std::uint64_t one = 1'000'000;  // the weight of what has none, in millionths
+
   static bool bit(const Bits& bits, Element x) { return (bits[x >> 6] >> (x & 63) & 1) != 0; }
   [[nodiscard]] const View& view(std::size_t bench) const { return views_[view_of_[bench]]; }
   [[nodiscard]] const Place& before(Spot where) const {
@@ -192,6 +213,8 @@ class Lists {
   // The cost of replacing parts by others, all of one slot.
   [[nodiscard]] std::int64_t replaced(const View& view, std::span<const Element> gone,
                                       std::span<const Element> come) const;
+  // The cost of mounting all of a set-up on an empty bench.
+  [[nodiscard]] std::int64_t mounting(const View& view, const Place& place) const;
   void price(Spot where);
   void fill(Place& place, std::span<const Element> setup) const;
   [[nodiscard]] Place place_of(std::span<const Element> setup) const;
@@ -199,8 +222,13 @@ class Lists {
   void set_clock(const ListsJob& job);
   [[nodiscard]] const BenchClock::Result& clocked() const;
   void changed(Spot where);
-  [[nodiscard]] std::size_t index(Element x, Element y) const;
+  [[nodiscard]] static std::size_t index(Element x, Element y) {
+    return x < y ? choose_two(y) + x : choose_two(x) + y;
+  }
   [[nodiscard]] std::size_t index(Element x, Element y, Element z) const;
+  [[nodiscard]] std::int64_t weight_of(std::size_t index) const {
+    return static_cast<std::int64_t>(weight_.empty() ? one : weight_[index]);
+  }
   void meet(std::size_t index);
   void part(std::size_t index);
   template <bool coming>

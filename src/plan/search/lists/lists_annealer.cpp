@@ -70,9 +70,9 @@ void ListsAnnealer::cool(double done) {
   energy_ = energy();
 }
 
-// The cost or duration of the benches together, higher the more they differ.
-double ListsAnnealer::costs() const {
-  const auto total = static_cast<double>(lists_->total());
+// The cost or duration of the benches together, higher the more they differ, if that of one rises.
+double ListsAnnealer::costs(const Lists::Rise& rise) const {
+  const auto total = static_cast<double>(lists_->total() + rise.work + rise.other_work);
   switch (options_->aim) {
     case Aim::most_weight:
       return total * 0.25 +
@@ -82,7 +82,9 @@ double ListsAnnealer::costs() const {
       double sum = 0;
       double squares = 0;
       for (std::size_t bench = 0; bench < lists_->benches(); ++bench) {
-        const auto end = static_cast<double>(lists_->end(bench));
+        const auto end =
+            static_cast<double>(lists_->end(bench) + (bench == rise.bench ? rise.work : 0) +
+                                (bench == rise.other ? rise.other_work : 0));
         sum += end;
         squares += end * end;
       }
@@ -97,7 +99,7 @@ double ListsAnnealer::costs() const {
 }
 
 double ListsAnnealer::energy() const {
-  return costs() + penalty_ * static_cast<double>(lists_->missing());
+  return costs({}) + penalty_ * static_cast<double>(lists_->missing());
 }
 
 void ListsAnnealer::record() {
@@ -108,39 +110,60 @@ void ListsAnnealer::record() {
   }
 }
 
-// At least the energy, without the clock: benches may wait, rest, and put in parts again.
-double ListsAnnealer::least_energy() const {
-  const auto work = static_cast<double>(lists_->work());
-  return (options_->aim == Aim::most_weight ? work * 0.25 : work) +
-         penalty_ * static_cast<double>(lists_->missing());
+// The energy after a rise. With a clock no more than that: benches may wait, rest, and put in parts
+// again.
+double ListsAnnealer::least_energy(const Lists::Rise& rise) const {
+  const double missing =
+      penalty_ * static_cast<double>(static_cast<std::int64_t>(lists_->missing()) + rise.missing);
+  if (!lists_->has_clock()) {
+    return costs(rise) + missing;
+  }
+  const auto work = static_cast<double>(lists_->work() + rise.work + rise.other_work);
+  return (options_->aim == Aim::most_weight ? work * 0.25 : work) + missing;
+}
+
+// Whether a move to this energy is too much; the same answer for all that is asked of one move.
+bool ListsAnnealer::refuses(double now) {
+  if (now <= energy_) {
+    return false;
+  }
+  most_rise_ = most_rise_ ? most_rise_ : cooling_.most_rise(*random_);
+  return now - energy_ > *most_rise_;
+}
+
+// The same before the move is made: if it is refused, that was all.
+bool ListsAnnealer::refuses_unseen(const Lists::Rise& rise) {
+  const bool refused = refuses(least_energy(rise));
+  if (refused) {
+    most_rise_.reset();
+  }
+  return refused;
 }
 
 void ListsAnnealer::decide() {
-  std::optional<double> most;
-  const auto is_refused = [&](double now) {
-    if (now <= energy_) {
-      return false;
-    }
-    most = most ? most : cooling_.most_rise(*random_);
-    return now - energy_ > *most;
-  };
   // Most moves are refused for what they cost and leave open, without asking the clock.
-  double now = lists_->has_clock() ? least_energy() : energy();
-  bool refused = is_refused(now);
-  if (!refused && lists_->has_clock()) {
-    now = energy();
-    refused = is_refused(now);
-  }
+  bool refused = refuses(least_energy({}));
+  refused = refused || (lists_->has_clock() && refuses(energy()));
+  most_rise_.reset();
   if (refused) {
     lists_->undo();
     return;
   }
+  const double now = energy();
   const double rise = now - energy_;
   lists_->keep();
   energy_ = now;
   if (rise < 0 || lists_->open() == 0) {
     record();
   }
+}
+
+void ListsAnnealer::try_replacing(Spot where, Element out, Element in) {
+  if (lists_->foresees() && refuses_unseen(lists_->rise_of_replace(where, out, in))) {
+    return;
+  }
+  lists_->replace(where, out, in);
+  decide();
 }
 
 // A movable part of a set-up; `no_part` if there is none besides those that stay.
@@ -234,8 +257,7 @@ void ListsAnnealer::shift() {
   if ((out == no_part && !has_room(at)) || !replaceable(at, out, in)) {
     return;
   }
-  lists_->replace(at, out, in);
-  decide();
+  try_replacing(at, out, in);
 }
 
 // Some part in the place of another, in one set-up.
@@ -244,8 +266,7 @@ void ListsAnnealer::replace_one() {
   const Element in = some_part();
   const Element out = some_part_of(where, {});
   if (out != no_part && lists_->is_movable(where.bench, in) && replaceable(where, out, in)) {
-    lists_->replace(where, out, in);
-    decide();
+    try_replacing(where, out, in);
   }
 }
 
@@ -263,8 +284,7 @@ void ListsAnnealer::replace_one_aimed() {
   }
   const Element out = some_part_of(*where, staying);
   if (out != no_part && out != in && replaceable(*where, out, in)) {
-    lists_->replace(*where, out, in);
-    decide();
+    try_replacing(*where, out, in);
   }
 }
 
@@ -365,7 +385,11 @@ void ListsAnnealer::change_run() {
 }
 
 void ListsAnnealer::take_out() {
-  lists_->take_out(some_spot());
+  const Spot where = some_spot();
+  if (lists_->foresees() && refuses_unseen(lists_->rise_of_take_out(where))) {
+    return;
+  }
+  lists_->take_out(where);
   decide();
 }
 
@@ -492,6 +516,9 @@ void ListsAnnealer::reverse() {
   }
   constexpr std::size_t longest = 64;
   stretch.last = std::min(stretch.last, stretch.first + longest);
+  if (lists_->foresees() && refuses_unseen(lists_->rise_of_reverse(where.bench, stretch))) {
+    return;
+  }
   lists_->reverse(where.bench, stretch);
   decide();
 }
@@ -513,8 +540,12 @@ void ListsAnnealer::relocate() {
       return;
     }
   }
+  const bool reversed = count > 1 && random_->one_in_two();
+  if (lists_->foresees() && refuses_unseen(lists_->rise_of_move(from, count, to, reversed))) {
+    return;
+  }
   lists_->move(from, count, to);
-  if (count > 1 && random_->one_in_two()) {
+  if (reversed) {
     lists_->reverse(to.bench, {to.at, to.at + count - 1});
   }
   decide();

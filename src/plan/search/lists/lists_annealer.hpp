@@ -54,11 +54,14 @@ class ListsAnnealer {
 
  private:
   [[nodiscard]] double energy() const;
-  [[nodiscard]] double costs() const;
-  [[nodiscard]] double least_energy() const;
+  [[nodiscard]] double costs(const Lists::Rise& rise) const;
+  [[nodiscard]] double least_energy(const Lists::Rise& rise) const;
+  [[nodiscard]] bool refuses(double now);
+  [[nodiscard]] bool refuses_unseen(const Lists::Rise& rise);
   void cool(double done);
   void record();
   void decide();
+  void try_replacing(Spot where, Element out, Element in);
   std::size_t below(std::size_t limit) { return random_->below(static_cast<std::uint32_t>(limit)); }
   Spot some_spot() { return lists_->spot(below(lists_->tests())); }
   Element some_part() { return lists_->movable()[below(lists_->movable().size())]; }
@@ -96,6 +99,7 @@ class ListsAnnealer {
   Cooling cooling_;
   double penalty_ = 0;  // per millionth of weight
   double energy_ = 0;
+  std::optional<double> most_rise_;  // of the move that is being decided
   std::optional<Rank> best_rank_;
   BenchLists best_;
 };

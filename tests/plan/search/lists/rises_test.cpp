@@ -1,0 +1,121 @@
+// What moves between lists would change, against making them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "plan/search/lists/lists.hpp"
+#include "random_jobs.hpp"
+
+namespace changeover::rises_test {
+namespace {
+
+// Lists of set-ups with some of the parts; what slots need or forbid does not matter here.
+BenchLists some_lists(const Job& job, std::size_t benches, Random& random) {
+  BenchLists lists(benches);
+  for (std::vector<Block>& list : lists) {
+    for (std::uint32_t i = 1 + random.below(6); i > 0; --i) {
+      Block setup;
+      while (setup.empty()) {
+        for (Element x = 0; x < job.parts(); ++x) {
+          if (setup.size() < job.room() && random.one_in_two()) {
+            setup.push_back(x);
+          }
+        }
+      }
+      list.push_back(setup);
+    }
+  }
+  return lists;
+}
+
+class Rises : public ::testing::Test {
+ protected:
+  // Makes a move, compares and undoes it.
+  template <typename Move>
+  void expect(Lists& lists, const Lists::Rise& rise, Move&& move) {
+    std::vector<std::int64_t> ends;
+    for (std::size_t b = 0; b < lists.benches(); ++b) {
+      ends.push_back(lists.end(b) + (b == rise.bench ? rise.work : 0) +
+                     (b == rise.other ? rise.other_work : 0));
+    }
+    const std::int64_t work = lists.work() + rise.work + rise.other_work;
+    const std::int64_t missing = static_cast<std::int64_t>(lists.missing()) + rise.missing;
+    move();
+    EXPECT_EQ(lists.work(), work);
+    EXPECT_EQ(static_cast<std::int64_t>(lists.missing()), missing);
+    for (std::size_t b = 0; b < lists.benches(); ++b) {
+      EXPECT_EQ(lists.end(b), ends[b]);
+    }
+    lists.undo();
+    ++moves_;
+  }
+
+  unsigned moves_ = 0;
+};
+
+TEST_F(Rises, AreWhatMovesChange) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    Random random(seed, 5);
+    Job job = test::random_job(seed, 8);
+    if (job.needed.size() == 0) {
+      continue;
+    }
+    if (seed % 3 == 0) {
+      job.needed.for_each(1000, [&](Element x, Element y) {
+        job.weights.set(x, y, Amount{(1 + random.below(5)) * 500'000ULL});
+      });
+    }
+    Job dearer = job;
+    for (Amount& cost : dearer.change_costs) {
+      cost += Amount{1'000'000};
+    }
+    const std::vector<const Job*> benches{&job, &job, &dearer};
+    const ListsJob question{.common = &job, .jobs = benches, .weights = weights_of(benches, 100)};
+    Lists lists(question, some_lists(job, benches.size(), random));
+    ASSERT_TRUE(lists.foresees());
+    const auto below = [&](std::size_t limit) {
+      return random.below(static_cast<std::uint32_t>(limit));
+    };
+    for (unsigned i = 0; i < 200; ++i) {
+      const Spot where = lists.spot(below(lists.tests()));
+      const auto setup = lists.setup(where);
+      const Element x = below(job.parts());
+      const Element out = setup[below(setup.size())];
+      if (!lists.holds(where, x)) {
+        expect(lists, lists.rise_of_replace(where, out, x), [&] { lists.replace(where, out, x); });
+        if (setup.size() < job.room()) {
+          expect(lists, lists.rise_of_replace(where, no_part, x),
+                 [&] { lists.replace(where, no_part, x); });
+        }
+      }
+      expect(lists, lists.rise_of_replace(where, out, no_part),
+             [&] { lists.replace(where, out, no_part); });
+      expect(lists, lists.rise_of_take_out(where), [&] { lists.take_out(where); });
+      Stretch stretch{where.at, below(lists.tests(where.bench))};
+      if (stretch.first > stretch.last) {
+        std::swap(stretch.first, stretch.last);
+      }
+      expect(lists, lists.rise_of_reverse(where.bench, stretch),
+             [&] { lists.reverse(where.bench, stretch); });
+      const std::size_t count = 1 + below(lists.tests(where.bench) - where.at);
+      Spot to{below(lists.benches()), 0};
+      to.at = below(lists.tests(to.bench) - (to.bench == where.bench ? count : 0) + 1);
+      if (to.bench == where.bench && to.at == where.at) {
+        continue;
+      }
+      for (const bool reversed : {false, true}) {
+        expect(lists, lists.rise_of_move(where, count, to, reversed), [&] {
+          lists.move(where, count, to);
+          if (reversed) {
+            lists.reverse(to.bench, {to.at, to.at + count - 1});
+          }
+        });
+      }
+    }
+  }
+  EXPECT_GT(moves_, 40'000U);
+}
+
+}  // namespace
+}  // namespace changeover::rises_test
