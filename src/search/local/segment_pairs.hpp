@@ -70,8 +70,8 @@ class SegmentPairs {
         frozen_(static_cast<std::uint32_t>(frozen)),
         circular_(design.parameters().kind == Kind::circular),
         usual_(usual_segment(design.k(), design.parameters().change)),
-        parts_(locks.parts.begin(), locks.parts.end()),
-        row_(static_cast<std::uint32_t>(vectors_of_a_row(v_))) {
+        row_(static_cast<std::uint32_t>(vectors_of_a_row(v_))),
+        parts_(locks.parts.begin(), locks.parts.end()) {
     grow(counts_, std::size_t{v_} * row_, Sixteen{});
     grow(members_, std::size_t{b_} * row_, Sixteen{});
     grow(keep_, std::size_t{v_} * row_, Sixteen{});

@@ -190,7 +190,7 @@ TEST(SegmentPairs, LockedCellsStay) {
       locked.push_back({i, x});
     }
   }
-  SegmentPairs<std::uint8_t> state(start, 0, locked);
+  SegmentPairs<std::uint8_t> state(start, 0, {.cells = locked, .parts = {}});
   std::size_t made = 0;
   for (int i = 0; i < 20'000; ++i) {
     const SegmentSwap move = state.propose(random);

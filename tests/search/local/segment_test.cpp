@@ -173,12 +173,12 @@ TEST(SegmentPairs, PartsStayPartsWhereverTheyGo) {
       });
       for (std::size_t i = 0; i < parts.size(); ++i) {
         ASSERT_EQ(state.parts()[i].elements, parts[i].elements);
-        moved += state.parts()[i].block != parts[i].block ? 1 : 0;
+        moved += state.parts()[i].block != parts[i].block ? 1U : 0U;
       }
       // What they left is free again: all cells that are locked now belong to them.
       std::size_t free = 0;
       for (int n = 0; n < 200; ++n) {
-        free += state.propose(random).length > 0 ? 1 : 0;
+        free += state.propose(random).length > 0 ? 1U : 0U;
       }
       EXPECT_GT(free, 20U);
     }
