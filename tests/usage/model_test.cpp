@@ -231,7 +231,7 @@ TEST(ModelUsage, AsADocument) {
   spit(folder.file("bad.json"), "{\"model\":[\"OS: a\"],\"objective\":\"tests\"}");
   expect(
       {{"printf %s '{\"model\":\"A: a\\nB b\",\"objective\":\"tests\"}' | $changeover plan --request -",
-        2, "model:2:1: 'B b' is not a parameter"}},
+        3, "model:2:1: 'B b' is not a parameter"}},
       folder);
 }
 
