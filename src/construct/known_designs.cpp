@@ -153,8 +153,7 @@ class KnownDesigns::Cell {
 
   // The cut that lets most blocks be dropped.
   void cut_open() {
-    Parameters circular = p_;
-    circular.kind = Kind::circular;
+    const Parameters circular = p_.as(Kind::circular);
     if (!all_.possible(circular)) {
       return;
     }
@@ -173,8 +172,7 @@ class KnownDesigns::Cell {
   // What is linear, with a way back.
   void join_ends() {
     if (p_.kind == Kind::circular) {
-      Parameters linear = p_;
-      linear.kind = Kind::linear;
+      const Parameters linear = p_.as(Kind::linear);
       if (const Ptr source = useful(linear, level_ - 1, 0)) {
         if (auto made = join_ends_recipe(source->offer.recipe, all_.design_of(source))) {
           take(std::move(made->recipe), made->b, *source);

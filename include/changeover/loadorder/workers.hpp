@@ -222,15 +222,15 @@ class WorkerSplit {
 //            steps and grown again. P ≤ 1,000. The same with groups of items, room for 2 to 8
 //            groups, which is better if few items are outside memory.
 //   round robin   2W groups, two at each worker: the rounds of a tournament. Span P.
-// Of some pairs only, either an order of one worker is cut into stretches, and a worker waits for an
-// item that another one has; or the items are in parts, consecutive ones of such an order, and a
+// Of some pairs only, either an order of one worker is cut into stretches, and a worker waits for
+// an item that another one has; or the items are in parts, consecutive ones of such an order, and a
 // worker has two parts at a time, which no other worker has, with an order for the pairs between
 // them.
 
 /// Returns the best known order, verified by ScheduleCheck. With `options.search_pairs` it is
-/// improved until the time is over, otherwise for a fixed amount of work. @throws as plan_load_order();
-/// BadInput if there are fewer than W·C items and all pairs are wanted, or W is 0 or exceeds
-/// 65,536; ImpossibleParameters above 65,535 items, unless pairs are listed.
+/// improved until the time is over, otherwise for a fixed amount of work. @throws as
+/// plan_load_order(); BadInput if there are fewer than W·C items and all pairs are wanted, or W is
+/// 0 or exceeds 65,536; ImpossibleParameters above 65,535 items, unless pairs are listed.
 [[nodiscard]] LoadOrder plan_disjoint_order(const WantedPairs& wanted, std::uint64_t room,
                                             std::uint64_t workers,
                                             const LoadOrderOptions& options = {});

@@ -9,8 +9,9 @@
 
 namespace changeover {
 
-/// The best for several numbers of parts and several orders, which `options.search_pairs` goes on to
-/// improve. Describes it in `facts`, whose wanted pairs, room, workers and bounds are known. W ≥ 2.
+/// The best for several numbers of parts and several orders, which `options.search_pairs` goes on
+/// to improve. Describes it in `facts`, whose wanted pairs, room, workers and bounds are known.
+/// W ≥ 2.
 [[nodiscard]] LockstepLists lockstep_of_list(LoadOrderFacts& facts, const PairGraph& graph,
                                              const LoadOrderOptions& options);
 

@@ -17,7 +17,8 @@ inline constexpr std::size_t not_again = ~std::size_t{0};
 /// The loads of the best start (pairs/starts.hpp). O(pairs) for each start
 [[nodiscard]] std::vector<LoadMove> quick_moves(const PairGraph& graph, std::uint64_t room);
 
-/// The loads of all starts that do not have much more than the best before them, the best one first.
+/// The loads of all starts that do not have much more than the best before them; the best one is
+/// first.
 [[nodiscard]] std::vector<std::vector<LoadMove>> several_orders(const PairGraph& graph,
                                                                 std::uint64_t room);
 

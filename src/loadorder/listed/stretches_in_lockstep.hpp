@@ -21,10 +21,10 @@ class StretchesInLockstep {
 
   [[nodiscard]] std::size_t jobs() const { return jobs_.size(); }
 
-  /// Plays the workers, whose first jobs are `begins`; the first of these is 0. An item that another
-  /// worker needs is taken from one that has more than `patience` jobs to do before it needs it
-  /// again, or if no worker could go on; that one loads it again. Nullopt if it takes more than
-  /// `most_steps`. O(loads · workers)
+  /// Plays the workers, whose first jobs are `begins`; the first of these is 0. An item that
+  /// another worker needs is taken from one that has more than `patience` jobs to do before it
+  /// needs it again, or if no worker could go on; that one loads it again. Nullopt if it takes more
+  /// than `most_steps`. O(loads · workers)
   [[nodiscard]] std::optional<LockstepEvents> play(const std::vector<std::size_t>& begins,
                                                    std::size_t patience,
                                                    std::uint64_t most_steps) const;

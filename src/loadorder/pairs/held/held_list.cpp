@@ -48,8 +48,8 @@ class Passing {
   std::uint32_t round_ = 0;
 };
 
-// Calls load(move) for each load. Of the items that pass, one that is in the next group comes last, if
-// there is one: it stays.
+// Calls load(move) for each load. Of the items that pass, one that is in the next group comes last,
+// if there is one: it stays.
 template <typename Load>
 void play(const PairGraph& graph, const Groups& groups, std::uint64_t room, Load&& load) {
   Passing passing(graph);

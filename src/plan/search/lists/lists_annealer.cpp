@@ -142,14 +142,17 @@ bool ListsAnnealer::refuses_unseen(const Lists::Rise& rise) {
 
 void ListsAnnealer::decide() {
   // Most moves are refused for what they cost and leave open, without asking the clock.
-  bool refused = refuses(least_energy({}));
-  refused = refused || (lists_->has_clock() && refuses(energy()));
+  double now = least_energy({});
+  bool refused = refuses(now);
+  if (!refused && lists_->has_clock()) {
+    now = energy();
+    refused = refuses(now);
+  }
   most_rise_.reset();
   if (refused) {
     lists_->undo();
     return;
   }
-  const double now = energy();
   const double rise = now - energy_;
   lists_->keep();
   energy_ = now;
