@@ -117,7 +117,7 @@ TEST(FindMinimum, SaysThatNothingIsPossible) {
 }
 
 TEST(FindMinimum, LeavesAnIntervalWhenItIsStopped) {
-  const Parameters p{.v = 23, .k = 5, .change = 1};
+  const Parameters p{.v = 40, .k = 8, .change = 1};  // 4 blocks above the bound
   const auto known = from_construction(p);
   ASSERT_TRUE(known.has_value());
   RunControl none({.time = std::chrono::seconds(0)});
