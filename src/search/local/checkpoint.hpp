@@ -38,7 +38,9 @@ namespace changeover {
 
 /// One kind of attempt of local_search.hpp, and its cost so far.
 struct SearchArm {
-  enum class Method : std::uint8_t { free, reheated, imposed };
+  /// Blocks without symmetry, from a random list (free, and cold at low temperatures) or from the
+  /// best design (reheated); base blocks of an imposed automorphism. Checkpoints have the numbers.
+  enum class Method : std::uint8_t { free, reheated, imposed, cold };
   Method method = Method::free;
   std::uint32_t order = 0;   ///< n of an imposed automorphism
   std::uint32_t fixed = 0;   ///< its fixed elements
@@ -47,6 +49,10 @@ struct SearchArm {
   std::uint64_t spent = 0;   ///< moves so far
   std::uint64_t step = 1;    ///< how far below the best design it aims
   std::uint64_t missed = 0;  ///< what the last attempt at the nearest aim missed
+
+  [[nodiscard]] bool from_random_list() const {
+    return method == Method::free || method == Method::cold;
+  }
 
   /// The imposed automorphism of designs on v elements; nullopt if there is none.
   [[nodiscard]] std::optional<Automorphism> automorphism(std::uint64_t v) const {

@@ -40,6 +40,7 @@ SearchArms::SearchArms(const Parameters& p, std::uint64_t goal, bool imposed,
                        const WorkShare& share, std::optional<std::uint64_t> most_bytes)
     : parameters_(p), goal_(goal), most_bytes_(most_bytes) {
   arms_.push_back({.method = Method::free, .budget = first_budget_free});
+  arms_.push_back({.method = Method::cold, .budget = first_budget_free});
   arms_.push_back({.method = Method::reheated, .budget = first_budget_reheated});
   if (imposed && p.strength == 2) {
     for (std::uint64_t extra = 0; extra <= SearchArm::most_extra; ++extra) {
@@ -189,7 +190,7 @@ void SearchArms::report(const Attempt& attempt, std::uint64_t missed, bool impro
     arm.budget = doubled;
     arm.step = 1;
   } else {
-    arm.step = arm.method == Method::free ? std::max<std::uint64_t>(1, arm.step / 2) : 1;
+    arm.step = arm.from_random_list() ? std::max<std::uint64_t>(1, arm.step / 2) : 1;
   }
   if (improved) {
     for (SearchArm& other : arms_) {

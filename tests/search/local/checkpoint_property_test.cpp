@@ -21,7 +21,7 @@ using test::some_number;
 
 SearchArm some_arm(const Parameters& p) {
   SearchArm arm{.method = *rc::gen::element(SearchArm::Method::free, SearchArm::Method::reheated,
-                                            SearchArm::Method::imposed),
+                                            SearchArm::Method::imposed, SearchArm::Method::cold),
                 .budget = 1 + some_number(SearchArm::most_moves - 1),
                 .spent = some_number(SearchArm::most_moves),
                 .step = some_number(SearchArm::most_step),

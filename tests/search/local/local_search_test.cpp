@@ -117,7 +117,7 @@ TEST(Improve, SeveralThreadsAndSharesFindValidDesigns) {
 TEST(Improve, TellsHowFarItIs) {
   std::set<std::string> phases;
   std::uint64_t least_bound = 1000;
-  const ImproveResult found = search({.v = 47, .k = 9, .change = 1}, {.moves = 2'000'000},
+  const ImproveResult found = search({.v = 47, .k = 9, .change = 1}, {.moves = 4'000'000},
                                      {.on_progress =
                                           [&](const Progress& progress) {
                                             if (!progress.lower_bound) {
