@@ -15,11 +15,34 @@ namespace {
 
 constexpr std::uint32_t tries_a_place = 6;
 constexpr std::size_t most_places_at_an_end = 40;
-constexpr std::size_t walk_a_place = 30;  // steps for each element of the design
-constexpr std::size_t walk_from_another = 300;
-constexpr std::size_t last_walk = 20000;
+constexpr std::size_t walk_a_place = 2;  // steps for each element of the design
+constexpr std::size_t walk_from_another = 15;
+constexpr std::size_t last_walk = 500;
 constexpr std::size_t last_walks = 3;
 constexpr std::size_t rest_of_a_set = 20;  // steps until a set that went may come back
+
+// Elements that no chosen set holds.
+class FreeElements {
+ public:
+  explicit FreeElements(std::size_t v) : place_(v) {}
+  [[nodiscard]] bool empty() const { return elements_.empty(); }
+  [[nodiscard]] Element any(Random& random) const {
+    return elements_[random.below(static_cast<std::uint32_t>(elements_.size()))];
+  }
+  void add(Element x) {
+    place_[x] = elements_.size();
+    elements_.push_back(x);
+  }
+  void remove(Element x) {
+    elements_[place_[x]] = elements_.back();
+    place_[elements_.back()] = place_[x];
+    elements_.pop_back();
+  }
+
+ private:
+  std::vector<Element> elements_;
+  std::vector<std::size_t> place_;  // in elements_, of those that are there
+};
 
 class Packing {
  public:
@@ -94,18 +117,22 @@ class Packing {
     }
     std::size_t size = start.size();
     std::vector<std::size_t> back(sets_.size(), 0);
-    for (std::size_t step = 0; step < steps && start.size() < most(hinge); ++step) {
-      const auto x = static_cast<std::size_t>(random.below(static_cast<std::uint32_t>(v_)));
-      if (holder[x] != none || with_[x].empty()) {
-        continue;
+    FreeElements free(v_);
+    for (Element x = 0; x < v_; ++x) {
+      if (holder[x] == none && !with_[x].empty()) {
+        free.add(x);
       }
+    }
+    for (std::size_t step = 0; step < steps && !free.empty() && start.size() < most(hinge);
+         ++step) {
+      const Element x = free.any(random);
       const std::uint32_t come =
           with_[x][random.below(static_cast<std::uint32_t>(with_[x].size()))];
       std::uint32_t gone = none;
       bool fits = back[come] <= step;
-      for (const Element y : sets_[come].elements) {
-        const std::uint32_t other = holder[y];
-        fits = fits && other != never && (other == none || gone == none || other == gone);
+      for (std::size_t i = 0; i < part_size_ && fits; ++i) {
+        const std::uint32_t other = holder[sets_[come].elements[i]];
+        fits = other == none || (other != never && (gone == none || other == gone));
         gone = other == none ? gone : other;
       }
       if (!fits) {
@@ -114,12 +141,14 @@ class Packing {
       if (gone != none) {
         for (const Element y : sets_[gone].elements) {
           holder[y] = none;
+          free.add(y);
         }
         back[gone] = step + rest_of_a_set;
         --size;
       }
       for (const Element y : sets_[come].elements) {
         holder[y] = come;
+        free.remove(y);
       }
       if (++size > start.size()) {
         start.clear();
