@@ -210,7 +210,7 @@ class WorkerLoads(_Loads):
     has been together in the memory of some worker."""
 
     items: int = fact()
-    room: int = fact()
+    room: int = fact("Of items with sizes the most that fit.")
     loads: int = fact("Of all workers together.")
     worker_loads: List[int] = fact("Of each worker.")
     makespan: int = fact("The loads of the worker that has most.")
@@ -224,6 +224,10 @@ class WorkerLoads(_Loads):
     span: Optional[int] = fact(
         "Of workers in lockstep: the most loads of one of them in a step, added up.")
     epoch_loads: Optional[List[int]] = fact("Of all workers in each epoch, if there are several.")
+    bytes: Optional[int] = fact("That all workers load, if items have sizes.")
+    worker_bytes: Optional[List[int]] = fact("Of each worker.")
+    makespan_bytes: Optional[int] = fact("Of the worker that loads most bytes.")
+    makespan_bytes_bound: Optional[int] = fact("However it is split, some worker loads so many.")
 
     def steps(self, worker: int) -> Iterator[Step]:
         """The steps of one worker, from 0."""
@@ -414,7 +418,7 @@ def load_order(
     steps that have it, balanced over the steps, by seed.
 
     sizes, instead of room: the bytes of the items, in turn or as a mapping from item to bytes;
-    `memory` bytes are held at a time. verify_beside: return before the steps are verified;
+    `memory` bytes are held at a time, by each worker. verify_beside: return before the steps are verified;
     verified() waits for that. Raises BadInput, ImpossibleParameters.
     """
     if sum(each is not None for each in (pairs, groups, against, done_items)) > 1:

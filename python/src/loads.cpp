@@ -281,6 +281,22 @@ py::dict facts_in(const Facts& facts, const Loads& loads) {
   return said;
 }
 
+// Of workers, if items have sizes.
+void add_bytes(py::dict& said, const SplitFacts& facts) {
+  const bool has_sizes = facts.makespan_bytes > 0;
+  const auto given = [&](std::uint64_t bytes) {
+    return has_sizes ? std::optional(bytes) : std::nullopt;
+  };
+  std::vector<std::uint64_t> each;
+  for (const WorkerFacts& worker : facts.workers) {
+    each.push_back(worker.bytes);
+  }
+  said["bytes"] = given(facts.bytes);
+  said["worker_bytes"] = has_sizes ? std::optional(each) : std::nullopt;
+  said["makespan_bytes"] = given(facts.makespan_bytes);
+  said["makespan_bytes_bound"] = given(facts.makespan_bytes_bound.loads);
+}
+
 py::dict facts_of(const LoadOrder& order, const Loads& loads) {
   const LoadOrderFacts& facts = order.facts();
   py::dict said = facts_in(facts, loads);
@@ -301,6 +317,7 @@ py::dict facts_of(const LoadOrder& order, const Loads& loads) {
       facts.worker_pairs.empty() ? std::nullopt : std::optional(facts.worker_pairs);
   said["worker_costs"] = py::none();
   said["span"] = facts.span;
+  add_bytes(said, {});
   return said;
 }
 
@@ -326,6 +343,7 @@ py::dict facts_of(const Loads& loads) {
   said["worker_pairs"] = facts.pairs_are_known ? py::object(pairs) : py::none();
   said["worker_costs"] = facts.has_costs ? py::object(costs) : py::none();
   said["span"] = py::none();
+  add_bytes(said, facts);
   return said;
 }
 

@@ -140,6 +140,7 @@ struct ScheduleFacts {
   std::uint64_t most_in_a_step = 0;        ///< pairs computed, of one worker
   std::vector<std::uint64_t> epoch_loads;  ///< of all workers
   std::vector<std::uint64_t> worker_loads;
+  std::vector<std::uint64_t> worker_bytes;  ///< loaded by each, if items have sizes
   /// Pairs computed by each worker, including items alone. For workers one after another whose
   /// pairs only have to meet: the pairs that met first at each, if requested
   /// (CheckOptions::by_worker).

@@ -80,6 +80,7 @@ struct WorkerFacts {
   std::uint64_t first_step = 0;  ///< in the common order, from 1; 0 if the worker has no steps
   std::uint64_t steps = 0;
   std::uint64_t loads = 0;
+  std::uint64_t bytes = 0;  ///< loaded, if items have sizes
   std::uint64_t pairs = 0;  ///< computed by the worker
   double cost = 0;          ///< of these pairs, if pairs have costs
 };
@@ -88,11 +89,14 @@ struct SplitFacts {
   std::uint64_t items = 0;
   std::uint64_t room = 0;
   std::uint64_t groups = 0;  ///< G, the number of groups; equal to items if they are not grouped
-  std::uint64_t group_room = 0;  ///< groups in memory at a time
-  std::uint64_t loads = 0;       ///< of all workers
-  std::uint64_t makespan = 0;    ///< loads of the busiest worker
-  std::uint64_t transfers = 0;   ///< to the accelerators of all workers, for two levels
-  LoadBound makespan_bound;      ///< no split has a smaller makespan
+  std::uint64_t group_room = 0;      ///< groups in memory at a time
+  std::uint64_t loads = 0;           ///< of all workers
+  std::uint64_t makespan = 0;        ///< loads of the busiest worker
+  std::uint64_t transfers = 0;       ///< to the accelerators of all workers, for two levels
+  LoadBound makespan_bound;          ///< no split has a smaller makespan
+  std::uint64_t bytes = 0;           ///< loaded by all workers, if items have sizes
+  std::uint64_t makespan_bytes = 0;  ///< of the worker that loads most bytes
+  LoadBound makespan_bytes_bound;    ///< in any split some worker loads so many
   std::string
       explanation;  ///< one line: how the common order is made, and whether its items are groups
   std::string certificate;  ///< one line: how the split was verified, and which pairs were counted
@@ -177,6 +181,20 @@ class WorkerSplit {
 [[nodiscard]] WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room,
                                            std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
+
+/// For items of different sizes (loadorder/load_order.hpp): the busiest worker loads as few bytes as
+/// we know how. An order is cut so that bytes are even, or items are put into groups of even bytes,
+/// of which each worker holds some and streams others, or of two sets each worker has a part of both.
+/// A load that brings a worker no pair of its own is left out, and up to 2 million pairs each worker
+/// has an order of its own for its pairs. Verified. @throws as plan_sized_order() and split_order()
+[[nodiscard]] WorkerSplit split_sized_order(std::shared_ptr<const ItemSizes> sizes,
+                                            const WantedPairs& wanted, std::uint64_t workers,
+                                            const LoadOrderOptions& options = {});
+
+/// The bytes that some worker loads, however the work is split. @throws as sized_lower_bound(),
+/// BadInput if workers = 0
+[[nodiscard]] LoadBound sized_makespan_bound(const ItemSizes& sizes, const WantedPairs& wanted,
+                                             std::uint64_t workers);
 
 /// For two levels (loadorder/load_order.hpp); each worker has its own memory and accelerator. An
 /// order for all pairs is cut into stretches such that the transfers on both levels of the busiest
@@ -269,11 +287,15 @@ class WorkerSplit {
 // than 65,535 items computed pairs are not tracked: every loaded item is computed against all in
 // memory, and a pair may be computed again.
 
-/// An order, and the places that it leaves free for loads in progress.
+// *Items with sizes.* Instead of a place the bytes of the largest item are free. A load of b bytes
+// takes as long as b/s items of their mean size s, and these as long as the pairs that they can
+// bring together.
+
+/// An order, and what it leaves free for loads in progress.
 template <typename Order>
 struct Prefetched {
   Order order;
-  std::uint64_t spare = 0;  ///< 0 or 1: the order is for room − spare
+  std::uint64_t spare = 0;  ///< 0 or 1: the order is for room − spare; of items with sizes bytes
 };
 using PrefetchPlan = Prefetched<LoadOrder>;
 using PrefetchSplit = Prefetched<WorkerSplit>;  ///< for several workers
@@ -286,6 +308,15 @@ using PrefetchSplit = Prefetched<WorkerSplit>;  ///< for several workers
 /// split_load_order().
 [[nodiscard]] PrefetchSplit split_prefetch(const WantedPairs& wanted, std::uint64_t room,
                                            std::uint64_t workers,
+                                           const LoadOrderOptions& options = {});
+
+/// For items of different sizes. The order has the facts and bounds of the whole memory. @throws as
+/// plan_sized_order() and split_sized_order()
+[[nodiscard]] PrefetchPlan plan_prefetch(const std::shared_ptr<const ItemSizes>& sizes,
+                                         const WantedPairs& wanted,
+                                         const LoadOrderOptions& options = {});
+[[nodiscard]] PrefetchSplit split_prefetch(const std::shared_ptr<const ItemSizes>& sizes,
+                                           const WantedPairs& wanted, std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
 
 }  // namespace changeover

@@ -38,11 +38,13 @@ class PairAssigner {
  public:
   /// `lockstep`: number of workers that step together; 0 if they follow one another. Pairs meet in
   /// memory, or on the `accelerator`, where `room` is counted. `owners`, if given, assigns the
-  /// pairs, for one worker at a time.
+  /// pairs, for one worker at a time. With `sizes` room is counted in bytes.
   PairAssigner(std::uint64_t items, std::uint64_t room, const WantedPairs& wanted = {},
                std::size_t lockstep = 0, bool accelerator = false,
-               std::shared_ptr<const PairOwners> owners = nullptr)
-      : room_(room),
+               std::shared_ptr<const PairOwners> owners = nullptr,
+               std::shared_ptr<const ItemSizes> sizes = nullptr)
+      : room_(sizes != nullptr ? sizes->memory : room),
+        sizes_(std::move(sizes)),
         come_(accelerator ? &Step::fast_load : &Step::load),
         leave_(accelerator ? &Step::fast_evict : &Step::evict),
         wanted_(wanted),
@@ -221,20 +223,33 @@ class PairAssigner {
     if (!goes_on()) {
       return;
     }
-    const std::uint64_t needed = memories_[0].size() + (ahead_.*come_).size();
-    const std::size_t first = needed > room_ ? static_cast<std::size_t>(needed - room_) : 0;
+    std::uint64_t needed = room_taken(memories_[0]) + room_taken(ahead_.*come_);
     const std::vector<Element>& came = out.step.*come_;
     std::vector<Element> evicted = ahead_.*leave_;
     std::stable_partition(evicted.begin(), evicted.end(), [&](Element x) {
       return std::find(came.begin(), came.end(), x) == came.end();
     });
-    const auto middle =
-        evicted.begin() + static_cast<std::ptrdiff_t>(std::min(first, evicted.size()));
+    auto middle = evicted.begin();
+    for (; middle != evicted.end() && needed > room_; ++middle) {
+      needed -= sizes_ != nullptr ? sizes_->bytes[*middle] : 1;
+    }
     out.evicted_first.assign(evicted.begin(), middle);
     out.evicted_late.assign(middle, evicted.end());
   }
 
+  [[nodiscard]] std::uint64_t room_taken(const std::vector<Element>& items) const {
+    if (sizes_ == nullptr) {
+      return items.size();
+    }
+    std::uint64_t bytes = 0;
+    for (const Element x : items) {
+      bytes += sizes_->bytes[x];
+    }
+    return bytes;
+  }
+
   std::uint64_t room_;
+  std::shared_ptr<const ItemSizes> sizes_;
   std::vector<Element> Step::*come_;
   std::vector<Element> Step::*leave_;
   WantedPairs wanted_;

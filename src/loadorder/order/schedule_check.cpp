@@ -321,6 +321,9 @@ class ScheduleCheck::State {
     const std::span<const Element> last(late, step.evict.end());
     stored_ = 0;
     evict(step, first);
+    if (rules_.sizes) {
+      require_bytes(step);
+    }
     if (verdict_.fault.empty() && worker.memory.size() + step.load.size() > rules_.room) {
       fail(step, fmt::format("loads {} when memory is full",
                              step.load[rules_.room - worker.memory.size()]));
@@ -331,6 +334,21 @@ class ScheduleCheck::State {
     }
     if (changes_ && stored_ < step.store.size()) {
       fail(step, fmt::format("stores {}, which it does not evict then", step.store[stored_]));
+    }
+  }
+
+  // What is loaded fits beside all that is in memory while loads run, items that leave late too.
+  void require_bytes(const Step& step) {
+    std::uint64_t free = rules_.sizes->memory - of(step).bytes;
+    for (const Element x : step.load) {
+      if (!verdict_.fault.empty() || x >= rules_.items) {
+        return;
+      }
+      const std::uint64_t size = rules_.sizes->bytes[x];
+      if (size > free) {
+        return fail(step, fmt::format("loads {} of {} bytes where {} are free", x, size, free));
+      }
+      free -= size;
     }
   }
 
@@ -392,8 +410,8 @@ class ScheduleCheck::State {
         computed()->loaded[x] = true;
       }
       memory_.put(x, worker.memory);
-      if (rules_.sizes && !take_bytes(step, x)) {
-        return;
+      if (rules_.sizes) {
+        take_bytes(step, x);
       }
       if (!owner_.empty()) {
         owner_[x] = static_cast<std::uint32_t>(step.worker);
@@ -414,10 +432,7 @@ class ScheduleCheck::State {
       meet(step, x, fast_, worker.accelerator);
       fast_.put(x, worker.accelerator);
     }
-    if (step.worker >= verdict_.worker_loads.size()) {
-      verdict_.worker_loads.resize(static_cast<std::size_t>(step.worker) + 1, 0);
-    }
-    verdict_.worker_loads[static_cast<std::size_t>(step.worker)] += step.load.size();
+    count_at(verdict_.worker_loads, step.worker) += step.load.size();
     verdict_.loads += step.load.size();
     verdict_.epoch_loads.resize(
         std::max<std::size_t>(verdict_.epoch_loads.size(), static_cast<std::size_t>(step.epoch)),
@@ -426,19 +441,14 @@ class ScheduleCheck::State {
     verdict_.transfers += step.fast_load.size();
   }
 
-  // No sum exceeds 64 bits: each value is compared before it is added.
-  bool take_bytes(const Step& step, Element x) {
+  // No sum in memory exceeds 64 bits, since it was compared before.
+  void take_bytes(const Step& step, Element x) {
     Worker& worker = of(step);
     const std::uint64_t size = rules_.sizes->bytes[x];
-    if (size > rules_.sizes->memory - worker.bytes) {
-      fail(step, fmt::format("loads {} of {} bytes where {} are free", x, size,
-                             rules_.sizes->memory - worker.bytes));
-      return false;
-    }
     worker.bytes += size;
     verdict_.bytes += size;
     verdict_.most_bytes = std::max(verdict_.most_bytes, worker.bytes);
-    return true;
+    count_at(verdict_.worker_bytes, step.worker) += size;
   }
 
   void compute(const Step& step, const std::vector<ItemPair>& pairs, bool overlapped) {
@@ -464,7 +474,7 @@ class ScheduleCheck::State {
         is_new = computed()->insert(x, y);
       }
       ++verdict_.computed;
-      ++at_worker(step.worker);
+      ++count_at(verdict_.worker_pairs, step.worker);
       verdict_.repeated += is_new ? 0U : 1U;
       verdict_.overlapped += overlapped ? 1U : 0U;
       for (const Element z : {x, y}) {
@@ -511,15 +521,15 @@ class ScheduleCheck::State {
   // Counts the pairs that met at the worker that ends.
   void count_met() {
     if (met() != nullptr && by_worker_) {
-      at_worker(worker_) += met()->take_count();
+      count_at(verdict_.worker_pairs, worker_) += met()->take_count();
     }
   }
 
-  std::uint64_t& at_worker(std::uint64_t worker) {
-    if (worker >= verdict_.worker_pairs.size()) {
-      verdict_.worker_pairs.resize(static_cast<std::size_t>(worker) + 1, 0);
+  static std::uint64_t& count_at(std::vector<std::uint64_t>& counts, std::uint64_t worker) {
+    if (worker >= counts.size()) {
+      counts.resize(static_cast<std::size_t>(worker) + 1, 0);
     }
-    return verdict_.worker_pairs[static_cast<std::size_t>(worker)];
+    return counts[static_cast<std::size_t>(worker)];
   }
 
   ScheduleRules rules_;

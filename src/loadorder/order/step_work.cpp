@@ -31,7 +31,7 @@ class ComputedSteps final : public StepSource {
         given_(round_.size()),
         assigner_(rules.items, rules.fast_room.value_or(rules.room), rules.wanted,
                   static_cast<std::size_t>(rules.lockstep), rules.fast_room.has_value(),
-                  std::move(owners)) {
+                  std::move(owners), rules.sizes) {
     assigner_.start(std::move(steps));
   }
 

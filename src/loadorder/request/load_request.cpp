@@ -105,11 +105,9 @@ std::vector<OptionRule> rules() {
       {Says::exclude, {"new_pairs", "prefetch"}},
       {Says::needs, {"sizes"}, {"memory"}},
       {Says::only_with, {"memory"}, {"sizes"}},
-      // How many items fit depends on which they are. Shares, levels and what is loaded ahead count
+      // How many items fit depends on which they are. Levels and workers in lockstep count
       // places, each for any item, and so do their bounds.
-      {Says::never_with,
-       {"sizes"},
-       {"room", "workers", "fast_room", "disjoint", "prefetch", "item_bytes"}},
+      {Says::never_with, {"sizes"}, {"room", "fast_room", "disjoint", "item_bytes"}},
       {Says::only_with,
        {"disjoint", "worker", "balance", "first_holder", "pair_cost"},
        {"workers"}},
@@ -144,6 +142,34 @@ void check_epochs_of(const LoadRequest& request, const Words& words) {
   }
 }
 
+void check_from_step_of(const LoadRequest& request, const Words& words) {
+  if (request.from_step && *request.from_step == 0) {
+    words.refuse("from_step",
+                 fmt::format("{} 0: give at least 1, the first step", words.key("from_step")));
+  }
+}
+
+void check_workers_of(const LoadRequest& request, const Words& words) {
+  if (request.workers && (*request.workers == 0 || *request.workers > most_workers)) {
+    words.refuse("workers", *request.workers == 0
+                                ? fmt::format("{} 0: give at least 1 worker", words.key("workers"))
+                                : fmt::format("{} {}: give 1 to {}", words.key("workers"),
+                                              *request.workers, most_workers));
+  }
+  if (request.worker && *request.worker >= *request.workers) {
+    words.refuse("worker",
+                 fmt::format("{} {}: of {} {} give 0 to {}", words.key("worker"), *request.worker,
+                             words.key("workers"), *request.workers, *request.workers - 1));
+  }
+  if (request.write_back && request.workers && !request.disjoint) {
+    words.refuse("write_back", fmt::format("{} {}: two workers would change one item at once; {}",
+                                           words.key("write_back"), words.key("workers"),
+                                           request.fast_room || request.sizes.is_given()
+                                               ? "leave out one of them"
+                                               : fmt::format("add {}", words.key("disjoint"))));
+  }
+}
+
 // Numbers that are out of range by themselves.
 void check_ranges(const LoadRequest& request, const Words& words) {
   const auto at_least_one = [&](std::string_view name, const std::optional<std::uint64_t>& value,
@@ -161,17 +187,8 @@ void check_ranges(const LoadRequest& request, const Words& words) {
     words.refuse("room", fmt::format("{} {}: give at most {}, the most items that there can be",
                                      words.key("room"), *request.room, most_items));
   }
-  at_least_one("workers", request.workers, " worker");
-  at_least_one("from_step", request.from_step, ", the first step");
-  if (request.workers && *request.workers > most_workers) {
-    words.refuse("workers", fmt::format("{} {}: give 1 to {}", words.key("workers"),
-                                        *request.workers, most_workers));
-  }
-  if (request.worker && *request.worker >= *request.workers) {
-    words.refuse("worker",
-                 fmt::format("{} {}: of {} {} give 0 to {}", words.key("worker"), *request.worker,
-                             words.key("workers"), *request.workers, *request.workers - 1));
-  }
+  check_workers_of(request, words);
+  check_from_step_of(request, words);
   check_epochs_of(request, words);
   at_least_one("against", request.against, " item");
   at_least_one("item_bytes", request.item_bytes, "");
@@ -202,6 +219,8 @@ void at_least_two_fit(const LoadRequest& request, const Words& words) {
     }
   }
   check_epochs_of(request, words);
+  check_workers_of(request, words);
+  check_from_step_of(request, words);
 }
 
 // Numbers that cannot be combined.
@@ -247,13 +266,6 @@ void check_together(const LoadRequest& request, const Words& words, bool all) {
                     "items; leave out {}, or group items into larger ones",
                     words.key("epochs"), *request.epochs, most_items_of_a_table,
                     words.key(request.new_pairs ? "new_pairs" : "prefetch")));
-  }
-  if (request.write_back && request.workers && !request.disjoint) {
-    words.refuse("write_back",
-                 fmt::format("{} {}: two workers would change one item at once; {}",
-                             words.key("write_back"), words.key("workers"),
-                             request.fast_room ? "leave out one of them"
-                                               : fmt::format("add {}", words.key("disjoint"))));
   }
 }
 
@@ -303,17 +315,18 @@ std::string load_request_schema() {
 
 namespace {
 
-// Reads item sizes; names of items without a list of pairs define the items.
-void take_sizes(const LoadRequest& request, const Words& words,
-                std::shared_ptr<const PairGraph>& pairs, std::shared_ptr<const ItemSizes>& sizes) {
-  const auto input =
-      open(request.sizes, option_of(load_table(), "sizes").record, words.key("sizes"));
-  std::vector<std::string> names;
+// Reads item sizes, and returns their places; names of items without a list of pairs define the
+// items.
+SizePlace take_sizes(const LoadRequest& request, const Words& words,
+                     std::shared_ptr<const PairGraph>& pairs,
+                     std::shared_ptr<const ItemSizes>& sizes) {
   std::optional<std::uint64_t> items = request.items;
   if (items && request.against) {
     items = checked_add(*items, *request.against);
   }
-  std::vector<std::uint64_t> bytes = read_sizes(*input, items, pairs.get(), names);
+  auto [bytes, names, place] =
+      read_sizes(open(request.sizes, option_of(load_table(), "sizes").record, words.key("sizes")),
+                 items, pairs.get());
   if (!names.empty()) {
     constexpr std::uint64_t most_named = 2'000;
     if (names.size() > most_named || request.against || request.done_items) {
@@ -335,6 +348,7 @@ void take_sizes(const LoadRequest& request, const Words& words,
         std::move(names));
   }
   sizes = std::make_shared<const ItemSizes>(ItemSizes{std::move(bytes), *request.memory});
+  return place;
 }
 
 bool lists_pairs(const LoadRequest& request) {
@@ -402,8 +416,9 @@ CheckedLoads checked_loads(const LoadRequest& request, Door door,
       pairs = listed_pairs(request, words, checked.cost_);
     }
     const bool listed = pairs != nullptr;
+    SizePlace place_of_size;
     if (request.sizes.is_given()) {
-      take_sizes(request, words, pairs, checked.sizes_);
+      place_of_size = take_sizes(request, words, pairs, checked.sizes_);
     }
     if (pairs) {
       checked.wanted_ =
@@ -416,7 +431,7 @@ CheckedLoads checked_loads(const LoadRequest& request, Door door,
       checked.wanted_ = checked.sizes_ ? checked.sizes_->bytes.size() : *request.items;
     }
     if (checked.sizes_) {
-      check_sizes(*checked.sizes_, checked.wanted_);
+      check_sizes(*checked.sizes_, checked.wanted_, place_of_size);
       checked.room_ = most_held(*checked.sizes_, checked.wanted_);
     }
     if (request.spread) {

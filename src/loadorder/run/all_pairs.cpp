@@ -83,10 +83,8 @@ class Job {
           "update_pairs()");
     }
     const auto& sizes = order_.facts().sizes;
-    if (sizes != nullptr && (options_.read_ahead > 0 || options_.share.of > 1)) {
-      throw BadInput(
-          "items have sizes, and memory is for all that is loaded: give no read_ahead and no "
-          "share");
+    if (sizes != nullptr && options_.read_ahead > 0) {
+      throw BadInput("items have sizes, and memory is for all that is loaded: give no read_ahead");
     }
     report_.buffer_bytes =
         sizes != nullptr ? checked_add(sizes->memory, checked_multiply(room_, buffer_alignment))
@@ -109,7 +107,8 @@ class Job {
       split_ = &*own_;
     }
     report_.steps = split_->facts().workers[static_cast<std::size_t>(options_.share.index)].steps;
-    assigner_.emplace(items_, places(), order_.facts().wanted, 0, false, split_->owners());
+    assigner_.emplace(items_, room_, order_.facts().wanted, 0, false, split_->owners(),
+                      order_.facts().sizes);
     std::optional<Journal> journal;
     if (!options_.journal.empty() || options_.results != nullptr) {
       claim_results(journal, fields);
@@ -132,9 +131,6 @@ class Job {
   }
 
  private:
-  // With item sizes, all evictions are made before the next loads start.
-  [[nodiscard]] std::uint64_t places() const { return order_.facts().sizes != nullptr ? 0 : room_; }
-
   [[nodiscard]] bool cancelled() const {
     return options_.cancelled != nullptr && options_.cancelled->load(std::memory_order_relaxed);
   }
@@ -171,7 +167,8 @@ class Job {
       last[static_cast<std::size_t>(record.step - 1)] = &record;
     }
     is_done_.assign(last.size(), false);
-    PairAssigner assigner(items_, places(), order_.facts().wanted, 0, false, split_->owners());
+    PairAssigner assigner(items_, room_, order_.facts().wanted, 0, false, split_->owners(),
+                          order_.facts().sizes);
     skip_what_others_compute(assigner);
     for (std::size_t i = 0; i < last.size() && assigner.next(step_); ++i) {
       if (last[i] == nullptr) {
@@ -443,8 +440,9 @@ AllPairsReport run(ItemSource& source, const LoadOrder& order, const WorkerSplit
   // the order was right.
   const auto read = [&] {
     const auto steps = shares != nullptr ? shares->stream() : order.stream();
-    const ScheduleVerdict verdict =
-        check_schedule(*steps, {.items = facts.items, .room = facts.room, .wanted = facts.wanted});
+    const ScheduleVerdict verdict = check_schedule(
+        *steps,
+        {.items = facts.items, .room = facts.room, .wanted = facts.wanted, .sizes = facts.sizes});
     if (!verdict.valid() || verdict.steps != facts.steps) {
       throw BadInput(fmt::format("this is not a load order of {} items with room for {}: {}{}",
                                  facts.items, facts.room, verdict.fault, verdict.example));

@@ -23,6 +23,7 @@ struct Base {
   [[nodiscard]] std::uint64_t workers() const { return shares.size() * (groups / step); }
   [[nodiscard]] std::uint64_t held() const { return shares.front().held.size(); }
   [[nodiscard]] std::uint64_t all() const { return held() + shares.front().streamed.size(); }
+  [[nodiscard]] ShareShape shape() const { return {workers(), groups, held(), all()}; }
 };
 
 Base parsed(std::string_view line) {
@@ -105,16 +106,14 @@ class Choice {
     GroupShares shares;
   };
 
-  Choice(std::uint64_t items, std::uint64_t room, std::uint64_t workers, std::uint64_t than)
-      : items_(items), room_(room), workers_(workers), than_(than) {}
+  Choice(std::uint64_t items, std::uint64_t room, std::uint64_t than)
+      : items_(items), room_(room), than_(than) {}
 
-  /// Whether shares of this many workers and groups, `held` of them all the time, may be good
-  /// enough.
-  [[nodiscard]] bool is_hopeful(std::uint64_t workers, std::uint64_t groups, std::uint64_t held,
-                                std::uint64_t all) const {
+  /// Whether shares may be good enough.
+  [[nodiscard]] bool is_hopeful(const ShareShape& shape) const {
     // The average can be less than a whole number of items.
-    return workers <= workers_ && groups <= items_ && all * items_ / groups <= most() &&
-           held * (items_ / groups) <= room_;
+    return shape.all * items_ / shape.groups <= most() &&
+           shape.held * (items_ / shape.groups) <= room_;
   }
 
   void consider(GroupShares shares) {
@@ -152,29 +151,11 @@ class Choice {
     return std::min(than_ - 1, least_ + std::min(least_, than_) / 30);
   }
 
-  std::uint64_t items_, room_, workers_;
+  std::uint64_t items_, room_;
   std::uint64_t than_;
   std::uint64_t least_ = std::numeric_limits<std::uint64_t>::max() / 2;
   std::vector<Candidate> candidates_;
 };
-
-void consider_planes(Choice& choice, std::uint64_t workers) {
-  constexpr std::uint64_t largest_order = 101;
-  for (const bool affine : {false, true}) {
-    std::uint64_t q = 2;
-    while (q < largest_order && (q + 1) * (q + 1) + (q + 1) + (affine ? 0 : 1) <= workers) {
-      ++q;
-    }
-    while (q > 1 && !FiniteField::of_order(q)) {
-      --q;
-    }
-    const std::uint64_t points = q * q + (affine ? 0 : q + 1);
-    const std::uint64_t on_a_line = q + (affine ? 0 : 1);
-    if (q > 1 && choice.is_hopeful(q * q + q + (affine ? 0 : 1), points, on_a_line, on_a_line)) {
-      choice.consider(plane_shares(q, affine));
-    }
-  }
-}
 
 // Worker i holds group i and streams the next half of the groups.
 GroupShares halves(std::uint64_t workers) {
@@ -189,19 +170,42 @@ GroupShares halves(std::uint64_t workers) {
 
 GroupShares developed_shares(std::string_view line) { return developed(parsed(line)); }
 
-std::optional<GroupShares> best_group_shares(std::uint64_t items, std::uint64_t room,
-                                             std::uint64_t workers, std::uint64_t than) {
-  Choice choice(items, room, workers, than);
-  consider_planes(choice, workers);
-  const std::uint64_t ring = std::min(workers, items);
-  if (ring > 1 && choice.is_hopeful(ring, ring, 1, 1 + ring / 2)) {
-    choice.consider(halves(ring));
-  }
-  for (const Base& base : bases()) {
-    if (choice.is_hopeful(base.workers(), base.groups, base.held(), base.all())) {
-      choice.consider(developed(base));
+void each_group_shares(std::uint64_t workers, std::uint64_t items,
+                       const std::function<bool(const ShareShape& shape)>& is_hopeful,
+                       const std::function<void(GroupShares shares)>& visit) {
+  constexpr std::uint64_t largest_order = 101;
+  for (const bool affine : {false, true}) {
+    std::uint64_t q = 2;
+    while (q < largest_order && (q + 1) * (q + 1) + (q + 1) + (affine ? 0 : 1) <= workers) {
+      ++q;
+    }
+    while (q > 1 && !FiniteField::of_order(q)) {
+      --q;
+    }
+    const std::uint64_t on_a_line = q + (affine ? 0 : 1);
+    const ShareShape shape{q * q + q + (affine ? 0 : 1), q * q + (affine ? 0 : q + 1), on_a_line,
+                           on_a_line};
+    if (q > 1 && shape.workers <= workers && shape.groups <= items && is_hopeful(shape)) {
+      visit(plane_shares(q, affine));
     }
   }
+  const std::uint64_t ring = std::min(workers, items);
+  if (ring > 1 && is_hopeful({ring, ring, 1, 1 + ring / 2})) {
+    visit(halves(ring));
+  }
+  for (const Base& base : bases()) {
+    if (base.workers() <= workers && base.groups <= items && is_hopeful(base.shape())) {
+      visit(developed(base));
+    }
+  }
+}
+
+std::optional<GroupShares> best_group_shares(std::uint64_t items, std::uint64_t room,
+                                             std::uint64_t workers, std::uint64_t than) {
+  Choice choice(items, room, than);
+  each_group_shares(
+      workers, items, [&](const ShareShape& shape) { return choice.is_hopeful(shape); },
+      [&](GroupShares shares) { choice.consider(std::move(shares)); });
   // Loads matter more than even pairs.
   constexpr std::size_t most_looks = 6;
   constexpr double even = 1.05;

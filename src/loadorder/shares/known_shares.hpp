@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -27,6 +28,19 @@ namespace changeover {
 
 /// All lines of the table (share_table.inc).
 [[nodiscard]] std::span<const char* const> share_table();
+
+/// What shares have: workers, groups, and how many of these each worker holds and has in all.
+struct ShareShape {
+  std::uint64_t workers = 0;
+  std::uint64_t groups = 0;
+  std::uint64_t held = 0;
+  std::uint64_t all = 0;
+};
+
+/// Visits the known shares of at most so many workers and items that are hopeful.
+void each_group_shares(std::uint64_t workers, std::uint64_t items,
+                       const std::function<bool(const ShareShape& shape)>& is_hopeful,
+                       const std::function<void(GroupShares shares)>& visit);
 
 /// The shares with the fewest loads of the busiest worker, then of all workers, if the former are
 /// fewer than `than`; items ≥ 2, room ≥ 2. Workers without a share get pairs of others, if that

@@ -56,12 +56,22 @@ void set_pairs(SplitFacts& facts, const std::vector<std::uint64_t>& pairs) {
   }
 }
 
+void count_moves_of(const std::vector<Move>& moves, WorkerFacts& worker) {
+  worker.first_step = worker.loads = 0;
+  worker.steps = moves.size();
+  for (const Move& move : moves) {
+    worker.loads += move.load.size();
+  }
+}
+
 void sum_up(SplitFacts& facts) {
-  facts.loads = facts.makespan = facts.most_pairs = 0;
+  facts.loads = facts.makespan = facts.most_pairs = facts.bytes = facts.makespan_bytes = 0;
   facts.most_cost = facts.all_costs = 0;
   for (const WorkerFacts& worker : facts.workers) {
     facts.loads += worker.loads;
     facts.makespan = std::max(facts.makespan, worker.loads);
+    facts.bytes += worker.bytes;
+    facts.makespan_bytes = std::max(facts.makespan_bytes, worker.bytes);
     facts.most_pairs = std::max(facts.most_pairs, worker.pairs);
     facts.most_cost = std::max(facts.most_cost, worker.cost);
     facts.all_costs += worker.cost;
@@ -90,6 +100,9 @@ WorkerSplit SplitMaker::stretches(LoadOrder order, std::uint64_t items, std::uin
   facts.group_room = whole.room;
   const WantedPairs wanted = whole.wanted.among(items);
   facts.makespan_bound = makespan_lower_bound(wanted, room, workers);
+  if (whole.sizes) {
+    facts.makespan_bytes_bound = sized_makespan_bound(*whole.sizes, wanted, workers);
+  }
   facts.certificate = (whole.items < items ? "of groups of items: " : "") + whole.certificate;
   facts.all_pairs = wanted.count();
   Stretches cut = cut_order(order, items, workers, even_pairs);
@@ -98,7 +111,27 @@ WorkerSplit SplitMaker::stretches(LoadOrder order, std::uint64_t items, std::uin
   sum_up(facts);
   WorkerSplit split(std::move(facts), std::move(order));
   put_in_words(split);
+  weigh(split);
   return split;
+}
+
+// Adds up the bytes that each worker loads.
+void SplitMaker::weigh(WorkerSplit& split) {
+  const std::shared_ptr<const ItemSizes> sizes = split.order_.facts().sizes;
+  if (sizes == nullptr) {
+    return;
+  }
+  for (std::size_t w = 0; w < split.facts_.workers.size(); ++w) {
+    std::uint64_t bytes = 0;
+    const auto steps = split.stream(w);
+    for (Step step; steps->next(step);) {
+      for (const Element x : step.load) {
+        bytes = checked_add(bytes, sizes->bytes[x]);
+      }
+    }
+    split.facts_.workers[w].bytes = bytes;
+  }
+  sum_up(split.facts_);
 }
 
 void SplitMaker::put_in_words(WorkerSplit& split) {
@@ -126,6 +159,29 @@ void SplitMaker::take_steps(WorkerSplit& split, std::shared_ptr<const WorkerStep
   split.order_ = LoadOrder(std::move(whole), [steps, workers = facts.workers.size()] {
     return one_after_another(steps, workers);
   });
+  weigh(split);
+}
+
+WorkerSplit SplitMaker::lists(const WorkerSplit& like, const std::vector<std::vector<Move>>& moves,
+                              const std::string& method, const std::string& explanation) {
+  SplitFacts facts = like.facts();
+  LoadOrderFacts whole = like.order().facts();
+  facts.groups = facts.items;
+  facts.group_room = facts.room;
+  facts.cut_by_loads = false;
+  facts.pairs_are_known = false;
+  auto lists = std::make_shared<StepLists>();
+  for (std::size_t w = 0; w < facts.workers.size(); ++w) {
+    facts.workers[w] = {};
+    lists->add(w < moves.size() ? moves[w] : std::vector<Move>());
+    count_moves_of(w < moves.size() ? moves[w] : std::vector<Move>(), facts.workers[w]);
+  }
+  whole.method = method;
+  whole.explanation = explanation;
+  WorkerSplit split(std::move(facts), LoadOrder(std::move(whole), {}));
+  take_steps(split, std::move(lists));
+  put_in_words(split);
+  return split;
 }
 
 WorkerSplit SplitMaker::shares(GroupShares shares, std::uint64_t items, std::uint64_t room,
@@ -222,12 +278,9 @@ void SplitMaker::leave_out_unneeded(WorkerSplit& split) {
       std::erase_if(step.load, std::not_fn(is_needed));
       moves.push_back({step.evict, step.load});
     }
-    moves = lazily(std::move(moves), facts.room);
+    moves = lazily(std::move(moves), facts.room, split.order_.facts().sizes.get());
     facts.workers[w] = {};
-    facts.workers[w].steps = moves.size();
-    for (const Move& move : moves) {
-      facts.workers[w].loads += move.load.size();
-    }
+    count_moves_of(moves, facts.workers[w]);
     lists->add(moves);
   }
   split.owners_ = nullptr;  // they belonged to the former steps
@@ -310,17 +363,17 @@ void SplitMaker::give_pairs(WorkerSplit& split, const LoadOrderOptions& options)
   sum_up(facts);
 }
 
-WorkerSplit SplitMaker::two_levels(WorkerSplit split, std::uint64_t fast_room,
-                                   const LoadOrderOptions& options) {
-  constexpr std::size_t most_searched = 4;  // workers, some seconds each
+void SplitMaker::own_orders(WorkerSplit& split, const OwnOrder& make) {
   SplitFacts& facts = split.facts_;
-  LoadOrderFacts whole = split.order_.facts();
-  const PairGraph& graph = *whole.wanted.graph();
+  const WantedPairs& wanted = split.order_.facts().wanted;
+  const auto has_partner = [&](Element x) {
+    return wanted.graph() == nullptr || !wanted.graph()->partners(x).empty();
+  };
   std::vector<std::vector<ItemPair>> pairs(facts.workers.size());
   StepWork work(split.stream(), split.rules(ComputeRules{.self = true}), split.owners_);
   for (Step step; work.next(step);) {
     for (const auto& [x, y] : step.compute) {
-      if (x != y || graph.partners(x).empty()) {
+      if (x != y || !has_partner(x)) {
         pairs[static_cast<std::size_t>(step.worker)].emplace_back(x, y);
       }
     }
@@ -329,14 +382,10 @@ WorkerSplit SplitMaker::two_levels(WorkerSplit split, std::uint64_t fast_room,
   std::vector<std::vector<Element>> alone(pairs.size());
   std::vector<bool> is_loaded(static_cast<std::size_t>(facts.items), false);
   facts.transfers = 0;
+  const std::vector<std::vector<Move>> moves = make(pairs);
   for (std::size_t w = 0; w < pairs.size(); ++w) {
-    const std::vector<Move> moves =
-        listed_levels_of(pairs[w], facts.room, fast_room, pairs.size() <= most_searched, options);
-    WorkerFacts& worker = facts.workers[w];
-    worker.first_step = worker.loads = 0;
-    worker.steps = moves.size();
-    for (const Move& move : moves) {
-      worker.loads += move.load.size();
+    count_moves_of(moves[w], facts.workers[w]);
+    for (const Move& move : moves[w]) {
       facts.transfers += move.fast_load.size();
       for (const Element x : move.load) {
         if (!is_loaded[x]) {
@@ -345,24 +394,38 @@ WorkerSplit SplitMaker::two_levels(WorkerSplit split, std::uint64_t fast_room,
         }
       }
     }
-    lists->add(moves);
+    lists->add(moves[w]);
   }
   facts.cut_by_loads = false;
   facts.groups = facts.items;
   facts.group_room = facts.room;
-  whole.fast_room = fast_room;
-  whole.transfer_bound = load_lower_bound(whole.wanted, fast_room);
-  whole.transfers = facts.transfers;
-  whole.method = "two levels";
-  whole.explanation =
-      "Pairs are given to workers as at one level; each worker has an order for its pairs.";
   if (pairs.size() <= most_workers_of_a_table) {
-    split.owners_ = owners_of_lists(whole.wanted, pairs, alone);
+    split.owners_ = owners_of_lists(wanted.among(facts.items), pairs, alone);
   } else {  // The first that has a pair computes it, which is known when all is read.
     facts.pairs_are_known = false;
   }
-  split.order_ = LoadOrder(std::move(whole), split.order_.maker());
   take_steps(split, std::move(lists));
+}
+
+WorkerSplit SplitMaker::two_levels(WorkerSplit split, std::uint64_t fast_room,
+                                   const LoadOrderOptions& options) {
+  constexpr std::size_t most_searched = 4;  // workers, some seconds each
+  own_orders(split, [&](const std::vector<std::vector<ItemPair>>& pairs) {
+    std::vector<std::vector<Move>> moves;
+    for (const std::vector<ItemPair>& of_worker : pairs) {
+      moves.push_back(listed_levels_of(of_worker, split.facts().room, fast_room,
+                                       pairs.size() <= most_searched, options));
+    }
+    return moves;
+  });
+  LoadOrderFacts whole = split.order_.facts();
+  whole.fast_room = fast_room;
+  whole.transfer_bound = load_lower_bound(whole.wanted, fast_room);
+  whole.transfers = split.facts_.transfers;
+  whole.method = "two levels";
+  whole.explanation =
+      "Pairs are given to workers as at one level; each worker has an order for its pairs.";
+  split.order_ = LoadOrder(std::move(whole), split.order_.maker());
   put_in_words(split);
   return split;
 }
@@ -384,7 +447,7 @@ void SplitMaker::verify(WorkerSplit& split, const LoadOrderOptions& options) {
     }
     return;
   }
-  if (!options.read_first) {
+  if (!options.read_first && !whole.sizes) {
     return say(false, "not read yet");
   }
   const std::string what =
@@ -412,7 +475,10 @@ void SplitMaker::verify(WorkerSplit& split, const LoadOrderOptions& options) {
   }
   // Pairs that met first are the computed ones if they belong to the first worker that has them.
   const bool are_shown = facts.pairs_are_known && (computes || split.owners_ == nullptr);
-  if (!verdict.valid() || verdict.loads != facts.loads ||
+  verdict.worker_bytes.resize(facts.workers.size(), 0);
+  const bool are_weighed = !whole.sizes || std::ranges::equal(verdict.worker_bytes, facts.workers,
+                                                              {}, {}, &WorkerFacts::bytes);
+  if (!verdict.valid() || verdict.loads != facts.loads || !are_weighed ||
       (are_shown && verdict.worker_pairs != said)) {
     throw InternalError(
         fmt::format("the split of {} is wrong: {}{}", what, verdict.fault, verdict.example));
@@ -423,13 +489,17 @@ void SplitMaker::verify(WorkerSplit& split, const LoadOrderOptions& options) {
     sum_up(facts);
   }
   facts.transfers = verdict.transfers;
+  whole.bytes = verdict.bytes;
+  whole.most_bytes = verdict.most_bytes;
+  const std::string bytes =
+      whole.sizes ? fmt::format(", at most {} bytes in memory", verdict.most_bytes) : "";
   say(true, whole.fast_room ? "every step read: room at both levels, " +
                                   pairs_read(verdict, facts.all_pairs, " on the accelerator")
             : whole.wanted.are_all()
-                ? fmt::format("every step read, all {} pairs met", facts.all_pairs)
-            : facts.all_pairs == 1
-                ? std::string("every step read, the wanted pair met")
-                : fmt::format("every step read, all {} wanted pairs met", facts.all_pairs));
+                ? fmt::format("every step read, all {} pairs met{}", facts.all_pairs, bytes)
+            : facts.all_pairs == 1 ? "every step read, the wanted pair met" + bytes
+                                   : fmt::format("every step read, all {} wanted pairs met{}",
+                                                 facts.all_pairs, bytes));
 }
 
 // All groups are treated alike: shares with two items per group are right if and only if those with

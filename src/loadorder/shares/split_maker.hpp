@@ -10,6 +10,7 @@
 #include "changeover/loadorder/workers.hpp"
 #include "loadorder/pairs/held/held_blocks.hpp"
 #include "loadorder/shares/group_shares.hpp"
+#include "loadorder/shares/step_lists.hpp"
 
 namespace changeover {
 
@@ -23,6 +24,9 @@ class SplitMaker {
                             std::uint64_t workers);
   /// For two sets: like `other`, but one block per worker.
   static WorkerSplit blocks(HeldBlocks blocks, const WorkerSplit& other);
+  /// Like `other`, but with these steps of each worker.
+  static WorkerSplit lists(const WorkerSplit& other, const std::vector<std::vector<Move>>& moves,
+                           const std::string& method, const std::string& explanation);
   /// The same steps for these wanted pairs only, without items that are in none of them.
   static WorkerSplit for_fewer_pairs(WorkerSplit split, const WantedPairs& wanted,
                                      const LoadBound& bound, const LoadBound& makespan_bound);
@@ -35,6 +39,11 @@ class SplitMaker {
   static void spread(WorkerSplit& split, const std::function<bool(Element, Element)>& computed = {},
                      const std::function<double(Element, Element)>& cost = {},
                      bool first_holder = false);
+  /// The steps of each worker, made of the pairs that it computes; (x,x) for an item in no pair.
+  using OwnOrder = std::function<std::vector<std::vector<Move>>(
+      const std::vector<std::vector<ItemPair>>& pairs)>;
+  /// Gives each worker an order of its own for the pairs that it computes.
+  static void own_orders(WorkerSplit& split, const OwnOrder& make);
   /// Two levels for some pairs: each worker has the pairs of a split of one level, with an order of
   /// its own for them.
   static WorkerSplit two_levels(WorkerSplit split, std::uint64_t fast_room,
@@ -47,6 +56,7 @@ class SplitMaker {
  private:
   static bool are_few(const WorkerSplit& split);
   static void leave_out_unneeded(WorkerSplit& split);
+  static void weigh(WorkerSplit& split);
   static void put_in_words(WorkerSplit& split);
   static void take_steps(WorkerSplit& split, std::shared_ptr<const WorkerSteps> steps);
   static std::string certify(const GroupShares& shares);

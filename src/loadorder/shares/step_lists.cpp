@@ -8,7 +8,11 @@
 
 namespace changeover {
 
-std::vector<Move> lazily(std::vector<Move> moves, std::uint64_t room) {
+std::vector<Move> lazily(std::vector<Move> moves, std::uint64_t room, const ItemSizes* sizes) {
+  const auto size = [&](Element x) { return sizes != nullptr ? sizes->bytes[x] : 1; };
+  if (sizes != nullptr) {
+    room = sizes->memory;
+  }
   constexpr std::size_t never = ~std::size_t{0};
   // The step in which an evicted item is loaded again.
   std::unordered_map<Element, std::size_t> next;
@@ -27,7 +31,7 @@ std::vector<Move> lazily(std::vector<Move> moves, std::uint64_t room) {
       idle;  // candidates for eviction, the one needed last first
   std::unordered_map<Element, std::size_t> is_idle;
   std::vector<Move> out;
-  std::size_t held = 0;  // including idle items
+  std::uint64_t held = 0;  // including idle items
   for (std::size_t i = 0; i < moves.size(); ++i) {
     Move move;
     for (std::size_t j = 0; j < moves[i].evict.size(); ++j) {
@@ -37,19 +41,19 @@ std::vector<Move> lazily(std::vector<Move> moves, std::uint64_t room) {
     for (const Element x : moves[i].load) {
       if (is_idle.erase(x) == 0) {
         move.load.push_back(x);
+        held += size(x);
       }
     }
-    while (held + move.load.size() > room) {
+    while (held > room) {
       const auto [when, item] = idle.top();
       idle.pop();
       const auto found = is_idle.find(item);
       if (found != is_idle.end() && found->second == when) {
         is_idle.erase(found);
         move.evict.push_back(item);
-        --held;
+        held -= size(item);
       }
     }
-    held += move.load.size();
     if (!move.load.empty()) {
       out.push_back(std::move(move));
     }

@@ -19,8 +19,9 @@ struct Move {
 
 /// The same with fewer loads, if there is room: an item that is evicted and loaded again stays as
 /// long as its place is not needed; the item that is needed last is evicted first. Steps without
-/// loads are removed. O(loads · log room)
-[[nodiscard]] std::vector<Move> lazily(std::vector<Move> moves, std::uint64_t room);
+/// loads are removed. With `sizes` room is counted in bytes. O(loads · log room)
+[[nodiscard]] std::vector<Move> lazily(std::vector<Move> moves, std::uint64_t room,
+                                       const ItemSizes* sizes = nullptr);
 
 class StepLists final : public WorkerSteps {
  public:

@@ -43,12 +43,12 @@ std::shared_ptr<const GroupOwners> owners_of_stretches(const LoadOrder& order,
 
 namespace {
 
-/// What the steps of an order hold and load, in items; a transfer to an accelerator counts, too, if
+/// What the steps of an order hold and load, in items or in bytes; a transfer to an accelerator counts, too, if
 /// it has a weight.
 class StepSizes {
  public:
   StepSizes(const LoadOrder& order, std::uint64_t items, std::uint64_t load = 1,
-            std::uint64_t transfer = 0);
+            std::uint64_t transfer = 0, const ItemSizes* bytes = nullptr);
 
   [[nodiscard]] std::uint64_t steps() const { return held_.size(); }
   /// The loads of a worker whose share begins with step `first`, counted from 0: what is in memory
@@ -69,12 +69,14 @@ class StepSizes {
 };
 
 StepSizes::StepSizes(const LoadOrder& order, std::uint64_t items, std::uint64_t load,
-                     std::uint64_t transfer) {
+                     std::uint64_t transfer, const ItemSizes* bytes) {
   const LoadOrderFacts& whole = order.facts();
   const auto size = [&](const std::vector<Element>& groups, const std::vector<Element>& fast) {
     std::uint64_t sum = 0;
     for (const Element group : groups) {
-      sum += (group + std::uint64_t{1}) * items / whole.items - group * items / whole.items;
+      sum += bytes != nullptr
+                 ? bytes->bytes[group]
+                 : (group + std::uint64_t{1}) * items / whole.items - group * items / whole.items;
     }
     return sum * load + fast.size() * transfer;
   };
@@ -167,7 +169,7 @@ Stretches cut_order(const LoadOrder& order, std::uint64_t items, std::uint64_t w
   const std::uint64_t change =
       whole.steps > 1 ? (whole.loads - first_loads) / (whole.steps - 1) : 0;
   const bool alike = whole.items == items && whole.wanted.are_all() && !whole.fast_room &&
-                     whole.loads == first_loads + change * (whole.steps - 1);
+                     !whole.sizes && whole.loads == first_loads + change * (whole.steps - 1);
   // Shares of equal numbers of steps, unless steps differ: then shares whose loads are even.
   constexpr std::uint64_t most_steps_cut = 10'000'000;
   std::vector<std::uint64_t> counts;
@@ -178,7 +180,8 @@ Stretches cut_order(const LoadOrder& order, std::uint64_t items, std::uint64_t w
     counts = whole.fast_room
                  ? StepSizes(order, items, whole.transfer_bound.loads, whole.bound.loads)
                        .best_shares(workers)
-                 : sizes->best_shares(workers);
+             : whole.sizes ? StepSizes(order, items, 1, 0, whole.sizes.get()).best_shares(workers)
+                           : sizes->best_shares(workers);
     counts.resize(static_cast<std::size_t>(workers), 0);
     cut.by_loads = workers > 1;
   } else {

@@ -60,6 +60,7 @@ ScheduleRules WorkerSplit::rules(const std::optional<ComputeRules>& compute) con
           .fast_room = whole.fast_room,
           .wanted = whole.wanted,
           .compute = compute,
+          .sizes = whole.sizes,
           .epochs = facts_.epochs,
           .shares = true};
 }

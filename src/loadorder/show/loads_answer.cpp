@@ -46,7 +46,16 @@ AnyLoads planned(const CheckedLoads& asked, const LoadRequest& request, LoadOrde
   options.read_first = !request.verify_beside && !is_worker_by_itself(request);
   const WantedPairs& wanted = asked.wanted();
   const std::uint64_t room = asked.room();
+  if (asked.sizes() && request.workers) {
+    if (request.prefetch) {
+      return split_prefetch(asked.sizes(), wanted, *request.workers, options);
+    }
+    return split_sized_order(asked.sizes(), wanted, *request.workers, options);
+  }
   if (asked.sizes()) {
+    if (request.prefetch) {
+      return plan_prefetch(asked.sizes(), wanted, options);
+    }
     return plan_sized_order(asked.sizes(), wanted, options);
   }
   if (request.disjoint) {

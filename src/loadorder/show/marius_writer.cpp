@@ -58,4 +58,18 @@ void MariusWriter::end() {
   buckets_.clear();
 }
 
+void write_steps_for_marius(const LoadOrderFacts& facts, StepSource& steps, Sink& out) {
+  for (Element x = 0; x < facts.items; ++x) {
+    if (!facts.wanted.are_all() && !facts.wanted.needs(x)) {
+      throw BadInput(fmt::format(
+          "partition {} is in no pair, and Marius needs all of them; list it with itself", x));
+    }
+  }
+  MariusWriter writer(out, facts.items, facts.room);
+  for (Step step; steps.next(step);) {
+    writer.write(step);
+  }
+  writer.end();
+}
+
 }  // namespace changeover

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "changeover/io/output.hpp"
-#include "changeover/loadorder/schedule.hpp"
+#include "changeover/loadorder/load_order.hpp"
 
 namespace changeover {
 
@@ -37,5 +37,8 @@ class MariusWriter {
   std::string states_;
   std::string buckets_;
 };
+
+/// Writes all steps. @throws BadInput as write(), and if an item is in no pair
+void write_steps_for_marius(const LoadOrderFacts& facts, StepSource& steps, Sink& out);
 
 }  // namespace changeover

@@ -203,6 +203,12 @@ class ScheduleText {
       json.key("most_bytes").value(facts_.most_bytes);
       json.key("bytes_bound").value(facts_.byte_bound.loads);
       json.key("bytes_bound_reason").value(facts_.byte_bound.reason);
+      if (split_ != nullptr) {
+        const LoadBound& least = split_->makespan_bytes_bound;
+        json.key("makespan_bytes").value(split_->makespan_bytes);
+        json.key("makespan_bytes_bound").value(least.loads);
+        json.key("makespan_bytes_bound_reason").value(least.reason);
+      }
     }
     json.key("loads").value(facts_.loads);
     if (facts_.fast_room) {
@@ -244,7 +250,11 @@ class ScheduleText {
       json.key("groups").value(split_->groups);
     }
     if (spare_) {
-      json.key("order_room").value(facts_.room - *spare_);
+      if (facts_.sizes) {
+        json.key("order_memory").value(facts_.sizes->memory - *spare_);
+      } else {
+        json.key("order_room").value(facts_.room - *spare_);
+      }
       if (facts_.every_step_read) {
         json.key("pairs").value(checked_.computed).key("overlapped").value(checked_.overlapped);
       }
@@ -296,10 +306,12 @@ class ScheduleText {
   // The first lines.
   [[nodiscard]] std::string in_short(const LoadBound& bound, std::uint64_t steps) const {
     const std::string loads = count_of(facts_.loads, "load");
-    const std::string spare = !spare_
-                                  ? ""
-                                  : fmt::format("{} is kept for what is loading\n",
-                                                *spare_ == 0 ? "no place" : "one of the places");
+    const std::string spare =
+        !spare_ ? ""
+                : fmt::format("{} kept for what is loading\n",
+                              *spare_ == 0   ? "no place is"
+                              : facts_.sizes ? fmt::format("{} bytes are", *spare_)
+                                             : "one of the places is");
     if (facts_.lockstep > 0) {
       return fmt::format(
           "{}, {} with room for {}{}, no item at two of them: {} in {}, {}\n"
@@ -324,9 +336,15 @@ class ScheduleText {
           level(facts_.transfers, "transfer", facts_.transfer_bound));
     }
     if (facts_.sizes) {
-      return fmt::format("{}, {} bytes of memory{}: {} bytes in {} and {}, {}\n", what_meets(),
-                         facts_.sizes->memory, in_epochs(), facts_.bytes, loads,
-                         count_of(steps, "step"), over(facts_.bytes, facts_.byte_bound));
+      const std::string what = fmt::format("{}, {} bytes of memory{}: {} bytes in {}", what_meets(),
+                                           facts_.sizes->memory, in_epochs(), facts_.bytes, loads);
+      return split_ != nullptr
+                 ? fmt::format("{} for {}, the busiest has {} bytes, {}\n{}{}", what,
+                               count_of(split_->workers.size(), "worker"), split_->makespan_bytes,
+                               over(split_->makespan_bytes, split_->makespan_bytes_bound),
+                               WorkerWords(facts_, split_).text(), spare)
+                 : fmt::format("{} and {}, {}\n{}", what, count_of(steps, "step"),
+                               over(facts_.bytes, facts_.byte_bound), spare);
     }
     const std::string what =
         fmt::format("{}, room for {}{}: ", what_meets(), facts_.room, in_epochs());
@@ -383,7 +401,8 @@ class ScheduleText {
           split_ == nullptr ? "" : "bound of the busiest: " + facts_.makespan_bound.reason + "\n");
     }
     if (facts_.sizes) {
-      return "bound: " + facts_.byte_bound.reason + "\n";
+      return fmt::format("bound: {}\n", split_ != nullptr ? split_->makespan_bytes_bound.reason
+                                                          : facts_.byte_bound.reason);
     }
     if (facts_.lockstep > 0) {
       return fmt::format("bound: {}\nbound of the busiest: {}\n", bound.reason,
@@ -399,7 +418,8 @@ class ScheduleText {
     std::string text;
     for (std::size_t w = 0; split_ != nullptr && w < split_->workers.size(); ++w) {
       const WorkerFacts& worker = split_->workers[w];
-      text += fmt::format("worker {}: {} in {}{}\n", w, count_of(worker.loads, "load"),
+      text += fmt::format("worker {}: {}{} in {}{}\n", w, count_of(worker.loads, "load"),
+                          facts_.sizes ? fmt::format(" of {} bytes", worker.bytes) : "",
                           count_of(worker.steps, "step"),
                           split_->pairs_are_known ? ", " + count_of(worker.pairs, "pair") : "");
     }
@@ -446,18 +466,7 @@ class ScheduleText {
           "Marius has one buffer of numbered partitions, whose buckets are known: give one worker, "
           "one level, and at most 65535 items");
     }
-    for (Element x = 0; x < facts_.items; ++x) {
-      if (!facts_.wanted.are_all() && !facts_.wanted.needs(x)) {
-        throw BadInput(fmt::format(
-            "partition {} is in no pair, and Marius needs all of them; list it with itself", x));
-      }
-    }
-    MariusWriter writer(out, facts_.items, facts_.room);
-    const auto all = steps();
-    for (Step step; all->next(step);) {
-      writer.write(step);
-    }
-    writer.end();
+    write_steps_for_marius(facts_, *steps(), out);
   }
 
   // Writes the steps; an unverified order is checked on the way.
@@ -524,6 +533,7 @@ ScheduleText schedule_text_of(const WorkerSplit& split, std::uint64_t room, cons
   whole.items = facts.items;
   whole.room = room;
   whole.loads = facts.loads;
+  whole.bytes = facts.bytes;
   whole.transfers = facts.transfers;
   whole.epochs = facts.epochs;
   whole.epoch_loads = facts.epoch_loads;
@@ -572,7 +582,7 @@ void show_loads(const WorkerSplit& split, const LoadsShown& how, Sink& out) {
 
 void show_loads(const PrefetchPlan& plan, const LoadsShown& how, Sink& out) {
   LoadOrderFacts facts = plan.order.facts();
-  facts.room += plan.spare;
+  facts.room += facts.sizes ? 0 : plan.spare;
   ScheduleText said(
       std::move(facts), [&plan] { return plan.order.stream(); }, how);
   said.overlap(plan.spare);
@@ -580,7 +590,9 @@ void show_loads(const PrefetchPlan& plan, const LoadsShown& how, Sink& out) {
 }
 
 void show_loads(const PrefetchSplit& plan, const LoadsShown& how, Sink& out) {
-  ScheduleText said = schedule_text_of(plan.order, plan.order.facts().room + plan.spare, how);
+  const bool has_sizes = plan.order.order().facts().sizes != nullptr;
+  ScheduleText said =
+      schedule_text_of(plan.order, plan.order.facts().room + (has_sizes ? 0 : plan.spare), how);
   said.overlap(plan.spare);
   said.show(out);
 }

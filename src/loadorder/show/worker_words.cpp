@@ -46,6 +46,13 @@ void WorkerWords::say(JsonWriter& json) const {
 }
 
 void WorkerWords::say_each(JsonWriter& json) const {
+  if (split_ != nullptr && facts_.sizes) {
+    json.key("worker_bytes").begin_array();
+    for (const WorkerFacts& worker : split_->workers) {
+      json.value(worker.bytes);
+    }
+    json.end_array();
+  }
   if (most_ == 0) {
     return;
   }

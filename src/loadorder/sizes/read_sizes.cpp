@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <memory>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -22,9 +24,8 @@ std::optional<std::uint64_t> whole_number(std::string_view text, std::string_vie
 
 class SizeList {
  public:
-  SizeList(Input& input, std::optional<std::uint64_t> items, const PairGraph* graph,
-           std::vector<std::string>& names)
-      : rows_(input, options()), name_(input.name()), items_(items), graph_(graph), names_(names) {
+  SizeList(std::unique_ptr<Input> input, std::optional<std::uint64_t> items, const PairGraph* graph)
+      : input_(std::move(input)), rows_(*input_, options()), items_(items), graph_(graph) {
     if (graph != nullptr) {
       items_ = graph->items();
       for (const std::string& name : graph->names()) {
@@ -33,6 +34,7 @@ class SizeList {
     }
   }
 
+  // Both are called once.
   std::vector<std::uint64_t> read() {
     Row row;
     for (bool first = true; rows_.next_line();) {
@@ -48,6 +50,13 @@ class SizeList {
       }
     }
     return finish();
+  }
+  std::vector<std::string> take_names() { return std::move(names_); }
+
+  [[nodiscard]] std::string place(Element x) const {
+    Field field;
+    std::tie(field.line, field.offset) = places_[x];
+    return rows_.place(field);
   }
 
  private:
@@ -117,12 +126,14 @@ class SizeList {
     }
     if (x >= sizes_.size()) {
       sizes_.resize(x + 1, 0);
+      places_.resize(sizes_.size());
     }
     if (sizes_[x] != 0) {
       rows_.fail(row.front(),
                  fmt::format("'{}' has a size already; keep one of both", row.front().text));
     }
     sizes_[x] = *size;
+    places_[x] = {row.back().line, row.back().offset};
   }
 
   // A list of names alone defines the items.
@@ -158,37 +169,41 @@ class SizeList {
 
   std::vector<std::uint64_t> finish() {
     if (sizes_.empty()) {
-      throw BadInput(name_ + ": no size is listed; give an item and its bytes per line");
+      throw BadInput(input_->name() + ": no size is listed; give an item and its bytes per line");
     }
     sizes_.resize(
         std::max<std::size_t>(sizes_.size(), static_cast<std::size_t>(items_.value_or(0))), 0);
     for (Element x = 0; x < sizes_.size(); ++x) {
       if (sizes_[x] == 0 && (graph_ == nullptr || graph_->is_needed(x))) {
         const bool by_name = graph_ != nullptr && !graph_->names().empty();
-        throw BadInput(fmt::format("{}: item {} has no size; give one for each item", name_,
+        throw BadInput(fmt::format("{}: item {} has no size; give one for each item",
+                                   input_->name(),
                                    by_name ? graph_->names()[x] : std::to_string(x)));
       }
     }
     return std::move(sizes_);
   }
 
+  std::unique_ptr<Input> input_;
   RowReader rows_;
-  std::string name_;
   std::optional<std::uint64_t> items_;
   const PairGraph* graph_;
-  std::vector<std::string>& names_;
+  std::vector<std::string> names_;
   std::optional<bool> named_;
   std::unordered_map<std::string, Element> numbers_;
   WrittenNumbers written_;
   std::size_t columns_ = 0;
   std::vector<std::uint64_t> sizes_;
+  std::vector<std::pair<std::uint64_t, std::size_t>> places_;  // line and offset, by item
 };
 
 }  // namespace
 
-std::vector<std::uint64_t> read_sizes(Input& input, std::optional<std::uint64_t> items,
-                                      const PairGraph* graph, std::vector<std::string>& names) {
-  return SizeList(input, items, graph, names).read();
+SizesRead read_sizes(std::unique_ptr<Input> input, std::optional<std::uint64_t> items,
+                     const PairGraph* graph) {
+  const auto list = std::make_shared<SizeList>(std::move(input), items, graph);
+  std::vector<std::uint64_t> bytes = list->read();
+  return {std::move(bytes), list->take_names(), [list](Element x) { return list->place(x); }};
 }
 
 }  // namespace changeover

@@ -7,8 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "changeover/loadorder/load_order.hpp"
+#include "changeover/loadorder/workers.hpp"
 #include "core/checked.hpp"
+#include "loadorder/shares/few_workers.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
 
 namespace changeover {
@@ -86,8 +87,9 @@ std::pair<std::uint64_t, std::uint64_t> bytes_beyond(const Weights& w, std::uint
   return best;
 }
 
-// Treats an item as the number of units that fit into it, which move together.
-LoadBound by_units(const ItemSizes& sizes, std::uint64_t bytes) {
+// Treats an item as the number of units that fit into it, which move together. With several
+// workers this bounds the bytes of the busiest.
+LoadBound by_units(const ItemSizes& sizes, std::uint64_t bytes, std::uint64_t workers) {
   std::uint64_t unit = 0;
   for (const std::uint64_t size : sizes.bytes) {
     unit = std::gcd(unit, size);
@@ -102,13 +104,110 @@ LoadBound by_units(const ItemSizes& sizes, std::uint64_t bytes) {
   if (units <= room || room < 2) {
     return {};
   }
-  const LoadBound bound = load_lower_bound(units, room);
+  const LoadBound bound = makespan_lower_bound(units, room, workers);
   return {checked_multiply(unit, bound.loads),
           fmt::format("items are {} units of {} bytes that move together, with room for {}: {}",
                       units, unit, room, bound.reason)};
 }
 
+// The bytes of all items that each item must meet.
+std::vector<std::uint64_t> partner_bytes(const ItemSizes& sizes, const WantedPairs& wanted) {
+  std::vector<std::uint64_t> sums(sizes.bytes.size(), 0);
+  const std::uint64_t all =
+      wanted.are_all() ? std::accumulate(sizes.bytes.begin(), sizes.bytes.end(), std::uint64_t{0})
+                       : 0;
+  for (Element x = 0; x < sums.size(); ++x) {
+    if (wanted.are_all()) {
+      sums[x] = all - sizes.bytes[x];
+    } else if (wanted.needs(x)) {
+      each_partner(wanted, sums.size(), x, [&](Element y) { sums[x] += sizes.bytes[y]; });
+    }
+  }
+  return sums;
+}
+
+// The least number up to `high` of which `is_enough` is true, as it is of all larger ones.
+template <typename IsEnough>
+std::uint64_t least_enough(std::uint64_t high, IsEnough&& is_enough) {
+  std::uint64_t low = 0;
+  while (low < high) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    is_enough(middle) ? high = middle : low = middle + 1;
+  }
+  return low;
+}
+
+// However large the memory: an item is loaded by so many workers that all that it must meet fits
+// beside it into what they load.
+LoadBound by_workers_of_items(const ItemSizes& sizes, const WantedPairs& wanted,
+                              const std::vector<std::uint64_t>& partners, std::uint64_t high,
+                              std::uint64_t workers) {
+  const std::uint64_t least = least_enough(high, [&](std::uint64_t bytes) {
+    Wide loaded = 0;
+    for (Element x = 0; x < partners.size(); ++x) {
+      if (!wanted.needs(x)) {
+        continue;
+      }
+      if (bytes < sizes.bytes[x] || (bytes == sizes.bytes[x] && partners[x] > 0)) {
+        return false;
+      }
+      const std::uint64_t times =
+          partners[x] == 0 ? 1 : ceil_div(partners[x], bytes - sizes.bytes[x]);
+      loaded += static_cast<Wide>(sizes.bytes[x]) * static_cast<Wide>(times);
+    }
+    return loaded * (1 - rounding) <= static_cast<Wide>(bytes) * static_cast<Wide>(workers);
+  });
+  return {least, fmt::format("if no worker loads {} bytes, an item is loaded by so many workers "
+                             "that what it must meet fits beside it, and all together are more "
+                             "than {} workers load",
+                             least, workers)};
+}
+
+// A load of s bytes, when T bytes have been loaded, adds at most s min(T, most) to what pairs
+// weigh: no more than the integral of min(t, most) from T to T + s, and s²/2 less below `most`.
+LoadBound by_weight(const Weights& w, std::uint64_t most, std::uint64_t high,
+                    std::uint64_t workers) {
+  const auto weight = [&](std::uint64_t bytes) {
+    const std::uint64_t rising = std::min(bytes, most);
+    const std::uint64_t inside = rising - std::min(rising, w.largest);
+    const Wide r = static_cast<Wide>(rising);
+    return r * r / 2 + static_cast<Wide>(bytes - rising) * static_cast<Wide>(most) -
+           static_cast<Wide>(w.smallest) * static_cast<Wide>(inside) / 2;
+  };
+  const std::uint64_t least = least_enough(high, [&](std::uint64_t bytes) {
+    return weight(bytes) * static_cast<Wide>(workers) >= w.pairs * (1 - rounding);
+  });
+  return {least, fmt::format("a pair weighs the product of its sizes, all of them {:.4g}, and {} "
+                             "workers that load fewer than {} bytes each bring less together",
+                             static_cast<double>(w.pairs), workers, least)};
+}
+
 }  // namespace
+
+LoadBound sized_makespan_bound(const ItemSizes& sizes, const WantedPairs& wanted,
+                               std::uint64_t workers) {
+  check_workers(workers);
+  const LoadBound alone = sized_lower_bound(sizes, wanted);
+  if (workers == 1) {
+    return alone;
+  }
+  LoadBound best{ceil_div(alone.loads, workers),
+                 fmt::format("all {} workers together load at least {} bytes: {}", workers,
+                             alone.loads, alone.reason)};
+  const auto consider = [&](LoadBound bound) {
+    best = bound.loads > best.loads ? std::move(bound) : std::move(best);
+  };
+  const std::vector<std::uint64_t> partners = partner_bytes(sizes, wanted);
+  consider(by_workers_of_items(sizes, wanted, partners, alone.loads, workers));
+  const Weights w = weights_of(sizes, wanted, 0);
+  consider(by_weight(
+      w, std::min(sizes.memory - w.smallest, *std::max_element(partners.begin(), partners.end())),
+      alone.loads, workers));
+  if (wanted.are_all()) {
+    consider(by_units(sizes, w.bytes, workers));
+  }
+  return best;
+}
 
 LoadBound sized_lower_bound(const ItemSizes& sizes, const WantedPairs& wanted) {
   check_sizes(sizes, wanted);
@@ -139,7 +238,7 @@ LoadBound sized_lower_bound(const ItemSizes& sizes, const WantedPairs& wanted) {
     }
   }
   if (wanted.are_all()) {
-    if (LoadBound units = by_units(sizes, bytes); units.loads > best.loads) {
+    if (LoadBound units = by_units(sizes, bytes, 1); units.loads > best.loads) {
       best = std::move(units);
     }
   }

@@ -11,16 +11,11 @@
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
-#include "loadorder/order/kept_steps.hpp"
-#include "loadorder/pairs/starts.hpp"
-#include "loadorder/sizes/byte_closing.hpp"
+#include "loadorder/sizes/closing_search.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
-#include "run/random.hpp"
 
 namespace changeover {
 namespace {
-
-using SizedMoves = std::vector<SizedMove>;
 
 constexpr std::uint64_t most_closed_all = 2'000;  // number of items, if all pairs are wanted
 
@@ -31,134 +26,6 @@ std::uint64_t bytes_of(const ItemSizes& sizes, const std::vector<Element>& items
   }
   return sum;
 }
-
-struct SizedOffer {
-  SizedMoves moves;
-  std::uint64_t bytes = ~std::uint64_t{0};
-  std::string method;
-  std::string explanation;
-};
-
-/// Searches an order of closing items.
-class ClosingSearch {
- public:
-  ClosingSearch(const ItemSizes& sizes, const PairGraph& graph, std::uint64_t room,
-                std::uint64_t least, const LoadOrderOptions& options)
-      : sizes_(sizes),
-        graph_(graph),
-        room_(room),
-        least_(least),
-        options_(options),
-        closing_(sizes, graph) {}
-
-  SizedOffer result() {
-    if (options_.search_pairs) {
-      options_.search_pairs([this] { search(true); });
-    } else {
-      search(false);
-    }
-    if (best_.empty()) {
-      try_start("numbered", numbered());
-    }
-    closing_.run(best_);
-    return {closing_.moves(), bytes_, "closing, " + name_,
-            "Items are closed one after another: what an item lacks is loaded while it stays; what "
-            "is needed last is evicted, as much as makes room."};
-  }
-
- private:
-  static bool stop_wanted(bool until_stopped) {
-    if (!until_stopped) {
-      stop_if_asked();
-      return false;
-    }
-    RunControl* const control = RunScope::current();
-    return control != nullptr && control->stop_wanted();
-  }
-
-  [[nodiscard]] std::vector<Element> numbered() const {
-    std::vector<Element> order(static_cast<std::size_t>(graph_.items()));
-    std::iota(order.begin(), order.end(), 0U);
-    return order;
-  }
-
-  void try_start(const std::string& name, std::vector<Element> order) {
-    const std::uint64_t limit = best_.empty() ? ByteClosing::no_limit : bytes_ - 1;
-    const std::uint64_t bytes = closing_.run(order, limit);
-    if (best_.empty() || bytes <= limit) {
-      bytes_ = bytes;
-      best_ = std::move(order);
-      name_ = name;
-    }
-    count_try();
-  }
-
-  // A load examines the items in memory, and the start examines all pairs.
-  void count_try() {
-    looked_ += closing_.moves().size() * (4 + std::min<std::uint64_t>(room_, 64)) + graph_.pairs();
-    ++tries_;
-  }
-
-  void search(bool until_stopped) {
-    std::vector<Element> order = numbered();
-    try_start("numbered", order);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](Element a, Element b) { return sizes_.bytes[a] > sizes_.bytes[b]; });
-    try_start("largest first", order);
-    std::reverse(order.begin(), order.end());
-    try_start("smallest first", order);
-    each_start(graph_, room_, [&](const std::string& name, std::vector<Element> start) {
-      try_start(name, std::move(start));
-      return bytes_ > least_ && !stop_wanted(until_stopped);
-    });
-    // Moves an item to another place of the order, as long as that helps.
-    constexpr std::uint64_t work = 20'000'000;  // a second or so
-    constexpr std::uint64_t most_tries = 10'000;
-    Random random(options_.seed);
-    const auto items = static_cast<std::uint32_t>(best_.size());
-    const std::uint64_t first = tries_;
-    while (items > 1 && bytes_ > least_ && !stop_wanted(until_stopped) &&
-           (until_stopped || (looked_ < work && tries_ - first < most_tries))) {
-      order = best_;
-      const std::uint32_t from = random.below(items);
-      const std::uint32_t to = random.below(items);
-      if (random.one_in_two()) {
-        std::swap(order[from], order[to]);
-      } else if (from < to) {
-        std::rotate(order.begin() + from, order.begin() + from + 1, order.begin() + to + 1);
-      } else {
-        std::rotate(order.begin() + to, order.begin() + from, order.begin() + from + 1);
-      }
-      // An equally good order is kept, since it may lead to a better one.
-      const std::uint64_t bytes = closing_.run(order, bytes_);
-      if (bytes <= bytes_) {
-        name_ = bytes < bytes_ ? "improved" : name_;
-        bytes_ = bytes;
-        best_ = std::move(order);
-      }
-      count_try();
-      if (progress_due()) {
-        report_progress({.phase = "improving the load order",
-                         .steps = tries_,
-                         .unit = "orders",
-                         .best = bytes_,
-                         .lower_bound = least_});
-      }
-    }
-  }
-
-  const ItemSizes& sizes_;
-  const PairGraph& graph_;
-  std::uint64_t room_;
-  std::uint64_t least_;
-  const LoadOrderOptions& options_;
-  ByteClosing closing_;
-  std::vector<Element> best_;
-  std::uint64_t bytes_ = 0;
-  std::string name_;
-  std::uint64_t looked_ = 0;
-  std::uint64_t tries_ = 0;
-};
 
 /// Packs groups of at most `most` bytes: the largest items first, each into the first group with
 /// room.
@@ -290,19 +157,6 @@ void consider_packed(const ItemSizes& sizes, const std::vector<Element>& items, 
   }
 }
 
-// The loads up to the first eviction are one step; each further load is a step.
-std::vector<Step> steps_of_moves(const SizedMoves& moves) {
-  std::vector<Step> steps;
-  for (const SizedMove& move : moves) {
-    if (steps.size() == 1 && move.evict.empty()) {
-      steps.front().load.push_back(move.load);
-    } else {
-      steps.push_back({steps.size() + 1, move.evict, {move.load}});
-    }
-  }
-  return steps;
-}
-
 // All wanted pairs as a list.
 PairGraph graph_of(const WantedPairs& wanted, std::uint64_t items) {
   return {items,
@@ -318,9 +172,39 @@ PairGraph graph_of(const WantedPairs& wanted, std::uint64_t items) {
           {}};
 }
 
+// Calls visit(x, y) with the largest item y that x must meet, or with x twice if it meets none; of
+// all pairs for the two largest items only.
+template <typename Visit>
+void each_with_largest(const ItemSizes& sizes, const WantedPairs& wanted, Visit&& visit) {
+  const auto items = static_cast<Element>(sizes.bytes.size());
+  const auto largest_but = [&](std::optional<Element> other) {
+    std::optional<Element> largest;
+    for (Element x = 0; x < items; ++x) {
+      if (x != other && (!largest || sizes.bytes[x] > sizes.bytes[*largest])) {
+        largest = x;
+      }
+    }
+    return largest;
+  };
+  if (wanted.are_all()) {
+    const Element first = *largest_but(std::nullopt);
+    visit(first, largest_but(first).value_or(first));
+    return;
+  }
+  for (Element x = 0; x < items; ++x) {
+    if (wanted.needs(x)) {
+      Element with = x;
+      each_partner(wanted, items, x, [&](Element y) {
+        with = with == x || sizes.bytes[y] > sizes.bytes[with] ? y : with;
+      });
+      visit(x, with);
+    }
+  }
+}
+
 }  // namespace
 
-void check_sizes(const ItemSizes& sizes, const WantedPairs& wanted) {
+void check_sizes(const ItemSizes& sizes, const WantedPairs& wanted, const SizePlace& place) {
   const std::uint64_t items = sizes.bytes.size();
   if (items == 0 || (!wanted.are_all() && wanted.items() != items)) {
     throw BadInput(fmt::format("{} for {}", count_of(items, "size"),
@@ -336,54 +220,35 @@ void check_sizes(const ItemSizes& sizes, const WantedPairs& wanted) {
                ? wanted.graph()->names()[x]
                : std::to_string(x);
   };
+  const auto refuse = [&](Element x, const std::string& line) {
+    throw BadInput(place ? fmt::format("{}: {}", place(x), line) : line);
+  };
   for (Element x = 0; x < items; ++x) {
-    if (!wanted.needs(x)) {
-      continue;
+    if (wanted.needs(x) && sizes.bytes[x] == 0) {
+      refuse(x, fmt::format("item {} has no size; give at least 1 byte", name(x)));
     }
+  }
+  each_with_largest(sizes, wanted, [&](Element x, Element with) {
     const std::uint64_t size = sizes.bytes[x];
-    if (size == 0) {
-      throw BadInput(fmt::format("item {} has no size; give at least 1 byte", name(x)));
+    if (with == x ? size > sizes.memory
+                  : size > sizes.memory || sizes.bytes[with] > sizes.memory - size) {
+      refuse(x, with == x
+                    ? fmt::format("item {} has {} bytes, more than the {} of memory; allow more",
+                                  name(x), size, sizes.memory)
+                    : fmt::format("items {} and {} have {} bytes together, more than the {} of "
+                                  "memory; allow more",
+                                  name(x), name(with), checked_add(size, sizes.bytes[with]),
+                                  sizes.memory));
     }
-    std::uint64_t largest = 0;
-    Element with = x;
-    if (wanted.are_all()) {  // reported once, for the two largest items, below
-      continue;
-    }
-    each_partner(wanted, items, x, [&](Element y) {
-      if (sizes.bytes[y] > largest) {
-        largest = sizes.bytes[y];
-        with = y;
-      }
-    });
-    if (size > sizes.memory || largest > sizes.memory - size) {
-      throw BadInput(
-          with == x
-              ? fmt::format("item {} has {} bytes, more than the {} of memory; allow more", name(x),
-                            size, sizes.memory)
-              : fmt::format("items {} and {} have {} bytes together, more than the {} of memory; "
-                            "allow more",
-                            name(x), name(with), size + largest, sizes.memory));
-    }
-  }
-  if (wanted.are_all()) {
-    std::vector<Element> order(static_cast<std::size_t>(items));
-    std::iota(order.begin(), order.end(), 0U);
-    std::partial_sort(
-        order.begin(),
-        order.begin() + static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(2, items)), order.end(),
-        [&](Element a, Element b) { return sizes.bytes[a] > sizes.bytes[b]; });
-    const std::uint64_t first = sizes.bytes[order[0]];
-    const std::uint64_t second = items > 1 ? sizes.bytes[order[1]] : 0;
-    if (first > sizes.memory || second > sizes.memory - first) {
-      throw BadInput(
-          items == 1
-              ? fmt::format("item 0 has {} bytes, more than the {} of memory; allow more", first,
-                            sizes.memory)
-              : fmt::format("items {} and {} have {} bytes together, more than the {} of memory; "
-                            "allow more",
-                            order[0], order[1], checked_add(first, second), sizes.memory));
-    }
-  }
+  });
+}
+
+std::uint64_t largest_pair(const ItemSizes& sizes, const WantedPairs& wanted) {
+  std::uint64_t most = 0;
+  each_with_largest(sizes, wanted, [&](Element x, Element with) {
+    most = std::max(most, sizes.bytes[x] + (with == x ? 0 : sizes.bytes[with]));
+  });
+  return most;
 }
 
 std::uint64_t most_held(const ItemSizes& sizes, const WantedPairs& wanted) {
@@ -403,6 +268,11 @@ std::uint64_t most_held(const ItemSizes& sizes, const WantedPairs& wanted) {
 
 LoadOrder plan_sized_order(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
                            const LoadOrderOptions& options) {
+  return plan_with_spare(std::move(sizes), wanted, 0, options);
+}
+
+LoadOrder plan_with_spare(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
+                          std::uint64_t spare, const LoadOrderOptions& options) {
   LoadOrderFacts facts;
   facts.byte_bound = sized_lower_bound(*sizes, wanted);
   facts.items = sizes->bytes.size();
@@ -417,6 +287,8 @@ LoadOrder plan_sized_order(std::shared_ptr<const ItemSizes> sizes, const WantedP
     }
   }
   const std::uint64_t least = facts.byte_bound.loads;
+  ItemSizes used = *sizes;
+  used.memory -= spare;
   SizedOffer best;
   if (bytes_of(*sizes, items) <= sizes->memory) {
     best.method = "one-step";
@@ -426,7 +298,7 @@ LoadOrder plan_sized_order(std::shared_ptr<const ItemSizes> sizes, const WantedP
     }
   } else {
     if (wanted.are_all()) {
-      consider_packed(*sizes, items, least, best);
+      consider_packed(used, items, least, best);
     }
     if (best.bytes > least && (wanted.graph() != nullptr || facts.items <= most_closed_all)) {
       std::optional<PairGraph> made;
@@ -434,13 +306,12 @@ LoadOrder plan_sized_order(std::shared_ptr<const ItemSizes> sizes, const WantedP
         made.emplace(graph_of(wanted, facts.items));
       }
       SizedOffer closing =
-          ClosingSearch(*sizes, made ? *made : *wanted.graph(), facts.room, least, options)
-              .result();
+          best_closing(used, made ? *made : *wanted.graph(), facts.room, least, options);
       if (closing.bytes < best.bytes) {
         best = std::move(closing);
       }
     } else if (!wanted.are_all()) {
-      consider_packed(*sizes, items, least, best);
+      consider_packed(used, items, least, best);
     }
   }
   if (best.moves.empty()) {
@@ -451,8 +322,9 @@ LoadOrder plan_sized_order(std::shared_ptr<const ItemSizes> sizes, const WantedP
   }
   facts.method = best.method;
   facts.explanation = best.explanation;
-  const auto steps = std::make_shared<const std::vector<Step>>(steps_of_moves(best.moves));
-  LoadOrder::Maker maker = [steps] { return std::make_unique<KeptSteps>(steps); };
+  const auto steps = std::make_shared<StepLists>();
+  steps->add(in_steps(best.moves));
+  LoadOrder::Maker maker = [steps] { return steps->of(0); };
   const ScheduleVerdict verdict = check_schedule(*maker(), LoadOrder(facts, maker).rules());
   if (!verdict.valid() || verdict.bytes < least) {
     throw InternalError(

@@ -3,18 +3,23 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "changeover/io/input.hpp"
-#include "changeover/loadorder/load_order.hpp"
+#include "changeover/loadorder/workers.hpp"
 
 namespace changeover {
 
-/// @throws BadInput if a wanted item, or two that must meet, are larger than memory, an item has no
-/// bytes, or the number of sizes is wrong
-void check_sizes(const ItemSizes& sizes, const WantedPairs& wanted);
+/// Where the size of an item is written: "sizes.csv:3:5", "sizes[2]".
+using SizePlace = std::function<std::string(Element)>;
+
+/// @throws BadInput, with the place of an item if there are places, if a wanted item, or two that
+/// must meet, are larger than memory, an item has no bytes, or the number of sizes is wrong
+void check_sizes(const ItemSizes& sizes, const WantedPairs& wanted, const SizePlace& place = {});
 
 /// Calls visit(y) for all items y that x must meet.
 template <typename Visit>
@@ -25,23 +30,44 @@ void each_partner(const WantedPairs& wanted, std::uint64_t items, Element x, Vis
     }
     return;
   }
-  for (Element y = 0; y < items; ++y) {
+  // Of two sets the other one; of new items all others.
+  const bool between = wanted.kind() == WantedPairs::Kind::between;
+  const bool is_first = between && x < wanted.first();
+  const std::uint64_t end = between && !is_first ? wanted.first() : items;
+  for (auto y = static_cast<Element>(is_first ? wanted.first() : 0); y < end; ++y) {
     if (y != x && wanted.contains(std::min(x, y), std::max(x, y))) {
       visit(y);
     }
   }
 }
 
+/// The most bytes of two items that must meet, or of one that meets none.
+[[nodiscard]] std::uint64_t largest_pair(const ItemSizes& sizes, const WantedPairs& wanted);
+
 /// The largest number of items that fit into memory.
 [[nodiscard]] std::uint64_t most_held(const ItemSizes& sizes, const WantedPairs& wanted);
 
+struct SizesRead {
+  std::vector<std::uint64_t> bytes;  ///< by item
+  std::vector<std::string> names;    ///< if these items are named without listed pairs
+  SizePlace place;
+};
+
 /// Reads sizes from a list: an item and its bytes per row, or rows with the bytes of items 0, 1, …
 /// in turn. Bytes are whole numbers, with K, M, G or T for powers of 1000. Items have the numbers
-/// or names of the listed pairs; without a list, `names` receives the names. @throws BadInput with
-/// a place
-[[nodiscard]] std::vector<std::uint64_t> read_sizes(Input& input,
-                                                    std::optional<std::uint64_t> items,
-                                                    const PairGraph* graph,
-                                                    std::vector<std::string>& names);
+/// or names of the listed pairs. @throws BadInput with a place
+[[nodiscard]] SizesRead read_sizes(std::unique_ptr<Input> input, std::optional<std::uint64_t> items,
+                                   const PairGraph* graph);
+
+// Two ways to have room for what is loading, as plan_prefetch() knows them for places.
+
+/// Orders that leave `spare` bytes of the memory free as far as they can, with the facts and bounds
+/// of the whole memory.
+[[nodiscard]] LoadOrder plan_with_spare(std::shared_ptr<const ItemSizes> sizes,
+                                        const WantedPairs& wanted, std::uint64_t spare,
+                                        const LoadOrderOptions& options);
+[[nodiscard]] WorkerSplit split_with_spare(std::shared_ptr<const ItemSizes> sizes,
+                                           const WantedPairs& wanted, std::uint64_t workers,
+                                           std::uint64_t spare, const LoadOrderOptions& options);
 
 }  // namespace changeover

@@ -134,10 +134,10 @@ class BackAndForth final : public StepSource {
 
 }  // namespace
 
-ScheduleFacts count_moves(StepSource& steps, std::uint64_t workers) {
+ScheduleFacts count_moves(StepSource& steps, std::uint64_t workers, const ItemSizes* sizes) {
   ScheduleFacts facts;
   std::uint64_t slowest = 0;
-  const auto add = [](std::vector<std::uint64_t>& list, std::uint64_t at, std::size_t loads) {
+  const auto add = [](std::vector<std::uint64_t>& list, std::uint64_t at, std::uint64_t loads) {
     list.resize(std::max<std::size_t>(list.size(), static_cast<std::size_t>(at) + 1), 0);
     list[static_cast<std::size_t>(at)] += loads;
   };
@@ -151,6 +151,10 @@ ScheduleFacts count_moves(StepSource& steps, std::uint64_t workers) {
     facts.transfers += step.fast_load.size();
     add(facts.worker_loads, step.worker, step.load.size());
     add(facts.epoch_loads, step.epoch - 1, step.load.size());
+    for (std::size_t i = 0; sizes != nullptr && i < step.load.size(); ++i) {
+      facts.bytes += sizes->bytes[step.load[i]];
+      add(facts.worker_bytes, step.worker, sizes->bytes[step.load[i]]);
+    }
   }
   facts.span += slowest;
   facts.steps /= workers;
@@ -200,13 +204,22 @@ LoadBound epochs_lower_bound(const LoadBound& once, std::uint64_t pairs, std::ui
                       later, why, once.reason)};
 }
 
-LoadBound epochs_makespan_bound(const LoadBound& once, const LoadBound& all,
-                                std::uint64_t workers) {
+LoadBound epochs_makespan_bound(const LoadBound& once, const LoadBound& all, std::uint64_t workers,
+                                const std::string& what) {
   const std::uint64_t mean = ceil_div(all.loads, workers);
   return mean <= once.loads
              ? once
-             : LoadBound{mean, fmt::format("all {} workers together have at least {} loads: {}",
-                                           workers, all.loads, all.reason)};
+             : LoadBound{mean, fmt::format("all {} workers together have at least {} {}: {}",
+                                           workers, all.loads, what, all.reason)};
+}
+
+LoadBound epochs_byte_bound(const LoadBound& once, std::uint64_t memory, std::uint64_t workers,
+                            std::uint64_t epochs) {
+  const std::uint64_t left = memory > once.loads / workers ? 0 : once.loads - memory * workers;
+  return {checked_add(once.loads, checked_multiply(epochs - 1, left)),
+          fmt::format("{} bytes in the first epoch, and {} in each other one, whose loads are an "
+                      "order of one epoch together with what is in memory when it begins; {}",
+                      once.loads, left, once.reason)};
 }
 
 LoadOrder repeat_order(LoadOrder order, std::uint64_t epochs) {
@@ -233,13 +246,7 @@ LoadOrder repeat_order(LoadOrder order, std::uint64_t epochs) {
   const std::uint64_t pairs = facts.wanted.among(facts.items).count();
   facts.bound = epochs_lower_bound(facts.bound, pairs, facts.room, workers, epochs);
   if (facts.sizes) {
-    const std::uint64_t left =
-        facts.byte_bound.loads - std::min(facts.byte_bound.loads, facts.sizes->memory);
-    facts.byte_bound = {
-        checked_add(facts.byte_bound.loads, checked_multiply(epochs - 1, left)),
-        fmt::format("{} bytes in the first epoch, and {} in each other one, whose loads are an "
-                    "order of one epoch together with what is in memory when it begins; {}",
-                    facts.byte_bound.loads, left, facts.byte_bound.reason)};
+    facts.byte_bound = epochs_byte_bound(facts.byte_bound, facts.sizes->memory, workers, epochs);
   }
   if (facts.fast_room) {
     facts.transfer_bound =
@@ -252,7 +259,7 @@ LoadOrder repeat_order(LoadOrder order, std::uint64_t epochs) {
   facts.every_step_read =
       facts.every_step_read && checked_multiply(facts.loads, epochs) <= most_loads_read;
   if (!facts.every_step_read) {
-    static_cast<ScheduleFacts&>(facts) = count_moves(*maker(), workers);
+    static_cast<ScheduleFacts&>(facts) = count_moves(*maker(), workers, facts.sizes.get());
     facts.certificate += ", and read back and forth";
   } else {
     const ScheduleRules rules = LoadOrder(facts, maker).rules();

@@ -25,7 +25,8 @@ inline constexpr std::uint64_t most_moves_kept = 400'000'000;
 
 /// Counts the moves without any check; `workers` is for lockstep, and 1 for workers one after
 /// another.
-[[nodiscard]] ScheduleFacts count_moves(StepSource& steps, std::uint64_t workers);
+[[nodiscard]] ScheduleFacts count_moves(StepSource& steps, std::uint64_t workers,
+                                        const ItemSizes* sizes);
 
 /// @throws ImpossibleParameters if the loads, evictions and steps of an epoch need too much memory
 void check_moves_kept(std::uint64_t moves, std::uint64_t steps);
@@ -33,10 +34,15 @@ void check_moves_kept(std::uint64_t moves, std::uint64_t steps);
 /// @throws BadInput unless 1 ≤ epochs ≤ most_epochs
 void check_epochs(std::uint64_t epochs);
 
-/// For the busiest of several workers, given the bound for one epoch and that on the loads of all
-/// workers.
+/// For the busiest of several workers, given the bound for one epoch and that on the loads, or what
+/// else is counted, of all workers.
 [[nodiscard]] LoadBound epochs_makespan_bound(const LoadBound& once, const LoadBound& all,
-                                              std::uint64_t workers);
+                                              std::uint64_t workers,
+                                              const std::string& what = "loads");
+
+/// Bytes that several epochs load, given the bound for one and the memory of each worker.
+[[nodiscard]] LoadBound epochs_byte_bound(const LoadBound& once, std::uint64_t memory,
+                                          std::uint64_t workers, std::uint64_t epochs);
 
 /// Adds to a certificate in how many epochs all pairs met.
 [[nodiscard]] std::string in_each_epoch(const std::string& certificate, std::uint64_t epochs);

@@ -87,17 +87,27 @@ void SplitMaker::repeat(WorkerSplit& split, std::uint64_t epochs) {
     }
   } else {
     const auto steps = split.stream();
-    static_cast<ScheduleFacts&>(verdict) = count_moves(*steps, 1);
+    static_cast<ScheduleFacts&>(verdict) = count_moves(*steps, 1, whole.sizes.get());
   }
   verdict.worker_loads.resize(facts.workers.size(), 0);
+  verdict.worker_bytes.resize(facts.workers.size(), 0);
   facts.loads = verdict.loads;
   facts.transfers = verdict.transfers;
   facts.makespan = verdict.makespan();
+  facts.bytes = verdict.bytes;
+  facts.makespan_bytes = *std::ranges::max_element(verdict.worker_bytes);
   facts.epoch_loads = verdict.epoch_loads;
   for (std::size_t w = 0; w < facts.workers.size(); ++w) {
     facts.workers[w].loads = verdict.worker_loads[w];
+    facts.workers[w].bytes = verdict.worker_bytes[w];
   }
   LoadOrderFacts its = whole;
+  if (whole.sizes) {
+    its.byte_bound = epochs_byte_bound(whole.byte_bound, whole.sizes->memory, workers, epochs);
+    facts.makespan_bytes_bound =
+        epochs_makespan_bound(facts.makespan_bytes_bound, its.byte_bound, workers, "bytes");
+    its.most_bytes = std::max(its.most_bytes, verdict.most_bytes);
+  }
   its.every_step_read = read;
   its.certificate = facts.certificate = read ? in_each_epoch(whole.certificate, epochs)
                                              : whole.certificate + ", and read back and forth";

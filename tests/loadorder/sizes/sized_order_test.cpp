@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <map>
 #include <mutex>
 #include <random>
 
@@ -11,107 +10,12 @@
 #include "changeover/loadorder/all_pairs.hpp"
 #include "changeover/loadorder/load_request.hpp"
 #include "message_of.hpp"
-#include "pairs/pairs_support.hpp"
+#include "sizes/sizes_support.hpp"
 
 namespace changeover::test::sized_order_test {
 namespace {
 
 using ::testing::HasSubstr;
-
-std::shared_ptr<const ItemSizes> sizes_of(std::vector<std::uint64_t> bytes, std::uint64_t memory) {
-  return std::make_shared<const ItemSizes>(ItemSizes{std::move(bytes), memory});
-}
-
-/// The definition in plain code: bytes that are loaded, and a fault.
-std::pair<std::uint64_t, std::string> play(StepSource& steps, const ItemSizes& sizes,
-                                           const WantedPairs& wanted) {
-  std::set<Element> memory;
-  std::set<ItemPair> met;
-  std::uint64_t held = 0;
-  std::uint64_t loaded = 0;
-  for (Step step; steps.next(step);) {
-    for (const Element x : step.evict) {
-      if (memory.erase(x) != 1) {
-        return {0, "evicts what is not there"};
-      }
-      held -= sizes.bytes[x];
-    }
-    for (const Element x : step.load) {
-      if (!memory.insert(x).second) {
-        return {0, "loads what is there"};
-      }
-      held += sizes.bytes[x];
-      loaded += sizes.bytes[x];
-      for (const Element y : memory) {
-        met.emplace(std::min(x, y), std::max(x, y));
-      }
-    }
-    if (held > sizes.memory) {
-      return {0, "too much memory"};
-    }
-  }
-  for (Element y = 0; y < sizes.bytes.size(); ++y) {
-    for (Element x = 0; x < y; ++x) {
-      if (wanted.contains(x, y) && met.count({x, y}) == 0) {
-        return {0, "a pair is missing"};
-      }
-    }
-  }
-  return {loaded, ""};
-}
-
-/// The fewest bytes there can be, through all memories and sets of pairs that have met.
-std::uint64_t fewest_bytes(const ItemSizes& sizes, const WantedPairs& wanted) {
-  const auto items = static_cast<unsigned>(sizes.bytes.size());
-  std::uint32_t all = 0;
-  const auto pairs_in = [&](unsigned memory) {
-    std::uint32_t pairs = 0;
-    unsigned bit = 0;
-    for (unsigned y = 1; y < items; ++y) {
-      for (unsigned x = 0; x < y; ++x, ++bit) {
-        const bool both = (memory >> x & memory >> y & 1U) != 0;
-        pairs |= both && wanted.contains(x, y) ? 1U << bit : 0U;
-      }
-    }
-    return pairs;
-  };
-  all = pairs_in((1U << items) - 1);
-  const auto bytes_in = [&](unsigned memory) {
-    std::uint64_t bytes = 0;
-    for (unsigned x = 0; x < items; ++x) {
-      bytes += (memory >> x & 1U) != 0 ? sizes.bytes[x] : 0;
-    }
-    return bytes;
-  };
-  using Place = std::pair<unsigned, std::uint32_t>;
-  std::map<Place, std::uint64_t> best{{{0, 0}, 0}};
-  std::set<std::pair<std::uint64_t, Place>> next{{0, {0, 0}}};
-  while (!next.empty()) {
-    const auto [cost, place] = *next.begin();
-    next.erase(next.begin());
-    if (cost > best.at(place)) {
-      continue;
-    }
-    if (place.second == all) {
-      return cost;
-    }
-    for (unsigned x = 0; x < items; ++x) {
-      const unsigned memory = place.first ^ (1U << x);
-      const bool loads = (memory >> x & 1U) != 0;
-      if (bytes_in(memory) > sizes.memory) {
-        continue;
-      }
-      const Place to{memory, place.second | pairs_in(memory)};
-      const std::uint64_t its = cost + (loads ? sizes.bytes[x] : 0);
-      const auto [found, is_new] = best.emplace(to, its);
-      if (is_new || its < found->second) {
-        found->second = its;
-        next.emplace(its, to);
-      }
-    }
-  }
-  return 0;
-}
 
 TEST(SizedOrder, EveryPairMeetsWithinTheMemory) {
   std::mt19937 random(1);
@@ -253,7 +157,20 @@ TEST(SizedOrder, IsReadFromRequests) {
   EXPECT_THAT(facts(R"({"sizes":[[0,5],[1,2]]})"), HasSubstr("memory"));
   EXPECT_THAT(facts(R"({"items":3,"room":2,"memory":30})"), HasSubstr("sizes"));
   EXPECT_THAT(facts(R"({"room":2,"sizes":[[0,5],[1,2]],"memory":30})"), HasSubstr("room"));
-  EXPECT_THAT(facts(R"({"sizes":[[0,5],[1,26]],"memory":30})"), HasSubstr("31 bytes together"));
+  // Which item is too large has its place.
+  const auto refusal = [](const std::string& json, const std::string& name) {
+    return message_of(
+        [&] { static_cast<void>(checked_loads(load_request(json, name), Door::document)); });
+  };
+  EXPECT_EQ(refusal("{\"memory\":30,\n \"sizes\":[[0,5],\n[1,26]]}", "job.json"),
+            "job.json:3:1: sizes[1]: items 1 and 0 have 31 bytes together, more than the 30 of "
+            "memory; allow more");
+  EXPECT_EQ(
+      refusal(R"({"memory":30,"sizes":{"text":"item,bytes\n0,31\n"}})", "job.json"),
+      "job.json:1:22: sizes:2:3: item 0 has 31 bytes, more than the 30 of memory; allow more");
+  EXPECT_EQ(refusal(R"({"memory":30,"pairs":[["a","b"]],"sizes":{"text":"b 7\na 28\n"}})", ""),
+            "sizes:2:3: items a and b have 35 bytes together, more than the 30 of memory; allow "
+            "more");
 }
 
 TEST(SizedOrder, ListsOfSizesLoseNoRow) {
@@ -313,14 +230,30 @@ TEST(SizedOrder, TheExecutorHoldsNoMoreThanTheMemory) {
   EXPECT_TRUE(report.finished);
   EXPECT_EQ(pairs.size(), 66U + 12U);
   EXPECT_EQ(report.bytes_read, order.facts().bytes);
-  EXPECT_LE(report.most_in_memory, order.facts().most_in_memory);
+  EXPECT_LE(report.most_in_memory, order.facts().room);
   const PairCompute nothing = [](const PairWork&) {};
-  EXPECT_REFUSAL(
-      static_cast<void>(all_pairs(items, order, nothing, {.read_ahead = 1})), BadInput,
-      "items have sizes, and memory is for all that is loaded: give no read_ahead and no share");
-  EXPECT_REFUSAL(
-      static_cast<void>(all_pairs(items, order, nothing, {.share = {0, 2}})), BadInput,
-      "items have sizes, and memory is for all that is loaded: give no read_ahead and no share");
+  EXPECT_REFUSAL(static_cast<void>(all_pairs(items, order, nothing, {.read_ahead = 1})), BadInput,
+                 "items have sizes, and memory is for all that is loaded: give no read_ahead");
+  // Shares, cut here or planned.
+  const WorkerSplit split = split_sized_order(sizes, {}, 3);
+  for (const bool planned : {false, true}) {
+    pairs.clear();
+    std::uint64_t read = 0;
+    for (std::uint64_t w = 0; w < 3; ++w) {
+      const auto compute = [&](const PairWork& pair) {
+        const std::scoped_lock lock(mutex);
+        EXPECT_TRUE(pairs.emplace(pair.first.item, pair.second.item).second);
+      };
+      const AllPairsOptions share{.share = {w, 3}};
+      const AllPairsReport its = planned ? all_pairs(items, split, compute, share)
+                                         : all_pairs(items, order, compute, share);
+      EXPECT_TRUE(its.finished);
+      EXPECT_LE(its.buffer_bytes, sizes->memory + buffer_alignment * order.facts().room);
+      read += its.bytes_read;
+    }
+    EXPECT_EQ(pairs.size(), 66U + 12U);
+    EXPECT_TRUE(!planned || read == split.facts().bytes);
+  }
 }
 
 }  // namespace

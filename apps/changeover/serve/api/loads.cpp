@@ -226,6 +226,12 @@ void write_workers(JsonWriter& json, const WorkerSplit& split,
   json.key("makespan_bound").value(facts.makespan_bound.loads);
   json.list("worker_loads", facts.workers,
             [&](const WorkerFacts& worker) { json.value(worker.loads); });
+  if (split.order().facts().sizes != nullptr) {
+    json.key("makespan_bytes").value(facts.makespan_bytes);
+    json.key("makespan_bytes_bound").value(facts.makespan_bytes_bound.loads);
+    json.list("worker_bytes", facts.workers,
+              [&](const WorkerFacts& worker) { json.value(worker.bytes); });
+  }
   json.key("worker_pairs").begin_array();
   for (std::size_t i = 0; i < facts.workers.size(); ++i) {
     const std::uint64_t met = i < pairs_of.size() ? pairs_of[i] : 0;

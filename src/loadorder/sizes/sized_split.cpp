@@ -1,0 +1,384 @@
+// Items of different sizes for several workers.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <queue>
+#include <span>
+#include <utility>
+
+#include "changeover/run/control.hpp"
+#include "core/checked.hpp"
+#include "core/words.hpp"
+#include "loadorder/listed/quick_moves.hpp"
+#include "loadorder/shares/few_workers.hpp"
+#include "loadorder/shares/known_shares.hpp"
+#include "loadorder/shares/split_maker.hpp"
+#include "loadorder/sizes/closing_search.hpp"
+#include "loadorder/sizes/sized_pairs.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::uint64_t most_own_pairs = 2'000'000;  // of which workers have orders of their own
+
+/// Items in groups, of bytes as even as can be: the largest first, each into the group with the
+/// fewest bytes.
+struct ByteGroups {
+  ByteGroups(const ItemSizes& sizes, std::span<const Element> items, std::uint64_t groups)
+      : of(static_cast<std::size_t>(groups)), bytes(of.size(), 0), largest(of.size(), 0) {
+    std::vector<Element> order(items.begin(), items.end());
+    std::ranges::stable_sort(order, std::ranges::greater(),
+                             [&](Element x) { return sizes.bytes[x]; });
+    using Place = std::pair<std::uint64_t, std::size_t>;
+    std::priority_queue<Place, std::vector<Place>, std::greater<>> least;
+    for (std::size_t g = 0; g < of.size(); ++g) {
+      least.emplace(0, g);
+    }
+    for (const Element x : order) {
+      const std::size_t g = least.top().second;
+      least.pop();
+      of[g].push_back(x);
+      bytes[g] += sizes.bytes[x];
+      largest[g] = std::max(largest[g], sizes.bytes[x]);
+      least.emplace(bytes[g], g);
+    }
+  }
+
+  [[nodiscard]] std::uint64_t bytes_of(const std::vector<Element>& groups) const {
+    std::uint64_t sum = 0;
+    for (const Element g : groups) {
+      sum += bytes[g];
+    }
+    return sum;
+  }
+
+  std::vector<std::vector<Element>> of;
+  std::vector<std::uint64_t> bytes;
+  std::vector<std::uint64_t> largest;
+};
+
+// Items that are held while others pass, which leave in the sequence in which they came.
+std::vector<Move> held_and_streamed(const ItemSizes& sizes, const std::vector<Element>& held,
+                                    const std::vector<Element>& streamed) {
+  std::vector<SizedMove> moves;
+  std::uint64_t bytes = 0;
+  for (const Element x : held) {
+    moves.push_back({x, {}});
+    bytes += sizes.bytes[x];
+  }
+  std::size_t goes = 0;
+  for (const Element x : streamed) {
+    SizedMove& move = moves.emplace_back(SizedMove{x, {}});
+    for (bytes += sizes.bytes[x]; bytes > sizes.memory; ++goes) {
+      move.evict.push_back(streamed[goes]);
+      bytes -= sizes.bytes[streamed[goes]];
+    }
+  }
+  return in_steps(moves);
+}
+
+class SizedSplit {
+ public:
+  SizedSplit(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
+             std::uint64_t workers, std::uint64_t spare, const LoadOrderOptions& options)
+      : shared_(std::move(sizes)),
+        sizes_(*shared_),
+        wanted_(wanted),
+        workers_(workers),
+        spare_(spare),
+        options_(options) {
+    sizes_.memory -= spare;
+    for (Element x = 0; x < sizes_.bytes.size(); ++x) {
+      if (wanted.needs(x)) {
+        items_.push_back(x);
+        all_bytes_ += sizes_.bytes[x];
+      }
+    }
+  }
+
+  WorkerSplit result() {
+    LoadOrderOptions quick = options_;
+    quick.search_pairs = nullptr;  // the time is for the workers' own orders
+    LoadOrder order = plan_with_spare(shared_, wanted_, spare_, workers_ == 1 ? options_ : quick);
+    const std::uint64_t room = order.facts().room;
+    candidates_.push_back(
+        SplitMaker::stretches(std::move(order), sizes_.bytes.size(), room, workers_, false));
+    if (workers_ > 1) {
+      add_shares();
+      if (wanted_.kind() == WantedPairs::Kind::between) {
+        add_blocks();
+      }
+    }
+    // Leaving out needless loads may make the second best the best.
+    keep_good();
+    for (WorkerSplit& split : candidates_) {
+      SplitMaker::give_pairs(split, options_);
+    }
+    const auto best = std::ranges::min_element(candidates_, {}, [](const WorkerSplit& split) {
+      return std::pair(split.facts().makespan_bytes, split.facts().bytes);
+    });
+    WorkerSplit split = std::move(*best);
+    if (workers_ > 1 && wanted_.among(sizes_.bytes.size()).count() <= most_own_pairs) {
+      SplitMaker::own_orders(split, [&](const auto& pairs) { return own_moves(split, pairs); });
+    }
+    SplitMaker::verify(split, options_);
+    return split;
+  }
+
+ private:
+  void keep_good() {
+    std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
+    for (const WorkerSplit& split : candidates_) {
+      least = std::min(least, split.facts().makespan_bytes);
+    }
+    std::erase_if(candidates_, [&](const WorkerSplit& split) {
+      return split.facts().makespan_bytes / 3 > least / 2;
+    });
+  }
+
+  const ByteGroups& in_groups(std::uint64_t groups) {
+    return groups_.try_emplace(groups, sizes_, items_, groups).first->second;
+  }
+
+  // The best of the known shares.
+  void add_shares() {
+    std::uint64_t least = candidates_.front().facts().makespan_bytes;
+    std::optional<GroupShares> best;
+    const auto mean = [&](std::uint64_t groups, std::uint64_t of) {
+      return static_cast<double>(all_bytes_) / static_cast<double>(of) *
+             static_cast<double>(groups);
+    };
+    each_group_shares(
+        workers_, items_.size(),
+        [&](const ShareShape& shape) {
+          return mean(shape.all, shape.groups) <= static_cast<double>(least) &&
+                 mean(shape.held, shape.groups) <= static_cast<double>(sizes_.memory);
+        },
+        [&](GroupShares shares) {
+          stop_if_asked();
+          const ByteGroups& groups = in_groups(shares.groups);
+          std::uint64_t makespan = 0;
+          for (const GroupShare& share : shares.workers) {
+            const std::uint64_t held = groups.bytes_of(share.held);
+            const std::uint64_t streamed = groups.bytes_of(share.streamed);
+            std::uint64_t largest = 0;
+            for (const Element g : share.streamed) {
+              largest = std::max(largest, groups.largest[g]);
+            }
+            if (held > sizes_.memory || std::min(streamed, largest) > sizes_.memory - held) {
+              return;
+            }
+            makespan = std::max(makespan, held + streamed);
+          }
+          if (makespan < least) {
+            least = makespan;
+            best = std::move(shares);
+          }
+        });
+    if (!best) {
+      return;
+    }
+    const ByteGroups& groups = in_groups(best->groups);
+    const auto items_of = [&](const std::vector<Element>& of) {
+      std::vector<Element> items;
+      for (const Element g : of) {
+        items.insert(items.end(), groups.of[g].begin(), groups.of[g].end());
+      }
+      return items;
+    };
+    std::vector<std::vector<Move>> moves;
+    for (const GroupShare& share : best->workers) {
+      moves.push_back(held_and_streamed(sizes_, items_of(share.held), items_of(share.streamed)));
+    }
+    candidates_.push_back(
+        SplitMaker::lists(candidates_.front(), moves, best->method,
+                          fmt::format("The {} groups, of bytes as even as can be, are {}",
+                                      best->groups, best->explanation)));
+  }
+
+  // Of two sets each worker has a part of one with a part of the other.
+  void add_blocks() {
+    const std::uint64_t first = wanted_.first();
+    const std::span<const Element> a(items_.begin(), static_cast<std::size_t>(first));
+    const std::span<const Element> b(items_.begin() + static_cast<std::ptrdiff_t>(first),
+                                     items_.end());
+    double least = std::numeric_limits<double>::max();
+    std::uint64_t parts = 0;
+    const std::uint64_t most = std::min<std::uint64_t>(workers_, a.size());
+    for (std::uint64_t p = 1; p <= most; ++p) {
+      const std::uint64_t q = std::min<std::uint64_t>(workers_ / p, b.size());
+      if (const double bytes = block_bytes(bytes_of(a) / static_cast<double>(p),
+                                           bytes_of(b) / static_cast<double>(q));
+          bytes < least) {
+        least = bytes;
+        parts = p;
+      }
+    }
+    const std::uint64_t others = std::min<std::uint64_t>(workers_ / parts, b.size());
+    const ByteGroups of_a(sizes_, a, parts);
+    const ByteGroups of_b(sizes_, b, others);
+    std::vector<std::vector<Move>> moves;
+    for (const std::vector<Element>& some : of_a.of) {
+      for (const std::vector<Element>& with : of_b.of) {
+        moves.push_back(moves_of_block(some, with));
+      }
+    }
+    candidates_.push_back(SplitMaker::lists(
+        candidates_.front(), moves, "a block a worker",
+        fmt::format("{} of the first set with {} of the other, of bytes as even as can be.",
+                    count_of(parts, "part"), count_of(others, "part"))));
+  }
+
+  [[nodiscard]] double bytes_of(std::span<const Element> items) const {
+    double sum = 0;
+    for (const Element x : items) {
+      sum += static_cast<double>(sizes_.bytes[x]);
+    }
+    return sum;
+  }
+
+  // An estimate: parts of the smaller set stay while the other one passes.
+  [[nodiscard]] double block_bytes(double a, double b) const {
+    const double memory = static_cast<double>(sizes_.memory);
+    const auto with = [&](double stay, double pass) {
+      return stay + std::max(1.0, stay / memory) * pass;
+    };
+    return a + b <= memory ? a + b : std::min(with(a, b), with(b, a));
+  }
+
+  // Parts of one set that fit stay while the other set passes, forth and back.
+  [[nodiscard]] std::vector<Move> moves_of_block(std::vector<Element> some,
+                                                 std::vector<Element> with) const {
+    std::vector<ItemPair> pairs;
+    for (const Element x : some) {
+      for (const Element y : with) {
+        pairs.emplace_back(x, y);
+      }
+    }
+    const Part part(*this, pairs, options_.seed);
+    part.search->begin([] { return false; });
+    return part.moves();
+  }
+
+  /// The pairs of one worker.
+  struct Part {
+    Part(const SizedSplit& split, const std::vector<ItemPair>& pairs, std::uint64_t seed)
+        : items(items_of(pairs)),
+          graph(std::make_unique<PairGraph>(items.size(), numbered(pairs, items))),
+          sizes(std::make_unique<ItemSizes>()) {
+      sizes->memory = split.sizes_.memory;
+      std::uint64_t all = 0;
+      for (const Element x : items) {
+        sizes->bytes.push_back(split.sizes_.bytes[x]);
+        all += sizes->bytes.back();
+      }
+      search = std::make_unique<ClosingSearch>(
+          *sizes, *graph, std::min<std::uint64_t>(items.size(), split.items_.size()), all, seed);
+    }
+
+    [[nodiscard]] std::vector<Move> moves() const {
+      std::vector<SizedMove> found = search->offer().moves;
+      for (SizedMove& move : found) {
+        move.load = items[move.load];
+        for (Element& x : move.evict) {
+          x = items[x];
+        }
+      }
+      return in_steps(found);
+    }
+
+    std::vector<Element> items;
+    std::unique_ptr<PairGraph> graph;
+    std::unique_ptr<ItemSizes> sizes;
+    std::unique_ptr<ClosingSearch> search;
+  };
+
+  // The orders of workers for their pairs: the busiest one is improved as long as that is of use.
+  std::vector<std::vector<Move>> own_moves(const WorkerSplit& split,
+                                           const std::vector<std::vector<ItemPair>>& pairs) {
+    std::vector<Part> parts;
+    std::vector<std::uint64_t> bytes(pairs.size(), 0);
+    const auto search = [&](std::uint64_t slice, std::uint64_t work, const auto& over) {
+      for (std::size_t w = parts.size(); w < pairs.size() && !over(); ++w) {
+        parts.emplace_back(*this, pairs[w], options_.seed + w);
+        bytes[w] = split.facts().workers[w].bytes;
+        if (!pairs[w].empty()) {
+          parts[w].search->begin(over);
+          bytes[w] = std::min(bytes[w], parts[w].search->bytes());
+        }
+      }
+      while (parts.size() == pairs.size() && work > 0 && !over()) {
+        const auto busiest =
+            static_cast<std::size_t>(std::ranges::max_element(bytes) - bytes.begin());
+        Part& part = parts[busiest];
+        if (pairs[busiest].empty() || part.search->is_done() ||
+            bytes[busiest] <= split.facts().makespan_bytes_bound.loads) {
+          return;
+        }
+        part.search->improve(slice, over);
+        bytes[busiest] = std::min(bytes[busiest], part.search->bytes());
+        work -= std::min(work, slice);
+      }
+    };
+    constexpr std::uint64_t slice = 200'000;
+    constexpr std::uint64_t fixed_work = 150'000'000;  // a few seconds
+    if (options_.search_pairs) {
+      options_.search_pairs([&] {
+        RunControl* const control = RunScope::current();
+        search(slice, std::numeric_limits<std::uint64_t>::max(),
+               [&] { return control != nullptr && control->stop_wanted(); });
+      });
+    } else {
+      search(slice, fixed_work, [] {
+        stop_if_asked();
+        return false;
+      });
+    }
+    std::vector<std::vector<Move>> moves;
+    for (std::size_t w = 0; w < pairs.size(); ++w) {
+      const bool is_better = w < parts.size() && !pairs[w].empty() &&
+                             parts[w].search->bytes() < split.facts().workers[w].bytes;
+      moves.push_back(is_better ? parts[w].moves() : moves_of(*split.stream(w)));
+    }
+    return moves;
+  }
+
+  static std::vector<Move> moves_of(StepSource& steps) {
+    std::vector<Move> moves;
+    for (Step step; steps.next(step);) {
+      moves.push_back({step.evict, step.load});
+    }
+    return moves;
+  }
+
+  std::shared_ptr<const ItemSizes> shared_;
+  ItemSizes sizes_;  // without the spare memory
+  const WantedPairs& wanted_;
+  std::uint64_t workers_;
+  std::uint64_t spare_;
+  const LoadOrderOptions& options_;
+  std::vector<Element> items_;
+  std::uint64_t all_bytes_ = 0;
+  std::map<std::uint64_t, ByteGroups> groups_;
+  std::vector<WorkerSplit> candidates_;
+};
+
+}  // namespace
+
+WorkerSplit split_sized_order(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
+                              std::uint64_t workers, const LoadOrderOptions& options) {
+  return split_with_spare(std::move(sizes), wanted, workers, 0, options);
+}
+
+WorkerSplit split_with_spare(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
+                             std::uint64_t workers, std::uint64_t spare,
+                             const LoadOrderOptions& options) {
+  check_workers(workers);
+  check_sizes(*sizes, wanted);
+  return SizedSplit(std::move(sizes), wanted, workers, spare, options).result();
+}
+
+}  // namespace changeover
