@@ -561,6 +561,11 @@ export interface Head {
   /** No order loads fewer bytes. */
   bytes_bound?: number;
   bytes_bound_reason?: string;
+  /** With workers: of the one that loads most bytes. */
+  makespan_bytes?: number;
+  /** However it is split, some worker loads so many bytes. */
+  makespan_bytes_bound?: number;
+  makespan_bytes_bound_reason?: string;
   loads: number;
   transfers?: number;
   steps: number;
@@ -591,6 +596,8 @@ export interface Head {
   from_step?: number;
   groups?: number;
   order_room?: number;
+  /** With prefetch and sizes: the bytes that are used; the others are for what loads. */
+  order_memory?: number;
   pairs?: number;
   overlapped?: number;
   /** How many pairs the fullest step computes, of one worker, and the mean. */
@@ -601,6 +608,8 @@ export interface Head {
   gap?: number;
   verified: string;
   worker_loads?: number[];
+  /** What each worker loads, if items have sizes. */
+  worker_bytes?: number[];
   /** What each worker computes. */
   worker_pairs?: number[];
   /** What these pairs cost, if that was said. */
@@ -1146,9 +1155,13 @@ export interface Ordered {
   makespan?: number;
   makespan_bound?: number;
   worker_loads?: number[];
+  makespan_bytes?: number;
+  makespan_bytes_bound?: number;
+  /** bytes that each worker loads, if items have sizes */
+  worker_bytes?: number[];
   /** pairs that each worker computes */
   worker_pairs?: number[];
-  /** of the room, for what is loading */
+  /** of the room or of the memory, for what is loading */
   spare?: number;
 }
 export interface Kept {

@@ -5,6 +5,7 @@ import itertools
 import os
 import pathlib
 import pickle
+import random
 import tempfile
 import unittest
 
@@ -278,6 +279,52 @@ class Sizes(unittest.TestCase):
             None, pairs=[(0, 2), (2, 3)], sizes={0: 5, 2: 4, 3: 3}, memory=9
         )
         self.assertEqual(listed.bytes, 12)
+
+    def replayed(self, work, sizes, memory):
+        """Bytes that the steps load and the pairs that they compute; checks what is held."""
+        held, loaded, pairs, overlap = set(), 0, [], []
+        for step in work:
+            early = step.evict[: len(step.evict) - step.late]
+            self.assertLessEqual(set(step.evict), held)
+            held -= set(early)
+            come = sum(sizes[item] for item in step.load)
+            self.assertLessEqual(sum(sizes[item] for item in held) + come, memory)
+            for pair in overlap:  # while these items load
+                self.assertLessEqual(set(pair), held)
+            held -= set(step.evict)
+            self.assertFalse(held & set(step.load))
+            held |= set(step.load)
+            loaded += come
+            for pair in step.pairs:
+                self.assertLessEqual(set(pair), held)
+            pairs += overlap + step.pairs
+            overlap = step.overlap
+        for pair in overlap:
+            self.assertLessEqual(set(pair), held)
+        return loaded, pairs + overlap
+
+    def test_random_lists_for_workers_and_with_prefetch(self):
+        chance = random.Random(5)
+        for round in range(12):
+            items = chance.randint(4, 20)
+            sizes = [chance.randint(1, 40) for _ in range(items)]
+            every = list(itertools.combinations(range(items), 2))
+            wanted = chance.sample(every, chance.randint(items - 1, len(every)))
+            memory = max(sizes[a] + sizes[b] for a, b in wanted) + chance.randint(0, 60)
+            workers = chance.randint(2, 6)
+            how = {"prefetch": True} if round % 2 else {"new_pairs": True}
+            asked = {"pairs": wanted, "sizes": sizes, "memory": memory, **how}
+            split = changeover.load_order(items, workers=workers, **asked)
+            shares = [self.replayed(split.work(w), sizes, memory) for w in range(workers)]
+            self.assertEqual([loaded for loaded, _ in shares], split.worker_bytes)
+            self.assertEqual(max(split.worker_bytes), split.makespan_bytes)
+            self.assertEqual(sum(split.worker_bytes), split.bytes)
+            self.assertGreaterEqual(split.makespan_bytes, split.makespan_bytes_bound)
+            self.assertEqual(sorted(pair for _, its in shares for pair in its), sorted(wanted))
+            order = changeover.load_order(items, **asked)
+            loaded, pairs = self.replayed(order.work(), sizes, memory)
+            self.assertEqual((loaded, sorted(pairs)), (order.bytes, sorted(wanted)))
+        self.assertIsNone(changeover.load_order(12, 4, workers=2).worker_bytes)
 
     def test_what_does_not_fit_is_refused(self):
         for more, why in (

@@ -404,6 +404,9 @@ def check_loads(server, count):
         {"items": None, "workers": 2, "pairs": [[0, 1, 2.5], [1, 2, 4]]},
         {"epochs": 2, "new_pairs": True, "spread": True},
         {"room": None, "sizes": [[i, 1 + i % 3] for i in range(20)], "memory": 9},
+        {"room": None, "sizes": [[i, 1 + i % 3] for i in range(20)], "memory": 9, "workers": 3},
+        {"room": None, "sizes": [[i, 1 + i % 3] for i in range(20)], "memory": 9, "workers": 2,
+         "prefetch": True, "epochs": 2},
     ]
     for number in range(count):
         ask = {"items": rng.choice([1, 9, 20, 64]), "room": rng.choice([2, 3, 8, 70])}
@@ -810,6 +813,7 @@ def check_explorer(server):
         {"seconds": 0.1},
     ):
         post("loadorder", {"items": 9, "room": 3, **more})
+    post("loadorder", {"sizes": [[0, 2], [1, 3], [2, 4]], "memory": 8, "workers": 2})
     for more in (
         {"way": "exact"},
         {"way": "base-blocks", "kind": "circular", "blocks": 8},

@@ -269,7 +269,19 @@ void check_together(const LoadRequest& request, const Words& words, bool all) {
   }
 }
 
+// Said before the rules are, which only say that it has no meaning.
+void refuse_places_for_bytes(const LoadRequest& request, const Words& words) {
+  if (request.sizes.is_given() && (request.disjoint || request.fast_room)) {
+    const std::string_view other = request.disjoint ? "disjoint" : "fast_room";
+    words.refuse(other, fmt::format("{} counts items in memory, not their bytes; leave out {} and "
+                                    "give {}, or leave out {}",
+                                    words.key(other), words.key("sizes"), words.key("room"),
+                                    words.key(other)));
+  }
+}
+
 void check(const LoadRequest& request, const Words& words, bool has_pairs) {
+  refuse_places_for_bytes(request, words);
   check_rules(load_table(), request, words);
   check_threads(request, words);
   // Of one worker, a search of some seconds found no order with fewer loads than groups have.

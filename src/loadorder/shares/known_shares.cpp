@@ -174,6 +174,7 @@ void each_group_shares(std::uint64_t workers, std::uint64_t items,
                        const std::function<bool(const ShareShape& shape)>& is_hopeful,
                        const std::function<void(GroupShares shares)>& visit) {
   constexpr std::uint64_t largest_order = 101;
+  constexpr std::uint64_t most_streamed_groups = 600;  // whose pairs are given one by one
   for (const bool affine : {false, true}) {
     std::uint64_t q = 2;
     while (q < largest_order && (q + 1) * (q + 1) + (q + 1) + (affine ? 0 : 1) <= workers) {
@@ -187,6 +188,11 @@ void each_group_shares(std::uint64_t workers, std::uint64_t items,
                            on_a_line};
     if (q > 1 && shape.workers <= workers && shape.groups <= items && is_hopeful(shape)) {
       visit(plane_shares(q, affine));
+    }
+    const ShareShape streamed{shape.workers, shape.groups, on_a_line - 1, on_a_line};
+    if (q > 1 && shape.workers <= workers &&
+        shape.groups <= std::min(items, most_streamed_groups) && is_hopeful(streamed)) {
+      visit(streamed_plane_shares(q, affine));
     }
   }
   const std::uint64_t ring = std::min(workers, items);

@@ -6,7 +6,7 @@
 //
 // Sources:
 //   planes     the q+1 points of each line of a projective plane, W = q²+q+1; the q points of each
-//              line of an affine one
+//              line of an affine one; with room for all but one, that one is streamed
 //   table      found by search (docs/tools/find_shares.sh): base shares (A, S) over Z_n, of which
 //              the workers are the translates
 //              by multiples of m. S empty: a difference cover, every share a quorum

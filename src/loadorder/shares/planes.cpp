@@ -213,4 +213,21 @@ GroupShares plane_shares(std::uint64_t q, bool affine) {
   return shares;
 }
 
+GroupShares streamed_plane_shares(std::uint64_t q, bool affine) {
+  GroupShares shares = plane_shares(q, affine);
+  shares.plane_order = 0;
+  shares.method += ", a group streamed";
+  shares.explanation.pop_back();
+  shares.explanation += "; one of them is streamed.";
+  std::vector<std::uint64_t> streamed(static_cast<std::size_t>(shares.groups), 0);
+  for (GroupShare& share : shares.workers) {
+    const auto least =
+        std::ranges::min_element(share.held, {}, [&](Element group) { return streamed[group]; });
+    ++streamed[*least];
+    share.streamed = {*least};
+    share.held.erase(least);
+  }
+  return shares;
+}
+
 }  // namespace changeover

@@ -81,4 +81,8 @@ class Plane {
 /// Each worker has the points of a line. @throws as Plane
 [[nodiscard]] GroupShares plane_shares(std::uint64_t q, bool affine);
 
+/// The same for less room: of each line one point is streamed, another one for each line as far as
+/// can be, so that each point is held on some line. @throws as Plane
+[[nodiscard]] GroupShares streamed_plane_shares(std::uint64_t q, bool affine);
+
 }  // namespace changeover

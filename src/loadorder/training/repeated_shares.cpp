@@ -103,6 +103,7 @@ void SplitMaker::repeat(WorkerSplit& split, std::uint64_t epochs) {
   }
   LoadOrderFacts its = whole;
   if (whole.sizes) {
+    its.bytes = verdict.bytes;
     its.byte_bound = epochs_byte_bound(whole.byte_bound, whole.sizes->memory, workers, epochs);
     facts.makespan_bytes_bound =
         epochs_makespan_bound(facts.makespan_bytes_bound, its.byte_bound, workers, "bytes");

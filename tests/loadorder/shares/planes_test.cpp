@@ -6,6 +6,7 @@
 #include <set>
 
 #include "changeover/core/error.hpp"
+#include "changeover/loadorder/workers.hpp"
 #include "loadorder/shares/owners/plane_owners.hpp"
 #include "message_of.hpp"
 
@@ -78,6 +79,38 @@ TEST(Planes, HaveEachTwoPointsOnOneLine) {
       }
     }
   }
+}
+
+TEST(Planes, EachPointIsHeldOnALineWhereOneIsStreamed) {
+  for (const bool affine : {false, true}) {
+    for (const std::uint64_t q : {2U, 3U, 4U, 5U, 7U, 8U, 9U, 11U, 13U, 16U, 23U}) {
+      const GroupShares shares = streamed_plane_shares(q, affine);
+      std::vector<bool> held(static_cast<std::size_t>(shares.groups), false);
+      std::set<ItemPair> met;
+      for (const GroupShare& share : shares.workers) {
+        ASSERT_EQ(share.streamed.size(), 1U);
+        ASSERT_EQ(share.held.size(), q - (affine ? 1 : 0));
+        for (const Element x : share.held) {
+          held[x] = true;
+          met.emplace(std::min(x, share.streamed[0]), std::max(x, share.streamed[0]));
+          for (const Element y : share.held) {
+            met.emplace(std::min(x, y), std::max(x, y));
+          }
+        }
+      }
+      EXPECT_TRUE(std::ranges::all_of(held, [](bool is_held) { return is_held; })) << q;
+      EXPECT_EQ(met.size(), shares.groups * (shares.groups + 1) / 2) << q;
+    }
+  }
+}
+
+// Rooms that hold all groups of a line but one.
+TEST(Planes, AreUsedWithLessRoom) {
+  EXPECT_EQ(split_load_order(1024, 256, 12).facts().makespan, 342U);
+  EXPECT_EQ(split_load_order(1024, 181, 30).facts().makespan, 205U);
+  const SplitFacts many = split_load_order(4096, 345, 133).facts();
+  EXPECT_LE(many.makespan, 376U);
+  EXPECT_LE(many.makespan * 100, many.makespan_bound.loads * 106);
 }
 
 // Groups of one or two items: those of two are on all lines alike, as far as chance has it.
