@@ -43,8 +43,8 @@ std::shared_ptr<const GroupOwners> owners_of_stretches(const LoadOrder& order,
 
 namespace {
 
-/// What the steps of an order hold and load, in items or in bytes; a transfer to an accelerator counts, too, if
-/// it has a weight.
+/// What the steps of an order hold and load, in items or in bytes; a transfer to an accelerator
+/// counts, too, if it has a weight.
 class StepSizes {
  public:
   StepSizes(const LoadOrder& order, std::uint64_t items, std::uint64_t load = 1,

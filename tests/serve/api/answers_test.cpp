@@ -345,10 +345,10 @@ TEST_F(Answers, LoadOrdersBringAllPairsTogether) {
   EXPECT_GE(sized["bytes"], 25);
   EXPECT_EQ(sized["pairs"], 6);
   for (const std::string more : {"", R"(,"epochs":3)", R"(,"prefetch":true)"}) {
-    const auto shared = json_of(post(
-        "/api/loadorder",
-        R"({"sizes":[[0,5],[1,7],[2,9],[3,4],[4,6]],"memory":16,"workers":2)" + more + "}",
-        "application/json"));
+    const auto shared = json_of(
+        post("/api/loadorder",
+             R"({"sizes":[[0,5],[1,7],[2,9],[3,4],[4,6]],"memory":16,"workers":2)" + more + "}",
+             "application/json"));
     EXPECT_EQ(shared["bytes"], shared["order"]["bytes_loaded"]) << shared;
     EXPECT_EQ(shared["bytes_bound"], shared["order"]["bytes_bound"]);
     EXPECT_EQ(shared["worker_bytes"], shared["order"]["worker_bytes"]);
