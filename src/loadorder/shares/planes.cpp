@@ -216,7 +216,6 @@ GroupShares plane_shares(std::uint64_t q, bool affine) {
 GroupShares streamed_plane_shares(std::uint64_t q, bool affine) {
   GroupShares shares = plane_shares(q, affine);
   shares.plane_order = 0;
-  shares.method += ", a group streamed";
   shares.explanation.pop_back();
   shares.explanation += "; one of them is streamed.";
   std::vector<std::uint64_t> streamed(static_cast<std::size_t>(shares.groups), 0);
