@@ -106,41 +106,82 @@ std::vector<Block> cheaper_direction(const Job& job, const std::vector<Element>&
   return better ? backwards : forwards;
 }
 
-// The m-change design over these parts, if there is one: the best known one, or a better one.
-std::optional<Start> design_start(const Job& job, const std::vector<Element>& parts,
-                                  std::uint64_t k, std::uint64_t m, std::uint64_t moves,
-                                  RunControl& control) {
-  const bool triples = !job.triples.empty();
-  const Parameters p{
-      .v = parts.size(), .k = k, .change = m, .kind = Kind::linear, .strength = triples ? 3U : 2U};
-  if (impossibility(p) || control.stop_wanted()) {
-    return std::nullopt;
+// A design as a list of set-ups, with what the list costs.
+struct DesignStart {
+  Start start;
+  Amount cost;
+  Parameters parameters;
+  std::uint64_t blocks = 0;
+  std::string by;  // a construction
+};
+
+// Designs over these parts as lists of set-ups.
+class DesignStarts {
+ public:
+  DesignStarts(const Job& job, std::vector<Element> parts, RunControl& control)
+      : job_(&job), parts_(std::move(parts)), control_(&control) {}
+
+  // The best known m-change design, if there is one.
+  [[nodiscard]] std::optional<DesignStart> known(std::uint64_t k, std::uint64_t m) const {
+    const Parameters p{.v = parts_.size(),
+                       .k = k,
+                       .change = m,
+                       .kind = Kind::linear,
+                       .strength = job_->triples.empty() ? 2U : 3U};
+    if (impossibility(p) || control_->stop_wanted()) {
+      return std::nullopt;
+    }
+    const std::optional<Design> design = best_known_design(p);
+    if (!design) {
+      return std::nullopt;
+    }
+    return made(p, *design, design->recipe ? design->recipe->construction : "a recipe");
   }
-  std::optional<Design> design = best_known_design(p);
-  if (!design) {
-    return std::nullopt;
-  }
-  std::string how = design->recipe ? design->recipe->construction : "a recipe";
-  constexpr std::uint64_t most_improved = 4;
-  if (!triples && moves > 0 && m <= most_improved &&
-      design->block_count() > lower_bound(p).blocks && !control.stop_wanted()) {
-    RunControl own(control, 1U);
-    ImproveResult better;
+
+  // One with fewer blocks, if local search finds it with so many moves and it costs less.
+  void improve_by_search(DesignStart& from, std::uint64_t moves) const {
+    constexpr std::uint64_t most_improved = 4;
+    const Parameters& p = from.parameters;
+    if (p.change > most_improved || from.blocks <= lower_bound(p).blocks ||
+        control_->stop_wanted()) {
+      return;
+    }
     try {
-      better = improve(p, {.moves = moves}, own);
+      RunControl own(*control_, 1U);
+      const ImproveResult better = improve(p, {.moves = moves}, own);
+      if (better.design && better.design->block_count() < from.blocks) {
+        DesignStart found =
+            made(p, *better.design, fmt::format("local search; {} by {}", from.blocks, from.by));
+        if (found.cost < from.cost) {
+          from = std::move(found);
+        }
+      }
     } catch (const Stopped&) {
       // the known design is used
-    }
-    if (better.design && better.design->block_count() < design->block_count()) {
-      how = fmt::format("local search; {} by {}", design->block_count(), how);
-      design = std::move(better.design);
+    } catch (const ImpossibleParameters&) {
+      // the cost overflows, that of the known design does not
     }
   }
-  return Start{change_name(m) + " design",
-               fmt::format("linear {} with {} ({})", name(p, false),
-                           count_of(design->block_count(), "block"), how),
-               cheaper_direction(job, parts, *design, control)};
-}
+
+ private:
+  [[nodiscard]] DesignStart made(const Parameters& p, const Design& design,
+                                 const std::string& how) const {
+    DesignStart made{.start = {change_name(p.change) + " design",
+                               fmt::format("linear {} with {} ({})", name(p, false),
+                                           count_of(design.block_count(), "block"), how),
+                               cheaper_direction(*job_, parts_, design, *control_)},
+                     .cost = {},
+                     .parameters = p,
+                     .blocks = design.block_count(),
+                     .by = how};
+    made.cost = run_sheet(*job_, made.start.setups).cost;
+    return made;
+  }
+
+  const Job* job_;
+  std::vector<Element> parts_;
+  RunControl* control_;
+};
 
 }  // namespace
 
@@ -161,19 +202,26 @@ std::vector<Start> design_starts(const Job& job, std::uint64_t moves, RunControl
     return {};
   }
   control.tell({.phase = "looking for designs"});
-  std::vector<std::optional<Start>> found(static_cast<std::size_t>(most));
-  in_parallel(control, static_cast<std::size_t>(most), [&](std::size_t i) {
+  std::vector<std::optional<DesignStart>> found(static_cast<std::size_t>(most));
+  const DesignStarts designs(job, parts, control);
+  in_parallel(control, found.size(), [&](std::size_t i) {
     try {
-      found[i] = design_start(job, parts, k, i + 1, moves, control);
+      found[i] = designs.known(k, i + 1);
     } catch (const ImpossibleParameters&) {
       // its cost overflows, that of others does not
     }
   });
+  std::erase(found, std::nullopt);
+  if (moves > 0 && job.triples.empty()) {
+    // Searches take time, and there may be none for the last ones.
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a->cost < b->cost; });
+    in_parallel(control, found.size(),
+                [&](std::size_t i) { designs.improve_by_search(*found[i], moves); });
+  }
   std::vector<Start> starts;
-  for (std::optional<Start>& start : found) {
-    if (start) {
-      starts.push_back(*std::move(start));
-    }
+  for (std::optional<DesignStart>& each : found) {
+    starts.push_back(std::move(each->start));
   }
   return starts;
 }

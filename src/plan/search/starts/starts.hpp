@@ -18,7 +18,7 @@ struct Start {
 
 /// Single-, double- and m-change designs over the parts that have needed pairs, relabelled to be
 /// cheap; empty if there are forbidden pairs or slots. Each is the best known one or, for m ≤ 4, a
-/// better one found by local search with `moves` moves.
+/// better one found by local search with `moves` moves. All known ones come before any search.
 [[nodiscard]] std::vector<Start> design_starts(const Job& job, std::uint64_t moves,
                                                RunControl& control);
 

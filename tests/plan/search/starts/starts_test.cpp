@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -98,6 +99,40 @@ TEST(GreedyStart, DoesJobsWithFreeParts) {
   EXPECT_TRUE(run_sheet(job, greedy_start(job, control).setups).does_the_job());
   job.change_costs.assign(20, Amount{});
   EXPECT_TRUE(run_sheet(job, greedy_start(job, control).setups).does_the_job());
+}
+
+// All known designs come before the searches for better ones, which take all the time there is.
+TEST(DesignStarts, AreAllThereWhateverTheSearchesTake) {
+  const Job job = job_with_dear_parts(20, 4);
+  RunControl no_limit({});
+  const std::vector<Start> known = design_starts(job, 0, no_limit);
+  ASSERT_EQ(known.size(), 4U);  // 1 to 4 changes a step
+  constexpr std::uint64_t endless = std::uint64_t{1} << 50U;
+  RunControl short_time({.time = std::chrono::seconds(2), .threads = 1});
+  EXPECT_EQ(design_starts(job, endless, short_time).size(), known.size());
+}
+
+TEST(DesignStarts, SearchesMakeNoneDearer) {
+  bool any_better = false;
+  for (const std::uint64_t room : {3U, 4U, 5U}) {
+    const Job job = job_with_dear_parts(14, room);
+    RunControl control({});
+    std::vector<Start> known = design_starts(job, 0, control);
+    const std::vector<Start> searched = design_starts(job, 200'000, control);
+    ASSERT_EQ(searched.size(), known.size());
+    for (const Start& start : searched) {
+      const auto before = std::find_if(
+          known.begin(), known.end(), [&](const Start& other) { return other.name == start.name; });
+      ASSERT_NE(before, known.end()) << start.name;
+      const RunSheet sheet = run_sheet(job, start.setups);
+      EXPECT_TRUE(sheet.does_the_job()) << start.how;
+      const Amount cost = run_sheet(job, before->setups).cost;
+      EXPECT_LE(sheet.cost, cost) << start.how;
+      any_better = any_better || sheet.cost < cost;
+      known.erase(before);
+    }
+  }
+  EXPECT_TRUE(any_better);
 }
 
 // The search for a covering leaves the time to the search for a cheap list.
