@@ -154,11 +154,8 @@ class PairsPlanner {
     plan.steps += attempts.steps();
   }
 
-  // Designs get an eighth of the time: other lists need it more.
   void add_designs(RunPlan& plan) const {
-    constexpr double share = 0.125;
-    ShareOfTime part(*control_, share);
-    for (const Start& start : design_starts(*job_, options_->design_moves, part.control())) {
+    for (const Start& start : design_starts(*job_, options_->design_moves, *control_)) {
       add(plan, start);
     }
   }

@@ -10,6 +10,7 @@
 #include "changeover/run/control.hpp"
 #include "changeover/search/local_search.hpp"
 #include "core/words.hpp"
+#include "plan/search/budget.hpp"
 #include "plan/search/starts/starts.hpp"
 #include "run/threads.hpp"
 
@@ -203,8 +204,11 @@ std::vector<Start> design_starts(const Job& job, std::uint64_t moves, RunControl
   }
   control.tell({.phase = "looking for designs"});
   std::vector<std::optional<DesignStart>> found(static_cast<std::size_t>(most));
-  const DesignStarts designs(job, parts, control);
-  in_parallel(control, found.size(), [&](std::size_t i) {
+  // Other lists need the time more: most of it, and nearly all of it once the known ones are there.
+  constexpr double share_of_known = 0.4;
+  ShareOfTime for_known(control, share_of_known);
+  const DesignStarts designs(job, parts, for_known.control());
+  in_parallel(for_known.control(), found.size(), [&](std::size_t i) {
     try {
       found[i] = designs.known(k, i + 1);
     } catch (const ImpossibleParameters&) {
@@ -216,8 +220,11 @@ std::vector<Start> design_starts(const Job& job, std::uint64_t moves, RunControl
     // Searches take time, and there may be none for the last ones.
     std::stable_sort(found.begin(), found.end(),
                      [](const auto& a, const auto& b) { return a->cost < b->cost; });
-    in_parallel(control, found.size(),
-                [&](std::size_t i) { designs.improve_by_search(*found[i], moves); });
+    constexpr double share_of_searches = 0.125;
+    ShareOfTime for_searches(control, share_of_searches);
+    const DesignStarts searches(job, parts, for_searches.control());
+    in_parallel(for_searches.control(), found.size(),
+                [&](std::size_t i) { searches.improve_by_search(*found[i], moves); });
   }
   std::vector<Start> starts;
   for (std::optional<DesignStart>& each : found) {
