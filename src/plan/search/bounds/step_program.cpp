@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "bounds/short_stays.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {
@@ -115,7 +117,7 @@ bool StepProgram::add_violated() {
       any = (a <= b && add_subsets(a, b)) || any;
     }
   }
-  return any;
+  return any || add_side_by_side();
 }
 
 // (3) of the theorem.
@@ -160,15 +162,16 @@ bool StepProgram::add_staying(std::size_t a, std::size_t b) {
   return add_if_room(std::move(row), least);
 }
 
-// (4) of the theorem: of the parts that come least often.
+std::vector<std::size_t> StepProgram::by_times(std::size_t group) const {
+  std::vector<std::size_t> parts = counted_.groups()[group].parts;
+  std::stable_sort(parts.begin(), parts.end(),
+                   [&](std::size_t x, std::size_t y) { return times(x) < times(y); });
+  return parts;
+}
+
+// (4) of the theorem, for whole numbers: of the parts that come least often.
 bool StepProgram::add_subsets(std::size_t a, std::size_t b) {
   const std::vector<PartGroup>& groups = counted_.groups();
-  const auto by_times = [&](std::size_t group) {
-    std::vector<std::size_t> parts = groups[group].parts;
-    std::stable_sort(parts.begin(), parts.end(),
-                     [&](std::size_t x, std::size_t y) { return times(x) < times(y); });
-    return parts;
-  };
   const std::vector<std::size_t> of_a = by_times(a);
   const std::vector<std::size_t> of_b = by_times(b);
   double most = slightly;
@@ -190,7 +193,12 @@ bool StepProgram::add_subsets(std::size_t a, std::size_t b) {
       if (a == b && s != t) {
         continue;
       }
-      const std::uint64_t must = a == b ? met[t] / 2 + choose_two(c) : met[t] + c * d;
+      const std::uint64_t unit = a == b ? c - 1 : std::gcd(c, d);
+      if (unit == 0) {
+        continue;
+      }
+      const std::uint64_t must =
+          unit * ceil_div(a == b ? met[t] / 2 + choose_two(c) : met[t] + c * d, unit);
       const double comes =
           a == b ? static_cast<double>(c - 1) * times_a
                  : static_cast<double>(d) * times_a + static_cast<double>(c) * times_b;
@@ -208,13 +216,127 @@ bool StepProgram::add_subsets(std::size_t a, std::size_t b) {
   LeastSum::Row row;
   const std::uint64_t c = std::min<std::uint64_t>(groups[a].room, best_a);
   const std::uint64_t d = std::min<std::uint64_t>(groups[b].room, best_b);
+  const std::uint64_t unit = a == b ? c - 1 : std::gcd(c, d);
   for (std::size_t s = 0; s < best_a; ++s) {
-    row.push_back({of_a[s], static_cast<std::int64_t>(a == b ? c - 1 : d)});
+    row.push_back({of_a[s], static_cast<std::int64_t>(a == b ? 1 : d / unit)});
   }
   for (std::size_t t = 0; a != b && t < best_b; ++t) {
-    row.push_back({of_b[t], static_cast<std::int64_t>(c)});
+    row.push_back({of_b[t], static_cast<std::int64_t>(c / unit)});
   }
-  return add_if_room(std::move(row), least);
+  return add_if_room(std::move(row), least / static_cast<std::int64_t>(unit));
+}
+
+// (6): of each group the parts that come least often, so many or up to so often.
+bool StepProgram::add_side_by_side() {
+  std::vector<std::vector<std::size_t>> all;  // by group that is not the whole
+  std::vector<double> limits;
+  std::size_t most = 0;
+  for (std::size_t g = 0; g < counted_.groups().size(); ++g) {
+    if (counted_.groups()[g].parts.size() < v_) {
+      all.push_back(by_times(g));
+      most = std::max(most, all.back().size());
+    }
+  }
+  for (std::size_t x = 0; x < v_; ++x) {
+    limits.push_back(times(x));
+  }
+  std::sort(limits.begin(), limits.end());
+  limits.erase(std::unique(limits.begin(), limits.end(),
+                           [](double a, double b) { return b - a < slightly; }),
+               limits.end());
+  SideBySide best;
+  for (std::size_t number = 1; number <= most + limits.size() && all.size() > 2; ++number) {
+    std::vector<std::vector<std::size_t>> sets = all;
+    for (std::vector<std::size_t>& set : sets) {
+      const auto end = number <= most
+                           ? set.begin() + static_cast<std::ptrdiff_t>(std::min(number, set.size()))
+                           : std::find_if(set.begin(), set.end(), [&](std::size_t x) {
+                               return times(x) > limits[number - most - 1] + slightly;
+                             });
+      set.erase(end, set.end());
+    }
+    SideBySide found = side_by_side(sets);
+    if (found.open > best.open) {
+      best = std::move(found);
+    }
+  }
+  if (best.open <= slightly) {
+    return false;
+  }
+  LeastSum::Row row;
+  for (const std::size_t x : best.parts) {
+    row.push_back({x, 1});
+  }
+  return add_if_room(std::move(row), best.least);
+}
+
+// The row for some of these sets of parts, one of each group, those for which it is broken most.
+StepProgram::SideBySide StepProgram::side_by_side(std::vector<std::vector<std::size_t>> sets) {
+  const auto room = [&](const std::vector<std::size_t>& set) {
+    const auto group = std::find_if(
+        counted_.groups().begin(), counted_.groups().end(), [&](const PartGroup& each) {
+          return each.parts.size() < v_ &&
+                 std::find(each.parts.begin(), each.parts.end(), set.front()) != each.parts.end();
+        });
+    return std::min<std::uint64_t>(group->room, set.size());
+  };
+  std::erase_if(sets, [](const auto& set) { return set.empty(); });
+  const std::uint64_t c = sets.empty() ? 0 : room(sets.front());
+  std::erase_if(sets, [&](const auto& set) { return room(set) != c; });
+  const std::size_t n = sets.size();
+  const std::uint64_t numbers = v_ * v_ + n * n * n;
+  if (n < 3 || numbers > work_) {
+    return {};
+  }
+  work_ -= numbers;
+  std::vector<std::int64_t> both(n * n);  // the most that two shares are together
+  for (std::size_t a = 0; a < n; ++a) {
+    for (std::size_t b = 0; b < n; ++b) {
+      std::uint64_t pairs = 0;
+      for (const std::size_t x : sets[a]) {
+        for (const std::size_t y : sets[b]) {
+          pairs += counted_.needed(x, y) ? 1U : 0U;
+        }
+      }
+      both[a * n + b] = static_cast<std::int64_t>(ceil_div(pairs, c) + c + 1);
+    }
+  }
+  std::vector<std::size_t> taken(n);
+  std::iota(taken.begin(), taken.end(), 0);
+  std::vector<std::int64_t> share(n);
+  std::vector<double> open(n);
+  const auto idle = [&] {
+    return std::min_element(taken.begin(), taken.end(),
+                            [&](std::size_t a, std::size_t b) { return open[a] < open[b]; });
+  };
+  for (; taken.size() > 2; taken.erase(idle())) {
+    for (const bool rest : {false, true}) {
+      for (const std::size_t a : taken) {
+        std::int64_t most = std::numeric_limits<std::int64_t>::max();
+        for (const std::size_t b : taken) {
+          const std::int64_t all = both[a * n + b];
+          most = a == b ? most : std::min(most, rest ? all - share[b] : all / 2);
+        }
+        share[a] = most;
+      }
+    }
+    for (const std::size_t a : taken) {
+      open[a] = static_cast<double>(share[a]);
+      for (const std::size_t x : sets[a]) {
+        open[a] -= times(x);
+      }
+    }
+    if (open[*idle()] >= 0) {
+      break;
+    }
+  }
+  SideBySide found{.open = -1, .least = -1};
+  for (const std::size_t a : taken) {
+    found.parts.insert(found.parts.end(), sets[a].begin(), sets[a].end());
+    found.open += open[a];
+    found.least += share[a];
+  }
+  return taken.size() > 2 ? found : SideBySide{};
 }
 
 // (5): a part is in as many tests as it comes, and in as many as its partners need.

@@ -95,11 +95,21 @@ class StepProgram {
     std::int64_t least = 0;
   };
 
+  // Parts that come at least so often together, and what that is more than they come.
+  struct SideBySide {
+    std::vector<std::size_t> parts = {};
+    double open = 0;
+    std::int64_t least = 0;
+  };
+
   void set_costs(const Job& job);
   void add_first_rows();
   bool add_violated();
   bool add_staying(std::size_t a, std::size_t b);
   bool add_subsets(std::size_t a, std::size_t b);
+  bool add_side_by_side();
+  [[nodiscard]] SideBySide side_by_side(std::vector<std::vector<std::size_t>> sets);
+  [[nodiscard]] std::vector<std::size_t> by_times(std::size_t group) const;
   bool add_occupied(const std::vector<std::size_t>& parts, std::uint64_t in_a_test);
   bool add_few_stays();
   void add_exchanges(const Job& job);

@@ -109,6 +109,69 @@ TEST(StepBound, IsNoMoreThanWhatAllListsAreLookedThroughFor) {
   EXPECT_GT(attained, 15U);
 }
 
+// Slots of one place with a few parts each.
+Job one_each_job(std::uint64_t seed) {
+  Random random(seed, 900);
+  const std::uint32_t slots = 3 + random.below(2);
+  Job job = make_job(2 * slots + random.below(slots == 3 ? 4 : 2), slots,
+                     Amount{random.below(3) * money}, Amount{});
+  for (std::uint32_t s = 0; s < slots; ++s) {
+    job.slots.push_back({"s" + std::to_string(s), 1, 1});
+  }
+  for (Element x = 0; x < job.parts(); ++x) {
+    job.slot_of.push_back(x < 2 * slots ? x % slots : random.below(slots));
+    job.change_costs[x] = Amount{(random.below(3) == 0 ? 10 : 1) * money};
+  }
+  for (std::uint32_t i = random.below(4); i > 0; --i) {
+    const Element x = random.below(slots);
+    const Element y = (x + 1) % slots + slots * random.below(2);
+    job.never.insert(x, y);
+  }
+  job.needed = all_pairs_but(job.never);
+  drop_needed(job, cannot_meet(job));
+  return job;
+}
+
+// (6) of the theorem counts the parts of several slots together.
+TEST(StepBound, IsNoMoreThanTheLeastWhereSlotsHaveOnePlace) {
+  std::uint64_t ended = 0;
+  std::uint64_t attained = 0;
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    const Job job = one_each_job(seed);
+    if (!defects(job).empty() || !is_small(job)) {
+      continue;
+    }
+    RunControl control({.threads = 1});
+    RunPlan plan = make_run_plan(job, {.steps = 5'000, .design_moves = 0, .states = 0}, control);
+    const ExactPlan exact = exact_plan(job, plan.sheet.cost, 100'000, control);
+    if (!exact.setups && exact.bound < plan.sheet.cost) {
+      continue;  // That took too long.
+    }
+    const Amount least = exact.setups ? run_sheet(job, *exact.setups).cost : plan.sheet.cost;
+    EXPECT_LE(by_steps(job), least) << seed;
+    ++ended;
+    attained += by_steps(job) == least ? 1U : 0U;
+  }
+  EXPECT_GT(ended, 100U);
+  EXPECT_GT(attained, 50U);
+}
+
+TEST(StepBound, CountsTwoPartsOfManySlots) {
+  for (std::uint32_t slots = 2; slots <= 6; ++slots) {
+    Job job = make_job(2 * slots, slots, Amount{}, Amount{money});
+    for (std::uint32_t s = 0; s < slots; ++s) {
+      job.slots.push_back({"s" + std::to_string(s), 1, 1});
+    }
+    for (Element x = 0; x < job.parts(); ++x) {
+      job.slot_of.push_back(x / 2);
+    }
+    drop_needed(job, cannot_meet(job));
+    EXPECT_EQ(to_string(by_steps(job)), std::to_string(3 * slots - 1));
+    RunControl control({.threads = 1});
+    EXPECT_EQ(to_string(make_run_plan(job, {}, control).sheet.cost), std::to_string(3 * slots - 1));
+  }
+}
+
 // Any list that does the job costs at least the bound, at prices for which it is as cheap as can
 // be: parts that it puts in often cost little, others much.
 TEST(StepBound, HoldsForEveryListAtEveryPrice) {
