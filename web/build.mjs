@@ -56,6 +56,7 @@ async function pages() {
     absWorkingDir: here,
     entryPoints: {
       'assets/app': 'src/main.ts',
+      'assets/start': 'src/start.ts',
       'assets/verify-worker': 'src/pages/verify/worker.ts',
       'assets/style': 'src/style/main.css',
     },

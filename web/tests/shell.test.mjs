@@ -18,6 +18,21 @@ test('the token leaves the address and survives a reload', async () => {
   assert.ok(await page.evaluate(() => sessionStorage.getItem('changeover-token')));
 });
 
+test('a page that opens the explorer has no hold on it', async () => {
+  const other = await explorer.context.newPage();
+  await other.goto('data:text/html,<p>elsewhere');
+  const [opened] = await Promise.all([
+    explorer.context.waitForEvent('page'),
+    other.evaluate((address) => {
+      globalThis.held = window.open(address);
+    }, explorer.server.origin),
+  ]);
+  await settled(opened);
+  assert.equal(await opened.evaluate(() => window.opener), null);
+  await other.waitForFunction(() => globalThis.held.closed);
+  await Promise.all([opened.close(), other.close()]);
+});
+
 test('every page of the navigation is reached by keyboard alone', async () => {
   const page = await explorer.open();
   const names = await page.locator('nav a').allTextContents();

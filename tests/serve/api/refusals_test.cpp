@@ -131,6 +131,19 @@ TEST_F(Refusals, EveryAnswerHasTheHeadersOfSafety) {
   }
 }
 
+// A page that another site opened must not be in that site's hands. What its user or the explorer
+// itself opened has no opener elsewhere.
+TEST_F(Refusals, PagesThatOtherSitesOpenAreCutOffFromThem) {
+  const auto policy = [this](const char* from) {
+    return get(port(), "/", {{"Sec-Fetch-Site", from}}).header("cross-origin-opener-policy");
+  };
+  EXPECT_EQ(policy("cross-site"), "same-origin");
+  EXPECT_EQ(policy("same-site"), "same-origin");
+  EXPECT_EQ(policy("unknown"), "same-origin");
+  EXPECT_EQ(policy("none"), "");
+  EXPECT_EQ(policy("same-origin"), "");
+}
+
 TEST_F(Refusals, StrangersAreNotAnswered) {
   const std::string own = "127.0.0.1:" + std::to_string(port());
   EXPECT_EQ(get(port(), "/api/about", {{"Host", "evil.example"}}).status, 403);

@@ -456,8 +456,14 @@ MHD_Result Server::State::send(Exchange& exchange) {
   const auto add = [&](const std::string& name, const std::string& value) {
     MHD_add_response_header(made.get(), name.c_str(), value.c_str());
   };
+  // Only a page of another site can have opened this window. The header has browsers begin another
+  // process, which takes them longer than all else up to the first paint.
+  const std::string_view from = request.header("sec-fetch-site");
+  const bool opened_by_itself = from == "none" || from == "same-origin";
   for (const auto& [name, value] : security_headers()) {
-    add(name, value);
+    if (name != "Cross-Origin-Opener-Policy" || !opened_by_itself) {
+      add(name, value);
+    }
   }
   bool says_caching = false;
   for (const auto& [name, value] : response.headers) {
@@ -467,7 +473,7 @@ MHD_Result Server::State::send(Exchange& exchange) {
   if (!says_caching) {
     add("Cache-Control", response.etag.empty() ? "no-store" : "no-cache");
   }
-  add("Vary", "Accept-Encoding");
+  add("Vary", "Accept-Encoding, Sec-Fetch-Site");
   if (!response.etag.empty()) {
     add("ETag", response.etag);
   }

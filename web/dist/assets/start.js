@@ -1,0 +1,1 @@
+var e=()=>{import("./app.js")};document.hidden?e():requestAnimationFrame(()=>setTimeout(e));
