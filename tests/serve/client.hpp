@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arpa/inet.h>
+#include <fmt/format.h>
 #include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -12,7 +13,9 @@
 #include <cctype>
 #include <chrono>
 #include <cstdint>
+#include <fstream>
 #include <map>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -58,6 +61,31 @@ class Connection {
 
   /// There is nothing more to say; what comes back is still read.
   void end() const { ::shutdown(socket_, SHUT_WR); }
+
+  /// Whether the server has read all that was sent, which the system's table of sockets says.
+  [[nodiscard]] bool was_read() const {
+    sockaddr_in own{};
+    socklen_t size = sizeof own;
+    ::getsockname(socket_, reinterpret_cast<sockaddr*>(&own), &size);
+    sockaddr_in servers{};
+    ::getpeername(socket_, reinterpret_cast<sockaddr*>(&servers), &size);
+    const auto name = [](const sockaddr_in& address) {
+      return fmt::format("{:08X}:{:04X}", address.sin_addr.s_addr, ntohs(address.sin_port));
+    };
+    std::ifstream table("/proc/net/tcp");
+    std::string number;
+    std::string local;
+    std::string remote;
+    std::string state;
+    std::string queues;  // to be sent, and to be read
+    for (std::string line; std::getline(table, line);) {
+      std::istringstream(line) >> number >> local >> remote >> state >> queues;
+      if (local == name(servers) && remote == name(own)) {
+        return queues.ends_with(":00000000");
+      }
+    }
+    return false;
+  }
 
   /// More bytes into text(); false at the end.
   bool read_more(int patience = 60'000) {

@@ -151,7 +151,7 @@ TEST(HardTimes, WorkOfWhoLeavesIsGivenUp) {
     Connection connection(own.port());
     // Hours of work.
     connection.send(request_text(own.port(), "GET", "/api/table?k=20..30&v=31..800&change=1"));
-    ::usleep(200'000);
+    ASSERT_TRUE(eventually([&] { return connection.was_read(); }));
   }
   EXPECT_EQ(get(own.port(), "/api/constructions").status, 200);  // on the same thread
 }
@@ -210,7 +210,7 @@ TEST(HardTimes, StoppingEndsEverything) {
   Connection idle(own->port());
   Connection half(own->port());
   half.send("POST /api/verify HTTP/1.1\r\nHost: x\r\nContent-Length: 1000\r\n\r\n0 1 2\n");
-  ::usleep(100'000);
+  ASSERT_TRUE(eventually([&] { return worker.was_read() && half.was_read(); }));
   EXPECT_TRUE(own->server->stop(std::chrono::minutes(1)));
   own.reset();
   while (listener.read_more()) {

@@ -90,10 +90,9 @@ TEST(Server, AnswersWhatWaitsWhenItStops) {
   own.begun.wait();
   Connection second(own.port);
   second.send(request_text(own.port, "GET", "/fails?of=x"));
-  ASSERT_TRUE(eventually([&] { return own.server->open_connections() == 2; }));
-  ::usleep(100'000);  // its request is read
+  ASSERT_TRUE(eventually([&] { return second.was_read(); }));
   std::jthread stopping([&] { EXPECT_TRUE(own.server->stop(std::chrono::minutes(1))); });
-  ::usleep(100'000);
+  ASSERT_TRUE(eventually([&] { return get(own.port, "/nowhere").status == 503; }));
   own.may_end.count_down();
   const Reply reply = second.reply();
   EXPECT_EQ(reply.status, 503);
