@@ -53,7 +53,7 @@ class Blocks(_core.Memory):
             raise TypeError(f"blocks have a number or a slice as index, not {shown}")
         place = operator.index(index)
         if not -count <= place < count:
-            raise IndexError(f"there are {count} blocks")
+            raise IndexError(f"the design has {count_of(count, 'block')}")
         return self.row(place % count)
 
     def __len__(self) -> int:

@@ -177,15 +177,15 @@ Bound end_to_end(const Parameters& p) {
                                              : fmt::format("at most {} elements enter", p.change);
   if (p.strength == 2) {
     return {b, "end to end",
-            fmt::format(
-                "{5} a step, so some x is in none of the first ceil(({1}-{2})/{0}) = {3} blocks "
-                "and some y in none of the last {3}: b >= 2*{3} + 1 = {4}",
-                p.change, p.v, p.k, reach, b, entering)};
+            fmt::format("{5} a step, so some x is in none of the first ceil(({1}-{2})/{0}) = {6} "
+                        "and some y in none of the last {3}: b >= 2*{3} + 1 = {4}",
+                        p.change, p.v, p.k, reach, b, entering, count_of(reach, "block"))};
   }
-  return {b, "end to end",
-          fmt::format("{6} a step, so ceil(({1}-{2})/{0}) = {3} blocks in a row lack some element, "
-                      "and {4} runs of {3} lack {4} that never meet: b >= {4}*{3} + 1 = {5}",
-                      p.change, p.v, p.k, reach, p.strength, b, entering)};
+  return {
+      b, "end to end",
+      fmt::format("{6} a step, so ceil(({1}-{2})/{0}) = {7} in a row lack some element, "
+                  "and {4} runs of {3} lack {4} that never meet: b >= {4}*{3} + 1 = {5}",
+                  p.change, p.v, p.k, reach, p.strength, b, entering, count_of(reach, "block"))};
 }
 
 }  // namespace

@@ -10,6 +10,10 @@ std::string count_of(std::uint64_t n, std::string_view one, std::string_view man
                         : fmt::format("{} {}", n, many);
 }
 
+std::string all_of(std::uint64_t n, std::string_view one) {
+  return n == 1 ? fmt::format("the {}", one) : "all " + count_of(n, one);
+}
+
 std::string change_name(std::uint64_t m) {
   return m == 1 ? "single-change" : m == 2 ? "double-change" : fmt::format("{}-change", m);
 }

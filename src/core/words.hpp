@@ -3,6 +3,7 @@
 //     count_of(1, "block")               // 1 block
 //     count_of(7, "block")               // 7 blocks
 //     count_of(2, "class", "classes")    // 2 classes
+//     all_of(7, "pair")                 // all 7 pairs; of one: the pair
 //     change_name(2)                     // double-change
 #pragma once
 
@@ -18,6 +19,9 @@ namespace changeover {
 /// A number and the word for what it counts. The plural ends in s unless it is given.
 [[nodiscard]] std::string count_of(std::uint64_t n, std::string_view one,
                                    std::string_view many = {});
+
+/// All of so many: "all 7 pairs", "the pair".
+[[nodiscard]] std::string all_of(std::uint64_t n, std::string_view one);
 
 /// The name for m changes: single-change, double-change, 3-change.
 [[nodiscard]] std::string change_name(std::uint64_t m);

@@ -112,7 +112,7 @@ TEST(Refusals, SayWhichStepIsWrong) {
            {accelerator,
             {{.number = 1, .load = {0}, .fast_evict = {0}}},
             "takes 0 from the accelerator, where it is not"},
-           {plain, {{.number = 1, .load = {0}, .late = 1}}, "evicts 1 items late, of 0"},
+           {plain, {{.number = 1, .load = {0}, .late = 1}}, "evicts 1 item late, of 0"},
            {plain, {{.number = 1, .evict = {0}}}, "evicts 0, which is not in memory"},
            {plain, {{.number = 1, .load = {0, 0}}}, "loads 0, which is in memory"},
            {plain, {{.number = 1, .load = {4}}}, "loads 4, which is not an item"},

@@ -12,6 +12,7 @@ from typing import Any, Callable, Dict, Iterable, Iterator, List, Optional, Set,
 
 from .. import _core
 from .._given import listed, rows_of
+from .._made import count_of
 from ..errors import BadInput, ImpossibleParameters, InternalError
 from ..orders import _ends, _item
 from ._failed import failed
@@ -157,7 +158,8 @@ def _plan(asked: Dict[str, Any], ends: Optional[array[int]],
 def _costs_of(rows: List[Pair], cost: Any) -> Dict[Pair, float]:
     given = [_number(each) for each in listed("cost", "a number for each pair", cost)]
     if len(given) != len(rows):
-        raise BadInput(f"cost has {len(given)} numbers for {len(rows)} pairs; give one for each")
+        raise BadInput(f"cost has {count_of(len(given), 'number')} for "
+                       f"{count_of(len(rows), 'pair')}; give one for each")
     costs: Dict[Pair, float] = {}
     for (i, j), each in zip(rows, given):
         pair = (min(i, j), max(i, j))
@@ -199,7 +201,8 @@ def sizes_of(sizes: Any, items: int) -> Optional[Callable[[int], int]]:
         return lambda x: size
     given = [_size(each) for each in listed("sizes", "the bytes of each item", sizes)]
     if len(given) != items:
-        raise BadInput(f"sizes has {len(given)} numbers for {items} items; give one for each")
+        raise BadInput(f"sizes has {count_of(len(given), 'number')} for {count_of(items, 'item')}; "
+                       "give one for each")
     return given.__getitem__
 
 

@@ -6,7 +6,7 @@ import functools
 import time
 from typing import Any, Callable, Dict, Iterable, List, Optional, SupportsIndex, Union
 
-from .._made import Made, Progress, check_calls, fact, made
+from .._made import Made, Progress, check_calls, count_of, fact, made
 from ..errors import BadInput, MissingResource
 from ._engine import Engine, Task, Tell, check_team, kind_of, tell_of
 from ._engines import engine_for
@@ -42,11 +42,12 @@ class Report(Made):
     workers: List[Dict[str, Any]] = fact("A dict for each: worker, pairs, loads, busy (seconds).")
 
     def __repr__(self) -> str:
-        of_plan = f"{self.loads} loads (plan {self.planned_loads})"
+        of_plan = f"{count_of(self.loads, 'load')} (plan {self.planned_loads})"
         size = "" if self.bytes is None else f", {_size(self.bytes)}"
         resumed = f" + {self.resumed} resumed" if self.resumed else ""
         lost = f", {self.lost} lost, {self.retried} retried" if self.lost or self.retried else ""
-        return (f"<cluster.Report: {self.pairs} pairs{resumed} by {len(self.workers)} workers, "
+        return (f"<cluster.Report: {count_of(self.pairs, 'pair')}{resumed} by "
+                f"{count_of(len(self.workers), 'worker')}, "
                 f"{of_plan}{size}{lost}, {self.seconds:.2f} s>")
 
 

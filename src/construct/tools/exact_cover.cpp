@@ -9,6 +9,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 
@@ -562,8 +563,9 @@ FirstSolution ExactCover::first_solution(const SearchLimits& limits) const {
 SolutionCount ExactCover::count_solutions(std::span<const std::uint64_t> multiplicities,
                                           const SearchLimits& limits) const {
   if (!multiplicities.empty() && multiplicities.size() != row_count()) {
-    throw BadInput(
-        fmt::format("{} multiplicities for {} rows", multiplicities.size(), row_count()));
+    throw BadInput(fmt::format("{} for {}",
+                               count_of(multiplicities.size(), "multiplicity", "multiplicities"),
+                               count_of(row_count(), "row")));
   }
   const auto keep = [=](std::size_t r) { return multiplicities.empty() || multiplicities[r] > 0; };
   Links links(*this, keep);

@@ -12,6 +12,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 #include "loadorder/order/block_steps.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/order/streamed_order.hpp"
@@ -115,11 +116,12 @@ void certify_order(LoadOrder::Maker& maker, LoadOrderFacts& facts, const std::st
   if (!verdict.valid() || verdict.loads != facts.loads || verdict.steps != facts.steps ||
       verdict.loads < facts.bound.loads) {
     throw InternalError(fmt::format(
-        "the load order '{}' of {} items with room for {} is wrong: {}", facts.method, facts.items,
-        facts.room,
+        "the load order '{}' of {} with room for {} is wrong: {}", facts.method,
+        count_of(facts.items, "item"), facts.room,
         verdict.valid() ? "it does not keep its promise" : verdict.fault + verdict.example));
   }
-  facts.certificate = fmt::format("every step read, all {} pairs met", binomial(facts.items, 2));
+  facts.certificate =
+      fmt::format("every step read, {} met", all_of(binomial(facts.items, 2), "pair"));
 }
 
 }  // namespace

@@ -22,8 +22,9 @@ ScheduleVerdict read_order(const LoadOrder::Maker& maker, ScheduleRules rules,
   }
   ScheduleVerdict verdict = check_schedule(*steps, rules);
   if (!verdict.valid()) {
-    throw InternalError(fmt::format("the order of {} is wrong: {}{} {} pairs missing", what,
-                                    verdict.fault, verdict.example, verdict.missing));
+    throw InternalError(fmt::format("the order of {} is wrong: {}{} {} missing", what,
+                                    verdict.fault, verdict.example,
+                                    count_of(verdict.missing, "pair")));
   }
   return verdict;
 }

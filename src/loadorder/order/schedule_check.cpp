@@ -8,6 +8,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/schedule.hpp"
 #include "changeover/run/control.hpp"
+#include "core/words.hpp"
 #include "loadorder/order/met_pairs.hpp"
 
 namespace changeover {
@@ -88,20 +89,21 @@ class ScheduleCheck::State {
         by_worker_(options.by_worker && rules.lockstep == 0),
         workers_(static_cast<std::size_t>(std::max<std::uint64_t>(1, rules.lockstep))) {
     if (rules.items == 0 || rules.room == 0 || rules.fast_room == std::uint64_t{0}) {
-      throw BadInput(fmt::format(
-          "a load order of {} items with room for {}{}: give at least 1 of each", rules.items,
-          rules.room, rules.fast_room ? " and for 0 on the accelerator" : ""));
+      throw BadInput(fmt::format("a load order of {} with room for {}{}: give at least 1 of each",
+                                 count_of(rules.items, "item"), rules.room,
+                                 rules.fast_room ? " and for 0 on the accelerator" : ""));
     }
     if (rules.epochs == 0 || rules.epochs > most_epochs_followed) {
       throw BadInput(fmt::format("{} epochs of a load order: give 1 to {}", rules.epochs,
                                  most_epochs_followed));
     }
     if (!rules.wanted.are_all() && rules.wanted.items() != rules.items) {
-      throw BadInput(
-          fmt::format("pairs of {} items are wanted of {}", rules.wanted.items(), rules.items));
+      throw BadInput(fmt::format("pairs of {} are wanted of {}",
+                                 count_of(rules.wanted.items(), "item"), rules.items));
     }
     if (rules.sizes && rules.sizes->bytes.size() != rules.items) {
-      throw BadInput(fmt::format("{} sizes of {} items", rules.sizes->bytes.size(), rules.items));
+      throw BadInput(fmt::format("{} of {}", count_of(rules.sizes->bytes.size(), "size"),
+                                 count_of(rules.items, "item")));
     }
     const auto items = static_cast<std::size_t>(rules.items);
     memory_.place.assign(items, 0);
@@ -150,7 +152,8 @@ class ScheduleCheck::State {
 
   ScheduleVerdict finish() {
     if (in_round_ > 0 && verdict_.fault.empty()) {
-      fail(round_[0], fmt::format("is of {} workers, not of {}", in_round_, round_.size()));
+      fail(round_[0],
+           fmt::format("is of {}, not of {}", count_of(in_round_, "worker"), round_.size()));
     }
     end();
     count_met();
@@ -314,7 +317,8 @@ class ScheduleCheck::State {
       part(step, x, fast_.take(x, worker.accelerator));
     }
     if (step.late > (rules_.overlap ? step.evict.size() : 0)) {
-      return fail(step, fmt::format("evicts {} items late, of {}", step.late, step.evict.size()));
+      return fail(step, fmt::format("evicts {} late, of {}", count_of(step.late, "item"),
+                                    step.evict.size()));
     }
     const auto late = step.evict.end() - static_cast<std::ptrdiff_t>(step.late);
     const std::span<const Element> first(step.evict.begin(), late);

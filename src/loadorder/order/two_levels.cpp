@@ -12,6 +12,7 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 #include "loadorder/listed/listed_levels.hpp"
 #include "loadorder/order/accelerator.hpp"
 #include "loadorder/order/kept_steps.hpp"
@@ -358,10 +359,10 @@ LoadOrder::Maker steps_of_groups(LoadOrderFacts& facts) {
           ? "An order for the accelerator alone; what leaves it stays in memory, from which goes "
             "what is needed last."
           : fmt::format(
-                "Groups of at most {} items are loaded; what a group meets for the first time "
+                "Groups of at most {} are loaded; what a group meets for the first time "
                 "is done at once: up to {} of its items stay on the accelerator while the "
                 "others pass.",
-                best.group_items, fast_room - 1);
+                count_of(best.group_items, "item"), fast_room - 1);
   return std::move(best.maker);
 }
 

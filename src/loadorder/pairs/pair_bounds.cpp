@@ -158,11 +158,10 @@ LoadBound bound_between(const WantedPairs& wanted, std::uint64_t room) {
   if (by_pairs <= items) {
     return {items, fmt::format("each of {} items is loaded", items)};
   }
-  return {
-      by_pairs,
-      fmt::format("the first {} loads bring at most {} pairs together, each further one {}, and {} "
-                  "are wanted",
-                  room, most_between(room, room), room - 1, wanted.count())};
+  return {by_pairs,
+          fmt::format("the first {} loads bring at most {} together, each further one {}, and {} "
+                      "are wanted",
+                      room, count_of(most_between(room, room), "pair"), room - 1, wanted.count())};
 }
 
 LoadBound bound_beyond(const WantedPairs& wanted, std::uint64_t room) {
@@ -174,8 +173,8 @@ LoadBound bound_beyond(const WantedPairs& wanted, std::uint64_t room) {
     return {by_pairs, fmt::format("{} pairs are wanted, and {} loads bring at most {} together",
                                   wanted.count(), by_pairs - 1, most_pairs(by_pairs - 1, room))};
   }
-  return {apart, fmt::format("each of {} old items is loaded, and the new ones {} times: {}",
-                             wanted.first(), among.loads, among.reason)};
+  return {apart, fmt::format("each old item is loaded, {} in all, and the new ones {}: {}",
+                             wanted.first(), count_of(among.loads, "time"), among.reason)};
 }
 
 }  // namespace

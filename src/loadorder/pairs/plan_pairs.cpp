@@ -12,6 +12,7 @@
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 #include "loadorder/order/plan_all_pairs.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/pairs/closing.hpp"
@@ -310,9 +311,8 @@ void verify(const LoadOrder::Maker& maker, LoadOrderFacts& facts, const LoadOrde
         "the load order for {} with room for {} is wrong: {}", facts.wanted.describe(), facts.room,
         verdict.valid() ? "it does not keep its promise" : verdict.fault + verdict.example));
   }
-  const std::uint64_t pairs = facts.wanted.count();
-  facts.certificate = pairs == 1 ? "every step read, the wanted pair met"
-                                 : fmt::format("every step read, all {} wanted pairs met", pairs);
+  facts.certificate =
+      fmt::format("every step read, {} met", all_of(facts.wanted.count(), "wanted pair"));
 }
 
 // An order for all pairs also serves fewer pairs: nullopt if it has as many loads as the given one,

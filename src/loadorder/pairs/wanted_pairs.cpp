@@ -29,14 +29,15 @@ PairGraph::PairGraph(std::uint64_t items, const std::function<void(const Visit&)
         fmt::format("{} items: at most {}; group items into larger ones", items, most_items));
   }
   if (!names_.empty() && names_.size() != items) {
-    throw BadInput(fmt::format("{} items have {} names; give all or none", items, names_.size()));
+    throw BadInput(fmt::format("{} for {}; give all or none", count_of(names_.size(), "name"),
+                               count_of(items, "item")));
   }
   begin_.assign(static_cast<std::size_t>(items) + 1, 0);
   needed_.assign(static_cast<std::size_t>(items), false);
   each([&](Element x, Element y) {
     if (x >= items || y >= items) {
-      throw BadInput(fmt::format("the pair {{{},{}}} is not of {} items, which are numbered from 0",
-                                 x, y, items));
+      throw BadInput(fmt::format("the pair {{{},{}}} is not of {} numbered from 0", x, y,
+                                 count_of(items, "item")));
     }
     needed_[x] = needed_[y] = true;
     if (x != y) {
@@ -85,7 +86,8 @@ std::optional<std::uint64_t> PairGraph::place(Element x, Element y) const {
 
 WantedPairs WantedPairs::between(std::uint64_t a, std::uint64_t b) {
   if (a == 0 || b == 0) {
-    throw BadInput(fmt::format("{} items with {} others: give at least 1 of both", a, b));
+    throw BadInput(fmt::format("{} with {}: give at least 1 of both", count_of(a, "item"),
+                               count_of(b, "other")));
   }
   WantedPairs wanted;
   wanted.kind_ = Kind::between;
@@ -97,9 +99,9 @@ WantedPairs WantedPairs::between(std::uint64_t a, std::uint64_t b) {
 WantedPairs WantedPairs::beyond(std::uint64_t done, std::uint64_t items) {
   if (done >= items) {
     throw BadInput(fmt::format(
-        "the pairs of {} of {} items are done, and nothing is left to load; give fewer that are "
+        "the pairs of {} of {} are done, and nothing is left to load; give fewer that are "
         "done",
-        done, items));
+        done, count_of(items, "item")));
   }
   WantedPairs wanted;
   wanted.kind_ = Kind::beyond;

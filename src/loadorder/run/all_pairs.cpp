@@ -10,6 +10,7 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 #include "loadorder/order/pair_assigner.hpp"
 #include "loadorder/run/compute_pool.hpp"
 #include "loadorder/run/earlier_shares.hpp"
@@ -91,8 +92,8 @@ class Job {
                          : checked_multiply(room_, source_.buffer_bytes());
     if (options_.memory_bytes && report_.buffer_bytes > *options_.memory_bytes) {
       throw BadInput(
-          fmt::format("room for {} items takes {} bytes, but {} are allowed; plan for room {}",
-                      room_, report_.buffer_bytes, *options_.memory_bytes,
+          fmt::format("room for {} takes {} bytes, but {} are allowed; plan for room {}",
+                      count_of(room_, "item"), report_.buffer_bytes, *options_.memory_bytes,
                       *options_.memory_bytes / std::max<std::size_t>(1, source_.buffer_bytes())));
     }
     const std::string fingerprint = source_.fingerprint();
@@ -415,9 +416,9 @@ AllPairsReport run(ItemSource& source, const LoadOrder& order, const WorkerSplit
                    const PairCompute& compute, const AllPairsOptions& options) {
   const LoadOrderFacts& facts = order.facts();
   if (source.item_count() != facts.items) {
-    throw BadInput(
-        fmt::format("{} has {} items, but the order is for {}; make an order for that number",
-                    source.describe(), source.item_count(), facts.items));
+    throw BadInput(fmt::format("{} has {}, but the order is for {}; make an order for that number",
+                               source.describe(), count_of(source.item_count(), "item"),
+                               facts.items));
   }
   if (facts.items > max_elements_in_memory && facts.wanted.graph() == nullptr) {
     throw ImpossibleParameters(
@@ -444,8 +445,9 @@ AllPairsReport run(ItemSource& source, const LoadOrder& order, const WorkerSplit
         *steps,
         {.items = facts.items, .room = facts.room, .wanted = facts.wanted, .sizes = facts.sizes});
     if (!verdict.valid() || verdict.steps != facts.steps) {
-      throw BadInput(fmt::format("this is not a load order of {} items with room for {}: {}{}",
-                                 facts.items, facts.room, verdict.fault, verdict.example));
+      throw BadInput(fmt::format("this is not a load order of {} with room for {}: {}{}",
+                                 count_of(facts.items, "item"), facts.room, verdict.fault,
+                                 verdict.example));
     }
   };
   if (!options.verify_beside) {
@@ -468,9 +470,9 @@ AllPairsReport all_pairs(ItemSource& source, const LoadOrder& order, const PairC
 AllPairsReport all_pairs(ItemSource& source, const WorkerSplit& shares, const PairCompute& compute,
                          const AllPairsOptions& options) {
   if (options.share.of != shares.facts().workers.size()) {
-    throw BadInput(fmt::format("share {} of {}: these are shares of {} workers",
-                               options.share.index, options.share.of,
-                               shares.facts().workers.size()));
+    throw BadInput(fmt::format("share {} of {}: these are shares of {}", options.share.index,
+                               options.share.of,
+                               count_of(shares.facts().workers.size(), "worker")));
   }
   if (!options.earlier.empty()) {
     throw BadInput(

@@ -10,6 +10,7 @@
 #include "changeover/loadorder/all_pairs.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 #include "loadorder/run/compute_pool.hpp"
 #include "loadorder/run/journal.hpp"
 #include "loadorder/run/versioned_items.hpp"
@@ -40,10 +41,11 @@ Checksum checksum_of(const LoadOrder& order, const ComputeRules& compute) {
   }
   const ScheduleVerdict verdict = check.finish();
   if (!verdict.valid() || verdict.steps != facts.steps) {
-    throw BadInput(fmt::format(
-        "this is not an order of {} items for {} workers with room for {}: {}{} pairs are missing",
-        facts.items, workers_of(facts), facts.room,
-        verdict.fault.empty() ? std::string() : verdict.fault + "; ", verdict.missing));
+    throw BadInput(fmt::format("this is not an order of {} for {} with room for {}: {}{} missing",
+                               count_of(facts.items, "item"), count_of(workers_of(facts), "worker"),
+                               facts.room,
+                               verdict.fault.empty() ? std::string() : verdict.fault + "; ",
+                               count_of(verdict.missing, "pair")));
   }
   return hash.finish();
 }
@@ -202,10 +204,10 @@ class UpdateJob {
     }
     const std::uint64_t bytes = std::filesystem::file_size(options_.data);
     if (bytes != checked_multiply(facts_.items, options_.item_bytes)) {
-      throw BadInput(fmt::format(
-          "{}: has {} bytes, but {} items of {} make {}; give the right number and size",
-          options_.data, bytes, facts_.items, options_.item_bytes,
-          facts_.items * options_.item_bytes));
+      throw BadInput(
+          fmt::format("{}: has {} bytes, but {} of {} make {}; give the right number and size",
+                      options_.data, bytes, count_of(facts_.items, "item"), options_.item_bytes,
+                      facts_.items * options_.item_bytes));
     }
   }
 

@@ -85,9 +85,8 @@ WorkerSplit SplitMaker::stretches(LoadOrder order, std::uint64_t items, std::uin
   check_workers(workers);
   const LoadOrderFacts& whole = order.facts();
   if (whole.items > items) {
-    throw BadInput(
-        fmt::format("{} items cannot be put into {} groups; give no more groups than items", items,
-                    whole.items));
+    throw BadInput(fmt::format("{} cannot be put into {} groups; give no more groups than items",
+                               count_of(items, "item"), whole.items));
   }
   if (whole.lockstep > 1) {
     throw BadInput(fmt::format(
@@ -495,11 +494,10 @@ void SplitMaker::verify(WorkerSplit& split, const LoadOrderOptions& options) {
       whole.sizes ? fmt::format(", at most {} bytes in memory", verdict.most_bytes) : "";
   say(true, whole.fast_room ? "every step read: room at both levels, " +
                                   pairs_read(verdict, facts.all_pairs, " on the accelerator")
-            : whole.wanted.are_all()
-                ? fmt::format("every step read, all {} pairs met{}", facts.all_pairs, bytes)
-            : facts.all_pairs == 1 ? "every step read, the wanted pair met" + bytes
-                                   : fmt::format("every step read, all {} wanted pairs met{}",
-                                                 facts.all_pairs, bytes));
+                            : fmt::format("every step read, {} met{}",
+                                          all_of(facts.all_pairs,
+                                                 whole.wanted.are_all() ? "pair" : "wanted pair"),
+                                          bytes));
 }
 
 // All groups are treated alike: shares with two items per group are right if and only if those with

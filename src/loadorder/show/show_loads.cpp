@@ -154,8 +154,8 @@ class ScheduleText {
     const std::string lost = rules_.store ? "; no change is lost" : "";
     const std::string computed = fmt::format("{} computed", count_of(checked_.computed, "pair"));
     if (spare_ && facts_.every_step_read) {
-      return fmt::format("simulated, all {} pairs computed once, {} of them while items load{}",
-                         checked_.computed, checked_.overlapped, lost);
+      return fmt::format("simulated, {} computed once, {} of them while items load{}",
+                         all_of(checked_.computed, "pair"), checked_.overlapped, lost);
     }
     if (checked_.steps > 0 && facts_.lockstep > 0) {
       return fmt::format("every step read: no item held twice at once, {}, each once{}", computed,
@@ -297,8 +297,8 @@ class ScheduleText {
       return "";
     }
     return loads.size() > 2 && loads[1] != loads[2]
-               ? fmt::format("{} loads in the first epoch, then {} back and {} forth\n", loads[0],
-                             loads[1], loads[2])
+               ? fmt::format("{} in the first epoch, then {} back and {} forth\n",
+                             count_of(loads[0], "load"), loads[1], loads[2])
                : fmt::format("{} in the first epoch, then {} in each\n", count_of(loads[0], "load"),
                              loads[1]);
   }
@@ -349,11 +349,12 @@ class ScheduleText {
     const std::string what =
         fmt::format("{}, room for {}{}: ", what_meets(), facts_.room, in_epochs());
     if (split_ != nullptr) {
-      const std::string groups = split_->groups == facts_.items ? ""
-                                 : split_->group_room == 0
-                                     ? fmt::format("items in {} groups\n", split_->groups)
-                                     : fmt::format("items in {} groups, room for {} groups\n",
-                                                   split_->groups, split_->group_room);
+      const std::string groups =
+          split_->groups == facts_.items ? ""
+          : split_->group_room == 0
+              ? fmt::format("items in {}\n", count_of(split_->groups, "group"))
+              : fmt::format("items in {}, room for {}\n", count_of(split_->groups, "group"),
+                            count_of(split_->group_room, "group"));
       return what + busiest + groups + spare;
     }
     return fmt::format(

@@ -332,8 +332,9 @@ LoadOrder plan_with_spare(std::shared_ptr<const ItemSizes> sizes, const WantedPa
   }
   static_cast<ScheduleFacts&>(facts) = verdict;
   facts.every_step_read = true;
-  facts.certificate = fmt::format("every step read, all {} pairs met, at most {} bytes in memory",
-                                  wanted.among(facts.items).count(), verdict.most_bytes);
+  facts.certificate =
+      fmt::format("every step read, {} met, at most {} bytes in memory",
+                  all_of(wanted.among(facts.items).count(), "pair"), verdict.most_bytes);
   return {std::move(facts), std::move(maker)};
 }
 

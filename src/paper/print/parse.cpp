@@ -8,6 +8,7 @@
 #include "changeover/core/error.hpp"
 #include "core/lines.hpp"
 #include "core/parsed.hpp"
+#include "core/words.hpp"
 #include "paper/print/printed.hpp"
 
 namespace changeover {
@@ -127,8 +128,9 @@ ParsedTable parse(const PrintedTable& table) {
       parsed.blocks.resize(first_column + tokens.size());
     }
     if (parsed.blocks.size() - first_column != tokens.size()) {
-      throw BadInput(fmt::format("{}: \"{}\" has {} columns, the line before {}", table.place, line,
-                                 tokens.size(), parsed.blocks.size() - first_column));
+      throw BadInput(fmt::format("{}: \"{}\" has {}, the line before {}", table.place, line,
+                                 count_of(tokens.size(), "column"),
+                                 parsed.blocks.size() - first_column));
     }
     for (std::size_t i = 0; i < tokens.size(); ++i) {
       PrintedBlock& block = parsed.blocks[first_column + i];

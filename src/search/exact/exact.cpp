@@ -19,6 +19,7 @@
 #include "changeover/io/output.hpp"
 #include "changeover/proof/proof.hpp"
 #include "changeover/run/control.hpp"
+#include "core/words.hpp"
 #include "io/file/remedies.hpp"
 #include "run/threads.hpp"
 #include "search/exact/exact_encoding.hpp"
@@ -165,8 +166,8 @@ class Question {
   }
 
   [[nodiscard]] Progress progress(const char* doing) const {
-    return {.phase =
-                fmt::format("{} {} with {} blocks", doing, name(decision_.parameters), decision_.b),
+    return {.phase = fmt::format("{} {} with {}", doing, name(decision_.parameters),
+                                 count_of(decision_.b, "block")),
             .unit = "kB of proof"};
   }
 
@@ -253,7 +254,7 @@ class Question {
   [[nodiscard]] std::vector<std::string> comments(std::uint64_t index) const {
     const Parameters& p = decision_.parameters;
     std::vector<std::string> lines{
-        fmt::format("There is a {} with {} blocks.", name(p), decision_.b),
+        fmt::format("There is a {} with {}.", name(p), count_of(decision_.b, "block")),
         fmt::format("Block i holds element e, from 0: variable {} i + e + 1.", p.v)};
     if (cubes_.size() > 1) {
       lines.push_back(

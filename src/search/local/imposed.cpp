@@ -6,6 +6,7 @@
 
 #include "changeover/core/error.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 #include "search/local/random_list.hpp"
 #include "search/local/segment_orbits.hpp"
 
@@ -76,10 +77,11 @@ ImposedOutcome search_imposed(const Parameters& p, const Automorphism& pi, std::
                               const AnnealWatch& watch) {
   check(p);
   if (pi.v() != p.v || base_blocks == 0 || p.strength != 2 || p.v > largest_imposed_v) {
-    throw BadInput(fmt::format(
-        "an automorphism of order {} with {} fixed elements cannot be imposed on a {} with {} base "
-        "blocks; the order must divide v less the fixed elements, v ≤ {}, strength 2",
-        pi.n, pi.fixed, name(p), base_blocks, largest_imposed_v));
+    throw BadInput(
+        fmt::format("an automorphism of order {} with {} cannot be imposed on a {} with {}; "
+                    "the order must divide v less the fixed elements, v ≤ {}, strength 2",
+                    pi.n, count_of(pi.fixed, "fixed element"), name(p),
+                    count_of(base_blocks, "base block"), largest_imposed_v));
   }
   ImposedOutcome outcome;
   const Parameters circular = p.as(Kind::circular);

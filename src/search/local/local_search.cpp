@@ -298,8 +298,8 @@ class Improver {
         {.moves = attempt.moves, .hot = imposed_from, .cold = imposed_to}, random, control_,
         watch(
             attempt, attempted,
-            fmt::format("annealing {} base blocks under an automorphism of order {} on {} elements",
-                        attempt.aim, arm.order, parameters_.v + arm.extra),
+            fmt::format("annealing {} under an automorphism of order {} on {} elements",
+                        count_of(attempt.aim, "base block"), arm.order, parameters_.v + arm.extra),
             arm.order));
     attempted.started = found.started;
     attempted.moves = found.anneal.moves;

@@ -11,6 +11,7 @@
 #include "changeover/core/error.hpp"
 #include "core/checked.hpp"
 #include "core/sorted.hpp"
+#include "core/words.hpp"
 #include "run/grace.hpp"
 #include "run/threads.hpp"
 #include "search/local/local_search_arms.hpp"
@@ -427,15 +428,16 @@ std::string wanted_defect(const Parameters& p, const Wanted& wanted) {
   }
   for (std::size_t i = 1; i < wanted.contained.size(); ++i) {
     if (difference(wanted.contained[i], wanted.contained[i - 1]).size() != p.change) {
-      return fmt::format("not {} elements change from block {} to block {} of those wanted",
-                         p.change, i, i + 1);
+      return fmt::format("blocks {} and {} of those wanted do not differ in {}", i, i + 1,
+                         count_of(p.change, "element"));
     }
   }
   if (wanted.expansion_set) {
     const std::uint64_t n = p.k - std::min(p.k, p.change);
     const std::size_t rest = in_parts(p, wanted).size();
     if (n == 0 || rest % n != 0) {
-      return fmt::format("{} elements are no whole number of unchanged subsets of {}", rest, n);
+      return fmt::format("{} cannot be parted into unchanged subsets of {}",
+                         count_of(rest, "element"), n);
     }
   }
   return "";

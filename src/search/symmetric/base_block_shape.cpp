@@ -128,8 +128,8 @@ std::optional<std::string> shape_obstruction(const Parameters& p, const BaseBloc
   }
   if (shape.n < 2 || shape.cycles == 0 || shape.base_blocks == 0 ||
       checked_add(checked_multiply(shape.n, shape.cycles), shape.fixed) != p.v) {
-    return fmt::format("v = {} is not {} cycles of length {} and {} fixed points", p.v,
-                       shape.cycles, shape.n, shape.fixed);
+    return fmt::format("v = {} is not {} of length {} and {}", p.v, count_of(shape.cycles, "cycle"),
+                       shape.n, count_of(shape.fixed, "fixed point"));
   }
   const Bound bound = lower_bound(circular);
   if (checked_multiply(shape.n, shape.base_blocks) < bound.blocks) {

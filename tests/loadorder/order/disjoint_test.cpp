@@ -245,7 +245,7 @@ TEST(Disjoint, ChecksRefuseWhatIsWrong) {
   refused("not both in memory", [](auto& all) { std::swap(all[0].compute, all[1].compute); });
   refused("which is not wanted", [](auto& all) { all[0].compute[0] = {0, 0}; });
   refused("comes where worker 1 is next", [](auto& all) { all.erase(all.begin() + 5); });
-  refused("is of 1 workers, not of 2", [](auto& all) { all.pop_back(); });
+  refused("is of 1 worker, not of 2", [](auto& all) { all.pop_back(); });
   refused("", [](auto& all) { all[0].compute.pop_back(); });
   refused("", [](auto& all) { all[0].compute.push_back(all[0].compute[0]); });
   auto repeated = right;

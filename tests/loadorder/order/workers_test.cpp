@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "changeover/core/error.hpp"
+#include "core/words.hpp"
 #include "loadorder_support.hpp"
 #include "message_of.hpp"
 
@@ -37,7 +38,7 @@ TEST(Workers, TogetherBringEveryPairTogetherWithinTheirRoom) {
         EXPECT_EQ(loads, facts.loads);
         EXPECT_EQ(makespan, facts.makespan);
         EXPECT_EQ(facts.certificate,
-                  "every step read, all " + std::to_string(items * (items - 1) / 2) + " pairs met");
+                  "every step read, " + all_of(items * (items - 1) / 2, "pair") + " met");
         const std::string& method = split.order().facts().method;
         if (method != "quorums" && method != "held and streamed groups" &&
             !method.ends_with("plane") && method != "held groups, a block a worker") {

@@ -146,7 +146,7 @@ TEST(ReadPairs, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(fault("0 1\n" + std::string(3 << 20, 'x')), HasSubstr("f:2:1: a line of more"));
   EXPECT_THROW(PairGraph(2, std::vector<ItemPair>{{0, 2}}), BadInput);
   EXPECT_REFUSAL(PairGraph(2, std::vector<ItemPair>{{0, 1}}, {"a"}), BadInput,
-                 "2 items have 1 names; give all or none");
+                 "1 name for 2 items; give all or none");
   EXPECT_THROW(read_pairs("no/such/file"), MissingResource);
 }
 

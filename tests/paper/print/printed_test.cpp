@@ -56,7 +56,7 @@ TEST(PrintedTable, reads_a_row_of_unchanged_subsets) {
 
 TEST(PrintedTable, refuses_what_it_cannot_read) {
   EXPECT_REFUSAL((void)parse(small_table("0 1\n2\n")), BadInput,
-                 "Table X: \"2\" has 1 columns, the line before 2");
+                 "Table X: \"2\" has 1 column, the line before 2");
   EXPECT_REFUSAL((void)blocks_in("0 1\nx 2\n"), BadInput, "\"x\" in \"x 2\" is no element");
   EXPECT_REFUSAL((void)parse(small_table("0:x 1\n2 3\n")), BadInput,
                  "\"0:x\": a colour is a number from 1");

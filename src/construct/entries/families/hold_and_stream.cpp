@@ -415,8 +415,9 @@ class HoldAndStream final : public Entry {
     if (recipe.inputs.empty()) {
       return text + "drop those held and repeat on the rest, to the end.";
     }
-    return text + fmt::format("after {} such rounds end with the {}, renamed.",
-                              recipe.arguments.at("rounds"),
+    return text + fmt::format("after {} end with the {}, renamed.",
+                              count_of(static_cast<std::uint64_t>(recipe.arguments.at("rounds")),
+                                       "such round"),
                               changeover::name(recipe.inputs.front().parameters));
   }
 

@@ -10,6 +10,7 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 #include "loadorder/listed/lockstep_cuts.hpp"
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/order/lockstep/eras.hpp"
@@ -263,8 +264,8 @@ WorkerMaker best_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
   if (!grown || std::pair(eras.span, eras.loads) < grown->cost(facts.lockstep)) {
     facts.method = "eras";
     facts.explanation = fmt::format(
-        "{} groups of at most {} items: one stays at each worker while the others pass in turn.",
-        shape.groups, ceil_div(shape.items, shape.groups));
+        "{} groups of at most {}: one stays at each worker while the others pass in turn.",
+        shape.groups, count_of(ceil_div(shape.items, shape.groups), "item"));
     return [shape](std::uint64_t worker) { return era_steps(shape, worker); };
   }
   if (grown->groups == 2 * facts.lockstep && grown->room == 2) {

@@ -209,8 +209,8 @@ std::string HeldShape::explain() const {
     most = std::max(most, group.size());
   }
   return fmt::format(
-      "{} of up to {} items: each stays while those that it must meet pass, up and down in turn.",
-      count_of(groups.size(), "group"), most);
+      "{} of up to {}: each stays while those that it must meet pass, up and down in turn.",
+      count_of(groups.size(), "group"), count_of(most, "item"));
 }
 
 namespace {

@@ -205,8 +205,9 @@ class BenchReferee {
         left = left - Amount{hours} * days;
         end = begin + Amount{day} * days + left;
       } else if (rests && begin.millionths % day + left.millionths > hours) {
-        fault(number, fmt::format("{} ends after the {} hours of a day", step(),
-                                  to_string(bench.hours.value_or(Amount{}))));
+        const std::string length = to_string(bench.hours.value_or(Amount{}));
+        fault(number, fmt::format("{} ends after the {} hour{} of a day", step(), length,
+                                  length == "1" ? "" : "s"));
       }
       times.push_back({begin, end});
       free = end;

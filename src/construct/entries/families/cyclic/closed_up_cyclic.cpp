@@ -18,6 +18,7 @@
 
 #include "changeover/construct/registry.hpp"
 #include "construct/entries/families/cyclic/without_neighbours.hpp"
+#include "core/words.hpp"
 
 namespace changeover::closed_up_cyclic_entry {
 namespace {
@@ -70,9 +71,9 @@ class ClosedUpCyclic final : public WithoutNeighbours {
   }
   std::string explanation(const Parameters& p, const Deletion& deletion) const override {
     return fmt::format(
-        "Delete {} neighbours of the tight circular SCCD({},{}) of {} windows; in place of each, "
+        "Delete {} of the tight circular SCCD({},{}) of {} windows; in place of each, "
         "another element stays from its last visit on.",
-        deletion.r, p.v + deletion.r, p.k, deletion.c);
+        count_of(deletion.r, "neighbour"), p.v + deletion.r, p.k, deletion.c);
   }
 };
 

@@ -18,6 +18,7 @@
 
 #include "changeover/construct/registry.hpp"
 #include "construct/entries/families/cyclic/without_neighbours.hpp"
+#include "core/words.hpp"
 
 namespace changeover::even_visits_entry {
 namespace {
@@ -74,9 +75,9 @@ class EvenVisitsFamily final : public WithoutNeighbours {
   }
   std::string explanation(const Parameters& p, const Deletion& deletion) const override {
     return fmt::format(
-        "In the tight circular SCCD({},{}) of {} windows, visited at even distances, leave out {} "
-        "neighbours; in place of each, another element stays once and visits no more.",
-        p.v + deletion.r, p.k, deletion.c, deletion.r);
+        "In the tight circular SCCD({},{}) of {} windows, visited at even distances, leave out {}; "
+        "in place of each, another element stays once and visits no more.",
+        p.v + deletion.r, p.k, deletion.c, count_of(deletion.r, "neighbour"));
   }
 };
 
