@@ -228,16 +228,28 @@ class Dask(unittest.TestCase):
         self.assertGreater(report.stolen, 0)
 
     def test_a_worker_that_comes_late_gets_its_part(self):
-        scaled = threading.Event()
+        """The others wait for it after some pairs, however long its process takes to start."""
+        with tempfile.TemporaryDirectory() as folder:
+            there = os.path.join(folder, "there")
 
-        def sink(i, j, result):
-            if not scaled.is_set():
-                scaled.set()
+            def compute_some_then_wait(i, j, first, second):
+                from distributed import get_worker
+                worker = get_worker()
+                worker.pairs_so_far = getattr(worker, "pairs_so_far", 0) + 1
+                while worker.pairs_so_far > 20 and not os.path.exists(there):
+                    time.sleep(0.01)
+                time.sleep(0.012)
+                return compute(i, j, first, second)
+
+            def bring_a_worker():
                 self.cluster.scale(3)
-            self.sink(i, j, result)
+                self.client.wait_for_workers(3, timeout=120)
+                open(there, "w").close()
 
-        report = self.run_job(compute=lambda i, j, a, b: time.sleep(0.012) or compute(i, j, a, b),
-                              sink=sink)
+            thread = threading.Thread(target=bring_a_worker)
+            thread.start()
+            report = self.run_job(compute=compute_some_then_wait)
+            thread.join()
         self.cluster.scale(2)
         self.sink.check(self.every)
         self.assertEqual(len(report.workers), 3)

@@ -61,9 +61,13 @@ Seconds parse_duration(const std::string& text, const std::string& option) {
   const char* const end = text.data() + text.size();
   const auto [rest, failure] = std::from_chars(text.data(), end, number, std::chars_format::fixed);
   const auto unit = units.find({rest, end});
-  if (failure != std::errc() || !(number >= 0) || unit == units.end()) {
-    throw UsageError{fmt::format(
-        "{} '{}' is not a duration; give a number with ms, s, m, h or d, as in 90s", option, text)};
+  constexpr Seconds most = std::chrono::days(36500);
+  if (failure != std::errc() || !(number >= 0) || unit == units.end() ||
+      number * unit->second > most.count()) {
+    throw UsageError{
+        fmt::format("{} '{}' is not a duration; give a number with ms, s, m, h or d, as in 90s, at "
+                    "most 36500d",
+                    option, text)};
   }
   return Seconds(number * unit->second);
 }
@@ -82,7 +86,8 @@ std::uint64_t parse_size(const std::string& text, const std::string& option) {
   if (failure != std::errc() || unit == units.end() || number == 0 ||
       number > UINT64_MAX / unit->second) {
     throw UsageError{fmt::format(
-        "{} '{}' is not a size; give a whole number of bytes, or with K, M, G or T, as in 4G",
+        "{} '{}' is not a size; give a whole number of bytes, 1 to 18446744T, or with K, M, G or T, as "
+        "in 4G",
         option, text)};
   }
   return number * unit->second;

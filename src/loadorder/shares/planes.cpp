@@ -217,7 +217,7 @@ GroupShares streamed_plane_shares(std::uint64_t q, bool affine) {
   GroupShares shares = plane_shares(q, affine);
   shares.plane_order = 0;
   shares.explanation.pop_back();
-  shares.explanation += "; one of them is streamed.";
+  shares.explanation += "; each worker streams one group of its line.";
   std::vector<std::uint64_t> streamed(static_cast<std::size_t>(shares.groups), 0);
   for (GroupShare& share : shares.workers) {
     const auto least =

@@ -114,8 +114,8 @@ class SizeList {
     const auto size = size_in(row.back());
     if (!size) {
       rows_.fail(row.back(),
-                 fmt::format("'{}' is not a size; give a whole number of bytes, or with K, M, G or "
-                             "T, as in 4M, at most 1000T",
+                 fmt::format("'{}' is not a size; give a whole number of bytes, 1 to 1000T, or "
+                             "with K, M, G or T, as in 4M",
                              row.back().text));
     }
     const Element x = columns_ == 1 ? static_cast<Element>(sizes_.size()) : item(row.front());

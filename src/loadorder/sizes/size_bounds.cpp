@@ -195,7 +195,9 @@ LoadBound sized_makespan_bound(const ItemSizes& sizes, const WantedPairs& wanted
                  fmt::format("all {} workers together load at least {} bytes: {}", workers,
                              alone.loads, alone.reason)};
   const auto consider = [&](LoadBound bound) {
-    best = bound.loads > best.loads ? std::move(bound) : std::move(best);
+    if (bound.loads > best.loads) {
+      best = std::move(bound);
+    }
   };
   const std::vector<std::uint64_t> partners = partner_bytes(sizes, wanted);
   consider(by_workers_of_items(sizes, wanted, partners, alone.loads, workers));

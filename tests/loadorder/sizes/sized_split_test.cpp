@@ -66,6 +66,7 @@ TEST(SizedSplit, EveryPairMeetsAtAWorker) {
       EXPECT_EQ(most, facts.makespan_bytes);
       EXPECT_EQ(sum, facts.bytes);
       EXPECT_GE(most, facts.makespan_bytes_bound.loads) << facts.makespan_bytes_bound.reason;
+      EXPECT_NE(facts.makespan_bytes_bound.reason, "");
       EXPECT_GE(sum, split.order().facts().byte_bound.loads);
       EXPECT_LE(split.order().facts().most_bytes, sizes.memory);
       // What is computed, each pair once.
