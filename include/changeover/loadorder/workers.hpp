@@ -182,11 +182,12 @@ class WorkerSplit {
                                            std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
 
-/// For items of different sizes (loadorder/load_order.hpp): the busiest worker loads as few bytes as
-/// we know how. An order is cut so that bytes are even, or items are put into groups of even bytes,
-/// of which each worker holds some and streams others, or of two sets each worker has a part of both.
-/// A load that brings a worker no pair of its own is left out, and up to 2 million pairs each worker
-/// has an order of its own for its pairs. Verified. @throws as plan_sized_order() and split_order()
+/// For items of different sizes (loadorder/load_order.hpp): the busiest worker loads as few bytes
+/// as we know how. An order is cut so that bytes are even; or items are put into groups of even
+/// bytes, of which each worker holds some and streams others; or of two sets each worker has a part
+/// of both. A load that brings a worker no pair of its own is left out. Up to 2 million pairs, each
+/// worker has an order of its own for its pairs. Verified. @throws as plan_sized_order() and
+/// split_order()
 [[nodiscard]] WorkerSplit split_sized_order(std::shared_ptr<const ItemSizes> sizes,
                                             const WantedPairs& wanted, std::uint64_t workers,
                                             const LoadOrderOptions& options = {});

@@ -12,9 +12,7 @@
 #include "core/words.hpp"
 
 namespace changeover {
-
 namespace {
-
 constexpr std::uint64_t max_links = std::numeric_limits<std::uint32_t>::max() - std::uint64_t{1};
 
 /// Counts nodes and says when to end.

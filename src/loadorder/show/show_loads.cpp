@@ -31,8 +31,7 @@ std::string over(std::uint64_t count, const LoadBound& bound) {
                    bound.loads);
 }
 
-/// A schedule in words: a head that depends on its kind, then its steps, which are generated again
-/// for each reading.
+/// A schedule in words: a head that depends on its kind, then its steps, generated anew if read.
 class ScheduleText {
  public:
   using Maker = std::function<std::unique_ptr<StepSource>()>;

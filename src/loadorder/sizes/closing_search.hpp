@@ -39,8 +39,8 @@ class ClosingSearch {
 
   /// Tries the starts. After the first one `over` may end that.
   void begin(const Over& over);
-  /// Moves items to other places of the order, for so much work, a second or so for 20 million; ends
-  /// if that is of no use any more, or if `over`.
+  /// Moves items to other places of the order, for so much work, a second or so for 20 million;
+  /// ends if that is of no use any more, or if `over`.
   void improve(std::uint64_t work, const Over& over);
 
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }

@@ -32,8 +32,9 @@ namespace {
 using Method = SearchArm::Method;
 
 constexpr std::uint64_t largest_v = 4096;
-// Temperatures of Method::cold. Designs that cover nearly every pair once with small blocks, where m
-// is close to k, are found some ten times as fast as with those of AnnealSchedule, and others not.
+// Temperatures of Method::cold. Where blocks are small, m is close to k and nearly every pair is
+// covered once, designs are found some ten times as fast as at those of AnnealSchedule; others are
+// not (bench/README.md).
 constexpr double cold_from = 0.21;
 constexpr double cold_to = 0.13;
 constexpr double imposed_from = 0.28;
