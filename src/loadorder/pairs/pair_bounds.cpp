@@ -9,6 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "core/checked.hpp"
+#include "core/least_number.hpp"
 #include "core/words.hpp"
 #include "loadorder/pairs/bucket_queue.hpp"
 
@@ -188,17 +189,7 @@ std::uint64_t least_loads(std::uint64_t pairs, std::uint64_t room) {
   if (const std::uint64_t first = binomial(room, 2); pairs > first) {
     return checked_add(room, ceil_div(pairs - first, room - 1));
   }
-  std::uint64_t low = 0;
-  std::uint64_t high = room;
-  while (low < high) {
-    const std::uint64_t middle = low + (high - low) / 2;
-    if (binomial(middle, 2) >= pairs) {
-      high = middle;
-    } else {
-      low = middle + 1;
-    }
-  }
-  return low;
+  return least_number(0, room, [&](std::uint64_t loads) { return binomial(loads, 2) >= pairs; });
 }
 
 std::uint64_t most_between(std::uint64_t loads, std::uint64_t room) {

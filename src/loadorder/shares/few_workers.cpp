@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/checked.hpp"
+#include "core/least_number.hpp"
 #include "core/words.hpp"
 
 namespace changeover {
@@ -25,17 +26,6 @@ bool agrees(std::uint64_t items, std::uint64_t workers, std::uint64_t k, std::ui
   return spare >= 0 &&
          (twice <= 0 || w * (w - 1) * (n + 1) * spare >=
                             twice * ((n + 1) * p - w * l) - w * (w - 1) * (n * n - 1));
-}
-
-// The least number for which a monotone condition holds; it holds for `high`.
-template <typename Holds>
-std::uint64_t least_number(std::uint64_t high, Holds&& holds) {
-  std::uint64_t low = 1;
-  while (low < high) {
-    const std::uint64_t middle = low + (high - low) / 2;
-    holds(middle) ? high = middle : low = middle + 1;
-  }
-  return high;
 }
 
 }  // namespace
@@ -68,7 +58,7 @@ LoadBound least_at_one_worker(std::uint64_t items, std::uint64_t workers) {
   }
   for (std::uint64_t k = 1; k == 1 || (k - 1) * (k - 1) <= workers; ++k) {
     const std::uint64_t least =
-        least_number(items, [&](std::uint64_t most) { return agrees(items, workers, k, most); });
+        least_number(1, items, [&](std::uint64_t most) { return agrees(items, workers, k, most); });
     if (least > best.loads) {
       best.loads = least;
       best.reason = fmt::format(

@@ -7,6 +7,7 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "core/least_number.hpp"
 #include "loadorder/order/order_relay.hpp"
 
 namespace changeover {
@@ -119,16 +120,10 @@ std::vector<std::uint64_t> StepSizes::shares(std::uint64_t most) const {
 }
 
 std::vector<std::uint64_t> StepSizes::best_shares(std::uint64_t workers) const {
-  std::uint64_t low = 1;
-  std::uint64_t high = loaded_.back();
-  const auto fits = [&](const std::vector<std::uint64_t>& counts) {
+  return shares(least_number(1, loaded_.back(), [&](std::uint64_t makespan) {
+    const std::vector<std::uint64_t> counts = shares(makespan);
     return !counts.empty() && counts.size() <= workers;
-  };
-  while (low < high) {
-    const std::uint64_t middle = low + (high - low) / 2;
-    fits(shares(middle)) ? high = middle : low = middle + 1;
-  }
-  return shares(high);
+  }));
 }
 
 // Steps of each worker. If all are alike each step brings as many pairs together but the first,

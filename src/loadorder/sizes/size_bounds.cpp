@@ -9,6 +9,7 @@
 
 #include "changeover/loadorder/workers.hpp"
 #include "core/checked.hpp"
+#include "core/least_number.hpp"
 #include "loadorder/shares/few_workers.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
 
@@ -126,23 +127,12 @@ std::vector<std::uint64_t> partner_bytes(const ItemSizes& sizes, const WantedPai
   return sums;
 }
 
-// The least number up to `high` of which `is_enough` is true, as it is of all larger ones.
-template <typename IsEnough>
-std::uint64_t least_enough(std::uint64_t high, IsEnough&& is_enough) {
-  std::uint64_t low = 0;
-  while (low < high) {
-    const std::uint64_t middle = low + (high - low) / 2;
-    is_enough(middle) ? high = middle : low = middle + 1;
-  }
-  return low;
-}
-
 // However large the memory: an item is loaded by so many workers that all that it must meet fits
 // beside it into what they load.
 LoadBound by_workers_of_items(const ItemSizes& sizes, const WantedPairs& wanted,
                               const std::vector<std::uint64_t>& partners, std::uint64_t high,
                               std::uint64_t workers) {
-  const std::uint64_t least = least_enough(high, [&](std::uint64_t bytes) {
+  const std::uint64_t least = least_number(0, high, [&](std::uint64_t bytes) {
     Wide loaded = 0;
     for (Element x = 0; x < partners.size(); ++x) {
       if (!wanted.needs(x)) {
@@ -174,7 +164,7 @@ LoadBound by_weight(const Weights& w, std::uint64_t most, std::uint64_t high,
     return r * r / 2 + static_cast<Wide>(bytes - rising) * static_cast<Wide>(most) -
            static_cast<Wide>(w.smallest) * static_cast<Wide>(inside) / 2;
   };
-  const std::uint64_t least = least_enough(high, [&](std::uint64_t bytes) {
+  const std::uint64_t least = least_number(0, high, [&](std::uint64_t bytes) {
     return weight(bytes) * static_cast<Wide>(workers) >= w.pairs * (1 - rounding);
   });
   return {least, fmt::format("a pair weighs the product of its sizes, all of them {:.4g}, and {} "

@@ -11,6 +11,7 @@
 
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "core/least_number.hpp"
 #include "core/words.hpp"
 #include "plan/job/pair_numbers.hpp"
 #include "plan/job/prices.hpp"
@@ -68,13 +69,10 @@ Amount earliest(const std::function<bool(std::uint64_t)>& holds) {
     stop_if_asked();
     high *= 2;
   }
-  std::uint64_t low = 0;
-  while (low < high) {
+  return Amount{least_number(0, high, [&](std::uint64_t time) {
     stop_if_asked();
-    const std::uint64_t middle = low + (high - low) / 2;
-    holds(middle) ? high = middle : low = middle + 1;
-  }
-  return Amount{low};
+    return holds(time);
+  })};
 }
 
 class BenchBounder {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "core/least_number.hpp"
 
 namespace changeover {
 namespace {
@@ -262,16 +264,11 @@ bool BenchClock::go_on_from_kept() {
     }
     return true;
   };
-  std::size_t low = 0;  // so many moments serve
-  for (std::size_t high = has_kept_ ? kept_.count : 0; low < high;) {
-    const std::size_t middle = low + (high - low) / 2;
-    serves(middle) ? low = middle + 1 : high = middle;
-  }
-  shared_ = low;
-  if (low == 0) {
+  shared_ = least_number(0, has_kept_ ? kept_.count : 0, std::not_fn(serves));
+  if (shared_ == 0) {
     return false;
   }
-  const Ticks* at = &kept_.data[(low - 1) * moment_];
+  const Ticks* at = &kept_.data[(shared_ - 1) * moment_];
   now_ = *at++;
   result_.again = *at++;
   std::copy(at, at + pieces_.size(), pieces_.begin());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/least_number.hpp"
 #include "plan/search/benches/step_costs.hpp"
 
 namespace changeover {
@@ -31,13 +32,10 @@ BenchLists cut_list(const Job& job, const std::vector<Block>& setups, std::size_
     }
     return begins;
   };
-  std::uint64_t low =
+  const std::uint64_t dearest =
       setups.empty() ? 0 : *std::max_element(at_start_of_list.begin(), at_start_of_list.end());
-  for (std::uint64_t high = std::max(low, most); low < high;) {
-    const std::uint64_t middle = low + (high - low) / 2;
-    pieces(middle).size() <= benches ? high = middle : low = middle + 1;
-  }
-  const std::vector<std::size_t> begins = pieces(low);
+  const std::vector<std::size_t> begins = pieces(least_number(
+      dearest, most, [&](std::uint64_t limit) { return pieces(limit).size() <= benches; }));
   BenchLists lists(benches);
   for (std::size_t i = 0; i < begins.size(); ++i) {
     const std::size_t end = i + 1 < begins.size() ? begins[i + 1] : setups.size();

@@ -7,6 +7,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "core/least_number.hpp"
 #include "core/words.hpp"
 #include "plan/search/bounds/job_numbers.hpp"
 #include "plan/search/bounds/stays_cost.hpp"
@@ -205,11 +206,8 @@ CostBound bound_for_triples(const Job& job) {
     if (most_triples(n, t, most) < n.triples) {
       continue;
     }
-    std::uint64_t low = 0;
-    for (std::uint64_t high = most; low < high;) {
-      const std::uint64_t middle = low + (high - low) / 2;
-      most_triples(n, t, middle) >= n.triples ? high = middle : low = middle + 1;
-    }
+    const std::uint64_t low = least_number(
+        0, most, [&](std::uint64_t changes) { return most_triples(n, t, changes) >= n.triples; });
     const std::uint64_t steps = t - 1 + first;
     const std::uint64_t introductions = std::max({low, fewest, steps});
     const Amount cost = job.test_cost * t + price(introductions);
