@@ -418,8 +418,8 @@ def load_order(
     steps that have it, balanced over the steps, by seed.
 
     sizes, instead of room: the bytes of the items, in turn or as a mapping from item to bytes;
-    `memory` bytes are held at a time, by each worker. verify_beside: return before the steps are verified;
-    verified() waits for that. Raises BadInput, ImpossibleParameters.
+    `memory` bytes are held at a time, by each worker. verify_beside: return before the steps are
+    verified; verified() waits for that. Raises BadInput, ImpossibleParameters.
     """
     if sum(each is not None for each in (pairs, groups, against, done_items)) > 1:
         raise BadInput("give one of pairs, groups, against and done_items")

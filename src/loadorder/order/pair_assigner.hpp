@@ -18,6 +18,7 @@
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "loadorder/pairs/wanted_set.hpp"
+#include "loadorder/sizes/sized_pairs.hpp"
 
 namespace changeover {
 
@@ -238,14 +239,7 @@ class PairAssigner {
   }
 
   [[nodiscard]] std::uint64_t room_taken(const std::vector<Element>& items) const {
-    if (sizes_ == nullptr) {
-      return items.size();
-    }
-    std::uint64_t bytes = 0;
-    for (const Element x : items) {
-      bytes += sizes_->bytes[x];
-    }
-    return bytes;
+    return sizes_ == nullptr ? items.size() : bytes_of(*sizes_, items);
   }
 
   std::uint64_t room_;

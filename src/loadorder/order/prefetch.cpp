@@ -22,11 +22,8 @@ class LoadTime {
   }
 
   [[nodiscard]] double of(const std::vector<Element>& items) const {
-    double size = sizes_ == nullptr ? static_cast<double>(items.size()) : 0;
-    for (std::size_t i = 0; sizes_ != nullptr && i < items.size(); ++i) {
-      size += static_cast<double>(sizes_->bytes[items[i]]);
-    }
-    return size * of_item_;
+    const std::uint64_t size = sizes_ == nullptr ? items.size() : bytes_of(*sizes_, items);
+    return static_cast<double>(size) * of_item_;
   }
 
  private:

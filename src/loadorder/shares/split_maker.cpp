@@ -22,6 +22,7 @@
 #include "loadorder/shares/owners/streamed_owners.hpp"
 #include "loadorder/shares/step_lists.hpp"
 #include "loadorder/shares/stretches.hpp"
+#include "loadorder/sizes/sized_pairs.hpp"
 
 namespace changeover {
 namespace {
@@ -124,9 +125,7 @@ void SplitMaker::weigh(WorkerSplit& split) {
     std::uint64_t bytes = 0;
     const auto steps = split.stream(w);
     for (Step step; steps->next(step);) {
-      for (const Element x : step.load) {
-        bytes = checked_add(bytes, sizes->bytes[x]);
-      }
+      bytes = checked_add(bytes, bytes_of(*sizes, step.load));
     }
     split.facts_.workers[w].bytes = bytes;
   }

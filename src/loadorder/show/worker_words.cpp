@@ -47,11 +47,8 @@ void WorkerWords::say(JsonWriter& json) const {
 
 void WorkerWords::say_each(JsonWriter& json) const {
   if (split_ != nullptr && facts_.sizes) {
-    json.key("worker_bytes").begin_array();
-    for (const WorkerFacts& worker : split_->workers) {
-      json.value(worker.bytes);
-    }
-    json.end_array();
+    json.list("worker_bytes", split_->workers,
+              [&](const WorkerFacts& worker) { json.value(worker.bytes); });
   }
   if (most_ == 0) {
     return;

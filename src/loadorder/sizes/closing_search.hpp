@@ -1,8 +1,9 @@
 // Internal: searches orders in which items of different sizes are closed.
 //
 //     ClosingSearch search(sizes, graph, room, least, 1);
-//     search.begin({});                        // all starts
-//     search.improve(20'000'000, {});          // for a fixed amount of work
+//     const auto over = [] { return false; };
+//     search.begin(over);                      // all starts
+//     search.improve(20'000'000, over);        // for a fixed amount of work
 //     search.offer().bytes;
 #pragma once
 

@@ -19,14 +19,6 @@ namespace {
 
 constexpr std::uint64_t most_closed_all = 2'000;  // number of items, if all pairs are wanted
 
-std::uint64_t bytes_of(const ItemSizes& sizes, const std::vector<Element>& items) {
-  std::uint64_t sum = 0;
-  for (const Element x : items) {
-    sum += sizes.bytes[x];
-  }
-  return sum;
-}
-
 /// Packs groups of at most `most` bytes: the largest items first, each into the first group with
 /// room.
 std::vector<std::vector<Element>> packed(const ItemSizes& sizes, const std::vector<Element>& items,
@@ -204,6 +196,14 @@ void each_with_largest(const ItemSizes& sizes, const WantedPairs& wanted, Visit&
 
 }  // namespace
 
+std::uint64_t bytes_of(const ItemSizes& sizes, std::span<const Element> items) {
+  std::uint64_t sum = 0;
+  for (const Element x : items) {
+    sum = checked_add(sum, sizes.bytes[x]);
+  }
+  return sum;
+}
+
 void check_sizes(const ItemSizes& sizes, const WantedPairs& wanted, const SizePlace& place) {
   const std::uint64_t items = sizes.bytes.size();
   if (items == 0 || (!wanted.are_all() && wanted.items() != items)) {
@@ -230,8 +230,7 @@ void check_sizes(const ItemSizes& sizes, const WantedPairs& wanted, const SizePl
   }
   each_with_largest(sizes, wanted, [&](Element x, Element with) {
     const std::uint64_t size = sizes.bytes[x];
-    if (with == x ? size > sizes.memory
-                  : size > sizes.memory || sizes.bytes[with] > sizes.memory - size) {
+    if (size > sizes.memory || (with != x && sizes.bytes[with] > sizes.memory - size)) {
       refuse(x, with == x
                     ? fmt::format("item {} has {} bytes, more than the {} of memory; allow more",
                                   name(x), size, sizes.memory)

@@ -94,9 +94,9 @@ class SizedSplit {
     for (Element x = 0; x < sizes_.bytes.size(); ++x) {
       if (wanted.needs(x)) {
         items_.push_back(x);
-        all_bytes_ += sizes_.bytes[x];
       }
     }
+    all_bytes_ = bytes_of(sizes_, items_);
   }
 
   WorkerSplit result() {
@@ -205,13 +205,15 @@ class SizedSplit {
     const std::span<const Element> a(items_.begin(), static_cast<std::size_t>(first));
     const std::span<const Element> b(items_.begin() + static_cast<std::ptrdiff_t>(first),
                                      items_.end());
+    const auto all_of_a = static_cast<double>(bytes_of(sizes_, a));
+    const auto all_of_b = static_cast<double>(bytes_of(sizes_, b));
     double least = std::numeric_limits<double>::max();
     std::uint64_t parts = 0;
     const std::uint64_t most = std::min<std::uint64_t>(workers_, a.size());
     for (std::uint64_t p = 1; p <= most; ++p) {
       const std::uint64_t q = std::min<std::uint64_t>(workers_ / p, b.size());
-      if (const double bytes = block_bytes(bytes_of(a) / static_cast<double>(p),
-                                           bytes_of(b) / static_cast<double>(q));
+      if (const double bytes =
+              block_bytes(all_of_a / static_cast<double>(p), all_of_b / static_cast<double>(q));
           bytes < least) {
         least = bytes;
         parts = p;
@@ -230,14 +232,6 @@ class SizedSplit {
         candidates_.front(), moves, "a block a worker",
         fmt::format("{} of the first set with {} of the other, of bytes as even as can be.",
                     count_of(parts, "part"), count_of(others, "part"))));
-  }
-
-  [[nodiscard]] double bytes_of(std::span<const Element> items) const {
-    double sum = 0;
-    for (const Element x : items) {
-      sum += static_cast<double>(sizes_.bytes[x]);
-    }
-    return sum;
   }
 
   // An estimate: parts of the smaller set stay while the other one passes.
