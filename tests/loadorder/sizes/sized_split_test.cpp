@@ -110,13 +110,7 @@ TEST(SizedSplit, NoSplitOfFewItemsIsBelowTheBound) {
   constexpr int rounds = 60;
   for (int round = 0; round < rounds; ++round) {
     const std::size_t items = 3 + random() % 2;
-    std::vector<std::uint64_t> bytes;
-    for (std::size_t i = 0; i < items; ++i) {
-      bytes.push_back(1 + random() % (round % 2 == 0 ? 3 : 9));
-    }
-    std::vector<std::uint64_t> sorted = bytes;
-    std::sort(sorted.rbegin(), sorted.rend());
-    const auto sizes = sizes_of(bytes, sorted[0] + sorted[1] + random() % 6);
+    const auto sizes = random_sizes(random, items, round % 2 == 0 ? 3 : 9, 5);
     std::vector<ItemPair> pairs;
     for (Element y = 1; y < items; ++y) {
       for (Element x = 0; x < y; ++x) {

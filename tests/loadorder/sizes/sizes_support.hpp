@@ -1,9 +1,11 @@
 // Items of different size: the definition in plain code, and the fewest bytes by trying everything.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <random>
 #include <set>
 #include <string>
 #include <utility>
@@ -16,6 +18,18 @@ namespace changeover::test {
 inline std::shared_ptr<const ItemSizes> sizes_of(std::vector<std::uint64_t> bytes,
                                                  std::uint64_t memory) {
   return std::make_shared<const ItemSizes>(ItemSizes{std::move(bytes), memory});
+}
+
+/// Items of 1 to `largest` bytes; memory is for the two largest and up to `spare` bytes more.
+inline std::shared_ptr<const ItemSizes> random_sizes(std::mt19937& random, std::size_t items,
+                                                     std::uint64_t largest, std::uint64_t spare) {
+  std::vector<std::uint64_t> bytes;
+  for (std::size_t i = 0; i < items; ++i) {
+    bytes.push_back(1 + random() % largest);
+  }
+  std::vector<std::uint64_t> sorted = bytes;
+  std::sort(sorted.rbegin(), sorted.rend());
+  return sizes_of(bytes, sorted[0] + sorted[1] + random() % (spare + 1));
 }
 
 /// The definition in plain code, for one worker: bytes that are loaded, and a fault. Pairs that meet
