@@ -97,6 +97,7 @@ void Deadlines::enter(int socket, Stage stage) {
   const std::scoped_lock lock(mutex_);
   if (const auto found = open_.find(socket); found != open_.end()) {
     found->second = {stage, Clock::now()};
+    answered_.notify_all();
   }
 }
 
@@ -110,6 +111,15 @@ void Deadlines::hear(int socket) {
 void Deadlines::close(int socket) {
   const std::scoped_lock lock(mutex_);
   open_.erase(socket);
+  answered_.notify_all();
+}
+
+void Deadlines::wait_for_answers(Seconds patience) {
+  const auto waits = [](const std::map<int, Open>::value_type& each) {
+    return each.second.stage == Stage::answer || each.second.stage == Stage::reading;
+  };
+  std::unique_lock lock(mutex_);
+  answered_.wait_for(lock, patience, [&] { return std::ranges::none_of(open_, waits); });
 }
 
 std::size_t Deadlines::open_connections() {

@@ -101,6 +101,9 @@ class Deadlines {
   void hear(int socket);
   void close(int socket);
 
+  /// Waits until no answer is being made or read, but no longer than this.
+  void wait_for_answers(Seconds patience);
+
   /// How many connections are open.
   [[nodiscard]] std::size_t open_connections();
 
@@ -120,6 +123,7 @@ class Deadlines {
   std::string timed_out_;
   std::mutex mutex_;
   std::condition_variable ending_;
+  std::condition_variable answered_;
   bool ended_ = false;
   std::map<int, Open> open_;
   std::thread thread_;

@@ -552,6 +552,9 @@ bool Server::stop(std::chrono::duration<double> patience) {
   if (!state_->lanes.stop(patience)) {
     return false;
   }
+  // MHD_stop_daemon drops what it has not sent yet; who does not read must not keep the server.
+  constexpr std::chrono::seconds for_readers{1};
+  state_->deadlines.wait_for_answers(for_readers);
   MHD_stop_daemon(state_->daemon);
   state_->daemon = nullptr;
   return true;
