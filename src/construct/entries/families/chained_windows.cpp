@@ -232,19 +232,142 @@ class Ring final : public SwapPlan {
   std::uint64_t w_;
 };
 
-std::uint64_t visitors(const Parameters& p) { return p.v + 3 - 4 * p.k; }
+class OfThree final : public SwapPlan {
+ public:
+  OfThree(std::uint64_t k, std::uint64_t w) : big_(k - 1), u_(6 * big_ + 1), w_(w) {}
 
-bool is_served(const Parameters& p) {
-  if (!asks_for_pairs(p, 1) || p.v + 1 < 4 * p.k) {
-    return false;
+  // 0, 2, …, K but K−1, x_1 and x_2.
+  [[nodiscard]] Block start() const override {
+    Block block{0};
+    for (std::uint64_t y = 2; y <= big_; ++y) {
+      if (y != big_ - 1) {
+        block.push_back(static_cast<Element>(y));
+      }
+    }
+    block.push_back(static_cast<Element>(x(1)));
+    block.push_back(static_cast<Element>(x(2)));
+    return block;
   }
-  return p.kind == Kind::linear ? p.k >= 6 && p.v + 6 <= 5 * p.k : p.k >= 4 && p.v + 5 <= 5 * p.k;
+
+  // The blocks before W_1 + (2K+1), then those with W_j for j = 1, …, 6K.
+  bool leg(std::uint64_t index, std::vector<Swap>& swaps) const override {
+    if (index == 0) {
+      begin(swaps);
+      return true;
+    }
+    const std::uint64_t j = index;
+    if (j == u_) {
+      return false;
+    }
+    std::uint64_t out = leaving_before(j);
+    const auto visit = [&](std::uint64_t y) {
+      swaps.push_back({.leaves = out, .enters = y % u_});
+      out = y % u_;
+    };
+    const auto visit_new = [&](std::uint64_t from) {
+      for (std::uint64_t i = from; i <= w_; ++i) {
+        swaps.push_back({.leaves = out, .enters = x(i)});
+        out = x(i);
+      }
+    };
+    if (j == 4 * big_) {
+      visit(j + 3 * big_);
+      swaps.push_back({.leaves = j, .enters = j + 2 * big_});
+      swaps.push_back({.leaves = j + 2 * big_, .enters = x(1)});
+      swaps.push_back({.leaves = out, .enters = j + big_});
+      return true;
+    }
+    if (j == 2 * big_) {
+      visit(j + 3 * big_);
+      visit(j + 2 * big_);
+    } else {
+      visit(j + 2 * big_);
+      if (j != 3 * big_) {
+        visit(j + 3 * big_);
+      }
+    }
+    if (j == 3 * big_ + 1) {
+      visit(6 * big_);
+    }
+    if (j == 6 * big_) {
+      visit(3 * big_);
+      swaps.push_back({.leaves = j, .enters = 2 * big_});
+      swaps.push_back({.leaves = 1, .enters = big_ - 1});
+      return true;
+    }
+    if (j > big_ && j % big_ == 1) {
+      visit_new(j == 4 * big_ + 1 ? 2 : 1);
+    }
+    if (in_chain(j)) {
+      swaps.push_back({.leaves = j, .enters = j + big_});
+    } else {
+      visit(j + big_);
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t x(std::uint64_t i) const { return u_ + i - 1; }
+  // Whether the visitor j+2K stays while j leaves for j+K.
+  [[nodiscard]] bool in_chain(std::uint64_t j) const { return j == 2 * big_ || j == 3 * big_; }
+  [[nodiscard]] std::uint64_t leaving_before(std::uint64_t j) const {
+    if (j == 1) {
+      return x(w_);
+    }
+    if (j == 4 * big_ + 1) {
+      return x(1);
+    }
+    return in_chain(j - 1) ? j - 1 + 2 * big_ : j - 1;
+  }
+
+  void begin(std::vector<Swap>& swaps) const {
+    const auto step = [&](std::uint64_t leaves, std::uint64_t enters) {
+      swaps.push_back({.leaves = leaves, .enters = enters});
+    };
+    for (std::uint64_t i = 3; i <= w_; ++i) {
+      step(i, x(i));
+    }
+    step(0, 1);
+    step(x(1), big_ - 1);
+    for (std::uint64_t i = 2; i < w_; ++i) {
+      step(x(i), i + 1);
+    }
+  }
+
+  std::uint64_t big_;  // K
+  std::uint64_t u_;
+  std::uint64_t w_;
+};
+
+/// v = 2cK+1+w.
+struct Shape {
+  std::uint64_t c = 0;
+  std::uint64_t w = 0;
+};
+
+std::optional<Shape> shape_of(const Parameters& p) {
+  if (!asks_for_pairs(p, 1) || p.k < 4) {
+    return std::nullopt;
+  }
+  const std::uint64_t big = p.k - 1;
+  const bool linear = p.kind == Kind::linear;
+  for (std::uint64_t c = 2; c <= 3; ++c) {
+    const std::uint64_t u = 2 * c * big + 1;
+    const std::uint64_t most = linear ? big - 2 : big - 1;
+    if (u + 2 <= p.v && p.v <= u + most && (!linear || p.k >= (c == 2 ? 6U : 5U)) &&
+        (linear || c == 2)) {
+      return Shape{c, p.v - u};
+    }
+  }
+  return std::nullopt;
 }
 
-std::uint64_t blocks_of(const Parameters& p) {
-  const std::uint64_t w = visitors(p);
-  const std::uint64_t b = 8 * (p.k - 1) + 5 * w;
-  return p.kind == Kind::circular ? b + 1 : b - (spares_a_block(p.k, w) ? 1 : 0);
+std::uint64_t blocks_of(const Parameters& p, const Shape& shape) {
+  if (shape.c == 3) {
+    return 18 * (p.k - 1) + 7 * shape.w + 1;
+  }
+  const std::uint64_t b = 8 * (p.k - 1) + 5 * shape.w;
+  return p.kind == Kind::circular ? b + 1 : b - (spares_a_block(p.k, shape.w) ? 1 : 0);
 }
 
 constexpr Description description{
@@ -252,9 +375,10 @@ constexpr Description description{
     .summary = "a window slides over a cycle, and some visitors stay while it moves",
     .preconditions =
         "m = 1, v = 4k-3+w; linear, k >= 6 and 2 <= w <= k-3, or circular, k >= 4 and 2 <= w <= "
-        "k-2",
+        "k-2; or linear, v = 6k-5+w, k >= 5 and 2 <= w <= k-3",
     .guarantee =
-        "linear b = 8(k-1) + 5w, 1 less if k >= 7 and w >= 3; circular b = 8(k-1) + 5w + 1",
+        "linear b = 8(k-1) + 5w, 1 less if k >= 7 and w >= 3; circular b = 8(k-1) + 5w + 1; for v "
+        "= 6k-5+w b = 18(k-1) + 7w + 1",
     .place = "docs/theorems.md, Theorem 11",
 };
 
@@ -264,24 +388,31 @@ class ChainedWindows final : public Family {
 
  protected:
   std::optional<Promise> promise(const Parameters& p) const override {
-    return is_served(p) ? std::optional(Promise{.b = blocks_of(p)}) : std::nullopt;
+    const auto shape = shape_of(p);
+    return shape ? std::optional(Promise{.b = blocks_of(p, *shape)}) : std::nullopt;
   }
 
   std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
+    const Shape shape = shape_of(p).value();
     std::unique_ptr<SwapPlan> plan;
-    if (p.kind == Kind::linear) {
-      plan = std::make_unique<Chained>(p.k, visitors(p));
+    if (shape.c == 3) {
+      plan = std::make_unique<OfThree>(p.k, shape.w);
+    } else if (p.kind == Kind::linear) {
+      plan = std::make_unique<Chained>(p.k, shape.w);
     } else {
-      plan = std::make_unique<Ring>(p.k, visitors(p));
+      plan = std::make_unique<Ring>(p.k, shape.w);
     }
-    return std::make_unique<SwapSource>(p, blocks_of(p), std::move(plan));
+    return std::make_unique<SwapSource>(p, blocks_of(p, shape), std::move(plan));
   }
 
   std::string explanation(const Parameters& p) const override {
+    const Shape shape = shape_of(p).value();
+    const bool two = shape.c == 2 && p.kind == Kind::linear;
     return fmt::format(
         "A window of {} elements slides over Z_{}, visitors stay in {} while it moves, and {} new "
-        "elements meet its beginning and visit it three times.",
-        p.k - 1, 4 * p.k - 3, p.kind == Kind::linear ? "two chains" : "a chain", visitors(p));
+        "elements meet its beginning and visit it {} times.",
+        p.k - 1, p.v - shape.w, two ? "two chains" : "a chain", shape.w,
+        shape.c == 2 ? "three" : "five");
   }
 };
 

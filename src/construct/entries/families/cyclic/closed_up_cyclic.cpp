@@ -59,7 +59,7 @@ class ClosedUpCyclic final : public WithoutNeighbours {
   ClosedUpCyclic() : WithoutNeighbours(description) {}
 
  protected:
-  bool serves(std::uint64_t k, const Deletion& deletion) const override {
+  bool serves(std::uint64_t k, const Deletion& deletion, Kind /*kind*/) const override {
     return deletion.c > 2 || (deletion.c == 2 && deletion.r < k);
   }
   std::uint64_t saved(const Deletion& deletion) const override {

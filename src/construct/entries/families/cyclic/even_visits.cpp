@@ -14,41 +14,13 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "changeover/construct/registry.hpp"
-#include "construct/entries/families/cyclic/without_neighbours.hpp"
+#include "construct/entries/families/cyclic/even_visits.hpp"
 #include "core/words.hpp"
 
 namespace changeover::even_visits_entry {
 namespace {
-
-// Leg j makes the blocks with W_j.
-class EvenVisits final : public LegsWithHeldPlaces {
- public:
-  using LegsWithHeldPlaces::LegsWithHeldPlaces;
-
- protected:
-  [[nodiscard]] std::vector<std::uint64_t> visitors_of(std::uint64_t j) const override {
-    std::vector<std::uint64_t> visitors;
-    const auto enter = [&](std::uint64_t o) {
-      const std::uint64_t x = (j + o * numbers().big) % numbers().u;
-      if (!deleted(x) && (o == 2 || !holds_a_place(x))) {
-        visitors.push_back(x);
-      }
-    };
-    for (std::uint64_t o = 2 * numbers().c - 2; o >= 2; o -= 2) {
-      enter(o);
-    }
-    enter(1);
-    return visitors;
-  }
-
- private:
-  [[nodiscard]] bool holds_a_place(std::uint64_t x) const {
-    return x >= numbers().big && deleted(x - numbers().big);
-  }
-};
 
 constexpr Description description{
     .name = "even-visits",
@@ -63,7 +35,7 @@ class EvenVisitsFamily final : public WithoutNeighbours {
   EvenVisitsFamily() : WithoutNeighbours(description, true) {}
 
  protected:
-  bool serves(std::uint64_t k, const Deletion& deletion) const override {
+  bool serves(std::uint64_t k, const Deletion& deletion, Kind /*kind*/) const override {
     return deletion.c >= 2 && deletion.r < k;
   }
   std::uint64_t saved(const Deletion& deletion) const override {

@@ -79,7 +79,7 @@ class SubstitutedCyclic final : public WithoutNeighbours {
   SubstitutedCyclic() : WithoutNeighbours(description) {}
 
  protected:
-  bool serves(std::uint64_t k, const Deletion& deletion) const override {
+  bool serves(std::uint64_t k, const Deletion& deletion, Kind /*kind*/) const override {
     return deletion.c >= 3 && deletion.r < k;
   }
   std::uint64_t saved(const Deletion& deletion) const override {

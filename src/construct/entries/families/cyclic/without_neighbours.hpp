@@ -50,7 +50,7 @@ class LegsOfWindows : public SwapPlan {
   LegsOfWindows(const CycleNumbers& numbers, Kind kind, std::uint64_t before)
       : is_(numbers), first_(kind == Kind::linear ? before + 1 : 0), kind_(kind) {}
 
-  [[nodiscard]] Block start() const final {
+  [[nodiscard]] Block start() const override {
     Block block;
     if (kind_ == Kind::circular) {
       block = last_of(is_.u - 1);
@@ -63,7 +63,7 @@ class LegsOfWindows : public SwapPlan {
     return block;
   }
 
-  bool leg(std::uint64_t index, std::vector<Swap>& swaps) const final {
+  bool leg(std::uint64_t index, std::vector<Swap>& swaps) const override {
     if (index == is_.u) {
       return false;
     }
@@ -144,7 +144,7 @@ class WithoutNeighbours : public Family {
       : Family(description), unions_(unions) {}
 
   /// r > 0; k ≥ 3.
-  [[nodiscard]] virtual bool serves(std::uint64_t k, const Deletion& deletion) const = 0;
+  [[nodiscard]] virtual bool serves(std::uint64_t k, const Deletion& deletion, Kind kind) const = 0;
   /// How many blocks fewer than the tight design.
   [[nodiscard]] virtual std::uint64_t saved(const Deletion& deletion) const = 0;
   [[nodiscard]] virtual std::unique_ptr<SwapPlan> steps(std::uint64_t k, const Deletion& deletion,
@@ -171,7 +171,7 @@ class WithoutNeighbours : public Family {
     }
     const std::uint64_t around = 2 * (q.k - 1);
     const Deletion deletion{(q.v - 2) / around + 1, around - 1 - (q.v - 2) % around};
-    return deletion.r > 0 && serves(q.k, deletion) ? std::optional(deletion) : std::nullopt;
+    return deletion.r > 0 && serves(q.k, deletion, q.kind) ? std::optional(deletion) : std::nullopt;
   }
 
   [[nodiscard]] std::uint64_t single_count(const Parameters& p, const Deletion& deletion) const {

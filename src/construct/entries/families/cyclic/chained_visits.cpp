@@ -1,0 +1,204 @@
+// Linear SCCD(2cK+1−r, k), K = k−1, for c = 3 and 4 and 2 ≤ r < K: one block fewer than even-visits
+// has [docs/theorems.md, Theorem 12].
+//
+// In even-visits the list begins with window J+1, J = K+r−1, and ends with window J. Here two
+// visitors of window J come before the window gets there, and one of window J+1 is in the first
+// block beside one of window J, so that the last step of window J−1 and two more are spared. That
+// parts some pairs. In *chains*, windows that move while a visitor stays, and by visitors that come
+// a window early or late, the lack of a pair is passed on from window to window, to a pair that
+// meets at one of the ends.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "changeover/construct/registry.hpp"
+#include "construct/entries/families/cyclic/even_visits.hpp"
+#include "core/words.hpp"
+
+namespace changeover::chained_visits_entry {
+namespace {
+
+/// The element or window J + windows·K + by.
+struct Place {
+  std::uint64_t windows = 0;
+  int by = 0;
+};
+
+struct Step {
+  Place leaves;
+  Place enters;
+};
+
+/// The steps with this window, instead of those that even-visits has.
+struct Leg {
+  Place window;
+  std::vector<Step> steps;
+  std::optional<Place> leaves_next = {};  ///< at the first step of the next window; usually j does
+};
+
+struct Changes {
+  int from;                    // J+from, …, J+K are in the first block,
+  std::vector<Place> besides;  // and these
+  std::vector<Step> opening;   // up to the first step of window J+2
+  std::vector<Leg> legs;
+};
+
+// In Z_u J+6K is J−1, and J+5K+2 is r.
+const Changes three_windows{
+    .from = 3,
+    .besides = {{0, 1}, {2, 0}, {4, 1}},
+    .opening = {{{0, 1}, {0, 2}}, {{2, 0}, {1, 1}}, {{4, 1}, {2, 1}}},
+    .legs =
+        {
+            {{0, 2}, {{{2, 1}, {4, 2}}, {{4, 2}, {2, 2}}, {{2, 2}, {1, 2}}}},
+            {{1, 0}, {{{1, -1}, {3, 0}}, {{1, 0}, {2, 0}}, {{3, 0}, {5, 2}}}},
+            {{1, 1}, {{{1, 1}, {2, 1}}, {{5, 2}, {3, 1}}}},
+            {{1, 2}, {{{3, 1}, {3, 2}}, {{3, 2}, {2, 2}}}},
+            {{2, 0}, {{{2, -1}, {4, 0}}, {{2, 0}, {3, 0}}}},
+            {{2, 1}, {{{4, 0}, {4, 1}}, {{4, 1}, {0, 1}}}},
+            {{2, 2}, {{{2, 1}, {3, 1}}, {{0, 1}, {4, 2}}, {{4, 2}, {3, 2}}}},
+            {{3, 0}, {{{3, -1}, {1, -1}}, {{3, 0}, {4, 0}}}},
+            {{3, 1}, {{{1, -1}, {1, 0}}, {{1, 0}, {1, 1}}, {{1, 1}, {4, 1}}}},
+            {{3, 2}, {{{3, 1}, {5, 2}}, {{5, 2}, {4, 2}}}},
+            {{4, 1}, {{{4, 0}, {0, 0}}}},
+            {{4, 2}, {{{4, 1}, {2, 0}}, {{2, 0}, {2, 1}}, {{2, 1}, {0, 1}}, {{0, 1}, {5, 2}}}},
+            {{5, 2}, {{{1, 0}, {3, 1}}, {{3, 1}, {0, 1}}, {{5, 2}, {1, 1}}}, Place{1, 1}},
+            {{6, 0}, {{{6, -1}, {4, -1}}, {{4, -1}, {2, -1}}, {{2, -1}, {4, 0}}}},
+        },
+};
+
+// In Z_u J+8K is J−1, and J+7K+2 is r.
+const Changes four_windows{
+    .from = 2,
+    .besides = {{2, 0}, {6, 1}},
+    .opening = {{{6, 1}, {0, 1}}, {{2, 0}, {4, 1}}, {{4, 1}, {2, 1}}, {{2, 1}, {1, 1}}},
+    .legs =
+        {
+            {{1, 0}, {{{1, -1}, {5, 0}}, {{5, 0}, {3, 0}}, {{1, 0}, {2, 0}}}, Place{3, 0}},
+            {{2, 0}, {{{2, -1}, {4, 0}}, {{4, 0}, {6, 0}}, {{2, 0}, {3, 0}}}, Place{6, 0}},
+            {{3, 0}, {{{3, -1}, {5, 0}}, {{5, 0}, {4, 0}}, {{3, 0}, {1, -1}}}, Place{1, -1}},
+            {{4, 0}, {{{4, -1}, {2, -1}}, {{2, -1}, {5, 0}}, {{4, 0}, {6, 0}}}, Place{6, 0}},
+            {{5, 0}, {{{5, -1}, {3, -1}}, {{3, -1}, {1, -1}}, {{5, 0}, {3, 0}}, {{3, 0}, {6, 0}}}},
+            {{5, 1}, {{{1, -1}, {1, 0}}, {{1, 0}, {6, 1}}}},
+            {{6, 1}, {{{6, 0}, {4, 0}}, {{4, 0}, {0, 1}}, {{0, 1}, {0, 0}}}},
+            {{6, 2}, {{{6, 1}, {4, 1}}, {{4, 1}, {2, 1}}, {{2, 1}, {2, 0}}, {{2, 0}, {7, 2}}}},
+            {{8, 0},
+             {{{8, -1}, {6, -1}},
+              {{6, -1}, {4, -1}},
+              {{4, -1}, {2, -1}},
+              {{2, -1}, {6, 0}},
+              {{8, 0}, {4, 0}}}},
+        },
+};
+
+class ChainedVisits final : public EvenVisits {
+ public:
+  ChainedVisits(std::uint64_t k, const Deletion& deletion)
+      : EvenVisits(k, deletion, Kind::linear),
+        changes_(deletion.c == 3 ? three_windows : four_windows) {}
+
+  [[nodiscard]] Block start() const override {
+    Block block;
+    for (auto y = changes_.from; y <= static_cast<int>(numbers().big); ++y) {
+      block.push_back(static_cast<Element>(at({0, y})));
+    }
+    for (const Place& each : changes_.besides) {
+      block.push_back(static_cast<Element>(at(each)));
+    }
+    return block;
+  }
+
+  // The opening, then the steps of windows J+2, …, u−1, 0, …, J−1.
+  bool leg(std::uint64_t index, std::vector<Swap>& swaps) const override {
+    if (index == 0) {
+      add(changes_.opening, swaps);
+      return true;
+    }
+    if (index + 1 == numbers().u) {
+      return false;
+    }
+    const std::uint64_t j = window(index + 1);
+    if (const Leg* const changed = changed_at(j)) {
+      add(changed->steps, swaps);
+      return true;
+    }
+    std::vector<Swap> usual = swaps_of(j);
+    const Leg* const before = changed_at(window(index));
+    if (before != nullptr && before->leaves_next) {
+      usual.front().leaves = at(*before->leaves_next);
+    }
+    swaps.insert(swaps.end(), usual.begin(), usual.end());
+    return true;
+  }
+
+ private:
+  // Window J+by.
+  [[nodiscard]] std::uint64_t window(std::uint64_t by) const {
+    return (numbers().big + numbers().r - 1 + by) % numbers().u;
+  }
+  [[nodiscard]] std::uint64_t in_cycle(const Place& place) const {
+    return window(place.windows * numbers().big + numbers().u +
+                  static_cast<std::uint64_t>(static_cast<std::int64_t>(place.by)));
+  }
+  [[nodiscard]] std::uint64_t at(const Place& place) const { return number(in_cycle(place)); }
+
+  [[nodiscard]] const Leg* changed_at(std::uint64_t j) const {
+    const auto found = std::ranges::find(changes_.legs, j,
+                                         [this](const Leg& leg) { return in_cycle(leg.window); });
+    return found == changes_.legs.end() ? nullptr : &*found;
+  }
+
+  void add(const std::vector<Step>& steps, std::vector<Swap>& swaps) const {
+    for (const Step& step : steps) {
+      swaps.push_back({.leaves = at(step.leaves), .enters = at(step.enters)});
+    }
+  }
+
+  const Changes& changes_;
+};
+
+constexpr Description description{
+    .name = "chained-visits",
+    .summary = "even-visits with one block fewer, by visitors that stay while windows move",
+    .preconditions =
+        "linear, m = 1, v = 2cK+1-r, K = k-1, 2 <= r < K; c = 3 and K >= 4, or c = 4 and K >= 3",
+    .guarantee = "b = c(2cK+1) - (2c-1)r - 2",
+    .place = "docs/theorems.md, Theorem 12",
+};
+
+class ChainedVisitsFamily final : public WithoutNeighbours {
+ public:
+  ChainedVisitsFamily() : WithoutNeighbours(description) {}
+
+ protected:
+  bool serves(std::uint64_t k, const Deletion& deletion, Kind kind) const override {
+    const auto [c, r] = deletion;
+    return kind == Kind::linear && 2 <= r && r + 1 < k && ((c == 3 && k >= 5) || c == 4);
+  }
+  // A linear list has one block fewer in any case.
+  std::uint64_t saved(const Deletion& deletion) const override {
+    return (2 * deletion.c - 1) * deletion.r + 1;
+  }
+  std::unique_ptr<SwapPlan> steps(std::uint64_t k, const Deletion& deletion,
+                                  Kind /*kind*/) const override {
+    return std::make_unique<ChainedVisits>(k, deletion);
+  }
+  std::string explanation(const Parameters& p, const Deletion& deletion) const override {
+    return fmt::format(
+        "In the tight circular SCCD({},{}) of {} windows, visited at even distances, leave out {}; "
+        "in place of each, another element stays once and visits no more. Chains, windows that "
+        "move while a visitor stays, spare one block more where the list begins and ends.",
+        p.v + deletion.r, p.k, deletion.c, count_of(deletion.r, "neighbour"));
+  }
+};
+
+}  // namespace
+
+const Construction& construction() { return only<ChainedVisitsFamily>(); }
+
+}  // namespace changeover::chained_visits_entry
