@@ -1,7 +1,7 @@
 # changeover_embedded_pages(<variable>)
 #
-# Stores in <variable> the object of a source that holds every file of web/dist, and docs/theorems.md: the program needs no
-# files where it is installed. Without that folder it holds no pages, and the server says so.
+# Stores in <variable> the object of a source that holds every file of web/dist, docs/theorems.md and the map of the
+# catalog: the program needs no files where it is installed. Without that folder it holds no pages, and the server says so.
 function(changeover_embedded_pages variable)
   set(folder "${PROJECT_SOURCE_DIR}/web/dist")
   file(GLOB_RECURSE files RELATIVE "${folder}" CONFIGURE_DEPENDS "${folder}/*")
@@ -26,6 +26,18 @@ function(changeover_embedded_pages variable)
   endforeach()
   set(theorems "${PROJECT_SOURCE_DIR}/docs/theorems.md")
   list(APPEND paths "${theorems}")
+  # To make the map takes seconds, and a minute without optimisation: such builds make it when it is asked for.
+  set(atlases "${PROJECT_BINARY_DIR}/generated/atlases.txt")
+  list(APPEND paths "${atlases}")
+  if(CMAKE_BUILD_TYPE MATCHES "^(Release|RelWithDebInfo|MinSizeRel)$" AND NOT CHANGEOVER_SANITIZE)
+    add_executable(make_atlases "${PROJECT_SOURCE_DIR}/cmake/make_atlases.cpp")
+    set_target_properties(make_atlases PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}")
+    target_link_libraries(make_atlases PRIVATE changeover_construct changeover_internals changeover_warnings)
+    add_custom_command(OUTPUT "${atlases}" COMMAND make_atlases "${atlases}" DEPENDS make_atlases
+      COMMENT "Making the map of the catalog" VERBATIM)
+  else()
+    file(WRITE "${atlases}" "")
+  endif()
   set(source "${PROJECT_BINARY_DIR}/generated/embedded_pages.cpp")
   file(CONFIGURE OUTPUT "${source}" @ONLY CONTENT [[
 // Generated. Do not edit.
@@ -37,10 +49,15 @@ __asm__(
 @assembly@    ".globl changeover_theorems\n.hidden changeover_theorems\nchangeover_theorems:\n"
     ".incbin \"@theorems@\"\n"
     ".globl changeover_theorems_end\n.hidden changeover_theorems_end\nchangeover_theorems_end:\n.byte 0\n"
+    ".globl changeover_atlases\n.hidden changeover_atlases\nchangeover_atlases:\n"
+    ".incbin \"@atlases@\"\n"
+    ".globl changeover_atlases_end\n.hidden changeover_atlases_end\nchangeover_atlases_end:\n.byte 0\n"
     ".previous\n");
 extern "C" {
 extern const char changeover_theorems[];
 extern const char changeover_theorems_end[];
+extern const char changeover_atlases[];
+extern const char changeover_atlases_end[];
 @symbols@}
 
 namespace changeover::serve {
@@ -51,6 +68,7 @@ std::vector<EmbeddedPage> embedded_pages() {
 }
 
 std::string_view theorems_text() { return {changeover_theorems, changeover_theorems_end}; }
+std::string_view stored_atlases() { return {changeover_atlases, changeover_atlases_end}; }
 
 }  // namespace changeover::serve
 ]])

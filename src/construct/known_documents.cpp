@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "io/write/json_writer.hpp"
 
 namespace changeover {
@@ -85,6 +87,49 @@ std::string table_json(const Cells& cells, CellKeys keys) {
   }
   json.end_array();
   return json.take();
+}
+
+CellRange stored_cells(std::uint64_t change, Kind kind) {
+  return {.v_from = 4, .v_to = 160, .k_from = 3, .k_to = 40, .change = change, .kind = kind};
+}
+
+void begin_atlas(JsonWriter& json, const CellRange& range, std::uint32_t strength) {
+  json.begin_object().key("change").value(range.change);
+  json.key("kind").value(to_string(range.kind.value()));
+  json.key("strength").value(std::uint64_t{strength});
+  json.key("k_from").value(range.k_from).key("k_to").value(range.k_to);
+  json.key("v_from").value(range.v_from).key("v_to").value(range.v_to);
+}
+
+std::string atlas_json(const CellRange& range, const Cells& cells, std::uint32_t strength) {
+  std::map<std::string, std::uint64_t> numbers;
+  for (const KnownCell* const cell : cells) {
+    if (cell->best) {
+      numbers.emplace(cell->best->recipe.construction, 0);
+    }
+  }
+  JsonWriter json;
+  begin_atlas(json, range, strength);
+  json.key("constructions").begin_array();
+  std::uint64_t next = 0;
+  for (auto& [name, number] : numbers) {
+    number = next++;
+    json.value(name);
+  }
+  json.end_array();
+  json.list("b", cells,
+            [&](const KnownCell* cell) { cell->best ? json.value(cell->best->b) : json.null(); });
+  json.list("lower_bound", cells, [&](const KnownCell* cell) {
+    cell->impossible ? json.null() : json.value(cell->bound.blocks);
+  });
+  json.list("construction", cells, [&](const KnownCell* cell) {
+    cell->best ? json.value(numbers.at(cell->best->recipe.construction)) : json.null();
+  });
+  json.list("label", cells, [&](const KnownCell* cell) {
+    const std::string label = cell->best ? label_of(*cell->best) : "";
+    json.value_or_null(label.substr(label.rfind('.') + 1));
+  });
+  return json.end_object().take();
 }
 
 std::string label_of(const Offer& offer) {

@@ -52,6 +52,18 @@ enum class CellKeys : std::uint8_t { numbers, with_label, with_reason };
 /// The document of `table --json`.
 [[nodiscard]] std::string table_json(const Cells& cells, CellKeys keys = CellKeys::numbers);
 
+/// All cells of a kind that the catalog comes with.
+[[nodiscard]] CellRange stored_cells(std::uint64_t change, Kind kind);
+
+/// Opens an object with what all cells of a range have in common; `range.kind` is given.
+void begin_atlas(JsonWriter& json, const CellRange& range, std::uint32_t strength = 2);
+
+/// The cells of a range in columns, as a map of the catalog shows them: what all have in common,
+/// then b, lower bound, construction and label of each, by k, then v. A label has only what its
+/// cell and number of blocks do not say: its digits at the end.
+[[nodiscard]] std::string atlas_json(const CellRange& range, const Cells& cells,
+                                     std::uint32_t strength = 2);
+
 /// The label in the catalog of the design that is offered; empty if it is not there.
 [[nodiscard]] std::string label_of(const Offer& offer);
 

@@ -48,8 +48,8 @@ std::vector<std::string> names_of(const std::string& host, std::uint16_t port) {
   return names;
 }
 
-// What the map of the catalog shows is made while nothing is asked, so that the first who asks does
-// not wait for it. Those of the change number that the pages begin with come first and are as urgent
+// What the map of the catalog shows comes with the program, but for the user's own designs. Then it
+// is made while nothing is asked, so that the first who asks does not wait for it. Those of the change number that the pages begin with come first and are as urgent
 // as an answer; the others give way to all that answers.
 void prepare_tables(Explorer& explorer) {
   RunControl::Settings settings;
@@ -126,7 +126,7 @@ ExplorerServer::ExplorerServer(ExplorerSettings settings, Catalog& catalog)
   served.log = std::move(settings.log);
   served.complain = std::move(settings.complain);
   state_->server = std::make_unique<Server>(std::move(served));
-  if (settings.prepare) {
+  if (settings.prepare && !explorer.generation().empty()) {
     state_->preparing = std::jthread([&explorer] { prepare_tables(explorer); });
   }
 }

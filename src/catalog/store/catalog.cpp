@@ -223,30 +223,36 @@ std::vector<Improvement> Catalog::history(const Parameters& p) const {
 Catalog::Size Catalog::size() const {
   const std::lock_guard lock(store_->mutex);
   Size size;
-  std::set<std::string> labels;
-  std::set<std::array<std::uint64_t, 5>> cells;
-  const auto count = [&](Shelf& shelf) {
-    const Database& database = shelf.database();
-    for (Statement rows =
-             database.prepare("SELECT label, change, strength, kind, k, v FROM design");
+  auto& shipped = store_->shipped;
+  if (shipped) {
+    // Tens of thousands of rows: all of it is in the index and the few credits.
+    const Database& database = shipped->database();
+    size.designs = database.integer("SELECT count(*) FROM design");
+    size.cells = database.integer(
+        "SELECT count(*) FROM (SELECT DISTINCT k, v, change, kind, strength FROM design)");
+    for (Statement rows = database.prepare(
+             "SELECT coalesce(max(json_extract(json, '$.credit.date')), '') FROM credit");
          rows.step();) {
-      labels.insert(rows.text(0));
-      cells.insert(
-          {rows.integer(1), rows.integer(2), rows.integer(3), rows.integer(4), rows.integer(5)});
+      size.latest = rows.text(0);
     }
-    for (Statement rows = database.prepare("SELECT coalesce(max(date), '') FROM design");
-         rows.step();) {
-      size.latest = std::max(size.latest, std::string(rows.text(0)));
-    }
-    return true;
-  };
-  if (store_->shipped) {
-    count(*store_->shipped);
   }
-  store_->from_users(true, count);
-  size.designs = labels.size();
-  size.cells = cells.size();
-  return size;
+  return store_->from_users(size, [&](Shelf& shelf) {
+    Size both = size;
+    std::set<Parameters> cells;
+    for (Statement rows = shelf.database().prepare("SELECT label, date FROM design");
+         rows.step();) {
+      const std::string label = rows.text(0);
+      both.designs += shipped && shipped->has(label) ? 0U : 1U;
+      both.latest = std::max(both.latest, std::string(rows.text(1)));
+      if (const auto parsed = parse_design_label(label)) {
+        cells.insert(parsed->parameters);
+      }
+    }
+    for (const Parameters& p : cells) {
+      both.cells += shipped && shipped->has_cell(p) ? 0U : 1U;
+    }
+    return both;
+  });
 }
 
 std::optional<std::uint64_t> Catalog::largest_users_v() const {

@@ -63,6 +63,10 @@ class Shelf {
     const ResetLater later(has_);
     return has_.with(label).step();
   }
+  [[nodiscard]] bool has_cell(const Parameters& p) {
+    const ResetLater later(counts_);
+    return counts(p).step();
+  }
   [[nodiscard]] std::optional<std::string> alias(std::string_view text) {
     return word(alias_, text);
   }

@@ -4,6 +4,7 @@
 #include "changeover/io/input.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "serve/http/message.hpp"
 #include "served.hpp"
 
 namespace changeover::test::atlas_test {
@@ -47,6 +48,28 @@ TEST_F(Atlas, HasAllStoredCellsUnlessARangeIsAsked) {
   EXPECT_EQ(get("/api/atlas").status, 400);  // of which kind?
   EXPECT_EQ(get("/api/atlas?kind=linear&strength=9").status, 400);
   EXPECT_EQ(get("/api/atlas?kind=linear&k=3..200&v=3..900").status, 413);
+}
+
+// A parameter of its own has it computed: that is what was stored when the program was built.
+TEST_F(Atlas, WhatIsStoredIsWhatIsComputed) {
+  for (const char* const query : {"?change=1&kind=circular", "?change=3&kind=linear"}) {
+    const auto stored = json(std::string("/api/atlas") + query);
+    const auto part = json(std::string("/api/atlas") + query + "&k=3..40&v=4..159");
+    const std::size_t width = 157;
+    ASSERT_EQ(stored["b"].size(), 38 * width);
+    for (const char* const column : {"b", "lower_bound", "label", "construction"}) {
+      const auto value = [&](const nlohmann::json& of, std::size_t i) -> nlohmann::json {
+        const auto& held = of[column][i];
+        return std::string_view(column) == "construction" && !held.is_null()
+                   ? of["constructions"][held.get<std::size_t>()]
+                   : held;
+      };
+      for (std::size_t i = 0; i < part["b"].size(); ++i) {
+        const std::size_t k = i / (width - 1);
+        ASSERT_EQ(value(stored, k * width + i % (width - 1)), value(part, i)) << column << i;
+      }
+    }
+  }
 }
 
 TEST_F(Atlas, OfLargerStrengthsSaysWhatCellsSay) {
@@ -119,6 +142,17 @@ TEST_F(Atlas, RepairsAListThatIsNearlyADesign) {
   EXPECT_GE(repaired["kept"], 5);
   EXPECT_TRUE(verify(read_design(input_from_text(repaired["design"].dump()))).valid());
   EXPECT_EQ(post("/api/repair", "1 2 2\n").status, 422);
+}
+
+TEST_F(Atlas, ThePageMayHaveItsOwnStyleAndNoOther) {
+  const Reply page = get("/");
+  EXPECT_EQ(page.header("content-security-policy"),
+            serve::content_policy(page.body) + "; frame-ancestors 'none'");
+  // printf 'a{}' | openssl dgst -sha256 -binary | base64
+  EXPECT_NE(serve::content_policy("<style>a{}</style><p>")
+                .find("; style-src 'self' 'sha256-X1RutGBrXCt9KkSaXMK7tHftWiRscFHOhxsS8tv8hBk='; "),
+            std::string::npos);
+  EXPECT_EQ(serve::content_policy("<p>").find("sha256"), std::string::npos);
 }
 
 TEST_F(Atlas, TheStartPageTakesPermanentAddresses) {

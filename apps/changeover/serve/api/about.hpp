@@ -10,6 +10,10 @@ namespace changeover::serve {
 /// docs/theorems.md; generated.
 [[nodiscard]] std::string_view theorems_text();
 
+/// atlas_json() of stored_cells() for each change number and kind, a line each; generated. Empty in
+/// builds that are not optimised.
+[[nodiscard]] std::string_view stored_atlases();
+
 struct Theorem {
   std::string number;
   std::string title;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "changeover/catalog/catalog.hpp"
 #include "changeover/construct/registry.hpp"
@@ -11,6 +10,7 @@
 #include "changeover/run/control.hpp"
 #include "construct/known_documents.hpp"
 #include "io/write/json_writer.hpp"
+#include "serve/api/about.hpp"
 #include "serve/api/cells.hpp"
 #include "serve/api/request/query.hpp"
 #include "serve/api/routes.hpp"
@@ -36,23 +36,6 @@ KnownCell known_cell(const Parameters& p) {
   return cell;
 }
 
-void begin_atlas(JsonWriter& json, const AtlasQuestion& asked) {
-  const cli::TableRange& range = asked.range;
-  json.begin_object().key("change").value(range.change).key("kind").value(to_string(asked.kind));
-  json.key("strength").value(std::uint64_t{asked.strength});
-  json.key("k_from").value(range.k.from).key("k_to").value(range.k.to);
-  json.key("v_from").value(range.v.from).key("v_to").value(range.v.to);
-}
-
-template <typename Write>
-void write_column(JsonWriter& json, const char* name, const Cells& cells, Write&& write) {
-  json.key(name).begin_array();
-  for (const KnownCell* const cell : cells) {
-    write(*cell);
-  }
-  json.end_array();
-}
-
 AtlasQuestion atlas_question_of(const Request& request) {
   const std::uint64_t strength = number_of(request, "strength").value_or(2);
   if (strength < 2 || strength > max_strength) {
@@ -70,9 +53,23 @@ AtlasQuestion atlas_question_of(const Request& request) {
   return {.range = range, .kind = *kind, .strength = t};
 }
 
+// The line of stored_atlases() that is the answer; empty if none is.
+std::string_view stored_answer(const AtlasQuestion& asked) {
+  JsonWriter json;
+  begin_atlas(json, asked.cells(), asked.strength);
+  const std::string beginning = json.take() + ",";
+  std::string_view line;
+  for (std::string_view rest = stored_atlases(); !rest.empty(); rest.remove_prefix(line.size())) {
+    line = rest.substr(0, rest.find('\n') + 1);
+    if (line.starts_with(beginning)) {
+      return line;
+    }
+  }
+  return {};
+}
+
 template <typename Json>
-Response atlas_answer(Explorer& explorer, const Request& request, Json&& document) {
-  const AtlasQuestion asked = atlas_question_of(request);
+Response columns(Explorer& explorer, const AtlasQuestion& asked, Json&& document) {
   if (asked.strength == 2) {
     const auto table = explorer.tables.of(asked.range, explorer.generation());
     return json_response(document(asked, table->cells(asked.kind)) + "\n");
@@ -88,13 +85,21 @@ Response atlas_answer(Explorer& explorer, const Request& request, Json&& documen
 
 }  // namespace
 
+CellRange AtlasQuestion::cells() const {
+  return {.v_from = range.v.from,
+          .v_to = range.v.to,
+          .k_from = range.k.from,
+          .k_to = range.k.to,
+          .change = range.change,
+          .kind = kind};
+}
+
 cli::TableRange atlas_range(std::uint64_t change, std::uint32_t strength) {
-  constexpr cli::Range stored_k{3, 40};
-  constexpr cli::Range stored_v{4, 160};
   constexpr std::uint64_t ks_of_strength = 11;
   constexpr std::uint64_t largest_v_of_strength = 40;
   if (strength == 2) {
-    return {.k = stored_k, .v = stored_v, .change = change};
+    const CellRange stored = stored_cells(change, Kind::circular);
+    return {.k = {stored.k_from, stored.k_to}, .v = {stored.v_from, stored.v_to}, .change = change};
   }
   return {.k = {strength + 1U, strength + ks_of_strength},
           .v = {strength + 2U, largest_v_of_strength},
@@ -117,49 +122,18 @@ std::deque<KnownCell> cells_of_strength(const AtlasQuestion& asked) {
   return cells;
 }
 
-std::string atlas_json(const AtlasQuestion& asked, const Cells& cells) {
-  std::map<std::string, std::uint64_t> numbers;
-  for (const KnownCell* const cell : cells) {
-    if (cell->best) {
-      numbers.emplace(cell->best->recipe.construction, 0);
-    }
-  }
-  JsonWriter json;
-  begin_atlas(json, asked);
-  json.key("constructions").begin_array();
-  for (auto& [name, number] : numbers) {
-    number = static_cast<std::uint64_t>(
-        std::distance(numbers.begin(), numbers.find(name)));  // in the order of their names
-    json.value(name);
-  }
-  json.end_array();
-  write_column(json, "b", cells,
-               [&](const KnownCell& cell) { cell.best ? json.value(cell.best->b) : json.null(); });
-  write_column(json, "lower_bound", cells, [&](const KnownCell& cell) {
-    cell.impossible ? json.null() : json.value(cell.bound.blocks);
-  });
-  write_column(json, "construction", cells, [&](const KnownCell& cell) {
-    cell.best ? json.value(numbers.at(cell.best->recipe.construction)) : json.null();
-  });
-  write_column(json, "label", cells, [&](const KnownCell& cell) {
-    const std::string label = cell.best ? label_of(*cell.best) : "";
-    json.value_or_null(label.substr(label.rfind('.') + 1));
-  });
-  return json.end_object().take();
-}
-
 std::string groups_json(const AtlasQuestion& asked, const Cells& cells) {
   // Beyond, a design is too long to be looked through for each of many cells.
   constexpr std::uint64_t most_numbers = 2'000'000;
   JsonWriter json;
-  begin_atlas(json, asked);
-  write_column(json, "order", cells, [&](const KnownCell& cell) {
+  begin_atlas(json, asked.cells(), asked.strength);
+  json.list("order", cells, [&](const KnownCell* cell) {
     stop_if_asked();
-    if (!cell.best || cell.best->b > most_numbers / cell.parameters.k) {
+    if (!cell->best || cell->best->b > most_numbers / cell->parameters.k) {
       json.null();
       return;
     }
-    const Design design = Registry::standard().build_design(cell.best->recipe);
+    const Design design = Registry::standard().build_design(cell->best->recipe);
     json.value(automorphisms(design).order);
   });
   return json.end_object().take();
@@ -167,16 +141,27 @@ std::string groups_json(const AtlasQuestion& asked, const Cells& cells) {
 
 void add_atlas(Router& router, Explorer& explorer) {
   const auto add = [&](const std::string& path,
-                       std::string (*document)(const AtlasQuestion&, const Cells&)) {
+                       Response (*answer)(Explorer&, const AtlasQuestion&)) {
     Route route = question(explorer, path, {"v", "k", "change", "kind", "strength"},
-                           Again::while_unchanged, [&explorer, document](const Request& request) {
-                             return atlas_answer(explorer, request, document);
+                           Again::while_unchanged, [&explorer, answer](const Request& request) {
+                             return answer(explorer, atlas_question_of(request));
                            });
     route.lane = always(Lane::slow);
     router.add(std::move(route));
   };
-  add("api/atlas", atlas_json);
-  add("api/groups", groups_json);
+  add("api/atlas", [](Explorer& asked_of, const AtlasQuestion& asked) {
+    if (asked_of.generation().empty()) {
+      if (const std::string_view stored = stored_answer(asked); !stored.empty()) {
+        return json_response(std::string(stored));
+      }
+    }
+    return columns(asked_of, asked, [](const AtlasQuestion& of, const Cells& cells) {
+      return atlas_json(of.cells(), cells, of.strength);
+    });
+  });
+  add("api/groups", [](Explorer& asked_of, const AtlasQuestion& asked) {
+    return columns(asked_of, asked, groups_json);
+  });
 }
 
 }  // namespace changeover::serve

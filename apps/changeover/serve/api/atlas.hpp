@@ -1,9 +1,9 @@
 // All cells of a range at once, in columns: what a map of the catalog holds.
 //
-//     atlas_json(asked, cells)      // {"k_from":3,…,"b":[…],"lower_bound":[…],"construction":[…],"label":[…]}
-//     groups_json(asked, cells)     // {"order":["1","24",null,…]}
+//     atlas_json(asked.cells(), cells)  // {"k_from":3,…,"b":[…],"lower_bound":[…],…}
+//     groups_json(asked, cells)         // {"order":["1","24",null,…]}
 //
-// A column has a value for each cell, by k, then v.
+// What the map begins with is made with the program; the user's own catalog makes it anew.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +18,8 @@ struct AtlasQuestion {
   cli::TableRange range;
   Kind kind = Kind::circular;
   std::uint32_t strength = 2;
+
+  [[nodiscard]] CellRange cells() const;
 };
 
 /// The range that is shown unless another is asked for: all cells that the catalog comes with; for
@@ -27,10 +29,6 @@ struct AtlasQuestion {
 /// What is known of each cell of a strength that tables do not have, as a table would say it.
 /// Listens to the scope.
 [[nodiscard]] std::deque<KnownCell> cells_of_strength(const AtlasQuestion& asked);
-
-/// Parameters that every cell shares, then the columns. A label has only what its cell and number
-/// of blocks do not say: its digits at the end.
-[[nodiscard]] std::string atlas_json(const AtlasQuestion& asked, const Cells& cells);
 
 /// The order of the group of each best design, in decimal, null where there is no design. Builds
 /// them; listens to the scope.

@@ -43,12 +43,10 @@ std::string static_index(std::string page, const std::string& address) {
                                ? std::string()
                                : "\n    <link rel=\"alternate\" type=\"application/atom+xml\" "
                                  "title=\"New designs\" href=\"feed.xml\">";
-  page.insert(at + head.size(),
-              "\n    <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
-              "script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src "
-              "'self'; base-uri 'none'; form-action 'none'\">"
-              "\n    <meta name=\"changeover-data\" content=\"data/\">" +
-                  feed);
+  page.insert(at + head.size(), "\n    <meta http-equiv=\"Content-Security-Policy\" content=\"" +
+                                    content_policy(page) +
+                                    "\">\n    <meta name=\"changeover-data\" content=\"data/\">" +
+                                    feed);
   return page;
 }
 
@@ -151,7 +149,8 @@ class Site {
 
  private:
   void write_selection(const std::string& name, const AtlasQuestion& asked, const Cells& cells) {
-    workshop_.write("data/atlas/" + name + ".json.gz", packed(atlas_json(asked, cells)));
+    workshop_.write("data/atlas/" + name + ".json.gz",
+                    packed(atlas_json(asked.cells(), cells, asked.strength)));
     workshop_.write("data/groups/" + name + ".json.gz", packed(groups_json(asked, cells)));
     write_cells(name, cells);
   }

@@ -8,6 +8,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/sha256.hpp"
+#include "io/scan/base64.hpp"
 #include "io/write/json_writer.hpp"
 
 namespace changeover::serve {
@@ -108,11 +109,24 @@ std::string refused_as_text(const Refusal& refusal) {
   return text + "Connection: close\r\n\r\n" + *response.body;
 }
 
+std::string content_policy(std::string_view page) {
+  constexpr std::string_view opening = "<style>";
+  std::string written_in_it;
+  if (const std::size_t at = page.find(opening); at != std::string_view::npos) {
+    page.remove_prefix(at + opening.size());
+    Sha256 hash;
+    hash.add(page.substr(0, page.find("</style>")));
+    const auto digest = hash.finish();
+    written_in_it = fmt::format(
+        " 'sha256-{}'", base64_of({reinterpret_cast<const char*>(digest.data()), digest.size()}));
+  }
+  return "default-src 'none'; script-src 'self'; style-src 'self'" + written_in_it +
+         "; img-src 'self' data: blob:; connect-src 'self'; base-uri 'none'; form-action 'none'";
+}
+
 const std::vector<std::pair<std::string, std::string>>& security_headers() {
   static const std::vector<std::pair<std::string, std::string>> headers{
-      {"Content-Security-Policy",
-       "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; "
-       "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
+      {"Content-Security-Policy", content_policy() + "; frame-ancestors 'none'"},
       {"X-Content-Type-Options", "nosniff"},
       {"X-Frame-Options", "DENY"},
       {"Referrer-Policy", "no-referrer"},

@@ -75,7 +75,11 @@ struct Response {
 /// With A to Z as a to z, for names of headers and hosts.
 [[nodiscard]] std::string lower_case(std::string text);
 
-/// What is sent with every answer, whatever it is.
+/// What a page may load, as browsers are told: files of its own server, and the style between
+/// <style> and </style> of that page, by its hash.
+[[nodiscard]] std::string content_policy(std::string_view page = {});
+
+/// What is sent with every answer, unless the answer has a header of that name.
 [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& security_headers();
 
 /// gzip of a text, always the same for the same text. A larger level (up to 9) takes longer to make

@@ -460,17 +460,19 @@ MHD_Result Server::State::send(Exchange& exchange) {
   // process, which takes them longer than all else up to the first paint.
   const std::string_view from = request.header("sec-fetch-site");
   const bool opened_by_itself = from == "none" || from == "same-origin";
+  const auto says = [&response](std::string_view name) {
+    return std::ranges::any_of(response.headers,
+                               [&](const auto& header) { return header.first == name; });
+  };
   for (const auto& [name, value] : security_headers()) {
-    if (name != "Cross-Origin-Opener-Policy" || !opened_by_itself) {
+    if ((name != "Cross-Origin-Opener-Policy" || !opened_by_itself) && !says(name)) {
       add(name, value);
     }
   }
-  bool says_caching = false;
   for (const auto& [name, value] : response.headers) {
     add(name, value);
-    says_caching = says_caching || name == "Cache-Control";
   }
-  if (!says_caching) {
+  if (!says("Cache-Control")) {
     add("Cache-Control", response.etag.empty() ? "no-store" : "no-cache");
   }
   add("Vary", "Accept-Encoding, Sec-Fetch-Site");

@@ -38,6 +38,16 @@ std::optional<fs::path> file_at(const fs::path& folder, std::string_view path) {
   }
 }
 
+Response page_response(std::string bytes, std::string_view type) {
+  const bool is_page = type.starts_with("text/html");
+  std::string policy = is_page ? content_policy(bytes) + "; frame-ancestors 'none'" : "";
+  Response response = text_response(std::move(bytes), std::string(type));
+  if (is_page) {
+    response.headers.emplace_back("Content-Security-Policy", std::move(policy));
+  }
+  return response;
+}
+
 }  // namespace
 
 std::string_view type_of_page(std::string_view path) {
@@ -68,7 +78,7 @@ Pages::Pages(std::string folder) : folder_(std::move(folder)) {
   }
   for (const EmbeddedPage& page : embedded_pages()) {
     if (const std::string_view type = type_of_page(page.path); !type.empty()) {
-      embedded_[std::string(page.path)] = text_response(std::string(page.bytes), std::string(type));
+      embedded_[std::string(page.path)] = page_response(std::string(page.bytes), type);
     }
   }
 }
@@ -86,7 +96,7 @@ std::optional<Response> Pages::find(const std::string& path) const {
   }
   constexpr std::size_t largest_page = std::size_t{64} << 20;
   const auto input = open_input(file->string());
-  return text_response(read_to_end(*input, largest_page, "it is no page"), std::string(type));
+  return page_response(read_to_end(*input, largest_page, "it is no page"), type);
 }
 
 std::vector<std::string> Pages::paths() const {
