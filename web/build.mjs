@@ -50,16 +50,11 @@ async function checksums() {
   return lines.sort((a, b) => (a.slice(66) < b.slice(66) ? -1 : 1)).join('');
 }
 
-/** @returns {Promise<Map<string, Uint8Array>>} path below dist/ to content */
-async function pages() {
+/** What these sources are bundled into. */
+async function bundled(entryPoints) {
   const built = await esbuild.build({
     absWorkingDir: here,
-    entryPoints: {
-      'assets/app': 'src/main.ts',
-      'assets/start': 'src/start.ts',
-      'assets/verify-worker': 'src/pages/verify/worker.ts',
-      'assets/style': 'src/style/main.css',
-    },
+    entryPoints,
     outdir: 'dist',
     bundle: true,
     minify: true,
@@ -72,10 +67,16 @@ async function pages() {
     charset: 'utf8',
     logLevel: 'warning',
   });
-  const files = new Map();
-  for (const file of built.outputFiles) {
-    files.set(relative(dist, file.path), file.contents);
-  }
+  return built.outputFiles.map((file) => [relative(dist, file.path), file.contents]);
+}
+
+/** @returns {Promise<Map<string, Uint8Array>>} path below dist/ to content */
+async function pages() {
+  // The worker by itself: nothing that both need is a file of its own, which would come later.
+  const files = new Map([
+    ...(await bundled({ 'assets/app': 'src/main.ts', 'assets/style': 'src/style/main.css' })),
+    ...(await bundled({ 'assets/verify-worker': 'src/pages/verify/worker.ts' })),
+  ]);
   // What is bundled comes with its licence.
   const licences = { uPlot: 'uplot/LICENSE', Temml: 'temml/LICENSE' };
   const parts = [
@@ -105,7 +106,16 @@ async function pages() {
       }
     }
   }
-  files.set('index.html', await readFile(join(here, 'src/index.html')));
+  // The style is in the page: nothing else is asked for before the first paint.
+  const style = 'assets/style.css';
+  const page = await readFile(join(here, 'src/index.html'), 'utf8');
+  files.set(
+    'index.html',
+    Buffer.from(
+      page.replace('<style></style>', () => `<style>${Buffer.from(files.get(style))}</style>`),
+    ),
+  );
+  files.delete(style);
   files.set('assets/icon.svg', await readFile(join(here, 'src/icon.svg')));
   files.set('sources.sha256', Buffer.from(await checksums()));
   return new Map([...files].sort());

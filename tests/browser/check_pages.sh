@@ -21,6 +21,6 @@ there=$({
   other=$(comm -3 <(printf '%s\n' "$listed") <(printf '%s\n' "$there") | tr -d '\t' | sed -n 1p)
   fail "$other is new or gone"
 }
-for page in index.html assets/app.js assets/style.css; do
+for page in index.html assets/app.js; do
   [[ -s dist/$page ]] || fail "dist/$page is missing"
 done

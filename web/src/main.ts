@@ -136,20 +136,30 @@ async function foot(): Promise<void> {
   );
 }
 
-keepToken();
-followAddress();
-const router = new Router(pages, element('main'), navigation);
-startTheme();
-router.draw();
-foot().catch(() => undefined);
-if (placeOf(window.location.hash).path === '') {
-  // One file on the command line: show it.
-  about().then(
-    ({ files }) => {
-      if (files.length === 1 && placeOf(window.location.hash).path === '') {
-        window.location.hash = link(design.path, { file: files[0]!.index });
-      }
-    },
-    () => undefined,
-  );
+function begin(): void {
+  keepToken();
+  followAddress();
+  const router = new Router(pages, element('main'), navigation);
+  startTheme();
+  router.draw();
+  foot().catch(() => undefined);
+  if (placeOf(window.location.hash).path === '') {
+    // One file on the command line: show it.
+    about().then(
+      ({ files }) => {
+        if (files.length === 1 && placeOf(window.location.hash).path === '') {
+          window.location.hash = link(design.path, { file: files[0]!.index });
+        }
+      },
+      () => undefined,
+    );
+  }
+}
+
+// The first frame shows the head of the page; what comes then takes longer than all until there.
+// Hidden windows have no frames.
+if (document.hidden || performance.getEntriesByType('paint').length > 0) {
+  begin();
+} else {
+  requestAnimationFrame(() => setTimeout(begin));
 }

@@ -65,6 +65,8 @@ export class Atlas {
   readonly v: { from: number; to: number };
   readonly constructions: readonly string[];
   private orders: readonly (string | null)[] | null = null;
+  /** Cells that were asked for: a map asks for all of them again and again. */
+  private made: AtlasCell[] = [];
 
   constructor(private readonly document: AtlasDocument) {
     this.selection = { change: document.change, kind: document.kind, strength: document.strength };
@@ -87,6 +89,7 @@ export class Atlas {
 
   addGroups({ order }: GroupsDocument): void {
     this.orders = order;
+    this.made = [];
   }
 
   has(v: number, k: number): boolean {
@@ -98,6 +101,10 @@ export class Atlas {
       return null;
     }
     const i = (k - this.k.from) * this.columns + (v - this.v.from);
+    return (this.made[i] ??= this.make(v, k, i));
+  }
+
+  private make(v: number, k: number, i: number): AtlasCell {
     const b = this.document.b[i] ?? null;
     const lower = this.document.lower_bound[i] ?? null;
     const by = this.document.construction[i] ?? null;

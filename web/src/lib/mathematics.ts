@@ -31,8 +31,12 @@ async function ask(): Promise<void> {
 }
 
 function inSight([place]: [HTMLElement, string, boolean]): boolean {
+  // Where something is that the browser leaves out would have it laid out.
+  if (!place.checkVisibility({ contentVisibilityAuto: true })) {
+    return false;
+  }
   const { top, bottom } = place.getBoundingClientRect();
-  return place.isConnected && bottom >= 0 && top <= window.innerHeight;
+  return bottom >= 0 && top <= window.innerHeight;
 }
 
 /** Sets some formulas, those in sight first; a page of hundreds does not stand still for them. */

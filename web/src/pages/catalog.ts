@@ -4,7 +4,7 @@ import type { Atlas, AtlasCell, Selection } from '../lib/atlas';
 import { announce, field, fill, h, select } from '../lib/dom';
 import { readRange } from '../lib/range';
 import { addGroups, atlasOf, completeness } from '../lib/source';
-import { changes, changeWord, kinds, number, ratio } from '../lib/words';
+import { changes, changeWord, count, kinds, number, ratio } from '../lib/words';
 import { badge } from '../parts/status';
 import { isCopy } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
@@ -158,7 +158,7 @@ export const catalog: Page = {
         .filter(
           (cell) => cell.status !== 'impossible' || view.params.get('status') === 'impossible',
         );
-      listed = inSight.filter((cell) => sift.passes(cell));
+      listed = inSight.filter(sift.passes());
       list.show(listed, atlas.knowsGroups);
       fill(sums, totals(listed));
       sift.say(listed.length, inSight.length);
@@ -170,7 +170,7 @@ export const catalog: Page = {
         map.show(atlas, {
           measure,
           written: param('number', 'b') as Written,
-          passes: (cell) => sift.passes(cell),
+          passes: sift.passes(),
         });
         fill(legend, paintOf(atlas, measure).legend);
       }
@@ -225,7 +225,7 @@ export const catalog: Page = {
             ),
           );
         }
-        announce(`${listed.length} cells`);
+        announce(count(listed.length, 'cell'));
       } catch (fault) {
         if (!view.signal.aborted) {
           fill(said, problem(fault));

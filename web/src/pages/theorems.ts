@@ -189,7 +189,7 @@ function followReading(root: HTMLElement, contents: HTMLElement, signal: AbortSi
     passive: true,
     signal,
   });
-  mark();
+  requestAnimationFrame(mark);
 }
 
 /** What is inside of a fold, made when it is opened. */

@@ -1,6 +1,6 @@
 // A plot of a few lines: uPlot in the page's colours, as wide as its place, with a table of the
 // numbers for those who do not see it.
-import uPlot from 'uplot';
+import type uPlot from 'uplot';
 import { h } from '../lib/dom';
 import { withTheme } from '../shell/theme';
 
@@ -54,6 +54,9 @@ const wholeSteps = Array.from(
 const short = (value: number) =>
   Math.abs(value) >= 1e6 ? value.toPrecision(3).replace('+', '') : String(+value.toPrecision(6));
 
+/** Read when the first plot is drawn: what it sets up takes as long as all of a page. */
+let drawing: typeof uPlot | undefined;
+
 export function plot(options: PlotOptions): Plot {
   const { label, height = 280, signal } = options;
   const place = h('div', { class: 'plot', role: 'img', 'aria-label': label });
@@ -69,6 +72,14 @@ export function plot(options: PlotOptions): Plot {
     if (width === 0 || lines.length === 0) {
       return;
     }
+    if (!drawing) {
+      void import('uplot').then((read) => {
+        drawing = read.default;
+        signal.aborted || make();
+      });
+      return;
+    }
+    const { paths } = drawing;
     const text = colour('--faint');
     const grid = { stroke: colour('--line'), width: 1 };
     const axis = {
@@ -82,7 +93,7 @@ export function plot(options: PlotOptions): Plot {
     const right = lines.some((line) => line.right);
     const yText = options.yText ?? short;
     const rightText = options.rightText ?? short;
-    made = new uPlot(
+    made = new drawing(
       {
         width,
         height,
@@ -138,7 +149,7 @@ export function plot(options: PlotOptions): Plot {
             points: { show: false },
             pxAlign: 0,
             ...(line.dash ? { dash: line.dash } : {}),
-            ...(line.steps ? { paths: uPlot.paths.stepped!({ align: 1 }) } : {}),
+            ...(line.steps ? { paths: paths.stepped!({ align: 1 }) } : {}),
             value: (_: uPlot, y: number | null) =>
               y === null ? '' : (line.right ? rightText : yText)(y),
           })),

@@ -4,7 +4,7 @@
 import type { Atlas, AtlasCell } from '../../lib/atlas';
 import { clear, placeTip, resize, stride } from '../../lib/canvas';
 import { announce, h } from '../../lib/dom';
-import { number } from '../../lib/words';
+import { count, number } from '../../lib/words';
 import { inkOn } from '../../lib/colours';
 import { paintOf, type Paint } from './paint';
 
@@ -56,8 +56,8 @@ export function say(cell: AtlasCell): string {
     cell.status === 'impossible'
       ? 'no design exists'
       : cell.b === null
-        ? `no design is known, at least ${cell.lower} blocks`
-        : `${number(cell.b)} blocks, ` +
+        ? `no design is known, at least ${count(cell.lower ?? 0, 'block')}`
+        : `${count(cell.b, 'block')}, ` +
           `${cell.status === 'minimum' ? 'minimum' : `lower bound ${cell.lower}`}`;
   return `v ${cell.v}, k ${cell.k}: ${known}`;
 }
@@ -355,7 +355,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     tip.hidden = cell === null || event === undefined;
     if (cell && event) {
       const bound = cell.gap === 0 ? 'minimum' : `bound ${number(cell.lower ?? 0)}`;
-      const known = cell.b === null ? 'no design known' : `${number(cell.b)} blocks, ${bound}`;
+      const known = cell.b === null ? 'no design known' : `${count(cell.b, 'block')}, ${bound}`;
       placeTip(tip, canvas, event, `v ${cell.v}  k ${cell.k}   ${known}`);
     }
     later();

@@ -10,7 +10,8 @@ const names = ['status', 'by', 'gap', 'tight', 'economical', 'group'] as const;
 
 export interface Filters {
   readonly element: HTMLElement;
-  passes(cell: AtlasCell): boolean;
+  /** Tells of a cell whether it is wanted, as the fields are now. */
+  passes(): (cell: AtlasCell) => boolean;
   /** Whether groups must be known to tell. */
   needsGroups(): boolean;
   /** What is left, in a sentence. */
@@ -110,15 +111,20 @@ export function filters(view: View, changed: () => void): Filters {
       ),
       h('div', { class: 'row filter-line' }, said, clear),
     ),
-    passes(cell) {
-      return (
-        (get('status') === '' || cell.status === get('status')) &&
-        (get('by') === '' || cell.construction === get('by')) &&
-        (Number(get('gap')) <= 0 || (cell.gap ?? -1) >= Number(get('gap'))) &&
-        (get('tight') === '' || cell.tight) &&
-        (get('economical') === '' || cell.economical) &&
-        (get('group') === '' || (cell.order !== null && cell.order !== '1'))
-      );
+    passes() {
+      const [is, made, over] = [get('status'), get('by'), Number(get('gap'))];
+      const [onlyTight, onlyEconomical, onlyGroup] = [
+        get('tight'),
+        get('economical'),
+        get('group'),
+      ];
+      return (cell) =>
+        (is === '' || cell.status === is) &&
+        (made === '' || cell.construction === made) &&
+        (over <= 0 || (cell.gap ?? -1) >= over) &&
+        (onlyTight === '' || cell.tight) &&
+        (onlyEconomical === '' || cell.economical) &&
+        (onlyGroup === '' || (cell.order !== null && cell.order !== '1'));
     },
     needsGroups: () => get('group') !== '',
     say(left, all) {

@@ -119,7 +119,7 @@ export function takeAlong(
   return h(
     'div',
     { class: 'take', role: 'group', 'aria-label': 'Download the cells that are listed' },
-    h('span', { class: 'hint' }, 'Download these cells:'),
+    h('span', { class: 'hint' }, 'Download:'),
     button('CSV', () => save(name('csv'), asCsv(cells()), 'text/csv')),
     button('LaTeX', () => save(name('tex'), asLatex(cells(), selection()), 'application/x-tex')),
     button('JSON', () => save(name('json'), asJson(cells()), 'application/json')),

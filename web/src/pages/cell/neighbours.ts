@@ -2,6 +2,7 @@
 import type { Cell } from '../../lib/api';
 import { h } from '../../lib/dom';
 import { atlasOf } from '../../lib/source';
+import { count } from '../../lib/words';
 import { link } from '../../shell/router';
 import { inkOn } from '../../lib/colours';
 import { paintOf } from '../catalog/paint';
@@ -65,7 +66,7 @@ export async function neighbourhood(cell: Cell, signal: AbortSignal): Promise<HT
                     }),
                     'aria-label':
                       `v = ${v}, k = ${k}: ` +
-                      `${each.b === null ? 'no design known' : `${each.b} blocks`}`,
+                      `${each.b === null ? 'no design known' : count(each.b, 'block')}`,
                     'aria-current': here ? 'true' : null,
                     title: `v = ${v}, k = ${k}`,
                   },

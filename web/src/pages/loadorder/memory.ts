@@ -1,7 +1,7 @@
 // What memory holds, step by step: items as rows, steps as columns; workers beside each other with
 // what each has to do.
 import type { Ordered } from '../../lib/api';
-import { fill, h, scroll, type Child } from '../../lib/dom';
+import { fill, h, scroll } from '../../lib/dom';
 import { bytes, count, number } from '../../lib/words';
 import { Choice, Stays } from '../../parts/stays';
 import { byFirst } from '../../parts/thumbnail';
@@ -184,9 +184,8 @@ export function shares(answer: Ordered, asked: Asked): HTMLElement | null {
   if (!loads || !pairs || loads.length < 2) {
     return null;
   }
-  const most = { loads: Math.max(...loads), pairs: Math.max(...pairs) };
-  const bar = (value: number, of: number, words: string): Child =>
-    h('meter', { min: 0, max: Math.max(1, of), value, 'aria-label': words }, words);
+  const most = Math.max(...loads);
+  const busiest = loads.filter((each) => each === most).length;
   return h(
     'section',
     {},
@@ -207,7 +206,6 @@ export function shares(answer: Ordered, asked: Asked): HTMLElement | null {
             h('td'),
             asked.bytesPerItem !== null && h('th', { scope: 'col', class: 'number' }, 'read'),
             h('th', { scope: 'col', class: 'number' }, 'pairs'),
-            h('td'),
           ),
         ),
         h(
@@ -216,19 +214,44 @@ export function shares(answer: Ordered, asked: Asked): HTMLElement | null {
           loads.map((each, i) =>
             h(
               'tr',
-              { class: each === most.loads ? 'own' : null },
+              { class: busiest < loads.length && each === most ? 'own' : null },
               h('th', { scope: 'row' }, i),
               h('td', { class: 'number' }, number(each)),
-              h('td', {}, bar(each, most.loads, `${each} loads`)),
+              h(
+                'td',
+                {},
+                h(
+                  'meter',
+                  {
+                    min: 0,
+                    max: Math.max(1, most),
+                    value: each,
+                    'aria-label': count(each, 'load'),
+                  },
+                  count(each, 'load'),
+                ),
+              ),
               asked.bytesPerItem !== null &&
-                h('td', { class: 'number' }, bytes(each * asked.bytesPerItem)),
+                h(
+                  'td',
+                  { class: 'number' },
+                  bytes(answer.worker_bytes?.[i] ?? each * asked.bytesPerItem),
+                ),
               h('td', { class: 'number' }, number(pairs[i]!)),
-              h('td', {}, bar(pairs[i]!, most.pairs, `${pairs[i]} pairs`)),
             ),
           ),
         ),
       ),
     ),
-    h('p', { class: 'hint' }, 'Each pair is computed by one worker. The busiest worker is marked.'),
+    h(
+      'p',
+      { class: 'hint' },
+      'Each pair is computed by one worker. ',
+      busiest === loads.length
+        ? 'All workers load as much.'
+        : busiest === 1
+          ? 'The busiest worker is marked.'
+          : 'The busiest workers are marked.',
+    ),
   );
 }

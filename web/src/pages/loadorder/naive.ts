@@ -1,5 +1,7 @@
 // What simple orders cost, to compare with: all pairs of P items, C of them in memory at once.
 
+import { count } from '../../lib/words';
+
 export interface Naive {
   name: string;
   how: string;
@@ -18,6 +20,8 @@ export function nestedLoops(items: number, stay: number): number {
   return loads;
 }
 
+const stay = (n: number): string => `${count(n, 'item')} ${n === 1 ? 'stays' : 'stay'}`;
+
 export function naive(items: number, room: number): Naive[] {
   if (items <= room) {
     return [];
@@ -26,12 +30,12 @@ export function naive(items: number, room: number): Naive[] {
   return [
     {
       name: 'halves',
-      how: `${half} items stay, the others pass ${room - half} at a time`,
+      how: `${stay(half)}, the others pass ${room - half} at a time`,
       loads: nestedLoops(items, half),
     },
     {
       name: 'block nested loops',
-      how: `${room - 1} items stay, the others pass one by one`,
+      how: `${stay(room - 1)}, the others pass one by one`,
       loads: nestedLoops(items, room - 1),
     },
     {

@@ -26,10 +26,25 @@ function over(loads: number, bound: number): string {
         `${((100 * (loads - bound)) / bound).toFixed(1)} % more than the least possible`;
 }
 
-export function headline(
-  { order, pairs, bytes: read, bytes_bound: least }: Ordered,
-  asked: Asked,
-): HTMLElement {
+/** What is read, and the least that can be: by all, or by the busiest of several workers. */
+function readWords(answer: Ordered, size: number): string {
+  const { bytes: read, bytes_bound: least, makespan, makespan_bound: spanBound } = answer;
+  if (makespan === undefined || spanBound === undefined) {
+    const words = read > least ? `; less than ${bytes(least)} is not possible` : '';
+    return ` ${bytes(read)} are read${words}.`;
+  }
+  const most = answer.makespan_bytes ?? makespan * size;
+  const bound = answer.makespan_bytes_bound ?? spanBound * size;
+  return (
+    ` ${bytes(read)} are read, ${bytes(most)} of them by the busiest worker; ` +
+    (most > bound
+      ? `however the work is shared, one worker reads at least ${bytes(bound)}.`
+      : 'no other way to share the work makes that less.')
+  );
+}
+
+export function headline(answer: Ordered, asked: Asked): HTMLElement {
+  const { order, pairs } = answer;
   const { loads, lower_bound: bound, makespan, makespan_bound: spanBound, workers } = order;
   const shared = makespan !== undefined && spanBound !== undefined && workers !== undefined;
   return h(
@@ -45,9 +60,7 @@ export function headline(
         : `${asked.pairs ? count(pairs, 'pair') : `All ${count(pairs, 'pair')}`} of ` +
             `${count(order.items, 'item')}, with room for ${number(order.room)}: ` +
             `${over(loads, bound)}.`,
-      asked.bytesPerItem !== null &&
-        ` ${bytes(read)} are read` +
-          `${shared || read <= least ? '' : `; less than ${bytes(least)} is not possible`}.`,
+      asked.bytesPerItem !== null && readWords(answer, asked.bytesPerItem),
     ),
     order.overlapped !== undefined &&
       h(

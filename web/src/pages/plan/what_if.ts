@@ -2,7 +2,7 @@
 // plan takes the lead.
 import type { WhatIf } from '../../lib/api';
 import { fill, h, scroll } from '../../lib/dom';
-import { number } from '../../lib/words';
+import { count, number } from '../../lib/words';
 import { plot, type Line } from '../../parts/plot';
 import { about, type Job } from './job';
 import type { Outcome } from './outcome';
@@ -141,9 +141,9 @@ export function whatIf(
       ? ''
       : best === mine
         ? `${same ? 'These are your costs. ' : ''}The ${best.plan.name} is cheapest here: ` +
-          `${best.plan.tests} tests, ${best.plan.changes} changes.`
-        : `The ${best.plan.name} would be cheaper: ${best.plan.tests} tests, ` +
-          `${best.plan.changes} changes. Replan to get it, or a better one.`;
+          `${count(best.plan.tests, 'test')}, ${count(best.plan.changes, 'change')}.`
+        : `The ${best.plan.name} would be cheaper: ${count(best.plan.tests, 'test')}, ` +
+          `${count(best.plan.changes, 'change')}. Replan to get it, or a better one.`;
     redraw();
   }
 

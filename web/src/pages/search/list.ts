@@ -3,6 +3,7 @@
 import type { SearchJob } from '../../lib/api';
 import { fill, h, scroll } from '../../lib/dom';
 import { number } from '../../lib/words';
+import { link } from '../../shell/router';
 import { found, seconds, stateWords, wayWords } from './words';
 
 export interface JobList {
@@ -21,7 +22,17 @@ interface Row {
 export function jobList(chosen: (id: string) => void): JobList {
   const rows = new Map<string, Row>();
   const body = h('tbody');
-  const none = h('p', { class: 'hint' }, 'No search has been started yet.');
+  const none = h(
+    'p',
+    {},
+    'No search has been started yet. Cells close above their lower bound are good candidates: ',
+    h(
+      'a',
+      { href: link('catalog', { measure: 'gap', status: 'best-known', k: '3..12', v: '4..50' }) },
+      'choose one on the map',
+    ),
+    '.',
+  );
   const table = scroll(
     'Searches',
     h(

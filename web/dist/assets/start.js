@@ -1,1 +1,0 @@
-var e=()=>{import("./app.js")};document.hidden?e():requestAnimationFrame(()=>setTimeout(e));
