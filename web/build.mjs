@@ -50,9 +50,19 @@ async function checksums() {
   return lines.sort((a, b) => (a.slice(66) < b.slice(66) ? -1 : 1)).join('');
 }
 
-/** What these sources are bundled into. */
-async function bundled(entryPoints) {
+const styles = {
+  name: 'styles',
+  setup: ({ onLoad }) =>
+    onLoad({ filter: /\.css$/ }, async ({ path }) => {
+      const [[, css]] = await bundled({ 'assets/style': path });
+      return { contents: Buffer.from(css).toString(), loader: 'text' };
+    }),
+};
+
+/** What these sources are bundled into. Scripts have styles as texts. */
+async function bundled(entryPoints, plugins = []) {
   const built = await esbuild.build({
+    plugins,
     absWorkingDir: here,
     entryPoints,
     outdir: 'dist',
@@ -62,7 +72,7 @@ async function bundled(entryPoints) {
     format: 'esm',
     splitting: true,
     chunkNames: 'assets/[name]',
-    target: ['es2022', 'chrome110', 'firefox110', 'safari16'],
+    target: ['es2022', 'chrome110', 'firefox110', 'safari16.4'],
     legalComments: 'eof',
     charset: 'utf8',
     logLevel: 'warning',
@@ -74,17 +84,13 @@ async function bundled(entryPoints) {
 async function pages() {
   // The worker by itself: nothing that both need is a file of its own, which would come later.
   const files = new Map([
-    ...(await bundled({ 'assets/app': 'src/main.ts', 'assets/style': 'src/style/main.css' })),
+    ...(await bundled({ 'assets/app': 'src/main.ts' }, [styles])),
     ...(await bundled({ 'assets/verify-worker': 'src/pages/verify/worker.ts' })),
   ]);
   // What is bundled comes with its licence.
   const licences = { uPlot: 'uplot/LICENSE', Temml: 'temml/LICENSE' };
   const parts = [
-    [
-      'uPlot',
-      (path, text) =>
-        path === 'assets/style.css' || (path.endsWith('.js') && text.includes('u-legend')),
-    ],
+    ['uPlot', (path, text) => path.endsWith('.js') && text.includes('u-legend')],
     [
       'Temml',
       (path, text) =>
@@ -106,16 +112,18 @@ async function pages() {
       }
     }
   }
-  // The style is in the page: nothing else is asked for before the first paint.
-  const style = 'assets/style.css';
+  // The first style is in the page: nothing else is asked for before the first paint.
+  const [[, style]] = await bundled({ 'assets/first': 'src/style/first.css' });
   const page = await readFile(join(here, 'src/index.html'), 'utf8');
   files.set(
     'index.html',
     Buffer.from(
-      page.replace('<style></style>', () => `<style>${Buffer.from(files.get(style))}</style>`),
+      page.replace(
+        '<style></style>',
+        () => `<style>${Buffer.from(style).toString().trim()}</style>`,
+      ),
     ),
   );
-  files.delete(style);
   files.set('assets/icon.svg', await readFile(join(here, 'src/icon.svg')));
   files.set('sources.sha256', Buffer.from(await checksums()));
   return new Map([...files].sort());

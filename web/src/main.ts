@@ -16,6 +16,7 @@ import { openGlossary } from './shell/glossary';
 import { whereThereIsAServer } from './shell/live';
 import { link, placeOf, Router, type Page } from './shell/router';
 import { startTheme, toggleTheme } from './shell/theme';
+import style from './style/main.css';
 
 const pages: readonly Page[] = [
   home,
@@ -137,6 +138,10 @@ async function foot(): Promise<void> {
 }
 
 function begin(): void {
+  // What is not needed for the first frame; a sheet that a script makes waits for no other file.
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(style);
+  document.adoptedStyleSheets = [sheet];
   keepToken();
   followAddress();
   const router = new Router(pages, element('main'), navigation);
