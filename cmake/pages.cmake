@@ -36,7 +36,7 @@ function(changeover_embedded_pages variable)
     add_custom_command(OUTPUT "${atlases}" COMMAND make_atlases "${atlases}" DEPENDS make_atlases
       COMMENT "Making the map of the catalog" VERBATIM)
   else()
-    file(WRITE "${atlases}" "")
+    file(CONFIGURE OUTPUT "${atlases}" CONTENT "")
   endif()
   set(source "${PROJECT_BINARY_DIR}/generated/embedded_pages.cpp")
   file(CONFIGURE OUTPUT "${source}" @ONLY CONTENT [[
