@@ -1,8 +1,12 @@
 // What tests of models cost at least, and how many there are [docs/theorems.md, Theorem 21].
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
 #include <map>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "changeover/plan/run_plan.hpp"
 #include "changeover/run/control.hpp"
@@ -72,7 +76,85 @@ TEST(ChoiceBound, OfManyParametersCountsEachSizeByItself) {
   EXPECT_EQ(cost_bound(job).cost, Amount{11 + 26});  // 3 each but for one, and 9 each but for one
 }
 
-// One parameter after the other, from each of its values to each other: with rules, too.
+// Lists of k parameters of g values each in which one value changes per step: whether all pairs can
+// meet in so many steps, by looking at everything. Changes at the same time do no more than one
+// after the other.
+class Stays {
+ public:
+  Stays(std::size_t k, std::size_t g) : k_(k), g_(g), now_(k, 0), met_(k * k, 1) {}
+
+  [[nodiscard]] std::size_t least() {
+    std::size_t steps = 0;
+    while (!can_in(steps)) {
+      ++steps;
+      seen_.clear();
+    }
+    return steps + k_;
+  }
+
+ private:
+  bool can_in(std::size_t steps) {
+    std::size_t open = 0;
+    std::vector<std::uint32_t> state(now_.begin(), now_.end());
+    for (std::size_t p = 0; p < k_; ++p) {
+      for (std::size_t q = 0; q < p; ++q) {
+        open += g_ * g_ - static_cast<std::size_t>(std::popcount(met_[p * k_ + q]));
+        state.push_back(met_[p * k_ + q]);
+      }
+    }
+    state.push_back(static_cast<std::uint32_t>(steps));
+    if (open == 0 || open > steps * (k_ - 1) || !seen_.insert(state).second) {
+      return open == 0;
+    }
+    for (std::size_t p = 0; p < k_; ++p) {
+      for (std::uint32_t x = 0; x < g_; ++x) {
+        const std::vector<std::uint32_t> before = met_;
+        const std::uint32_t old = std::exchange(now_[p], x);
+        for (std::size_t q = 0; q < k_ && x != old; ++q) {
+          const bool first = q < p;
+          const std::size_t pair = first ? p * k_ + q : q * k_ + p;
+          met_[pair] |= p == q ? 0 : 1U << (first ? x * g_ + now_[q] : now_[q] * g_ + x);
+        }
+        const bool can = x != old && can_in(steps - 1);
+        met_ = before;
+        now_[p] = old;
+        if (can) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  std::size_t k_;
+  std::size_t g_;
+  std::vector<std::uint32_t> now_;
+  std::vector<std::uint32_t> met_;
+  std::set<std::vector<std::uint32_t>> seen_;
+};
+
+TEST(ChoiceBound, OfStaysIsAttainedByTinyModels) {
+  const std::vector<std::pair<std::uint32_t, std::size_t>> models{
+      {2, 2}, {2, 3}, {2, 4}, {3, 2}, {3, 3}};
+  for (const auto& [g, k] : models) {
+    const Model model = test::model_of(model_text(std::vector<std::uint32_t>(k, g)));
+    const CostBound bound = cost_bound(job_of(model, Amount{}, Amount{1}));
+    EXPECT_EQ(bound.cost, Amount{Stays(k, g).least()}) << g << "^" << k;
+  }
+}
+
+// At most two have five settings: Theorem 24 (3).
+TEST(ChoiceBound, OfManyParametersWithThreeValues) {
+  for (const std::size_t k : {2U, 3U, 7U, 20U}) {
+    const Model model = test::model_of(model_text(std::vector<std::uint32_t>(k, 3)));
+    EXPECT_EQ(cost_bound(job_of(model, Amount{}, Amount{1})).cost, Amount{6 * k - 2}) << k;
+    Job dear = job_of(model, Amount{}, Amount{1});  // the dear one saves two settings
+    std::fill_n(dear.change_costs.begin(), 3, Amount{3});
+    EXPECT_TRUE(k < 4 || cost_bound(dear).cost == Amount{6 * (k + 2) - 6}) << k;
+  }
+}
+
+// One parameter after the other, a part of its way each time: with rules, too.
 TEST(ChoiceBound, SweepsChangeLittle) {
   std::vector<std::uint32_t> sizes(24, 2);
   sizes.resize(32, 3);
@@ -84,7 +166,19 @@ TEST(ChoiceBound, SweepsChangeLittle) {
     drop_needed(job, cannot_meet(job));
     const RunPlan plan = make_run_plan(job, {.steps = 1, .attempts = 1}, control);
     EXPECT_TRUE(plan.sheet.does_the_job());
-    EXPECT_LE(plan.sheet.cost, Amount{24 * 3 + 8 * 7 + 4 * 13 + 20}) << rule;
+    EXPECT_LE(plan.sheet.cost, Amount{24 * 3 + 8 * 6 + 4 * 9 + 20}) << rule;
+  }
+}
+
+// Theorem 24 (2): for any number of values, however many parameters there are.
+TEST(ChoiceBound, SweepsNeedHalfOfThePairs) {
+  for (const std::uint32_t g : {2U, 3U, 4U, 5U, 6U, 7U, 9U, 12U}) {
+    constexpr std::size_t k = 9;
+    const Model model = test::model_of(model_text(std::vector<std::uint32_t>(k, g)));
+    RunControl control({.threads = 1});
+    const Job job = job_of(model, Amount{}, Amount{1});
+    const RunPlan plan = make_run_plan(job, {.steps = 1, .attempts = 1}, control);
+    EXPECT_LE(plan.sheet.cost, Amount{k * ((g * g + 3) / 2)}) << g;
   }
 }
 

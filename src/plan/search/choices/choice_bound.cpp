@@ -67,8 +67,9 @@ std::uint64_t choose(std::uint64_t n, std::uint64_t k) {
   return static_cast<std::uint64_t>(value);
 }
 
-// (2): so many parameters with so many values each, all of which must meet.
-std::uint64_t clique_of_equal(const Job& job, const ChoiceNumbers& n, std::size_t values) {
+// (2): whether a parameter is one of those with so many values each, all of which must meet.
+std::vector<bool> clique_of_equal(const Job& job, const ChoiceNumbers& n, std::size_t values) {
+  std::vector<bool> clique(n.slots, false);
   std::vector<std::vector<Element>> chosen;
   for (std::size_t p = 0; p < n.slots; ++p) {
     std::vector<Element> own;
@@ -84,9 +85,14 @@ std::uint64_t clique_of_equal(const Job& job, const ChoiceNumbers& n, std::size_
     }
     if (own.size() == values) {
       chosen.push_back(std::move(own));
+      clique[p] = true;
     }
   }
-  return chosen.size();
+  return clique;
+}
+
+std::uint64_t number_in(const std::vector<bool>& clique) {
+  return static_cast<std::uint64_t>(std::ranges::count(clique, true));
 }
 
 LeastNumber least_choice_tests(const Job& job, const ChoiceNumbers& n) {
@@ -120,7 +126,7 @@ LeastNumber least_choice_tests(const Job& job, const ChoiceNumbers& n) {
                                        count_of(number, "triple"), job.slots[slots[0]].name,
                                        job.slots[slots[1]].name, job.slots[slots[2]].name));
   }
-  const std::uint64_t k = clique_of_equal(job, n, 2);
+  const std::uint64_t k = number_in(clique_of_equal(job, n, 2));
   if (k >= 2) {
     std::uint64_t tests = 4;
     while (choose(tests - 1, tests / 2 - 1) < k) {
@@ -131,7 +137,7 @@ LeastNumber least_choice_tests(const Job& job, const ChoiceNumbers& n) {
   }
   constexpr std::uint64_t most_values = 40;
   for (std::uint64_t g = 3; g <= most_values; ++g) {
-    const std::uint64_t equal = clique_of_equal(job, n, g);
+    const std::uint64_t equal = number_in(clique_of_equal(job, n, g));
     if (equal < g) {
       break;
     }
@@ -158,11 +164,39 @@ struct LeastChanges {
   Amount cost;
 };
 
+// (5): what the parameters of a clique may save together if each but `exceptions` of them, one or
+// two, has `often` stays, and what those have fewer only two can have.
+Wide most_saved(const std::vector<bool>& clique, const std::vector<std::uint64_t>& there,
+                const std::vector<std::uint64_t>& prices, std::uint64_t often,
+                std::uint64_t exceptions) {
+  Wide unit = 0;  // once more, each of them
+  for (std::size_t p = 0; p < clique.size(); ++p) {
+    unit += clique[p] ? prices[p] : 0;
+  }
+  Wide by_one = 0;
+  std::array<Wide, 2> once{};  // by one less each
+  for (std::size_t p = 0; p < clique.size(); ++p) {
+    if (!clique[p] || there[p] >= often) {
+      continue;
+    }
+    const bool others_cost_more = unit - prices[p] >= prices[p];
+    const std::uint64_t fewer = often - there[p];
+    by_one = std::max(by_one,
+                      Wide{prices[p]} * (others_cost_more ? std::min(exceptions, fewer) : fewer));
+    if (prices[p] > once[1]) {
+      once[1] = prices[p];
+      std::ranges::sort(once, std::greater<>());
+    }
+  }
+  return std::max(by_one, exceptions == 2 ? once[0] + once[1] : once[0]);
+}
+
 // (4) and (5): what changes cost at least beyond `there`, by parameter; two parameters change
-// `wanted` times together, if that is not 0.
+// `wanted` times together, if that is not 0. `threes`: parameters with three values that all meet.
 std::uint64_t least_more(const std::vector<std::vector<std::uint64_t>>& wanted,
                          const std::vector<std::uint64_t>& there,
-                         const std::vector<std::uint64_t>& prices) {
+                         const std::vector<std::uint64_t>& prices,
+                         const std::vector<bool>& threes) {
   const std::size_t slots = there.size();
   std::vector<bool> is_in(slots, true);  // what is left for (4)
   const auto by_two = [&](const std::vector<bool>& among) {
@@ -175,45 +209,49 @@ std::uint64_t least_more(const std::vector<std::vector<std::uint64_t>>& wanted,
     }
     return ceil_div(most_profit(more, prices), 2);
   };
+  Wide by_cliques = 0;
+  const auto take = [&](const std::vector<bool>& clique, std::uint64_t often,
+                        std::uint64_t exceptions) {
+    Wide all = 0;
+    for (std::size_t p = 0; p < slots; ++p) {
+      all += clique[p] ? Wide{prices[p]} * (often - there[p]) : 0;
+    }
+    const Wide saved = most_saved(clique, there, prices, often, exceptions);
+    if (all > saved && all - saved > by_two(clique)) {
+      by_cliques += all - saved;
+      for (std::size_t p = 0; p < slots; ++p) {
+        is_in[p] = is_in[p] && !clique[p];
+      }
+    }
+  };
   std::set<std::uint64_t> times;
   for (const std::vector<std::uint64_t>& row : wanted) {
     times.insert(row.begin(), row.end());
   }
-  Wide by_cliques = 0;
+  constexpr std::uint64_t of_three = 6;
+  bool has_threes = std::ranges::count(threes, true) > 2;
   std::size_t looks = 16;
   for (auto each = times.rbegin(); each != times.rend() && *each > 2 && looks > 0;
        ++each, --looks) {
     const std::uint64_t often = (*each + 1) / 2;  // all but one change as often
+    if (has_threes && often < of_three) {
+      has_threes = false;
+      std::vector<bool> clique(slots, false);
+      for (std::size_t p = 0; p < slots; ++p) {
+        clique[p] = is_in[p] && threes[p] && there[p] <= of_three;
+      }
+      take(clique, of_three, 2);
+    }
     std::vector<bool> clique(slots, false);
-    Wide all = 0;
-    Wide unit = 0;  // once more, each of them
     for (std::size_t p = 0; p < slots; ++p) {
       bool fits =
           is_in[p] && there[p] <= often && *std::ranges::max_element(wanted[p]) >= 2 * often - 1;
       for (std::size_t q = 0; q < p && fits; ++q) {
         fits = !clique[q] || wanted[p][q] >= 2 * often - 1;
       }
-      if (fits) {
-        clique[p] = true;
-        all += Wide{prices[p]} * (often - there[p]);
-        unit += prices[p];
-      }
+      clique[p] = fits;
     }
-    Wide saved = 0;  // by the one that changes less
-    for (std::size_t p = 0; p < slots; ++p) {
-      if (clique[p]) {
-        const bool once = unit - prices[p] >= prices[p];
-        const std::uint64_t most_fewer = often - there[p];
-        saved = std::max(
-            saved, Wide{prices[p]} * (once ? std::min<std::uint64_t>(1, most_fewer) : most_fewer));
-      }
-    }
-    if (all - saved > by_two(clique)) {
-      by_cliques += all - saved;
-      for (std::size_t p = 0; p < slots; ++p) {
-        is_in[p] = is_in[p] && !clique[p];
-      }
-    }
+    take(clique, often, 1);
   }
   const std::vector<bool> any(slots, true);
   constexpr Wide most = std::numeric_limits<std::int64_t>::max();
@@ -260,8 +298,9 @@ LeastChanges least_choice_changes(const Job& job, const ChoiceNumbers& n) {
     }
   }
   const std::vector<std::uint64_t> ones(n.slots, 1);
-  least.number += least_more(wanted, there, ones);
-  least.cost += Amount{least_more(wanted, there, lowest)};
+  const std::vector<bool> threes = clique_of_equal(job, n, 3);
+  least.number += least_more(wanted, there, ones, threes);
+  least.cost += Amount{least_more(wanted, there, lowest, threes)};
   return least;
 }
 

@@ -38,7 +38,9 @@ namespace changeover {
 ///  (5) *Of many.* If every two of some parameters change 2s − 1 times together, or more, by (4),
 ///      at most one of them changes less than s times. If that is s − d times, each other one
 ///      changes s − 1 + d times; so d = 1 is cheapest, if they cost together no less than it does.
-///      (4) alone says 2s − 1 for two of them, and half of that for each.
+///      (4) alone says 2s − 1 for two of them, and half of that for each. Of parameters with three
+///      values at most two are set fewer than six times (docs/theorems.md, Theorem 24): one less
+///      each, or one of them two less; if it is d ≥ 3 less, each other one is set 4 + d times.
 void improve_choice_bound(const Job& job, CostBound& bound, std::string& known);
 
 }  // namespace changeover
