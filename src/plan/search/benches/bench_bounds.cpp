@@ -94,15 +94,15 @@ class BenchBounder {
     if (field_->size() > 0 && field_->common().needed.size() > 0) {
       easiest_ = easiest_job(*field_);
       bound_costs();
+      set_ratios();
       try {
-        set_ratios();
         bound_shared();
         bound_one_pair();
         bound_scarce();
         bound_whole_tests();
         bound_pairs();
       } catch (const Stopped&) {
-        // the bound so far is valid
+        bound_costs_shared();  // the bound so far is valid, too
       }
     }
     if (spent_.millionths > 0) {
@@ -306,6 +306,16 @@ class BenchBounder {
       all += each[i];
     }
     return all >= cost;
+  }
+
+  // (1) with what one list costs, which takes little time: so there is some bound always.
+  void bound_costs_shared() {
+    RunControl undisturbed({});
+    const RunScope scope(undisturbed);
+    const Huge cost = bounds_.cost.cost.millionths;
+    raise(earliest([&](std::uint64_t time) { return can_share(field_->size(), cost, time); }), [&] {
+      return fmt::format("every plan costs at least {} together", to_string(bounds_.cost.cost));
+    });
   }
 
   // (1) and (2).

@@ -139,6 +139,11 @@ void BenchField::set_rules() {
   }
 }
 
+bool BenchField::has_single_parts() const {
+  return size() > 1 && rules_ &&
+         std::ranges::find(rules_->quantity, std::uint64_t{1}) != rules_->quantity.end();
+}
+
 ListsJob BenchField::lists_job(std::uint64_t tests, bool exact) const {
   ListsJob job{.common = &common_,
                .jobs = rest_,

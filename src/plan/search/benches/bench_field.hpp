@@ -41,10 +41,16 @@ class BenchField {
   [[nodiscard]] bool alike() const { return jobs_.size() <= 2; }
   /// Whether parts are scarce or benches rest: then the makespan is more than a sum.
   [[nodiscard]] bool has_clock() const { return rules_.has_value(); }
+  /// Whether several benches share a part of which there is one.
+  [[nodiscard]] bool has_single_parts() const;
   [[nodiscard]] const std::optional<ClockRules>& rules() const { return rules_; }
   /// The number of benches that may hold a part at a time.
   [[nodiscard]] std::uint64_t most_holders(Element x) const { return holders_[x]; }
 
+  /// More tests than any list needs.
+  [[nodiscard]] std::uint64_t most_tests() const {
+    return common_.needed.size() + common_.triples.size() + 64;
+  }
   /// For lists with this many tests. If `exact`, things that cost nothing have weight 0.
   [[nodiscard]] ListsJob lists_job(std::uint64_t tests, bool exact = false) const;
 

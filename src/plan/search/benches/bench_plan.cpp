@@ -179,11 +179,6 @@ class BenchPlanner {
                                    [] { return "not enough memory to go on searching"; });
   }
 
-  [[nodiscard]] std::uint64_t most_tests() const {
-    const Job& common = field_.common();
-    return common.needed.size() + common.triples.size() + 64;
-  }
-
   // The bench that can test everything at the least cost, if there is one.
   [[nodiscard]] std::optional<std::size_t> bench_for_all() const {
     std::optional<std::size_t> found;
@@ -253,7 +248,7 @@ class BenchPlanner {
     }
     constexpr std::size_t few = 3;
     for (std::size_t i = 0; i < std::min(few, one.candidates.size()); ++i) {
-      starts.push_back(pieces_of(rest, one.candidates[i].setups));
+      starts.push_back(cut_list(field_, rest, one.candidates[i].setups));
     }
     if (field_.alike()) {
       add("one list, cut", "the " + one.candidates.front().name + " in pieces of about equal cost",
@@ -279,18 +274,6 @@ class BenchPlanner {
     }
   }
 
-  // Pieces of about equal cost; if benches differ, only set-ups that are allowed there.
-  [[nodiscard]] BenchLists pieces_of(const Job& job, const std::vector<Block>& setups) const {
-    BenchLists lists = cut_list(job, setups, field_.size());
-    if (!field_.alike()) {
-      const Lists rules(field_.lists_job(most_tests()), BenchLists(field_.size()));
-      for (std::size_t w = 0; w < lists.size(); ++w) {
-        std::erase_if(lists[w], [&](const Block& setup) { return !rules.allows(w, setup); });
-      }
-    }
-    return lists;
-  }
-
   // The current lists without set-ups that break a rule, and with missing tests added.
   void add_rest() {
     BenchLists rest(field_.size());
@@ -304,7 +287,7 @@ class BenchPlanner {
     if (!any) {
       return;
     }
-    Lists lists(field_.lists_job(most_tests()), rest);
+    Lists lists(field_.lists_job(field_.most_tests()), rest);
     if (lists.open() == 0) {
       add("rest of the sheets", "the tests of the sheets that are not done, as they are", rest);
     }
@@ -319,7 +302,7 @@ class BenchPlanner {
     if (field_.size() == 1 && !field_.has_clock()) {
       return;  // the search for one bench has done everything
     }
-    const ListsJob job = field_.lists_job(most_tests());
+    const ListsJob job = field_.lists_job(field_.most_tests());
     {
       Lists lists(job, starts.front());
       if (!complete(lists, *control_)) {
@@ -341,11 +324,16 @@ class BenchPlanner {
     if (complete(from_nothing, *control_)) {
       starts.push_back(from_nothing.lists());
     }
-    starts.insert(starts.begin(), without_first(best().lists));
     ListsSearch search{.aim = by_cost() ? Aim::least_cost : Aim::least_largest,
                        .steps = options_->plan.steps,
                        .attempts = attempts_between(),
                        .phase = between_benches};
+    const unsigned before_rounds = field_.has_single_parts() ? 1 : 0;
+    if (before_rounds > 0) {
+      search_without_clock(job, starts, search);
+    }
+    starts.insert(starts.begin(), without_first(best().lists));
+    search.round = before_rounds;
     Rounds rounds(options_->plan);
     while (!is_best_possible() && !control_->stop_wanted()) {
       const auto before = std::tuple(best().makespan, best().cost);
@@ -360,9 +348,21 @@ class BenchPlanner {
       if (!rounds.go_on(std::tuple(best().makespan, best().cost) != before, {})) {
         break;
       }
-      search.round = rounds.now();
+      search.round = before_rounds + rounds.now();
       starts.front() = without_first(best().lists);
     }
+  }
+
+  // Without the clock, which looks at every test after a move, a search makes many more moves. It
+  // counts for how long a part is on two benches; if this comes to nothing, no bench waits.
+  void search_without_clock(ListsJob job, const std::vector<BenchLists>& starts,
+                            const ListsSearch& search) {
+    job.overlaps = true;
+    ShareOfTime part = part_of_the_time(0.5);
+    const FoundLists found = search_lists(job, starts, search, part.control());
+    plan_.steps += found.steps;
+    add("local search without waiting",
+        "tests and parts moved between benches, scarce parts on one at a time", found.lists);
   }
 
   // If the time is used up anyway, few long attempts find more than many short ones.
@@ -487,7 +487,7 @@ class BenchPlanner {
   }
 
   void search_within(Amount budget, std::vector<BenchCandidate>& within) {
-    const ListsJob job = field_.lists_job(most_tests(), true);
+    const ListsJob job = field_.lists_job(field_.most_tests(), true);
     const std::uint64_t unit = job.weights.front().unit;
     ListsSearch search{.aim = Aim::most_weight,
                        .budget = static_cast<std::int64_t>(budget.millionths / unit),

@@ -45,4 +45,15 @@ BenchLists cut_list(const Job& job, const std::vector<Block>& setups, std::size_
   return lists;
 }
 
+BenchLists cut_list(const BenchField& field, const Job& job, const std::vector<Block>& setups) {
+  BenchLists lists = cut_list(job, setups, field.size());
+  if (!field.alike()) {
+    const Lists rules(field.lists_job(field.most_tests()), BenchLists(field.size()));
+    for (std::size_t w = 0; w < lists.size(); ++w) {
+      std::erase_if(lists[w], [&](const Block& setup) { return !rules.allows(w, setup); });
+    }
+  }
+  return lists;
+}
+
 }  // namespace changeover

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "changeover/plan/run_plan.hpp"
+#include "plan/search/benches/bench_field.hpp"
 #include "plan/search/lists/lists.hpp"
 
 namespace changeover {
@@ -14,5 +15,8 @@ namespace changeover {
 /// bench; some may be empty.
 [[nodiscard]] BenchLists cut_list(const Job& job, const std::vector<Block>& setups,
                                   std::size_t benches);
+/// The same for all benches of a field, with only the set-ups that are allowed on each.
+[[nodiscard]] BenchLists cut_list(const BenchField& field, const Job& job,
+                                  const std::vector<Block>& setups);
 
 }  // namespace changeover

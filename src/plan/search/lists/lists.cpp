@@ -186,7 +186,7 @@ Lists::Lists(const ListsJob& job, const BenchLists& lists)
     cost_[bench] = job.spent[bench];
     total_ += job.spent[bench];
   }
-  set_clock(job);
+  job.overlaps ? set_overlaps(job) : set_clock(job);
   for (std::size_t bench = 0; bench < lists.size(); ++bench) {
     for (const Block& setup : lists[bench]) {
       stop_if_asked();
@@ -194,6 +194,7 @@ Lists::Lists(const ListsJob& job, const BenchLists& lists)
     }
   }
   keep();
+  retime();
 }
 
 std::size_t Lists::index(Element x, Element y, Element z) const {
@@ -444,6 +445,7 @@ void Lists::count_all(const Block& setup) {
 void Lists::do_replace(Spot where, Element out, Element in) {
   changed(where);
   Place& place = places_[order_[where.bench][where.at]];
+  overlap_ -= overlap_of(where.bench, place);
   if (out != no_part) {
     *std::find(place.elements.begin(), place.elements.end(), out) = place.elements.back();
     place.elements.pop_back();
@@ -455,11 +457,12 @@ void Lists::do_replace(Spot where, Element out, Element in) {
     place.elements.push_back(in);
     place.bits[in >> 6] |= std::uint64_t{1} << (in & 63);
   }
+  overlap_ += overlap_of(where.bench, place);
   price(where);
   price({where.bench, where.at + 1});
 }
 
-void Lists::attach(Spot where, std::uint32_t handle) {
+void Lists::attach(Spot where, std::uint32_t handle, bool timed) {
   changed(where);
   std::vector<std::uint32_t>& order = order_[where.bench];
   order.insert(order.begin() + static_cast<std::ptrdiff_t>(where.at), handle);
@@ -467,27 +470,23 @@ void Lists::attach(Spot where, std::uint32_t handle) {
   price(where);
   price({where.bench, where.at + 1});
   ++tests_;
+  if (!scarce_.empty() && !timed) {
+    set_time(where);
+  }
+  overlap_ += overlap_of(where.bench, places_[handle]);
 }
 
 std::uint32_t Lists::detach(Spot where) {
   changed(where);
   std::vector<std::uint32_t>& order = order_[where.bench];
   const std::uint32_t handle = order[where.at];
+  overlap_ -= overlap_of(where.bench, places_[handle]);
   cost_[where.bench] -= places_[handle].cost;
   total_ -= places_[handle].cost;
   order.erase(order.begin() + static_cast<std::ptrdiff_t>(where.at));
   price(where);
   --tests_;
   return handle;
-}
-
-void Lists::do_reverse(std::size_t bench, Stretch where) {
-  changed({bench, where.first});
-  std::reverse(order_[bench].begin() + static_cast<std::ptrdiff_t>(where.first),
-               order_[bench].begin() + static_cast<std::ptrdiff_t>(where.last) + 1);
-  for (std::size_t at = where.first; at <= where.last + 1; ++at) {
-    price({bench, at});
-  }
 }
 
 std::uint32_t Lists::new_place(std::span<const Element> setup) {
@@ -525,7 +524,8 @@ void Lists::move(Spot from, std::size_t count, Spot to) {
   std::vector<std::uint32_t> handles;
   for (std::size_t i = 0; i < count; ++i) {
     handles.push_back(detach(from));
-    notes_.push_back({Kind::detached, from, handles.back(), 0});
+    const Place& place = places_[handles.back()];
+    notes_.push_back({Kind::detached, from, handles.back(), 0, place.begin, place.end});
   }
   for (std::size_t i = 0; i < count; ++i) {
     attach({to.bench, to.at + i}, handles[i]);
@@ -562,7 +562,7 @@ void Lists::undo() {
         do_replace(note.where, note.b, note.a);
         break;
       case Kind::taken_out:
-        attach(note.where, note.a);
+        attach(note.where, note.a, true);
         count_all<true>(places_[note.a].elements);
         break;
       case Kind::inserted:
@@ -570,7 +570,9 @@ void Lists::undo() {
         free_.push_back(note.a);
         break;
       case Kind::detached:
-        attach(note.where, note.a);
+        places_[note.a].begin = note.begin;
+        places_[note.a].end = note.end;
+        attach(note.where, note.a, true);
         break;
       case Kind::attached:
         (void)detach(note.where);

@@ -64,6 +64,8 @@ struct ListsJob {
   std::vector<Weights> weights = {};     ///< by bench
   std::vector<std::int64_t> spent = {};  ///< by bench: cost before its list; empty: 0
   const ClockRules* clock = nullptr;     ///< null if no bench waits or rests
+  /// In place of the clock: scarce parts may be on two benches at a time, but overlap() counts it.
+  bool overlaps = false;
 
   /// A task for `benches` equal benches.
   static ListsJob alike(const Job& job, const Weights& weights, std::size_t benches);
@@ -111,6 +113,10 @@ class Lists {
   [[nodiscard]] std::int64_t end(std::size_t bench) const {
     return clock_ ? clocked().ends[bench] : cost_[bench];
   }
+  /// With ListsJob::overlaps: for how long parts of which there is one are on two benches at a time,
+  /// if no bench waits. Moves leave the times of other tests as they are, until retime().
+  [[nodiscard]] std::int64_t overlap() const { return overlap_; }
+  void retime();
   /// The weight of what has not met, in millionths; 1 each by default.
   [[nodiscard]] std::uint64_t missing() const { return missing_; }
   [[nodiscard]] std::size_t open() const { return open_.size(); }
@@ -150,6 +156,7 @@ class Lists {
     std::int64_t missing = 0;
     std::size_t other = 0;
     std::int64_t other_work = 0;
+    std::int64_t overlap = 0;
   };
   [[nodiscard]] Rise rise_of_replace(Spot where, Element out, Element in) const;
   [[nodiscard]] Rise rise_of_take_out(Spot where) const;
@@ -173,7 +180,9 @@ class Lists {
   struct Place {
     Block elements;
     Bits bits;
-    std::int64_t cost = 0;  // of the step into it, including its test
+    std::int64_t cost = 0;   // of the step into it, including its test
+    std::int64_t begin = 0;  // for overlap()
+    std::int64_t end = 0;
   };
   // A bench, or several equal ones.
   struct View {
@@ -196,8 +205,10 @@ class Lists {
   struct Note {
     Kind kind;
     Spot where;
-    std::uint32_t a = 0;  // removed part, a handle, or the last one of a stretch
-    std::uint32_t b = 0;  // added part
+    std::uint32_t a = 0;     // removed part, a handle, or the last one of a stretch
+    std::uint32_t b = 0;     // added part
+    std::int64_t begin = 0;  // when what was detached began and ended
+    std::int64_t end = 0;
   };
 
   static constexpr std::uint64_t one = 1'000'000;  // the weight of what has none, in millionths
@@ -220,6 +231,14 @@ class Lists {
   [[nodiscard]] Place place_of(std::span<const Element> setup) const;
   void add_views(const ListsJob& job);
   void set_clock(const ListsJob& job);
+  void set_overlaps(const ListsJob& job);
+  // For how long other benches have scarce parts of this set-up, or this part.
+  [[nodiscard]] std::int64_t overlap_of(std::size_t bench, const Place& place) const;
+  [[nodiscard]] std::int64_t overlap_of(std::size_t bench, const Place& place, Element x) const;
+  template <typename Number>
+  [[nodiscard]] std::int64_t sum_of_overlaps(std::size_t bench, const Place& place,
+                                             Number&& number) const;
+  void set_time(Spot where);
   [[nodiscard]] const BenchClock::Result& clocked() const;
   void changed(Spot where);
   [[nodiscard]] static std::size_t index(Element x, Element y) {
@@ -236,7 +255,7 @@ class Lists {
   template <bool coming>
   void count_all(const Block& setup);
   void do_replace(Spot where, Element out, Element in);
-  void attach(Spot where, std::uint32_t handle);
+  void attach(Spot where, std::uint32_t handle, bool timed = false);
   std::uint32_t detach(Spot where);
   void do_reverse(std::size_t bench, Stretch where);
   std::uint32_t new_place(std::span<const Element> setup);
@@ -263,6 +282,10 @@ class Lists {
   std::vector<std::uint32_t> open_;
   std::uint64_t missing_ = 0;
   std::vector<Note> notes_;
+  std::vector<Bits> scarce_;  // by bench: the parts that overlap() is about
+  std::vector<std::int64_t> spent_;
+  std::int64_t overlap_ = 0;
+  std::int64_t longest_ = 0;  // no test takes longer
   mutable std::optional<BenchClock> clock_;
   std::vector<Before> before_;              // by bench, if there is a clock
   mutable std::vector<std::size_t> stale_;  // by bench: steps from here on the clock does not have

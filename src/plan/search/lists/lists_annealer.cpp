@@ -16,12 +16,15 @@ std::optional<Rank> rank_of(const Lists& lists, const ListsSearch& options) {
                  ? std::optional(Rank(lists.missing(), lists.total(), 0))
                  : std::nullopt;
     case Aim::least_largest:
-      return lists.open() == 0 ? std::optional(Rank(0, lists.largest(), lists.total()))
-                               : std::nullopt;
+      return lists.open() == 0
+                 ? std::optional(Rank(0, lists.largest() + lists.overlap(), lists.total()))
+                 : std::nullopt;
     case Aim::least_cost:
       break;
   }
-  return lists.open() == 0 ? std::optional(Rank(0, lists.total(), lists.largest())) : std::nullopt;
+  return lists.open() == 0
+             ? std::optional(Rank(0, lists.total() + lists.overlap(), lists.largest()))
+             : std::nullopt;
 }
 
 ListsAnnealer::ListsAnnealer(Lists& lists, const ListsSearch& options,
@@ -66,13 +69,15 @@ void ListsAnnealer::cool(double done) {
   const double met = std::max(1.0, everything_ - open);
   const double a_thing = std::max(1.0, static_cast<double>(lists_->total()) / met);
   cooling_.cool(done, {everything_, open, a_thing});
+  lists_->retime();
   penalty_ = wide_ ? schedule_.penalty : cooling_.penalty() / a_pair_weighs;
   energy_ = energy();
 }
 
 // The cost or duration of the benches together, higher the more they differ, if that of one rises.
 double ListsAnnealer::costs(const Lists::Rise& rise) const {
-  const auto total = static_cast<double>(lists_->total() + rise.work + rise.other_work);
+  const auto overlap = static_cast<double>(lists_->overlap() + rise.overlap);
+  const auto total = static_cast<double>(lists_->total() + rise.work + rise.other_work) + overlap;
   switch (options_->aim) {
     case Aim::most_weight:
       return total * 0.25 +
@@ -90,7 +95,7 @@ double ListsAnnealer::costs(const Lists::Rise& rise) const {
       }
       constexpr double evenly = 2.0;
       const double mean = sum / benches;
-      return sum + (mean > 0 ? evenly * (squares / mean - sum) : 0.0);
+      return sum + overlap + (mean > 0 ? evenly * (squares / mean - sum) : 0.0);
     }
     case Aim::least_cost:
       break;

@@ -25,11 +25,14 @@ Lists::Rise Lists::rise_of_replace(Spot where, Element out, Element in) const {
       }
     }
   };
+  const Place& place = places_[order[where.at]];
   if (out != no_part) {
     look_at(out, -1);
+    rise.overlap -= overlap_of(where.bench, place, out);
   }
   if (in != no_part) {
     look_at(in, 1);
+    rise.overlap += overlap_of(where.bench, place, in);
   }
   return rise;
 }
@@ -38,7 +41,7 @@ Lists::Rise Lists::rise_of_take_out(Spot where) const {
   const View& own = view(where.bench);
   const std::vector<std::uint32_t>& order = order_[where.bench];
   const Place& place = places_[order[where.at]];
-  Rise rise{.bench = where.bench, .work = -place.cost};
+  Rise rise{.bench = where.bench, .work = -place.cost, .overlap = -overlap_of(where.bench, place)};
   if (where.at + 1 < order.size()) {
     const Place& later = places_[order[where.at + 1]];
     rise.work += step(own, before(where), later) - step(own, place, later);
@@ -61,7 +64,8 @@ Lists::Rise Lists::rise_of_reverse(std::size_t bench, Stretch where) const {
   const Place& earlier = before({bench, where.first});
   Rise rise{.bench = bench,
             .work = step(own, earlier, last) - step(own, earlier, first) + mounting(own, first) -
-                    mounting(own, last)};
+                    mounting(own, last),
+            .overlap = -overlap_};
   if (where.last + 1 < order.size()) {
     const Place& later = places_[order[where.last + 1]];
     rise.work += step(own, first, later) - step(own, last, later);
@@ -78,7 +82,7 @@ Lists::Rise Lists::rise_of_move(Spot from, std::size_t count, Spot to, bool reve
   const auto moved = [&](std::size_t i) -> const Place& {
     return place(from.bench, from.at + (reversed ? count - 1 - i : i));
   };
-  Rise rise{.bench = from.bench, .other = to.bench};
+  Rise rise{.bench = from.bench, .other = to.bench, .overlap = -overlap_};
   for (std::size_t i = 0; i < count; ++i) {
     rise.work -= place(from.bench, from.at + i).cost;
     rise.other_work += static_cast<std::int64_t>(new_view.weights.test) +

@@ -114,10 +114,12 @@ FoundLists search_lists(const ListsJob& job, const std::vector<BenchLists>& star
       Lists best(job, annealer.best());
       bests[i].take(best, options);
       prune(best, control);
+      best.retime();
       bests[i].take(best, options);
     }
     if (options.aim != Aim::most_weight && !control.stop_wanted() && complete(lists, control)) {
       prune(lists, control);
+      lists.retime();
       bests[i].take(lists, options);
     }
     const Lists rebuilt(job, lists.lists());

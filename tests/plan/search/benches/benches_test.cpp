@@ -146,7 +146,10 @@ TEST(Benches, TheSameForAnyNumberOfThreadsAndWhenStopped) {
   EXPECT_EQ(planned(job, {.benches = 3}).candidates.front().lists,
             planned(job, {.benches = 3}, 3).candidates.front().lists);
   RunControl control({.time = std::chrono::seconds(0)});
-  EXPECT_TRUE(make_bench_plan(job, {.benches = 3}, control).does_the_job());
+  const BenchPlan stopped = make_bench_plan(job, {.benches = 3}, control);
+  EXPECT_TRUE(stopped.does_the_job());
+  EXPECT_GT(stopped.makespan_bound, Amount{});
+  EXPECT_GE(stopped.makespan_bound * 3, stopped.bound.cost);
 }
 
 TEST(Benches, RefuseWhatTheyDoNotServe) {
