@@ -67,14 +67,11 @@ PaperItem check_again(const PaperContext& context, std::string_view place) {
       const Fraction v = value_of(again.design.v, values);
       const Fraction b = value_of(again.design.b, values);
       const Verdict verdict = verify(design);
-      check.expect(verdict.valid() && v.count() == design.v() && b.count() == verdict.b,
-                   [&, &design = design] {
-                     return PaperFinding{
-                         fmt::format("({},k,{}), so ({},{},{})", again.design.v, again.design.b,
-                                     v.to_string(), design.k(), b.to_string()),
-                         dccd(design.v(), design.k(), verdict.b),
-                         fmt::format("built by {}", again.statement)};
-                   });
+      check.expect(
+          verdict.valid() && v.count() == design.v() && b.count() == verdict.b,
+          {fmt::format("({},k,{}), so ({},{},{})", again.design.v, again.design.b, v.to_string(),
+                       design.k(), b.to_string()),
+           dccd(design.v(), design.k(), verdict.b), fmt::format("built by {}", again.statement)});
     }
   }
   return std::move(check).finish();

@@ -37,9 +37,8 @@ std::string in_words(const Known& known) {
 // A minimum is built for these parameters.
 void expect_minimum(Check& check, const Registry& registry, const Parameters& p) {
   const Known known = known_minimum(registry, p);
-  check.expect(known.is_minimum(), [&] {
-    return PaperFinding{fmt::format("a minimum {}", name(p)), in_words(known), known.bound.reason};
-  });
+  check.expect(known.is_minimum(),
+               {fmt::format("a minimum {}", name(p)), in_words(known), known.bound.reason});
 }
 
 // "Minimum SCCDs of block sizes two, three and four."
@@ -76,11 +75,10 @@ PaperItem check_room(const Paper& paper) {
           possible |= std::popcount(second) == std::popcount(first) &&
                       static_cast<std::uint64_t>(std::popcount(second & ~first)) == m;
         }
-        check.expect(possible == (v >= count_of(paper.cited.room_v, {{'k', k}, {'m', m}})), [&] {
-          return PaperFinding{fmt::format("a next block exactly if v >= {}", paper.cited.room_v),
-                              fmt::format("not so for v = {}, k = {}, m = {}", v, k, m),
-                              "all k-subsets tried"};
-        });
+        check.expect(
+            possible == (v >= count_of(paper.cited.room_v, {{'k', k}, {'m', m}})),
+            {fmt::format("a next block exactly if v >= {}", paper.cited.room_v),
+             fmt::format("not so for v = {}, k = {}, m = {}", v, k, m), "all k-subsets tried"});
       }
     }
   }
@@ -88,32 +86,37 @@ PaperItem check_room(const Paper& paper) {
   return std::move(check).finish();
 }
 
-PaperItem check_pairs_of_elements(const Paper& paper) {
+PaperItem check_pairs_of_elements(const PaperContext& context) {
+  constexpr std::uint64_t largest_v = 12;
   Check check("Section 2.1",
               "cited: linear DCCD(5,2,10), and linear and circular DCCD(v,2,v(v-1)/2) for v >= 6",
               "designs");
-  for (std::uint64_t v = 5; v <= 12; ++v) {
+  if (!check.finds(context.registry, "pairs-double-change")) {
+    return std::move(check).finish();
+  }
+  for (std::uint64_t v = 5; v <= largest_v; ++v) {
     for (const Kind kind : {Kind::linear, Kind::circular}) {
-      bool complete = false;
-      const std::optional<Design> design = order_of_pairs(v, kind, 1'000'000, &complete);
+      const Parameters p{.v = v, .k = 2, .change = 2, .kind = kind};
+      const std::uint64_t b = count_of(context.paper.cited.pairs_b, {{'v', v}});
       if (v == 5 && kind == Kind::circular) {
-        check.expect(!design && complete, [] {
-          return PaperFinding{"only a linear DCCD(5,2,10) is named", "a circular one exists",
-                              "found by exhaustion"};
-        });
+        const Enumeration all = enumerate(p, 10);
+        check.expect(all.complete && all.found == 0,
+                     {"only a linear DCCD(5,2,10) is named", "a circular one exists",
+                      "found by exhaustion"});
         continue;
       }
-      const std::uint64_t b = count_of(paper.cited.pairs_b, {{'v', v}});
-      check.expect(design && verify(*design).valid() && design->block_count() == b, [&] {
-        return PaperFinding{fmt::format("a {} {}", to_string(kind), dccd(v, 2, b)),
-                            design ? in_words(verify(*design)) : "none was found",
-                            "orders of the pairs, consecutive ones disjoint"};
-      });
+      const std::optional<Design> design = construct(context.registry, "pairs-double-change", p);
+      const Verdict verdict = design ? verify(*design) : Verdict{};
+      check.expect(verdict.valid() && verdict.b == b,
+                   {fmt::format("a {} {}", to_string(kind), dccd(v, 2, b)),
+                    design ? in_words(verdict) : "none was built",
+                    "orders of the pairs, consecutive ones disjoint"});
     }
   }
   check.note(
-      "found for v <= 12; no circular DCCD(5,2,10) exists (the Petersen graph has no "
-      "Hamilton cycle)");
+      fmt::format("built for v <= {}; no circular DCCD(5,2,10) exists (the Petersen graph has no "
+                  "Hamilton cycle)",
+                  largest_v));
   return std::move(check).finish();
 }
 
@@ -126,10 +129,8 @@ PaperItem check_dirac() {
   std::uint64_t in_pairs_from = 0;
   for (std::uint64_t v = 6; v <= largest_v; ++v) {
     const std::uint64_t degree = v - 1;
-    check.expect(2 * degree >= v, [&] {
-      return PaperFinding{fmt::format("Dirac's condition for K_{}", v),
-                          fmt::format("degree {}", degree), "counted"};
-    });
+    check.expect(2 * degree >= v, {fmt::format("Dirac's condition for K_{}", v),
+                                   fmt::format("degree {}", degree), "counted"});
     // What a DCCD(v,2) is: a Hamilton path or cycle in the graph of pairs, disjoint ones adjacent.
     if (2 * binomial(v - 2, 2) < binomial(v, 2)) {
       in_pairs_from = v + 1;
@@ -137,7 +138,7 @@ PaperItem check_dirac() {
   }
   check.note(fmt::format(
       "v <= {}; a DCCD(v,2) needs one in the graph of pairs, disjoint ones adjacent, and there "
-      "the condition holds from v = {} on; below, the cycles are found by search",
+      "the condition holds from v = {} on; below, the cycles are built",
       largest_v, in_pairs_from));
   return std::move(check).finish();
 }
@@ -161,9 +162,8 @@ PaperItem check_triples(const PaperContext& context) {
     const Known known = known_minimum(context.registry, circular(v, 3));
     ++others;
     minimum += known.is_minimum() ? 1U : 0U;
-    check.expect(known.b.has_value(), [&] {
-      return PaperFinding{fmt::format("a circular DCCD({},3,b)", v), "none is built", ""};
-    });
+    check.expect(known.b.has_value(),
+                 {fmt::format("a circular DCCD({},3,b)", v), "none is built", ""});
   }
   check.note(fmt::format(
       "by our own construction, v <= {}; minimum for {} of the {} with v = 2, 4 (mod 6) too, "
@@ -181,10 +181,9 @@ PaperItem check_3k_5(const PaperContext& context) {
     const std::uint64_t v = count_of(cited.minimum_v, {{'k', k}});
     const std::uint64_t b = count_of(cited.minimum_b, {{'k', k}});
     const Fraction bound = counted_bound(v, k, Kind::linear);
-    check.expect(bound.count() == b, [&] {
-      return PaperFinding{fmt::format("no linear DCCD({},{}) has fewer than {} blocks", v, k, b),
-                          fmt::format("g1 = {}", bound.to_string()), "counting"};
-    });
+    check.expect(bound.count() == b,
+                 {fmt::format("no linear DCCD({},{}) has fewer than {} blocks", v, k, b),
+                  fmt::format("g1 = {}", bound.to_string()), "counting"});
     if (k <= 5) {
       const Enumeration all = enumerate(linear(v, k), b);
       none += all.complete && all.found == 0 ? 1U : 0U;
@@ -287,16 +286,14 @@ PaperItem check_no_fixed_elements(const PaperContext& context) {
         std::max(k + 2, value_of(cited.no_fixed_from, {{'k', k}}).count().value_or(0));
     for (std::uint64_t v = from; v <= from + beyond; ++v) {
       const Fraction b = value_of(cited.linear_b, {{'v', v}, {'k', k}});
-      check.expect(b == Fraction{counted_bound(v, k, Kind::linear).ceiling(), 1}, [&] {
-        return PaperFinding{
-            fmt::format("b = {} for v = {}, k = {}", b.to_string(), v, k),
-            fmt::format("ceil(g1) = {}", counted_bound(v, k, Kind::linear).ceiling()), "counting"};
-      });
+      check.expect(
+          b == Fraction{counted_bound(v, k, Kind::linear).ceiling(), 1},
+          {fmt::format("b = {} for v = {}, k = {}", b.to_string(), v, k),
+           fmt::format("ceil(g1) = {}", counted_bound(v, k, Kind::linear).ceiling()), "counting"});
       const std::int64_t without = counted_bound(v - 1, k - 1, Kind::linear).ceiling();
-      check.expect(without > b.ceiling(), [&] {
-        return PaperFinding{fmt::format("no fixed element for v = {}, k = {}", v, k),
-                            fmt::format("{} blocks may do for v-1, k-1", without), "counting"};
-      });
+      check.expect(without > b.ceiling(),
+                   {fmt::format("no fixed element for v = {}, k = {}", v, k),
+                    fmt::format("{} blocks may do for v-1, k-1", without), "counting"});
     }
   }
   check.note(fmt::format(
@@ -316,13 +313,11 @@ PaperItem check_k4_formula(const PaperContext& context) {
     const Fraction printed = value_of(context.paper.cited.k4_b, {{'v', v}});
     const std::int64_t g1 = counted_bound(v, 4, Kind::linear).ceiling();
     const bool right = printed == Fraction{g1, 1};
-    const auto finding = [&] {
-      return PaperFinding{
-          fmt::format("DCCD(v,4,b) with b = {}", context.paper.cited.k4_b),
-          fmt::format("b = g1(v,4) = {} and not {} for v = {}", g1, printed.to_string(), v),
-          "the formula for general k in the same sentence, which ends in + 1, gives this for "
-          "k = 4"};
-    };
+    const PaperFinding finding{
+        fmt::format("DCCD(v,4,b) with b = {}", context.paper.cited.k4_b),
+        fmt::format("b = g1(v,4) = {} and not {} for v = {}", g1, printed.to_string(), v),
+        "the formula for general k in the same sentence, which ends in + 1, gives this for "
+        "k = 4"};
     check.expect(right || wrong > 0, finding);  // one finding says it for all
     if (!right) {
       ++wrong;
@@ -351,11 +346,10 @@ PaperItem check_fixed_elements(const PaperContext& context) {
   check.of_a_statement();
   const Enumeration all = enumerate(circular(7, 5), 3, {.keep = 10'000});
   for (const Design& design : all.designs) {
-    check.expect(!verify(design).fixed.empty(), [&] {
-      return PaperFinding{"every circular DCCD(7,5,3) has a fixed element",
-                          fmt::format("one without: it begins {}", braces(design.block(0))),
-                          "by exhaustion"};
-    });
+    check.expect(
+        !verify(design).fixed.empty(),
+        {"every circular DCCD(7,5,3) has a fixed element",
+         fmt::format("one without: it begins {}", braces(design.block(0))), "by exhaustion"});
   }
   bool told = false;
   std::uint64_t once = 0;
@@ -365,12 +359,10 @@ PaperItem check_fixed_elements(const PaperContext& context) {
     if (std::ranges::all_of(times, [](std::uint64_t n) { return n == 1; })) {
       ++once;
       const bool at = design.v() == count_of(context.paper.cited.fixed_at, {{'k', design.k()}});
-      check.expect(at == !verdict.fixed.empty(), [&] {
-        return PaperFinding{
-            "where every pair is covered once, a fixed element exactly if v = 2k-3",
-            fmt::format("the {} has {}", name(design.parameters()), braces(verdict.fixed)),
-            "verified"};
-      });
+      check.expect(at == !verdict.fixed.empty(),
+                   {"where every pair is covered once, a fixed element exactly if v = 2k-3",
+                    fmt::format("the {} has {}", name(design.parameters()), braces(verdict.fixed)),
+                    "verified"});
     }
     const std::uint64_t g2 = static_cast<std::uint64_t>(
         value_of(context.paper.cited.circular_b, {{'v', design.v()}, {'k', design.k()}}).ceiling());
@@ -428,12 +420,11 @@ PaperItem check_fours(const PaperContext& context) {
   for (std::uint64_t v = cited.k4_from; v <= cited.k4_to; ++v) {
     const Known as_circular = known_minimum(context.registry, circular(v, 4));
     const Known as_linear = known_minimum(context.registry, linear(v, 4));
-    check.expect(as_circular.is_minimum() || as_linear.is_minimum(), [&] {
-      return PaperFinding{
-          fmt::format("a minimum DCCD({},4,b)", v),
-          fmt::format("circular: {}; linear: {}", in_words(as_circular), in_words(as_linear)),
-          as_circular.bound.reason};
-    });
+    check.expect(
+        as_circular.is_minimum() || as_linear.is_minimum(),
+        {fmt::format("a minimum DCCD({},4,b)", v),
+         fmt::format("circular: {}; linear: {}", in_words(as_circular), in_words(as_linear)),
+         as_circular.bound.reason});
     minima.push_back(as_circular.bound.blocks);
     if (!as_linear.is_minimum()) {
       open.push_back(fmt::format("v = {}: {}", v, in_words(as_linear)));
@@ -458,9 +449,8 @@ PaperItem check_any_fours(const PaperContext& context) {
     const auto offer = context.registry.best(circular(v, 4));
     const Verdict verdict =
         offer ? verify(context.registry.build_design(offer->recipe)) : Verdict{};
-    check.expect(verdict.valid(), [&] {
-      return PaperFinding{fmt::format("a circular DCCD({},4,b)", v), in_words(verdict), "built"};
-    });
+    check.expect(verdict.valid(),
+                 {fmt::format("a circular DCCD({},4,b)", v), in_words(verdict), "built"});
     minimum += verdict.valid() && verdict.b == lower_bound(circular(v, 4)).blocks ? 1U : 0U;
   }
   check.note(fmt::format("by our own constructions, 6 <= v <= {}, {} of them minimum", largest_v,
@@ -478,7 +468,7 @@ std::vector<PaperItem> check_cited(const PaperContext& context) {
           "cited: minimum SCCDs are constructed for four classes of v modulo 16 with k = 5",
           "the paper does not say which classes"),
       check_room(context.paper),
-      check_pairs_of_elements(context.paper),
+      check_pairs_of_elements(context),
       check_dirac(),
       check_triples(context),
       check_3k_5(context),

@@ -12,11 +12,9 @@ PaperItem check_count(const Paper& paper) {
   Check check("Section 4",
               "\"we apply the recursion to construct eleven additional tight circular DCCDs\"",
               "counts");
-  check.expect(paper.count_in_conclusion == paper.eleven.size(), [&] {
-    return PaperFinding{fmt::format("{} additional designs", paper.count_in_conclusion),
-                        fmt::format("{} are listed in Corollary 15", paper.eleven.size()),
-                        "counted"};
-  });
+  check.expect(paper.count_in_conclusion == paper.eleven.size(),
+               {fmt::format("{} additional designs", paper.count_in_conclusion),
+                fmt::format("{} are listed in Corollary 15", paper.eleven.size()), "counted"});
   return std::move(check).finish();
 }
 

@@ -33,11 +33,9 @@ PaperItem check_expansion_sets(const PaperContext& context,
     if (design.v() <= 64) {
       ++searched;
       const ExpansionSearch search = find_expansion_sets(design, {.how_many = 1, .limits = {}});
-      check.expect(!search.sets.empty(), [&, &design = design] {
-        return PaperFinding{"an expansion set",
-                            fmt::format("the {} has none", name(design.parameters())),
-                            "exact cover"};
-      });
+      check.expect(!search.sets.empty(),
+                   {"an expansion set", fmt::format("the {} has none", name(design.parameters())),
+                    "exact cover"});
     }
   }
   check.note(
@@ -87,16 +85,13 @@ PaperItem check_order(const PaperContext& context, const std::vector<CyclicWithS
     const Values values{{'c', c}, {'k', design.k()}, {'v', design.v()}};
     for (const std::string& formula : context.paper.expansion_order) {
       const Fraction printed = value_of(formula, values);
-      check.expect(printed.count() == set.size(), [&, &set = set] {
-        return PaperFinding{fmt::format("{} = {}", formula, printed.to_string()),
-                            fmt::format("{} subsets", set.size()), "counted"};
-      });
+      check.expect(printed.count() == set.size(),
+                   {fmt::format("{} = {}", formula, printed.to_string()),
+                    fmt::format("{} subsets", set.size()), "counted"});
     }
-    check.expect((set.size() % 2 == 1) == ((2 * c + 1) / (design.k() - 2) % 2 == 1),
-                 [&, &set = set] {
-                   return PaperFinding{"odd if and only if (2c+1)/(k-2) is",
-                                       fmt::format("not for {}", set.size()), "counted"};
-                 });
+    check.expect(
+        (set.size() % 2 == 1) == ((2 * c + 1) / (design.k() - 2) % 2 == 1),
+        {"odd if and only if (2c+1)/(k-2) is", fmt::format("not for {}", set.size()), "counted"});
   }
   check.note(
       "2c+1 is odd, and so is each of its divisors: whenever k-2 divides it the order is odd");
@@ -132,11 +127,8 @@ PaperItem check_formula(const PaperContext& context, const std::vector<CyclicWit
     const Design design = expanded(cyclic);
     check.expect(
         design.v() == printed.triple.v,
-        [&] {
-          return PaperFinding{fmt::format("v = {} for c = {}, k = {}", printed.triple.v, cyclic.c,
-                                          cyclic.design.k()),
-                              fmt::format("v = {}", design.v()), "expanded by Theorem 2"};
-        },
+        {fmt::format("v = {} for c = {}, k = {}", printed.triple.v, cyclic.c, cyclic.design.k()),
+         fmt::format("v = {}", design.v()), "expanded by Theorem 2"},
         0);
     expect_design(check, design, {.b = printed.triple.b, .tight = true});
   }
@@ -228,10 +220,9 @@ PaperItem check_count(const PaperContext& context, const std::vector<CyclicWithS
   Check check("Corollary 15", "eleven: how many are listed, and how many (c,k) there are",
               "counts");
   const Paper& paper = context.paper;
-  check.expect(paper.count_in_corollary == paper.eleven.size(), [&] {
-    return PaperFinding{fmt::format("the following {}", paper.count_in_corollary),
-                        fmt::format("{} are listed", paper.eleven.size()), "counted"};
-  });
+  check.expect(paper.count_in_corollary == paper.eleven.size(),
+               {fmt::format("the following {}", paper.count_in_corollary),
+                fmt::format("{} are listed", paper.eleven.size()), "counted"});
   // k−2 divides 2c+1 ≤ 11, so k ≤ 13 whatever the limit.
   std::uint64_t pairs = 0;
   for (std::uint64_t c = 1; c <= paper.cyclic_up_to; ++c) {
@@ -239,15 +230,12 @@ PaperItem check_count(const PaperContext& context, const std::vector<CyclicWithS
       pairs += (2 * c + 1) % d == 0 ? 1U : 0U;
     }
   }
-  check.expect(pairs == paper.count_in_corollary, [&] {
-    return PaperFinding{fmt::format("{} designs", paper.count_in_corollary),
-                        fmt::format("{} pairs (c,k)", pairs), "k-2 divides 2c+1"};
-  });
-  check.expect(designs.size() == pairs || context.options.largest_k < 2 * paper.cyclic_up_to + 3,
-               [&] {
-                 return PaperFinding{fmt::format("{} designs", pairs),
-                                     fmt::format("{} built", designs.size()), "cyclic-paper"};
-               });
+  check.expect(pairs == paper.count_in_corollary,
+               {fmt::format("{} designs", paper.count_in_corollary),
+                fmt::format("{} pairs (c,k)", pairs), "k-2 divides 2c+1"});
+  check.expect(
+      designs.size() == pairs || context.options.largest_k < 2 * paper.cyclic_up_to + 3,
+      {fmt::format("{} designs", pairs), fmt::format("{} built", designs.size()), "cyclic-paper"});
   return std::move(check).finish();
 }
 
@@ -275,12 +263,11 @@ PaperItem check_61_4(const PaperContext& context) {
     });
   }
   const DifferenceVerdict differences = verify_differences(printed);
-  check.expect(differences.valid() && differences.tight, [&] {
-    return PaperFinding{
-        "every difference is covered exactly once",
-        fmt::format("{} uncovered, {} wrong steps", differences.uncovered, differences.bad_steps),
-        "differences of the printed base blocks"};
-  });
+  check.expect(
+      differences.valid() && differences.tight,
+      {"every difference is covered exactly once",
+       fmt::format("{} uncovered, {} wrong steps", differences.uncovered, differences.bad_steps),
+       "differences of the printed base blocks"});
   DevelopedSource source(printed);
   const Design design = read_all(source);
   if (expect_design(check, design, {.b = 366, .tight = true})) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <set>
 
-#include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/developed.hpp"
 #include "changeover/core/error.hpp"
@@ -54,13 +53,10 @@ PaperItem check_circle(const PrintedCircle& circle, const PrintedTable& table) {
   const Block second = elements_in(circle.second);
   const auto compare = [&](const std::string& printed, const Block& truth,
                            const std::string& what) {
-    check.expect(
-        elements_in(printed) == sorted(truth),
-        [&] {
-          return PaperFinding{fmt::format("{}: {}", what, braces(elements_in(printed))),
-                              braces(truth), "the two blocks"};
-        },
-        truth.size());
+    check.expect(elements_in(printed) == sorted(truth),
+                 {fmt::format("{}: {}", what, braces(elements_in(printed))), braces(truth),
+                  "the two blocks"},
+                 truth.size());
   };
   compare(circle.black, intersection(first, second), "black");
   compare(circle.first_only, changeover::difference(first, second), "in the first colour");
@@ -87,26 +83,19 @@ PaperItem check_circle(const PrintedCircle& circle, const PrintedTable& table) {
       }
     }
     const EdgeSet drawn = edges_in(block == first ? circle.first_edges : circle.second_edges);
-    check.expect(
-        drawn == covered,
-        [&] {
-          return PaperFinding{fmt::format("chords {}", in_words(drawn)), in_words(covered),
-                              fmt::format("the pairs covered in {}", braces(block))};
-        },
-        covered.size());
+    check.expect(drawn == covered,
+                 {fmt::format("chords {}", in_words(drawn)), in_words(covered),
+                  fmt::format("the pairs covered in {}", braces(block))},
+                 covered.size());
     // With one base block each block shows every difference.
     if (circle.v == 4 * table.parameters.k - 5) {
-      check.expect(lengths.size() == (circle.v - 1) / 2, [&] {
-        return PaperFinding{"every difference appears as a length",
-                            fmt::format("{} of {} do", lengths.size(), (circle.v - 1) / 2),
-                            braces(block)};
-      });
+      check.expect(lengths.size() == (circle.v - 1) / 2,
+                   {"every difference appears as a length",
+                    fmt::format("{} of {} do", lengths.size(), (circle.v - 1) / 2), braces(block)});
     }
   }
-  check.expect(seen == 2, [&] {
-    return PaperFinding{fmt::format("two blocks of {}", table.place),
-                        fmt::format("{} of them are", seen), "compared"};
-  });
+  check.expect(seen == 2, {fmt::format("two blocks of {}", table.place),
+                           fmt::format("{} of them are", seen), "compared"});
   return std::move(check).finish();
 }
 
@@ -152,23 +141,19 @@ PaperItem check_theorem(const PaperContext& context) {
         continue;
       }
       const DifferenceVerdict differences = verify_differences(printed);
-      check.expect(differences.valid() && differences.tight, [&] {
-        return PaperFinding{fmt::format("{}: every difference is covered exactly once", where),
-                            fmt::format("{} differences uncovered, {} steps wrong",
-                                        differences.uncovered, differences.bad_steps),
-                            in_words(printed.blocks)};
-      });
+      check.expect(differences.valid() && differences.tight,
+                   {fmt::format("{}: every difference is covered exactly once", where),
+                    fmt::format("{} differences uncovered, {} steps wrong", differences.uncovered,
+                                differences.bad_steps),
+                    in_words(printed.blocks)});
       DevelopedSource source(printed);
       const Design design = read_all(source);
       const Values values{{'c', row.c}, {'k', k}};
       const PrintedDesign& family = context.paper.cyclic_family;
       check.expect(
           count_of(family.v, values) == design.v(),
-          [&] {
-            return PaperFinding{fmt::format("{}: v = {} = {}", where, family.v,
-                                            value_of(family.v, values).to_string()),
-                                fmt::format("v = {}", design.v()), "developed"};
-          },
+          {fmt::format("{}: v = {} = {}", where, family.v, value_of(family.v, values).to_string()),
+           fmt::format("v = {}", design.v()), "developed"},
           0);
       expect_design(check, design, {.b = count_of(family.b, values), .tight = true});
       // "the elements introduced in B_{i,j} are B_{i,j} \ (A+j)": what is kept is A+j.
@@ -182,16 +167,12 @@ PaperItem check_theorem(const PaperContext& context) {
                                  }
                                  return subset.elements == sorted(shifted);
                                }),
-                   [&] {
-                     return PaperFinding{fmt::format("{}: A+j is kept", where), "another subset is",
-                                         "verified"};
-                   });
+                   {fmt::format("{}: A+j is kept", where), "another subset is", "verified"});
     }
   }
-  check.expect(rows == context.paper.cyclic_up_to, [&] {
-    return PaperFinding{fmt::format("1 <= c <= {}", context.paper.cyclic_up_to),
-                        fmt::format("Table 9 has c = 1, ..., {}", rows), "counted"};
-  });
+  check.expect(rows == context.paper.cyclic_up_to,
+               {fmt::format("1 <= c <= {}", context.paper.cyclic_up_to),
+                fmt::format("Table 9 has c = 1, ..., {}", rows), "counted"});
   check.note(
       fmt::format("k <= {}: base blocks as printed, differences, and every design in full; b is "
                   "the lower bound",
@@ -218,11 +199,10 @@ PaperItem check_introduced(const PaperContext& context) {
           }
         }
         const Block introduced = sorted(steps.introduced());
-        check.expect(introduced == sorted(fresh), [&] {
-          return PaperFinding{fmt::format("c = {}, k = {}: {} are introduced in B_{{{},{}}}", row.c,
-                                          k, braces(sorted(fresh)), steps.index() % row.c, j),
-                              braces(introduced), "against the block before"};
-        });
+        check.expect(introduced == sorted(fresh),
+                     {fmt::format("c = {}, k = {}: {} are introduced in B_{{{},{}}}", row.c, k,
+                                  braces(sorted(fresh)), steps.index() % row.c, j),
+                      braces(introduced), "against the block before"});
       }
     }
   }
@@ -268,14 +248,10 @@ PaperItem check_proof(const PaperContext& context) {
             printed.insert(d);
           }
         }
-        check.expect(
-            printed == differences,
-            [&] {
-              return PaperFinding{
-                  fmt::format("c = {}, k = {}: {}", row.c, k, fmt::join(printed, ",")),
-                  fmt::format("{}", fmt::join(differences, ",")), braces(block)};
-            },
-            differences.size());
+        check.expect(printed == differences,
+                     {fmt::format("c = {}, k = {}: {}", row.c, k, fmt::join(printed, ",")),
+                      fmt::format("{}", fmt::join(differences, ",")), braces(block)},
+                     differences.size());
       }
     }
   }
@@ -355,10 +331,9 @@ PaperItem check_larger_c(const PaperContext& context) {
             }
             return true;
           });
-      check.expect(of_the_method && base->parameters.v == p.v, [&] {
-        return PaperFinding{"the method works", fmt::format("not for c = {}, k = {}", c, k),
-                            "no such base blocks"};
-      });
+      check.expect(
+          of_the_method && base->parameters.v == p.v,
+          {"the method works", fmt::format("not for c = {}, k = {}", c, k), "no such base blocks"});
       if (of_the_method) {
         const DifferenceVerdict verdict = verify_differences(*base);
         check.expect(
@@ -392,12 +367,10 @@ PaperItem check_half_differences(const Paper& paper) {
       const auto least = static_cast<std::int64_t>(std::min(d, v - d));
       without = least * largest.denominator <= largest.numerator ? without : d;
     }
-    check.expect(without == 0 || wrong > 0, [&] {
-      return PaperFinding{
-          "every pair of distinct elements of Z_v",
-          fmt::format("{{0,{0}}} in Z_{1} has the difference {0} = -{0}", without, v),
-          "a proviso is missing: v is odd, as it is in all that follows"};
-    });
+    check.expect(without == 0 || wrong > 0,
+                 {"every pair of distinct elements of Z_v",
+                  fmt::format("{{0,{0}}} in Z_{1} has the difference {0} = -{0}", without, v),
+                  "a proviso is missing: v is odd, as it is in all that follows"});
     even += without != 0 && v % 2 == 0 ? 1U : 0U;
     wrong += without != 0 ? 1U : 0U;
   }
@@ -412,15 +385,11 @@ PaperItem check_differences_of_example(const Paper& paper) {
               "differences");
   const std::vector<Block> base = blocks_in(paper.base_blocks_in_example);
   const DifferenceVerdict verdict = verify_differences({cyclic_parameters(2, 3), base});
-  check.expect(
-      verdict.valid() && verdict.uncovered == 0,
-      [&] {
-        return PaperFinding{
-            "all differences are covered",
-            fmt::format("{} are not, {} steps are wrong", verdict.uncovered, verdict.bad_steps),
-            in_words(base)};
-      },
-      12);
+  check.expect(verdict.valid() && verdict.uncovered == 0,
+               {"all differences are covered",
+                fmt::format("{} are not, {} steps are wrong", verdict.uncovered, verdict.bad_steps),
+                in_words(base)},
+               12);
   return std::move(check).finish();
 }
 
@@ -432,9 +401,7 @@ void add_developed(std::vector<PaperItem>& items, const Paper& paper, std::strin
     items.push_back(check_blocks(table, read_all(source), how));
   } catch (const BadInput& fault) {
     Check check(table.place, table.caption, "blocks");
-    check.expect(false, [&] {
-      return PaperFinding{"base blocks", "they cannot be developed", fault.what()};
-    });
+    check.expect(false, {"base blocks", "they cannot be developed", fault.what()});
     items.push_back(std::move(check).finish());
   }
   items.push_back(check_marks(table));

@@ -35,11 +35,9 @@ PaperItem check_family(const PaperContext& context, std::string_view place,
     const Claim claim{.b = count_of(family.design.b, {{'k', k}}), .tight = tight};
     const std::optional<Design> design = construct(context.registry, construction, p);
     if (!design) {
-      check.expect(false, [&] {
-        return PaperFinding{fmt::format("a circular {}", dccd(p.v, k, claim.b)),
-                            "the construction gives none",
-                            impossibility(p).value_or(lower_bound(p).reason)};
-      });
+      check.expect(
+          false, {fmt::format("a circular {}", dccd(p.v, k, claim.b)),
+                  "the construction gives none", impossibility(p).value_or(lower_bound(p).reason)});
       continue;
     }
     expect_design(check, *design, claim);
@@ -74,10 +72,9 @@ PaperItem check_nonexistence(const PaperContext& context) {
       }
       reasons = std::move(enough);
     }
-    check.expect(impossible || bound.blocks > b, [&] {
-      return PaperFinding{fmt::format("no circular {}", dccd(p.v, k, b)),
-                          fmt::format("the lower bound is only {}", bound.blocks), bound.reason};
-    });
+    check.expect(impossible || bound.blocks > b,
+                 {fmt::format("no circular {}", dccd(p.v, k, b)),
+                  fmt::format("the lower bound is only {}", bound.blocks), bound.reason});
   }
   check.note(fmt::format(
       "for k = 3 there is no room to change two elements; from k = 5 on every bound of these "
@@ -149,11 +146,9 @@ PaperItem check_cyclic_single_change(const Paper& paper) {
       }
       const DifferenceVerdict verdict = verify_differences(base);
       check.expect(
-          verdict.valid() && verdict.tight && verdict.b == count_of(printed.b, values), [&] {
-            return PaperFinding{"a tight circular SCCD",
-                                fmt::format("{} blocks, tight: {}", verdict.b, verdict.tight),
-                                fmt::format("k = {}, c = {}", k, c)};
-          });
+          verdict.valid() && verdict.tight && verdict.b == count_of(printed.b, values),
+          {"a tight circular SCCD", fmt::format("{} blocks, tight: {}", verdict.b, verdict.tight),
+           fmt::format("k = {}, c = {}", k, c)});
     }
   }
   check.note(
@@ -239,11 +234,9 @@ PaperItem check_runs(const PaperContext& context) {
       shorter += element.introductions == 1 && element.blocks == (k + 1) / 2 ? 1U : 0U;
       longer += element.introductions == 1 && element.blocks == (k + 3) / 2 ? 1U : 0U;
     }
-    check.expect(twice == 2 && shorter == k - 2 && longer == k - 2, [&] {
-      return PaperFinding{"2 elements twice, k-2 short runs, k-2 long runs",
-                          fmt::format("{}, {}, {} for k = {}", twice, shorter, longer, k),
-                          "counted"};
-    });
+    check.expect(twice == 2 && shorter == k - 2 && longer == k - 2,
+                 {"2 elements twice, k-2 short runs, k-2 long runs",
+                  fmt::format("{}, {}, {} for k = {}", twice, shorter, longer, k), "counted"});
   }
   return std::move(check).finish();
 }
@@ -266,11 +259,8 @@ PaperItem check_introduced_once(const PaperContext& context) {
     check.expect(
         verdict.tight() && std::all_of(verdict.elements.begin(), verdict.elements.end(),
                                        [](const ElementCount& x) { return x.introductions == 1; }),
-        [&] {
-          return PaperFinding{"every element is introduced once",
-                              fmt::format("not so in the {}", name(design.parameters())),
-                              in_words(verdict)};
-        });
+        {"every element is introduced once",
+         fmt::format("not so in the {}", name(design.parameters())), in_words(verdict)});
   }
   check.note(fmt::format(
       "all {} with k = 4 that begin with {{0,1,2,3}}, and one for each even k <= {}; for "
@@ -283,13 +273,9 @@ PaperItem check_expansion_iff_4(const PaperContext& context) {
   Check check("Proposition 7", claim_at(context.paper, "Proposition 7"), "designs");
   for (std::uint64_t k = 3; k <= context.options.largest_k; ++k) {
     const bool divides = (2 * k - 2) % (k - 2) == 0;
-    check.expect(
-        divides == (k == 3 || k == 4),
-        [&] {
-          return PaperFinding{"k-2 divides v if and only if k = 3 or 4", fmt::format("k = {}", k),
-                              "computed"};
-        },
-        0);
+    check.expect(divides == (k == 3 || k == 4),
+                 {"k-2 divides v if and only if k = 3 or 4", fmt::format("k = {}", k), "computed"},
+                 0);
   }
   for (std::uint64_t k = 4; k <= context.options.largest_k; k += 2) {
     const std::optional<Design> design =
@@ -299,18 +285,12 @@ PaperItem check_expansion_iff_4(const PaperContext& context) {
       return std::move(check).finish();
     }
     const ExpansionSearch search = find_expansion_sets(*design, {.how_many = 1, .limits = {}});
-    check.expect(
-        search.complete || !search.sets.empty(),
-        [&] {
-          return PaperFinding{"decided", fmt::format("k = {} is not", k), search.reason};
-        },
-        0);
-    check.expect(search.sets.empty() == (k != 4), [&] {
-      return PaperFinding{
-          "an expansion set if and only if k = 4",
-          fmt::format("k = {}: {}", k, search.sets.empty() ? "none" : "there is one"),
-          search.reason};
-    });
+    check.expect(search.complete || !search.sets.empty(),
+                 {"decided", fmt::format("k = {} is not", k), search.reason}, 0);
+    check.expect(search.sets.empty() == (k != 4),
+                 {"an expansion set if and only if k = 4",
+                  fmt::format("k = {}: {}", k, search.sets.empty() ? "none" : "there is one"),
+                  search.reason});
   }
   return std::move(check).finish();
 }
@@ -318,19 +298,14 @@ PaperItem check_expansion_iff_4(const PaperContext& context) {
 PaperItem check_unique() {
   Check check("Proposition 7", "the proof: all circular DCCD(6,4,3) are isomorphic", "designs");
   const Enumeration all = enumerate(circular(6, 4), 3, {.keep = 100'000});
-  check.expect(
-      all.complete && all.found > 0,
-      [] {
-        return PaperFinding{"designs to compare", "the enumeration did not end", "by exhaustion"};
-      },
-      0);
+  check.expect(all.complete && all.found > 0,
+               {"designs to compare", "the enumeration did not end", "by exhaustion"}, 0);
   for (const Design& design : all.designs) {
-    check.expect(same_up_to_relabelling(all.designs.front(), design), [&] {
-      return PaperFinding{"isomorphic",
-                          fmt::format("another one: {}, {}, {}", braces(design.block(0)),
-                                      braces(design.block(1)), braces(design.block(2))),
-                          "by exhaustion"};
-    });
+    check.expect(same_up_to_relabelling(all.designs.front(), design),
+                 {"isomorphic",
+                  fmt::format("another one: {}, {}, {}", braces(design.block(0)),
+                              braces(design.block(1)), braces(design.block(2))),
+                  "by exhaustion"});
   }
   check.note(
       fmt::format("{} designs that begin with {{0,1,2,3}}, one up to relabelling", all.found));
@@ -374,10 +349,8 @@ std::vector<PaperItem> check_doubling(const PaperContext& context) {
     items.push_back(check_blocks(table_7, *rebuilt, "expanded from Table 4 with 1-factors of K_4"));
   } else {
     Check check(table_7.place, table_7.caption, "blocks");
-    check.expect(false, [] {
-      return PaperFinding{"Table 4 expanded with the 1-factors of K_4", "that cannot be done",
-                          "the carets mark no expansion set"};
-    });
+    check.expect(false, {"Table 4 expanded with the 1-factors of K_4", "that cannot be done",
+                         "the carets mark no expansion set"});
     items.push_back(std::move(check).finish());
   }
   items.push_back(check_marks(table_7));

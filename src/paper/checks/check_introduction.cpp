@@ -19,16 +19,14 @@ namespace {
 PaperItem check_count_in_abstract(const Paper& paper) {
   Check check("Abstract", "the number of designs that the recursion gives from the cyclic families",
               "counts");
-  check.expect(paper.count_in_abstract == paper.eleven.size(), [&] {
-    return PaperFinding{
-        fmt::format("{} additional minimum DCCDs from members of these infinite families",
-                    paper.count_in_abstract),
-        fmt::format(
-            "{}: that many are listed in Corollary 15, which says {}, and Section 4 says {}",
-            paper.eleven.size(), paper.count_in_corollary, paper.count_in_conclusion),
-        "Theorem 2 applies to a design of Theorem 10 exactly when k-2 divides 2c+1. (The "
-        "DCCD(10,4,9) of Table 7 would make twelve, but it comes from Theorem 3.)"};
-  });
+  check.expect(
+      paper.count_in_abstract == paper.eleven.size(),
+      {fmt::format("{} additional minimum DCCDs from members of these infinite families",
+                   paper.count_in_abstract),
+       fmt::format("{}: that many are listed in Corollary 15, which says {}, and Section 4 says {}",
+                   paper.eleven.size(), paper.count_in_corollary, paper.count_in_conclusion),
+       "Theorem 2 applies to a design of Theorem 10 exactly when k-2 divides 2c+1. (The "
+       "DCCD(10,4,9) of Table 7 would make twelve, but it comes from Theorem 3.)"});
   return std::move(check).finish();
 }
 
@@ -53,14 +51,12 @@ PaperItem check_recursion_formulas(const Paper& paper) {
         const Fraction elements = value_of(printed.v, values);
         const Fraction blocks = value_of(printed.b, values);
         check.expect(
-            elements.count() == v + factors.order && blocks.count() == blocks_before + edges, [&] {
-              return PaperFinding{
-                  fmt::format("{}: v* = {} = {}, b* = {} = {}", printed.place, printed.v,
-                              elements.to_string(), printed.b, blocks.to_string()),
-                  fmt::format("v* = {}, b* = {}", v + factors.order, blocks_before + edges),
-                  fmt::format("v = {}, k = {}, b = {}: K_{} has {} edges", v, k, blocks_before,
-                              factors.order, edges)};
-            });
+            elements.count() == v + factors.order && blocks.count() == blocks_before + edges,
+            {fmt::format("{}: v* = {} = {}, b* = {} = {}", printed.place, printed.v,
+                         elements.to_string(), printed.b, blocks.to_string()),
+             fmt::format("v* = {}, b* = {}", v + factors.order, blocks_before + edges),
+             fmt::format("v = {}, k = {}, b = {}: K_{} has {} edges", v, k, blocks_before,
+                         factors.order, edges)});
       }
     }
   }
@@ -91,24 +87,20 @@ PaperItem check_covered_example(const Paper& paper) {
         return;
       }
       ++found;
-      check.expect(said == covered, [&] {
-        return PaperFinding{
-            fmt::format("{}covered in {}", said ? "" : "not ",
-                        block_name(parsed, static_cast<std::size_t>(steps.index()))),
-            fmt::format("{}covered there", covered ? "" : "not "), braces(steps.block(), design)};
-      });
+      check.expect(
+          said == covered,
+          {fmt::format("{}covered in {}", said ? "" : "not ",
+                       block_name(parsed, static_cast<std::size_t>(steps.index()))),
+           fmt::format("{}covered there", covered ? "" : "not "), braces(steps.block(), design)});
     };
     compare(printed.covered, true);
     compare(printed.not_covered, false);
   }
   const std::size_t named = printed.covered.size() + printed.not_covered.size();
-  check.expect(
-      found == named,
-      [&] {
-        return PaperFinding{fmt::format("{} blocks are named", named),
-                            fmt::format("{} of them are in the table", found), printed.table};
-      },
-      0);
+  check.expect(found == named,
+               {fmt::format("{} blocks are named", named),
+                fmt::format("{} of them are in the table", found), printed.table},
+               0);
   return std::move(check).finish();
 }
 
@@ -158,10 +150,9 @@ PaperItem check_covering(const Paper& paper) {
   }
   // Each component meets 8 others, two a block, so it is in 4 blocks at least.
   const std::uint64_t fewest = ceil_div(v * ceil_div(v - 1, 2), 3);
-  check.expect(covering.size() == fewest, [&] {
-    return PaperFinding{fmt::format("an optimal covering design with {} blocks", covering.size()),
-                        fmt::format("{} blocks are the least", fewest), "[Schonheim1964]"};
-  });
+  check.expect(covering.size() == fewest,
+               {fmt::format("an optimal covering design with {} blocks", covering.size()),
+                fmt::format("{} blocks are the least", fewest), "[Schonheim1964]"});
   check.note(fmt::format("{} blocks are the least: each component is in four, to meet eight others",
                          fewest));
   return std::move(check).finish();
@@ -201,13 +192,9 @@ PaperItem check_costs(const Paper& paper) {
               "figures");
   const std::vector<Block> covering = blocks_in(paper.covering);
   const Enumeration single = enumerate({.v = 9, .k = 3, .change = 1, .kind = Kind::linear}, 18);
-  check.expect(
-      single.found > 0 &&
-          lower_bound({.v = 9, .k = 3, .change = 1, .kind = Kind::linear}).blocks == 18,
-      [&] {
-        return PaperFinding{"a minimum SCCD(9,3,18)", "none was found", "by exhaustion"};
-      },
-      0);
+  check.expect(single.found > 0 &&
+                   lower_bound({.v = 9, .k = 3, .change = 1, .kind = Kind::linear}).blocks == 18,
+               {"a minimum SCCD(9,3,18)", "none was found", "by exhaustion"}, 0);
   const PrintedTable& table = table_at(paper, "Table 1");
   const std::vector<Block> twice = printed_design(table, Kind::linear).blocks();
   if (single.designs.empty()) {
@@ -218,14 +205,12 @@ PaperItem check_costs(const Paper& paper) {
     const auto compare = [&](std::uint64_t dollars, const std::vector<Block>& blocks,
                              const std::string& what) {
       const std::uint64_t cost = blocks.size() * printed.test + changes(blocks) * printed.change;
-      check.expect(cost == dollars, [&] {
-        return PaperFinding{
-            fmt::format("${} for {} at ${} a test and ${} a change", dollars, what, printed.test,
-                        printed.change),
-            fmt::format("${}", cost),
-            fmt::format("{} tests and {} changes, the first block counting as three", blocks.size(),
-                        changes(blocks))};
-      });
+      check.expect(cost == dollars,
+                   {fmt::format("${} for {} at ${} a test and ${} a change", dollars, what,
+                                printed.test, printed.change),
+                    fmt::format("${}", cost),
+                    fmt::format("{} tests and {} changes, the first block counting as three",
+                                blocks.size(), changes(blocks))});
     };
     compare(printed.covering, covering, "the covering design as listed");
     compare(printed.single, once, "a minimum SCCD(9,3,18)");
@@ -235,26 +220,19 @@ PaperItem check_costs(const Paper& paper) {
   // printed figures.
   for (const PrintedCosts& printed : paper.costs) {
     const bool twice_is_best = printed.twice < printed.single && printed.twice < printed.covering;
-    check.expect(
-        twice_is_best == (printed.test > printed.change),
-        [&] {
-          return PaperFinding{
-              "the DCCD costs least at $10 a test and $1 a change, the SCCD at $1 and $5",
-              fmt::format("${} and ${} for the others, ${} for it", printed.covering,
-                          printed.single, printed.twice),
-              fmt::format("${} a test, ${} a change", printed.test, printed.change)};
-        },
-        0);
+    check.expect(twice_is_best == (printed.test > printed.change),
+                 {"the DCCD costs least at $10 a test and $1 a change, the SCCD at $1 and $5",
+                  fmt::format("${} and ${} for the others, ${} for it", printed.covering,
+                              printed.single, printed.twice),
+                  fmt::format("${} a test, ${} a change", printed.test, printed.change)},
+                 0);
   }
-  check.expect(
-      changes(covering) == most_changes(covering),
-      [&] {
-        return PaperFinding{"the order shown is the worst case",
-                            fmt::format("{} changes; another order may have {}", changes(covering),
-                                        most_changes(covering)),
-                            "consecutive blocks are disjoint only within a parallel class"};
-      },
-      0);
+  check.expect(changes(covering) == most_changes(covering),
+               {"the order shown is the worst case",
+                fmt::format("{} changes; another order may have {}", changes(covering),
+                            most_changes(covering)),
+                "consecutive blocks are disjoint only within a parallel class"},
+               0);
   check.note(fmt::format("{}, {} and {} changes; no order of the covering design has more",
                          changes(covering), changes(once), changes(twice)));
   return std::move(check).finish();

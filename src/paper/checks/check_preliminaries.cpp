@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 
-#include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/expansion.hpp"
 #include "changeover/construct/one_factorization.hpp"
 #include "changeover/core/design.hpp"
@@ -23,12 +22,11 @@ PaperItem check_bound_formulas(const Paper& paper) {
       for (const Kind kind : {Kind::linear, Kind::circular}) {
         const Fraction printed = printed_bound(paper, v, k, kind);
         const Fraction counted = counted_bound(v, k, kind);
-        check.expect(printed == counted, [&] {
-          return PaperFinding{fmt::format("g{}({},{}) = {}", kind == Kind::linear ? 1 : 2, v, k,
-                                          printed.to_string()),
-                              counted.to_string(),
-                              "pairs of a first block, and those that a step newly covers"};
-        });
+        check.expect(
+            printed == counted,
+            {fmt::format("g{}({},{}) = {}", kind == Kind::linear ? 1 : 2, v, k,
+                         printed.to_string()),
+             counted.to_string(), "pairs of a first block, and those that a step newly covers"});
       }
     }
   }
@@ -80,11 +78,10 @@ PaperItem check_bound_from_2k_3(const PaperContext& context) {
     for (std::uint64_t v = k + 2; v <= from + beyond; ++v) {
       const Fraction bound = printed_bound(context.paper, v, k, Kind::circular);
       const Fraction without = printed_bound(context.paper, v - 1, k - 1, Kind::circular);
-      check.expect(at_least(without, bound) == (v >= from), [&] {
-        return PaperFinding{
-            fmt::format("g2({},{}) >= g2({},{}) exactly if v >= 2k-3", v - 1, k - 1, v, k),
-            fmt::format("{} and {}", without.to_string(), bound.to_string()), "the formula of g2"};
-      });
+      check.expect(
+          at_least(without, bound) == (v >= from),
+          {fmt::format("g2({},{}) >= g2({},{}) exactly if v >= 2k-3", v - 1, k - 1, v, k),
+           fmt::format("{} and {}", without.to_string(), bound.to_string()), "the formula of g2"});
       if (v >= from) {
         continue;
       }
@@ -94,10 +91,8 @@ PaperItem check_bound_from_2k_3(const PaperContext& context) {
     }
   }
   for (const auto& [v, k] : given_designs(context)) {
-    check.expect(v + 3 >= 2 * k, [&, v = v, k = k] {
-      return PaperFinding{"the designs of the paper have v >= 2k-3",
-                          fmt::format("v = {}, k = {} does not", v, k), "compared"};
-    });
+    check.expect(v + 3 >= 2 * k, {"the designs of the paper have v >= 2k-3",
+                                  fmt::format("v = {}, k = {} does not", v, k), "compared"});
   }
   for (const Design& design : designs_to_try(context.registry, Kind::circular)) {
     if (design.v() + 3 < 2 * design.k()) {
@@ -105,11 +100,9 @@ PaperItem check_bound_from_2k_3(const PaperContext& context) {
     }
     const std::int64_t bound =
         printed_bound(context.paper, design.v(), design.k(), Kind::circular).ceiling();
-    check.expect(static_cast<std::int64_t>(design.block_count()) >= bound, [&] {
-      return PaperFinding{
-          fmt::format("a {} has at least {} blocks", name(design.parameters()), bound),
-          fmt::format("{} has {}", all_blocks(design), design.block_count()), "verified"};
-    });
+    check.expect(static_cast<std::int64_t>(design.block_count()) >= bound,
+                 {fmt::format("a {} has at least {} blocks", name(design.parameters()), bound),
+                  fmt::format("{} has {}", all_blocks(design), design.block_count()), "verified"});
   }
   check.note(
       "the proof: take an element that is in every block out of all blocks. A circular "
@@ -174,13 +167,12 @@ PaperItem check_k3(const Paper& paper) {
   for (std::uint64_t v = 5; v <= 200; ++v) {
     const Fraction g1 = printed_bound(paper, v, 3, Kind::linear);
     const Fraction g2 = printed_bound(paper, v, 3, Kind::circular);
-    check.expect(g1 == g2 && g1 == counted_bound(v, 3, Kind::linear), [&] {
-      return PaperFinding{
-          fmt::format("g1({0},3) = {1} and g2({0},3) = {2}", v, g1.to_string(), g2.to_string()),
-          fmt::format("{} and {}", counted_bound(v, 3, Kind::linear).to_string(),
-                      counted_bound(v, 3, Kind::circular).to_string()),
-          "both formulas as printed, and pairs counted one by one"};
-    });
+    check.expect(
+        g1 == g2 && g1 == counted_bound(v, 3, Kind::linear),
+        {fmt::format("g1({0},3) = {1} and g2({0},3) = {2}", v, g1.to_string(), g2.to_string()),
+         fmt::format("{} and {}", counted_bound(v, 3, Kind::linear).to_string(),
+                     counted_bound(v, 3, Kind::circular).to_string()),
+         "both formulas as printed, and pairs counted one by one"});
   }
   return std::move(check).finish();
 }
@@ -224,10 +216,9 @@ PaperItem check_unchanged_row(const Paper& paper, const PrintedTable& table) {
   };
   const auto compare = [&](const std::vector<std::string>& printed, std::span<const Element> truth,
                            const std::string& what) {
-    check.expect(std::set<std::string>(printed.begin(), printed.end()) == label_set(truth), [&] {
-      return PaperFinding{fmt::format("{} = {}", what, braces(printed)), braces(truth, design),
-                          "intersection of consecutive blocks"};
-    });
+    check.expect(std::set<std::string>(printed.begin(), printed.end()) == label_set(truth),
+                 {fmt::format("{} = {}", what, braces(printed)), braces(truth, design),
+                  "intersection of consecutive blocks"});
   };
   const std::size_t b = between.size();
   for (std::size_t i = 0; i < parsed.unchanged.size(); ++i) {
@@ -243,10 +234,8 @@ PaperItem check_unchanged_row(const Paper& paper, const PrintedTable& table) {
       check.expect(printed.size() == table.parameters.k - 2 && i <= b &&
                        std::all_of(printed.begin(), printed.end(),
                                    [&](const auto& x) { return inside.contains(x); }),
-                   [&] {
-                     return PaperFinding{fmt::format("U_{} = {}", i, braces(printed)),
-                                         "no subset of the block beside it", "linear design"};
-                   });
+                   {fmt::format("U_{} = {}", i, braces(printed)),
+                    "no subset of the block beside it", "linear design"});
     }
   }
   const PrintedUnchangedText& text = paper.unchanged;
@@ -271,21 +260,16 @@ PaperItem check_no_expansion_set(const Paper& paper, const PrintedTable& table) 
   check.expect(
       verdict.never_unchanged.size() == 1 &&
           circular.label(verdict.never_unchanged.front()) == paper.unchanged.missing,
-      [&] {
-        return PaperFinding{
-            fmt::format("{} is in no unchanged subset", paper.unchanged.missing),
-            fmt::format("the elements in none are {}", braces(verdict.never_unchanged, circular)),
-            "counted"};
-      });
+      {fmt::format("{} is in no unchanged subset", paper.unchanged.missing),
+       fmt::format("the elements in none are {}", braces(verdict.never_unchanged, circular)),
+       "counted"});
   const ExpansionSearch none = find_expansion_sets(circular, {.how_many = 1, .limits = {}});
-  check.expect(none.sets.empty() && none.complete, [] {
-    return PaperFinding{"no expansion set", "there is one", "exact cover"};
-  });
+  check.expect(none.sets.empty() && none.complete,
+               {"no expansion set", "there is one", "exact cover"});
   const ExpansionSearch some =
       find_expansion_sets(printed_design(table, Kind::linear), {.how_many = 1, .limits = {}});
-  check.expect(!some.sets.empty(), [] {
-    return PaperFinding{"an expansion set of the linear design", "there is none", "exact cover"};
-  });
+  check.expect(!some.sets.empty(),
+               {"an expansion set of the linear design", "there is none", "exact cover"});
   return std::move(check).finish();
 }
 
@@ -296,11 +280,9 @@ PaperItem check_divisibility(const PaperContext& context) {
     for (const Design& design : designs_to_try(context.registry, kind)) {
       if (design.v() % (design.k() - 2) != 0) {
         const ExpansionSearch search = find_expansion_sets(design, {.how_many = 1, .limits = {}});
-        check.expect(search.sets.empty() && search.complete, [&] {
-          return PaperFinding{"no expansion set",
-                              fmt::format("the {} has one", name(design.parameters())),
-                              "exact cover"};
-        });
+        check.expect(search.sets.empty() && search.complete,
+                     {"no expansion set", fmt::format("the {} has one", name(design.parameters())),
+                      "exact cover"});
       }
     }
   }

@@ -66,24 +66,18 @@ PaperItem check_expanded_single_change(const PaperContext& context) {
         const bool right = small.valid() && larger.valid() &&
                            value_of(printed.v, values).count() == v &&
                            value_of(printed.b, values).count() == larger.b;
-        check.expect(right || told, [&] {
-          return PaperFinding{
-              fmt::format("a SCCD({},{},{}) from a SCCD({},{},{})", v, k,
-                          count_of(printed.b, values), small.parameters.v, k, small.b),
-              fmt::format("{} blocks: {} more", larger.b, larger.b - small.b),
-              "one block more for each of the v/(k-1) members of the expansion set; the paper "
-              "writes b for two numbers"};
-        });
+        check.expect(
+            right || told,
+            {fmt::format("a SCCD({},{},{}) from a SCCD({},{},{})", v, k,
+                         count_of(printed.b, values), small.parameters.v, k, small.b),
+             fmt::format("{} blocks: {} more", larger.b, larger.b - small.b),
+             "one block more for each of the v/(k-1) members of the expansion set; the paper "
+             "writes b for two numbers"});
         told |= !right;
       }
     }
   }
-  check.expect(
-      made > 0,
-      [] {
-        return PaperFinding{"such designs", "none was made", "single-change-expansion"};
-      },
-      0);
+  check.expect(made > 0, {"such designs", "none was made", "single-change-expansion"}, 0);
   check.note(fmt::format("k <= 6, v <= {}, linear and circular; all are valid", largest_v));
   return std::move(check).finish();
 }
@@ -121,16 +115,13 @@ PaperItem check_theorem(const PaperContext& context, const std::vector<WithSet>&
       const Values values{{'v', design.v()}, {'k', design.k()}, {'b', before.b}};
       const std::uint64_t v = count_of(printed.v, values);
       const std::uint64_t b = count_of(printed.b, values);
-      check.expect(
-          larger.v() == v && after.b == b && after.valid() &&
-              after.parameters.kind == before.parameters.kind && before.tight() == after.tight() &&
-              before.economical() == after.economical() && before.excess == after.excess,
-          [&] {
-            return PaperFinding{
-                fmt::format("{} gives a {} {}", name(design.parameters()),
-                            to_string(design.parameters().kind), dccd(v, design.k(), b)),
-                fmt::format("v = {}, {}", larger.v(), in_words(after)), "built and verified"};
-          });
+      check.expect(larger.v() == v && after.b == b && after.valid() &&
+                       after.parameters.kind == before.parameters.kind &&
+                       before.tight() == after.tight() &&
+                       before.economical() == after.economical() && before.excess == after.excess,
+                   {fmt::format("{} gives a {} {}", name(design.parameters()),
+                                to_string(design.parameters().kind), dccd(v, design.k(), b)),
+                    fmt::format("v = {}, {}", larger.v(), in_words(after)), "built and verified"});
       tight += after.tight() ? 1U : 0U;
       economical += after.economical() && !after.tight() ? 1U : 0U;
     }
@@ -146,10 +137,8 @@ PaperItem check_table_3(const Paper& paper, const PrintedTable& table) {
                         "expanded from Table 2 with the colours of Figure 2 in their order");
   }
   Check check(table.place, table.caption, "blocks");
-  check.expect(false, [] {
-    return PaperFinding{"Table 2 expanded with the 1-factors of Figure 2", "that cannot be done",
-                        "the carets mark no expansion set, or the colours are no 1-factorization"};
-  });
+  check.expect(false, {"Table 2 expanded with the 1-factors of Figure 2", "that cannot be done",
+                       "the carets mark no expansion set, or the colours are no 1-factorization"});
   return std::move(check).finish();
 }
 
@@ -184,11 +173,9 @@ PaperItem check_colours(const Paper& paper, const PrintedTable& table) {
                                        });
                   });
         }
-        check.expect(holds, [&] {
-          return PaperFinding{
-              fmt::format("{}: {} in colour {}", block.name, cell.element, cell.colour),
-              "no edge of that colour in this block", "Figure 2"};
-        });
+        check.expect(holds,
+                     {fmt::format("{}: {} in colour {}", block.name, cell.element, cell.colour),
+                      "no edge of that colour in this block", "Figure 2"});
       }
     }
   }
@@ -272,12 +259,8 @@ PaperItem check_introductions(const Paper& paper, const std::vector<WithSet>& de
                                         })
                         ? 1U
                         : 0U;
-    check.expect(
-        before.blocks == after.blocks,
-        [] {
-          return PaperFinding{"the blocks that were there are there", "not all", "compared"};
-        },
-        0);
+    check.expect(before.blocks == after.blocks,
+                 {"the blocks that were there are there", "not all", "compared"}, 0);
   }
   check.note(fmt::format(
       "so in {}; {} of the designs {} linear with a subset at U_0. As many pairs are covered in "
@@ -293,10 +276,9 @@ PaperItem check_never_again(const std::vector<WithSet>& designs) {
       return;
     }
     const ExpansionSearch search = find_expansion_sets(larger, {.how_many = 1, .limits = {}});
-    check.expect(search.sets.empty() && search.complete, [&] {
-      return PaperFinding{"no expansion set",
-                          fmt::format("the {} has one", name(larger.parameters())), "exact cover"};
-    });
+    check.expect(search.sets.empty() && search.complete,
+                 {"no expansion set", fmt::format("the {} has one", name(larger.parameters())),
+                  "exact cover"});
   });
   check.note("by exact cover, v <= 64");
   return std::move(check).finish();
@@ -308,13 +290,11 @@ PaperItem check_removed_at_once(const std::vector<WithSet>& designs) {
               "designs");
   for_each_expanded(designs, [&](const Design& design, const Design& larger) {
     const Verdict verdict = verify(larger);
-    check.expect(std::all_of(verdict.elements.begin() + static_cast<std::ptrdiff_t>(design.v()),
-                             verdict.elements.end(),
-                             [](const ElementCount& x) { return x.introductions == x.blocks; }),
-                 [&] {
-                   return PaperFinding{"removed one block later", "one stays for two blocks",
-                                       name(larger.parameters())};
-                 });
+    check.expect(
+        std::all_of(verdict.elements.begin() + static_cast<std::ptrdiff_t>(design.v()),
+                    verdict.elements.end(),
+                    [](const ElementCount& x) { return x.introductions == x.blocks; }),
+        {"removed one block later", "one stays for two blocks", name(larger.parameters())});
   });
   return std::move(check).finish();
 }
@@ -324,14 +304,12 @@ PaperItem check_new_elements(const Paper& paper, const std::vector<WithSet>& des
               "designs");
   for_each_expanded(designs, [&](const Design& design, const Design& larger) {
     const std::vector<UnchangedSubset> between = unchanged_subsets(larger);
-    check.expect(
-        std::none_of(
-            between.begin(), between.end(),
-            [&](const UnchangedSubset& subset) { return subset.elements.back() >= design.v(); }),
-        [&] {
-          return PaperFinding{"a new element is never in an unchanged subset",
-                              "one is kept from a block to the next", name(larger.parameters())};
-        });
+    check.expect(std::none_of(between.begin(), between.end(),
+                              [&](const UnchangedSubset& subset) {
+                                return subset.elements.back() >= design.v();
+                              }),
+                 {"a new element is never in an unchanged subset",
+                  "one is kept from a block to the next", name(larger.parameters())});
   });
   // By Section 2.2 the ends of a linear design have unchanged subsets too: U_0 and U_b.
   const PrintedTable& table = table_at(paper, "Table 3");

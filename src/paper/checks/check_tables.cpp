@@ -46,9 +46,7 @@ bool is_made_from(const Recipe& recipe, std::string_view construction) {
 // A table whose columns are not k-subsets of its elements.
 PaperItem unreadable(const PrintedTable& table, const BadInput& fault) {
   Check check(table.place, table.caption, "tables");
-  check.expect(false, [&] {
-    return PaperFinding{table.caption, "the columns are no list of blocks", fault.what()};
-  });
+  check.expect(false, {table.caption, "the columns are no list of blocks", fault.what()});
   return std::move(check).finish();
 }
 
@@ -81,11 +79,7 @@ void expect_caption(Check& check, const PrintedTable& table) {
   }
   check.expect(
       table.kinds.empty() ? wrong.size() < kinds.size() : wrong.empty(),
-      [&] {
-        return PaperFinding{table.caption, fmt::format("{}", fmt::join(wrong, "; ")),
-                            "verified block by block"};
-      },
-      0);
+      {table.caption, fmt::format("{}", fmt::join(wrong, "; ")), "verified block by block"}, 0);
 }
 
 // The pairs {0,x} that a highlighted table claims to show: x is highlighted where it is covered.
@@ -99,13 +93,12 @@ void expect_highlights(Check& check, const PrintedTable& table, const ParsedTabl
     for (const PrintedCell& cell : cells) {
       const bool covered = has_zero && cell.element != zero &&
                            (introduced[i].contains(zero) || introduced[i].contains(cell.element));
-      check.expect(cell.highlighted == covered, [&] {
-        return PaperFinding{fmt::format("{}: {} is {}highlighted", block_name(parsed, i),
-                                        cell.element, cell.highlighted ? "" : "not "),
-                            fmt::format("{{{},{}}} is {}covered in this block", zero, cell.element,
-                                        covered ? "" : "not "),
-                            "x is highlighted where {0,x} is covered"};
-      });
+      check.expect(cell.highlighted == covered,
+                   {fmt::format("{}: {} is {}highlighted", block_name(parsed, i), cell.element,
+                                cell.highlighted ? "" : "not "),
+                    fmt::format("{{{},{}}} is {}covered in this block", zero, cell.element,
+                                covered ? "" : "not "),
+                    "x is highlighted where {0,x} is covered"});
     }
   }
 }
@@ -142,16 +135,12 @@ PaperItem check_blocks(const PrintedTable& table, const Design& rebuilt,
         built.insert(rebuilt.labels().empty() ? element_name(table, x) : rebuilt.label(x));
       }
     }
-    check.expect(
-        in_print == built,
-        [&] {
-          return PaperFinding{
-              fmt::format("{} = {}",
-                          i < parsed.blocks.size() ? block_name(parsed, i) : "no further block",
-                          in_braces(in_print)),
-              built.empty() ? "there is no such block" : in_braces(built), how};
-        },
-        table.parameters.k);
+    check.expect(in_print == built,
+                 {fmt::format("{} = {}",
+                              i < parsed.blocks.size() ? block_name(parsed, i) : "no further block",
+                              in_braces(in_print)),
+                  built.empty() ? "there is no such block" : in_braces(built), how},
+                 table.parameters.k);
   }
   return std::move(check).finish();
 } catch (const BadInput& fault) {
@@ -236,14 +225,11 @@ PaperItem check_kind(const PrintedTable& table) try {
     }
     return text.empty() ? std::string("none") : text;
   };
-  check.expect(
-      table.kinds.empty() ? !valid.empty() : table.kinds == valid,
-      [&] {
-        return PaperFinding{fmt::format("called {}", listed(table.kinds)),
-                            fmt::format("as it stands it is {}", listed(valid)),
-                            "what the last block and the first have in common decides it"};
-      },
-      2);
+  check.expect(table.kinds.empty() ? !valid.empty() : table.kinds == valid,
+               {fmt::format("called {}", listed(table.kinds)),
+                fmt::format("as it stands it is {}", listed(valid)),
+                "what the last block and the first have in common decides it"},
+               2);
   check.note(
       table.kinds.empty()
           ? fmt::format("it names none, which by Section 1 leaves it open: the list is {}; the "
@@ -318,12 +304,10 @@ PaperItem check_least(const PaperContext& context, const PrintedTable& table) {
   for (const Kind kind : kinds_of(table)) {
     const Parameters p = table.parameters.as(kind);
     const Bound bound = lower_bound(p);
-    check.expect(table.b == bound.blocks, [&] {
-      return PaperFinding{
-          fmt::format("{} blocks", table.b),
-          fmt::format("the lower bound for a {} one is {}", to_string(kind), bound.blocks),
-          bound.reason};
-    });
+    check.expect(table.b == bound.blocks,
+                 {fmt::format("{} blocks", table.b),
+                  fmt::format("the lower bound for a {} one is {}", to_string(kind), bound.blocks),
+                  bound.reason});
     const std::vector<Offer> offers = context.registry.offers(p);
     const auto ours = std::find_if(offers.begin(), offers.end(), [](const Offer& offer) {
       return !is_made_from(offer.recipe, "printed");

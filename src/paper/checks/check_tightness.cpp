@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "core/checked.hpp"
 #include "paper/checks/checking.hpp"
@@ -77,11 +76,10 @@ PaperItem check_for_all(std::string what, const std::vector<Economical>& designs
   std::size_t with_fixed = 0;
   for (const Economical& found : designs) {
     const bool right = holds(found);
-    check.expect(right || wrong > 0, [&] {
-      return PaperFinding{fmt::format("true of the {} with {} blocks",
-                                      name(found.design.parameters()), found.design.block_count()),
-                          with_its_blocks(found), std::string(reason)};
-    });
+    check.expect(right || wrong > 0,
+                 {fmt::format("true of the {} with {} blocks", name(found.design.parameters()),
+                              found.design.block_count()),
+                  with_its_blocks(found), std::string(reason)});
     if (!right) {
       ++wrong;
       with_fixed += verify(found.design).fixed.size() >= 2 ? 1U : 0U;
@@ -175,13 +173,12 @@ PaperItem check_degrees(const PaperContext& context) {
         const std::uint64_t left = count.introductions * (design.k() - 3) + 2 * count.blocks;
         const std::uint64_t total = design.v() - 1 + excess;
         right &= left == total;
-        check.expect(left == total || told, [&] {
-          return PaperFinding{
-              fmt::format("i_x(k-3) + 2r_x = v - 1 + e_x for x = {} of the {} with {} blocks", x,
-                          name(design.parameters()), verdict.b),
-              fmt::format("{} and {} for {}", left, total, all_blocks(design)),
-              "x is in every block, and so is another element: their pair is never covered"};
-        });
+        check.expect(
+            left == total || told,
+            {fmt::format("i_x(k-3) + 2r_x = v - 1 + e_x for x = {} of the {} with {} blocks", x,
+                         name(design.parameters()), verdict.b),
+             fmt::format("{} and {} for {}", left, total, all_blocks(design)),
+             "x is in every block, and so is another element: their pair is never covered"});
         told |= left != total;
       }
       if (!right) {
@@ -217,15 +214,14 @@ PaperItem check_leaning_proof(const PaperContext& context) {
       // covered in excess.
       const std::uint64_t covered = b * (2 * k - 3);
       const std::uint64_t to_cover = binomial(v, 2) - binomial(fixed, 2);
-      check.expect(covered <= to_cover || gap, [&] {
-        return PaperFinding{
-            "g2(2k-2,k) = k-1 is an integer, so every pair must be covered exactly once",
-            fmt::format(
-                "for k = {} and {} elements in every block, {} pairs are covered in {} blocks and "
-                "only {} need be: nothing said so far keeps others from being covered twice",
-                k, fixed, covered, b, to_cover),
-            "the proof does not exclude two or more elements in every block"};
-      });
+      check.expect(
+          covered <= to_cover || gap,
+          {"g2(2k-2,k) = k-1 is an integer, so every pair must be covered exactly once",
+           fmt::format(
+               "for k = {} and {} elements in every block, {} pairs are covered in {} blocks and "
+               "only {} need be: nothing said so far keeps others from being covered twice",
+               k, fixed, covered, b, to_cover),
+           "the proof does not exclude two or more elements in every block"});
       gap |= covered > to_cover;
       // Without them a design is left in which no element is in every block: there Theorem 1 holds.
       ++cases;

@@ -2,10 +2,11 @@
 // and to build things.
 //
 //     Check check("Table 9", "the base blocks cover every difference", "designs");
-//     check.expect(verdict.tight, [&] { return PaperFinding{"tight", "not tight", "…"}; });
+//     check.expect(verdict.tight, {"tight", "not tight", "verified"});
 //     return std::move(check).finish();         // reproduced, unless a comparison failed
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -29,8 +30,13 @@ class Check {
  public:
   Check(std::string place, std::string what, std::string unit);
 
-  /// Counts one comparison, or `weight` of them; if it does not hold, `finding()` says what does.
-  template <typename Finding>
+  /// Counts one comparison, or `weight` of them; if it does not hold, `finding` says what does.
+  bool expect(bool holds, PaperFinding finding, std::uint64_t weight = 1) {
+    return expect(
+        holds, [&] { return std::move(finding); }, weight);
+  }
+  /// The same with a finding that takes long to make, or that is there only if it does not hold.
+  template <std::invocable Finding>
   bool expect(bool holds, Finding&& finding, std::uint64_t weight = 1) {
     item_.checked += weight;
     if (!holds) {

@@ -127,76 +127,6 @@ class Search {
   Enumeration result_;
 };
 
-// Hamiltonian paths and cycles of the graph whose vertices are pairs, disjoint ones adjacent.
-class PairOrder {
- public:
-  PairOrder(std::uint64_t v, Kind kind, std::uint64_t nodes) : kind_(kind), nodes_(nodes) {
-    for (Element y = 1; y < v; ++y) {
-      for (Element x = 0; x < y; ++x) {
-        pairs_.push_back({x, y});
-      }
-    }
-    free_.assign(pairs_.size(), true);
-  }
-
-  // {0,1} first: a relabelling takes the first pair of any order to it.
-  bool run() {
-    path_.push_back(0);
-    free_[0] = false;
-    return extend();
-  }
-
-  [[nodiscard]] const std::vector<std::size_t>& path() const { return path_; }
-  [[nodiscard]] const std::vector<Block>& pairs() const { return pairs_; }
-  [[nodiscard]] bool complete() const { return steps_ <= nodes_; }
-
- private:
-  [[nodiscard]] bool adjacent(std::size_t i, std::size_t j) const {
-    return pairs_[i][0] != pairs_[j][0] && pairs_[i][0] != pairs_[j][1] &&
-           pairs_[i][1] != pairs_[j][0] && pairs_[i][1] != pairs_[j][1];
-  }
-
-  [[nodiscard]] std::vector<std::size_t> ways_on(std::size_t from) const {
-    std::vector<std::size_t> ways;
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      if (free_[i] && adjacent(from, i)) {
-        ways.push_back(i);
-      }
-    }
-    return ways;
-  }
-
-  bool extend() {
-    if (path_.size() == pairs_.size()) {
-      return kind_ == Kind::linear || adjacent(path_.front(), path_.back());
-    }
-    std::vector<std::pair<std::size_t, std::size_t>> next;
-    for (const std::size_t i : ways_on(path_.back())) {
-      next.emplace_back(ways_on(i).size(), i);
-    }
-    std::sort(next.begin(), next.end());
-    for (const auto& [ways, i] : next) {
-      if (++steps_ > nodes_) {
-        return false;
-      }
-      path_.push_back(i);
-      free_[i] = false;
-      if (extend()) {
-        return true;
-      }
-      free_[i] = true;
-      path_.pop_back();
-    }
-    return false;
-  }
-
-  Kind kind_;
-  std::uint64_t nodes_, steps_ = 0;
-  std::vector<Block> pairs_;
-  std::vector<bool> free_;
-  std::vector<std::size_t> path_;
-};
-
 }  // namespace
 
 Enumeration enumerate(const Parameters& parameters, std::uint64_t b,
@@ -232,23 +162,6 @@ bool same_up_to_relabelling(const Design& a, const Design& b) {
     }
   } while (std::next_permutation(images.begin(), images.end()));
   return false;
-}
-
-std::optional<Design> order_of_pairs(std::uint64_t v, Kind kind, std::uint64_t nodes,
-                                     bool* complete) {
-  PairOrder order(v, kind, nodes);
-  const bool found = order.run();
-  if (complete != nullptr) {
-    *complete = order.complete();
-  }
-  if (!found) {
-    return std::nullopt;
-  }
-  Design design({.v = v, .k = 2, .change = 2, .kind = kind});
-  for (const std::size_t i : order.path()) {
-    design.append(order.pairs()[i]);
-  }
-  return design;
 }
 
 }  // namespace changeover

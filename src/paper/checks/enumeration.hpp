@@ -12,7 +12,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "changeover/core/design.hpp"
@@ -38,11 +37,5 @@ struct Enumeration {
 /// Whether one design becomes the other, block by block and in order, under a relabelling of its
 /// elements. Tries all v! of them: v ≤ 8.
 [[nodiscard]] bool same_up_to_relabelling(const Design& a, const Design& b);
-
-/// The pairs of a v-set in an order in which consecutive ones are disjoint, as a DCCD(v,2,C(v,2)),
-/// found by going to the pair that has fewest ways on; nullopt if none was found within `nodes`
-/// steps. If `complete` is given, it says whether that proves that there is none.
-[[nodiscard]] std::optional<Design> order_of_pairs(std::uint64_t v, Kind kind, std::uint64_t nodes,
-                                                   bool* complete = nullptr);
 
 }  // namespace changeover

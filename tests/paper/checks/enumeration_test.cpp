@@ -4,7 +4,6 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
-#include "core/checked.hpp"
 #include "message_of.hpp"
 
 namespace changeover::enumeration_test {
@@ -62,22 +61,12 @@ TEST(Enumeration, relabelling_keeps_the_order_of_blocks) {
   EXPECT_FALSE(same_up_to_relabelling(a, c));
 }
 
-TEST(OrderOfPairs, exists_but_for_the_circular_one_of_five_elements) {
-  for (std::uint64_t v = 5; v <= 9; ++v) {
-    for (const Kind kind : {Kind::linear, Kind::circular}) {
-      bool complete = false;
-      const auto design = order_of_pairs(v, kind, 1'000'000, &complete);
-      ASSERT_EQ(design.has_value(), v > 5 || kind == Kind::linear) << v;
-      EXPECT_TRUE(complete);
-      if (design) {
-        EXPECT_EQ(design->block_count(), binomial(v, 2));
-        EXPECT_TRUE(verify(*design).tight());
-      }
-    }
-  }
-  bool complete = true;
-  EXPECT_FALSE(order_of_pairs(9, Kind::linear, 3, &complete).has_value());
-  EXPECT_FALSE(complete);
+TEST(Enumeration, finds_no_cycle_in_the_petersen_graph) {
+  const Parameters path{.v = 5, .k = 2, .change = 2, .kind = Kind::linear};
+  EXPECT_EQ(enumerate(path, 10).found, 1U);
+  const Enumeration none = enumerate(path.as(Kind::circular), 10);
+  EXPECT_TRUE(none.complete);
+  EXPECT_EQ(none.found, 0U);
 }
 
 }  // namespace
