@@ -2,8 +2,7 @@
 // recipes, choosing a design to build upon, and blocks as streams.
 //
 //     constexpr Description description{.name = "mcsorley-circular", …};
-//     class McSorleyCircular final : public Family {     // one recipe for each p that is served
-//       McSorleyCircular() : Family(description) {}
+//     class McSorleyCircular final : public Described<Family, description> {
 //       std::optional<Promise> promise(const Parameters& p) const override;
 //       std::unique_ptr<BlockSource> blocks(const Parameters& p) const override;
 //       std::string explanation(const Parameters& p) const override;
@@ -76,6 +75,13 @@ class Entry : public Construction {
 
  private:
   Description description_;
+};
+
+/// An Entry, Family or Rule with this description.
+template <typename Base, const Description& description>
+class Described : public Base {
+ protected:
+  Described() : Base(description) {}
 };
 
 /// The one object of that kind: what an entry hands out.

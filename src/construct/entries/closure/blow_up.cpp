@@ -23,10 +23,8 @@ constexpr Description description{
     .guarantee = "as many blocks as the input",
 };
 
-class BlowUp final : public Rule {
+class BlowUp final : public Described<Rule, description> {
  public:
-  BlowUp() : Rule(description) {}
-
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
     const std::uint64_t s = number(recipe);

@@ -18,10 +18,8 @@ constexpr Description description{
     .place = "src/construct/tools/close_up.hpp",
 };
 
-class CloseUp final : public Entry {
+class CloseUp final : public Described<Entry, description> {
  public:
-  CloseUp() : Entry(description) {}
-
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
     const Element x = deleted(recipe);

@@ -25,10 +25,8 @@ constexpr Description description{
     .place = "src/construct/tools/coarsen.hpp",
 };
 
-class Coarsen final : public Entry {
+class Coarsen final : public Described<Entry, description> {
  public:
-  Coarsen() : Entry(description) {}
-
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
     const std::uint64_t first = first_group(recipe);

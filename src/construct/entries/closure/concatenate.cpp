@@ -28,10 +28,8 @@ constexpr Description description{
     .place = "docs/theorems.md, Theorem 13",
 };
 
-class Concatenate final : public Entry {
+class Concatenate final : public Described<Entry, description> {
  public:
-  Concatenate() : Entry(description) {}
-
   // It asks neither itself nor what asks it.
   bool asks_registry() const override { return true; }
 

@@ -10,7 +10,6 @@
 #include <optional>
 #include <string>
 
-#include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
@@ -35,10 +34,8 @@ struct Given {
   const Recipe* open = nullptr;
 };
 
-class ConcatenateGroups final : public Entry {
+class ConcatenateGroups final : public Described<Entry, description> {
  public:
-  ConcatenateGroups() : Entry(description) {}
-
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
     const Given given = required(recipe);

@@ -83,10 +83,8 @@ constexpr Description description{
     .guarantee = "as many blocks as the circular design",
 };
 
-class Cut final : public Entry {
+class Cut final : public Described<Entry, description> {
  public:
-  Cut() : Entry(description) {}
-
   bool asks_registry() const override { return true; }
 
   std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override {

@@ -66,10 +66,8 @@ constexpr Description description{
     .guarantee = "cn blocks; whether a design: verify",
 };
 
-class Developed final : public Entry {
+class Developed final : public Described<Entry, description> {
  public:
-  Developed() : Entry(description) {}
-
   std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
     const Permutation pi = permutation_of(recipe, *this);
     (void)BlockListSource(recipe.parameters, recipe.blocks);  // checks them

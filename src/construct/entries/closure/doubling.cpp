@@ -37,10 +37,8 @@ constexpr Description description{
     .place = "Theorem 3",
 };
 
-class Doubling final : public Entry {
+class Doubling final : public Described<Entry, description> {
  public:
-  Doubling() : Entry(description) {}
-
   std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override {
     std::optional<Recipe> recipe = recipe_for(*this, p);
     if (!recipe || (!recipe->inputs.empty() && registry.find(single_change) == nullptr)) {

@@ -176,10 +176,8 @@ constexpr Description description{
     .guarantee = "fewer blocks",
 };
 
-class Drop final : public Entry {
+class Drop final : public Described<Entry, description> {
  public:
-  Drop() : Entry(description) {}
-
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
     require_input(recipe, recipe.parameters, {});

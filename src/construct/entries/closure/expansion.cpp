@@ -42,10 +42,8 @@ constexpr Description description{
     .place = "Theorem 2",
 };
 
-class Expansion final : public Entry {
+class Expansion final : public Described<Entry, description> {
  public:
-  Expansion() : Entry(description) {}
-
   bool asks_registry() const override { return true; }
 
   std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override {

@@ -19,10 +19,8 @@ constexpr Description description{
     .guarantee = "as many blocks as the input",
 };
 
-class Fix final : public Rule {
+class Fix final : public Described<Rule, description> {
  public:
-  Fix() : Rule(description) {}
-
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
     (void)number(recipe);

@@ -127,10 +127,8 @@ constexpr Description description{
     .guarantee = "(M/m)(b-1)+1 blocks if it is linear, (M/m)b if it is circular",
 };
 
-class Interpolate final : public Entry {
+class Interpolate final : public Described<Entry, description> {
  public:
-  Interpolate() : Entry(description) {}
-
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
     const Recipe& input = only_input(recipe);

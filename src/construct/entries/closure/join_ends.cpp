@@ -28,10 +28,8 @@ constexpr Description description{
     .guarantee = "s-1 more blocks, if s is the least number of steps from the last to the first",
 };
 
-class JoinEnds final : public Entry {
+class JoinEnds final : public Described<Entry, description> {
  public:
-  JoinEnds() : Entry(description) {}
-
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
     const Parameters& p = recipe.parameters;

@@ -156,10 +156,8 @@ constexpr Description description{
     .place = "docs/theorems.md, Theorem 3",
 };
 
-class PartialExpander final : public Rule {
+class PartialExpander final : public Described<Rule, description> {
  public:
-  PartialExpander() : Rule(description) {}
-
   bool asks_registry() const override { return true; }
 
   std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override {

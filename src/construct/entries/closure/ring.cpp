@@ -27,10 +27,8 @@ constexpr Description description{
     .place = "docs/theorems.md, Theorem 13",
 };
 
-class Ring final : public Entry {
+class Ring final : public Described<Entry, description> {
  public:
-  Ring() : Entry(description) {}
-
   // What it asks for asks neither itself nor this.
   bool asks_registry() const override { return true; }
 

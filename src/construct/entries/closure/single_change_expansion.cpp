@@ -28,10 +28,8 @@ constexpr Description description{
     .cited = "PreeceEtAl1995",
 };
 
-class SingleChangeExpansion final : public Entry {
+class SingleChangeExpansion final : public Described<Entry, description> {
  public:
-  SingleChangeExpansion() : Entry(description) {}
-
   bool asks_registry() const override { return true; }
 
   std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override {

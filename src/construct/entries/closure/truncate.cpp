@@ -152,10 +152,8 @@ constexpr Description description{
     .guarantee = "as many blocks as the larger design",
 };
 
-class Truncate final : public Entry {
+class Truncate final : public Described<Entry, description> {
  public:
-  Truncate() : Entry(description) {}
-
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
     const Element x = deleted(recipe);

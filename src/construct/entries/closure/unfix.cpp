@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
@@ -22,10 +21,8 @@ constexpr Description description{
     .guarantee = "as many blocks",
 };
 
-class Unfix final : public Entry {
+class Unfix final : public Described<Entry, description> {
  public:
-  Unfix() : Entry(description) {}
-
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
     const auto without = [fixed = taken(recipe)](std::span<const Element> from,

@@ -47,11 +47,7 @@ constexpr Description description{
     .guarantee = "a minimum design of tp+1 blocks, by the end-to-end bound",
 };
 
-class AbsentOnce final : public Family {
- public:
-  AbsentOnce() : Family(description) {}
-
- protected:
+class AbsentOnce final : public Described<Family, description> {
   std::optional<Promise> promise(const Parameters& p) const override {
     const auto shape = shape_of(p);
     if (!shape) {

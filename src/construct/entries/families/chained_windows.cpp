@@ -382,11 +382,7 @@ constexpr Description description{
     .place = "docs/theorems.md, Theorem 11",
 };
 
-class ChainedWindows final : public Family {
- public:
-  ChainedWindows() : Family(description) {}
-
- protected:
+class ChainedWindows final : public Described<Family, description> {
   std::optional<Promise> promise(const Parameters& p) const override {
     const auto shape = shape_of(p);
     return shape ? std::optional(Promise{.b = blocks_of(p, *shape)}) : std::nullopt;

@@ -125,11 +125,7 @@ constexpr Description description{
     .place = "docs/theorems.md, Theorem 6",
 };
 
-class ClosedUpWindows final : public Family {
- public:
-  ClosedUpWindows() : Family(description) {}
-
- protected:
+class ClosedUpWindows final : public Described<Family, description> {
   std::optional<Promise> promise(const Parameters& p) const override {
     if (!asks_for_pairs(p, 1) || p.kind != Kind::linear || p.k < 5 || p.v < 3 * p.k ||
         p.v + 5 > 4 * p.k) {

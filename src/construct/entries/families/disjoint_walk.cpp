@@ -158,11 +158,7 @@ constexpr Description description{
     .guarantee = "that it works; b is counted by walking",
 };
 
-class DisjointWalk final : public Family {
- public:
-  DisjointWalk() : Family(description) {}
-
- protected:
+class DisjointWalk final : public Described<Family, description> {
   std::optional<Promise> promise(const Parameters& p) const override {
     constexpr std::uint64_t largest_v = 128;
     if (!asks_for_pairs(p, p.change) || p.change != p.k || p.v < 2 * p.k + 1 || p.v > largest_v) {

@@ -179,11 +179,7 @@ std::optional<std::uint64_t> neighbours(const Parameters& p) {
   return (4 * p.k - 6 - p.v) / 2;
 }
 
-class DoubledClosedUpWindows final : public Family {
- public:
-  DoubledClosedUpWindows() : Family(description) {}
-
- private:
+class DoubledClosedUpWindows final : public Described<Family, description> {
   static std::uint64_t blocks_in(const Parameters& p) { return (3 * p.v - 4 * p.k) / 2 + 1; }
 
   std::optional<Promise> promise(const Parameters& p) const override {

@@ -30,10 +30,8 @@ constexpr Description description{
     .place = "Theorem 8",
 };
 
-class FixedElement final : public Entry {
+class FixedElement final : public Described<Entry, description> {
  public:
-  FixedElement() : Entry(description) {}
-
   std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override {
     const Construction* construction = registry.find(smaller);
     if (!serves(p) || construction == nullptr) {

@@ -325,10 +325,8 @@ constexpr Description description{
     .guarantee = "always there; for m = 1 about 5 to 21 % over the counting bound",
 };
 
-class HoldAndStream final : public Entry {
+class HoldAndStream final : public Described<Entry, description> {
  public:
-  HoldAndStream() : Entry(description) {}
-
   bool asks_registry() const override { return true; }
 
   std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override {

@@ -49,11 +49,7 @@ constexpr Description description{
     .cited = "Lindbloom2011",
 };
 
-class PairsDoubleChange final : public Family {
- public:
-  PairsDoubleChange() : Family(description) {}
-
- protected:
+class PairsDoubleChange final : public Described<Family, description> {
   std::optional<Promise> promise(const Parameters& p) const override {
     if (!asks_for_pairs(p, 2) || p.k != 2 || p.v < 5) {
       return std::nullopt;

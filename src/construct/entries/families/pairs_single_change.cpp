@@ -70,10 +70,8 @@ constexpr Description description{
     .cited = "WallisYucasZhang1993",
 };
 
-class PairsSingleChange final : public Family {
+class PairsSingleChange final : public Described<Family, description> {
  public:
-  PairsSingleChange() : Family(description) {}
-
   std::optional<std::vector<UnchangedSubset>> expansion_set(const Recipe& recipe,
                                                             const Registry&) const override {
     const std::uint64_t v = required(recipe).v;

@@ -106,11 +106,7 @@ constexpr Description description{
     .place = "docs/theorems.md, Theorem 8",
 };
 
-class RelayedWindows final : public Family {
- public:
-  RelayedWindows() : Family(description) {}
-
- protected:
+class RelayedWindows final : public Described<Family, description> {
   std::optional<Promise> promise(const Parameters& p) const override {
     if (!asks_for_pairs(p, 1) || p.kind != Kind::circular || p.v <= 2 * p.k || p.v + 3 > 3 * p.k) {
       return std::nullopt;

@@ -45,10 +45,8 @@ constexpr Description description{
     .place = "Theorem 4",
 };
 
-class ShortLongRuns final : public Family {
+class ShortLongRuns final : public Described<Family, description> {
  public:
-  ShortLongRuns() : Family(description) {}
-
   std::vector<std::string> labels(const Recipe& recipe, const Registry&) const override {
     const std::uint64_t k = required(recipe).k;
     std::vector<std::string> labels;

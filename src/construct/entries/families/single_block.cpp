@@ -18,11 +18,7 @@ constexpr Description description{
     .guarantee = "b = 1, tight",
 };
 
-class SingleBlock final : public Family {
- public:
-  SingleBlock() : Family(description) {}
-
- protected:
+class SingleBlock final : public Described<Family, description> {
   std::optional<Promise> promise(const Parameters& p) const override {
     Parameters pairs = p;
     pairs.strength = 2;  // whatever is asked for meets in that block

@@ -350,10 +350,8 @@ constexpr Description description{
     .guarantee = "a minimum design, by the end-to-end bound",
 };
 
-class SmallV final : public Entry {
+class SmallV final : public Described<Entry, description> {
  public:
-  SmallV() : Entry(description) {}
-
   std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override {
     std::optional<Recipe> recipe = recipe_for(p);
     if (!recipe || !known(*recipe, registry)) {

@@ -232,11 +232,7 @@ constexpr Description description{
     .place = "minimum for v = 0, 1, 3, 5 mod 6; for the other v by us",
 };
 
-class TriplesDoubleChange final : public Family {
- public:
-  TriplesDoubleChange() : Family(description) {}
-
- protected:
+class TriplesDoubleChange final : public Described<Family, description> {
   std::optional<Promise> promise(const Parameters& p) const override {
     if (!asks_for_pairs(p, 2) || p.k != 3 || p.v < 5) {
       return std::nullopt;

@@ -110,11 +110,7 @@ constexpr Description description{
     .place = "docs/theorems.md, Theorem 19",
 };
 
-class TriplesTripleChange final : public Family {
- public:
-  TriplesTripleChange() : Family(description) {}
-
- protected:
+class TriplesTripleChange final : public Described<Family, description> {
   std::optional<Promise> promise(const Parameters& p) const override {
     if (!asks_for_pairs(p, 3) || p.k != 3 || p.v < least_v || p.v > largest_v) {
       return std::nullopt;

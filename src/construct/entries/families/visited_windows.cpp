@@ -223,11 +223,7 @@ constexpr Description description{
     .place = "docs/theorems.md, Theorem 6",
 };
 
-class VisitedWindows final : public Family {
- public:
-  VisitedWindows() : Family(description) {}
-
- protected:
+class VisitedWindows final : public Described<Family, description> {
   std::optional<Promise> promise(const Parameters& p) const override {
     if (!asks_for_pairs(p, 1) || p.k < 3) {
       return std::nullopt;

@@ -36,10 +36,8 @@ bool carries_blocks(const Recipe& recipe) {
   return recipe.construction == "literal" || recipe.construction == "developed";
 }
 
-class Found final : public Entry {
+class Found final : public Described<Entry, description> {
  public:
-  Found() : Entry(description) {}
-
   std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
     const Catalog& catalog = standard_catalog();
     while (const auto known = catalog.fewest(p, true)) {

@@ -22,10 +22,8 @@ constexpr Description description{
     .guarantee = "none: verify the list",
 };
 
-class Literal final : public Entry {
+class Literal final : public Described<Entry, description> {
  public:
-  Literal() : Entry(description) {}
-
   std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
     require_recipe(
         recipe, *this,

@@ -60,10 +60,8 @@ constexpr Description description{
     .place = "Tables 1 and 2",
 };
 
-class PrintedTables final : public Family {
+class PrintedTables final : public Described<Family, description> {
  public:
-  PrintedTables() : Family(description) {}
-
   // The set that the paper marks. Element 6 could be taken at position 4 as well.
   std::optional<std::vector<UnchangedSubset>> expansion_set(const Recipe& recipe,
                                                             const Registry&) const override {

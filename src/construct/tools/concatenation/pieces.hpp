@@ -13,7 +13,6 @@
 // all x of V that are no anchors.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>

@@ -69,11 +69,7 @@ constexpr Description description{
     .place = "docs/theorems.md, Theorem 11",
 };
 
-class ChainedCyclic final : public Family {
- public:
-  ChainedCyclic() : Family(description) {}
-
- private:
+class ChainedCyclic final : public Described<Family, description> {
   std::optional<Promise> promise(const Parameters& p) const override {
     if (!asks_for_pairs(p, 1) || p.kind != Kind::linear || p.k < 4 || p.v + 3 != 4 * p.k) {
       return std::nullopt;

@@ -25,10 +25,8 @@ constexpr Description description{
     .place = "Proposition 16",
 };
 
-class Cyclic61x4 final : public Family {
+class Cyclic61x4 final : public Described<Family, description> {
  public:
-  Cyclic61x4() : Family(description) {}
-
   std::optional<BaseBlocks> base_blocks(const Recipe& recipe) const override {
     (void)required(recipe);
     return base();

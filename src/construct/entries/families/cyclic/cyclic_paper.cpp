@@ -77,10 +77,8 @@ constexpr Description description{
     .place = "Theorem 10",
 };
 
-class CyclicPaper final : public Family {
+class CyclicPaper final : public Described<Family, description> {
  public:
-  CyclicPaper() : Family(description) {}
-
   // Block number jc+i+1 is B_i + j. At position p = jc+i, 1 ≤ i ≤ c−1, B_{i−1}+j and B_i+j meet in
   // A+j; at p = jc, j ≥ 1, B_{c−1}+(j−1) and B_0+j meet in A+j, and for j = v, the end, A+v = A.
   // Hence U_p = A + ⌊p/c⌋ for all p. With n = k−2 and v = ℓn, the intervals A+n, A+2n, …, A+ℓn

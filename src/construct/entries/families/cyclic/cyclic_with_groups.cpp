@@ -186,11 +186,7 @@ class WithGroupsSource final : public BlockByBlock<WithGroupsSource> {
   std::size_t next_pair_ = 0;
 };
 
-class CyclicWithGroups final : public Family {
- public:
-  CyclicWithGroups() : Family(description) {}
-
- private:
+class CyclicWithGroups final : public Described<Family, description> {
   std::optional<Promise> promise(const Parameters& p) const override {
     const auto s = shape(p);
     return s ? std::optional(Promise{.b = blocks_in(p, *s)}) : std::nullopt;

@@ -28,10 +28,8 @@ constexpr Description description{
     .cited = "McSorley1999",
 };
 
-class McSorleyCircular final : public Family {
+class McSorleyCircular final : public Described<Family, description> {
  public:
-  McSorleyCircular() : Family(description) {}
-
   std::optional<BaseBlocks> base_blocks(const Recipe& recipe) const override {
     return base(required(recipe));
   }

@@ -115,10 +115,8 @@ class RelayedSource final : public BlockByBlock<RelayedSource> {
   bool again_ = false;
 };
 
-class RelayedCyclic final : public Entry {
+class RelayedCyclic final : public Described<Entry, description> {
  public:
-  RelayedCyclic() : Entry(description) {}
-
   std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override {
     std::optional<Offer> best;
     if (!asks_for_pairs(p, p.change) || p.kind != Kind::circular) {

@@ -153,11 +153,7 @@ constexpr Description description{
     .place = "docs/theorems.md, Theorem 22",
 };
 
-class TwoPlaces final : public Family {
- public:
-  TwoPlaces() : Family(description) {}
-
- protected:
+class TwoPlaces final : public Described<Family, description> {
   std::optional<Promise> promise(const Parameters& p) const override {
     if (!asks_for_pairs(p, 1) || p.kind != Kind::circular || p.k < 4 || p.v + 2 < 3 * p.k ||
         3 * p.v + 5 > 10 * p.k) {
