@@ -391,11 +391,11 @@ std::string json_of(const DiagnosisDocument& document) {
   JsonWriter json;
   json.begin_object().key("format").value("changeover-diagnosis/1");
   json.key("passed").value(found.passed).key("failed").value(found.failed);
-  json.key("unread").value(found.unread).key("first_unread").begin_array();
-  for (const UnreadResult& each : found.first_unread) {
-    json.begin_object().key("place").value(each.place).key("result").value(each.text).end_object();
-  }
-  json.end_array().key("notes").value(found.notes).key("faults");
+  json.key("unread").value(found.unread);
+  json.objects("first_unread", found.first_unread, [&](const UnreadResult& each) {
+    json.key("place").value(each.place).key("result").value(each.text);
+  });
+  json.key("notes").value(found.notes).key("faults");
   write(json, job, found.faults);
   json.key("suspects");
   write(json, job, found.suspects);
@@ -405,13 +405,12 @@ std::string json_of(const DiagnosisDocument& document) {
   write(json, job, found.explanations);
   json.key("looked_at");
   found.looked_at ? json.value(names_of(job, *found.looked_at)) : json.null();
-  json.key("contradictions").begin_array();
-  for (const auto& [failed, passed] : found.contradictions) {
-    json.begin_object().key("failed").value(names_of(job, failed)).key("passed");
+  json.objects("contradictions", found.contradictions, [&](const auto& each) {
+    const auto& [failed, passed] = each;
+    json.key("failed").value(names_of(job, failed)).key("passed");
     passed.empty() ? json.null() : json.value(names_of(job, passed));
-    json.end_object();
-  }
-  json.end_array().key("next");
+  });
+  json.key("next");
   write_next(json, job, found);
   json.key("least_tests").value(found.least_tests).end_object();
   return json.take() + "\n";

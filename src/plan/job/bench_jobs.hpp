@@ -1,7 +1,6 @@
 // Derives the job of a bench.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "changeover/plan/benches.hpp"

@@ -17,6 +17,11 @@ inline constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>:
   return n < 2 ? 0 : n * (n - 1) / 2;
 }
 
+/// C(n, 3), for n below 2²¹.
+[[nodiscard]] inline std::uint64_t choose_three(std::uint64_t n) {
+  return n < 3 ? 0 : n * (n - 1) * (n - 2) / 6;
+}
+
 /// Sorts three elements.
 inline void sort_three(Element& x, Element& y, Element& z) {
   if (x > y) {

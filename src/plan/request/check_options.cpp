@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
 #include "io/request/search_options.hpp"
 #include "plan/request/question.hpp"

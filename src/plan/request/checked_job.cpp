@@ -11,7 +11,6 @@
 #include "changeover/plan/model.hpp"
 #include "core/words.hpp"
 #include "io/request/request_document.hpp"
-#include "io/scan/place.hpp"
 #include "plan/job/bench_jobs.hpp"
 #include "plan/request/asked_benches.hpp"
 #include "plan/request/done_tests.hpp"

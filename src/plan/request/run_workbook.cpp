@@ -7,7 +7,6 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
-#include "core/printable.hpp"
 #include "io/request/request_document.hpp"
 #include "io/scan/peeked_input.hpp"
 #include "io/scan/row_reader.hpp"

@@ -1,7 +1,6 @@
 // Writes the lists of a request as rows, so that it needs no files.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "changeover/plan/job_request.hpp"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 
 #include "changeover/plan/run_plan.hpp"
 #include "plan/search/starts/starts.hpp"

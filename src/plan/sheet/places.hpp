@@ -12,7 +12,6 @@
 // one is always free.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,14 +1,16 @@
-// Writes places of parts as JSON.
+// What run sheets for one bench and for several share as JSON.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include "io/write/json_writer.hpp"
 #include "plan/sheet/clock.hpp"
 #include "plan/sheet/places.hpp"
+#include "plan/sheet/sheet_words.hpp"
 
 namespace changeover {
 
@@ -26,23 +28,18 @@ class PlacesInJson {
   }
 
   void write_all(JsonWriter& json) const {
-    json.key("places").begin_array();
-    for (const std::size_t i : order_) {
+    json.objects("places", order_, [&](std::size_t i) {
       const MountedPlace& place = placed_.places[i];
-      json.begin_object().key("number").value(place.number).key("slot");
+      json.key("number").value(place.number).key("slot");
       place.slot == no_slot ? json.null() : json.value(job_->slots[place.slot].name);
-      json.end_object();
-    }
-    json.end_array();
+    });
   }
 
   void write(JsonWriter& json, std::size_t sheet, std::size_t step) const {
-    json.key("places").begin_array();
-    for (const std::size_t i : order_) {
+    json.list("places", order_, [&](std::size_t i) {
       const auto& part = placed_.sheets[sheet].steps[step][i];
       part ? json.value(job_->names[*part]) : json.null();
-    }
-    json.end_array();
+    });
   }
 
  private:
@@ -50,6 +47,35 @@ class PlacesInJson {
   PlacedSheets placed_;
   std::vector<std::size_t> order_;
 };
+
+/// What the pairs that were needed and tested weigh; null if all weigh the same.
+inline void write_weight(JsonWriter& json, const Job& job, Amount needed, Amount tested,
+                         const std::optional<Amount>& most) {
+  json.key("weight");
+  if (job.weights.empty()) {
+    json.null();
+    return;
+  }
+  json.begin_object().key("needed").raw(to_string(needed)).key("tested").raw(to_string(tested));
+  json.key("most");
+  most ? json.raw(to_string(*most)) : json.null();
+  json.end_object();
+}
+
+inline void write_changes(JsonWriter& json, const Job& job, const RunStep& step) {
+  json.key("take_out").value(names_of(job, step.take_out));
+  json.key("put_in").value(names_of(job, step.put_in));
+  json.key("set_up").value(names_of(job, step.setup));
+}
+
+/// If costs depend on what is replaced.
+inline void write_replaced(JsonWriter& json, const Job& job, const RunStep& step) {
+  if (job.replaces()) {
+    json.list("replaced", step.replaced, [&](const auto& pair) {
+      json.value(names_of(job, {pair.first, pair.second}));
+    });
+  }
+}
 
 inline void write_unit(JsonWriter& json, const Job& job) {
   json.key("cost_unit");

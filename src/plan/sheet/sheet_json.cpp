@@ -5,7 +5,6 @@
 
 #include "changeover/plan/job.hpp"
 #include "io/write/json_writer.hpp"
-#include "plan/sheet/clock.hpp"
 #include "plan/sheet/places_json.hpp"
 #include "plan/sheet/sheet_document.hpp"
 #include "plan/sheet/sheet_words.hpp"
@@ -25,18 +24,14 @@ void write_candidate(JsonWriter& json, const Money& money, const Candidate& cand
 
 // The parameters of a model, and the part of each value.
 void write_parameters(JsonWriter& json, const Job& job) {
-  json.key("parameters").begin_array();
-  for (const ModelParameter& parameter : job.model->parameters) {
-    json.begin_object().key("name").value(parameter.name).key("values").begin_array();
-    for (std::size_t i = 0; i < parameter.values.size(); ++i) {
-      const ModelValue& value = parameter.values[i];
-      json.begin_object().key("value").value(value.label);
-      json.key("part").value(job.names[parameter.first + i]);
-      json.key("names").value(value.names).key("out_of_range").value(value.negative).end_object();
-    }
-    json.end_array().end_object();
-  }
-  json.end_array();
+  json.objects("parameters", job.model->parameters, [&](const ModelParameter& parameter) {
+    Element part = parameter.first;
+    json.key("name").value(parameter.name);
+    json.objects("values", parameter.values, [&](const ModelValue& value) {
+      json.key("value").value(value.label).key("part").value(job.names[part++]);
+      json.key("names").value(value.names).key("out_of_range").value(value.negative);
+    });
+  });
 }
 
 void write_ratio(JsonWriter& json, const std::optional<Ratio>& ratio) {
@@ -63,13 +58,11 @@ std::string json_of(const SheetDocument& document) {
     }
     json.end_object();
   }
-  json.end_array().key("at_once").value(job.at_once).key("slots").begin_array();
-  for (const Slot& slot : job.slots) {
-    json.begin_object().key("name").value(slot.name).key("least").value(slot.least).key("most");
-    slot.most < job.at_once ? json.value(slot.most) : json.value(job.at_once);
-    json.end_object();
-  }
-  json.end_array();
+  json.end_array().key("at_once").value(job.at_once);
+  json.objects("slots", job.slots, [&](const Slot& slot) {
+    json.key("name").value(slot.name).key("least").value(slot.least);
+    json.key("most").value(std::min(slot.most, job.at_once));
+  });
   json.key("test_cost").raw(money(job.test_cost));
   if (job.replaces()) {
     json.key("replace_costs").begin_array();
@@ -85,11 +78,8 @@ std::string json_of(const SheetDocument& document) {
   }
   json.key("mounted").value(names_of(job, job.mounted));
   json.key("start").value(names_of(job, job.start));
-  json.key("first").begin_array();
-  for (const Block& setup : job.first) {
-    json.value(names_of(job, setup));
-  }
-  json.end_array().key("tests_done").value(job.tests_done);
+  json.list("first", job.first, [&](const Block& setup) { json.value(names_of(job, setup)); });
+  json.key("tests_done").value(job.tests_done);
   json.key("met_only_in_failed").value(job.met_only_in_failed);
   json.key("trust_failed").value(job.trust_failed);
   json.key("tests").value(sheet.steps.size()).key("changes").value(sheet.changes);
@@ -101,15 +91,8 @@ std::string json_of(const SheetDocument& document) {
   json.key("reason").value(plan.bound.reason).end_object().key("budget");
   document.budget ? json.raw(money(*document.budget)) : json.null();
   json.key("triples_needed").value(sheet.triples_needed);
-  json.key("triples_tested").value(sheet.triples_tested).key("weight");
-  if (job.weights.empty()) {
-    json.null();
-  } else {
-    json.begin_object().key("needed").raw(to_string(sheet.weight_needed));
-    json.key("tested").raw(to_string(sheet.weight_tested)).key("most");
-    plan.most_weight ? json.raw(to_string(*plan.most_weight)) : json.null();
-    json.end_object();
-  }
+  json.key("triples_tested").value(sheet.triples_tested);
+  write_weight(json, job, sheet.weight_needed, sheet.weight_tested, plan.most_weight);
   write_unit(json, job);
   const PlacesInJson places(job, {&sheet});
   places.write_all(json);
@@ -133,38 +116,28 @@ std::string json_of(const SheetDocument& document) {
       }
       json.end_object();
     }
-    json.key("take_out").value(names_of(job, step.take_out));
-    json.key("put_in").value(names_of(job, step.put_in));
-    json.key("set_up").value(names_of(job, step.setup));
+    write_changes(json, job, step);
     places.write(json, 0, static_cast<std::size_t>(number - job.tests_done - 1));
-    json.key("new_pairs").begin_array();
-    for (const auto& [x, y] : step.new_pairs) {
-      json.value(names_of(job, {x, y}));
-    }
+    json.list("new_pairs", step.new_pairs, [&](const auto& pair) {
+      json.value(names_of(job, {pair.first, pair.second}));
+    });
     if (!job.triples.empty()) {
-      json.end_array().key("new_triples").begin_array();
-      for (const Triple& t : step.new_triples) {
+      json.list("new_triples", step.new_triples, [&](const Triple& t) {
         json.value(names_of(job, {t.begin(), t.end()}));
-      }
+      });
     }
-    if (job.replaces()) {
-      json.end_array().key("replaced").begin_array();
-      for (const auto& [out, in] : step.replaced) {
-        json.value(names_of(job, {out, in}));
-      }
-    }
-    json.end_array().key("cost").raw(money(step.cost));
+    write_replaced(json, job, step);
+    json.key("cost").raw(money(step.cost));
     json.key("cost_so_far").raw(money(step.cost_so_far));
     if (!job.weights.empty()) {
       json.key("weight_so_far").raw(to_string(step.weight_so_far));
     }
     json.end_object();
   }
-  json.end_array().key("candidates").begin_array();
-  for (const Candidate& candidate : plan.candidates) {
+  json.end_array().list("candidates", plan.candidates, [&](const Candidate& candidate) {
     write_candidate(json, money, candidate);
-  }
-  json.end_array().key("notes").value(document.notes).end_object();
+  });
+  json.key("notes").value(document.notes).end_object();
   return json.take() + "\n";
 }
 
@@ -176,17 +149,15 @@ std::string json_of(const Job& job, const WhatIf& answer) {
                                         : "ratio of change cost to test cost");
   json.key("asked");
   write_ratio(json, answer.asked);
-  json.key("ranges").begin_array();
-  for (const WhatIf::Range& range : answer.ranges) {
-    json.begin_object().key("from");
+  json.objects("ranges", answer.ranges, [&](const WhatIf::Range& range) {
+    json.key("from");
     write_ratio(json, range.from);
     json.key("to");
     write_ratio(json, range.to);
     json.key("plan");
     write_candidate(json, money, range.plan);
-    json.end_object();
-  }
-  json.end_array().key("met_only_in_failed").value(job.met_only_in_failed);
+  });
+  json.key("met_only_in_failed").value(job.met_only_in_failed);
   json.key("trust_failed").value(job.trust_failed).key("notes").value(answer.notes).end_object();
   return json.take() + "\n";
 }

@@ -1,7 +1,6 @@
 // Cuts one list into pieces for several benches.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "changeover/plan/run_plan.hpp"

@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "changeover/bounds/lower_bound.hpp"
 #include "changeover/run/control.hpp"
 #include "core/words.hpp"
 #include "plan/job/check_in_full.hpp"

@@ -130,21 +130,13 @@ JobNumbers numbers_of(const Job& job) {
 }
 
 std::uint64_t most_pairs(const JobNumbers& n, std::uint64_t tests, std::uint64_t introductions) {
-  const auto p = [&](std::uint64_t j) { return choose_two(j) + j * (n.room - j); };
-  std::uint64_t most = 0;
-  for (std::uint64_t j = 0; j <= std::min(n.room, introductions); ++j) {
-    const std::uint64_t kept = std::min(n.start, n.room - j);
-    std::uint64_t pairs = choose_two(j) + j * kept + std::min(choose_two(kept), n.start_pairs);
-    if (tests > 1) {
-      const std::uint64_t rest = std::min(introductions - j, n.room * (tests - 1));
-      const std::uint64_t each = rest / (tests - 1);
-      const std::uint64_t more = rest % (tests - 1);
-      pairs +=
-          more == 0 ? (tests - 1) * p(each) : more * p(each + 1) + (tests - 1 - more) * p(each);
-    }
-    most = std::max(most, pairs);
-  }
-  return most;
+  return most_by_steps(
+      n.room, tests, introductions,
+      [&](std::uint64_t j) {
+        const std::uint64_t kept = std::min(n.start, n.room - j);
+        return choose_two(j) + j * kept + std::min(choose_two(kept), n.start_pairs);
+      },
+      [&](std::uint64_t j) { return choose_two(j) + j * (n.room - j); });
 }
 
 std::uint64_t unit_of_costs(const Job& job) {

@@ -1,6 +1,7 @@
 // The numbers of a job that its cost bound needs, named as in docs/theorems.md, Theorem 23.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -27,6 +28,27 @@ struct JobNumbers {
 
 /// Linear in the needed pairs, and quadratic in the parts for slots and forbidden pairs.
 [[nodiscard]] JobNumbers numbers_of(const Job& job);
+
+/// The most that `tests` steps with `introductions` introductions bring together: a first step with
+/// j of them brings first(j), any other brought(j), which is concave, so those after the first are as
+/// equal as possible.
+template <typename First, typename Brought>
+[[nodiscard]] std::uint64_t most_by_steps(std::uint64_t room, std::uint64_t tests,
+                                          std::uint64_t introductions, First&& first,
+                                          Brought&& brought) {
+  std::uint64_t most = 0;
+  for (std::uint64_t j = 0; j <= std::min(room, introductions); ++j) {
+    std::uint64_t sum = first(j);
+    if (tests > 1) {
+      const std::uint64_t rest = std::min(introductions - j, room * (tests - 1));
+      const std::uint64_t each = rest / (tests - 1);
+      const std::uint64_t more = rest % (tests - 1);
+      sum += (tests - 1 - more) * brought(each) + (more == 0 ? 0 : more * brought(each + 1));
+    }
+    most = std::max(most, sum);
+  }
+  return most;
+}
 
 /// (1): the most pairs that `tests` steps with `introductions` introductions cover.
 [[nodiscard]] std::uint64_t most_pairs(const JobNumbers& n, std::uint64_t tests,

@@ -17,8 +17,6 @@
 namespace changeover {
 namespace {
 
-std::uint64_t choose_three(std::uint64_t n) { return n < 3 ? 0 : n * (n - 1) * (n - 2) / 6; }
-
 // The numbers of the proof in the header.
 struct TripleNumbers {
   std::uint64_t room = 0;
@@ -74,21 +72,10 @@ struct TripleNumbers {
 
 std::uint64_t most_triples(const TripleNumbers& n, std::uint64_t tests,
                            std::uint64_t introductions) {
-  const auto brought = [&](std::uint64_t j) {
-    return choose_three(n.room) - choose_three(n.room - j);
-  };
-  std::uint64_t most = 0;
-  for (std::uint64_t j = 0; j <= std::min(n.room, introductions); ++j) {
-    std::uint64_t covered = choose_three(j + std::min(n.start, n.room - j));
-    if (tests > 1) {
-      const std::uint64_t rest = std::min(introductions - j, n.room * (tests - 1));
-      const std::uint64_t each = rest / (tests - 1);
-      const std::uint64_t more = rest % (tests - 1);
-      covered += (tests - 1 - more) * brought(each) + (more == 0 ? 0 : more * brought(each + 1));
-    }
-    most = std::max(most, covered);
-  }
-  return most;
+  return most_by_steps(
+      n.room, tests, introductions,
+      [&](std::uint64_t j) { return choose_three(j + std::min(n.start, n.room - j)); },
+      [&](std::uint64_t j) { return choose_three(n.room) - choose_three(n.room - j); });
 }
 
 // (2)

@@ -3,6 +3,7 @@
 
 #include "changeover/run/control.hpp"
 #include "plan/job/pair_numbers.hpp"
+#include "plan/search/bounds/job_numbers.hpp"
 #include "plan/search/weighted.hpp"
 
 namespace changeover {
@@ -67,25 +68,6 @@ std::uint64_t most_one_by_one(std::uint64_t room, std::uint64_t at_start,
   return pairs + (introductions - few) * (room - 1);
 }
 
-// The most pairs with these numbers of tests and introductions.
-std::uint64_t most_pairs(std::uint64_t room, std::uint64_t at_start, std::uint64_t tests,
-                         std::uint64_t introductions) {
-  const auto brought = [&](std::uint64_t j) { return choose_two(j) + j * (room - j); };
-  std::uint64_t most = 0;
-  for (std::uint64_t j = 0; j <= std::min(room, introductions); ++j) {
-    const std::uint64_t kept = std::min(at_start, room - j);
-    std::uint64_t pairs = choose_two(j) + j * kept + choose_two(kept);
-    if (tests > 1) {
-      const std::uint64_t rest = std::min(introductions - j, room * (tests - 1));
-      const std::uint64_t each = rest / (tests - 1);
-      const std::uint64_t more = rest % (tests - 1);
-      pairs += (tests - 1 - more) * brought(each) + (more == 0 ? 0 : more * brought(each + 1));
-    }
-    most = std::max(most, pairs);
-  }
-  return most;
-}
-
 std::vector<bool> mounted_parts(const Job& job) {
   std::vector<bool> mounted(job.names.size(), false);
   for (const Element m : job.mounted) {
@@ -116,17 +98,20 @@ std::uint64_t most_pairs_within(const Job& job, Amount budget) {
     money -= price;
   }
   const Introductions affordable(job, mounted);
-  const std::uint64_t room = job.room() - job.mounted.size();
+  JobNumbers n;
+  n.room = job.room() - job.mounted.size();
+  n.start = at_start;
+  n.start_pairs = all_of_them;
   const std::uint64_t test = job.test_cost.millionths;
   std::uint64_t most = 0;
   for (std::uint64_t t = 1; t <= pairs && (test == 0 || t <= money / test); ++t) {
     stop_if_asked();
-    const std::uint64_t introductions = affordable(money - t * test, room * t);
+    const std::uint64_t introductions = affordable(money - t * test, n.room * t);
     if (t > introductions + 1) {
       break;  // some step would introduce nothing
     }
-    most = std::max(most, std::min(most_pairs(room, at_start, t, introductions),
-                                   most_one_by_one(room, at_start, introductions)));
+    most = std::max(most, std::min(most_pairs(n, t, introductions),
+                                   most_one_by_one(n.room, at_start, introductions)));
     if (most >= pairs) {
       return pairs;
     }

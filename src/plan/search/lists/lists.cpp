@@ -10,12 +10,6 @@
 #include "plan/search/lists/assignment.hpp"
 
 namespace changeover {
-namespace {
-
-std::size_t choose_three(std::size_t n) { return n < 3 ? 0 : n * (n - 1) * (n - 2) / 6; }
-
-}  // namespace
-
 Weights weights_of(const Job& job, std::uint64_t tests) {
   Weights weights = Weights::of(at_prices(job, Price::dearest), tests);
   for (std::size_t x = 0; x < job.names.size(); ++x) {

@@ -2,7 +2,6 @@
 
 #include "changeover/run/control.hpp"
 #include "changeover/search/local_search.hpp"
-#include "plan/search/anneal/anneal.hpp"
 #include "plan/search/listener.hpp"
 #include "plan/search/starts/starts.hpp"
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "changeover/plan/run_plan.hpp"
+
 #include "plan/search/anneal/sequence.hpp"
 
 namespace changeover {

@@ -30,18 +30,10 @@ void write_bench_steps(JsonWriter& json, const BenchDocument& document, std::siz
   for (std::size_t i = 0; i < plan.sheets[bench].steps.size(); ++i) {
     const RunStep& step = plan.sheets[bench].steps[i];
     json.begin_object().key("step").value(++number);
-    json.key("take_out").value(names_of(job, step.take_out));
-    json.key("put_in").value(names_of(job, step.put_in));
-    json.key("set_up").value(names_of(job, step.setup));
+    write_changes(json, job, step);
     places.write(json, bench, i);
     json.key("new_" + what_meets(job)).value(new_here(job, step));
-    if (job.replaces()) {
-      json.key("replaced").begin_array();
-      for (const auto& [out, in] : step.replaced) {
-        json.value(names_of(job, {out, in}));
-      }
-      json.end_array();
-    }
+    write_replaced(json, job, step);
     json.key("cost").raw(money(step.cost));
     json.key("cost_so_far").raw(money(step.cost_so_far));
     write_times(json, plan.times[bench][i], calendar, money);
@@ -108,15 +100,8 @@ std::string json_of(const BenchDocument& document) {
   document.budget ? json.raw(money(*document.budget)) : json.null();
   json.key("tests_done").value(tests_done_of(document));
   json.key("met_only_in_failed").value(job.met_only_in_failed);
-  json.key("trust_failed").value(job.trust_failed).key("weight");
-  if (job.weights.empty()) {
-    json.null();
-  } else {
-    json.begin_object().key("needed").raw(to_string(plan.weight_needed));
-    json.key("tested").raw(to_string(plan.weight_tested)).key("most");
-    plan.most_weight ? json.raw(to_string(*plan.most_weight)) : json.null();
-    json.end_object();
-  }
+  json.key("trust_failed").value(job.trust_failed);
+  write_weight(json, job, plan.weight_needed, plan.weight_tested, plan.most_weight);
   json.key("stock").begin_array();
   for (Element x = 0; x < job.quantities.size(); ++x) {
     if (job.quantities[x] != enough_for_all) {
@@ -143,15 +128,13 @@ std::string json_of(const BenchDocument& document) {
   for (std::size_t bench = 0; bench < plan.sheets.size(); ++bench) {
     write_bench(json, document, bench, money, calendar, places);
   }
-  json.end_array().key("candidates").begin_array();
-  for (const BenchCandidate& c : plan.candidates) {
-    json.begin_object().key("name").value(c.name).key("how").value(c.how);
+  json.end_array().objects("candidates", plan.candidates, [&](const BenchCandidate& c) {
+    json.key("name").value(c.name).key("how").value(c.how);
     json.key("tests").value(c.tests).key("changes").value(c.changes);
     json.key("cost").raw(money(c.cost)).key("makespan").raw(money(c.makespan));
-    json.key("pairs_tested").value(c.pairs_tested);
-    json.key("triples_tested").value(c.triples_tested).end_object();
-  }
-  json.end_array().key("notes").value(document.notes).end_object();
+    json.key("pairs_tested").value(c.pairs_tested).key("triples_tested").value(c.triples_tested);
+  });
+  json.key("notes").value(document.notes).end_object();
   return json.take() + "\n";
 }
 
