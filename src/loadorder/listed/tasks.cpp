@@ -1,13 +1,11 @@
 #include "loadorder/listed/tasks.hpp"
 
 #include <algorithm>
-#include <string>
 #include <unordered_map>
 #include <utility>
 
 #include "changeover/run/control.hpp"
 #include "loadorder/listed/quick_moves.hpp"
-#include "loadorder/pairs/starts.hpp"
 
 namespace changeover {
 namespace {

@@ -2,7 +2,6 @@
 // separators of a list of pairs.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 
 #include "changeover/io/input.hpp"

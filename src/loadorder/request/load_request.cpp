@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "core/checked.hpp"

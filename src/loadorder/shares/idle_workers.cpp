@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "loadorder/shares/owners/group_owners.hpp"
-#include "loadorder/shares/owners/meetings.hpp"
 #include "run/random.hpp"
 
 namespace changeover {

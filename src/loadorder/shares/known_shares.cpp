@@ -14,6 +14,10 @@
 namespace changeover {
 namespace {
 
+constexpr const char* lines_of_table[] = {
+#include "loadorder/shares/share_table.inc"
+};
+
 /// A line of the table as text.
 struct Base {
   std::uint64_t groups = 0;
@@ -54,7 +58,7 @@ Base parsed(std::string_view line) {
 const std::vector<Base>& bases() {
   static const std::vector<Base> all = [] {
     std::vector<Base> read;
-    for (const char* const line : share_table()) {
+    for (const char* const line : lines_of_table) {
       read.push_back(parsed(line));
     }
     return read;
@@ -167,6 +171,8 @@ GroupShares halves(std::uint64_t workers) {
 }
 
 }  // namespace
+
+std::span<const char* const> share_table() { return lines_of_table; }
 
 GroupShares developed_shares(std::string_view line) { return developed(parsed(line)); }
 

@@ -16,7 +16,7 @@
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/order/streamed_order.hpp"
 #include "loadorder/shares/few_workers.hpp"
-#include "loadorder/shares/owners/meetings.hpp"
+#include "loadorder/shares/owners/group_owners.hpp"
 #include "loadorder/shares/owners/pair_table.hpp"
 #include "loadorder/shares/owners/plane_owners.hpp"
 #include "loadorder/shares/owners/streamed_owners.hpp"

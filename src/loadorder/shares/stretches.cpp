@@ -4,7 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "changeover/core/parameters.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "core/least_number.hpp"

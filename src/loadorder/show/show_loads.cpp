@@ -76,11 +76,7 @@ class ScheduleText {
     std::string text = about(json);
     json.key("verified").value(verified);
     if (split_ != nullptr || facts_.lockstep > 0) {
-      json.key("worker_loads").begin_array();
-      for (const std::uint64_t loads : facts_.worker_loads) {
-        json.value(loads);
-      }
-      json.end_array();
+      json.key("worker_loads").value(facts_.worker_loads);
       WorkerWords(facts_, split_).say_each(json);
     }
     text += "verified: " + verified + "\n" + at_the_end();

@@ -53,20 +53,15 @@ void WorkerWords::say_each(JsonWriter& json) const {
   if (most_ == 0) {
     return;
   }
-  json.key("worker_pairs").begin_array();
-  for (std::size_t w = 0; split_ != nullptr && w < split_->workers.size(); ++w) {
-    json.value(split_->workers[w].pairs);
+  if (split_ == nullptr) {
+    json.key("worker_pairs").value(facts_.worker_pairs);
+    return;
   }
-  for (std::size_t w = 0; split_ == nullptr && w < facts_.worker_pairs.size(); ++w) {
-    json.value(facts_.worker_pairs[w]);
-  }
-  json.end_array();
-  if (split_ != nullptr && split_->has_costs) {
-    json.key("worker_costs").begin_array();
-    for (const WorkerFacts& worker : split_->workers) {
-      json.value(worker.cost);
-    }
-    json.end_array();
+  json.list("worker_pairs", split_->workers,
+            [&](const WorkerFacts& worker) { json.value(worker.pairs); });
+  if (split_->has_costs) {
+    json.list("worker_costs", split_->workers,
+              [&](const WorkerFacts& worker) { json.value(worker.cost); });
   }
 }
 

@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <queue>
 #include <span>
 #include <utility>
 
 #include "changeover/run/control.hpp"
-#include "core/checked.hpp"
 #include "core/words.hpp"
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/shares/few_workers.hpp"

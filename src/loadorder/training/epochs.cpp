@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "changeover/core/error.hpp"
-#include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "changeover/core/parameters.hpp"
 #include "core/checked.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/shares/owners/pair_table.hpp"

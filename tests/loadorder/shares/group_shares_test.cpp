@@ -9,7 +9,7 @@
 
 #include "../loadorder_support.hpp"
 #include "loadorder/shares/known_shares.hpp"
-#include "loadorder/shares/owners/meetings.hpp"
+#include "loadorder/shares/owners/group_owners.hpp"
 
 namespace changeover::test::group_shares_test {
 namespace {

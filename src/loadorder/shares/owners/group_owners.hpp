@@ -76,4 +76,8 @@ class GroupOwners final : public PairOwners {
   std::uint64_t missing_ = 0;
 };
 
+/// Owners of the pairs of groups that meet at workers with these shares, balanced.
+[[nodiscard]] std::shared_ptr<const GroupOwners> owners_of(const GroupShares& shares,
+                                                           std::uint64_t items, double part = 1e-5);
+
 }  // namespace changeover
