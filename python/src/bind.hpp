@@ -1,11 +1,11 @@
-// The parts of the private module `changeover._core`, a file each, and what they share. Arguments come as the functions of the package
-// have checked them, so nothing here says what they mean: that stands there.
+// The parts of the private module `changeover._core`, a file each, and what they share. Arguments
+// come as the functions of the package have checked them, so nothing here says what they mean: that
+// stands there.
 #pragma once
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -29,7 +29,8 @@ void bind_catalog(py::module_& module);
 void bind_plan(py::module_& module);
 void bind_loads(py::module_& module);
 
-/// For the time of one call: an iterator is not for two threads at once. @throws value_error as generators do.
+/// For the time of one call: an iterator is not for two threads at once. @throws value_error as
+/// generators do.
 class OneAtATime {
  public:
   explicit OneAtATime(bool& busy) : busy_(busy) {

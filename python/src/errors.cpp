@@ -1,4 +1,5 @@
-// Faults of the library as exceptions of changeover/errors.py, told apart as in changeover/core/error.hpp.
+// Faults of the library as exceptions of changeover/errors.py, told apart as in
+// changeover/core/error.hpp.
 #include "bind.hpp"
 #include "changeover/core/error.hpp"
 

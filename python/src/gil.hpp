@@ -1,8 +1,8 @@
 // The lock of Python's interpreter, taken such that nothing breaks if Python ends meanwhile.
 //
-// When Python ends, a thread that asks for the lock is ended where it asks (before Python 3.14): its stack is unwound, and what
-// that destroys belongs to Python, which another thread takes apart just then. Such a thread sleeps here instead, until the process
-// is gone.
+// When Python ends, a thread that asks for the lock is ended where it asks (before Python 3.14):
+// its stack is unwound, and what that destroys belongs to Python, which another thread takes apart
+// just then. Such a thread sleeps here instead, until the process is gone.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -23,8 +23,8 @@ namespace changeover::python {
   }
 }
 
-/// What call() returns, unless Python ends this thread in it: then it sleeps. Nothing of Python's may be destroyed when call() is
-/// left, so it is one function of Python's C interface.
+/// What call() returns, unless Python ends this thread in it: then it sleeps. Nothing of Python's
+/// may be destroyed when call() is left, so it is one function of Python's C interface.
 template <typename Call>
 #ifdef __GLIBCXX__
 [[gnu::no_sanitize("undefined")]]  // The reference that is caught refers to nothing.
@@ -42,7 +42,8 @@ unless_python_ends(Call&& call) {
 #endif
 }
 
-/// A new reference to what a function of Python's C interface returns. @throws error_already_set if it is nothing.
+/// A new reference to what a function of Python's C interface returns. @throws error_already_set if
+/// it is nothing.
 template <typename Call>
 pybind11::object made_by_python(const Call& call) {
   PyObject* const made = unless_python_ends(call);
@@ -52,7 +53,8 @@ pybind11::object made_by_python(const Call& call) {
   return pybind11::reinterpret_steal<pybind11::object>(made);
 }
 
-/// Lets this thread, which Python need not know, run what is Python's, from here to the end of its life.
+/// Lets this thread, which Python need not know, run what is Python's, from here to the end of its
+/// life.
 class GilHeld {
  public:
   GilHeld() : state_(unless_python_ends([] { return PyGILState_Ensure(); })) {}

@@ -1,4 +1,5 @@
-// What is known, as the documents that every door has: bounds, tables, how a design is made, what makes designs.
+// What is known, as the documents that every door has: bounds, tables, how a design is made, what
+// makes designs.
 #include "construct/known_documents.hpp"
 
 #include "bind.hpp"

@@ -1,11 +1,14 @@
-// Calls that take time: the GIL is released, signals are polled, progress arrives, and every one of them can be stopped.
+// Calls that take time: the GIL is released, signals are polled, progress arrives, and every one of
+// them can be stopped.
 //
 //     LongWork work({.seconds = 60, .threads = 2, .progress = callback});
 //     work.run([&](RunControl& control) { result = improve(p, options, control); });
 //     work.interrupted();                    // Ctrl-C: what was found so far is kept
 //
-// The work runs on a thread of its own and listens to its control; this thread looks for signals twenty times a second and hands
-// progress on. When Python ends, the work of other threads is ended before. A callback that raises stops the work, and what it raised arrives where the work was called.
+// The work runs on a thread of its own and listens to its control; this thread looks for signals
+// twenty times a second and hands progress on. When Python ends, the work of other threads is ended
+// before. A callback that raises stops the work, and what it raised arrives where the work was
+// called.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -42,7 +45,8 @@ class LongWork {
   /// @throws value_error for a time or a number of threads that is none.
   explicit LongWork(LongOptions options);
 
-  /// Runs it to its end. @throws what it throws; error_already_set for signals and callbacks. Stopped becomes TimeoutError.
+  /// Runs it to its end. @throws what it throws; error_already_set for signals and callbacks.
+  /// Stopped becomes TimeoutError.
   void run(const std::function<void(RunControl&)>& work);
 
   /// KeyboardInterrupt came and was kept back.
@@ -53,7 +57,8 @@ class LongWork {
   bool interrupted_ = false;
 };
 
-/// From now on all work is asked to stop when Python ends, which waits for it: what the work uses is then still there.
+/// From now on all work is asked to stop when Python ends, which waits for it: what the work uses
+/// is then still there.
 void stop_long_work_at_the_end();
 
 /// The same for what has no limits of its own but perhaps a time: the result of work().

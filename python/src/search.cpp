@@ -104,7 +104,8 @@ py::dict classify(std::uint64_t v, std::uint64_t k, std::uint64_t b, std::uint64
                   py::arg("designs") = designs, py::arg("prefixes") = all.prefixes);
 }
 
-// Whether there is a design with b blocks, of so many cubes those of a share: each with a checked proof.
+// Whether there is a design with b blocks, of so many cubes those of a share: each with a checked
+// proof.
 py::dict decide_share(std::uint64_t v, std::uint64_t k, std::uint64_t change,
                       const std::string& kind, std::uint64_t strength, std::uint64_t b,
                       std::uint64_t cubes, const std::pair<std::uint64_t, std::uint64_t>& share,

@@ -2,7 +2,7 @@
 //
 //     Answer run(const BoundsRequest& request) {
 //       …
-//       return text_answer(text, request.output);                 // or one with a writer, for what is long
+//       return text_answer(text, request.output);  // or one with a writer, for what is long
 //     }
 //
 // A verb makes its answer and never writes it: deliver() does, for all of them. A file appears
@@ -16,7 +16,6 @@
 // design.json, asks for a design and for no such document.
 #pragma once
 
-#include <cstdint>
 #include <exception>
 #include <functional>
 #include <memory>

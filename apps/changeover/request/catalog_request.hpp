@@ -43,8 +43,8 @@ struct CellsOrEntry {
   std::optional<CatalogEntry> entry;  ///< then there are no cells
 };
 
-/// `what` is V, a label of a cell or of a design, or the beginning of one; with `k` it is V. Nothing
-/// if the catalog has no such design: has_no_design(). @throws UsageError
+/// `what` is V, a label of a cell or of a design, or the beginning of one; with `k` it is V.
+/// Nothing if the catalog has no such design: has_no_design(). @throws UsageError
 [[nodiscard]] std::optional<CellsOrEntry> cells_or_entry(const Catalog& catalog,
                                                          const ParameterRequest& asked,
                                                          const std::string& what,

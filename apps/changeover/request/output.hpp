@@ -1,10 +1,10 @@
 // In which form an answer is wanted, and where.
 //
 // The end of FILE's name says the format, in small letters or large, in every verb: design.json,
-// sheet.xlsx, circle.tex.
-// --format and --json come before it, but must not contradict it: a file never holds something else than its name
-// says. .txt may hold every format that is text. An ending that says nothing (.dat) needs --format;
-// a name without an ending, and standard output, have the verb's default.
+// sheet.xlsx, circle.tex. --format and --json come before it, but must not contradict it: a file
+// never holds something else than its name says. .txt may hold every format that is text. An ending
+// that says nothing (.dat) needs --format; a name without an ending, and standard output, have the
+// verb's default.
 #pragma once
 
 #include <string>
@@ -55,7 +55,7 @@ struct OutputRequest {
 // The files that a verb reads: an answer never goes over what it was made from, and "-" is read
 // once.
 //
-//     check_inputs(request.output, {{"the parts list", request.parts}, {"--never", request.never}});
+//     check_inputs(request.output, {{"the parts", request.parts}, {"--never", request.never}});
 
 /// An input: what the user calls it, as in "--never", and its path; "" if it was not given, "-" for
 /// standard input.

@@ -1,6 +1,7 @@
 // Which pictures an option is for: of changeover draw, and of the server.
 //
-//     picture_option_defect("from", "recipe", "--");     // "--from has no meaning with --picture recipe; it is for …"
+//     picture_option_defect("from", "recipe", "--");
+//                                // "--from has no meaning with --picture recipe; it is for …"
 #pragma once
 
 #include <optional>

@@ -86,8 +86,8 @@ std::uint64_t parse_size(const std::string& text, const std::string& option) {
   if (failure != std::errc() || unit == units.end() || number == 0 ||
       number > UINT64_MAX / unit->second) {
     throw UsageError{fmt::format(
-        "{} '{}' is not a size; give a whole number of bytes, 1 to 18446744T, or with K, M, G or T, "
-        "as in 4G",
+        "{} '{}' is not a size; give a whole number of bytes, 1 to 18446744T, or with K, M, G or "
+        "T, as in 4G",
         option, text)};
   }
   return number * unit->second;

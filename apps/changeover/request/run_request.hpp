@@ -3,7 +3,7 @@
 //     RunRequest run;
 //     run.add_to(verb, "60s", output);
 //     …
-//     const auto running = std::make_shared<Running>(run, output);    // now Ctrl-C asks the search to stop
+//     const auto running = std::make_shared<Running>(run, output);  // now Ctrl-C stops it
 //     auto result = improve(p, options, running->control());
 //     running->finish();
 //     return final_answer(running, show_design(…));

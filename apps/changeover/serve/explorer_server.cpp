@@ -49,8 +49,9 @@ std::vector<std::string> names_of(const std::string& host, std::uint16_t port) {
 }
 
 // What the map of the catalog shows comes with the program, but for the user's own designs. Then it
-// is made while nothing is asked, so that the first who asks does not wait for it. Those of the change number that the pages begin with come first and are as urgent
-// as an answer; the others give way to all that answers.
+// is made while nothing is asked, so that the first who asks does not wait for it. Those of the
+// change number that the pages begin with come first and are as urgent as an answer; the others
+// give way to all that answers.
 void prepare_tables(Explorer& explorer) {
   RunControl::Settings settings;
   settings.memory_bytes = explorer.limits.memory_bytes;

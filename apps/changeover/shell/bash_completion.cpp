@@ -76,7 +76,8 @@ std::string bash_completion(const Program& program) {
     }
     verbs += verb_case(verb);
   }
-  return "# Completion for bash: source this file, or put it into share/bash-completion/completions as changeover.\n"
+  return "# Completion for bash: source this file, or put it into "
+         "share/bash-completion/completions as changeover.\n"
          "__changeover_offer() {\n"
          "  local offered\n"
          "  mapfile -t offered < <(compgen \"$@\" -- \"$current\")\n"
@@ -84,7 +85,8 @@ std::string bash_completion(const Program& program) {
          "  [[ $1 == -W ]] || compopt -o filenames 2>/dev/null\n"
          "}\n"
          "_changeover() {\n"
-         "  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} words= files=no options=\n"
+         "  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} words= "
+         "files=no options=\n"
          "  COMPREPLY=()\n"
          "  if [[ $COMP_CWORD -eq 1 ]]; then\n"
          "    __changeover_offer -W \"" +

@@ -55,7 +55,8 @@ std::string verb_lines(const VerbDescription& verb) {
 
 std::string fish_completion(const Program& program) {
   std::string text =
-      "# Completion for fish: source this file, or put it into a folder of $fish_complete_path as changeover.fish.\n"
+      "# Completion for fish: source this file, or put it into a folder of $fish_complete_path as "
+      "changeover.fish.\n"
       "function __changeover_is\n"
       "  set -l words (commandline -opc)\n"
       "  set -l count (math (count $argv) + 1)\n"
@@ -68,7 +69,8 @@ std::string fish_completion(const Program& program) {
       "complete -c changeover -e\n"
       "complete -c changeover -f\n"
       "complete -c changeover -n '__changeover_only' -s h -l help -d 'the verbs'\n"
-      "complete -c changeover -n '__changeover_only' -l version -d 'the version, and what it was built with'\n"
+      "complete -c changeover -n '__changeover_only' -l version -d 'the version, and what it was "
+      "built with'\n"
       "complete -c changeover -n '__changeover_only --version' -l json -d 'the same as JSON'\n";
   for (const VerbDescription& verb : first_words(program)) {
     text += "complete -c changeover -n '__changeover_only' -a " + verb.name + " -d " +

@@ -179,10 +179,10 @@ std::string program_page(const Program& program) {
   const std::vector<VerbDescription> all = program.verbs();
   std::string text = begun("changeover", "change covering designs");
   text += fmt::format(
-      ".SH SYNOPSIS\n.B changeover\n{0} ...\n.br\n.B changeover\n{1}\n.br\n.B changeover \\-\\-version\n"
-      "[\\fB\\-\\-json\\fR]\n.SH DESCRIPTION\n{2}\n.PP\n"
-      "Results are verified before they are shown, by code that shares nothing with what made them.\n"
-      "A file that is written appears whole or not at all.\n"
+      ".SH SYNOPSIS\n.B changeover\n{0} ...\n.br\n.B changeover\n{1}\n.br\n"
+      ".B changeover \\-\\-version\n[\\fB\\-\\-json\\fR]\n.SH DESCRIPTION\n{2}\n.PP\n"
+      "Results are verified before they are shown, by code that shares nothing with what made "
+      "them.\nA file that is written appears whole or not at all.\n"
       ".PP\n{1} by itself, such as 26.4.2.circular.65, shows that design of the catalog.\n",
       roff_italic("VERB"), roff_italic("LABEL"), sentence(program.purpose()));
   text += ".SH VERBS\n" + verb_list(all, [](const auto& verb) { return verb.group().empty(); });

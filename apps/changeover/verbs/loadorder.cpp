@@ -5,7 +5,6 @@
 #include <functional>
 #include <optional>
 
-#include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/load_request.hpp"
 #include "loadorder/show/loads_answer.hpp"
 #include "request/request_options.hpp"

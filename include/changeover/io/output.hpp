@@ -14,7 +14,6 @@
 // handler, or remove_unfinished_outputs_on_signals() once in main().
 #pragma once
 
-#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>

@@ -44,7 +44,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "changeover/core/design.hpp"
 #include "changeover/loadorder/schedule.hpp"

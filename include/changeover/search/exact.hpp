@@ -26,7 +26,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "changeover/bounds/lower_bound.hpp"

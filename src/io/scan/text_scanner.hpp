@@ -1,7 +1,6 @@
 // The bytes of a text as words, line ends and comments.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>

@@ -8,7 +8,6 @@
 // XML's own, are refused, so that events show only text of the file.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>

@@ -2,7 +2,6 @@
 // share.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 

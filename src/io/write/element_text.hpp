@@ -1,7 +1,6 @@
 // Blocks as text, fast: the words of the elements are made once and then copied.
 #pragma once
 
-#include <array>
 #include <charconv>
 #include <cstdint>
 #include <cstring>

@@ -15,7 +15,6 @@
 #include <ranges>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "changeover/core/parameters.hpp"
 

@@ -9,7 +9,6 @@
 // (run/control.hpp) can stop the constructor.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -12,7 +12,8 @@
 
 namespace changeover::cli {
 
-/// {"label","v","k","change","kind",["strength",]"b","lower_bound","reason","status","construction","credit","cites","hash",…}.
+/// {"label","v","k","change","kind",["strength",]"b","lower_bound","reason","status",
+/// "construction","credit","cites","hash",…}.
 void write_entry(JsonWriter& json, const CatalogEntry& entry);
 
 /// "changeover search 20 5 …; The Changeover developers; changeover 1.0.0; 2026-11-22".

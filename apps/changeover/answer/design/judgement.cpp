@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "answer/answer.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "changeover/verify/difference.hpp"

@@ -4,7 +4,6 @@
 
 #include <optional>
 
-#include "answer/answer.hpp"
 #include "answer/design/judgement.hpp"
 #include "construct/known_documents.hpp"
 #include "core/words.hpp"

@@ -50,8 +50,9 @@ std::string construction_of(const Recipe& recipe) {
 std::string own_bibtex(const Dossier& dossier) {
   const Parameters& p = dossier.parameters;
   return fmt::format(
-      "@misc{{changeover-{},\n  author = {{{{The Changeover developers}}}},\n  title  = {{{{{} with "
-      "{}}}}},\n  note   = {{Changeover {}, SHA-256 of the blocks {}}}\n}}\n",
+      "@misc{{changeover-{},\n  author = {{{{The Changeover developers}}}},\n"
+      "  title  = {{{{{} with {}}}}},\n"
+      "  note   = {{Changeover {}, SHA-256 of the blocks {}}}\n}}\n",
       cell_label(p), name(p), count_of(dossier.b, "block"), version, to_hex(dossier.checksum));
 }
 

@@ -43,8 +43,8 @@ struct Dossier {
   std::string draw_command;     ///< draws the picture
   std::string write_command;    ///< writes the blocks to design.txt
   bool names_elements = false;  ///< that file has names instead of numbers, and so another checksum
-  std::vector<std::string>
-      proof_commands;  ///< make and check the proof that there are none with fewer; empty if the reason is on paper
+  /// Make and check the proof that there are none with fewer; empty if the reason is on paper.
+  std::vector<std::string> proof_commands;
   std::vector<std::string> keys;  ///< of docs/references.bib, each once
   std::string bibtex;             ///< of the design and of all keys
 };

@@ -259,7 +259,8 @@ constexpr std::string_view style = R"(
   figure { margin: 1.5rem 0; text-align: center; }
   figure svg { max-width: 100%; height: auto; }
   figcaption { font-size: .9rem; }
-  @media print { body { margin: 0; max-width: none; font-size: 10pt; } pre { white-space: pre-wrap; } }
+  @media print {
+    body { margin: 0; max-width: none; font-size: 10pt; } pre { white-space: pre-wrap; } }
   @media (prefers-color-scheme: dark) { @media screen {
     body { color: #e8e8e8; background: #16181a; } pre { background: #24272a; }
     figure svg { background: #fff; } } }
@@ -318,7 +319,8 @@ std::string dossier_latex(const Dossier& dossier) {
       "% pdflatex, bibtex, pdflatex, pdflatex make the document of this file.\n"
       "\\begin{{filecontents*}}[overwrite]{{{}.bib}}\n{}\\end{{filecontents*}}\n"
       "\\documentclass{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage[T1]{{fontenc}}\n"
-      "\\IfFileExists{{lmodern.sty}}{{\\usepackage{{lmodern}}}}{{}}\n\\usepackage{{tikz}}\n\\usepackage{{multicol}}\n\\usepackage[margin=25mm]{{geometry}}\n"
+      "\\IfFileExists{{lmodern.sty}}{{\\usepackage{{lmodern}}}}{{}}\n\\usepackage{{tikz}}\n"
+      "\\usepackage{{multicol}}\n\\usepackage[margin=25mm]{{geometry}}\n"
       "\\title{{{}}}\n\\author{{}}\n\\date{{}}\n\\sloppy\n\\begin{{document}}\n\\maketitle\n\n"
       "{}\n\\end{{document}}\n",
       file, dossier.bibtex, latex_prose("A " + title_of(dossier)), form.text);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "answer/answer.hpp"
 #include "answer/design/judgement.hpp"
 #include "changeover/io/formats.hpp"
 #include "changeover/run/control.hpp"

@@ -7,14 +7,15 @@
 // The first line is JSON: an array of what a design's document says but for its blocks, with "at",
 // where its bytes begin behind that line, and "way". Numbers are little-endian, of one byte if v is
 // at most 256, else of two.
-//   "steps"  Elements of the first block; then for j = 0, …, m−1 a column of places, one a step, and a column of elements. In a step
-//            the element at each of the places, which grow with j, gives way to another, which grow too; a column of elements has
-//            differences from the step before, modulo v. The elements of a block are what is in the k places, in increasing order.
-//   "blocks" Block after block, each element less the one at the same place of the block before, modulo v: for lists whose blocks are not in
+//   "steps"  Elements of the first block; then for j = 0, …, m−1 a column of places, one a step,
+//            and a column of elements. In a step the element at each of the places, which grow with
+//            j, gives way to another, which grow too; a column of elements has differences from the
+//            step before, modulo v. The elements of a block are what is in the k places, in
 //            increasing order.
+//   "blocks" Block after block, each element less the one at the same place of the block before,
+//            modulo v: for lists whose blocks are not in increasing order.
 #pragma once
 
-#include <cstdint>
 #include <mutex>
 #include <string>
 #include <vector>

@@ -24,7 +24,6 @@
 #include "serve/api/about.hpp"
 #include "serve/api/atlas.hpp"
 #include "serve/api/cells.hpp"
-#include "serve/api/request/selection.hpp"
 #include "serve/export/addresses.hpp"
 #include "serve/export/packed_designs.hpp"
 #include "serve/export/workshop.hpp"

@@ -1,7 +1,8 @@
 // The explorer as files, for any web server: pages that look up what was written down, without this
 // program.
 //
-//     const SiteSummary site = export_site("public", {.k = {3, 8}, .v = {4, 40}}, "", pages, catalog, control);
+//     const SiteSummary site =
+//         export_site("public", {.k = {3, 8}, .v = {4, 40}}, "", pages, catalog, control);
 //
 // docs/explorer.md has the rule by which addresses become files. The site is made beside its place
 // and put there when it is whole: after a kill there is the old site or none. A folder that holds

@@ -2,7 +2,7 @@
 //
 //     EventHub hub;
 //     auto feed = hub.listen();                       // for one client: Response::events
-//     hub.publish("search", "1", R"({"id":1})");      // the last of each key counts, at most five a second
+//     hub.publish("search", "1", R"({"id":1})");  // the last of each key, at most 5 a second
 //     hub.close();                                    // every feed ends
 //
 // A feed that nothing was said in for a while says so in a comment, so that a client that has gone

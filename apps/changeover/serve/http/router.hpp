@@ -1,7 +1,8 @@
 // Which addresses there are: an exact table, never a file system.
 //
 //     Router router;
-//     router.add({.path = "api/bounds", .parameters = {"v", "k"}, .answer = [](const Request& r) { … }});
+//     router.add({.path = "api/bounds", .parameters = {"v", "k"},
+//                 .answer = [](const Request& r) { … }});
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,6 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 

@@ -12,7 +12,6 @@
 #include <cstdarg>
 #include <cstddef>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <optional>
 #include <string_view>

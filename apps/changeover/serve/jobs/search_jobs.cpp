@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "answer/answer.hpp"
 #include "answer/catalog/entry_words.hpp"
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/best_known.hpp"
@@ -308,9 +307,9 @@ void SearchJobs::search(Job& job) {
         Design design = (*std::move(result.design)).take();
         found.design = better || !design.recipe ? credited(std::move(design), "") : design;
       }
-      found.message = !found.design               ? stopped_early(result.why_stopped)
-                      : better                    ? fmt::format("{}; {} were known", result.how,
-                                                                count_of(result.started_from.value_or(0), "block"))
+      const std::string known = count_of(result.started_from.value_or(0), "block");
+      found.message = !found.design ? stopped_early(result.why_stopped)
+                      : better      ? fmt::format("{}; {} were known", result.how, known)
                       : result.unsearched.empty() ? "nothing better was found"
                                                   : "no search was made: " + result.unsearched;
       finish(job, std::move(found));

@@ -3,13 +3,13 @@
 //
 //     PlanJobs jobs(events, {.at_once = 4});
 //     const std::uint64_t id = jobs.start(std::move(opened), std::move(asked), 60);
-//     jobs.json(id);                 // state, the best so far against its bound; the answer at last
+//     jobs.json(id);            // state, the best so far against its bound; the answer at last
 //     jobs.stop(id);                 // the best so far is the answer
 //     jobs.file(id, "xlsx");
 //
 // Each has a thread that gives way to those that answer. The last ten that ended are remembered,
-// fewer if they are large. An answer that is too large for one document is told of in `message`; its
-// files are there.
+// fewer if they are large. An answer that is too large for one document is told of in `message`;
+// its files are there.
 #pragma once
 
 #include <chrono>

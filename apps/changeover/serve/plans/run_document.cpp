@@ -42,7 +42,8 @@ std::uint64_t revision_in(JsonBody& body, const std::string& name, std::uint64_t
   return revision;
 }
 
-// Where the sheet is in the text of a run. Nothing is built of it: it may be all but the whole text.
+// Where the sheet is in the text of a run. Nothing is built of it: it may be all but the whole
+// text.
 class SheetFinder final : public JsonHandler {
  public:
   void on(const JsonEvent& event) override {

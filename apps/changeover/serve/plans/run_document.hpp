@@ -6,7 +6,6 @@
 // Files and bodies are read by the same rules (serve/api/request/query.hpp).
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -316,8 +316,8 @@ void explain_proofs(const ExactSearch& request, const MinimumResult& result) {
         "says that block i holds element e, both from 0. Each proof (DRAT, `.drat`) shows that the "
         "formula has no solution. Both are text. Any DRAT checker reads them:\n\n"
         "    drat-trim NAME.cnf NAME.drat\n\nprints `s VERIFIED`. The program's own checker has "
-        "checked them, too. What has to be trusted is that the formula says what it should, and the bound "
-        "above.\n\n{}",
+        "checked them, too. What has to be trusted is that the formula says what it should, and "
+        "the bound above.\n\n{}",
         name(p), version, count_of(result.start.blocks, "block"), result.start.reason, files));
   });
 }

@@ -1,8 +1,6 @@
 // changeover search V K: fewer blocks by local search.
 #include <fmt/format.h>
 
-#include <chrono>
-
 #include "changeover/core/error.hpp"
 #include "changeover/search/local_search.hpp"
 #include "cli/status_line.hpp"

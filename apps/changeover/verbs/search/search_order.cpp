@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "changeover/io/formats.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/search/local_search.hpp"
 #include "core/words.hpp"
