@@ -1,5 +1,5 @@
-// Tight circular single-change designs without some neighbours: closed-up-cyclic, even-visits,
-// substituted-cyclic.
+// Tight circular single-change designs without some neighbours: chained-visits, closed-up-cyclic,
+// even-visits, substituted-cyclic.
 #include <gtest/gtest.h>
 
 #include "changeover/bounds/lower_bound.hpp"
@@ -144,6 +144,27 @@ TEST(EvenVisits, SupersedesWhatSavesLessForEachElement) {
   });
 }
 
+TEST(ChainedVisits, HaveOneBlockFewerThanEvenVisits) {
+  std::size_t built = 0;
+  for_each_v(24, 5, [&](std::uint64_t v, std::uint64_t k, const Place& place) {
+    EXPECT_FALSE(offer_of("chained-visits", parameters(v, k)));
+    const auto offer = offer_of("chained-visits", parameters(v, k, Kind::linear));
+    ASSERT_EQ(offer.has_value(),
+              place.r >= 2 && place.r + 1 < k && (place.c == 4 || (place.c == 3 && k >= 5)))
+        << v << ' ' << k;
+    if (offer) {
+      EXPECT_EQ(offer->b + 1, offer_of("even-visits", parameters(v, k, Kind::linear))->b);
+      if (k <= 10) {
+        expect_as_promised(*offer);
+      } else {
+        EXPECT_TRUE(verify(*standard().build(offer->recipe)).valid()) << v << ' ' << k;
+      }
+      ++built;
+    }
+  });
+  EXPECT_EQ(built, 2U * 22U * 21U / 2U - 1U);  // K−2 values of r for each c; c = 3 begins at K = 4
+}
+
 TEST(CyclicWithoutNeighbours, LargeOnesAreValid) {
   for (const auto& [v, k] :
        {std::pair<std::uint64_t, std::uint64_t>{285, 30}, {265, 30}, {320, 17}}) {
@@ -165,6 +186,10 @@ TEST(CyclicWithoutNeighbours, RefuseSpoiltRecipes) {
   for (const Parameters& p : {Parameters{44, 7, 1, Kind::linear, 2}, {27, 7, 2, Kind::linear, 2}}) {
     expect_spoilt_recipes_refused(offer_of("even-visits", p)->recipe,
                                   {.any_v = true, .any_kind = true});
+  }
+  for (const std::uint64_t v : {34, 46}) {
+    expect_spoilt_recipes_refused(
+        offer_of("chained-visits", parameters(v, 7, Kind::linear))->recipe, {.any_v = true});
   }
   EXPECT_FALSE(offer_of("even-visits", {39, 7, 4, Kind::linear, 2}));  // K < 2m
   EXPECT_FALSE(offer_of("closed-up-cyclic", parameters(25, 7)));
