@@ -13,9 +13,11 @@
 // bound. With one thread and a limit of moves the result depends only on the parameters, the
 // options and the seed.
 //
-// Method. Three kinds of attempts compete, each with a budget of moves that doubles when it fails:
-//   - blocks without symmetry, from random lists (segment_pairs.hpp);
+// Method. Kinds of attempts compete, each with a budget of moves that doubles when it fails:
+//   - blocks without symmetry, from random lists (segment_pairs.hpp), at two ranges of temperature;
 //   - the best design so far less one block, annealed at lower temperatures;
+//   - for linear designs, the best circular one known, begun at each of its blocks in turn, without
+//     as many blocks at the end as are too many, annealed at the lowest temperatures;
 //   - base blocks under an imposed automorphism (imposed.hpp), for every order n and 0 to 2 fixed
 //     elements on v elements, and without fixed elements on v + 1 … v + 3, whose designs are
 //     truncated. A linear design is cut from the circular one where fewest blocks are needed.

@@ -87,7 +87,7 @@ class CheckpointLines {
 SearchArm read_arm(CheckpointLines& lines, const Parameters& p) {
   SearchArm arm;
   arm.method = static_cast<SearchArm::Method>(
-      lines.number<unsigned>(0, static_cast<unsigned>(SearchArm::Method::cold)));
+      lines.number<unsigned>(0, static_cast<unsigned>(SearchArm::Method::opened)));
   arm.order = lines.number<std::uint32_t>();
   arm.fixed = lines.number<std::uint32_t>(0, SearchArm::most_fixed);
   arm.extra = lines.number<std::uint64_t>(0, SearchArm::most_extra);

@@ -38,9 +38,10 @@ namespace changeover {
 
 /// One kind of attempt of local_search.hpp, and its cost so far.
 struct SearchArm {
-  /// Blocks without symmetry, from a random list (free, and cold at low temperatures) or from the
-  /// best design (reheated); base blocks of an imposed automorphism. Checkpoints have the numbers.
-  enum class Method : std::uint8_t { free, reheated, imposed, cold };
+  /// Blocks without symmetry, from a random list (free, and cold at low temperatures), from the best
+  /// design (reheated) or, for linear designs, from the best circular one (opened); base blocks of
+  /// an imposed automorphism. Checkpoints have the numbers.
+  enum class Method : std::uint8_t { free, reheated, imposed, cold, opened };
   Method method = Method::free;
   std::uint32_t order = 0;   ///< n of an imposed automorphism
   std::uint32_t fixed = 0;   ///< its fixed elements
@@ -52,6 +53,10 @@ struct SearchArm {
 
   [[nodiscard]] bool from_random_list() const {
     return method == Method::free || method == Method::cold;
+  }
+  /// Whether it aims at one block fewer than the best design has, never at fewer.
+  [[nodiscard]] bool from_design() const {
+    return method == Method::reheated || method == Method::opened;
   }
 
   /// The imposed automorphism of designs on v elements; nullopt if there is none.

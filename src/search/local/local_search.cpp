@@ -21,6 +21,7 @@
 #include "run/threads.hpp"
 #include "search/local/anneal.hpp"
 #include "search/local/checkpoint.hpp"
+#include "search/local/fewer_blocks.hpp"
 #include "search/local/imposed.hpp"
 #include "search/local/local_search_arms.hpp"
 #include "search/local/random_list.hpp"
@@ -42,7 +43,6 @@ constexpr double imposed_to = 0.17;
 // Used in turn. The coldest one changes only a few places of a design from a construction.
 constexpr std::array<double, 4> reheated_to = {0.28, 0.14, 0.22, 0.33};
 constexpr std::size_t blocks_between_cuts = 8;
-constexpr int tries_to_leave_out = 60;
 constexpr int most_fruitless = 64;  // attempts in a row that could not start
 
 /// The result of an attempt.
@@ -64,8 +64,11 @@ class Improver {
         control_(control),
         bound_(lower_bound(p).blocks),
         goal_(std::max(bound_, options.target.value_or(0))),
-        arms_(p, goal_, options.imposed && p.v > p.k && p.v <= largest_v, control.settings().share,
-              bytes_of_an_attempt(control)),
+        circle_(p.v <= largest_v ? known_circle(p) : std::nullopt),
+        arms_(p, goal_,
+              {.imposed = options.imposed && p.v > p.k && p.v <= largest_v,
+               .opened = circle_.has_value()},
+              control.settings().share, bytes_of_an_attempt(control)),
         seed_(control.seed()) {}
 
   // Everything but the search. @throws Stopped; results so far are kept.
@@ -260,6 +263,9 @@ class Improver {
     if (arm.method == Method::imposed) {
       return impose(attempt, arm, random);
     }
+    if (arm.method == Method::opened) {
+      return open(attempt, random);
+    }
     Attempted attempted;
     const auto start = arm.from_random_list() || !best
                            ? random_list(parameters_, static_cast<std::size_t>(attempt.aim), random)
@@ -287,6 +293,25 @@ class Improver {
       attempted.design = shorter(*annealed.design);
       attempted.how = arm.from_random_list() ? "blocks without symmetry"
                                              : "the best design annealed with a block less";
+    }
+    return attempted;
+  }
+
+  Attempted open(const Attempt& attempt, Random& random) {
+    Attempted attempted;
+    OpenedOutcome found = anneal_opened(
+        *circle_, parameters_, attempt, random, control_, [&](std::uint64_t moves_before) {
+          return watch(attempt, attempted,
+                       fmt::format("annealing {} blocks of a circular design", attempt.aim), 1,
+                       moves_before);
+        });
+    attempted.started = true;
+    attempted.moves = found.moves;
+    attempted.missed = found.least;
+    attempted.stopped = found.stopped;
+    if (found.design) {
+      attempted.design = shorter(*found.design);
+      attempted.how = "the best circular design, cut and annealed with fewer blocks";
     }
     return attempted;
   }
@@ -367,30 +392,6 @@ class Improver {
     }
     design.set_kind(parameters_.kind);
     return design;
-  }
-
-  // Removes a block between whose neighbours exactly m elements change; nullopt if no such block is
-  // found soon.
-  static std::optional<Design> without_a_block(const Design& best, Random& random) {
-    const std::size_t b = best.block_count();
-    const bool circular = best.parameters().kind == Kind::circular;
-    for (int i = 0; i < tries_to_leave_out && b > 4; ++i) {
-      const std::size_t at = random.below(static_cast<std::uint32_t>(b));
-      if (!circular && (at == 0 || at + 1 == b)) {
-        continue;
-      }
-      if (difference(best.block((at + 1) % b), best.block((at + b - 1) % b)).size() ==
-          best.parameters().change) {
-        Design list(best.parameters());
-        for (std::size_t j = 0; j < b; ++j) {
-          if (j != at) {
-            list.append(best.block(j));
-          }
-        }
-        return list;
-      }
-    }
-    return std::nullopt;
   }
 
   // A linear design loses an end block or an inner block. In a circular one without a removable
@@ -547,6 +548,7 @@ class Improver {
   RunControl& control_;
   const std::uint64_t bound_;
   const std::uint64_t goal_;
+  const std::optional<Design> circle_;
   SearchArms arms_;
   std::uint64_t seed_;
   std::optional<CheckpointFile> file_;

@@ -20,6 +20,7 @@ using Method = SearchArm::Method;
 
 constexpr std::uint64_t first_budget_free = std::uint64_t{1} << 20;
 constexpr std::uint64_t first_budget_reheated = std::uint64_t{1} << 19;
+constexpr std::uint64_t first_budget_opened = std::uint64_t{1} << 24;
 constexpr std::uint64_t first_budget_imposed = std::uint64_t{1} << 18;
 constexpr std::uint64_t largest_budget = std::uint64_t{1} << 40;
 constexpr std::uint64_t most_missed = 30;  // limit for counting
@@ -36,13 +37,16 @@ std::uint64_t saturated(std::uint64_t a, std::uint64_t b) {
 
 }  // namespace
 
-SearchArms::SearchArms(const Parameters& p, std::uint64_t goal, bool imposed,
+SearchArms::SearchArms(const Parameters& p, std::uint64_t goal, const Kinds& kinds,
                        const WorkShare& share, std::optional<std::uint64_t> most_bytes)
     : parameters_(p), goal_(goal), most_bytes_(most_bytes) {
   arms_.push_back({.method = Method::free, .budget = first_budget_free});
   arms_.push_back({.method = Method::cold, .budget = first_budget_free});
   arms_.push_back({.method = Method::reheated, .budget = first_budget_reheated});
-  if (imposed && p.strength == 2) {
+  if (kinds.opened) {
+    arms_.push_back({.method = Method::opened, .budget = first_budget_opened});
+  }
+  if (kinds.imposed && p.strength == 2) {
     for (std::uint64_t extra = 0; extra <= SearchArm::most_extra; ++extra) {
       stop_if_asked();
       for (const Automorphism& pi : imposed_automorphisms(p.v + extra)) {
@@ -125,7 +129,7 @@ std::optional<std::uint64_t> SearchArms::aim(const SearchArm& arm, std::uint64_t
     return std::nullopt;
   }
   if (arm.method != Method::imposed) {
-    const std::uint64_t most = arm.method == Method::reheated ? 1 : step;
+    const std::uint64_t most = arm.from_design() ? 1 : step;
     return std::max(goal_, best - std::min(most, best - 1));
   }
   const auto at = static_cast<std::size_t>(&arm - arms_.data());
@@ -145,7 +149,7 @@ std::optional<Attempt> SearchArms::next(std::uint64_t best) {
     if (!nearest || is_left_out(i, *nearest)) {
       continue;
     }
-    if (arm.spent == 0 && arm.method != Method::reheated) {
+    if (arm.spent == 0 && !arm.from_design()) {
       // Try first half way down.
       const auto farthest = aim(arm, best, best).value_or(*nearest);
       arm.step = std::max<std::uint64_t>(1, (*nearest - farthest) / 2);
@@ -194,7 +198,7 @@ void SearchArms::report(const Attempt& attempt, std::uint64_t missed, bool impro
   }
   if (improved) {
     for (SearchArm& other : arms_) {
-      if (other.method == Method::reheated) {
+      if (other.from_design()) {
         other.missed = 0;
       }
     }

@@ -5,7 +5,6 @@
 // comes next. The cost is the time for the moves made so far and those of the next attempt, times
 // (1 + the number missed by the last attempt)². An arm is left out while its counters would take
 // more memory than an attempt may.
-// attempt may.
 #pragma once
 
 #include <cstddef>
@@ -34,9 +33,14 @@ struct Attempt {
 
 class SearchArms {
  public:
+  struct Kinds {
+    bool imposed = true;  ///< automorphisms
+    bool opened = false;  ///< a circular design is known for a linear one
+  };
+
   /// Arms for p; `goal` blocks are enough. `bytes` limits the memory of an attempt; nullopt: no
   /// limit.
-  SearchArms(const Parameters& p, std::uint64_t goal, bool imposed, const WorkShare& share,
+  SearchArms(const Parameters& p, std::uint64_t goal, const Kinds& kinds, const WorkShare& share,
              std::optional<std::uint64_t> most_bytes = {});
 
   [[nodiscard]] const std::vector<SearchArm>& arms() const { return arms_; }

@@ -18,6 +18,11 @@
 // come for −1, 2K−1 and w−2 of 1, 2, …, one more of these makes room for 2K, and all come back for
 // the new elements and 0, together with K−1 and K. x_1, which does not meet K−1 then, visits
 // W_{K−1} instead of W_K.
+//
+// Linear ones for v = 6k−5+w, 2 ≤ w ≤ k−3 and k ≥ 5 have 18(k−1) + 7w + 1 blocks, one fewer than
+// visited-windows: u = 6K+1, visitors j+2K and j+3K. The chain is j = 2K, 3K. There 4K and 5K stay,
+// so that 2K misses 3K, which it meets in the last block; and 6K comes one window late for W_{3K},
+// and for 4K at j = 4K, beside K−1, which x_1 meets there.
 #include <fmt/format.h>
 
 #include <memory>

@@ -319,7 +319,7 @@ void improve_choice_bound(const Job& job, CostBound& bound, std::string& known) 
     const std::uint64_t least = std::max(changes.number, bound.introductions);
     known = fmt::format(
         "at least {} ({}), at least {} (two parameters change as often as they have pairs to go "
-        "through)",
+        "through, many together more often)",
         count_of(std::max(tests.number, bound.tests), "test"),
         tests.number >= bound.tests ? tests.why : "by their pairs", count_of(least, "change"));
     bound.reason = known;
