@@ -187,7 +187,7 @@ TEST(CyclicWithoutNeighbours, RefuseSpoiltRecipes) {
     expect_spoilt_recipes_refused(offer_of("even-visits", p)->recipe,
                                   {.any_v = true, .any_kind = true});
   }
-  for (const std::uint64_t v : {34, 46}) {
+  for (const std::uint64_t v : {34U, 46U}) {
     expect_spoilt_recipes_refused(
         offer_of("chained-visits", parameters(v, 7, Kind::linear))->recipe, {.any_v = true});
   }
