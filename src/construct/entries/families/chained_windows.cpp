@@ -379,11 +379,9 @@ constexpr Description description{
     .name = "chained-windows",
     .summary = "a window slides over a cycle, and some visitors stay while it moves",
     .preconditions =
-        "m = 1, v = 4k-3+w; linear, k >= 6 and 2 <= w <= k-3, or circular, k >= 4 and 2 <= w <= "
-        "k-2; or linear, v = 6k-5+w, k >= 5 and 2 <= w <= k-3",
+        "m = 1, w >= 2; linear, v = 4k-3+w or 6k-5+w, w <= k-3; or circular, v = 4k-3+w, w <= k-2",
     .guarantee =
-        "linear b = 8(k-1) + 5w, 1 less if k >= 7 and w >= 3; circular b = 8(k-1) + 5w + 1; for v "
-        "= 6k-5+w b = 18(k-1) + 7w + 1",
+        "b = 8(k-1) + 5w, 1 less if k >= 7 and w >= 3, or 18(k-1) + 7w + 1; circular 8(k-1) + 5w + 1",
     .place = "docs/theorems.md, Theorem 11",
 };
 
