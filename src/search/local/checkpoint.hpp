@@ -38,9 +38,9 @@ namespace changeover {
 
 /// One kind of attempt of local_search.hpp, and its cost so far.
 struct SearchArm {
-  /// Blocks without symmetry, from a random list (free, and cold at low temperatures), from the best
-  /// design (reheated) or, for linear designs, from the best circular one (opened); base blocks of
-  /// an imposed automorphism. Checkpoints have the numbers.
+  /// Blocks without symmetry, from a random list (free, and cold at low temperatures), from the
+  /// best design (reheated) or, for linear designs, from the best circular one (opened); base
+  /// blocks of an imposed automorphism. Checkpoints have the numbers.
   enum class Method : std::uint8_t { free, reheated, imposed, cold, opened };
   Method method = Method::free;
   std::uint32_t order = 0;   ///< n of an imposed automorphism

@@ -381,7 +381,8 @@ constexpr Description description{
     .preconditions =
         "m = 1, w >= 2; linear, v = 4k-3+w or 6k-5+w, w <= k-3; or circular, v = 4k-3+w, w <= k-2",
     .guarantee =
-        "b = 8(k-1) + 5w, 1 less if k >= 7 and w >= 3, or 18(k-1) + 7w + 1; circular 8(k-1) + 5w + 1",
+        "b = 8(k-1) + 5w, 1 less if k >= 7 and w >= 3, or 18(k-1) + 7w + 1; circular 8(k-1) + 5w "
+        "+ 1",
     .place = "docs/theorems.md, Theorem 11",
 };
 

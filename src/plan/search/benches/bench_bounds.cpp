@@ -312,10 +312,10 @@ class BenchBounder {
   void bound_costs_shared() {
     RunControl undisturbed({});
     const RunScope scope(undisturbed);
-    const Huge cost = bounds_.cost.cost.millionths;
-    raise(earliest([&](std::uint64_t time) { return can_share(field_->size(), cost, time); }), [&] {
-      return fmt::format("every plan costs at least {} together", to_string(bounds_.cost.cost));
-    });
+    const Amount cost = bounds_.cost.cost;
+    const auto can = [&](std::uint64_t t) { return can_share(field_->size(), cost.millionths, t); };
+    raise(earliest(can),
+          [&] { return "every plan costs at least " + to_string(cost) + " together"; });
   }
 
   // (1) and (2).

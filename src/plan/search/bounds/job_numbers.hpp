@@ -30,8 +30,8 @@ struct JobNumbers {
 [[nodiscard]] JobNumbers numbers_of(const Job& job);
 
 /// The most that `tests` steps with `introductions` introductions bring together: a first step with
-/// j of them brings first(j), any other brought(j), which is concave, so those after the first are as
-/// equal as possible.
+/// j of them brings first(j), any other brought(j), which is concave, so those after the first are
+/// as equal as possible.
 template <typename First, typename Brought>
 [[nodiscard]] std::uint64_t most_by_steps(std::uint64_t room, std::uint64_t tests,
                                           std::uint64_t introductions, First&& first,

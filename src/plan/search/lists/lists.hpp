@@ -113,8 +113,8 @@ class Lists {
   [[nodiscard]] std::int64_t end(std::size_t bench) const {
     return clock_ ? clocked().ends[bench] : cost_[bench];
   }
-  /// With ListsJob::overlaps: for how long parts of which there is one are on two benches at a time,
-  /// if no bench waits. Moves leave the times of other tests as they are, until retime().
+  /// With ListsJob::overlaps: for how long parts of which there is one are on two benches at a
+  /// time, if no bench waits. Moves leave the times of other tests as they are, until retime().
   [[nodiscard]] std::int64_t overlap() const { return overlap_; }
   void retime();
   /// The weight of what has not met, in millionths; 1 each by default.

@@ -1,12 +1,12 @@
 // Linear SCCD(2cK+1−r, k), K = k−1, for c = 3 and 4 and 2 ≤ r < K: one block fewer than even-visits
 // has [docs/theorems.md, Theorem 12].
 //
-// In even-visits the list begins with window J+1, J = K+r−1, and ends with window J and its visitors
-// J+(2c−2)K, …, J+2K. Here J+2K is in the first block, beside a visitor of window J+1, and the others
-// come with window J−1, the first in place of J+K−1. That spares two steps and costs one block at the
-// beginning. It parts some pairs. By *chains*, windows that move while a visitor stays, and by
-// visitors that come a window or two early or late, the lack of a pair is passed on from window to
-// window, to a pair that meets at one of the ends.
+// In even-visits the list begins with window J+1, J = K+r−1, and ends with window J and its
+// visitors J+(2c−2)K, …, J+2K. Here J+2K is in the first block, beside a visitor of window J+1, and
+// the others come with window J−1, the first in place of J+K−1. That spares two steps and costs one
+// block at the beginning. It parts some pairs. By *chains*, windows that move while a visitor
+// stays, and by visitors that come a window or two early or late, the lack of a pair is passed on
+// from window to window, to a pair that meets at one of the ends.
 #include <fmt/format.h>
 
 #include <algorithm>
