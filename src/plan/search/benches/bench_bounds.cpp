@@ -301,11 +301,8 @@ class BenchBounder {
       each.push_back(can_do(w, time));
     }
     std::sort(each.begin(), each.end(), std::greater<>());
-    Huge all = 0;
-    for (std::size_t i = 0; i < lists; ++i) {
-      all += each[i];
-    }
-    return all >= cost;
+    const auto last = each.begin() + static_cast<std::ptrdiff_t>(lists);
+    return std::accumulate(each.begin(), last, Huge{0}) >= cost;
   }
 
   // (1) with what one list costs, which takes little time: so there is some bound always.

@@ -9,6 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/benches.hpp"
 #include "earliest.hpp"
+#include "plan/search/benches/bench_bounds.hpp"
 #include "random_jobs.hpp"
 
 namespace changeover::bench_stock_test {
@@ -77,6 +78,21 @@ TEST(BenchStock, TheEarliestEndOfTinyJobs) {
     ++all;
   }
   EXPECT_GE(best, all - 2) << "nearly all are done at the earliest";
+}
+
+TEST(BenchStock, ThereIsABoundEvenIfNoTimeIsLeft) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Job job = tiny_job(seed);
+    const std::vector<Bench> benches(2);
+    const BenchField field(job, benches);
+    RunControl stopped({.threads = 1});
+    stopped.stop(WhyStopped::step_limit);
+    const RunScope scope(stopped);
+    const BenchBounds bounds = bench_bounds(field);
+    EXPECT_GT(bounds.makespan, Amount{}) << seed;
+    EXPECT_LE(bounds.makespan.millionths, test::earliest_end(job, benches) * 1'000'000) << seed;
+    EXPECT_THAT(bounds.makespan_reason, HasSubstr("every plan costs at least")) << seed;
+  }
 }
 
 TEST(BenchStock, TheEarliestEndOfTinyJobsWithStartsAndBenchesThatDiffer) {
