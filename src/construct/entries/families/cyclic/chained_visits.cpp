@@ -1,5 +1,5 @@
-// Linear SCCD(2cK+1−r, k), K = k−1, for c = 3 and 4 and 2 ≤ r < K: one block fewer than even-visits
-// has [docs/theorems.md, Theorem 12].
+// Linear SCCD(2cK+1−r, k), K = k−1, for c ≥ 3 and 2 ≤ r < K, and for c ≥ 5 and r = K: one block
+// fewer than even-visits has [docs/theorems.md, Theorem 12].
 //
 // In even-visits the list begins with window J+1, J = K+r−1, and ends with window J and its
 // visitors J+(2c−2)K, …, J+2K. Here J+2K is in the first block, beside a visitor of window J+1, and
@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "changeover/construct/registry.hpp"
@@ -30,7 +31,11 @@ struct Place {
 };
 
 struct Step {
-  Place leaves;
+  Step(Place out, Place in) : leaves(out), enters(in) {}
+  /// In place of the one that entered at the step before.
+  Step(Place in) : enters(in) {}  // NOLINT(google-explicit-constructor)
+
+  std::optional<Place> leaves;
   Place enters;
 };
 
@@ -39,10 +44,12 @@ struct Leg {
   Place window;
   std::vector<Step> steps;
   std::optional<Place> leaves_next = {};  ///< at the first step of the next window; usually j does
+  std::optional<std::vector<Place>> absent = {};  ///< the usual visitors but these come first
 };
 
 struct Changes {
-  int from;                    // J+from, …, J+K are in the first block,
+  int from;                    // J+from, …, J+to are in the first block,
+  int to;                      // to is counted from K
   std::vector<Place> besides;  // and these
   std::vector<Step> opening;   // up to the first step of window J+2
   std::vector<Leg> legs;
@@ -51,6 +58,7 @@ struct Changes {
 // In Z_u J+6K is J−1, and J+5K+2 is r.
 const Changes three_windows{
     .from = 3,
+    .to = 0,
     .besides = {{0, 1}, {2, 0}, {4, 1}},
     .opening = {{{0, 1}, {0, 2}}, {{2, 0}, {1, 1}}, {{4, 1}, {2, 1}}},
     .legs =
@@ -75,6 +83,7 @@ const Changes three_windows{
 // In Z_u J+8K is J−1, and J+7K+2 is r.
 const Changes four_windows{
     .from = 2,
+    .to = 0,
     .besides = {{2, 0}, {6, 1}},
     .opening = {{{6, 1}, {0, 1}}, {{2, 0}, {4, 1}}, {{4, 1}, {2, 1}}, {{2, 1}, {1, 1}}},
     .legs =
@@ -96,15 +105,53 @@ const Changes four_windows{
         },
 };
 
+// c ≥ 5.
+Changes many_windows(std::uint64_t c) {
+  const std::uint64_t n = 2 * c;
+  const auto e = [](std::uint64_t i) { return Place{i, 0}; };
+  const auto f = [](std::uint64_t i) { return Place{i, -1}; };
+  const auto g = [](std::uint64_t i) { return Place{i, 1}; };
+  Changes changes{.from = 1, .to = -1, .besides = {e(2), g(n - 2)}, .opening = {}, .legs = {}};
+  Leg late{
+      .window = g(n - 2), .steps = {e(n - 4), e(0), {g(n - 2), e(2)}}, .leaves_next = e(n - 6)};
+  for (std::uint64_t i = 4; i <= n - 6; i += 2) {
+    changes.opening.push_back({e(i - 2), e(i)});
+    late.steps.push_back(e(i));
+  }
+  changes.opening.push_back({e(n - 6), e(1)});
+  changes.opening.push_back({g(n - 2), g(n - 4)});
+  for (std::uint64_t i = n - 6; i >= 2; i -= 2) {
+    changes.opening.push_back(g(i));
+  }
+  changes.opening.push_back(g(1));
+  using Absent = std::vector<Place>;
+  changes.legs = {
+      {f(1), {e(n - 3), e(n - 5), f(2), {f(1), f(3)}}, f(3), Absent{f(3), f(2)}},
+      {e(1), {}, {}, Absent{e(n - 3), e(n - 5)}},
+      {f(2), {e(n - 6), {f(2), f(3)}}, e(n - 6), Absent{f(3)}},
+      {e(2), {}, {}, Absent{e(n - 6)}},
+      {e(n - 6), {{e(n - 6), f(2)}}, f(2), Absent{f(2)}},
+      {e(n - 5), {{e(n - 5), f(1)}}, f(1), Absent{f(1)}},
+      {e(n - 4), {{e(n - 4), e(n - 2)}, f(2)}, f(2), Absent{f(2), e(n - 2)}},
+      {e(n - 3), {{e(n - 3), f(1)}, {f(3), e(n - 2)}}, f(1), Absent{f(1), e(n - 2)}},
+      std::move(late),
+      {f(0), {{f(0), e(n - 4)}, {f(2), e(n - 2)}}, {}, Absent{f(1)}},
+  };
+  return changes;
+}
+
+Changes changes_for(std::uint64_t c) {
+  return c == 3 ? three_windows : c == 4 ? four_windows : many_windows(c);
+}
+
 class ChainedVisits final : public EvenVisits {
  public:
   ChainedVisits(std::uint64_t k, const Deletion& deletion)
-      : EvenVisits(k, deletion, Kind::linear),
-        changes_(deletion.c == 3 ? three_windows : four_windows) {}
+      : EvenVisits(k, deletion, Kind::linear), changes_(changes_for(deletion.c)) {}
 
   [[nodiscard]] Block start() const override {
     Block block;
-    for (auto y = changes_.from; y <= static_cast<int>(numbers().big); ++y) {
+    for (auto y = changes_.from; y <= changes_.to + static_cast<int>(numbers().big); ++y) {
       block.push_back(static_cast<Element>(at({0, y})));
     }
     for (const Place& each : changes_.besides) {
@@ -116,23 +163,35 @@ class ChainedVisits final : public EvenVisits {
   // The opening, then the steps of windows J+2, …, u−1, 0, …, J−1.
   bool leg(std::uint64_t index, std::vector<Swap>& swaps) const override {
     if (index == 0) {
-      add(changes_.opening, swaps);
+      add(changes_.opening, {}, swaps);
       return true;
     }
     if (index + 1 == numbers().u) {
       return false;
     }
     const std::uint64_t j = window(index + 1);
-    if (const Leg* const changed = changed_at(j)) {
-      add(changed->steps, swaps);
-      return true;
-    }
     std::vector<Swap> usual = swaps_of(j);
     const Leg* const before = changed_at(window(index));
     if (before != nullptr && before->leaves_next) {
       usual.front().leaves = at(*before->leaves_next);
     }
-    swaps.insert(swaps.end(), usual.begin(), usual.end());
+    const Leg* const changed = changed_at(j);
+    if (changed == nullptr) {
+      swaps.insert(swaps.end(), usual.begin(), usual.end());
+      return true;
+    }
+    std::uint64_t out = usual.front().leaves;
+    if (changed->absent) {
+      const auto is_absent = [&](const Swap& each) {
+        return std::ranges::any_of(*changed->absent,
+                                   [&](const Place& x) { return at(x) == each.enters; });
+      };
+      std::erase_if(usual, is_absent);
+      for (const Swap& each : usual) {
+        swaps.push_back({.leaves = std::exchange(out, each.enters), .enters = each.enters});
+      }
+    }
+    add(changed->steps, out, swaps);
     return true;
   }
 
@@ -153,20 +212,23 @@ class ChainedVisits final : public EvenVisits {
     return found == changes_.legs.end() ? nullptr : &*found;
   }
 
-  void add(const std::vector<Step>& steps, std::vector<Swap>& swaps) const {
+  // `out` entered at the step before.
+  void add(const std::vector<Step>& steps, std::uint64_t out, std::vector<Swap>& swaps) const {
     for (const Step& step : steps) {
-      swaps.push_back({.leaves = at(step.leaves), .enters = at(step.enters)});
+      swaps.push_back({.leaves = step.leaves ? at(*step.leaves) : out, .enters = at(step.enters)});
+      out = swaps.back().enters;
     }
   }
 
-  const Changes& changes_;
+  Changes changes_;
 };
 
 constexpr Description description{
     .name = "chained-visits",
     .summary = "even-visits with one block fewer, by visitors that stay while windows move",
     .preconditions =
-        "linear, m = 1, v = 2cK+1-r, K = k-1, 2 <= r < K; c = 3 and K >= 4, or c = 4 and K >= 3",
+        "linear, m = 1, v = 2cK+1-r, K = k-1, c >= 3, K >= 3 (4 if c = 3), 2 <= r < K "
+        "(r <= K if c >= 5)",
     .guarantee = "b = c(2cK+1) - (2c-1)r - 2",
     .place = "docs/theorems.md, Theorem 12",
 };
@@ -178,7 +240,8 @@ class ChainedVisitsFamily final : public WithoutNeighbours {
  protected:
   bool serves(std::uint64_t k, const Deletion& deletion, Kind kind) const override {
     const auto [c, r] = deletion;
-    return kind == Kind::linear && 2 <= r && r + 1 < k && ((c == 3 && k >= 5) || c == 4);
+    return kind == Kind::linear && 2 <= r && r + (c < 5 ? 1 : 0) < k && k >= (c == 3 ? 5U : 4U) &&
+           c >= 3;
   }
   // A linear list has one block fewer in any case.
   std::uint64_t saved(const Deletion& deletion) const override {

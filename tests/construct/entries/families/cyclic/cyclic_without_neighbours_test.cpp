@@ -146,11 +146,12 @@ TEST(EvenVisits, SupersedesWhatSavesLessForEachElement) {
 
 TEST(ChainedVisits, HaveOneBlockFewerThanEvenVisits) {
   std::size_t built = 0;
-  for_each_v(24, 5, [&](std::uint64_t v, std::uint64_t k, const Place& place) {
+  for_each_v(24, 8, [&](std::uint64_t v, std::uint64_t k, const Place& place) {
     EXPECT_FALSE(offer_of("chained-visits", parameters(v, k)));
     const auto offer = offer_of("chained-visits", parameters(v, k, Kind::linear));
     ASSERT_EQ(offer.has_value(),
-              place.r >= 2 && place.r + 1 < k && (place.c == 4 || (place.c == 3 && k >= 5)))
+              place.r >= 2 && (place.c >= 5 ? place.r < k : place.r + 1 < k) &&
+                  (place.c >= 4 ? k >= 4 : place.c == 3 && k >= 5))
         << v << ' ' << k;
     if (offer) {
       EXPECT_EQ(offer->b + 1, offer_of("even-visits", parameters(v, k, Kind::linear))->b);
@@ -162,7 +163,8 @@ TEST(ChainedVisits, HaveOneBlockFewerThanEvenVisits) {
       ++built;
     }
   });
-  EXPECT_EQ(built, 2U * 22U * 21U / 2U - 1U);  // K−2 values of r for each c; c = 3 begins at K = 4
+  // K-2 values of r for c = 3, from K = 4 on, and c = 4; K-1 for each c from 5 to 8.
+  EXPECT_EQ(built, 2U * 22U * 21U / 2U - 1U + 4U * (23U * 22U / 2U - 1U));
 }
 
 TEST(CyclicWithoutNeighbours, LargeOnesAreValid) {
