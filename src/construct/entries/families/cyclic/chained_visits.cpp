@@ -1,5 +1,5 @@
 // Linear SCCD(2cK+1−r, k), K = k−1, for c ≥ 3 and 2 ≤ r < K, and for c ≥ 5 and r = K: one block
-// fewer than even-visits has [docs/theorems.md, Theorem 12].
+// fewer than even-visits has; and its unions [docs/theorems.md, Theorem 12].
 //
 // In even-visits the list begins with window J+1, J = K+r−1, and ends with window J and its
 // visitors J+(2c−2)K, …, J+2K. Here J+2K is in the first block, beside a visitor of window J+1, and
@@ -226,16 +226,15 @@ class ChainedVisits final : public EvenVisits {
 constexpr Description description{
     .name = "chained-visits",
     .summary = "even-visits with one block fewer, by visitors that stay while windows move",
-    .preconditions =
-        "linear, m = 1, v = 2cK+1-r, K = k-1, c >= 3, K >= 3 (4 if c = 3), 2 <= r < K "
-        "(r <= K if c >= 5)",
-    .guarantee = "b = c(2cK+1) - (2c-1)r - 2",
+    .preconditions = "linear, v = 2cK+1-r, K = k-m >= 3, c >= 3, 2 <= r < K, or r = K and c >= 5; "
+                     "K >= 4 if c = 3; K >= 2m if m > 1",
+    .guarantee = "b = c(2cK+1) - (2c-1)r - 2; the m-th part of it if m > 1",
     .place = "docs/theorems.md, Theorem 12",
 };
 
 class ChainedVisitsFamily final : public WithoutNeighbours {
  public:
-  ChainedVisitsFamily() : WithoutNeighbours(description) {}
+  ChainedVisitsFamily() : WithoutNeighbours(description, true) {}
 
  protected:
   bool serves(std::uint64_t k, const Deletion& deletion, Kind kind) const override {

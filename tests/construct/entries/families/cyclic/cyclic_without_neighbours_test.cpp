@@ -130,6 +130,26 @@ TEST(EvenVisits, UnionsAreAsPromisedForEveryChangeNumber) {
   EXPECT_GT(built, 500U);
 }
 
+TEST(ChainedVisits, UnionsAreAsPromisedForEveryChangeNumber) {
+  std::size_t built = 0;
+  for (std::uint64_t m = 2; m <= 6; ++m) {
+    for (std::uint64_t big = 2 * m; big <= 2 * m + 3; ++big) {
+      for (std::uint64_t v = 4 * big + 2; v <= 12 * big + 1; ++v) {
+        const Parameters p{v, big + m, m, Kind::linear, 2};
+        const auto offer = offer_of("chained-visits", p);
+        const auto single = offer_of("chained-visits", parameters(v, big + 1, Kind::linear));
+        ASSERT_EQ(offer.has_value(), single.has_value()) << v << ' ' << big << ' ' << m;
+        if (offer) {
+          EXPECT_EQ(offer->b, (single->b + m - 1) / m);
+          expect_as_promised(*offer);
+          ++built;
+        }
+      }
+    }
+  }
+  EXPECT_GT(built, 500U);
+}
+
 TEST(EvenVisits, SupersedesWhatSavesLessForEachElement) {
   for_each_v(16, 5, [](std::uint64_t v, std::uint64_t k, const Place& place) {
     const auto even = offer_of("even-visits", parameters(v, k));
