@@ -111,6 +111,26 @@ TEST(ChainedWindows, HaveOneOrTwoBlocksFewerThanVisitedOnes) {
   expect_spoilt_refused(offer_of("chained-windows", linear(58, 10))->recipe);
 }
 
+// K from 5 to 8 is where the proof begins; beyond, K and w grow together or K alone.
+TEST(ChainedThreeWindows, HaveTwoBlocksFewerThanVisitedOnes) {
+  for (std::uint64_t k = 3; k <= 30; ++k) {
+    for (std::uint64_t v = 3 * k; v <= 8 * k; ++v) {
+      EXPECT_FALSE(offer_of("chained-three-windows", circular(v, k)));
+      const auto offer = offer_of("chained-three-windows", linear(v, k));
+      ASSERT_EQ(offer.has_value(), k >= 6 && v + 2 >= 6 * k && v + 8 <= 7 * k) << v << ' ' << k;
+      if (offer) {
+        EXPECT_EQ(offer->b + 2, offer_of("visited-windows", linear(v, k))->b);
+        if (k <= 11) {
+          expect_as_promised(*offer);
+        } else {
+          EXPECT_TRUE(verify(*standard().build(offer->recipe)).valid()) << v << ' ' << k;
+        }
+      }
+    }
+  }
+  expect_spoilt_refused(offer_of("chained-three-windows", linear(59, 10))->recipe);
+}
+
 TEST(ChainedWindows, HaveOneBlockFewerThanVisitedOnesIfCircular) {
   for (std::uint64_t k = 3; k <= 40; ++k) {
     for (std::uint64_t v = 3 * k; v <= 6 * k; ++v) {

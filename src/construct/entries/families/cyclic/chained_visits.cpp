@@ -18,35 +18,18 @@
 #include <vector>
 
 #include "changeover/construct/registry.hpp"
+#include "construct/entries/families/chains.hpp"
 #include "construct/entries/families/cyclic/even_visits.hpp"
 #include "core/words.hpp"
 
 namespace changeover::chained_visits_entry {
 namespace {
 
-/// The element or window J + windows·K + by.
-struct Place {
-  std::uint64_t windows = 0;
-  int by = 0;
-};
+using chains::Leg;
+using chains::Place;
+using chains::Step;
 
-struct Step {
-  Step(Place out, Place in) : leaves(out), enters(in) {}
-  /// In place of the one that entered at the step before.
-  Step(Place in) : enters(in) {}  // NOLINT(google-explicit-constructor)
-
-  std::optional<Place> leaves;
-  Place enters;
-};
-
-/// The steps with this window, instead of those that even-visits has.
-struct Leg {
-  Place window;
-  std::vector<Step> steps;
-  std::optional<Place> leaves_next = {};  ///< at the first step of the next window; usually j does
-  std::optional<std::vector<Place>> absent = {};  ///< the usual visitors but these come first
-};
-
+// Places count from J.
 struct Changes {
   int from;                    // J+from, …, J+to are in the first block,
   int to;                      // to is counted from K
@@ -162,8 +145,9 @@ class ChainedVisits final : public EvenVisits {
 
   // The opening, then the steps of windows J+2, …, u−1, 0, …, J−1.
   bool leg(std::uint64_t index, std::vector<Swap>& swaps) const override {
+    const auto number_of = [this](const Place& place) { return at(place); };
     if (index == 0) {
-      add(changes_.opening, {}, swaps);
+      chains::add(changes_.opening, {}, number_of, swaps);
       return true;
     }
     if (index + 1 == numbers().u) {
@@ -191,7 +175,7 @@ class ChainedVisits final : public EvenVisits {
         swaps.push_back({.leaves = std::exchange(out, each.enters), .enters = each.enters});
       }
     }
-    add(changed->steps, out, swaps);
+    chains::add(changed->steps, out, number_of, swaps);
     return true;
   }
 
@@ -212,22 +196,15 @@ class ChainedVisits final : public EvenVisits {
     return found == changes_.legs.end() ? nullptr : &*found;
   }
 
-  // `out` entered at the step before.
-  void add(const std::vector<Step>& steps, std::uint64_t out, std::vector<Swap>& swaps) const {
-    for (const Step& step : steps) {
-      swaps.push_back({.leaves = step.leaves ? at(*step.leaves) : out, .enters = at(step.enters)});
-      out = swaps.back().enters;
-    }
-  }
-
   Changes changes_;
 };
 
 constexpr Description description{
     .name = "chained-visits",
     .summary = "even-visits with one block fewer, by visitors that stay while windows move",
-    .preconditions = "linear, v = 2cK+1-r, K = k-m >= 3, c >= 3, 2 <= r < K, or r = K and c >= 5; "
-                     "K >= 4 if c = 3; K >= 2m if m > 1",
+    .preconditions =
+        "linear, v = 2cK+1-r, K = k-m >= 3, c >= 3, 2 <= r < K, or r = K and c >= 5; "
+        "K >= 4 if c = 3; K >= 2m if m > 1",
     .guarantee = "b = c(2cK+1) - (2c-1)r - 2; the m-th part of it if m > 1",
     .place = "docs/theorems.md, Theorem 12",
 };
