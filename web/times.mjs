@@ -14,7 +14,7 @@ const pages = [
   ['Cell', '#/cell?v=40&k=6&change=2&kind=circular', '.recipe-node'],
   ['Design', '#/design?v=40&k=6&change=2&kind=circular', '.block-text'],
   [
-    'Design, 10,628 blocks',
+    'Design, 10,625 blocks',
     '#/design?v=253&k=4&change=1&kind=linear&show=stays',
     '.timeline-canvas',
   ],
