@@ -66,9 +66,11 @@ for (const [name, fragment, ready] of pages) {
   await explorer.stop().catch((fault) => console.log(fault.message.split('\n')[0]));
 }
 
-// Choosing another selection of the catalog.
+// Choosing another selection of the catalog, once the first one is there.
 const explorer = await start();
 const page = await explorer.open('#/catalog');
+await page.locator('table.cells a').first().waitFor();
+await page.waitForLoadState('networkidle');
 for (const [change, kind] of [
   ['1', 'circular'],
   ['3', 'circular'],
