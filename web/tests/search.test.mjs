@@ -36,7 +36,7 @@ test('what is missing is said', async () => {
 
 test('a cell comes with the link; what is known of it is said before it is searched', async () => {
   const page = await explorer.open('#/search?v=9&k=4&change=2&kind=linear');
-  await page.getByText('Gap 0: 8 blocks are known, and no design has fewer').waitFor();
+  await page.getByText('Gap 0: a design with 8 blocks is known, and none has fewer').waitFor();
   assert.equal(await page.getByRole('spinbutton', { name: 'Elements v' }).inputValue(), '9');
 });
 

@@ -84,7 +84,7 @@ function walk(view: View, cell: Cell): void {
 function reported(detail: CellDetail): Child[] {
   return detail.reported
     ? [
-        `${count(detail.reported.blocks, 'block')} are reported by `,
+        `A design with ${count(detail.reported.blocks, 'block')} is reported by `,
         work(detail.reported.cites),
         '; the blocks are not held here, so this is not verified.',
       ]

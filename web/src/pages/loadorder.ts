@@ -193,8 +193,9 @@ async function render(view: View): Promise<void> {
           'div',
           {},
           h(
-            'div',
-            { class: 'row' },
+            'section',
+            {},
+            h('h2', {}, 'The order as a file'),
             h(
               'button',
               {

@@ -14,6 +14,7 @@ import { cellDetail } from '../lib/source';
 import { changes, count, kinds } from '../lib/words';
 import { about } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
+import { beginning } from './search/begin';
 import { jobList } from './search/list';
 import { watch, type Watch } from './search/watch';
 import { found } from './search/words';
@@ -179,6 +180,7 @@ async function render(view: View): Promise<void> {
   const stream = h('p', { class: 'hint stream', role: 'status' });
   const list = jobList((id) => choose(id, true));
   const place = h('div', {});
+  const before = beginning();
   const states = new Map<string, SearchJob['state']>();
   let watched: Watch | null = null;
   let watching: AbortController | null = null;
@@ -205,8 +207,9 @@ async function render(view: View): Promise<void> {
     looking?.abort();
     looking = new AbortController();
     signal.addEventListener('abort', () => looking?.abort(), { once: true });
+    before.show(Number(change.value), kind.value as Kind, Number(strength.value));
     if (v.value === '' || k.value === '') {
-      known.textContent = '';
+      known.textContent = 'Write v and k to see what is known of them.';
       return;
     }
     const mine = looking.signal;
@@ -225,9 +228,9 @@ async function render(view: View): Promise<void> {
             ? `No design is known yet` +
               `${bound ? `; none has fewer than ${count(bound, 'block')}` : ''}.`
             : best.b === bound
-              ? `Gap 0: ${count(best.b, 'block')} are known, and no design has fewer. There is ` +
+              ? `Gap 0: a design with ${count(best.b, 'block')} is known, and none has fewer. There is ` +
                 `nothing to find.`
-              : `Gap ${best.b - (bound ?? 0)}: ${count(best.b, 'block')} are known; no design ` +
+              : `Gap ${best.b - (bound ?? 0)}: a design with ${count(best.b, 'block')} is known; none ` +
                 `has fewer than ${bound ?? '?'}.`;
         const nothing = impossible || (best !== null && best.b === bound);
         fill(
@@ -275,6 +278,7 @@ async function render(view: View): Promise<void> {
     list.select(id);
     watched = id === null ? null : watch(id, hindered === null, watching.signal);
     fill(place, watched?.element);
+    before.element.hidden = watched !== null;
     if (focus) {
       watched?.element.scrollIntoView({ block: 'nearest' });
     }
@@ -395,6 +399,7 @@ async function render(view: View): Promise<void> {
     stream,
     place,
     list.element,
+    before.element,
   );
   look();
   choose(params.get('id'));

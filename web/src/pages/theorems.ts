@@ -81,6 +81,7 @@ class Gallery {
             (x) => design.labels?.[x] ?? String(x),
             Array.from({ length: symmetry.shift }, (_, i) => i),
             [],
+            place.clientWidth,
           )
         : thumbnail(design, '', this.signal);
       image.setAttribute('aria-hidden', 'true');

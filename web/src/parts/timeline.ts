@@ -192,7 +192,8 @@ export function timeline(
     pen.textAlign = 'right';
     pen.textBaseline = 'middle';
     const rowStep = stride(row, 13);
-    for (let i = Math.floor(top); i < v && axis + (i - top) * row < height; ++i) {
+    // No name is cut in half at the bottom.
+    for (let i = Math.floor(top); i < v && axis + (i - top + 0.5) * row < height - 5; ++i) {
       const strong = lit.has(rows[i]!);
       if (i % rowStep === 0 || strong) {
         pen.fillStyle = strong ? mark : faint;
@@ -436,7 +437,7 @@ export function timeline(
     }
     const begun = width > 0;
     width = wide;
-    row = Math.max(2.5, Math.min(18, (Math.min(560, window.innerHeight * 0.6) - axis) / v));
+    row = Math.max(2, Math.min(18, (Math.min(560, window.innerHeight * 0.6) - axis) / v));
     height = Math.min(Math.max(600, window.innerHeight * 0.6), axis + Math.ceil(v * row) + 2);
     place.style.height = `${height}px`;
     resize(canvas, width, height);

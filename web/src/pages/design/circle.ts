@@ -45,12 +45,17 @@ function leastDistance(symmetry: Symmetry, at: readonly { x: number; y: number }
   return Math.min(200 / rings.length, ...neighbours);
 }
 
+/**
+ * `wide`: how many pixels it is shown wide, if that is little. Elements are larger then, and have
+ * names only where these can be read.
+ */
 export function circlePicture(
   symmetry: Symmetry,
   blocks: readonly (readonly number[])[],
   names: (x: number) => string,
   drawn: readonly number[],
   lit: readonly number[],
+  wide = 600,
 ): SVGElement {
   const at = places(symmetry);
   const colours = hues(mostDrawn, theme());
@@ -76,7 +81,10 @@ export function circlePicture(
     marks.push(polygon);
   });
   const inSome = new Set(drawn.flatMap((index) => blocks[index]!));
-  const r = Math.min(14, 0.45 * leastDistance(symmetry, at));
+  const pixel = 600 / wide;
+  const r = Math.min(Math.max(14, 13 * pixel), 0.45 * leastDistance(symmetry, at));
+  const named = 0.93 * r >= 8.5 * pixel || wide >= 600;
+  const outside = Math.max(0, r + 2 * pixel - 28);
   at.forEach((place, x) => {
     marks.push(
       svg(
@@ -86,22 +94,27 @@ export function circlePicture(
           'data-x': x,
         },
         svg('circle', { cx: place.x.toFixed(1), cy: place.y.toFixed(1), r: r.toFixed(1) }),
-        svg(
-          'text',
-          {
-            x: place.x.toFixed(1),
-            y: (place.y + 0.33 * r).toFixed(1),
-            'font-size': (0.93 * r).toFixed(1),
-          },
-          names(x),
-        ),
+        ...(named
+          ? [
+              svg(
+                'text',
+                {
+                  x: place.x.toFixed(1),
+                  y: (place.y + 0.33 * r).toFixed(1),
+                  'font-size': (0.93 * r).toFixed(1),
+                },
+                names(x),
+              ),
+            ]
+          : []),
       ),
     );
   });
+  const side = 600 + 2 * outside;
   return svg(
     'svg',
     {
-      viewBox: '0 0 600 600',
+      viewBox: `${-outside} ${-outside} ${side} ${side}`,
       class: 'circle-picture',
       role: 'img',
       'aria-label': `Elements on a circle; ${drawn.length} blocks of one turn`,

@@ -264,28 +264,28 @@ export function matrix(
     pen.textAlign = 'right';
     pen.fillText('← element', 0, 0);
     pen.restore();
-    const step = Math.max(1, Math.ceil(16 / cell));
+    // Names across are apart as far as the longest of them is wide.
+    const longest = Math.min(5, Math.max(...steps.names.map(({ length }) => length)));
+    const [step, stepAcross] = [16, 7 * longest + 9].map((pixels) =>
+      Math.max(1, Math.ceil(pixels / cell)),
+    ) as [number, number];
     const strongAt = lit.map(rowOf);
     for (let i = 0; i < v; ++i) {
       const strong = strongAt.includes(i);
-      if (!strong && (i % step !== 0 || strongAt.some((at) => Math.abs(at - i) < step))) {
-        continue; // No room, or in the way of a name that is chosen.
-      }
+      // Is there room, and no name that is chosen in the way?
+      const fits = (each: number): boolean =>
+        strong || (i % each === 0 && strongAt.every((at) => Math.abs(at - i) >= each));
       pen.fillStyle = strong ? mark : faint;
       const name = steps.names[rows[i]!]!.slice(0, 5);
       const across = margin + (i - corner.x + 0.5) * cell;
       const down = margin + (i - corner.y + 0.5) * cell;
       pen.textBaseline = 'middle';
       pen.textAlign = 'center';
-      if (
-        across > margin &&
-        across + name.length * 3.5 < side &&
-        (cell * step >= name.length * 7 || strong)
-      ) {
+      if (across > margin && across + name.length * 3.5 < side && fits(stepAcross)) {
         pen.fillText(name, across, margin - 9);
       }
       pen.textAlign = 'right';
-      if (down > margin && down < side) {
+      if (down > margin && down < side - 4 && fits(step)) {
         pen.fillText(name, margin - 6, down);
       }
     }

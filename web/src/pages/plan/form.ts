@@ -373,7 +373,7 @@ export function jobForm(
               touched()
             ),
           },
-          'numbered parts',
+          'Fill in numbered parts',
         ),
       ),
       h(

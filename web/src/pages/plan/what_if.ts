@@ -292,7 +292,7 @@ export function compared(outcome: Outcome): HTMLElement | null {
   return h(
     'details',
     { class: 'compared no-print' },
-    h('summary', {}, `Compared with ${number(alternatives.length - 1)} other plans`),
+    h('summary', {}, `Compared with ${count(alternatives.length - 1, 'other plan')}`),
     scroll(
       'What was compared',
       h(

@@ -3,7 +3,6 @@
 import type { SearchJob } from '../../lib/api';
 import { fill, h, scroll } from '../../lib/dom';
 import { number } from '../../lib/words';
-import { link } from '../../shell/router';
 import { found, seconds, stateWords, wayWords } from './words';
 
 export interface JobList {
@@ -22,17 +21,6 @@ interface Row {
 export function jobList(chosen: (id: string) => void): JobList {
   const rows = new Map<string, Row>();
   const body = h('tbody');
-  const none = h(
-    'p',
-    {},
-    'No search has been started yet. Cells close above their lower bound are good candidates: ',
-    h(
-      'a',
-      { href: link('catalog', { measure: 'gap', status: 'best-known', k: '3..12', v: '4..50' }) },
-      'choose one on the map',
-    ),
-    '.',
-  );
   const table = scroll(
     'Searches',
     h(
@@ -92,9 +80,9 @@ export function jobList(chosen: (id: string) => void): JobList {
   }
 
   const known = new Map<string, SearchJob>();
+  const element = h('section', {}, h('h2', {}, 'Searches'), table);
   function show(): void {
-    none.hidden = known.size > 0;
-    table.hidden = known.size === 0;
+    element.hidden = known.size === 0;
   }
   function update(job: SearchJob): void {
     const id = String(job.id);
@@ -110,7 +98,7 @@ export function jobList(chosen: (id: string) => void): JobList {
   }
   show();
   return {
-    element: h('section', {}, h('h2', {}, 'Searches'), none, table),
+    element,
     update,
     set(jobs) {
       const ids = new Set(jobs.map(({ id }) => String(id)));

@@ -94,9 +94,10 @@ export function blockList(report: Report, view: View): HTMLElement {
           'strong',
           { class: 'block-why' },
           blocks.introduced[i] === 0
-            ? `nothing changes, ${change} should`
+            ? 'nothing changes'
             : `${count(blocks.introduced[i]!, 'element')} ` +
-                `${blocks.introduced[i] === 1 ? 'changes' : 'change'}, ${change} should`,
+                `${blocks.introduced[i] === 1 ? 'changes' : 'change'}`,
+          h('span', { class: 'block-should' }, `, ${change} should`),
         ),
     );
   }
