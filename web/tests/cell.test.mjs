@@ -64,6 +64,27 @@ test('how many there are, and what others report', async () => {
   await page.close();
 });
 
+test('beyond the catalog, too, all is in one place', async () => {
+  for (const cell of ['v=300&k=6&change=2&kind=circular', 'v=30&k=9&change=4&kind=linear']) {
+    const page = await explorer.open(`#/cell?${cell}`);
+    await page.getByRole('heading', { name: 'How many there are' }).waitFor();
+    await page.getByText('The catalog does not hold this design').waitFor();
+    await page.getByRole('button', { name: 'Cite the catalog' }).click();
+    await page.locator('.bibtex pre', { hasText: '@misc{changeover-catalog' }).waitFor();
+    await page.locator('.around-table a[aria-current]', { hasText: /^\d+$/ }).waitFor();
+    assert.equal(await page.locator('.around-table tbody tr').count(), 5);
+    await page.close();
+  }
+});
+
+test('of many designs the first are shown, the others unfolded', async () => {
+  const page = await explorer.open('#/cell?v=10&k=4&change=1&kind=circular');
+  await page.locator('summary', { hasText: 'more designs of this cell' }).click();
+  assert.ok((await page.locator('.origin:visible').count()) > 10);
+  assert.equal(await page.locator('.origin.best').count(), 1);
+  await page.close();
+});
+
 test('arrow keys lead to the neighbours', async () => {
   const page = await explorer.open('#/cell?v=20&k=5');
   await page.keyboard.press('ArrowRight');

@@ -34,6 +34,22 @@ test('what is missing is said', async () => {
   await look(page, 'search-empty');
 });
 
+test('before a search the page says where to begin', async () => {
+  const page = await explorer.open('#/search');
+  const begin = page.locator('.search-begin');
+  await begin.getByText(/^In \d+ cells of the circular double-change designs/).waitFor();
+  await page.getByRole('combobox', { name: 'Kind' }).selectOption('linear');
+  await begin.getByText(/^In \d+ cells of the linear double-change designs/).waitFor();
+  const cell = begin.getByRole('link', { name: /^linear DCCD/ }).last();
+  const [, v, k] = /\((\d+),(\d+)\)/.exec(await cell.textContent());
+  await cell.click();
+  await page.getByText(/^Gap 1: a design with/).waitFor();
+  assert.equal(await page.getByRole('spinbutton', { name: 'Elements v' }).inputValue(), v);
+  assert.equal(await page.getByRole('spinbutton', { name: 'Block size k' }).inputValue(), k);
+  await begin.getByRole('link', { name: 'linear DCCD(9,5)' }).click();
+  await page.getByText('Goes up from the lower bound').waitFor();
+});
+
 test('a cell comes with the link; what is known of it is said before it is searched', async () => {
   const page = await explorer.open('#/search?v=9&k=4&change=2&kind=linear');
   await page.getByText('Gap 0: a design with 8 blocks is known, and none has fewer').waitFor();

@@ -47,6 +47,8 @@ test('every page of the navigation is reached by keyboard alone', async () => {
 
 test('an address without a page says so and leads home', async () => {
   const page = await explorer.open('#/nowhere');
+  assert.equal(await page.title(), 'No such page · Changeover');
+  await page.getByRole('navigation').getByRole('link', { name: 'Plan' }).waitFor();
   await page.getByRole('link', { name: 'Go to the start page' }).click();
   await page.getByRole('heading', { name: 'Study designs' }).waitFor();
 });

@@ -86,6 +86,17 @@ test('constructions are found by words', async () => {
   await page.close();
 });
 
+test('names in the pictures of examples can be read', async () => {
+  const page = await explorer.open('#/theorems');
+  const names = page.locator('.small-picture svg text');
+  await names.first().waitFor();
+  const heights = await names.evaluateAll((all) =>
+    all.map((text) => Number(text.getAttribute('font-size')) * text.getScreenCTM().a),
+  );
+  assert.ok(Math.min(...heights) >= 8, `names of ${Math.min(...heights)} px`);
+  await page.close();
+});
+
 test('it looks right', async () => {
   const page = await explorer.open('#/theorems');
   await look(page, 'theorems');

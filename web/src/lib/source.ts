@@ -100,6 +100,36 @@ export function atlasOf(selection: Selection): Promise<Atlas> {
   return asked;
 }
 
+/**
+ * The part of a selection near a cell. Where the catalog has no map, which takes long to compute,
+ * it is of these cells only; null in a static copy.
+ */
+export async function atlasNear(
+  cell: Cell,
+  around: { v: number; k: number },
+  signal: AbortSignal,
+): Promise<Atlas | null> {
+  const strength = cell.strength ?? 2;
+  const whole =
+    cell.change <= 3 ? await atlasOf({ change: cell.change, kind: cell.kind, strength }) : null;
+  if (whole?.has(cell.v, cell.k) || isCopy()) {
+    return whole;
+  }
+  const range = (at: number, by: number, least: number): string =>
+    `${Math.max(least, at - by)}..${at + by}`;
+  return new Atlas(
+    await get(
+      'atlas',
+      {
+        ...parameters(cell),
+        k: range(cell.k, around.k, Math.max(2, cell.change)),
+        v: range(cell.v, around.v, 3),
+      },
+      signal,
+    ),
+  );
+}
+
 /** Has the atlas know the groups of its designs. */
 export async function addGroups(atlas: Atlas, signal: AbortSignal): Promise<void> {
   if (!atlas.knowsGroups) {
@@ -251,9 +281,13 @@ export async function draw(
     : getText('draw', { ...(isCell(asked) ? parameters(asked) : asked), ...query }, signal);
 }
 
-export async function cite(label: string, signal: AbortSignal): Promise<string> {
+/** A design of the catalog as BibTeX; the whole catalog without a label. */
+export async function cite(label: string | null, signal: AbortSignal): Promise<string> {
   if (!isCopy()) {
-    return getText('cite', { label }, signal);
+    return getText('cite', { label: label ?? undefined }, signal);
+  }
+  if (label === null) {
+    throw new ApiError(notCopied, 404);
   }
   const text = (await keptCell(cellOf(label))).cite?.[label];
   if (!text) {

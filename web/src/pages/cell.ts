@@ -8,6 +8,7 @@ import { cellDetail, designOf, explain, dossierAddress } from '../lib/source';
 import { mostLooked, symmetryOf } from '../lib/symmetry';
 import { waiting } from '../lib/wait';
 import { changeWord, count, nameOf, number, ratio } from '../lib/words';
+import { command } from '../parts/command';
 import { copyButton } from '../parts/copy';
 import { downloads } from '../parts/downloads';
 import { busyKey, cellOf } from '../parts/fields';
@@ -177,6 +178,9 @@ function summary(
 }
 
 function bounds(detail: CellDetail): Child[] {
+  if (detail.impossible) {
+    return []; // The reason stands above.
+  }
   return [
     h('h2', {}, 'Lower bounds'),
     detail.bounds.length === 0
@@ -219,7 +223,19 @@ function bounds(detail: CellDetail): Child[] {
 function howMany(detail: CellDetail): Child[] {
   const all = detail.classified;
   if (!all) {
-    return [];
+    const { best, v, k, change, kind, strength } = detail;
+    return best && strength === 2
+      ? [
+          h('h2', {}, 'How many there are'),
+          h(
+            'p',
+            {},
+            `How many designs with ${count(best.b, 'block')} there are was not counted. `,
+            command(`changeover classify ${v} ${k} ${best.b} --change ${change} --${kind}`),
+            ' counts them; only small parameters are within reach.',
+          ),
+        ]
+      : [];
   }
   const groups = all.groups.map(
     ({ order, classes }) => `${number(classes)} with a group of order ${number(order)}`,
@@ -344,9 +360,15 @@ export const cell: Page = {
         h(
           'p',
           {},
-          'A cell has v elements and blocks of k: choose one in the ',
+          'The address does not name one: v and k must be numbers, kind circular or linear. Choose a cell in the ',
           h('a', { href: link('catalog') }, 'catalog'),
-          ', or write it into the address, as #/cell?v=20&k=5&change=2&kind=circular.',
+          ', or write it into the address, as ',
+          h(
+            'a',
+            { href: link('cell', { v: 20, k: 5, change: 2, kind: 'circular' }) },
+            '#/cell?v=20&k=5&change=2&kind=circular',
+          ),
+          '.',
         ),
       );
       return;
@@ -420,9 +442,9 @@ export const cell: Page = {
             h(
               'p',
               {},
-              h('code', {}, command(wanted)),
+              command(explaining(wanted)),
               ' ',
-              copyButton('Copy', () => command(wanted)),
+              copyButton('Copy', () => explaining(wanted)),
             ),
           ],
         ),
@@ -465,7 +487,7 @@ export const cell: Page = {
   },
 };
 
-function command(cell: Cell): string {
+function explaining(cell: Cell): string {
   return (
     `changeover explain ${cell.v} ${cell.k} --change ${cell.change} ` +
     `--${cell.kind}${(cell.strength ?? 2) > 2 ? ` --strength ${cell.strength}` : ''}`

@@ -2,6 +2,7 @@
 import { fill, h, svg, type Child } from '../lib/dom';
 import { atlasOf, isHeld } from '../lib/source';
 import { count, number } from '../lib/words';
+import { command } from '../parts/command';
 import { about, isCopy } from '../shell/about';
 import { link, type Page, type View } from '../shell/router';
 import { lookUp } from './catalog/look_up';
@@ -191,7 +192,7 @@ function goOn(): HTMLElement {
         h(
           'ul',
           { class: 'plain-list commands' },
-          lines.map((line) => h('li', {}, h('code', {}, line))),
+          lines.map((line) => h('li', {}, command(line))),
         ),
       );
 }

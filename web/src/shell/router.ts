@@ -90,6 +90,8 @@ export class Router {
     const page =
       this.pages.find((each) => each.path === path) ?? (path === '' ? this.pages[0] : undefined);
     if (!page) {
+      this.entered({ path, title: 'No such page', render: () => undefined });
+      this.root.removeAttribute('aria-busy');
       fill(
         this.root,
         h('h1', {}, 'No such page'),

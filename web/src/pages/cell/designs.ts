@@ -17,15 +17,15 @@ export function madeBy(construction: string): Child[] {
     : ['Made by ', h('a', { href: link('theorems', { construction }) }, construction)];
 }
 
-function origin(entry: CatalogEntry, best: boolean, signal: AbortSignal): HTMLElement {
-  const { who, date, program, command } = entry.credit;
+/** A button that shows BibTeX, and where it shows it. */
+function citation(label: string | null, signal: AbortSignal): [HTMLElement, HTMLElement] {
   const shown = h('div', { class: 'bibtex', role: 'status' });
   const button = h(
     'button',
     {
       type: 'button',
       class: 'plain small',
-      'aria-label': `Cite ${entry.label}`,
+      'aria-label': `Cite ${label ?? 'the catalog'}`,
       'aria-expanded': 'false',
       onclick: () => void show(),
     },
@@ -38,7 +38,7 @@ function origin(entry: CatalogEntry, best: boolean, signal: AbortSignal): HTMLEl
       return;
     }
     try {
-      const text = await cite(entry.label, signal);
+      const text = await cite(label, signal);
       fill(
         shown,
         h('pre', { tabindex: 0 }, text),
@@ -51,6 +51,12 @@ function origin(entry: CatalogEntry, best: boolean, signal: AbortSignal): HTMLEl
       }
     }
   }
+  return [button, shown];
+}
+
+function origin(entry: CatalogEntry, best: boolean, signal: AbortSignal): HTMLElement {
+  const { who, date, program, command } = entry.credit;
+  const [button, shown] = citation(entry.label, signal);
   return h(
     'li',
     { class: best ? 'origin best' : 'origin' },
@@ -79,16 +85,49 @@ function origin(entry: CatalogEntry, best: boolean, signal: AbortSignal): HTMLEl
   );
 }
 
+/** More than these are folded. */
+const mostAtOnce = 4;
+
 export function origins(detail: CellDetail, signal: AbortSignal): Child[] {
-  if (detail.designs.length === 0) {
-    return [];
+  const { best, designs } = detail;
+  if (designs.length === 0) {
+    return best ? [h('h2', {}, 'History, credit and citation'), notKept(best, signal)] : [];
   }
-  return [
-    h('h2', {}, 'History, credit and citation'),
+  const list = (from: number, to: number): HTMLElement =>
     h(
       'ol',
       { class: 'origins', reversed: true },
-      detail.designs.map((entry, i) => origin(entry, i === 0, signal)),
-    ),
+      designs.slice(from, to).map((entry, i) => origin(entry, from + i === 0, signal)),
+    );
+  const first = designs.length > mostAtOnce + 1 ? mostAtOnce : designs.length;
+  return [
+    h('h2', {}, 'History, credit and citation'),
+    list(0, first),
+    first < designs.length &&
+      h(
+        'details',
+        {},
+        h('summary', {}, `${count(designs.length - first, 'more design')} of this cell`),
+        list(first, designs.length),
+      ),
   ];
+}
+
+/** A design that the catalog does not have: a construction makes it whenever it is asked for. */
+function notKept({ construction }: { construction: string }, signal: AbortSignal): HTMLElement {
+  const [button, shown] = citation(null, signal);
+  return h(
+    'div',
+    {},
+    h(
+      'p',
+      {},
+      'The catalog does not hold this design, so it has no label and no date: ',
+      h('a', { href: link('theorems', { construction }) }, construction),
+      ' makes the same blocks whenever they are asked for. Cite the works that “How it is made” ' +
+        'names, and the program with its catalog. ',
+      button,
+    ),
+    shown,
+  );
 }
