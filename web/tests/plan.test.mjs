@@ -288,7 +288,7 @@ test('a job too long for a link is kept in the browser; a link to one that is no
   await page.getByRole('spinbutton', { name: 'How many parts' }).fill('90');
   await page.getByRole('button', { name: 'numbered parts' }).click();
   await page.getByRole('spinbutton', { name: 'How many fit at once' }).fill('5');
-  await page.getByRole('combobox', { name: 'Search for' }).selectOption('1');
+  await page.getByRole('combobox', { name: 'Time to search' }).selectOption('1');
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
   await planned(page);
   await page.getByText('too long for a link').waitFor();

@@ -54,7 +54,7 @@ test(
     await page.getByText('CPU 1, DIMM 4, NIC 1–2').waitFor();
     await page.getByText('2 forbidden').waitFor();
     await page.getByRole('textbox', { name: 'Cost of a test' }).fill('25');
-    await page.getByRole('combobox', { name: 'Search for' }).selectOption('1');
+    await page.getByRole('combobox', { name: 'Time to search' }).selectOption('1');
     await page.getByRole('button', { name: 'Plan', exact: true }).click();
     await planned(page);
     await page.getByText(/\d+ tests, \d+ changes, cost \d+ minutes/).waitFor();
@@ -111,7 +111,7 @@ test('a model of parameters: one value of each, its rules obeyed', async () => {
   await give(page, 'costs.csv', readFileSync(join(lab, 'web_shop/costs.csv')));
   await page.locator('.group summary', { hasText: '12 rows' }).waitFor();
   await page.getByRole('textbox', { name: 'Cost of a test' }).fill('6');
-  await page.getByRole('combobox', { name: 'Search for' }).selectOption('1');
+  await page.getByRole('combobox', { name: 'Time to search' }).selectOption('1');
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
   await planned(page);
   const rows = await sheetRows(page).evaluateAll((all) =>
@@ -143,7 +143,7 @@ test('a search is seen while it goes on, and the best so far is kept', async () 
   await page.getByRole('spinbutton', { name: 'How many parts' }).fill('30');
   await page.getByRole('button', { name: 'numbered parts' }).click();
   await page.getByRole('spinbutton', { name: 'How many fit at once' }).fill('5');
-  await page.getByRole('combobox', { name: 'Search for' }).selectOption('600');
+  await page.getByRole('combobox', { name: 'Time to search' }).selectOption('600');
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
   await page.locator('.live').getByText('no plan costs less than').waitFor({ timeout: 60_000 });
   await look(page, 'plan-live');
@@ -317,7 +317,7 @@ test('three benches: a sheet each, with its times; a part is on one bench at a t
   await page.locator('.group summary', { hasText: '3 benches' }).waitFor();
   await page.getByRole('spinbutton', { name: 'How many fit at once' }).fill('4');
   await page.getByRole('textbox', { name: 'Cost of a test' }).fill('1.5');
-  await page.getByRole('combobox', { name: 'Search for' }).selectOption('1');
+  await page.getByRole('combobox', { name: 'Time to search' }).selectOption('1');
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
   await planned(page);
   for (const bench of ['North', 'South', 'Night']) {
@@ -356,7 +356,7 @@ test('three benches: a sheet each, with its times; a part is on one bench at a t
   play(planned_, half, 2, 'North');
   play(half, filled, 1, 'South');
   const fresh = await explorer.open('#/plan');
-  await fresh.getByRole('combobox', { name: 'Search for' }).selectOption('5');
+  await fresh.getByRole('combobox', { name: 'Time to search' }).selectOption('5');
   await give(fresh, 'week.xlsx', readFileSync(planned_));
   await fresh.getByText('week.xlsx: the question is that of its hidden sheet').waitFor();
   await fresh.locator('.group summary', { hasText: '3 benches' }).waitFor();

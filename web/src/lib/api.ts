@@ -27,6 +27,11 @@ export type Cell = Pick<Design, 'v' | 'k' | 'change' | 'kind' | 'strength'>;
 /** Which design: a cell's best, one of the catalog, of the command line, or of a search. */
 export type Selector = Cell | { label: string } | { file: number } | { job: string };
 
+/** Between backticks stands a command. */
+export const noAnswer =
+  'The server does not answer. If it was stopped, start `changeover serve` again and open the ' +
+  'address that it prints.';
+
 /** What a server said instead of an answer: one line that can be shown as it is. */
 export class ApiError extends Error {
   constructor(
@@ -89,7 +94,7 @@ export async function askWith(url: string, init: RequestInit): Promise<Response>
     if (init.signal?.aborted) {
       throw fault;
     }
-    throw new ApiError('The server does not answer. Is `changeover serve` still running?', 0);
+    throw new ApiError(noAnswer, 0);
   }
   if (!response.ok) {
     const body = (await response.json().catch(() => null)) as Refusal | null;

@@ -1,7 +1,7 @@
 // One design: its pictures, its blocks, and a player that steps through them.
-import type { Design } from '../lib/api';
+import { ApiError, type Design } from '../lib/api';
 import { field, fill, h, scroll, select } from '../lib/dom';
-import { designOf, explain, isCell, type Asked } from '../lib/source';
+import { cellOfLabel, designOf, explain, isCell, type Asked } from '../lib/source';
 import { mostLooked, symmetryOf } from '../lib/symmetry';
 import { waiting } from '../lib/wait';
 import { count, nameOf } from '../lib/words';
@@ -144,18 +144,23 @@ export const design: Page = {
       if (view.signal.aborted) {
         return;
       }
+      const cell = isCell(asked) ? asked : 'label' in asked ? cellOfLabel(asked.label) : null;
       fill(
         view.root,
         h('h1', {}, 'No design to show'),
-        problem(fault),
-        isCell(asked) &&
+        problem(
+          'label' in asked && fault instanceof ApiError && fault.status === 404 && !frozen
+            ? new Error(`The catalog has no design with the label ${asked.label}.`)
+            : fault,
+        ),
+        cell &&
           h(
             'p',
             {},
             h(
               'a',
-              { href: link('cell', { ...asked }) },
-              `What is known of v = ${asked.v}, k = ${asked.k}`,
+              { href: link('cell', { ...cell }) },
+              `What is known of v = ${cell.v}, k = ${cell.k}`,
             ),
           ),
         h('p', {}, h('a', { href: link('catalog') }, 'The catalog')),

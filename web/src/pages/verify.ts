@@ -1,8 +1,9 @@
 import { ApiError, address, hasToken, post, type Design, type Kind } from '../lib/api';
-import { field, fill, h, select } from '../lib/dom';
+import { field, fill, h, select, type Child } from '../lib/dom';
 import { keepLocal, keepText, keptText } from '../lib/local';
 import { longestWord, pack, unpack } from '../lib/share';
 import { bytes, changes, kinds } from '../lib/words';
+import { command } from '../parts/command';
 import { asText } from '../parts/downloads';
 import { about } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
@@ -37,6 +38,25 @@ function designOf({
     ...(labels ? { labels } : {}),
     verdict: answer.verdict,
   };
+}
+
+/** Below the form until something is checked. */
+function whatComes(): Child[] {
+  const parts: [string, string][] = [
+    ['Steps', 'each wrong one is marked in the list, with what leaves and what is introduced'],
+    ['Pairs', 'each one that is in no block is named, with the blocks of its two elements'],
+    ['Quality', 'tight, economical, minimum; the lower bound, and how far above it the list is'],
+    ['What next', 'a repair of a list that is nearly a design; a citation of one that is known'],
+  ];
+  return [
+    h('h2', {}, 'What the answer says'),
+    h(
+      'dl',
+      { class: 'facts' },
+      parts.map(([name, words]) => [h('dt', {}, name), h('dd', {}, words)]).flat(),
+    ),
+    h('p', {}, 'On the command line: ', command('changeover verify FILE')),
+  ];
 }
 
 async function firstText(view: View): Promise<string> {
@@ -236,7 +256,13 @@ async function render(view: View): Promise<void> {
     const line = fault instanceof ApiError ? fault.line : undefined;
     fill(
       result,
-      h('h2', {}, 'This could not be read'),
+      h(
+        'h2',
+        {},
+        fault instanceof ApiError && fault.status === 0
+          ? 'This was not checked'
+          : 'This could not be read',
+      ),
       problem(fault),
       line && (await excerpt(body, line, (fault as ApiError).column)),
       line &&
@@ -424,6 +450,8 @@ async function render(view: View): Promise<void> {
     show(start);
   } else if (file) {
     showFile(file);
+  } else {
+    fill(result, whatComes());
   }
   if (start !== '' || file) {
     await run();

@@ -183,7 +183,8 @@ export function timeline(
     pen.textBaseline = 'alphabetic';
     const step = stride(scale, 52);
     for (let n = Math.max(step, Math.ceil(a / step) * step); n <= z; n += step) {
-      pen.fillText(number(n), x(n) + scale / 2, axis - 8);
+      const half = pen.measureText(number(n)).width / 2;
+      pen.fillText(number(n), Math.min(x(n) + scale / 2, width - half - 1), axis - 8);
       pen.beginPath();
       pen.moveTo(Math.round(x(n) + scale / 2) + 0.5, axis - 4);
       pen.lineTo(Math.round(x(n) + scale / 2) + 0.5, axis);

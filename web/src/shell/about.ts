@@ -1,5 +1,5 @@
 // What the server is and may do, asked once. In a static export a file answers instead.
-import type { About } from '../lib/api';
+import { noAnswer, type About } from '../lib/api';
 
 let known: Promise<About> | undefined;
 
@@ -29,9 +29,7 @@ export function about(): Promise<About> {
     }
     known = undefined;
     throw new Error(
-      isCopy()
-        ? 'This copy is not complete: data/config.json is missing.'
-        : 'The server does not answer. Is `changeover serve` still running?',
+      isCopy() ? 'This copy is not complete: data/config.json is missing.' : noAnswer,
     );
   })();
   return known;

@@ -170,5 +170,7 @@ export function problem(fault: unknown): HTMLElement {
     fault instanceof ApiError && fault.line
       ? ` (line ${fault.line}${fault.column ? `, column ${fault.column}` : ''})`
       : '';
-  return h('p', { class: 'problem', role: 'alert' }, message + place);
+  // Commands stand between backticks.
+  const pieces = message.split('`').map((piece, i) => (i % 2 === 1 ? h('code', {}, piece) : piece));
+  return h('p', { class: 'problem', role: 'alert' }, pieces, place);
 }

@@ -379,7 +379,7 @@ export function jobForm(
       h(
         'button',
         { type: 'button', class: 'plain', onclick: () => (grid.set([]), touched()) },
-        'Clear',
+        'Clear the list',
       ),
     ),
   );
@@ -454,7 +454,7 @@ export function jobForm(
           ),
           field('Costs are', unit),
           field('Title of the sheet', title),
-          field('Search for', seconds),
+          field('Time to search', seconds),
         ),
         h('div', { class: 'row' }, go),
         h('h2', { class: 'more-rules' }, 'Options'),

@@ -1,6 +1,6 @@
 // Asking the server and looking through the blocks, beside the page: a file of 50 MB must not stop
 // it.
-import { ApiError, type Kind, type Verified } from '../../lib/api';
+import { ApiError, noAnswer, type Kind, type Verified } from '../../lib/api';
 
 export interface Question {
   url: string;
@@ -61,13 +61,16 @@ export function check(question: Question, signal: AbortSignal): Promise<Report> 
         reject(new ApiError(message, status, line, column));
       }
     };
-    worker.onerror = () => {
+    worker.onerror = (event) => {
       done();
+      // Where the worker itself could not be fetched, the event has no message.
       reject(
-        new Error(
-          'The answer could not be read: it may be larger than this browser can hold. ' +
-            '`changeover verify FILE` has no such limit.',
-        ),
+        event instanceof ErrorEvent && event.message
+          ? new Error(
+              'The answer could not be read: it may be larger than this browser can hold. ' +
+                '`changeover verify FILE` has no such limit.',
+            )
+          : new ApiError(noAnswer, 0),
       );
     };
     worker.postMessage({ ...question, url: new URL(question.url, document.baseURI).href });
