@@ -1,7 +1,7 @@
 import { keepToken } from './lib/api';
 import { fill, h } from './lib/dom';
 import { cellOfLabel } from './lib/source';
-import { count, number } from './lib/words';
+import { count, number, rangeWords } from './lib/words';
 import { catalog } from './pages/catalog';
 import { cell } from './pages/cell';
 import { design } from './pages/design';
@@ -111,13 +111,16 @@ function followAddress(): void {
 }
 
 async function foot(): Promise<void> {
-  const { version, catalog: kept, files, static: frozen } = await about();
+  const { version, catalog: kept, files, static: frozen, range } = await about();
   fill(
     element('bottom'),
     h(
       'p',
       {},
-      `Changeover ${version}. ${count(kept.designs, 'design')} in ${number(kept.cells)} cells. `,
+      `Changeover ${version}. `,
+      range
+        ? `Designs with ${rangeWords(range)}. `
+        : `${count(kept.designs, 'design')} in ${number(kept.cells)} cells. `,
       frozen
         ? 'A copy for reading; the program checks, plans and searches, too.'
         : 'Everything on this page comes from this machine.',

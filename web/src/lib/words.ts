@@ -36,6 +36,19 @@ export const changes: readonly (readonly [string, string])[] = [
   ['3', 'triple-change (m = 3)'],
 ];
 
+/** What a static copy has: "k = 3 to 6 and v = 4 to 30" */
+export function rangeWords(range: {
+  k_from: number;
+  k_to: number;
+  v_from: number;
+  v_to: number;
+}): string {
+  return (
+    `k\u00a0=\u00a0${range.k_from} to ${range.k_to} and ` +
+    `v\u00a0=\u00a0${range.v_from} to ${range.v_to}`
+  );
+}
+
 export function bytes(n: number): string {
   const units = ['bytes', 'kB', 'MB', 'GB', 'TB', 'PB'];
   let unit = 0;

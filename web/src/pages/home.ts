@@ -1,7 +1,7 @@
 // The start page: three doors, one for each kind of question.
 import { fill, h, svg, type Child } from '../lib/dom';
 import { atlasOf, isHeld } from '../lib/source';
-import { count, number } from '../lib/words';
+import { count, number, rangeWords } from '../lib/words';
 import { command } from '../parts/command';
 import { about, isCopy } from '../shell/about';
 import { link, type Page, type View } from '../shell/router';
@@ -125,7 +125,9 @@ function mapPicture(view: View): HTMLElement {
       return;
     }
     const paint = paintOf(atlas, 'ratio');
-    pen.clearRect(0, 0, canvas.width, canvas.height);
+    canvas.width = atlas.columns * 3;
+    canvas.height = atlas.rows * 5;
+    canvas.style.objectFit = atlas.rows < 19 ? 'contain' : 'fill';
     for (const cell of atlas.cells()) {
       if (cell.status !== 'impossible') {
         pen.fillStyle = paint.of(cell);
@@ -285,8 +287,13 @@ export const home: Page = {
       ),
     );
     about().then(
-      ({ catalog }) =>
-        fill(counts, `${number(catalog.designs)} designs in ${number(catalog.cells)} cells.`),
+      ({ catalog, range }) =>
+        fill(
+          counts,
+          range
+            ? `Here are the designs with ${rangeWords(range)}.`
+            : `${number(catalog.designs)} designs in ${number(catalog.cells)} cells.`,
+        ),
       () => undefined,
     );
   },
