@@ -17,6 +17,13 @@ TEST(Dossier, SaysWhatAPaperNeeds) {
   const TemporaryFolder folder;
   expect({{"$changeover dossier 8 5", 0, "# A circular DCCD(8,5,5)"},
           {"$changeover dossier 8 5 --linear", 0, "No linear DCCD(8,5) has fewer than"},
+          {"$changeover dossier 20 5", 0,
+           "has exactly 2 elements that the block before it lacks; the last block is before the "
+           "first."},
+          {"$changeover dossier 20 5", 0, "Here i\\_x is the number of blocks that introduce x"},
+          {"$changeover dossier 13 13 --linear", 0, "are together in some block. Quality"},
+          {"$changeover dossier 40 6 --circular", 0, "have their proofs there"},
+          {"$changeover dossier 20 5 | grep -c elementary", 1, "0"},
           {"$changeover dossier 8.5.2.circular", 0, "grep -v \"^#\" design.txt | sha256sum"},
           {"$changeover dossier 26.4.2.circular.65 --format html", 0, "<figcaption>"},
           {"$changeover dossier 26 6 --change 1 --linear", 0, "63 reported \\[Bean2026\\]"},

@@ -45,6 +45,30 @@ std::string lines_of(const Design& design) {
   return text;
 }
 
+// What the name of the design says, for readers of papers that do not.
+std::string definition_of(const Dossier& dossier) {
+  const Parameters& p = dossier.parameters;
+  const std::string every = p.strength == 2 ? "two" : std::to_string(p.strength);
+  const std::string step =
+      dossier.b == 1
+          ? ""
+          : fmt::format(", and each block has exactly {} that the block before it lacks{}",
+                        count_of(p.change, "element"),
+                        p.kind == Kind::circular ? "; the last block is before the first" : "");
+  return fmt::format(
+      "Each block has {} of the {} elements, every {} elements are together in some block{}.", p.k,
+      p.v, every, step);
+}
+
+bool mentions(const Dossier& dossier, std::string_view words) {
+  const auto in = [words](const std::string& text) { return text.find(words) != text.npos; };
+  return std::ranges::any_of(dossier.known.bounds,
+                             [&](const Bound& bound) { return in(bound.reason); }) ||
+         std::ranges::any_of(dossier.steps, [&](const RecipeStep& step) {
+           return in(step.how) || in(step.citation);
+         });
+}
+
 void say_bounds(const Dossier& dossier, Form& form) {
   form.heading("Lower bounds");
   const std::uint64_t least = dossier.known.bounds.front().blocks;
@@ -58,6 +82,12 @@ void say_bounds(const Dossier& dossier, Form& form) {
     form.item(0, fmt::format("b >= {} ({}): {}", bound.blocks, bound.name, bound.reason));
   }
   form.end_of_items();
+  if (mentions(dossier, "i_x")) {
+    form.paragraph(
+        "Here i_x is the number of blocks that introduce x, r_x the number of blocks that contain "
+        "x, and e_x how many pairs with x are newly covered beyond v-1, counted with repetition. A "
+        "pair is newly covered in a block if the block before lacks one of the two, or both.");
+  }
   if (dossier.known.reported) {
     form.paragraph(fmt::format("A publication reports fewer blocks: {}.",
                                reported_words(*dossier.known.reported)));
@@ -67,7 +97,9 @@ void say_bounds(const Dossier& dossier, Form& form) {
 void say_construction(const Dossier& dossier, Form& form) {
   form.heading("Construction");
   for (const RecipeStep& step : dossier.steps) {
-    form.item(step.depth, fmt::format("{}. {} {}", step.design, step.how, step.citation));
+    const bool cites = step.citation != "[elementary]";
+    form.item(step.depth,
+              fmt::format("{}. {}{}", step.design, step.how, cites ? " " + step.citation : ""));
   }
   form.end_of_items();
   if (!dossier.label.empty()) {
@@ -96,10 +128,16 @@ void say_how_to_check(const Dossier& dossier, Form& form) {
     }
     form.code(commands);
   }
+  if (mentions(dossier, "docs/theorems.md")) {
+    form.paragraph(
+        "The theorems of docs/theorems.md have their proofs there; the file is part of the "
+        "program's source.");
+  }
 }
 
 void write(const Dossier& dossier, Form& form) {
-  form.paragraph(dossier.statement + " Quality: " + dossier.quality + ".");
+  form.paragraph(dossier.statement + " " + definition_of(dossier) + " Quality: " + dossier.quality +
+                 ".");
   form.paragraph("Verified by changeover " + std::string(version) + ": " + dossier.certificate +
                  ".");
   say_bounds(dossier, form);
