@@ -292,13 +292,14 @@ constexpr std::string_view style = R"(
          font: 16px/1.5 "Helvetica Neue", Helvetica, Arial, "Liberation Sans", sans-serif; }
   h1 { font-size: 1.7rem; margin: 0 0 .5rem; }
   h2 { font-size: 1.2rem; margin: 2rem 0 .5rem; }
-  pre { overflow-x: auto; padding: .6rem .8rem; background: #f3f4f5; font-size: .85rem; }
-  .blocks { column-width: 12rem; }
+  pre { overflow-x: auto; padding: .6rem .8rem; background: #f3f4f5; font-size: .85rem;
+        white-space: pre-wrap; }
+  .blocks { column-width: 12rem; white-space: pre; }
   figure { margin: 1.5rem 0; text-align: center; }
   figure svg { max-width: 100%; height: auto; }
   figcaption { font-size: .9rem; }
   @media print {
-    body { margin: 0; max-width: none; font-size: 10pt; } pre { white-space: pre-wrap; } }
+    body { margin: 0; max-width: none; font-size: 10pt; } .blocks { white-space: pre-wrap; } }
   @media (prefers-color-scheme: dark) { @media screen {
     body { color: #e8e8e8; background: #16181a; } pre { background: #24272a; }
     figure svg { background: #fff; } } }
