@@ -205,7 +205,8 @@ test('by label, and a label that does not exist', async () => {
   const none = await explorer.open('#/design?label=20.5.2.circular.29.00000000', {
     mayFail: /status of 404/,
   });
-  await none.getByRole('alert').waitFor();
+  await none.getByRole('alert').getByText('no design with the label').waitFor();
+  await none.getByRole('link', { name: 'What is known of v = 20, k = 5' }).waitFor();
   await none.close();
   const which = await explorer.open('#/design');
   await which.getByRole('heading', { name: 'Which design?' }).waitFor();

@@ -248,3 +248,15 @@ test('a design that is known is cited, with the reason of its bound', async () =
   await page.locator('.verdict .reason math').first().waitFor();
   await page.close();
 });
+
+test('before a check the page says what comes; a server that is gone is not a fault of the list', async () => {
+  const other = await start();
+  const page = await other.open('#/verify', { mayFail: /ERR_/ });
+  await page.getByRole('heading', { name: 'What the answer says' }).waitFor();
+  await other.server.stop();
+  await page.getByRole('link', { name: 'a good one' }).click();
+  await page.getByRole('heading', { name: 'This was not checked' }).waitFor();
+  await page.getByRole('alert').getByText('The server does not answer.').waitFor();
+  assert.equal(await page.getByRole('alert').locator('code').textContent(), 'changeover serve');
+  await other.stop();
+});
