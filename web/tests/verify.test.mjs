@@ -249,7 +249,7 @@ test('a design that is known is cited, with the reason of its bound', async () =
   await page.close();
 });
 
-test('before a check the page says what comes; a server that is gone is not a fault of the list', async () => {
+test('what comes is said before a check, and that the server is gone', async () => {
   const other = await start();
   const page = await other.open('#/verify', { mayFail: /ERR_/ });
   await page.getByRole('heading', { name: 'What the answer says' }).waitFor();

@@ -360,7 +360,8 @@ export const cell: Page = {
         h(
           'p',
           {},
-          'The address does not name one: v and k must be numbers, kind circular or linear. Choose a cell in the ',
+          'The address does not name one: v and k must be numbers, kind circular or linear. ' +
+            'Choose a cell in the ',
           h('a', { href: link('catalog') }, 'catalog'),
           ', or write it into the address, as ',
           h(

@@ -228,10 +228,10 @@ async function render(view: View): Promise<void> {
             ? `No design is known yet` +
               `${bound ? `; none has fewer than ${count(bound, 'block')}` : ''}.`
             : best.b === bound
-              ? `Gap 0: a design with ${count(best.b, 'block')} is known, and none has fewer. There is ` +
-                `nothing to find.`
-              : `Gap ${best.b - (bound ?? 0)}: a design with ${count(best.b, 'block')} is known; none ` +
-                `has fewer than ${bound ?? '?'}.`;
+              ? `Gap 0: a design with ${count(best.b, 'block')} is known, and none has fewer. ` +
+                `There is nothing to find.`
+              : `Gap ${best.b - (bound ?? 0)}: a design with ${count(best.b, 'block')} is known; ` +
+                `none has fewer than ${bound ?? '?'}.`;
         const nothing = impossible || (best !== null && best.b === bound);
         fill(
           known,
