@@ -104,6 +104,16 @@ class Dask(unittest.TestCase):
             __import__("changeover.cluster._worker", fromlist=["x"])._performers))
         self.assertEqual(set(left.values()), {0})
 
+    def test_a_worker_holds_so_many_bytes(self):
+        sizes = [800 * (1 + x % 5) for x in range(32)]
+        report = self.run_job(
+            load=lambda x: numpy.full(100 * (1 + x % 5), x, numpy.int64), room=None, sizes=sizes,
+            memory=20_000, compute=lambda i, j, a, b: int(a[0]) * 1000 + int(b[-1]))
+        self.sink.check(self.every)
+        self.assertLessEqual(report.most_bytes, 20_000)
+        self.assertGreater(report.most_bytes, 10_000)
+        self.assertLessEqual(report.bytes, 1.2 * report.planned_bytes)
+
     def test_lists_closures_costs_and_items_alone(self):
         pairs = [(i, (i + 1) % 30) for i in range(30)] + [(4, 4)]
         offset = 1000

@@ -74,6 +74,14 @@ class Mpi(unittest.TestCase):
             self.assertEqual(len(set(said.values())), 1, "all processes have the report")
             self.assertRegex(said[0], rf"^276 {processes} \d+$")
 
+    def test_a_worker_holds_so_many_bytes(self):
+        said, _ = self.run_program(
+            "report = job(room=None, sizes=lambda x: 1 + x % 5, memory=20, overlap=True)\n"
+            "assert len(got) == (276 if comm.rank == 0 else 0) and report.most_bytes <= 20\n"
+            "assert report.bytes >= 3 * 24 - 4 and report.planned_bytes <= report.bytes\n"
+            "say(report.pairs)\n")
+        self.assertEqual(said[0], "276")
+
     def test_what_raises_ends_it_everywhere(self):
         said, _ = self.run_program(
             "def bad_compute(i, j, a, b):\n"

@@ -30,9 +30,17 @@ _most_cost = 1e60  # so that sums of them, and products with seconds, are number
 class Wanted:
     """The pairs, the number of items, and the cost of each pair."""
 
-    def __init__(self, items: Optional[int], room: int, pairs: Any, against: Optional[int],
-                 done_items: Optional[int], with_self: bool, cost: Any,
-                 any_count: bool = False, groups: Any = None) -> None:
+    def __init__(self, items: Optional[int], room: Optional[int], pairs: Any,
+                 against: Optional[int], done_items: Optional[int], with_self: bool, cost: Any,
+                 any_count: bool = False, groups: Any = None, sizes: Any = None,
+                 memory: Optional[int] = None, overlap: bool = False) -> None:
+        if (room is None) == (memory is None):
+            raise BadInput("give room, how many items a worker holds, or sizes and memory, how "
+                           "many bytes")
+        if memory is not None and sizes is None:
+            raise BadInput("memory is in bytes, and needs sizes, the bytes of each item")
+        if overlap and room is not None and room < 3:
+            raise BadInput("overlap keeps one place for what is loading; give room 3 or more")
         if sum(each is not None for each in (pairs, groups, against, done_items)) > 1:
             raise BadInput("give one of pairs, groups, against and done_items")
         if groups is not None:
@@ -40,8 +48,7 @@ class Wanted:
                 raise BadInput("cost is a function cost(i, j); a list of costs goes with a list of "
                                "pairs")
             pairs = _pairs_within(groups)
-        self.room = room
-        self.asked = {"items": items, "room": room, "against": against, "done_items": done_items}
+        self.asked: Dict[str, Any] = {"items": items, "against": against, "done_items": done_items}
         self.list: Optional[List[Pair]] = None
         self.alone: set[int] = set()  # items that are computed with themselves
         costs = None
@@ -79,10 +86,31 @@ class Wanted:
             self.cost = lambda i, j: by_pair[i, j]
         elif cost is not None:
             self.cost = _checked_cost(cost)
+        self.size = sizes_of(sizes, self.items)
+        self.room, self.memory = room, memory
+        self.place = (self._bytes(overlap) if room is None else  # for a plan
+                      {"room": room - 1 if overlap else room})
         if self.count > _most_pairs and not any_count:
             raise ImpossibleParameters(
                 f"{self.count} pairs are too many to be handed out one by one; group items into "
                 "larger ones, and have compute() do the pairs of two groups")
+
+    def _bytes(self, overlap: bool) -> Dict[str, Any]:
+        """The memory for a plan: with overlap the bytes of the largest item stay free."""
+        assert self.size is not None and self.memory is not None
+        bytes_of = [self.size(x) for x in range(self.items)]
+        spare = 0
+        if overlap:
+            needed = (range(self.items) if self.list is None else
+                      {x for pair in self.list for x in pair} | self.alone)
+            spare = max((bytes_of[x] for x in needed), default=0)
+            two = (sum(sorted(bytes_of)[-2:]) if self.list is None else
+                   max((bytes_of[i] + bytes_of[j] for i, j in self.list), default=0))
+            if two + spare > self.memory:
+                raise BadInput(f"memory: overlap keeps {spare} bytes for what is loading, beside "
+                               f"two items of {two} bytes; give {two + spare} or more")
+        return {"sizes": [[str(x), str(each)] for x, each in enumerate(bytes_of)],
+                "memory": self.memory - spare}
 
     @property
     def count(self) -> int:
@@ -106,8 +134,8 @@ class Wanted:
             for x in self.alone:
                 ends.extend((x, x))
         seconds = None if ends is None else min(5.0, max(0.05, len(ends) / 4000))
-        core, facts = _plan({**self.asked, "workers": workers if workers > 1 else None}, ends,
-                            seconds)
+        asked = {**self.asked, **self.place, "workers": workers if workers > 1 else None}
+        core, facts = _plan(asked, ends, seconds)
         shares = [Run(trimmed(steps), self.cost) for steps in self._steps(core)]
         planned = sum(run.pairs for run in shares)
         if planned != self.count:
@@ -275,7 +303,7 @@ class Work:
 
     def _order_of(self, pairs: List[Pair], workers: int) -> List[List[Run]]:
         alone = {i for i, j in pairs if i == j}
-        asked = {"items": self.wanted.items, "room": self.wanted.room,
+        asked = {"items": self.wanted.items, **self.wanted.place,
                  "workers": workers if workers > 1 else None}
         core, _ = _plan(asked, ends_of(iter(pairs)), _replan_seconds)
         part = object.__new__(Wanted)

@@ -10,7 +10,7 @@ from .._made import Made, Progress, check_calls, count_of, fact, made
 from ..errors import BadInput, MissingResource
 from ._engine import Engine, Task, Tell, check_team, kind_of, tell_of
 from ._engines import engine_for
-from ._job import Wanted, Work, planned_bytes, sizes_of
+from ._job import Wanted, Work, planned_bytes
 from ._team import NoWorkers, Team
 from ._worker import Memory
 
@@ -38,6 +38,7 @@ class Report(Made):
                                 "unknown.")
     planned_bytes: Optional[int] = fact("Of planned_loads, by sizes.")
     most_held: int = fact("The most items that a worker had in memory.")
+    most_bytes: Optional[int] = fact("The most bytes that a worker had in memory, by sizes.")
     seconds: float = fact()
     workers: List[Dict[str, Any]] = fact("A dict for each: worker, pairs, loads, busy (seconds).")
 
@@ -84,14 +85,14 @@ class _Teller:
             "elapsed": elapsed, "left": elapsed * work.left / done if done else None})
 
 
-def _run_job(engine: Engine, work: Work, stretches: int, size: Optional[Callable[[int], int]],
-            progress: Tell) -> Dict[str, Any]:
+def _run_job(engine: Engine, work: Work, stretches: int, progress: Tell) -> Dict[str, Any]:
     """The facts of the report. The engine is always closed."""
     begin = time.monotonic()
     teller = _Teller(progress, work, time.monotonic)
     bound: Optional[int] = None
+    size = work.wanted.size
     bytes_planned = None if size is None else 0
-    team = Team(engine, work.deliver, work.replan, work.again, stretches, teller)
+    team = Team(engine, work.deliver, work.replan, work.again, stretches, teller, size)
     teller.team = team
     try:
         if work.left:
@@ -121,40 +122,45 @@ def _run_job(engine: Engine, work: Work, stretches: int, size: Optional[Callable
         "planned_loads": team.planned_loads, "lower_bound": bound, "retried": team.retried,
         "lost": team.lost, "stolen": team.stolen, "copied": team.copied, "stretches": team.sent,
         "bytes": team.bytes_loaded, "planned_bytes": bytes_planned, "most_held": team.most_held,
+        "most_bytes": None if size is None else team.most_bytes,
         "seconds": time.monotonic() - begin,
         "workers": [{"worker": name, "pairs": each.pairs, "loads": each.loads, "busy": each.busy}
                     for name, each in sorted(members.items())]}
 
 
 def all_pairs(
-    client: Any, *, room: int, load: Callable[[int], Any],
-    compute: Callable[[int, int, Any, Any], Any],
+    client: Any, *, load: Callable[[int], Any], compute: Callable[[int, int, Any, Any], Any],
+    room: Optional[int] = None,
     sink: Optional[Callable[[int, int, Any], Any]] = None, items: Optional[int] = None,
     pairs: Optional[Iterable[Iterable[SupportsIndex]]] = None,
     groups: Optional[Iterable[Iterable[SupportsIndex]]] = None, against: Optional[int] = None,
     done_items: Optional[int] = None, with_self: bool = False,
     cost: Union[None, Callable[[int, int], float], Iterable[float]] = None,
     sizes: Union[None, int, Iterable[int], Callable[[int], int]] = None,
-    threads: Optional[int] = None, overlap: bool = False, stretches: int = 16, retries: int = 0,
-    workers: Optional[int] = None, journal: str = "", name: str = "", progress: Progress = None,
+    memory: Optional[int] = None, threads: Optional[int] = None, overlap: bool = False,
+    stretches: int = 16, retries: int = 0, workers: Optional[int] = None, journal: str = "",
+    name: str = "", progress: Progress = None,
 ) -> Report:
-    """Computes every pair of items on the workers of a cluster, each with memory for `room` items.
+    """Computes every pair of items on the workers of a cluster, each with room for `room` items or
+    `memory` bytes of them.
 
     client: a distributed.Client; an mpi4py communicator, whose processes all make this call; or the
     module ray. load(i) returns item i; compute(i, j, first, second) returns a result for i < j;
     both run on workers. sink(i, j, result) runs here and receives each pair once, in no particular
     order.
 
-    items, pairs, groups, against, done_items: as in load_order(). with_self: also each item with itself,
-    compute(i, i, item, item); rows (i, i) of `pairs` request this for one item. cost: a function
-    cost(i, j), or a number for each row of pairs: parts are cut by cost instead of by the number of
-    pairs. sizes: bytes of items, a number, a list or a function, for the report.
+    items, pairs, groups, against, done_items: as in load_order(). with_self: also each item with
+    itself, compute(i, i, item, item); rows (i, i) of `pairs` request this for one item. cost: a
+    function cost(i, j), or a number for each row of pairs: parts are cut by cost instead of by the
+    number of pairs. sizes: bytes of items, a number, a list or a function; with memory a worker
+    holds at most so many bytes, otherwise they are for the report.
 
     threads: of each worker, for load() and compute(); None: as many as Dask reports, otherwise 1.
-    overlap: loads run while pairs are computed, in one of the `room` places. stretches: the number
-    of parts into which the work of each worker is cut; a worker has one at a time, and the part of
-    a lost worker is done again. retries: how often load() or compute() may raise for an item or a
-    pair before the run ends. workers: with Ray, the number of actors; None: one per processor.
+    overlap: loads run while pairs are computed, in one of the `room` places, or in the bytes of the
+    largest item. stretches: the number of parts into which the work of each worker is cut; a worker
+    has one at a time, and the part of a lost worker is done again. retries: how often load() or
+    compute() may raise for an item or a pair before the run ends. workers: with Ray, the number of
+    actors; None: one per processor.
 
     journal: a file that records the pairs that sink() received; the same job continues from it,
     with any number of workers. name: of the job, if its items and pairs do not identify it.
@@ -168,35 +174,31 @@ def all_pairs(
     if not 1 <= stretches <= _most_stretches:
         raise BadInput(f"stretches is a number from 1 to {_most_stretches}")
     check_team(threads, workers)
-    if overlap and room < 3:
-        raise BadInput("overlap keeps one place for what is loading; give room 3 or more")
-    task = Task(functools.partial(Memory, load, compute), {"room": room, "overlap": overlap},
-                threads)
+    task = Task(functools.partial(Memory, load, compute),
+                {"room": room, "memory": memory, "overlap": overlap}, threads)
     if engine_kind == "mpi" and client.rank != 0:
         from ._mpi import serve
         return made(Report, serve(client, task))
 
     def begin() -> Work:
-        wanted = Wanted(items, room - (1 if overlap else 0), pairs, against, done_items, with_self,
-                        cost, groups=groups)
+        wanted = Wanted(items, room, pairs, against, done_items, with_self, cost, groups=groups,
+                        sizes=sizes, memory=memory, overlap=overlap)
         return Work(wanted, sink, retries, journal, name)
 
     if engine_kind == "mpi":
         from ._mpi import MpiEngine
         with MpiEngine(client, task) as mpi:
             work = begin()
-            facts = _run_job(mpi, work, stretches, sizes_of(sizes, work.wanted.items),
-                             tell_of(progress))
+            facts = _run_job(mpi, work, stretches, tell_of(progress))
             mpi.tell_all(facts)
             return made(Report, facts)
     work = begin()
     try:
-        size = sizes_of(sizes, work.wanted.items)
         engine = engine_for(client, task, workers)
     except BaseException:
         work.close()
         raise
-    return made(Report, _run_job(engine, work, stretches, size, tell_of(progress)))
+    return made(Report, _run_job(engine, work, stretches, tell_of(progress)))
 
 
 check_calls(globals())

@@ -17,7 +17,7 @@ from .. import _core
 from .._made import Made, Progress, check_calls, fact, made
 from ..errors import BadInput
 from ._engine import Event, Tell, tell_of
-from ._job import Wanted, Work, cut_evenly, sizes_of
+from ._job import Wanted, Work, cut_evenly
 from ._team import NoWorkers, Team
 from ._worker import Memory, Outcome
 
@@ -64,7 +64,6 @@ class Simulation(Made):
 
 @dataclasses.dataclass(frozen=True)
 class _Cluster:
-    item_bytes: Callable[[int], int]
     mean_bytes: float
     pair_seconds: float
     bandwidth: float
@@ -348,7 +347,7 @@ class _Bulk:
 
 
 def _bulk_shares(wanted: Wanted, workers: int) -> List[List[Any]]:
-    asked = json.dumps({**wanted.asked, "workers": workers})
+    asked = json.dumps({**wanted.asked, **wanted.place, "workers": workers})
     core, _ = _core.Loads.planned(asked, None, None, 1, 1, None)
     shapes: array[int] = array("Q")
     shapes.frombytes(core.shapes())
@@ -359,15 +358,16 @@ def _bulk_shares(wanted: Wanted, workers: int) -> List[List[Any]]:
 
 
 def simulate(
-    *, items: int, room: int, workers: int, pair_seconds: float,
+    *, items: int, workers: int, pair_seconds: float,
     item_bytes: Union[int, Iterable[int], Callable[[int], int]],
     pairs: Optional[Iterable[Iterable[SupportsIndex]]] = None,
     groups: Optional[Iterable[Iterable[SupportsIndex]]] = None,
     cost: Union[None, Callable[[int, int], float], Iterable[float]] = None,
-    bandwidth: float = 1e9, store: Optional[float] = None, latency: float = 0.0,
-    overhead: float = 0.01, failures: float = 0.0, restart: Optional[float] = 60.0,
-    stragglers: float = 0.0, slowness: float = 4.0, overlap: bool = False, stretches: int = 16,
-    seed: int = 1, progress: Progress = None,
+    room: Optional[int] = None, memory: Optional[int] = None, bandwidth: float = 1e9,
+    store: Optional[float] = None, latency: float = 0.0, overhead: float = 0.01,
+    failures: float = 0.0, restart: Optional[float] = 60.0, stragglers: float = 0.0,
+    slowness: float = 4.0, overlap: bool = False, stretches: int = 16, seed: int = 1,
+    progress: Progress = None,
 ) -> Simulation:
     """Predicts what all_pairs() would take with this many workers. The plan and the decisions are
     the real ones; only workers, clock and storage are simulated.
@@ -377,7 +377,8 @@ def simulate(
     limit for all workers together, None for no limit. latency: seconds before the first byte of an
     item. overhead: seconds for sending a stretch. failures: per worker and hour; restart: seconds
     until a lost worker is replaced, None for never. stragglers: the proportion of workers that are
-    slower by the factor `slowness`. overlap, stretches, pairs, groups, cost: as in all_pairs().
+    slower by the factor `slowness`. room, memory, overlap, stretches, pairs, groups, cost: as in
+    all_pairs().
 
     Up to 2,000,000 pairs each step is simulated; above that, the stretches of a worker are treated
     as equal, and pairs are counted by group or by load. Raises BadInput, ImpossibleParameters.
@@ -397,58 +398,52 @@ def simulate(
         raise BadInput(f"workers is a number from 1 to {_most_workers}")
     if not 1 <= stretches <= 10_000:
         raise BadInput("stretches is a number from 1 to 10000")
-    if overlap and room < 3:
-        raise BadInput("overlap keeps one place for what is loading; give room 3 or more")
-    planned_room = room - (1 if overlap else 0)
     exact = pairs is not None or groups is not None or items * (items - 1) // 2 <= _exact_pairs
-    wanted = Wanted(items, planned_room, pairs, None, None, False, cost, any_count=not exact,
-                    groups=groups)
+    if not exact and memory is not None:
+        raise BadInput("memory is for up to 2000000 pairs, or for listed ones; give room, how many "
+                       "items a worker holds")
+    wanted = Wanted(items, room, pairs, None, None, False, cost, any_count=not exact, groups=groups,
+                    sizes=item_bytes, memory=memory, overlap=overlap)
     if not exact and cost is not None:
         raise BadInput("costs are for up to 2000000 pairs, or for listed ones")
-    size = sizes_of(item_bytes, wanted.items)
+    size = wanted.size
     assert size is not None
     mean = (size(0) if isinstance(item_bytes, int) else
             sum(map(size, range(wanted.items))) / wanted.items)
     if failures / 3600 * (overhead + (pair_seconds if cost is None else 0.0)) > _most_exponent:
         raise _endless(_too_short)
-    cluster = _Cluster(size, mean, pair_seconds, bandwidth, numbers["store"], latency, overhead,
+    cluster = _Cluster(mean, pair_seconds, bandwidth, numbers["store"], latency, overhead,
                        failures / 3600, restart, stragglers, slowness, overlap)
     return made(Simulation, (_exactly if exact else _in_bulk)(
-        cluster, wanted, room, workers, stretches, seed, tell_of(progress)))
+        cluster, wanted, workers, stretches, seed, tell_of(progress)))
 
 
 def _endless(why: object) -> BadInput:
     return BadInput(f"the simulated run does not end: {why}")
 
 
-def _exactly(cluster: _Cluster, wanted: Wanted, room: int, workers: int, stretches: int, seed: int,
+def _exactly(cluster: _Cluster, wanted: Wanted, workers: int, stretches: int, seed: int,
              progress: Tell) -> Dict[str, Any]:
     memories: Dict[str, Memory] = {}
-    loaded = [0]
-
-    def load(x: int) -> None:
-        loaded[0] += cluster.item_bytes(x)
 
     def do(worker: str, stretch: Any) -> Outcome:
-        memory = memories.setdefault(worker, Memory(load, _nothing, room))
-        loaded[0] = 0
-        outcome = memory.run(stretch)
-        outcome.bytes_loaded = loaded[0]
-        return outcome
+        memory = memories.setdefault(
+            worker, Memory(_nothing, _nothing, wanted.room, memory=wanted.memory))
+        return memory.run(stretch)
 
     work = Work(wanted, None, 0, "", "")
     shares, _ = work.first_shares(workers)
     engine = _Simulated(cluster, workers, seed, do, lambda worker: memories.pop(worker, None))
     team = Team(engine, work.deliver, work.replan, work.again, stretches,
-                _teller(progress, lambda: work.done.count, wanted.count))
+                _teller(progress, lambda: work.done.count, wanted.count), size=wanted.size)
     return _run(cluster, engine, team, shares, wanted, lambda: work.left == 0, True)
 
 
-def _nothing(_i: int, _j: int, _first: Any, _second: Any) -> None:
+def _nothing(*_given: Any) -> None:
     return None
 
 
-def _in_bulk(cluster: _Cluster, wanted: Wanted, _room: int, workers: int, stretches: int, seed: int,
+def _in_bulk(cluster: _Cluster, wanted: Wanted, workers: int, stretches: int, seed: int,
              progress: Tell) -> Dict[str, Any]:
     held: Dict[str, int] = {}
     done = [0.0]

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import collections
 import dataclasses
+import itertools
 from array import array
-from typing import Any, Callable, Deque, Iterable, Iterator, List, NamedTuple, Optional, Tuple
+from typing import (
+    Any, Callable, Deque, Dict, Iterable, Iterator, List, NamedTuple, Optional, Tuple)
 
 Items = Tuple[int, ...]
 Cost = Callable[[int, int], float]
@@ -31,6 +33,11 @@ class Stretch:
     pairs: int
     cost: float
     loads: int  # of a worker whose memory is empty
+    sizes: Optional[Dict[int, int]] = None  # the bytes of what it loads, if they are known
+
+    def with_sizes(self, size: Callable[[int], int]) -> Stretch:
+        every = itertools.chain(self.hold, *(load for _, load, _ in self.steps))
+        return dataclasses.replace(self, sizes={x: size(x) for x in every})
 
     def each_pair(self) -> Iterator[Tuple[int, int]]:
         for _, _, ends in self.steps:

@@ -69,13 +69,15 @@ class Team:
     def __init__(self, engine: Engine, deliver: Deliver,
                  replan: Callable[[List[Run], int], List[List[Run]]],
                  again: Callable[[Stretch, int, int], Run], stretches: int,
-                 tell: Callable[[str], None]) -> None:
+                 tell: Callable[[str], None],
+                 size: Optional[Callable[[int], int]] = None) -> None:
         self.engine = engine
         self._deliver = deliver
         self._replan = replan
         self._run_of = again
         self._stretches = stretches
         self._tell = tell
+        self._size = size  # of items, for the stretches that are sent
         self._look_again = 0.0
         self._suspects: Dict[Tuple[int, int], Tuple[int, int]] = {}
         self._extra = 0  # loads that stealing has cost
@@ -94,7 +96,7 @@ class Team:
         self.loads = self.planned_loads = 0
         self.retried = self.lost = self.stolen = self.copied = self.sent = 0
         self.bytes_loaded: Optional[int] = 0
-        self.most_held = 0
+        self.most_held = self.most_bytes = 0
 
     # The run as a whole
 
@@ -261,7 +263,8 @@ class Team:
         self.members[worker].flight = stretch.number
         self._flights[stretch.number] = Flight(stretch, worker, self.engine.now(), losses, twin)
         self.sent += 1
-        self.engine.submit(worker, stretch)
+        self.engine.submit(worker, stretch if self._size is None else
+                           stretch.with_sizes(self._size))
 
     def _done(self, number: int) -> None:
         flight = self._flights.get(number)
@@ -311,6 +314,7 @@ class Team:
         else:
             self.bytes_loaded += outcome.bytes_loaded
         self.most_held = max(self.most_held, outcome.most_held)
+        self.most_bytes = max(self.most_bytes, outcome.most_bytes)
         self._load_seconds += outcome.load_seconds
         self._loads_timed += outcome.loads
         if outcome.failure is None and flight.stretch.cost > 0:

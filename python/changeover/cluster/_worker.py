@@ -5,13 +5,15 @@ from __future__ import annotations
 import concurrent.futures
 import dataclasses
 import importlib
+import itertools
+import math
 import operator
 import pickle
 import threading
 import time
 import traceback
 from array import array
-from typing import Any, Callable, Dict, Iterator, List, Optional, Protocol, Tuple
+from typing import Any, Callable, Dict, Iterable, Iterator, List, Optional, Protocol, Tuple
 
 from ..errors import InternalError
 from ._stretches import Stretch
@@ -62,6 +64,7 @@ class Outcome:
     loads: int = 0
     bytes_loaded: Optional[int] = 0  # None: an item does not say its size
     most_held: int = 0
+    most_bytes: int = 0  # by sizes
     load_seconds: float = 0.0
     seconds: float = 0.0
     held: Tuple[int, ...] = ()  # at the end
@@ -157,18 +160,20 @@ def unpacked_result(sent: Any) -> Any:
 
 
 class Memory:
-    """At most `room` items of one job. Items that no stretch holds stay as long as there is room.
-    """
+    """At most `room` items of one job, or `memory` bytes of them by the sizes in the stretches.
+    Items that no stretch holds stay as long as there is room."""
 
-    def __init__(self, load: Load, compute: Compute, room: int, threads: int = 1,
-                 overlap: bool = False) -> None:
+    def __init__(self, load: Load, compute: Compute, room: Optional[int] = None, threads: int = 1,
+                 overlap: bool = False, memory: Optional[int] = None) -> None:
         self._load = load
         self._compute = compute
-        self._room = room
+        self._room = math.inf if room is None else room
+        self._memory = math.inf if memory is None else memory
         self._overlap = overlap
         self._threads = threads
         self._items: Dict[int, Any] = {}
         self._coming: Dict[int, concurrent.futures.Future[Any]] = {}
+        self._sizes: Dict[int, int] = {}  # of both
         self._busy = threading.Lock()
         self._pool: Optional[concurrent.futures.ThreadPoolExecutor] = None
         if threads > 1 or overlap:
@@ -188,6 +193,7 @@ class Memory:
     def _forget(self) -> None:
         self._items.clear()
         self._coming.clear()
+        self._sizes.clear()
         if self._pool is not None:
             self._pool.shutdown(wait=False)
 
@@ -212,6 +218,7 @@ class Memory:
             return outcome
 
     def _run(self, stretch: Stretch, outcome: Outcome, stopped: Callable[[], bool]) -> None:
+        self._sizes.update(stretch.sizes or {})
         next_load: Dict[int, int] = {}  # item: the first step that loads it
         for place, step in enumerate(stretch.steps):
             for x in step[1]:
@@ -226,17 +233,22 @@ class Memory:
                 self._start_loads(stretch.steps[place + 1][1], held, next_load)
             self._compute_pairs(ends, outcome, stopped)
 
-    def _drop(self, held: set[int], next_load: Dict[int, int], coming: int) -> bool:
-        """Makes room for so many items: evicts items that are loaded again last, never held ones.
-        """
-        spare = len(self._items) + len(self._coming) + coming - self._room
-        if spare > 0:
+    def _bytes(self, items: Iterable[int]) -> int:
+        return sum(self._sizes.get(x, 0) for x in items)
+
+    def _drop(self, held: set[int], next_load: Dict[int, int], coming: List[int]) -> bool:
+        """Makes room for these items: evicts items that are loaded again last, never held ones."""
+        spare = len(self._items) + len(self._coming) + len(coming) - self._room
+        size = self._bytes(itertools.chain(self._items, self._coming, coming)) - self._memory
+        if spare > 0 or size > 0:
             free = [x for x in self._items if x not in held]
-            free.sort(key=lambda x: next_load.get(x, len(next_load) + 1), reverse=True)
-            for x in free[:spare]:
+            free.sort(key=lambda x: next_load.get(x, len(next_load) + 1))
+            while free and (spare > 0 or size > 0):
+                x = free.pop()
                 del self._items[x]
-            spare -= len(free)
-        return spare <= 0
+                spare -= 1
+                size -= self._sizes.get(x, 0)
+        return spare <= 0 and size <= 0
 
     def _start_loads(self, load: Tuple[int, ...], held: set[int],
                      next_load: Dict[int, int]) -> None:
@@ -244,7 +256,7 @@ class Memory:
         assert self._pool is not None
         for x in load:
             if x not in self._items and x not in self._coming:
-                if not self._drop(held | set(load), next_load, 1):
+                if not self._drop(held | set(load), next_load, [x]):
                     return
                 self._coming[x] = self._pool.submit(self._load_timed, x)
 
@@ -271,7 +283,7 @@ class Memory:
             coming = self._coming.pop(x)
             if not coming.cancel() and not isinstance(coming.result()[0], Failure):
                 self._take(x, coming.result(), outcome)
-        if not self._drop(held, next_load, len(missing)):
+        if not self._drop(held, next_load, missing):
             raise InternalError("a stretch needs more room than there is: this is a bug")
         if self._pool is None or len(missing) == 1:
             for x in missing:
@@ -297,12 +309,15 @@ class Memory:
         if isinstance(item, Failure):
             raise _Failed(item)
         self._items[x] = item
-        size = size_of(item)
+        size = self._sizes[x] if x in self._sizes else size_of(item)
         outcome.loads += 1
         outcome.load_seconds += seconds
         outcome.bytes_loaded = (None if size is None or outcome.bytes_loaded is None
                                 else outcome.bytes_loaded + size)
         outcome.most_held = max(outcome.most_held, len(self._items) + len(self._coming))
+        if self._sizes:
+            outcome.most_bytes = max(outcome.most_bytes,
+                                     self._bytes(itertools.chain(self._items, self._coming)))
 
     def _compute_pairs(self, ends: array[int], outcome: Outcome,
                        stopped: Callable[[], bool]) -> None:
