@@ -223,6 +223,7 @@ class WorkerLoads(_Loads):
     worker_costs: Optional[List[float]] = fact("What they cost, if pairs have costs.")
     span: Optional[int] = fact(
         "Of workers in lockstep: the most loads of one of them in a step, added up.")
+    span_bytes: Optional[int] = fact("The same sum of bytes, if items have sizes.")
     epoch_loads: Optional[List[int]] = fact("Of all workers in each epoch, if there are several.")
     bytes: Optional[int] = fact("That all workers load, if items have sizes.")
     worker_bytes: Optional[List[int]] = fact("Of each worker.")

@@ -295,6 +295,7 @@ void add_bytes(py::dict& said, const SplitFacts& facts) {
   said["worker_bytes"] = has_sizes ? std::optional(each) : std::nullopt;
   said["makespan_bytes"] = given(facts.makespan_bytes);
   said["makespan_bytes_bound"] = given(facts.makespan_bytes_bound.loads);
+  said.attr("setdefault")("span_bytes", py::none());
 }
 
 py::dict facts_of(const LoadOrder& order, const Loads& loads) {
@@ -317,7 +318,17 @@ py::dict facts_of(const LoadOrder& order, const Loads& loads) {
       facts.worker_pairs.empty() ? std::nullopt : std::optional(facts.worker_pairs);
   said["worker_costs"] = py::none();
   said["span"] = facts.span;
-  add_bytes(said, {});
+  SplitFacts bytes;
+  if (facts.sizes) {
+    bytes.bytes = facts.bytes;
+    for (const std::uint64_t each : facts.worker_bytes) {
+      bytes.workers.emplace_back().bytes = each;
+      bytes.makespan_bytes = std::max(bytes.makespan_bytes, each);
+    }
+    bytes.makespan_bytes_bound = facts.makespan_byte_bound;
+    said["span_bytes"] = facts.span_bytes;
+  }
+  add_bytes(said, bytes);
   return said;
 }
 

@@ -165,9 +165,15 @@ class Bytes(unittest.TestCase):
                 (dict(room=4, sizes=1, memory=9), "give room, how many items"),
                 (dict(room=None, memory=9), "memory is in bytes, and needs sizes"),
                 (dict(room=2, overlap=True), "give room 3 or more"),
-                (dict(room=None, sizes=4, memory=11, overlap=True), "give 12 or more")):
+                (dict(room=None, sizes=4, memory=11, overlap=True),
+                 "overlap keeps 4 bytes for what is loading, beside two items of 8 bytes; give 12 "
+                 "or more")):
             with self.assertRaisesRegex(changeover.BadInput, says):
                 wanted(5, **given)
+        with self.assertRaisesRegex(
+                changeover.BadInput, "memory is for up to 2000000 pairs, or for listed ones; give "
+                "room, how many items a worker holds"):
+            cluster.simulate(items=3000, memory=9, item_bytes=1, workers=2, pair_seconds=1)
         with self.assertRaisesRegex(changeover.BadInput, "items 4 and 3 have 9 bytes together"):
             wanted(5, None, sizes=[1, 2, 3, 4, 5], memory=8).shares(1)
 

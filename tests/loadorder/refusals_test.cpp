@@ -68,6 +68,11 @@ TEST(Refusals, SayWhatIsWrongWithACall) {
            ": is the journal of another version; name the journals of this job"},
           {[&] { (void)update_pairs(plan_disjoint_order(8194, 2, 4097), nothing, {}); },
            "4097 workers: a job has at most 4096"},
+          {[&] {
+             const auto sizes = std::make_shared<const ItemSizes>(ItemSizes{{1, 2, 3}, 5});
+             (void)update_pairs(plan_disjoint_order(sizes, 3, 1), nothing, {});
+           },
+           "items that change have one size, item_bytes; give an order without sizes"},
           {[] {
              WorkerSplit split = split_load_order(5001, 100, 2);
              SplitMaker::spread(split, [](Element, Element) { return false; });

@@ -82,8 +82,9 @@ struct LoadOrderFacts : ScheduleFacts {
   std::uint64_t group_items = 0;  ///< items per group; 0 if items are not grouped
   std::shared_ptr<const ItemSizes> sizes =
       {};  ///< item sizes; if present, room is the largest number of items that fit
-  LoadBound byte_bound = {};  ///< bound on the bytes loaded, if items have sizes
-  std::uint64_t epochs = 1;   ///< all pairs meet in each of them
+  LoadBound byte_bound = {};           ///< bound on the bytes loaded, if items have sizes
+  LoadBound makespan_byte_bound = {};  ///< of workers in lockstep: on those of the busiest
+  std::uint64_t epochs = 1;            ///< all pairs meet in each of them
 
   /// loads / bound − 1; for items with sizes, the same ratio of bytes.
   [[nodiscard]] double gap() const;

@@ -134,6 +134,7 @@ struct ScheduleFacts {
   std::uint64_t computed = 0;    ///< pairs, including repeated ones, and items alone
   std::uint64_t overlapped = 0;  ///< of these, how many while loads run
   std::uint64_t span = 0;  ///< in lockstep: the sum over steps of the most loads of one worker
+  std::uint64_t span_bytes = 0;  ///< the same sum of bytes, if items have sizes
   std::uint64_t most_in_memory = 0;
   std::uint64_t bytes = 0;                 ///< loaded, if items have sizes
   std::uint64_t most_bytes = 0;            ///< in memory, of one worker

@@ -105,7 +105,7 @@ class CutSearch {
       stop_if_asked();
       const std::uint64_t busy = std::min<std::uint64_t>(workers_, tasks->parts.size());
       take_better(cut.lists,
-                  lists_of(play_tasks(*tasks, graph_.items(), room_, busy, choice), graph_));
+                  lists_of(play_tasks(*tasks, graph_.items(), room_, busy, choice), &graph_));
     }
     return cut;
   }
@@ -116,7 +116,7 @@ class CutSearch {
     for (const std::size_t patience : {2U, 8U, 32U, 128U, ~0U}) {
       stop_if_asked();
       if (auto events = stretches_[order].play(cut.begins, patience, 2 * best_->lists.span)) {
-        take_better(cut.lists, lists_of(std::move(*events), graph_));
+        take_better(cut.lists, lists_of(std::move(*events), &graph_));
       }
     }
     return cut.lists.lists == nullptr ? std::nullopt : std::optional(std::move(cut));

@@ -91,8 +91,32 @@ void leave_out_unused(LockstepEvents& events, const PairGraph& graph) {
 
 }  // namespace
 
-LockstepLists lists_of(LockstepEvents events, const PairGraph& graph) {
-  leave_out_unused(events, graph);
+LockstepEvents events_of(StepSource& steps, std::uint64_t workers,
+                         const std::vector<std::vector<Element>>& groups) {
+  LockstepEvents events(static_cast<std::size_t>(workers));
+  for (Step step; steps.next(step);) {
+    const auto number = static_cast<std::uint32_t>(step.number);
+    std::vector<LockstepEvent>& its = events[static_cast<std::size_t>(step.worker)];
+    const auto add = [&](const std::vector<Element>& moved, bool comes) {
+      for (const Element x : moved) {
+        if (groups.empty()) {
+          its.push_back({number, x, comes});
+        }
+        for (std::size_t i = 0; !groups.empty() && i < groups[x].size(); ++i) {
+          its.push_back({number, groups[x][i], comes});
+        }
+      }
+    };
+    add(step.evict, false);
+    add(step.load, true);
+  }
+  return events;
+}
+
+LockstepLists lists_of(LockstepEvents events, const PairGraph* graph, const ItemSizes* sizes) {
+  if (graph != nullptr) {
+    leave_out_unused(events, *graph);
+  }
   // What goes after the last load stays.
   std::uint32_t end = 0;
   for (const std::vector<LockstepEvent>& each : events) {
@@ -119,13 +143,18 @@ LockstepLists lists_of(LockstepEvents events, const PairGraph& graph) {
   auto lists = std::make_shared<StepLists>();
   for (const std::vector<LockstepEvent>& each : events) {
     std::vector<Move> its(static_cast<std::size_t>(result.steps));
+    std::vector<std::uint64_t> loaded(its.size(), 0);
     for (const LockstepEvent& event : each) {
       Move& move = its[number[event.step]];
       (event.comes ? move.load : move.evict).push_back(event.item);
-      result.loads += event.comes ? 1U : 0U;
+      if (event.comes) {
+        const std::uint64_t size = sizes != nullptr ? sizes->bytes[event.item] : 1;
+        loaded[number[event.step]] += size;
+        result.loads += size;
+      }
     }
     for (std::size_t step = 0; step < its.size(); ++step) {
-      most[step] = std::max<std::uint64_t>(most[step], its[step].load.size());
+      most[step] = std::max(most[step], loaded[step]);
     }
     lists->add(its);
   }
@@ -135,6 +164,61 @@ LockstepLists lists_of(LockstepEvents events, const PairGraph& graph) {
   result.workers = events.size();
   result.lists = std::move(lists);
   return result;
+}
+
+namespace {
+
+/// The steps of a worker that has nothing to do.
+class EmptySteps final : public StepSource {
+ public:
+  explicit EmptySteps(std::uint64_t steps) : steps_(steps) {}
+
+  bool next(Step& step) override {
+    step.evict.clear();
+    step.load.clear();
+    step.number = number_ + 1;
+    return number_++ < steps_;
+  }
+
+ private:
+  std::uint64_t steps_;
+  std::uint64_t number_ = 0;
+};
+
+/// The steps of all workers, alternating.
+class InLockstep final : public StepSource {
+ public:
+  InLockstep(const WorkerMaker& maker, std::uint64_t workers) {
+    for (std::uint64_t w = 0; w < workers; ++w) {
+      workers_.push_back(maker(w));
+    }
+  }
+
+  bool next(Step& step) override {
+    step.worker = turn_;
+    const bool more = workers_[turn_]->next(step);
+    turn_ = (turn_ + 1) % workers_.size();
+    return more;
+  }
+
+ private:
+  std::vector<std::unique_ptr<StepSource>> workers_;
+  std::size_t turn_ = 0;
+};
+
+}  // namespace
+
+WorkerMaker steps_in(const LockstepLists& lists) {
+  return [lists](std::uint64_t worker) -> std::unique_ptr<StepSource> {
+    if (worker < lists.workers) {
+      return lists.lists->of(worker);
+    }
+    return std::make_unique<EmptySteps>(lists.steps);
+  };
+}
+
+std::unique_ptr<StepSource> in_lockstep(const WorkerMaker& maker, std::uint64_t workers) {
+  return std::make_unique<InLockstep>(maker, workers);
 }
 
 }  // namespace changeover

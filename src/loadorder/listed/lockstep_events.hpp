@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -29,8 +30,23 @@ struct LockstepLists {
   std::uint64_t loads = 0;
 };
 
+/// What the steps of all workers move, with groups of items if there are any: a step moves whole
+/// groups then.
+[[nodiscard]] LockstepEvents events_of(StepSource& steps, std::uint64_t workers,
+                                       const std::vector<std::vector<Element>>& groups = {});
+
 /// Leaves out stays in which no listed pair meets for the first time, steps in which nothing moves,
-/// and joins steps that evict nothing to those before.
-[[nodiscard]] LockstepLists lists_of(LockstepEvents events, const PairGraph& graph);
+/// and joins steps that evict nothing to those before. Without a graph all stays are kept. With
+/// sizes span and loads are in bytes.
+[[nodiscard]] LockstepLists lists_of(LockstepEvents events, const PairGraph* graph,
+                                     const ItemSizes* sizes = nullptr);
+
+/// The steps of a worker.
+using WorkerMaker = std::function<std::unique_ptr<StepSource>(std::uint64_t worker)>;
+[[nodiscard]] WorkerMaker steps_in(const LockstepLists& lists);
+
+/// The steps of all workers, alternating.
+[[nodiscard]] std::unique_ptr<StepSource> in_lockstep(const WorkerMaker& maker,
+                                                      std::uint64_t workers);
 
 }  // namespace changeover

@@ -8,14 +8,30 @@
 
 namespace changeover {
 
+namespace {
+
+std::vector<Move> with_lists(const std::vector<LoadMove>& moves) {
+  std::vector<Move> all;
+  all.reserve(moves.size());
+  for (const auto& [x, out] : moves) {
+    all.push_back({.load = {x}});
+    if (out != LoadMove::nothing) {
+      all.back().evict.push_back(out);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
 StretchesInLockstep::StretchesInLockstep(const PairGraph& graph, const std::vector<LoadMove>& moves)
+    : StretchesInLockstep(graph, with_lists(moves)) {}
+
+StretchesInLockstep::StretchesInLockstep(const PairGraph& graph, const std::vector<Move>& moves)
     : items_(static_cast<std::size_t>(graph.items())) {
   std::vector<std::size_t> stay_of(items_, not_again);
   std::vector<bool> met(static_cast<std::size_t>(2 * graph.pairs()), false);
-  for (const auto& [x, out] : moves) {
-    if (out != LoadMove::nothing) {
-      stay_of[out] = not_again;
-    }
+  const auto load = [&](Element x) {
     stay_of[x] = stays_.size();
     stays_.push_back({.item = x, .jobs = {}});
     std::vector<std::size_t> job;
@@ -33,6 +49,12 @@ StretchesInLockstep::StretchesInLockstep(const PairGraph& graph, const std::vect
       }
       jobs_.push_back(std::move(job));
     }
+  };
+  for (const Move& move : moves) {
+    for (const Element out : move.evict) {
+      stay_of[out] = not_again;
+    }
+    std::ranges::for_each(move.load, load);
   }
 }
 

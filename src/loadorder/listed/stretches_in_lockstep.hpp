@@ -18,6 +18,7 @@ namespace changeover {
 class StretchesInLockstep {
  public:
   StretchesInLockstep(const PairGraph& graph, const std::vector<LoadMove>& moves);
+  StretchesInLockstep(const PairGraph& graph, const std::vector<Move>& moves);
 
   [[nodiscard]] std::size_t jobs() const { return jobs_.size(); }
 

@@ -279,6 +279,7 @@ class ScheduleCheck::State {
   void play(std::span<const Step> steps) {
     ++verdict_.steps;
     std::uint64_t slowest = 0;
+    std::uint64_t slowest_bytes = 0;
     for (const Step& step : steps) {
       if (step.epoch != steps.front().epoch || step.epoch < epoch_ || step.epoch > epoch_ + 1 ||
           step.epoch > rules_.epochs) {
@@ -287,8 +288,12 @@ class ScheduleCheck::State {
       }
       start(step);
       slowest = std::max<std::uint64_t>(slowest, step.load.size());
+      if (rules_.sizes && verdict_.fault.empty()) {
+        slowest_bytes = std::max(slowest_bytes, bytes_loaded(step));
+      }
     }
     verdict_.span += slowest;
+    verdict_.span_bytes += slowest_bytes;
     if (verdict_.fault.empty() && steps.front().epoch != epoch_) {
       enter(steps.front().epoch);
     }
@@ -354,6 +359,15 @@ class ScheduleCheck::State {
       }
       free -= size;
     }
+  }
+
+  // They fit, so their sum does.
+  [[nodiscard]] std::uint64_t bytes_loaded(const Step& step) const {
+    std::uint64_t sum = 0;
+    for (const Element x : step.load) {
+      sum += x < rules_.items ? rules_.sizes->bytes[x] : 0;
+    }
+    return sum;
   }
 
   // Stored items are in the order of the evicted ones.

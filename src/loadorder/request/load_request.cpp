@@ -104,9 +104,9 @@ std::vector<OptionRule> rules() {
       {Says::exclude, {"new_pairs", "prefetch"}},
       {Says::needs, {"sizes"}, {"memory"}},
       {Says::only_with, {"memory"}, {"sizes"}},
-      // How many items fit depends on which they are. Levels and workers in lockstep count
-      // places, each for any item, and so do their bounds.
-      {Says::never_with, {"sizes"}, {"room", "fast_room", "disjoint", "item_bytes"}},
+      // How many items fit depends on which they are. Levels count places, each for any item, and
+      // so do their bounds.
+      {Says::never_with, {"sizes"}, {"room", "fast_room", "item_bytes"}},
       {Says::only_with,
        {"disjoint", "worker", "balance", "first_holder", "pair_cost"},
        {"workers"}},
@@ -161,10 +161,10 @@ void check_workers_of(const LoadRequest& request, const Words& words) {
                              words.key("workers"), *request.workers, *request.workers - 1));
   }
   if (request.write_back && request.workers && !request.disjoint) {
-    words.refuse("write_back", fmt::format("{} {}: two workers would change one item at once; {}",
-                                           words.key("write_back"), words.key("workers"),
-                                           request.fast_room || request.sizes.is_given()
-                                               ? "leave out one of them"
+    words.refuse("write_back",
+                 fmt::format("{} {}: two workers would change one item at once; {}",
+                             words.key("write_back"), words.key("workers"),
+                             request.fast_room ? "leave out one of them"
                                                : fmt::format("add {}", words.key("disjoint"))));
   }
 }
@@ -270,12 +270,12 @@ void check_together(const LoadRequest& request, const Words& words, bool all) {
 
 // Said before the rules are, which only say that it has no meaning.
 void refuse_places_for_bytes(const LoadRequest& request, const Words& words) {
-  if (request.sizes.is_given() && (request.disjoint || request.fast_room)) {
-    const std::string_view other = request.disjoint ? "disjoint" : "fast_room";
-    words.refuse(other, fmt::format("{} counts items in memory, not their bytes; leave out {} and "
-                                    "give {}, or leave out {}",
-                                    words.key(other), words.key("sizes"), words.key("room"),
-                                    words.key(other)));
+  if (request.sizes.is_given() && request.fast_room) {
+    words.refuse("fast_room",
+                 fmt::format("{} counts items in memory, not their bytes; leave out {} and "
+                             "give {}, or leave out {}",
+                             words.key("fast_room"), words.key("sizes"), words.key("room"),
+                             words.key("fast_room")));
   }
 }
 

@@ -385,6 +385,9 @@ class UpdateJob {
 UpdateReport update_pairs(const LoadOrder& order, const PairUpdater& update,
                           const UpdateOptions& options) {
   const std::uint64_t workers = workers_of(order.facts());
+  if (order.facts().sizes) {
+    throw BadInput("items that change have one size, item_bytes; give an order without sizes");
+  }
   if (workers > most_job_threads) {
     throw BadInput(fmt::format("{} workers: a job has at most {}", workers, most_job_threads));
   }

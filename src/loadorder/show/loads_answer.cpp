@@ -46,6 +46,9 @@ AnyLoads planned(const CheckedLoads& asked, const LoadRequest& request, LoadOrde
   options.read_first = !request.verify_beside && !is_worker_by_itself(request);
   const WantedPairs& wanted = asked.wanted();
   const std::uint64_t room = asked.room();
+  if (asked.sizes() && request.disjoint) {
+    return plan_disjoint_order(asked.sizes(), wanted, *request.workers, options);
+  }
   if (asked.sizes() && request.workers) {
     if (request.prefetch) {
       return split_prefetch(asked.sizes(), wanted, *request.workers, options);

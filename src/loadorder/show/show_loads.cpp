@@ -22,15 +22,6 @@
 namespace changeover {
 namespace {
 
-std::string over(std::uint64_t count, const LoadBound& bound) {
-  return count == bound.loads
-             ? "the fewest possible"
-             : fmt::format(
-                   "{:.2f} % over the lower bound {}",
-                   100 * (static_cast<double>(count) / static_cast<double>(bound.loads) - 1),
-                   bound.loads);
-}
-
 /// A schedule in words: a head that depends on its kind, then its steps, generated anew if read.
 class ScheduleText {
  public:
@@ -198,12 +189,7 @@ class ScheduleText {
       json.key("most_bytes").value(facts_.most_bytes);
       json.key("bytes_bound").value(facts_.byte_bound.loads);
       json.key("bytes_bound_reason").value(facts_.byte_bound.reason);
-      if (split_ != nullptr) {
-        const LoadBound& least = split_->makespan_bytes_bound;
-        json.key("makespan_bytes").value(split_->makespan_bytes);
-        json.key("makespan_bytes_bound").value(least.loads);
-        json.key("makespan_bytes_bound_reason").value(least.reason);
-      }
+      WorkerWords(facts_, split_).say_bytes(json);
     }
     json.key("loads").value(facts_.loads);
     if (facts_.fast_room) {
@@ -308,12 +294,7 @@ class ScheduleText {
                               : facts_.sizes ? fmt::format("{} bytes are", *spare_)
                                              : "one of the places is");
     if (facts_.lockstep > 0) {
-      return fmt::format(
-          "{}, {} with room for {}{}, no item at two of them: {} in {}, {}\n"
-          "the busiest worker has {}; the slowest of each step add up to {}, {}\n",
-          what_meets(), count_of(facts_.lockstep, "worker"), facts_.room, in_epochs(), loads,
-          count_of(steps, "step"), over(facts_.loads, bound), count_of(facts_.makespan(), "load"),
-          facts_.span, over(facts_.span, facts_.makespan_bound));
+      return WorkerWords(facts_, split_).in_lockstep(what_meets(), in_epochs(), steps, bound);
     }
     const std::string busiest =
         split_ == nullptr
@@ -396,13 +377,15 @@ class ScheduleText {
           facts_.transfer_bound.reason,
           split_ == nullptr ? "" : "bound of the busiest: " + facts_.makespan_bound.reason + "\n");
     }
+    if (facts_.lockstep > 0) {
+      return fmt::format(
+          "bound: {}\nbound of the busiest: {}\n",
+          (facts_.sizes ? facts_.byte_bound : bound).reason,
+          (facts_.sizes ? facts_.makespan_byte_bound : facts_.makespan_bound).reason);
+    }
     if (facts_.sizes) {
       return fmt::format("bound: {}\n", split_ != nullptr ? split_->makespan_bytes_bound.reason
                                                           : facts_.byte_bound.reason);
-    }
-    if (facts_.lockstep > 0) {
-      return fmt::format("bound: {}\nbound of the busiest: {}\n", bound.reason,
-                         facts_.makespan_bound.reason);
     }
     if (split_ != nullptr) {
       return "bound: " + facts_.makespan_bound.reason + "\n";

@@ -5,8 +5,18 @@
 #include <algorithm>
 
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
+
+std::string over(std::uint64_t count, const LoadBound& bound) {
+  return count == bound.loads
+             ? "the fewest possible"
+             : fmt::format(
+                   "{:.2f} % over the lower bound {}",
+                   100 * (static_cast<double>(count) / static_cast<double>(bound.loads) - 1),
+                   bound.loads);
+}
 
 WorkerWords::WorkerWords(const LoadOrderFacts& facts, const SplitFacts* split)
     : facts_(facts),
@@ -45,7 +55,49 @@ void WorkerWords::say(JsonWriter& json) const {
   }
 }
 
+std::uint64_t WorkerWords::busiest_bytes() const {
+  return split_ != nullptr             ? split_->makespan_bytes
+         : facts_.worker_bytes.empty() ? 0
+                                       : *std::ranges::max_element(facts_.worker_bytes);
+}
+
+void WorkerWords::say_bytes(JsonWriter& json) const {
+  if (workers_ == 0) {
+    return;
+  }
+  const LoadBound& least =
+      split_ != nullptr ? split_->makespan_bytes_bound : facts_.makespan_byte_bound;
+  json.key("makespan_bytes").value(busiest_bytes());
+  if (split_ == nullptr) {
+    json.key("span_bytes").value(facts_.span_bytes);
+  }
+  json.key("makespan_bytes_bound").value(least.loads);
+  json.key("makespan_bytes_bound_reason").value(least.reason);
+}
+
+std::string WorkerWords::in_lockstep(const std::string& what, const std::string& epochs,
+                                     std::uint64_t steps, const LoadBound& bound) const {
+  const std::string who = fmt::format("{}, {}", what, count_of(workers_, "worker"));
+  const std::string loads = count_of(facts_.loads, "load");
+  if (facts_.sizes) {
+    return fmt::format(
+        "{} with {} bytes of memory{}, no item at two of them: {} bytes in {} and {}, {}\n"
+        "the busiest worker has {} bytes; the slowest of each step add up to {}, {}\n",
+        who, facts_.sizes->memory, epochs, facts_.bytes, loads, count_of(steps, "step"),
+        over(facts_.bytes, facts_.byte_bound), busiest_bytes(), facts_.span_bytes,
+        over(facts_.span_bytes, facts_.makespan_byte_bound));
+  }
+  return fmt::format(
+      "{} with room for {}{}, no item at two of them: {} in {}, {}\n"
+      "the busiest worker has {}; the slowest of each step add up to {}, {}\n",
+      who, facts_.room, epochs, loads, count_of(steps, "step"), over(facts_.loads, bound),
+      count_of(facts_.makespan(), "load"), facts_.span, over(facts_.span, facts_.makespan_bound));
+}
+
 void WorkerWords::say_each(JsonWriter& json) const {
+  if (split_ == nullptr && facts_.sizes) {
+    json.key("worker_bytes").value(facts_.worker_bytes);
+  }
   if (split_ != nullptr && facts_.sizes) {
     json.list("worker_bytes", split_->workers,
               [&](const WorkerFacts& worker) { json.value(worker.bytes); });

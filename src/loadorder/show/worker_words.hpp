@@ -1,5 +1,5 @@
-// Internal: describes the pairs that the workers of a schedule compute, their costs, and how even
-// both are.
+// Internal: describes what the workers of a schedule load and compute, what pairs cost, and how even
+// that is.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,9 @@
 
 namespace changeover {
 
+/// How far a count is over its bound.
+[[nodiscard]] std::string over(std::uint64_t count, const LoadBound& bound);
+
 class WorkerWords {
  public:
   /// For workers in lockstep, or for those of a split. Both must outlive this object.
@@ -17,12 +20,20 @@ class WorkerWords {
 
   /// Writes keys of the head: the most pairs of one worker, the mean, and the lower bound.
   void say(JsonWriter& json) const;
+  /// If items have sizes: the bytes that the busiest worker loads, and the bound; for workers in
+  /// lockstep the span, too.
+  void say_bytes(JsonWriter& json) const;
   /// Writes the same for each worker.
   void say_each(JsonWriter& json) const;
   /// Lines of text; empty if the numbers are unknown.
   [[nodiscard]] std::string text() const;
+  /// The first lines on workers in lockstep: `what` meets in so many steps and epochs.
+  [[nodiscard]] std::string in_lockstep(const std::string& what, const std::string& epochs,
+                                        std::uint64_t steps, const LoadBound& bound) const;
 
  private:
+  [[nodiscard]] std::uint64_t busiest_bytes() const;
+
   const LoadOrderFacts& facts_;
   const SplitFacts* split_;
   std::uint64_t workers_ = 0;

@@ -16,8 +16,6 @@
 namespace changeover {
 namespace {
 
-constexpr std::uint64_t most_closed_all = 2'000;  // number of items, if all pairs are wanted
-
 /// Packs groups of at most `most` bytes: the largest items first, each into the first group with
 /// room.
 std::vector<std::vector<Element>> packed(const ItemSizes& sizes, const std::vector<Element>& items,
@@ -148,21 +146,6 @@ void consider_packed(const ItemSizes& sizes, const std::vector<Element>& items, 
   }
 }
 
-// All wanted pairs as a list.
-PairGraph graph_of(const WantedPairs& wanted, std::uint64_t items) {
-  return {items,
-          [&](const PairGraph::Visit& visit) {
-            for (Element y = 1; y < items; ++y) {
-              for (Element x = 0; x < y; ++x) {
-                if (wanted.contains(x, y)) {
-                  visit(x, y);
-                }
-              }
-            }
-          },
-          {}};
-}
-
 // Calls visit(x, y) with the largest item y that x must meet, or with x twice if it meets none; of
 // all pairs for the two largest items only.
 template <typename Visit>
@@ -194,6 +177,29 @@ void each_with_largest(const ItemSizes& sizes, const WantedPairs& wanted, Visit&
 }
 
 }  // namespace
+
+WantedPairs listed_among(const WantedPairs& wanted, std::uint64_t items) {
+  return WantedPairs::listed(std::make_shared<const PairGraph>(
+      items,
+      [&](const PairGraph::Visit& visit) {
+        for (Element y = 0; y < items; ++y) {
+          visit(y, y);
+          for (Element x = 0; x < y; ++x) {
+            if (wanted.contains(x, y)) {
+              visit(x, y);
+            }
+          }
+        }
+      },
+      std::vector<std::string>()));
+}
+
+void refuse_large_items(std::uint64_t items) {
+  throw BadInput(fmt::format(
+      "{} items, some of them larger than half of memory; give at most {} for all pairs, or split "
+      "the largest ones",
+      items, most_closed_all));
+}
 
 std::uint64_t bytes_of(const ItemSizes& sizes, std::span<const Element> items) {
   std::uint64_t sum = 0;
@@ -299,12 +305,9 @@ LoadOrder plan_with_spare(std::shared_ptr<const ItemSizes> sizes, const WantedPa
       consider_packed(used, items, least, best);
     }
     if (best.bytes > least && (wanted.graph() != nullptr || facts.items <= most_closed_all)) {
-      std::optional<PairGraph> made;
-      if (wanted.graph() == nullptr) {
-        made.emplace(graph_of(wanted, facts.items));
-      }
-      SizedOffer closing =
-          best_closing(used, made ? *made : *wanted.graph(), facts.room, least, options);
+      const WantedPairs list =
+          wanted.graph() != nullptr ? wanted : listed_among(wanted, facts.items);
+      SizedOffer closing = best_closing(used, *list.graph(), facts.room, least, options);
       if (closing.bytes < best.bytes) {
         best = std::move(closing);
       }
@@ -313,10 +316,7 @@ LoadOrder plan_with_spare(std::shared_ptr<const ItemSizes> sizes, const WantedPa
     }
   }
   if (best.moves.empty()) {
-    throw BadInput(fmt::format(
-        "{} items, some of them larger than half of memory; give at most {} for all pairs, or "
-        "split the largest ones",
-        facts.items, most_closed_all));
+    refuse_large_items(facts.items);
   }
   facts.method = best.method;
   facts.explanation = best.explanation;

@@ -25,6 +25,15 @@ void check_sizes(const ItemSizes& sizes, const WantedPairs& wanted, const SizePl
 /// What these items have together. @throws ImpossibleParameters if that exceeds 64 bits
 [[nodiscard]] std::uint64_t bytes_of(const ItemSizes& sizes, std::span<const Element> items);
 
+/// Orders of closing items are for all pairs of at most so many items.
+inline constexpr std::uint64_t most_closed_all = 2'000;
+
+/// All wanted pairs as a list. O(items²)
+[[nodiscard]] WantedPairs listed_among(const WantedPairs& wanted, std::uint64_t items);
+
+/// @throws BadInput that says that so many items cannot be planned, some being too large
+[[noreturn]] void refuse_large_items(std::uint64_t items);
+
 /// Calls visit(y) for all items y that x must meet.
 template <typename Visit>
 void each_partner(const WantedPairs& wanted, std::uint64_t items, Element x, Visit&& visit) {

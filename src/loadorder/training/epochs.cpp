@@ -136,6 +136,7 @@ class BackAndForth final : public StepSource {
 ScheduleFacts count_moves(StepSource& steps, std::uint64_t workers, const ItemSizes* sizes) {
   ScheduleFacts facts;
   std::uint64_t slowest = 0;
+  std::uint64_t slowest_bytes = 0;
   const auto add = [](std::vector<std::uint64_t>& list, std::uint64_t at, std::uint64_t loads) {
     list.resize(std::max<std::size_t>(list.size(), static_cast<std::size_t>(at) + 1), 0);
     list[static_cast<std::size_t>(at)] += loads;
@@ -144,18 +145,23 @@ ScheduleFacts count_moves(StepSource& steps, std::uint64_t workers, const ItemSi
     stop_if_asked();
     if (facts.steps++ % workers == 0) {
       facts.span += std::exchange(slowest, 0);
+      facts.span_bytes += std::exchange(slowest_bytes, 0);
     }
     slowest = std::max<std::uint64_t>(slowest, step.load.size());
     facts.loads += step.load.size();
     facts.transfers += step.fast_load.size();
     add(facts.worker_loads, step.worker, step.load.size());
     add(facts.epoch_loads, step.epoch - 1, step.load.size());
+    std::uint64_t bytes = 0;
     for (std::size_t i = 0; sizes != nullptr && i < step.load.size(); ++i) {
-      facts.bytes += sizes->bytes[step.load[i]];
-      add(facts.worker_bytes, step.worker, sizes->bytes[step.load[i]]);
+      bytes += sizes->bytes[step.load[i]];
     }
+    slowest_bytes = std::max(slowest_bytes, bytes);
+    facts.bytes += bytes;
+    add(facts.worker_bytes, step.worker, bytes);
   }
   facts.span += slowest;
+  facts.span_bytes += slowest_bytes;
   facts.steps /= workers;
   return facts;
 }
@@ -253,6 +259,10 @@ LoadOrder repeat_order(LoadOrder order, std::uint64_t epochs) {
   }
   if (lockstep > 0) {
     facts.makespan_bound = epochs_makespan_bound(facts.makespan_bound, facts.bound, lockstep);
+    if (facts.sizes) {
+      facts.makespan_byte_bound =
+          epochs_makespan_bound(facts.makespan_byte_bound, facts.byte_bound, lockstep, "bytes");
+    }
   }
   const std::uint64_t steps = checked_multiply(facts.steps, epochs);
   facts.every_step_read =

@@ -221,7 +221,7 @@ TEST(LockstepEvents, StaysWithoutANewPairAreLeftOutAndFillsAreOneStep) {
                                          {4, 2, false},
                                          {5, 0, true}},
                                         {{5, 2, true}, {6, 3, true}}},
-                                       graph);
+                                       &graph);
   EXPECT_EQ(lists.loads, 4U);
   EXPECT_EQ(lists.workers, 2U);
   EXPECT_EQ(lists.span, lists.steps == 1 ? 2U : 4U);

@@ -260,12 +260,11 @@ TEST(SizedSplit, RefusesWhatCannotBe) {
   EXPECT_THAT(refusal(R"("workers":65537)"), HasSubstr("workers 65537: give 1 to 65536"));
   EXPECT_THAT(refusal(R"("workers":2,"worker":2)"),
               HasSubstr("worker 2: of workers 2 give 0 to 1"));
-  EXPECT_THAT(refusal(R"("workers":2,"write_back":true)"), HasSubstr("leave out one of them"));
-  EXPECT_THAT(
-      refusal(R"("workers":2,"disjoint":true)"),
-      HasSubstr("disjoint counts items in memory, not their bytes; leave out sizes and give "
-                "room, or leave out disjoint"));
-  EXPECT_THAT(refusal(R"("fast_room":2)"), HasSubstr("fast_room counts items in memory"));
+  EXPECT_THAT(refusal(R"("workers":2,"write_back":true)"), HasSubstr("add disjoint"));
+  EXPECT_EQ(refusal(R"("workers":2,"disjoint":true,"write_back":true)"), "");
+  EXPECT_THAT(refusal(R"("fast_room":2)"),
+              HasSubstr("fast_room counts items in memory, not their bytes; leave out sizes and "
+                        "give room, or leave out fast_room"));
   EXPECT_THAT(refusal(R"("from_step":0)"), HasSubstr("from_step 0"));
 }
 

@@ -183,25 +183,6 @@ std::optional<GroupedOrder> grown_order(const LoadOrderFacts& facts,
   return best;
 }
 
-using WorkerMaker = std::function<std::unique_ptr<StepSource>(std::uint64_t worker)>;
-
-/// The steps of a worker that has nothing to do.
-class EmptySteps final : public StepSource {
- public:
-  explicit EmptySteps(std::uint64_t steps) : steps_(steps) {}
-
-  bool next(Step& step) override {
-    step.evict.clear();
-    step.load.clear();
-    step.number = number_ + 1;
-    return number_++ < steps_;
-  }
-
- private:
-  std::uint64_t steps_;
-  std::uint64_t number_ = 0;
-};
-
 // An order for all pairs is good if most pairs are listed.
 void consider_all_pairs(LoadOrderFacts& facts, const PairGraph& graph, LockstepLists& best,
                         LoadOrderOptions options) {
@@ -213,19 +194,7 @@ void consider_all_pairs(LoadOrderFacts& facts, const PairGraph& graph, LockstepL
   }
   options.search_pairs = nullptr;
   const LoadOrder all = plan_disjoint_order(items, facts.room, facts.lockstep, options);
-  LockstepEvents events(static_cast<std::size_t>(facts.lockstep));
-  const auto steps = all.stream();
-  for (Step step; steps->next(step);) {
-    const auto number = static_cast<std::uint32_t>(step.number);
-    std::vector<LockstepEvent>& its = events[static_cast<std::size_t>(step.worker)];
-    for (const Element x : step.evict) {
-      its.push_back({number, x, false});
-    }
-    for (const Element x : step.load) {
-      its.push_back({number, x, true});
-    }
-  }
-  LockstepLists lists = lists_of(std::move(events), graph);
+  LockstepLists lists = lists_of(events_of(*all.stream(), facts.lockstep), &graph);
   if (std::pair(lists.span, lists.loads) < std::pair(best.span, best.loads)) {
     best = std::move(lists);
     facts.method = all.facts().method;
@@ -238,12 +207,7 @@ WorkerMaker listed_steps(LoadOrderFacts& facts, const LoadOrderOptions& options)
   const WantedPairs list = as_list(facts.wanted);
   LockstepLists found = lockstep_of_list(facts, *list.graph(), options);
   consider_all_pairs(facts, *list.graph(), found, options);
-  return [found](std::uint64_t worker) -> std::unique_ptr<StepSource> {
-    if (worker < found.workers) {
-      return found.lists->of(worker);
-    }
-    return std::make_unique<EmptySteps>(found.steps);
-  };
+  return steps_in(found);
 }
 
 // Describes the order in `facts`.
@@ -289,27 +253,6 @@ WorkerMaker best_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
   return [order](std::uint64_t worker) { return std::make_unique<GroupedSteps>(order, worker); };
 }
 
-/// The steps of all workers, alternating.
-class InLockstep final : public StepSource {
- public:
-  InLockstep(const WorkerMaker& maker, std::uint64_t workers) {
-    for (std::uint64_t w = 0; w < workers; ++w) {
-      workers_.push_back(maker(w));
-    }
-  }
-
-  bool next(Step& step) override {
-    step.worker = turn_;
-    const bool more = workers_[turn_]->next(step);
-    turn_ = (turn_ + 1) % workers_.size();
-    return more;
-  }
-
- private:
-  std::vector<std::unique_ptr<StepSource>> workers_;
-  std::size_t turn_ = 0;
-};
-
 }  // namespace
 
 LoadOrder plan_disjoint_order(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers,
@@ -336,9 +279,7 @@ LoadOrder plan_disjoint_order(const WantedPairs& wanted, std::uint64_t room, std
                     items, max_elements_in_memory));
   }
   const WorkerMaker worker = best_steps(facts, options);
-  LoadOrder::Maker maker = [worker, workers] {
-    return std::make_unique<InLockstep>(worker, workers);
-  };
+  LoadOrder::Maker maker = [worker, workers] { return in_lockstep(worker, workers); };
   const ScheduleVerdict verdict =
       read_order(maker, LoadOrder(facts, maker).rules(),
                  fmt::format("{} for {} workers with room for {}",

@@ -1,0 +1,291 @@
+// Workers that never hold one item twice, for items of different sizes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <queue>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/loadorder/workers.hpp"
+#include "changeover/run/control.hpp"
+#include "core/checked.hpp"
+#include "core/words.hpp"
+#include "loadorder/listed/lockstep_events.hpp"
+#include "loadorder/listed/quick_moves.hpp"
+#include "loadorder/listed/stretches_in_lockstep.hpp"
+#include "loadorder/order/read_order.hpp"
+#include "loadorder/sizes/sized_pairs.hpp"
+
+namespace changeover {
+namespace {
+
+using Groups = std::vector<std::vector<Element>>;
+
+struct Best {
+  LockstepLists lists;  // span and loads in bytes
+  std::string method;
+  std::string explanation;
+
+  void consider(LockstepLists others, std::string its_method, std::string its_explanation) {
+    if (lists.lists == nullptr ||
+        std::pair(others.span, others.loads) < std::pair(lists.span, lists.loads)) {
+      lists = std::move(others);
+      method = std::move(its_method);
+      explanation = std::move(its_explanation);
+    }
+  }
+};
+
+std::uint64_t largest_of(const ItemSizes& sizes, const Groups& groups) {
+  std::uint64_t most = 0;
+  for (const std::vector<Element>& group : groups) {
+    most = std::max(most, bytes_of(sizes, group));
+  }
+  return most;
+}
+
+/// The largest items first, each into the group with the fewest bytes.
+Groups even_groups(const ItemSizes& sizes, std::vector<Element> items, std::uint64_t count) {
+  std::stable_sort(items.begin(), items.end(),
+                   [&](Element a, Element b) { return sizes.bytes[a] > sizes.bytes[b]; });
+  Groups groups(static_cast<std::size_t>(count));
+  using Filled = std::pair<std::uint64_t, std::size_t>;
+  std::priority_queue<Filled, std::vector<Filled>, std::greater<>> next;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    next.emplace(0, g);
+  }
+  for (const Element x : items) {
+    const auto [bytes, g] = next.top();
+    next.pop();
+    groups[g].push_back(x);
+    next.emplace(bytes + sizes.bytes[x], g);
+  }
+  return groups;
+}
+
+/// Few groups, but at least `least`, of at most `most` bytes each; none if that cannot be.
+Groups groups_of_at_most(const ItemSizes& sizes, const std::vector<Element>& items,
+                         std::uint64_t most, std::uint64_t least) {
+  std::uint64_t count = std::max(least, ceil_div(bytes_of(sizes, items), most));
+  for (; count <= items.size(); count += std::max<std::uint64_t>(1, count / 32)) {
+    Groups groups = even_groups(sizes, items, count);
+    if (largest_of(sizes, groups) <= most) {
+      return groups;
+    }
+  }
+  return {};
+}
+
+/// The same items in the same order, cut into groups of at most `most` bytes.
+Groups cut_into_groups(const ItemSizes& sizes, const std::vector<Element>& items,
+                       std::uint64_t most) {
+  Groups groups;
+  std::uint64_t left = 0;
+  for (const Element x : items) {
+    if (groups.empty() || left < sizes.bytes[x]) {
+      groups.emplace_back();
+      left = most;
+    }
+    groups.back().push_back(x);
+    left -= sizes.bytes[x];
+  }
+  return groups;
+}
+
+/// The pairs of groups that have listed pairs.
+WantedPairs between_groups(const Groups& groups, const PairGraph& graph) {
+  std::vector<Element> group_of(static_cast<std::size_t>(graph.items()), 0);
+  for (Element g = 0; g < groups.size(); ++g) {
+    for (const Element x : groups[g]) {
+      group_of[x] = g;
+    }
+  }
+  std::vector<ItemPair> pairs;
+  for (Element g = 0; g < groups.size(); ++g) {
+    std::vector<Element> others{g};
+    for (const Element x : groups[g]) {
+      for (const Element y : graph.partners(x)) {
+        others.push_back(group_of[y]);
+      }
+    }
+    std::sort(others.begin(), others.end());
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+    for (const Element other : others) {
+      if (other >= g) {
+        pairs.emplace_back(g, other);
+      }
+    }
+  }
+  return WantedPairs::listed(std::make_shared<const PairGraph>(groups.size(), pairs));
+}
+
+/// The ways to plan one job.
+class Ways {
+ public:
+  Ways(const ItemSizes& sizes, std::vector<Element> items, std::uint64_t workers,
+       const PairGraph* graph, Best& best)
+      : sizes_(sizes), items_(std::move(items)), workers_(workers), graph_(graph), best_(best) {
+    for (const Element x : items_) {
+      largest_ = std::max(largest_, sizes.bytes[x]);
+    }
+  }
+
+  /// For all pairs: groups of even bytes.
+  void groups_of_all() {
+    for (const std::uint64_t room : rooms()) {
+      const Groups groups =
+          groups_of_at_most(sizes_, items_, sizes_.memory / room, room * workers_);
+      if (!groups.empty()) {
+        follow(plan_disjoint_order(groups.size(), room, workers_), groups);
+      }
+    }
+  }
+
+  /// For some pairs: groups of items that an order of one worker has next to each other.
+  void groups_of(const LoadOrder& one) {
+    std::vector<Element> items;
+    std::vector<bool> came(sizes_.bytes.size(), false);
+    for (const Move& move : moves_of(one)) {
+      for (const Element x : move.load) {
+        if (!came[x]) {
+          came[x] = true;
+          items.push_back(x);
+        }
+      }
+    }
+    for (const std::uint64_t room : rooms()) {
+      const Groups groups = cut_into_groups(sizes_, items, sizes_.memory / room);
+      follow(plan_disjoint_order(between_groups(groups, *graph_), room, workers_), groups);
+    }
+  }
+
+  void stretches_of(const LoadOrder& one) {
+    const StretchesInLockstep stretches(*graph_, moves_of(one));
+    const std::uint64_t count = std::min<std::uint64_t>(workers_, stretches.jobs());
+    std::vector<std::size_t> begins;
+    for (std::uint64_t w = 0; w < count; ++w) {
+      begins.push_back(static_cast<std::size_t>(w * stretches.jobs() / count));
+    }
+    for (const std::size_t patience : {2U, 8U, 32U, 128U, ~0U}) {
+      stop_if_asked();
+      const std::uint64_t most_steps = 4 * (one.facts().loads + 1);
+      if (auto events = stretches.play(begins, patience, most_steps)) {
+        best_.consider(lists_of(std::move(*events), graph_, &sizes_), "stretches",
+                       fmt::format("An order of one worker is cut into {}. A worker waits for an "
+                                   "item that another one holds and needs soon.",
+                                   count_of(count, "stretch", "stretches")));
+      }
+    }
+  }
+
+ private:
+  // How many groups are at a worker at once; the last one has room for any items.
+  [[nodiscard]] std::vector<std::uint64_t> rooms() const {
+    const std::uint64_t most = sizes_.memory / largest_;
+    std::vector<std::uint64_t> all;
+    for (const std::uint64_t room : {2U, 3U, 4U, 6U, 8U, 12U, 16U}) {
+      if (room < most) {
+        all.push_back(room);
+      }
+    }
+    if (most >= 2) {
+      all.push_back(most);
+    }
+    return all;
+  }
+
+  static std::vector<Move> moves_of(const LoadOrder& order) {
+    std::vector<Move> moves;
+    const auto steps = order.stream();
+    for (Step step; steps->next(step);) {
+      moves.push_back({step.evict, step.load});
+    }
+    return moves;
+  }
+
+  void follow(const LoadOrder& order, const Groups& groups) {
+    stop_if_asked();
+    best_.consider(lists_of(events_of(*order.stream(), workers_, groups), graph_, &sizes_),
+                   "groups, " + order.facts().method,
+                   fmt::format("Items are in {} of at most {} bytes, of which {} fit: {}",
+                               count_of(groups.size(), "group"), largest_of(sizes_, groups),
+                               order.facts().room, order.facts().explanation));
+  }
+
+  const ItemSizes& sizes_;
+  std::vector<Element> items_;
+  std::uint64_t workers_;
+  const PairGraph* graph_;  // none of all pairs of many items
+  Best& best_;
+  std::uint64_t largest_ = 1;
+};
+
+Best best_of(const std::shared_ptr<const ItemSizes>& sizes, const WantedPairs& wanted,
+             std::uint64_t workers, const LoadOrderOptions& options) {
+  const std::uint64_t items = sizes->bytes.size();
+  const WantedPairs list = wanted.graph() == nullptr && items <= most_closed_all
+                               ? listed_among(wanted, items)
+                           : wanted.are_all() ? wanted
+                                              : as_list(wanted);
+  const PairGraph* const graph = list.graph();
+  std::vector<Element> needed;
+  for (Element x = 0; x < items; ++x) {
+    if (wanted.needs(x)) {
+      needed.push_back(x);
+    }
+  }
+  Best best;
+  Ways ways(*sizes, std::move(needed), workers, graph, best);
+  const bool shares = workers > 1 || graph == nullptr;  // one worker has an order of its own
+  if (shares && (wanted.are_all() || 2 * graph->pairs() >= binomial(items, 2))) {
+    ways.groups_of_all();
+  }
+  if (graph != nullptr) {
+    const LoadOrder one = plan_sized_order(sizes, wanted, options);
+    ways.stretches_of(one);
+    if (shares && !wanted.are_all()) {
+      ways.groups_of(one);
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+LoadOrder plan_disjoint_order(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
+                              std::uint64_t workers, const LoadOrderOptions& options) {
+  LoadOrderFacts facts;
+  facts.items = sizes->bytes.size();
+  facts.byte_bound = sized_lower_bound(*sizes, wanted);
+  facts.makespan_byte_bound = sized_makespan_bound(*sizes, wanted, workers);
+  facts.room = most_held(*sizes, wanted);
+  facts.lockstep = workers;
+  facts.sizes = sizes;
+  facts.wanted = wanted;
+  facts.bound = load_lower_bound(wanted.among(facts.items), facts.room);
+  facts.makespan_bound = makespan_lower_bound(wanted.among(facts.items), facts.room, workers);
+  const Best best = best_of(sizes, wanted, workers, options);
+  if (best.lists.lists == nullptr) {
+    refuse_large_items(facts.items);
+  }
+  facts.method = best.method;
+  facts.explanation = best.explanation;
+  const LockstepLists lists = best.lists;
+  const LoadOrder::Maker maker = [lists, workers] { return in_lockstep(steps_in(lists), workers); };
+  const ScheduleVerdict verdict =
+      read_order(maker, LoadOrder(facts, maker).rules(),
+                 fmt::format("{} for {} workers with {} bytes of memory",
+                             count_of(facts.items, "item"), workers, sizes->memory));
+  static_cast<ScheduleFacts&>(facts) = verdict;
+  if (facts.bytes < facts.byte_bound.loads || facts.span_bytes < facts.makespan_byte_bound.loads) {
+    throw InternalError("an order of workers in lockstep has fewer bytes than its bound");
+  }
+  facts.every_step_read = true;
+  facts.certificate =
+      fmt::format("every step read: no item held twice at once, {}, at most {} bytes at a worker",
+                  pairs_read(verdict, wanted.among(facts.items).count()), verdict.most_bytes);
+  return {std::move(facts), maker};
+}
+
+}  // namespace changeover
