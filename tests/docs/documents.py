@@ -1,7 +1,8 @@
-"""documents.py ROOT BUILD: requests and answers are what docs/schema says, at every door; docs/doors.md is what the program says.
+"""documents.py ROOT BUILD REQUESTS: requests and answers are what docs/schema says, at every door; docs/doors.md is
+what the program says.
 
-Requests are made at random from the schema's own keys; an answer is asked for on the command line, of the server and in
-Python, and is the same document at each of them.
+So many requests of plans, and of load orders, are made at random from the schema's own keys; an answer is asked for on
+the command line, of the server and in Python, and is the same document at each of them.
 """
 
 import base64
@@ -27,6 +28,7 @@ except ImportError:
     sys.exit(77)
 
 root, build = map(pathlib.Path, sys.argv[1:3])
+requests = int(sys.argv[3])
 program = str(build / "changeover")
 sys.path.insert(0, str(build / "python"))
 import changeover  # noqa: E402
@@ -238,10 +240,24 @@ def any_benches(rng, names):
 
 def check_plans(server, count):
     rng = random.Random(1)
+    # What chance may pass over.
+    together = [
+        {"benches": 2},
+        {"what_if": True},
+        {"done": [["A", "B", "C"], {"parts": ["B", "D", "C"], "result": "FAIL"}], "diagnose": True},
+    ]
     kinds = {"plan": "plan", "benches": "benches", "what-if": "what_if", "diagnosis": "diagnosis"}
     seen = set()
     for number in range(count):
         job = any_job(rng) if number % 3 else any_model(rng)
+        if number < len(together):
+            job = {
+                "parts": ["A", "B", "C", "D", "E"],
+                "at_once": 3,
+                "test_cost": 1,
+                "change_cost": 1,
+                **together[number],
+            }
         body = json.dumps(job)
         by_line = run("plan", "--request", "-", "--json", stdin=body)
         by_server = server.post("api/plan", body)
@@ -919,9 +935,9 @@ with tempfile.TemporaryDirectory() as folder, Server(f"{folder}/own.db") as one:
     os.chdir(folder)
     check_generated()
     check_explorer(one)
-    check_plans(one, 150)
+    check_plans(one, requests)
     check_workbooks(one)
-    check_loads(one, 150)
-    check_designs(one, 60)
+    check_loads(one, requests)
+    check_designs(one, requests // 2)
     check_dossiers(one)
 sys.exit(1 if faults else 0)

@@ -1,6 +1,6 @@
 // The site in a real browser, opened as files: nothing is asked of the network, nothing is missing, formulas are drawn, and
-// both searches find things. CHANGEOVER_SITE is its folder, CHANGEOVER_SCREENSHOTS where pictures of it go, CHROMIUM the
-// browser (default: /usr/bin/chromium).
+// both searches find things. CHANGEOVER_SITE is its folder, CHROMIUM the browser (default: /usr/bin/chromium). With
+// CHANGEOVER_SCREENSHOTS, where pictures of it go, every page is opened, else one in six.
 import assert from 'node:assert/strict';
 import { existsSync, mkdirSync, mkdtempSync, readdirSync, rmSync, statSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -55,10 +55,10 @@ async function fits(tab, page) {
   assert.ok(wider <= 1, `${page} is ${wider} pixels wider than the screen`);
 }
 
-test('every page of the guide opens and asks for nothing elsewhere', async () => {
+test('pages of the guide open and ask for nothing elsewhere', async () => {
   const pages = readdirSync(site).filter((name) => name.endsWith('.html'));
   assert.ok(pages.length > 20);
-  for (const page of pages) {
+  for (const page of pages.filter((_, i) => pictures || i % 6 === 0)) {
     const tab = await open(page);
     await tab.waitForLoadState('load');
     await fits(tab, page);

@@ -4,12 +4,12 @@
 # paths to what is no file. Each ends in time with a documented exit code, never 5, says one clean
 # line if it refuses, and leaves nothing in the folder but what it was told to write.
 #
-# A round is one attack in 200 of all; with 200 rounds every value meets every option in every
+# A round is one attack in 600 of all; with 600 rounds every value meets every option in every
 # setting.
 # shellcheck source=support/attack.sh
 source "$(dirname "$0")/support/attack.sh"
 CHANGEOVER=$(program CHANGEOVER) || exit
-every=$((rounds >= 200 ? 1 : 200 / rounds))
+every=$((rounds >= 600 ? 1 : 600 / rounds))
 
 description=$scratch/tools/description
 "$CHANGEOVER" describe --format text >"$description" ||

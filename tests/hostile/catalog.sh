@@ -66,7 +66,7 @@ count=$(wc -l <"$scratch/tools/all")
 ((count >= 190)) || fault "only $count of 200 designs were added"
 
 # Killed while they write.
-kills=$((rounds > 1 ? rounds * 25 : 16))
+kills=$((rounds > 1 ? rounds * 25 : 6))
 : >"$scratch/tools/said_added"
 add own.db "$known" >/dev/null
 for ((i = 1; i <= kills; ++i)); do
@@ -119,7 +119,7 @@ labels_in many.db >"$scratch/tools/many.labels"
 many=$(wc -l <"$scratch/tools/many.labels")
 ((many >= 2100)) || fault "only $many of 2500 designs were added"
 rm -f many.db many.db-wal many.db-shm
-for ((i = 1; i <= (rounds > 1 ? rounds * 4 : 3); ++i)); do
+for ((i = 1; i <= (rounds > 1 ? rounds * 4 : 2); ++i)); do
   attacks=$((attacks + 1))
   rm -f import.db import.db-wal import.db-shm
   add import.db "$known" >/dev/null
@@ -213,7 +213,7 @@ improved() {
 labels_in weak.db >"$scratch/tools/weak"
 
 # Killed, and stopped by Ctrl-C, while it searches and writes.
-for ((i = 1; i <= (rounds > 1 ? rounds * 4 : 4); ++i)); do
+for ((i = 1; i <= (rounds > 1 ? rounds * 4 : 2); ++i)); do
   attacks=$((attacks + 1))
   rm -f search.db search.db-wal search.db-shm
   cp weak.db search.db
@@ -255,7 +255,7 @@ improved 'two improve at once' search.db
 
 # Two that write at once.
 attacks=$((attacks + 1))
-each=$((rounds > 1 ? 30 : 6))
+each=$((rounds > 1 ? 30 : 4))
 for writer in 0 1; do
   for ((i = 1; i <= each; ++i)); do
     add both.db "$designs/$((writer * 200 + i))" || printf 'exit code %d\n' $?

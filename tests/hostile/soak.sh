@@ -7,14 +7,14 @@
 # holds, the next run goes on from what is kept, and what kills leave behind does not grow without
 # bound.
 #
-# Two verbs run at a time. SOAK_SECONDS says how long (default 20, and three minutes for each
+# Two verbs run at a time. SOAK_SECONDS says how long (default 10, and three minutes for each
 # further round).
 # shellcheck source=support/attack.sh
 # shellcheck disable=SC2317 # what is called by a name that is put together
 source "$(dirname "$0")/support/attack.sh"
 CHANGEOVER=$(program CHANGEOVER) || exit
 ALL_PAIRS=${ALL_PAIRS:+$(program ALL_PAIRS)} || exit
-seconds=${SOAK_SECONDS:-$((20 + 180 * (rounds - 1)))}
+seconds=${SOAK_SECONDS:-$((10 + 180 * (rounds - 1)))}
 export CHANGEOVER_CATALOG=$scratch/ground/mine.db
 
 tools=$scratch/tools

@@ -3,9 +3,11 @@ cmake_minimum_required(VERSION 3.25)
 set(others CaDiCaL Bliss SQLite3 EXPAT LibZip XlsxWriter)
 string(REPLACE "," ";" all_rooms "${rooms}")
 
-# configure(<languages> [<definition>...]): leaves `result` and `said`.
+# configure(<languages> [<definition>...]): leaves `result` and `said`. What CMake found out about the compilers stays, what it
+# found of packages does not.
+file(REMOVE_RECURSE "${work}/components")
 function(configure languages)
-  file(REMOVE_RECURSE "${work}/components")
+  file(REMOVE "${work}/components/CMakeCache.txt")
   execute_process(RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE error
     COMMAND "${CMAKE_COMMAND}" -S "${here}/components" -B "${work}/components" -G "${generator}"
       "-DCMAKE_PREFIX_PATH=${prefix}" "-Dwanted=${version}" "-DCMAKE_C_COMPILER=${c_compiler}" "-DCMAKE_CXX_COMPILER=${cxx_compiler}"

@@ -38,9 +38,10 @@ class Comparison {
 
   /// Runs checkdesign and expects it to agree. @return the counts of each mutation.
   [[nodiscard]] std::map<std::string, Count> expect_agreement() const {
-    const Outcome outcome = run("for ((i = 0; i < " + std::to_string(added_.size()) +
-                                    "; ++i)); do $checkdesign $i | head -n 1; done",
-                                folder_.path());
+    const Outcome outcome =
+        run("for ((i = 0; i < " + std::to_string(added_.size()) +
+                "; ++i)); do said=$($checkdesign $i); echo \"${said%%$'\\n'*}\"; done",
+            folder_.path());
     std::istringstream lines(outcome.out);
     std::map<std::string, Count> counts;
     for (const Added& added : added_) {

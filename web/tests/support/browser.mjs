@@ -4,13 +4,13 @@
 // Chromium
 //     const page = await explorer.open('#/catalog');        // fails the test on errors and on
 // requests that leave the machine
-//     await look(page, 'catalog');                          // screenshots in light and dark, and
-// what axe-core finds
+//     await look(page, 'catalog');                          // what axe-core finds in light and dark
 //     await explorer.stop();
 //
 // CHANGEOVER_PROGRAM names the program (default: the one in build/release), CHANGEOVER_ASSETS a
-// folder of pages to serve in place of those in the program, CHANGEOVER_SCREENSHOTS the folder for
-// pictures (default: build/browser), CHROMIUM the browser (default: /usr/bin/chromium).
+// folder of pages to serve in place of those in the program, CHROMIUM the browser (default:
+// /usr/bin/chromium). With CHANGEOVER_SCREENSHOTS, a folder, `look` is thorough: it puts pictures
+// there, and axe-core sees every row, and a phone in dark, too.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
@@ -22,7 +22,7 @@ import { chromium } from 'playwright-core';
 
 const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..', '..');
 export const program = process.env.CHANGEOVER_PROGRAM ?? join(root, 'build/release/changeover');
-export const screenshots = process.env.CHANGEOVER_SCREENSHOTS ?? join(root, 'build/browser');
+export const screenshots = process.env.CHANGEOVER_SCREENSHOTS;
 const axeSource = readFileSync(
   createRequire(import.meta.url).resolve('axe-core/axe.min.js'),
   'utf8',
@@ -153,15 +153,36 @@ const coloursOfFormulas = () => {
   return [...wrong];
 };
 
+// Rows that are like those before them: axe-core takes as long for each. Their places are kept.
+const putRowsAside = (most) => {
+  globalThis.aside = [...document.querySelectorAll('tbody, ol, ul, select, svg, svg g')].flatMap(
+    (list) =>
+      [...list.children].slice(most, -1).map((row) => {
+        const place = document.createComment('');
+        row.replaceWith(place);
+        return [row, place];
+      }),
+  );
+};
+const putRowsBack = () => globalThis.aside.forEach(([row, place]) => place.replaceWith(row));
+
 /**
  * What axe-core finds wrong, a line each. The page's policy forbids foreign scripts, so it is run
  * from outside of it.
  * `onlyColours`: the page has been looked at in its other colours, and only those can be wrong now.
+ * `rows`: so many rows of each table and list are looked at, and the last one.
  */
-export async function accessibility(page, { onlyColours = false } = {}) {
+export async function accessibility(page, { onlyColours = false, rows = Infinity } = {}) {
   if (!(await page.evaluate(() => 'axe' in globalThis))) {
     await page.evaluate(axeSource);
   }
+  await page.evaluate(putRowsAside, rows);
+  const found = await faultsByAxe(page, onlyColours);
+  await page.evaluate(putRowsBack);
+  return found;
+}
+
+async function faultsByAxe(page, onlyColours) {
   const colours = await page.evaluate(async () => {
     // Formulas are most of what some pages have: a letter stands for each, and their signs are
     // looked at below.
@@ -199,23 +220,29 @@ export async function accessibility(page, { onlyColours = false } = {}) {
 }
 
 /**
- * Screenshots in light and dark as NAME-light.png and NAME-dark.png; no accessibility fault in
- * either.
+ * No accessibility fault in light nor in dark. Where pictures are wanted they are NAME-light.png
+ * and NAME-dark.png.
+ * `inLight`: in dark only where the look is thorough.
  */
-export async function look(page, name) {
-  mkdirSync(screenshots, { recursive: true });
+export async function look(page, name, { inLight = false } = {}) {
   // A window behind others draws once a second.
   await page.bringToFront();
-  for (const colorScheme of ['light', 'dark']) {
+  for (const colorScheme of inLight && !screenshots ? ['light'] : ['light', 'dark']) {
     await page.emulateMedia({ colorScheme });
     await settled(page);
     await page.waitForLoadState('networkidle');
-    await page.screenshot({
-      path: join(screenshots, `${name}-${colorScheme}.png`),
-      fullPage: true,
-    });
+    if (screenshots) {
+      mkdirSync(screenshots, { recursive: true });
+      await page.screenshot({
+        path: join(screenshots, `${name}-${colorScheme}.png`),
+        fullPage: true,
+      });
+    }
     assert.deepEqual(
-      await accessibility(page, { onlyColours: colorScheme === 'dark' }),
+      await accessibility(page, {
+        onlyColours: colorScheme === 'dark',
+        rows: screenshots ? Infinity : 8,
+      }),
       [],
       `${name} in ${colorScheme}`,
     );

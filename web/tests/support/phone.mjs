@@ -22,5 +22,5 @@ export async function phone(page, name) {
       .map((cell) => cell.textContent),
   );
   assert.deepEqual(over, [], `cells of ${name} that are too narrow`);
-  await look(page, `${name}-phone`);
+  await look(page, `${name}-phone`, { inLight: true });
 }
