@@ -81,7 +81,7 @@ for command in "${commands[@]}"; do
     {
       (
         [[ -z $ignored ]] || trap '' PIPE
-        timeout -s KILL $((20 * slower)) "$CHANGEOVER" $command 2>"$err" </dev/null >&"$gone"
+        timeout -s KILL $((20 * slower)) "$CHANGEOVER" $command 2>"$err" </dev/null 1>&"$gone"
       )
       code=$?
     } 2>/dev/null
