@@ -11,6 +11,7 @@ faults=0
 # program PATH: one that is there and fails.
 program() {
   mkdir -p "$(dirname "$1")"
+  # shellcheck disable=SC2016 # the script that is made reads it
   printf '#!/bin/sh\necho "$0: a file that it needs is missing" >&2\nexit 1\n' >"$1"
   chmod +x "$1"
 }
