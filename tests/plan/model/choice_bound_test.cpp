@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -151,6 +152,108 @@ TEST(ChoiceBound, OfManyParametersWithThreeValues) {
     Job dear = job_of(model, Amount{}, Amount{1});  // the dear one saves two settings
     std::fill_n(dear.change_costs.begin(), 3, Amount{3});
     EXPECT_TRUE(k < 4 || cost_bound(dear).cost == Amount{6 * (k + 2) - 6}) << k;
+  }
+}
+
+// The fewest stays of k parameters with two values in so many tests, by looking at all rows of
+// signs; nothing if there are too few tests.
+class RowsOfSigns {
+ public:
+  RowsOfSigns(std::size_t k, std::uint32_t tests) : k_(k), tests_(tests) { add(1); }
+
+  [[nodiscard]] std::optional<std::size_t> least() const { return least_; }
+
+ private:
+  [[nodiscard]] bool meet(std::uint32_t a, std::uint32_t b) const {
+    const std::uint32_t all = (1U << tests_) - 1;
+    return (a & b) != 0 && (a & ~b) != 0 && (b & ~a) != 0 && (all & ~(a | b)) != 0;
+  }
+  void add(std::uint32_t from) {  // the first sign is minus
+    if (rows_.size() == k_) {
+      least_ = std::min(least_.value_or(stays_), stays_);
+      return;
+    }
+    if (least_ && stays_ + 2 * (k_ - rows_.size()) >= *least_) {
+      return;
+    }
+    for (std::uint32_t row = from; row < 1U << (tests_ - 1); ++row) {
+      if (std::ranges::all_of(rows_, [&](std::uint32_t other) { return meet(other, row); })) {
+        rows_.push_back(row);
+        stays_ += stays_of(row);
+        add(row + 1);
+        stays_ -= stays_of(row);
+        rows_.pop_back();
+      }
+    }
+  }
+  [[nodiscard]] std::size_t stays_of(std::uint32_t row) const {
+    const std::uint32_t steps = (row ^ row >> 1U) & ((1U << (tests_ - 1)) - 1);
+    return 1 + static_cast<std::size_t>(std::popcount(steps));
+  }
+
+  std::size_t k_;
+  std::uint32_t tests_;
+  std::vector<std::uint32_t> rows_;
+  std::size_t stays_ = 0;
+  std::optional<std::size_t> least_;
+};
+
+// Theorem 25: what few tests need.
+TEST(ChoiceBound, OfTwoValuesInFewTests) {
+  std::size_t attained = 0;
+  for (std::size_t k = 2; k <= 5; ++k) {
+    const Model model = test::model_of(model_text(std::vector<std::uint32_t>(k, 2)));
+    for (const std::uint64_t test : {1U, 2U, 5U}) {
+      std::uint64_t cheapest = ~std::uint64_t{0};
+      for (std::uint32_t tests = 4; tests <= 7; ++tests) {
+        if (const auto stays = RowsOfSigns(k, tests).least()) {
+          const std::size_t four = (tests - 2) * (tests - 2) / 4;
+          EXPECT_GE(*stays + 3 + 2 * ((tests - 1) / 2) + four, 5 * k) << k << ' ' << tests;
+          cheapest = std::min(cheapest, 2 * *stays + test * tests);
+        }
+      }
+      const Amount bound = cost_bound(job_of(model, Amount{test}, Amount{2})).cost;
+      EXPECT_LE(bound, Amount{cheapest}) << k << ' ' << test;
+      attained += bound == Amount{cheapest} ? 1U : 0U;
+    }
+  }
+  EXPECT_GE(attained, 6U);
+  const Model model = test::model_of(model_text(std::vector<std::uint32_t>(40, 2)));
+  EXPECT_EQ(cost_bound(job_of(model, Amount{5}, Amount{1})).cost, Amount{220});
+  EXPECT_EQ(cost_bound(job_of(model, Amount{}, Amount{1})).cost, Amount{119});
+}
+
+// How many sets of tests of two stays each, the second of them at the end, of which none contains
+// another: the chains of Theorem 25 as a matching, since there are as few chains as such sets.
+TEST(ChoiceBound, OfFourStaysInFewTests) {
+  for (std::uint32_t tests = 4; tests <= 11; ++tests) {
+    std::vector<std::uint32_t> sets;
+    for (std::uint32_t set = 1; set < 1U << tests; ++set) {
+      const std::uint32_t steps = (set ^ set >> 1U) & ((1U << (tests - 1)) - 1);
+      if ((set & 1U) == 0 && std::popcount(steps) == 3) {
+        sets.push_back(set);
+      }
+    }
+    std::vector<std::size_t> before(sets.size(), sets.size());
+    std::vector<bool> seen;
+    const auto follow = [&](const auto& self, std::size_t from) -> bool {
+      for (std::size_t to = 0; to < sets.size(); ++to) {
+        if (to != from && (sets[from] & ~sets[to]) == 0 && !seen[to]) {
+          seen[to] = true;
+          if (before[to] == sets.size() || self(self, before[to])) {
+            before[to] = from;
+            return true;
+          }
+        }
+      }
+      return false;
+    };
+    std::size_t chains = sets.size();
+    for (std::size_t from = 0; from < sets.size(); ++from) {
+      seen.assign(sets.size(), false);
+      chains -= follow(follow, from) ? 1U : 0U;
+    }
+    EXPECT_EQ(chains, (tests - 2) * (tests - 2) / 4) << tests;
   }
 }
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -161,8 +163,11 @@ LeastNumber least_choice_tests(const Job& job, const ChoiceNumbers& n) {
 
 struct LeastChanges {
   std::uint64_t number = 0;
-  Amount cost;
+  Amount cost;        ///< of changes
+  Amount with_tests;  ///< of tests and changes together
 };
+
+constexpr std::uint64_t stays_of_two = 5;  // of a parameter with two values, but for few
 
 // (5): what the parameters of a clique may save together if each but `exceptions` of them, one or
 // two, has `often` stays, and what those have fewer only two can have.
@@ -259,7 +264,38 @@ std::uint64_t least_more(const std::vector<std::vector<std::uint64_t>>& wanted,
       std::min(most, std::max(Wide{by_two(any)}, by_cliques + by_two(is_in))));
 }
 
-LeastChanges least_choice_changes(const Job& job, const ChoiceNumbers& n) {
+// (6): what tests and the changes of parameters with two values cost at least, beyond `there`.
+Amount of_two_values(const Job& job, const std::vector<bool>& twos,
+                     const std::vector<std::uint64_t>& there,
+                     const std::vector<std::uint64_t>& prices, std::uint64_t least_tests) {
+  std::vector<std::uint64_t> dearest;
+  Amount changes;
+  for (std::size_t p = 0; p < twos.size(); ++p) {
+    if (twos[p]) {
+      dearest.push_back(prices[p]);
+      changes += Amount{prices[p]} * (stays_of_two - there[p]);
+    }
+  }
+  std::ranges::sort(dearest, std::greater<>());
+  std::optional<Amount> least;
+  for (std::uint64_t tests = std::max<std::uint64_t>(4, least_tests);; ++tests) {
+    const std::uint64_t all = tests + (job.start.empty() ? 0 : 1);
+    const std::uint64_t three = 1 + (all - 1) / 2;  // they and one with two stays
+    const std::uint64_t four = three + (all - 2) * (all - 2) / 4;
+    Amount saved;
+    for (std::uint64_t i = 0; i < dearest.size(); ++i) {
+      saved += Amount{dearest[i]} * (i == 0 ? 3U : i < three ? 2U : i < four ? 1U : 0U);
+    }
+    const Amount cost = job.test_cost * tests + changes - std::min(changes, saved);
+    least = least ? std::min(*least, cost) : cost;
+    if (three >= dearest.size()) {
+      return *least;
+    }
+  }
+}
+
+LeastChanges least_choice_changes(const Job& job, const ChoiceNumbers& n,
+                                  std::uint64_t least_tests) {
   std::vector<std::uint64_t> once(n.slots, 0);  // required introductions
   std::vector<std::uint64_t> at_start(n.slots, 0);
   std::vector<std::uint64_t> lowest(n.slots, std::numeric_limits<std::uint64_t>::max());
@@ -300,7 +336,23 @@ LeastChanges least_choice_changes(const Job& job, const ChoiceNumbers& n) {
   const std::vector<std::uint64_t> ones(n.slots, 1);
   const std::vector<bool> threes = clique_of_equal(job, n, 3);
   least.number += least_more(wanted, there, ones, threes);
+  const Amount once_each = least.cost;
   least.cost += Amount{least_more(wanted, there, lowest, threes)};
+  least.with_tests = job.test_cost * least_tests + least.cost;
+  std::vector<bool> twos = clique_of_equal(job, n, 2);
+  for (std::size_t p = 0; p < n.slots; ++p) {
+    twos[p] = twos[p] && there[p] == 2;
+  }
+  if (number_in(twos) > 1) {
+    for (std::size_t p = 0; p < n.slots; ++p) {
+      for (std::size_t q = 0; q < n.slots; ++q) {
+        wanted[p][q] = twos[p] || twos[q] ? 0 : wanted[p][q];
+      }
+    }
+    least.with_tests =
+        std::max(least.with_tests, once_each + Amount{least_more(wanted, there, lowest, threes)} +
+                                       of_two_values(job, twos, there, lowest, least_tests));
+  }
   return least;
 }
 
@@ -312,9 +364,8 @@ void improve_choice_bound(const Job& job, CostBound& bound, std::string& known) 
   }
   const ChoiceNumbers n(job);
   const LeastNumber tests = least_choice_tests(job, n);
-  const LeastChanges changes = least_choice_changes(job, n);
-  const Amount cost =
-      rounded_up(job, job.test_cost * std::max(tests.number, bound.tests) + changes.cost);
+  const LeastChanges changes = least_choice_changes(job, n, std::max(tests.number, bound.tests));
+  const Amount cost = rounded_up(job, changes.with_tests);
   if (tests.number >= bound.tests || cost >= bound.cost) {
     const std::uint64_t least = std::max(changes.number, bound.introductions);
     known = fmt::format(
