@@ -63,6 +63,18 @@ void plan_on_benches_with_stock(benchmark::State& state) {
   count_plan(state, job, std::vector<Bench>(static_cast<std::size_t>(state.range(3))));
 }
 
+void plan_on_held_out_benches(benchmark::State& state) {
+  const HeldOutJob made = held_out_job(static_cast<std::uint64_t>(state.range(0)));
+  count_plan(state, made.job, std::vector<Bench>(made.benches));
+  state.counters["parts"] = static_cast<double>(made.job.parts());
+  state.counters["room"] = static_cast<double>(made.job.room());
+  state.counters["test"] = in_hours(made.job.test_cost);
+  state.counters["slots"] = static_cast<double>(made.job.slots.size());
+  state.counters["never"] = static_cast<double>(made.job.never.size());
+  state.counters["benches"] = made.benches;
+  state.counters["scarce"] = static_cast<double>(made.scarce);
+}
+
 constexpr std::array<std::array<std::int64_t, 3>, 6> sizes{
     {{20, 4, 5}, {30, 5, 2}, {30, 5, 40}, {40, 6, 10}, {60, 8, 2}, {60, 8, 40}}};
 
@@ -92,6 +104,13 @@ BENCHMARK(plan_on_benches)
 BENCHMARK(plan_on_benches_with_stock)
     ->ArgNames({"parts", "room", "test", "benches", "scarce"})
     ->Apply(jobs_with_stock)
+    ->Iterations(1)
+    ->UseRealTime()
+    ->Unit(benchmark::kSecond);
+
+BENCHMARK(plan_on_held_out_benches)
+    ->ArgName("job")
+    ->DenseRange(1, 12)
     ->Iterations(1)
     ->UseRealTime()
     ->Unit(benchmark::kSecond);

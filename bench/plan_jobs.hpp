@@ -73,4 +73,41 @@ inline Job slotted_job(std::uint64_t seed) {
   }
 }
 
+/// A job for two to four benches with less of some parts than there are benches, of 10 to 50 parts: every third with
+/// slots, half of the others with forbidden pairs. No search was tuned for these.
+struct HeldOutJob {
+  Job job;
+  std::uint32_t benches = 2;
+  std::size_t scarce = 0;  ///< so many parts are scarce
+};
+
+inline HeldOutJob held_out_job(std::uint64_t seed) {
+  Random random(seed, 20'000);
+  HeldOutJob made;
+  if (seed % 3 == 0) {
+    made.job = slotted_job(500 + seed);
+  } else {
+    const std::uint64_t parts = 10 + random.below(41);
+    const std::uint64_t room = 3 + random.below(static_cast<std::uint32_t>(parts / 8 + 2));
+    constexpr const char* tests[] = {"0.5", "2", "6", "15", "50"};
+    made.job = priced_job(parts, room, tests[random.below(5)], 500 + seed);
+    for (std::uint64_t i = random.one_in_two() ? parts / 2 : 0; i > 0; --i) {
+      const Element x = random.below(static_cast<std::uint32_t>(parts));
+      const Element y = random.below(static_cast<std::uint32_t>(parts));
+      if (x != y) {
+        made.job.never.insert(x, y);
+      }
+    }
+    made.job.needed = all_pairs_but(made.job.never);
+  }
+  made.benches = 2 + random.below(3);
+  const std::uint32_t share = 1 + random.below(6);  // of ten parts
+  for (std::uint64_t x = 0; x < made.job.parts(); ++x) {
+    const bool scarce = random.below(10) < share;
+    made.job.quantities.push_back(scarce ? 1 + random.below(made.benches - 1) : enough_for_all);
+    made.scarce += scarce ? 1 : 0;
+  }
+  return made;
+}
+
 }  // namespace changeover::bench
