@@ -314,21 +314,26 @@ class BenchPlanner {
       add("each bench anew", "cut, and each bench planned anew for what only it tests",
           replan_each(lists.lists(), part.control()));
     }
-    starts.emplace_back(field_.size());  // from nothing
-    for (BenchLists& start : starts) {
-      Lists lists(job, start);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      Lists lists(job, starts[i]);
       if (complete(lists, *control_)) {
-        start = lists.lists();
+        starts[i] = lists.lists();
       }
+    }
+    Lists from_nothing(job, BenchLists(field_.size()));
+    if (complete(from_nothing, *control_)) {
+      starts.push_back(from_nothing.lists());
     }
     ListsSearch search{.aim = by_cost() ? Aim::least_cost : Aim::least_largest,
                        .steps = options_->plan.steps,
                        .attempts = attempts_between(),
                        .phase = between_benches};
-    if (field_.has_single_parts()) {
+    const unsigned before_rounds = field_.has_single_parts() ? 1 : 0;
+    if (before_rounds > 0) {
       search_without_clock(job, starts, search);
     }
     starts.insert(starts.begin(), without_first(best().lists));
+    search.round = before_rounds;
     Rounds rounds(options_->plan);
     while (!is_best_possible() && !control_->stop_wanted()) {
       const auto before = std::tuple(best().makespan, best().cost);
@@ -343,27 +348,21 @@ class BenchPlanner {
       if (!rounds.go_on(std::tuple(best().makespan, best().cost) != before, {})) {
         break;
       }
-      ++search.round;
+      search.round = before_rounds + rounds.now();
       starts.front() = without_first(best().lists);
     }
   }
 
-  // Without the clock a search makes more moves. It counts for how long a part is on two benches; if
-  // this comes to nothing, no bench waits. Where a test costs much it does not: then it gives up.
-  void search_without_clock(ListsJob job, std::vector<BenchLists> starts, ListsSearch& search) {
+  // Without the clock, which looks at every test after a move, a search makes many more moves. It
+  // counts for how long a part is on two benches; if this comes to nothing, no bench waits.
+  void search_without_clock(ListsJob job, const std::vector<BenchLists>& starts,
+                            const ListsSearch& search) {
     job.overlaps = true;
-    bool helps = true;
-    for (double share = 0.25; helps && share < 1; share *= 2) {
-      ShareOfTime part = part_of_the_time(share);
-      const BenchCandidate before = best();
-      FoundLists found = search_lists(job, starts, search, part.control());
-      ++search.round;
-      plan_.steps += found.steps;
-      add("local search without waiting",
-          "tests and parts moved between benches, scarce parts on one at a time", found.lists);
-      helps = better(best(), before) && !control_->stop_wanted();
-      starts.insert(starts.begin(), std::move(found.lists));
-    }
+    ShareOfTime part = part_of_the_time(0.5);
+    const FoundLists found = search_lists(job, starts, search, part.control());
+    plan_.steps += found.steps;
+    add("local search without waiting",
+        "tests and parts moved between benches, scarce parts on one at a time", found.lists);
   }
 
   // If the time is used up anyway, few long attempts find more than many short ones.

@@ -106,8 +106,6 @@ class Lists {
   [[nodiscard]] std::int64_t total() const { return total_ + (clock_ ? clocked().again : 0); }
   /// The cost of the tests and changes of all benches.
   [[nodiscard]] std::int64_t work() const { return total_; }
-  /// The same of one bench.
-  [[nodiscard]] std::int64_t work(std::size_t bench) const { return cost_[bench]; }
   /// The makespan: the largest cost of a bench, if no bench waits or rests.
   [[nodiscard]] std::int64_t largest() const;
   [[nodiscard]] bool has_clock() const { return clock_.has_value(); }
@@ -115,8 +113,6 @@ class Lists {
   [[nodiscard]] std::int64_t end(std::size_t bench) const {
     return clock_ ? clocked().ends[bench] : cost_[bench];
   }
-  /// For how long a bench waits and rests before its last test ends, with what it puts in again.
-  [[nodiscard]] std::int64_t waits(std::size_t bench) const { return end(bench) - cost_[bench]; }
   /// With ListsJob::overlaps: for how long parts of which there is one are on two benches at a
   /// time, if no bench waits. Moves leave the times of other tests as they are, until retime().
   [[nodiscard]] std::int64_t overlap() const { return overlap_; }

@@ -68,7 +68,6 @@ void ListsAnnealer::cool(double done) {
   const double open = static_cast<double>(lists_->missing()) / a_pair_weighs;
   const double met = std::max(1.0, everything_ - open);
   const double a_thing = std::max(1.0, static_cast<double>(lists_->total()) / met);
-  waits_count_ = done < schedule_.waits_grow ? done / schedule_.waits_grow : 1.0;
   cooling_.cool(done, {everything_, open, a_thing});
   lists_->retime();
   penalty_ = wide_ ? schedule_.penalty : cooling_.penalty() / a_pair_weighs;
@@ -88,10 +87,9 @@ double ListsAnnealer::costs(const Lists::Rise& rise) const {
       double sum = 0;
       double squares = 0;
       for (std::size_t bench = 0; bench < lists_->benches(); ++bench) {
-        const std::int64_t work = lists_->work(bench) + (bench == rise.bench ? rise.work : 0) +
-                                  (bench == rise.other ? rise.other_work : 0);
-        const double end =
-            static_cast<double>(work) + waits_count_ * static_cast<double>(lists_->waits(bench));
+        const auto end =
+            static_cast<double>(lists_->end(bench) + (bench == rise.bench ? rise.work : 0) +
+                                (bench == rise.other ? rise.other_work : 0));
         sum += end;
         squares += end * end;
       }

@@ -37,8 +37,6 @@ struct ListsSchedule {
   double hot = 0;
   double cold = 0;
   double over = 0;  ///< factor for costs above the budget
-  /// Until this part of the schedule is over, waits count less, and not at all at its beginning.
-  double waits_grow = 0;
   /// The schedule ends after this time, even if steps are left.
   std::optional<std::chrono::duration<double>> time = {};
 };
@@ -99,7 +97,6 @@ class ListsAnnealer {
   double everything_;  // what has to meet, as a number of targets of weight 1
   bool wide_;          // fixed penalty and wide moves
   Cooling cooling_;
-  double waits_count_ = 1;
   double penalty_ = 0;  // per millionth of weight
   double energy_ = 0;
   std::optional<double> most_rise_;  // of the move that is being decided

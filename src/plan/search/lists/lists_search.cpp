@@ -94,25 +94,17 @@ FoundLists search_lists(const ListsJob& job, const std::vector<BenchLists>& star
       // The rest is for the work after each attempt, and for what the time limit does not include.
       constexpr double share = 0.9;
       const auto time = time_of_attempt(control, i, options.attempts, share);
-      // A later round stays near the best lists, and so do most where benches wait, and one with too
-      // few moves per place.
-      const bool clock = job.clock != nullptr;
-      const double few = clock ? 0.01 : 0.001;  // seconds
+      // A later round stays near the best lists, and so does one with too few moves per place.
+      constexpr double few = 0.001;  // seconds
       const bool hurries =
           time && time->count() < few * static_cast<double>(lists.tests() * lists.most_room());
-      const bool stay_near =
-          hurries || ((clock || options.round > 0) && (i + options.round) % 4 != 0);
+      const bool stay_near = hurries || (options.round > 0 && (i + options.round) % 4 != 0);
       const HeatStyle& style =
           stay_near ? warm_style : heat_styles[(i + options.round) % heat_styles.size()];
       if (stay_near) {
         lists = Lists(job, starts.front());
       }
-      // Every other attempt begins as if no bench ever waited.
-      constexpr double grow = 0.9;
-      schedule = {.hot = style.hot,
-                  .cold = style.cold,
-                  .waits_grow = clock && (i + options.round) % 2 == 0 ? grow : 0.0,
-                  .time = time};
+      schedule = {.hot = style.hot, .cold = style.cold, .time = time};
     }
     Random random(control.seed(), 4'000'000 + std::uint64_t{options.round} * options.attempts + i);
     ListsAnnealer annealer(lists, options, schedule, random);
