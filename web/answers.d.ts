@@ -252,6 +252,8 @@ export type LoadRequest = {
     | null;
   /** bytes in memory at once, of items with --sizes */
   memory?: number | null;
+  /** so many bytes of these are on an accelerator, where pairs meet */
+  fast_memory?: number | null;
   /** split it for W workers with room C each */
   workers?: number | null;
   /** only the steps of worker I of these, from 0 */
@@ -272,7 +274,10 @@ export type LoadRequest = {
         | {workbook: string; sheet?: string}
       )
     | null;
-  /** begin at step N, which loads what is in memory then */
+  /**
+   * begin at step N, which loads what is in memory then; not of workers, whose steps have numbers
+   * of their own, nor with new pairs, which depend on the steps before
+   */
   from_step?: number | null;
   /**
    * every pair meets in each of N epochs, back and forth: what is in memory at the end of one
@@ -561,8 +566,15 @@ export interface Head {
   /** No order loads fewer bytes. */
   bytes_bound?: number;
   bytes_bound_reason?: string;
+  /** With sizes and two levels: bytes on the accelerator. */
+  fast_memory?: number;
+  /** No order transfers fewer bytes to the accelerator. */
+  transfer_bytes_bound?: number;
+  transfer_bytes_bound_reason?: string;
   /** With workers: of the one that loads most bytes. */
   makespan_bytes?: number;
+  /** With --disjoint: the bytes of the slowest worker of each step, added up. */
+  span_bytes?: number;
   /** However it is split, some worker loads so many bytes. */
   makespan_bytes_bound?: number;
   makespan_bytes_bound_reason?: string;

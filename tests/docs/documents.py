@@ -423,6 +423,10 @@ def check_loads(server, count):
         {"room": None, "sizes": [[i, 1 + i % 3] for i in range(20)], "memory": 9, "workers": 3},
         {"room": None, "sizes": [[i, 1 + i % 3] for i in range(20)], "memory": 9, "workers": 2,
          "prefetch": True, "epochs": 2},
+        {"room": None, "sizes": [[i, 1 + i % 3] for i in range(20)], "memory": 9,
+         "fast_memory": 7},
+        {"room": None, "sizes": [[i, 1 + i % 3] for i in range(20)], "memory": 9, "workers": 2,
+         "disjoint": True},
     ]
     for number in range(count):
         ask = {"items": rng.choice([1, 9, 20, 64]), "room": rng.choice([2, 3, 8, 70])}
@@ -454,6 +458,7 @@ def check_loads(server, count):
             "spread": True,
             "sizes": [[i, 1 + i % 3] for i in range(20)],
             "memory": 9,
+            "fast_memory": 6,
             "balance": True,
             "first_holder": True,
             "pair_cost": [[0, 1, 2.5]],
@@ -503,7 +508,8 @@ def check_loads(server, count):
                 fault(f"a line of the answer is against its schema ({problem}): {body}")
                 break
         of_python = (
-            not set(ask) & {"fast_room", "item_bytes", "worker", "from_step", "balance"}
+            not set(ask)
+            & {"fast_room", "fast_memory", "item_bytes", "worker", "from_step", "balance"}
             and ask.get("pairs") not in pairs[1:]
             and ask.get("groups") not in groups[1:]
         )

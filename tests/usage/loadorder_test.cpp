@@ -324,6 +324,7 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
   spit(folder.file("old"), "precious\n");
   spit(folder.file("edges"), "0 1\n1 2\n0 2\n2 3\n");
   spit(folder.file("named.csv"), "left,right\n");
+  spit(folder.file("sizes"), "5\n4\n3\n2\n");
   spit(folder.file("formula.txt"), "=1 @x\n");
   spit(folder.file("photos.csv"), "\"cam 0/x.JPG\",\"c, \"\"d\"\"\"\n");
   for (const Case& each : std::vector<Case>{
@@ -382,6 +383,14 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
            {"--items 40 --room 12 --fast-room 4 --workers 2 --disjoint", 2, "--fast-room"},
            {"--items 40 --room 12 --fast-room 4 --workers 2 --write-back", 2, "leave out one"},
            {"--items 40 --room 12 --fast-room 4 --prefetch", 2, "--fast-room"},
+           {"--sizes sizes --memory 12 --fast-memory 9", 0,
+            "4 items, 12 bytes of memory and 9 on the accelerator: "},
+           {"--sizes sizes --memory 12 --fast-memory 9 --new-pairs --epochs 2 --json", 0,
+            "every step read: bytes at both levels, 12 pairs computed on the accelerator"},
+           {"--sizes sizes --memory 12 --fast-memory 9 --write-back --format csv", 0,
+            "step,fast_evict,evict,store,load,fast_load"},
+           {"--sizes sizes --memory 1M --fast-memory 1K", 0, "14 bytes in 4 transfers, the fewest"},
+           {"--sizes sizes --memory 12 --fast-memory 1K", 2, "of --memory 12 give 2 to 12"},
            {"--items 9 --room 4 --disjoint", 2, "--disjoint is for --workers"},
            {"--items 9 --room 4 --against 5 --workers 2 --disjoint", 0, "9 items with 5 others"},
            {"--items 13 --room 5 --time 200ms --quiet --threads 1 --seed 3", 0, "loads"},

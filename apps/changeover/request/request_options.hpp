@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,16 @@ void add_request_options(Verb& verb, Request& request, const RequestTable<Reques
           if constexpr (std::is_same_v<Value, bool>) {
             verb.flag(flags, kept, help);
           } else if constexpr (std::is_same_v<Value, std::optional<std::uint64_t>>) {
+            if (record.value == "SIZE") {
+              const auto text = std::make_shared<std::string>();
+              verb.option(flags, *text, value, help);
+              verb.require([&kept, text, flags] {
+                if (!text->empty()) {
+                  kept = parse_size(*text, flags);
+                }
+              });
+              return;
+            }
             verb.option(flags, kept, value, help);
           } else if constexpr (std::is_same_v<Value, RequestList>) {
             if (record.shape == RowShape::benches) {

@@ -44,11 +44,11 @@ Answer run(const LoadOrderRequest& typed) {
       whole_request(typed.load, run, load_table(), typed.file, typed.output, load_request);
   take_memory_of_items(request, run);
   if (typed.output.format() == "marius") {
-    if (request.workers || request.fast_room || request.prefetch || request.write_back ||
-        request.from_step || request.verify_beside) {
+    if (request.workers || request.fast_room || request.fast_memory || request.prefetch ||
+        request.write_back || request.from_step || request.verify_beside) {
       throw UsageError{
-          "--format marius is for one buffer: without --workers, --fast-room, --prefetch, "
-          "--write-back, --from-step and --verify-beside"};
+          "--format marius is for one buffer: without --workers, --fast-room, --fast-memory, "
+          "--prefetch, --write-back, --from-step and --verify-beside"};
     }
     request.new_pairs = request.ordered = request.self = true;
   }

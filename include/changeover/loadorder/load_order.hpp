@@ -83,6 +83,7 @@ struct LoadOrderFacts : ScheduleFacts {
   std::shared_ptr<const ItemSizes> sizes =
       {};  ///< item sizes; if present, room is the largest number of items that fit
   LoadBound byte_bound = {};           ///< bound on the bytes loaded, if items have sizes
+  LoadBound transfer_byte_bound = {};  ///< on those transferred to the accelerator
   LoadBound makespan_byte_bound = {};  ///< of workers in lockstep: on those of the busiest
   std::uint64_t epochs = 1;            ///< all pairs meet in each of them
 
@@ -299,6 +300,13 @@ improve_by_search(RunControl& control);
 /// ≤ room and items ≥ 1; ImpossibleParameters above 65,535 items, unless pairs are listed.
 [[nodiscard]] LoadOrder plan_two_levels(const WantedPairs& wanted, std::uint64_t room,
                                         std::uint64_t fast_room,
+                                        const LoadOrderOptions& options = {});
+
+/// For items of different sizes, whose bytes are counted at both levels (ItemSizes::fast_memory).
+/// The better of an order for the accelerator alone, with memory as a cache, and of orders as above
+/// for groups of items. Verified. @throws as plan_sized_order(), for both memories
+[[nodiscard]] LoadOrder plan_two_levels(std::shared_ptr<const ItemSizes> sizes,
+                                        const WantedPairs& wanted,
                                         const LoadOrderOptions& options = {});
 
 // The pairs that each step of a schedule computes, and the items that it stores.

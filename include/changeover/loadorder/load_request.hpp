@@ -35,6 +35,7 @@ struct LoadRequest {
   std::optional<std::uint64_t> item_bytes = {};
   RequestList sizes = {};
   std::optional<std::uint64_t> memory = {};
+  std::optional<std::uint64_t> fast_memory = {};
   std::optional<std::uint64_t> workers = {};
   std::optional<std::uint64_t> worker = {};
   std::optional<std::uint64_t> from_step = {};

@@ -105,6 +105,7 @@ struct ComputeRules {
 struct ItemSizes {
   std::vector<std::uint64_t> bytes;  ///< by item
   std::uint64_t memory = 0;          ///< in bytes, of each worker
+  std::uint64_t fast_memory = 0;     ///< of two levels: in bytes, on the accelerator
 
   bool operator==(const ItemSizes&) const = default;
 };
@@ -138,6 +139,7 @@ struct ScheduleFacts {
   std::uint64_t most_in_memory = 0;
   std::uint64_t bytes = 0;                 ///< loaded, if items have sizes
   std::uint64_t most_bytes = 0;            ///< in memory, of one worker
+  std::uint64_t transfer_bytes = 0;        ///< to the accelerator, if items have sizes
   std::uint64_t most_in_a_step = 0;        ///< pairs computed, of one worker
   std::vector<std::uint64_t> epoch_loads;  ///< of all workers
   std::vector<std::uint64_t> worker_loads;

@@ -149,6 +149,8 @@ std::string_view words_of_rows(RowShape shape) {
       return "\"name\" or {\"name\":…,\"cost\":…,\"slot\":…,\"quantity\":…}";
     case RowShape::pairs:
       return "[a,b]";
+    case RowShape::sizes:
+      return "[item,bytes]";
     case RowShape::costs:
       return "[a,b] or [a,b,cost]";
     case RowShape::groups:
@@ -198,8 +200,9 @@ std::optional<ListRow> row_of(RowShape shape, const JsonNode& node) {
     default: {
       auto fields = fields_of(node);
       const std::size_t size = fields ? fields->size() : 0;
+      const bool two = shape == RowShape::pairs || shape == RowShape::sizes;
       const bool two_or_three = shape == RowShape::reasons || shape == RowShape::costs;
-      const bool fits = shape == RowShape::pairs     ? size == 2
+      const bool fits = two                          ? size == 2
                         : two_or_three               ? size == 2 || size == 3
                         : shape == RowShape::weights ? size == 3
                                                      : size > 0;

@@ -31,6 +31,7 @@ std::string row(RowShape shape) {
                          R"("properties":{{"name":{0},"least":{0},"most":{0}}}}})",
                          field);
     case RowShape::pairs:
+    case RowShape::sizes:
       return fields("2", "2");
     case RowShape::costs:
     case RowShape::reasons:

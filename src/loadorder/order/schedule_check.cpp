@@ -9,76 +9,13 @@
 #include "changeover/loadorder/schedule.hpp"
 #include "changeover/run/control.hpp"
 #include "core/words.hpp"
-#include "loadorder/order/met_pairs.hpp"
+#include "loadorder/order/tracked.hpp"
 
 namespace changeover {
 namespace {
 
 constexpr std::uint64_t most_followed = 65'536;  // workers that can be tracked
 constexpr std::uint64_t most_epochs_followed = 1'000'000;
-constexpr std::uint64_t absent = ~std::uint64_t{0};
-
-/// The items in memory, or on the accelerator.
-struct Held {
-  // Adds an item and returns its place in the list.
-  std::uint32_t take(Element x, std::vector<Element>& list) {
-    const std::uint32_t at = place[x] - 1;
-    const Element moved = list.back();
-    list[at] = moved;
-    place[moved] = at + 1;
-    list.pop_back();
-    place[x] = 0;
-    return at;
-  }
-  void put(Element x, std::vector<Element>& list) {
-    list.push_back(x);
-    place[x] = static_cast<std::uint32_t>(list.size());
-  }
-  [[nodiscard]] bool has(Element x) const { return place[x] != 0; }
-
-  std::vector<std::uint32_t> place;  // by item: index in the list plus one, 0 if it is not in it
-};
-
-/// The pairs that were computed, in each direction, and the items computed alone.
-struct Computed {
-  Computed(const ScheduleRules& rules, bool all_pairs)
-      : alone(static_cast<std::size_t>(rules.items), false), loaded(alone) {
-    if (all_pairs || rules.wanted.graph() != nullptr) {
-      upward.emplace(rules.wanted, rules.items);
-    }
-    if (upward && rules.compute->ordered) {
-      downward.emplace(rules.wanted, rules.items);
-    }
-  }
-
-  // Adds (x,y), in this order. Returns whether it is new, as far as pairs are tracked.
-  bool insert(Element x, Element y) {
-    std::optional<SeenPairs>& pairs = x < y ? upward : downward;
-    return !pairs || pairs->insert(x, y);
-  }
-
-  std::optional<SeenPairs> upward;    // smaller item first
-  std::optional<SeenPairs> downward;  // larger item first
-  std::vector<bool> alone;
-  std::vector<bool> loaded;
-};
-
-/// The pairs of one epoch.
-struct Epoch {
-  std::optional<MetPairs> met;
-  std::optional<Computed> computed;
-};
-
-/// For items that change: the number of changes, and which version is where.
-struct Changes {
-  explicit Changes(std::size_t items)
-      : all(items, 0), on_disk(items, 0), in_memory(items, absent) {}
-
-  std::vector<std::uint64_t> all;
-  std::vector<std::uint64_t> on_disk;
-  std::vector<std::uint64_t> in_memory;  // or absent
-};
-
 }  // namespace
 
 class ScheduleCheck::State {
@@ -242,6 +179,7 @@ class ScheduleCheck::State {
     std::vector<Element> memory;
     std::uint64_t bytes = 0;  // in memory, if items have sizes
     std::vector<Element> accelerator;
+    std::uint64_t fast_bytes = 0;   // there, if items have sizes
     std::vector<ItemPair> overlap;  // pairs of its last step that are not computed yet
   };
 
@@ -320,6 +258,7 @@ class ScheduleCheck::State {
         return fail(step, fmt::format("takes {} from the accelerator, where it is not", x));
       }
       part(step, x, fast_.take(x, worker.accelerator));
+      worker.fast_bytes -= rules_.sizes ? rules_.sizes->bytes[x] : 0;
     }
     if (step.late > (rules_.overlap ? step.evict.size() : 0)) {
       return fail(step, fmt::format("evicts {} late, of {}", count_of(step.late, "item"),
@@ -447,6 +386,9 @@ class ScheduleCheck::State {
       if (worker.accelerator.size() == *rules_.fast_room) {
         return fail(step, fmt::format("transfers {} when the accelerator is full", x));
       }
+      if (rules_.sizes && !take_fast_bytes(step, x)) {
+        return;
+      }
       meet(step, x, fast_, worker.accelerator);
       fast_.put(x, worker.accelerator);
     }
@@ -467,6 +409,20 @@ class ScheduleCheck::State {
     verdict_.bytes += size;
     verdict_.most_bytes = std::max(verdict_.most_bytes, worker.bytes);
     count_at(verdict_.worker_bytes, step.worker) += size;
+  }
+
+  bool take_fast_bytes(const Step& step, Element x) {
+    Worker& worker = of(step);
+    const std::uint64_t size = rules_.sizes->bytes[x];
+    const std::uint64_t most = rules_.sizes->fast_memory;
+    if (size > most - std::min(most, worker.fast_bytes)) {
+      fail(step, fmt::format("transfers {} of {} bytes where {} are free", x, size,
+                             most - std::min(most, worker.fast_bytes)));
+      return false;
+    }
+    worker.fast_bytes += size;
+    verdict_.transfer_bytes += size;
+    return true;
   }
 
   void compute(const Step& step, const std::vector<ItemPair>& pairs, bool overlapped) {

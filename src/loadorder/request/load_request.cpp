@@ -49,9 +49,12 @@ std::vector<RequestOption<R>> options() {
           option("sizes", "FILE",
                  "items differ in size: an item and its bytes per line, or the bytes of items "
                  "0, 1, … in turn; --memory says how many fit",
-                 &R::sizes, {.shape = RowShape::pairs}),
+                 &R::sizes, {.shape = RowShape::sizes}),
           option("memory", "SIZE", "bytes in memory at once, of items with --sizes", &R::memory,
                  {.of_every_search = true}),
+          option("fast_memory", "SIZE",
+                 "so many bytes of these are on an accelerator, where pairs meet", &R::fast_memory,
+                 {.not_in_server = of_pages, .not_in_python = of_executor}),
           option("workers", "W", "split it for W workers with room C each", &R::workers),
           option("worker", "I", "only the steps of worker I of these, from 0", &R::worker,
                  {.not_in_server = of_pages, .not_in_python = "there steps(I) has them"}),
@@ -64,7 +67,9 @@ std::vector<RequestOption<R>> options() {
                  "what pairs cost to compute, two items and a number per line, otherwise 1; costs "
                  "are spread evenly over workers",
                  &R::pair_cost, {.shape = RowShape::weights, .not_in_server = of_pages}),
-          option("from_step", "N", "begin at step N, which loads what is in memory then",
+          option("from_step", "N",
+                 "begin at step N, which loads what is in memory then; not of workers, whose steps "
+                 "have numbers of their own, nor with new pairs, which depend on the steps before",
                  &R::from_step,
                  {.not_in_server = of_pages, .not_in_python = "there steps_from(N) begins at it"}),
           option("epochs", "N",
@@ -104,8 +109,8 @@ std::vector<OptionRule> rules() {
       {Says::exclude, {"new_pairs", "prefetch"}},
       {Says::needs, {"sizes"}, {"memory"}},
       {Says::only_with, {"memory"}, {"sizes"}},
-      // How many items fit depends on which they are. Levels count places, each for any item, and
-      // so do their bounds.
+      {Says::only_with, {"fast_memory"}, {"sizes"}},
+      // How many items fit depends on which they are.
       {Says::never_with, {"sizes"}, {"room", "fast_room", "item_bytes"}},
       {Says::only_with,
        {"disjoint", "worker", "balance", "first_holder", "pair_cost"},
@@ -114,11 +119,13 @@ std::vector<OptionRule> rules() {
       {Says::exclude, {"first_holder", "pair_cost"}},
       {Says::never_with,
        {"from_step", "verify_beside"},
-       {"disjoint", "fast_room", "prefetch", "write_back"}},
+       {"disjoint", "fast_room", "fast_memory", "prefetch", "write_back"}},
       {Says::never_with, {"from_step"}, {"workers", "new_pairs", "verify_beside"}},
       {Says::never_with, {"balance", "first_holder", "pair_cost"}, {"disjoint"}},
       // Workers in lockstep have one level so far; a search at two levels has no end of its own.
       {Says::never_with, {"fast_room"}, {"disjoint", "prefetch", "seconds"}},
+      // Shares of several workers at two levels are cut by places.
+      {Says::never_with, {"fast_memory"}, {"workers", "prefetch"}},
       {Says::only_with, {"item_bytes"}, {"fast_room"}},
       {Says::never_with, {"disjoint"}, {"prefetch"}},
       {Says::only_with, {"ordered", "self", "shuffle"}, {"new_pairs", "write_back", "prefetch"}},
@@ -204,6 +211,11 @@ void at_least_two_fit(const LoadRequest& request, const Words& words) {
     words.refuse("memory", fmt::format("{} {}: no two items could meet; give at least 2 bytes",
                                        words.key("memory"), *request.memory));
   }
+  if (request.fast_memory && (*request.fast_memory < 2 || *request.fast_memory > *request.memory)) {
+    words.refuse("fast_memory", fmt::format("{} {}: of {} {} give 2 to {}",
+                                            words.key("fast_memory"), *request.fast_memory,
+                                            words.key("memory"), *request.memory, *request.memory));
+  }
   if (request.items && (*request.items == 0 || *request.items > max_elements_in_memory)) {
     words.refuse("items", fmt::format("{} {}: with {} give 1 to {}", words.key("items"),
                                       *request.items, words.key("sizes"), max_elements_in_memory));
@@ -271,11 +283,9 @@ void check_together(const LoadRequest& request, const Words& words, bool all) {
 // Said before the rules are, which only say that it has no meaning.
 void refuse_places_for_bytes(const LoadRequest& request, const Words& words) {
   if (request.sizes.is_given() && request.fast_room) {
-    words.refuse("fast_room",
-                 fmt::format("{} counts items in memory, not their bytes; leave out {} and "
-                             "give {}, or leave out {}",
-                             words.key("fast_room"), words.key("sizes"), words.key("room"),
-                             words.key("fast_room")));
+    words.refuse("fast_room", fmt::format("{} counts items, not their bytes; with {} give {}",
+                                          words.key("fast_room"), words.key("sizes"),
+                                          words.with_value("fast_memory")));
   }
 }
 
@@ -358,7 +368,8 @@ SizePlace take_sizes(const LoadRequest& request, const Words& words,
         },
         std::move(names));
   }
-  sizes = std::make_shared<const ItemSizes>(ItemSizes{std::move(bytes), *request.memory});
+  sizes = std::make_shared<const ItemSizes>(
+      ItemSizes{std::move(bytes), *request.memory, request.fast_memory.value_or(0)});
   return place;
 }
 
@@ -443,6 +454,10 @@ CheckedLoads checked_loads(const LoadRequest& request, Door door,
     }
     if (checked.sizes_) {
       check_sizes(*checked.sizes_, checked.wanted_, place_of_size);
+      if (request.fast_memory) {
+        check_sizes({checked.sizes_->bytes, *request.fast_memory}, checked.wanted_, place_of_size,
+                    "the accelerator");
+      }
       checked.room_ = most_held(*checked.sizes_, checked.wanted_);
     }
     if (request.spread) {

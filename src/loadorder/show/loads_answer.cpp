@@ -49,6 +49,9 @@ AnyLoads planned(const CheckedLoads& asked, const LoadRequest& request, LoadOrde
   if (asked.sizes() && request.disjoint) {
     return plan_disjoint_order(asked.sizes(), wanted, *request.workers, options);
   }
+  if (request.fast_memory) {
+    return plan_two_levels(asked.sizes(), wanted, options);
+  }
   if (asked.sizes() && request.workers) {
     if (request.prefetch) {
       return split_prefetch(asked.sizes(), wanted, *request.workers, options);

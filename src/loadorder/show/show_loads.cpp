@@ -148,8 +148,8 @@ class ScheduleText {
                          lost);
     }
     if (checked_.steps > 0 && facts_.fast_room) {
-      return fmt::format("every step read: room at both levels, {} on the accelerator, each once{}",
-                         computed, lost);
+      return fmt::format("every step read: {} at both levels, {} on the accelerator, each once{}",
+                         facts_.sizes ? "bytes" : "room", computed, lost);
     }
     std::string line = facts_.certificate;
     if (follow()) {
@@ -185,6 +185,12 @@ class ScheduleText {
     }
     if (facts_.sizes) {
       json.key("memory").value(facts_.sizes->memory);
+      if (facts_.fast_room) {
+        json.key("fast_memory").value(facts_.sizes->fast_memory);
+        json.key("bytes_transferred").value(facts_.transfer_bytes);
+        json.key("transfer_bytes_bound").value(facts_.transfer_byte_bound.loads);
+        json.key("transfer_bytes_bound_reason").value(facts_.transfer_byte_bound.reason);
+      }
       json.key("bytes_loaded").value(facts_.bytes);
       json.key("most_bytes").value(facts_.most_bytes);
       json.key("bytes_bound").value(facts_.byte_bound.loads);
@@ -303,6 +309,15 @@ class ScheduleText {
                           count_of(split_->workers.size(), "worker"), facts_.makespan(),
                           over(facts_.makespan(), facts_.makespan_bound),
                           WorkerWords(facts_, split_).text());
+    if (facts_.fast_room && facts_.sizes) {
+      return fmt::format(
+          "{}, {} bytes of memory and {} on the accelerator{}: {}\n"
+          "from the disk: {} bytes in {}, {}\nto the accelerator: {} bytes in {}, {}\n",
+          what_meets(), facts_.sizes->memory, facts_.sizes->fast_memory, in_epochs(),
+          count_of(steps, "step"), facts_.bytes, loads, over(facts_.bytes, facts_.byte_bound),
+          facts_.transfer_bytes, count_of(facts_.transfers, "transfer"),
+          over(facts_.transfer_bytes, facts_.transfer_byte_bound));
+    }
     if (facts_.fast_room) {
       return fmt::format(
           "{}, room for {} in memory and {} of them on the accelerator{}: {}\n{}"
@@ -373,8 +388,9 @@ class ScheduleText {
   [[nodiscard]] std::string bounds(const LoadBound& bound) const {
     if (facts_.fast_room) {
       return fmt::format(
-          "bound of the loads: {}\nbound of the transfers: {}\n{}", bound.reason,
-          facts_.transfer_bound.reason,
+          "bound of the loads: {}\nbound of the transfers: {}\n{}",
+          (facts_.sizes ? facts_.byte_bound : bound).reason,
+          (facts_.sizes ? facts_.transfer_byte_bound : facts_.transfer_bound).reason,
           split_ == nullptr ? "" : "bound of the busiest: " + facts_.makespan_bound.reason + "\n");
     }
     if (facts_.lockstep > 0) {

@@ -209,7 +209,8 @@ std::uint64_t bytes_of(const ItemSizes& sizes, std::span<const Element> items) {
   return sum;
 }
 
-void check_sizes(const ItemSizes& sizes, const WantedPairs& wanted, const SizePlace& place) {
+void check_sizes(const ItemSizes& sizes, const WantedPairs& wanted, const SizePlace& place,
+                 const std::string& where) {
   const std::uint64_t items = sizes.bytes.size();
   if (items == 0 || (!wanted.are_all() && wanted.items() != items)) {
     throw BadInput(fmt::format("{} for {}", count_of(items, "size"),
@@ -237,12 +238,12 @@ void check_sizes(const ItemSizes& sizes, const WantedPairs& wanted, const SizePl
     const std::uint64_t size = sizes.bytes[x];
     if (size > sizes.memory || (with != x && sizes.bytes[with] > sizes.memory - size)) {
       refuse(x, with == x
-                    ? fmt::format("item {} has {} bytes, more than the {} of memory; allow more",
-                                  name(x), size, sizes.memory)
-                    : fmt::format("items {} and {} have {} bytes together, more than the {} of "
-                                  "memory; allow more",
+                    ? fmt::format("item {} has {} bytes, more than the {} of {}; allow more",
+                                  name(x), size, sizes.memory, where)
+                    : fmt::format("items {} and {} have {} bytes together, more than the {} of {}; "
+                                  "allow more",
                                   name(x), name(with), checked_add(size, sizes.bytes[with]),
-                                  sizes.memory));
+                                  sizes.memory, where));
     }
   });
 }

@@ -20,7 +20,8 @@ using SizePlace = std::function<std::string(Element)>;
 
 /// @throws BadInput, with the place of an item if there are places, if a wanted item, or two that
 /// must meet, are larger than memory, an item has no bytes, or the number of sizes is wrong
-void check_sizes(const ItemSizes& sizes, const WantedPairs& wanted, const SizePlace& place = {});
+void check_sizes(const ItemSizes& sizes, const WantedPairs& wanted, const SizePlace& place = {},
+                 const std::string& where = "memory");
 
 /// What these items have together. @throws ImpossibleParameters if that exceeds 64 bits
 [[nodiscard]] std::uint64_t bytes_of(const ItemSizes& sizes, std::span<const Element> items);

@@ -158,6 +158,9 @@ ScheduleFacts count_moves(StepSource& steps, std::uint64_t workers, const ItemSi
     }
     slowest_bytes = std::max(slowest_bytes, bytes);
     facts.bytes += bytes;
+    for (std::size_t i = 0; sizes != nullptr && i < step.fast_load.size(); ++i) {
+      facts.transfer_bytes += sizes->bytes[step.fast_load[i]];
+    }
     add(facts.worker_bytes, step.worker, bytes);
   }
   facts.span += slowest;
@@ -256,6 +259,10 @@ LoadOrder repeat_order(LoadOrder order, std::uint64_t epochs) {
   if (facts.fast_room) {
     facts.transfer_bound =
         epochs_lower_bound(facts.transfer_bound, pairs, *facts.fast_room, workers, epochs);
+    if (facts.sizes) {
+      facts.transfer_byte_bound =
+          epochs_byte_bound(facts.transfer_byte_bound, facts.sizes->fast_memory, workers, epochs);
+    }
   }
   if (lockstep > 0) {
     facts.makespan_bound = epochs_makespan_bound(facts.makespan_bound, facts.bound, lockstep);

@@ -117,6 +117,7 @@ TEST(LoadRequest, SaysWhatIsWrongInTheWordsOfTheDoor) {
       {R"({"items":10000000,"room":3,"against":2})", "together; at most 10000000"},
       {R"({"items":9,"room":3,"pairs":[[0,9]]})", "pairs"},
       {R"({"items":9,"room":3,"pairs":[[0]]})", "pairs[0]: write [a,b]"},
+      {R"({"sizes":[[0]],"memory":9})", "sizes[0]: write [item,bytes]"},
       {R"({"items":9,"room":3,"groups":[[]]})", "groups[0]: write [a,b,…]"},
       {R"({"items":9,"room":3,"groups":[[0]]})", "no pair is in a group"},
       {R"({"items":9,"room":3,"groups":[[0,1]],"done_items":3})", "exclude each other"},

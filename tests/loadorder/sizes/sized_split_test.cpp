@@ -263,8 +263,7 @@ TEST(SizedSplit, RefusesWhatCannotBe) {
   EXPECT_THAT(refusal(R"("workers":2,"write_back":true)"), HasSubstr("add disjoint"));
   EXPECT_EQ(refusal(R"("workers":2,"disjoint":true,"write_back":true)"), "");
   EXPECT_THAT(refusal(R"("fast_room":2)"),
-              HasSubstr("fast_room counts items in memory, not their bytes; leave out sizes and "
-                        "give room, or leave out fast_room"));
+              HasSubstr("fast_room counts items, not their bytes; with sizes give fast_memory"));
   EXPECT_THAT(refusal(R"("from_step":0)"), HasSubstr("from_step 0"));
 }
 

@@ -1,0 +1,28 @@
+// Internal: items of different sizes in groups that move together.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "changeover/loadorder/schedule.hpp"
+
+namespace changeover {
+
+using Groups = std::vector<std::vector<Element>>;
+
+/// The most bytes of a group.
+[[nodiscard]] std::uint64_t largest_of(const ItemSizes& sizes, const Groups& groups);
+
+/// Few groups of about equal bytes, but at least `least`, of at most `most` bytes each; none if that
+/// cannot be. O(items · log groups) for each number of groups that is tried
+[[nodiscard]] Groups groups_of_at_most(const ItemSizes& sizes, const std::vector<Element>& items,
+                                       std::uint64_t most, std::uint64_t least);
+
+/// The same items in the same order, cut into groups of at most `most` bytes.
+[[nodiscard]] Groups cut_into_groups(const ItemSizes& sizes, const std::vector<Element>& items,
+                                     std::uint64_t most);
+
+/// The pairs of groups that have listed pairs.
+[[nodiscard]] WantedPairs between_groups(const Groups& groups, const PairGraph& graph);
+
+}  // namespace changeover

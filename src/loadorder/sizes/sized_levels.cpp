@@ -1,0 +1,230 @@
+// Two levels for items of different sizes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/loadorder/load_order.hpp"
+#include "changeover/run/control.hpp"
+#include "core/checked.hpp"
+#include "core/words.hpp"
+#include "loadorder/order/read_order.hpp"
+#include "loadorder/shares/step_lists.hpp"
+#include "loadorder/sizes/item_groups.hpp"
+#include "loadorder/sizes/sized_pairs.hpp"
+
+namespace changeover {
+namespace {
+
+/// The order follows what the accelerator needs. What leaves it stays in memory, from which goes
+/// what is needed last.
+std::vector<Move> with_a_cache(const LoadOrder& fast, const ItemSizes& sizes) {
+  constexpr std::size_t never = ~std::size_t{0};
+  std::vector<Move> moves;
+  const auto steps = fast.stream();
+  for (Step step; steps->next(step);) {
+    moves.push_back({.fast_evict = step.evict, .fast_load = step.load});
+  }
+  std::vector<std::vector<std::size_t>> loads(sizes.bytes.size());  // by item, the next one last
+  for (std::size_t i = moves.size(); i > 0; --i) {
+    for (const Element x : moves[i - 1].fast_load) {
+      loads[x].push_back(i - 1);
+    }
+  }
+  std::set<std::pair<std::size_t, Element>> idle;  // in memory only, by when it is needed
+  std::vector<std::size_t> needed(sizes.bytes.size(), never);
+  std::vector<bool> there(sizes.bytes.size(), false);
+  std::uint64_t held = 0;
+  for (Move& move : moves) {
+    for (const Element x : move.fast_evict) {
+      needed[x] = loads[x].empty() ? never : loads[x].back();
+      idle.emplace(needed[x], x);
+    }
+    for (const Element x : move.fast_load) {
+      loads[x].pop_back();
+      if (there[x]) {
+        idle.erase({needed[x], x});
+      } else {
+        there[x] = true;
+        held += sizes.bytes[x];
+        move.load.push_back(x);
+      }
+    }
+    while (held > sizes.memory) {
+      const auto last = std::prev(idle.end());
+      move.evict.push_back(last->second);
+      there[last->second] = false;
+      held -= sizes.bytes[last->second];
+      idle.erase(last);
+    }
+  }
+  return moves;
+}
+
+/// The steps of an order of groups, item by item.
+std::vector<Move> of_items(StepSource& steps, const Groups& groups) {
+  const auto items_of = [&](const std::vector<Element>& moved) {
+    std::vector<Element> items;
+    for (const Element g : moved) {
+      items.insert(items.end(), groups[g].begin(), groups[g].end());
+    }
+    return items;
+  };
+  std::vector<Move> moves;
+  for (Step step; steps.next(step);) {
+    moves.push_back({items_of(step.evict), items_of(step.load), items_of(step.fast_evict),
+                     items_of(step.fast_load)});
+  }
+  return moves;
+}
+
+/// The best of the ways: the moves of an order for the accelerator, or an order of groups.
+class LevelWays {
+ public:
+  LevelWays(const ItemSizes& sizes, LoadOrderFacts& facts, std::vector<Move> cache)
+      : sizes_(sizes), facts_(facts), moves_(std::move(cache)) {
+    Bytes bytes;
+    for (const Move& move : moves_) {
+      bytes.loaded += bytes_of(sizes_, move.load);
+      bytes.transferred += bytes_of(sizes_, move.fast_load);
+    }
+    least_ = cost_of(bytes);
+    facts_.method = "cache";
+    facts_.explanation =
+        "An order for the accelerator alone; what leaves it stays in memory, from which goes what "
+        "is needed last.";
+  }
+
+  /// Groups of which some number fits on the accelerator, and more into memory.
+  void consider_groups(const std::vector<Element>& items) {
+    std::uint64_t largest = 1;
+    for (const Element x : items) {
+      largest = std::max(largest, sizes_.bytes[x]);
+    }
+    const PairGraph* const graph = facts_.wanted.are_all() ? nullptr : facts_.wanted.graph();
+    LoadOrderOptions quick;
+    quick.read_first = false;  // the steps of the best are read as items
+    for (const std::uint64_t count : {2U, 3U, 4U, 5U, 6U, 7U, 8U, 10U, 12U, 16U, 24U, 32U, 64U}) {
+      stop_if_asked();
+      const std::uint64_t most = sizes_.fast_memory / count;
+      if (most < largest) {
+        return;
+      }
+      Groups groups = graph == nullptr ? groups_of_at_most(sizes_, items, most, 1)
+                                       : cut_into_groups(sizes_, items, most);
+      if (groups.size() < 2) {
+        continue;
+      }
+      const std::uint64_t size = largest_of(sizes_, groups);
+      const std::uint64_t room = sizes_.memory / size;
+      const std::uint64_t fast_room = sizes_.fast_memory / size;
+      const LoadOrder order = plan_two_levels(
+          graph == nullptr ? WantedPairs(groups.size()) : between_groups(groups, *graph), room,
+          fast_room, quick);
+      if (const double cost = cost_of(bytes_of_groups(order, groups)); cost < least_) {
+        least_ = cost;
+        moves_.clear();
+        order_ = order.maker();
+        facts_.method = "groups, " + order.facts().method;
+        facts_.explanation = fmt::format(
+            "Items are in {} of at most {} bytes, of which {} fit into memory and {} "
+            "on the accelerator: {}",
+            count_of(groups.size(), "group"), size, room, fast_room, order.facts().explanation);
+        groups_ = std::move(groups);
+      }
+    }
+  }
+
+  std::vector<Move> take() { return order_ ? of_items(*order_(), groups_) : std::move(moves_); }
+
+ private:
+  struct Bytes {
+    std::uint64_t loaded = 0;
+    std::uint64_t transferred = 0;
+  };
+
+  /// Those of both levels, each over its bound.
+  [[nodiscard]] double cost_of(const Bytes& bytes) const {
+    return static_cast<double>(bytes.loaded) / static_cast<double>(facts_.byte_bound.loads) +
+           static_cast<double>(bytes.transferred) /
+               static_cast<double>(facts_.transfer_byte_bound.loads);
+  }
+
+  [[nodiscard]] Bytes bytes_of_groups(const LoadOrder& order, const Groups& groups) const {
+    std::vector<std::uint64_t> bytes;
+    for (const std::vector<Element>& group : groups) {
+      bytes.push_back(bytes_of(sizes_, group));
+    }
+    Bytes sum;
+    const auto steps = order.stream();
+    for (Step step; steps->next(step);) {
+      for (const Element g : step.load) {
+        sum.loaded += bytes[g];
+      }
+      for (const Element g : step.fast_load) {
+        sum.transferred += bytes[g];
+      }
+    }
+    return sum;
+  }
+
+  const ItemSizes& sizes_;
+  LoadOrderFacts& facts_;
+  double least_ = 0;
+  std::vector<Move> moves_;
+  LoadOrder::Maker order_;  // of groups, if there is one
+  Groups groups_;
+};
+
+}  // namespace
+
+LoadOrder plan_two_levels(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
+                          const LoadOrderOptions& options) {
+  const auto fast = std::make_shared<const ItemSizes>(ItemSizes{sizes->bytes, sizes->fast_memory});
+  LoadOrderFacts facts;
+  facts.items = sizes->bytes.size();
+  facts.byte_bound = sized_lower_bound(*sizes, wanted);
+  facts.transfer_byte_bound = sized_lower_bound(*fast, wanted);
+  facts.room = most_held(*sizes, wanted);
+  facts.fast_room = most_held(*fast, wanted);
+  facts.sizes = sizes;
+  facts.wanted = wanted;
+  facts.bound = load_lower_bound(wanted.among(facts.items), facts.room);
+  facts.transfer_bound = load_lower_bound(wanted.among(facts.items), *facts.fast_room);
+  const LoadOrder alone = plan_sized_order(fast, wanted, options);
+  LevelWays ways(*sizes, facts, with_a_cache(alone, *sizes));
+  if (wanted.are_all() || wanted.graph() != nullptr) {
+    std::vector<Element> items;
+    std::vector<bool> came(sizes->bytes.size(), false);
+    const auto steps = alone.stream();
+    for (Step step; steps->next(step);) {
+      for (const Element x : step.load) {
+        if (!came[x]) {
+          came[x] = true;
+          items.push_back(x);
+        }
+      }
+    }
+    ways.consider_groups(items);
+  }
+  const auto lists = std::make_shared<StepLists>();
+  lists->add(ways.take());
+  const LoadOrder::Maker maker = [lists] { return lists->of(0); };
+  const ScheduleVerdict verdict =
+      read_order(maker, LoadOrder(facts, maker).rules(),
+                 fmt::format("{} with {} and {} bytes of memory", count_of(facts.items, "item"),
+                             sizes->memory, sizes->fast_memory));
+  static_cast<ScheduleFacts&>(facts) = verdict;
+  if (facts.bytes < facts.byte_bound.loads ||
+      facts.transfer_bytes < facts.transfer_byte_bound.loads) {
+    throw InternalError("an order of two levels moves fewer bytes than its bound");
+  }
+  facts.every_step_read = true;
+  facts.certificate = "every step read: bytes at both levels, " +
+                      pairs_read(verdict, wanted.among(facts.items).count(), " on the accelerator");
+  return {std::move(facts), maker};
+}
+
+}  // namespace changeover
