@@ -201,7 +201,7 @@ class Memory(unittest.TestCase):
                 while run:
                     failures += worker.run(run.take(1, 5)).failure is not None
                 self.assertGreater(failures, 5)
-                self.assertLessEqual(kind.most, room)
+                self.assertLessEqual(kind.most, room, named)
                 worker.close()
                 del worker
                 self.assertEqual(kind.alive, 0)

@@ -117,8 +117,8 @@ class Wanted:
         if self.list is not None:
             return len(self.list) + len(self.alone)
         if self.asked["against"] is not None:
-            first = self.items - self.asked["against"]
-            return first * self.asked["against"] + len(self.alone)
+            against = int(self.asked["against"])
+            return (self.items - against) * against + len(self.alone)
         done = self.asked["done_items"] or 0
         return (self.items * (self.items - 1) - done * (done - 1)) // 2 + len(self.alone)
 

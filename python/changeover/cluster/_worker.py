@@ -242,9 +242,10 @@ class Memory:
         size = self._bytes(itertools.chain(self._items, self._coming, coming)) - self._memory
         if spare > 0 or size > 0:
             free = [x for x in self._items if x not in held]
-            free.sort(key=lambda x: next_load.get(x, len(next_load) + 1))
-            while free and (spare > 0 or size > 0):
-                x = free.pop()
+            free.sort(key=lambda x: next_load.get(x, len(next_load) + 1), reverse=True)
+            for x in free:
+                if spare <= 0 and size <= 0:
+                    break
                 del self._items[x]
                 spare -= 1
                 size -= self._sizes.get(x, 0)
@@ -283,6 +284,7 @@ class Memory:
             coming = self._coming.pop(x)
             if not coming.cancel() and not isinstance(coming.result()[0], Failure):
                 self._take(x, coming.result(), outcome)
+            del coming  # It would keep its item alive.
         if not self._drop(held, next_load, missing):
             raise InternalError("a stretch needs more room than there is: this is a bug")
         if self._pool is None or len(missing) == 1:

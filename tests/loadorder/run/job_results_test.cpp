@@ -11,6 +11,7 @@
 #include <climits>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <sstream>
 
@@ -166,7 +167,8 @@ TEST(JobResults, OfDataThatChangedWhileTheyWereReadAreAFault) {
   Work work;
   work.options.on_step_done = [&](std::uint64_t step) {
     if (step == 3) {
-      spit(work.data(), "abcdefghijkz");
+      // In place: a file that is made anew is empty for a moment, and another thread may read then.
+      std::fstream(work.data(), std::ios::in | std::ios::out | std::ios::binary).seekp(11).put('z');
     }
   };
   EXPECT_REFUSAL(work.run(), BadInput,
