@@ -3,6 +3,7 @@
 #include <sys/socket.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <utility>
 #include <vector>
 
@@ -147,7 +148,9 @@ bool Deadlines::is_late(const Open& open, Clock::time_point now) const {
 // for the rest of a body.
 static bool has_gone(int socket) {
   char byte = 0;
-  return ::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
+  const ssize_t got = ::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT);
+  // An error, such as a reset, is reported once: libmicrohttpd will not see it.
+  return got == 0 || (got < 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR);
 }
 
 void Deadlines::let_go(int socket, Open& open, Clock::time_point now) const {
