@@ -1,5 +1,5 @@
-// Internal: describes what the workers of a schedule load and compute, what pairs cost, and how even
-// that is.
+// Internal: describes what the workers of a schedule load and compute, what pairs cost, and how
+// even that is.
 #pragma once
 
 #include <cstdint>

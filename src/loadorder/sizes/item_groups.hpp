@@ -13,8 +13,8 @@ using Groups = std::vector<std::vector<Element>>;
 /// The most bytes of a group.
 [[nodiscard]] std::uint64_t largest_of(const ItemSizes& sizes, const Groups& groups);
 
-/// Few groups of about equal bytes, but at least `least`, of at most `most` bytes each; none if that
-/// cannot be. O(items · log groups) for each number of groups that is tried
+/// Few groups of about equal bytes, but at least `least`, of at most `most` bytes each; none if
+/// that cannot be. O(items · log groups) for each number of groups that is tried
 [[nodiscard]] Groups groups_of_at_most(const ItemSizes& sizes, const std::vector<Element>& items,
                                        std::uint64_t most, std::uint64_t least);
 

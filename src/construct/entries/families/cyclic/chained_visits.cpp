@@ -203,7 +203,8 @@ constexpr Description description{
     .name = "chained-visits",
     .summary = "even-visits with one block fewer, by visitors that stay while windows move",
     .preconditions =
-        "v = 2cK+1-r, linear, c > 2, K = k-m > 2 (> 3 if c = 3), 1 < r < K (<= K if c > 4), K >= 2m if m > 1",
+        "v = 2cK+1-r, linear, c > 2, K = k-m > 2 (> 3 if c = 3), 1 < r < K (<= K if c > 4), "
+        "K >= 2m if m > 1",
     .guarantee = "b = c(2cK+1) - (2c-1)r - 2; the m-th part of it if m > 1",
     .place = "docs/theorems.md, Theorem 12",
 };
