@@ -1,12 +1,15 @@
 // Load orders and the executor: the systems door.
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
 #include <cstring>
 #include <future>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "bind.hpp"
 #include "changeover/core/error.hpp"
@@ -281,21 +284,16 @@ py::dict facts_in(const Facts& facts, const Loads& loads) {
   return said;
 }
 
-// Of workers, if items have sizes.
-void add_bytes(py::dict& said, const SplitFacts& facts) {
-  const bool has_sizes = facts.makespan_bytes > 0;
-  const auto given = [&](std::uint64_t bytes) {
-    return has_sizes ? std::optional(bytes) : std::nullopt;
-  };
-  std::vector<std::uint64_t> each;
-  for (const WorkerFacts& worker : facts.workers) {
-    each.push_back(worker.bytes);
-  }
-  said["bytes"] = given(facts.bytes);
-  said["worker_bytes"] = has_sizes ? std::optional(each) : std::nullopt;
-  said["makespan_bytes"] = given(facts.makespan_bytes);
-  said["makespan_bytes_bound"] = given(facts.makespan_bytes_bound.loads);
-  said.attr("setdefault")("span_bytes", py::none());
+// Of workers, if items have sizes; the span of workers in lockstep.
+void add_bytes(py::dict& said, const std::optional<std::vector<std::uint64_t>>& each,
+               std::uint64_t bound, std::optional<std::uint64_t> span) {
+  using Count = std::optional<std::uint64_t>;
+  said["bytes"] =
+      each ? Count(std::accumulate(each->begin(), each->end(), std::uint64_t{0})) : Count();
+  said["worker_bytes"] = each;
+  said["makespan_bytes"] = each ? Count(*std::max_element(each->begin(), each->end())) : Count();
+  said["makespan_bytes_bound"] = each ? Count(bound) : Count();
+  said["span_bytes"] = span;
 }
 
 py::dict facts_of(const LoadOrder& order, const Loads& loads) {
@@ -318,17 +316,11 @@ py::dict facts_of(const LoadOrder& order, const Loads& loads) {
       facts.worker_pairs.empty() ? std::nullopt : std::optional(facts.worker_pairs);
   said["worker_costs"] = py::none();
   said["span"] = facts.span;
-  SplitFacts bytes;
   if (facts.sizes) {
-    bytes.bytes = facts.bytes;
-    for (const std::uint64_t each : facts.worker_bytes) {
-      bytes.workers.emplace_back().bytes = each;
-      bytes.makespan_bytes = std::max(bytes.makespan_bytes, each);
-    }
-    bytes.makespan_bytes_bound = facts.makespan_byte_bound;
-    said["span_bytes"] = facts.span_bytes;
+    add_bytes(said, facts.worker_bytes, facts.makespan_byte_bound.loads, facts.span_bytes);
+  } else {
+    add_bytes(said, std::nullopt, 0, std::nullopt);
   }
-  add_bytes(said, bytes);
   return said;
 }
 
@@ -340,7 +332,9 @@ py::dict facts_of(const Loads& loads) {
   py::list of_workers;
   py::list pairs;
   py::list costs;
+  std::vector<std::uint64_t> bytes;
   for (const WorkerFacts& worker : facts.workers) {
+    bytes.push_back(worker.bytes);
     of_workers.append(worker.loads);
     pairs.append(worker.pairs);
     costs.append(worker.cost);
@@ -354,7 +348,8 @@ py::dict facts_of(const Loads& loads) {
   said["worker_pairs"] = facts.pairs_are_known ? py::object(pairs) : py::none();
   said["worker_costs"] = facts.has_costs ? py::object(costs) : py::none();
   said["span"] = py::none();
-  add_bytes(said, facts);
+  add_bytes(said, facts.makespan_bytes > 0 ? std::optional(bytes) : std::nullopt,
+            facts.makespan_bytes_bound.loads, std::nullopt);
   return said;
 }
 

@@ -154,6 +154,11 @@ struct ScheduleFacts {
     return worker_loads.empty() ? loads
                                 : *std::max_element(worker_loads.begin(), worker_loads.end());
   }
+  /// Returns the most bytes that a worker loads, if items have sizes.
+  [[nodiscard]] std::uint64_t makespan_bytes() const {
+    return worker_bytes.empty() ? bytes
+                                : *std::max_element(worker_bytes.begin(), worker_bytes.end());
+  }
 };
 
 struct ScheduleVerdict : ScheduleFacts {

@@ -256,7 +256,8 @@ class WorkerSplit {
 
 /// For items of different sizes (loadorder/load_order.hpp), whose bytes are counted: the span in
 /// bytes is as small as we know how. Items are packed into groups, of which some fit at each
-/// worker, and these follow an order as above; or an order of one worker is cut into stretches. Verified.
+/// worker, and these follow an order as above; or an order of one worker is cut into stretches.
+/// Verified.
 /// @throws as plan_sized_order(), BadInput if W is 0 or exceeds 65,536
 [[nodiscard]] LoadOrder plan_disjoint_order(std::shared_ptr<const ItemSizes> sizes,
                                             const WantedPairs& wanted, std::uint64_t workers,

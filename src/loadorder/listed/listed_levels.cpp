@@ -84,41 +84,6 @@ void merge_fills(std::vector<Move>& moves) {
   moves.resize(kept);
 }
 
-// Memory as a cache of what the accelerator needs.
-std::vector<Move> with_a_cache(const std::vector<LoadMove>& fast, std::uint64_t items,
-                               std::uint64_t room) {
-  NextLoads next(fast, items);
-  Idle idle(items);
-  std::vector<bool> in_memory(static_cast<std::size_t>(items), false);
-  std::uint64_t held = 0;
-  std::vector<Move> moves;
-  for (std::size_t i = 0; i < fast.size(); ++i) {
-    const auto& [x, out] = fast[i];
-    Move& move = moves.emplace_back();
-    if (out != LoadMove::nothing) {
-      move.fast_evict.push_back(out);
-      idle.add(out, next.of(out));
-    }
-    if (in_memory[x]) {
-      idle.erase(x);
-    } else {
-      if (held == room) {
-        const Element goes = idle.take_last();
-        in_memory[goes] = false;
-        move.evict.push_back(goes);
-        --held;
-      }
-      in_memory[x] = true;
-      ++held;
-      move.load.push_back(x);
-    }
-    next.pass(i, x);
-    move.fast_load.push_back(x);
-  }
-  merge_fills(moves);
-  return moves;
-}
-
 /// Loads in batches: what a batch brings together is done before the next one.
 class Batches {
  public:
@@ -308,7 +273,9 @@ std::vector<Move> best_moves(LoadOrderFacts& facts, bool searched,
                ? one_by_one(plan_load_order(facts.wanted, room, quick))
                : quick_moves(graph, room);
   };
-  consider(with_a_cache(order_for(fast_room, true), facts.items, facts.room), 0);
+  std::vector<Move> cache = with_a_cache(one_step_each(order_for(fast_room, true)), facts.room);
+  merge_fills(cache);
+  consider(std::move(cache), 0);
   constexpr std::uint64_t most_work = 20'000'000;  // some seconds
   std::uint64_t work = 0;
   for (const std::uint64_t size : batches_to_try(facts.room, fast_room)) {

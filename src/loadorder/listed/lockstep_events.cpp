@@ -91,20 +91,14 @@ void leave_out_unused(LockstepEvents& events, const PairGraph& graph) {
 
 }  // namespace
 
-LockstepEvents events_of(StepSource& steps, std::uint64_t workers,
-                         const std::vector<std::vector<Element>>& groups) {
+LockstepEvents events_of(StepSource& steps, std::uint64_t workers, const Groups& groups) {
   LockstepEvents events(static_cast<std::size_t>(workers));
   for (Step step; steps.next(step);) {
     const auto number = static_cast<std::uint32_t>(step.number);
     std::vector<LockstepEvent>& its = events[static_cast<std::size_t>(step.worker)];
     const auto add = [&](const std::vector<Element>& moved, bool comes) {
-      for (const Element x : moved) {
-        if (groups.empty()) {
-          its.push_back({number, x, comes});
-        }
-        for (std::size_t i = 0; !groups.empty() && i < groups[x].size(); ++i) {
-          its.push_back({number, groups[x][i], comes});
-        }
+      for (const Element x : groups.empty() ? moved : items_in(groups, moved)) {
+        its.push_back({number, x, comes});
       }
     };
     add(step.evict, false);

@@ -33,7 +33,7 @@ struct LockstepLists {
 /// What the steps of all workers move, with groups of items if there are any: a step moves whole
 /// groups then.
 [[nodiscard]] LockstepEvents events_of(StepSource& steps, std::uint64_t workers,
-                                       const std::vector<std::vector<Element>>& groups = {});
+                                       const Groups& groups = {});
 
 /// Leaves out stays in which no listed pair meets for the first time, steps in which nothing moves,
 /// and joins steps that evict nothing to those before. Without a graph all stays are kept. With

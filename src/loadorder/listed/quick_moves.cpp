@@ -110,4 +110,16 @@ WantedPairs as_list(const WantedPairs& wanted) {
       std::vector<std::string>()));
 }
 
+std::vector<Move> one_step_each(const std::vector<LoadMove>& moves) {
+  std::vector<Move> all;
+  all.reserve(moves.size());
+  for (const auto& [x, out] : moves) {
+    all.push_back({.load = {x}});
+    if (out != LoadMove::nothing) {
+      all.back().evict.push_back(out);
+    }
+  }
+  return all;
+}
+
 }  // namespace changeover

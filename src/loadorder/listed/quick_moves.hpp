@@ -8,6 +8,7 @@
 
 #include "changeover/loadorder/wanted_pairs.hpp"
 #include "loadorder/pairs/closing.hpp"
+#include "loadorder/shares/step_lists.hpp"
 
 namespace changeover {
 
@@ -35,5 +36,8 @@ inline constexpr std::size_t not_again = ~std::size_t{0};
 /// The wanted pairs, some only, as a list. @throws ImpossibleParameters if they are not listed and
 /// more than 10⁷
 [[nodiscard]] WantedPairs as_list(const WantedPairs& wanted);
+
+/// A step for each load.
+[[nodiscard]] std::vector<Move> one_step_each(const std::vector<LoadMove>& moves);
 
 }  // namespace changeover

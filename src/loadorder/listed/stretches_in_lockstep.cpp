@@ -8,24 +8,8 @@
 
 namespace changeover {
 
-namespace {
-
-std::vector<Move> with_lists(const std::vector<LoadMove>& moves) {
-  std::vector<Move> all;
-  all.reserve(moves.size());
-  for (const auto& [x, out] : moves) {
-    all.push_back({.load = {x}});
-    if (out != LoadMove::nothing) {
-      all.back().evict.push_back(out);
-    }
-  }
-  return all;
-}
-
-}  // namespace
-
 StretchesInLockstep::StretchesInLockstep(const PairGraph& graph, const std::vector<LoadMove>& moves)
-    : StretchesInLockstep(graph, with_lists(moves)) {}
+    : StretchesInLockstep(graph, one_step_each(moves)) {}
 
 StretchesInLockstep::StretchesInLockstep(const PairGraph& graph, const std::vector<Move>& moves)
     : items_(static_cast<std::size_t>(graph.items())) {

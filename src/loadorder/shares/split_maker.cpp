@@ -276,7 +276,7 @@ void SplitMaker::leave_out_unneeded(WorkerSplit& split) {
       std::erase_if(step.load, std::not_fn(is_needed));
       moves.push_back({step.evict, step.load});
     }
-    moves = lazily(std::move(moves), facts.room, split.order_.facts().sizes.get());
+    moves = lazily(moves, facts.room, split.order_.facts().sizes.get());
     facts.workers[w] = {};
     count_moves_of(moves, facts.workers[w]);
     lists->add(moves);

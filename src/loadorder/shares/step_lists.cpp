@@ -8,7 +8,11 @@
 
 namespace changeover {
 
-std::vector<Move> lazily(std::vector<Move> moves, std::uint64_t room, const ItemSizes* sizes) {
+namespace {
+
+// What memory moves in each of these steps if it keeps what it evicts as long as there is room.
+std::vector<Move> kept_longer(const std::vector<Move>& moves, std::uint64_t room,
+                              const ItemSizes* sizes) {
   const auto size = [&](Element x) { return sizes != nullptr ? sizes->bytes[x] : 1; };
   if (sizes != nullptr) {
     room = sizes->memory;
@@ -54,11 +58,43 @@ std::vector<Move> lazily(std::vector<Move> moves, std::uint64_t room, const Item
         held -= size(item);
       }
     }
-    if (!move.load.empty()) {
-      out.push_back(std::move(move));
-    }
+    out.push_back(std::move(move));
   }
   return out;
+}
+
+}  // namespace
+
+std::vector<Move> lazily(const std::vector<Move>& moves, std::uint64_t room,
+                         const ItemSizes* sizes) {
+  std::vector<Move> kept = kept_longer(moves, room, sizes);
+  std::erase_if(kept, [](const Move& move) { return move.load.empty(); });
+  return kept;
+}
+
+std::vector<Move> with_a_cache(std::vector<Move> fast, std::uint64_t room, const ItemSizes* sizes) {
+  std::vector<Move> moves = kept_longer(fast, room, sizes);
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    moves[i].fast_evict = std::move(fast[i].evict);
+    moves[i].fast_load = std::move(fast[i].load);
+  }
+  return moves;
+}
+
+std::vector<Element> items_in(const Groups& groups, const std::vector<Element>& numbers) {
+  std::vector<Element> items;
+  for (const Element number : numbers) {
+    items.insert(items.end(), groups[number].begin(), groups[number].end());
+  }
+  return items;
+}
+
+std::vector<Move> moves_of(StepSource& steps) {
+  std::vector<Move> moves;
+  for (Step step; steps.next(step);) {
+    moves.push_back({.evict = step.evict, .load = step.load});
+  }
+  return moves;
 }
 
 struct StepLists::Lists {

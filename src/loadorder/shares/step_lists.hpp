@@ -17,11 +17,26 @@ struct Move {
   std::vector<Element> fast_load = {};
 };
 
+/// Items that move together.
+using Groups = std::vector<std::vector<Element>>;
+
+/// The items of the groups with these numbers.
+[[nodiscard]] std::vector<Element> items_in(const Groups& groups,
+                                            const std::vector<Element>& numbers);
+
 /// The same with fewer loads, if there is room: an item that is evicted and loaded again stays as
 /// long as its place is not needed; the item that is needed last is evicted first. Steps without
 /// loads are removed. With `sizes` room is counted in bytes. O(loads · log room)
-[[nodiscard]] std::vector<Move> lazily(std::vector<Move> moves, std::uint64_t room,
+[[nodiscard]] std::vector<Move> lazily(const std::vector<Move>& moves, std::uint64_t room,
                                        const ItemSizes* sizes = nullptr);
+
+/// Two levels: `fast` is what the accelerator evicts and loads, and memory is a cache that keeps
+/// items in the same way. As many steps as `fast` has.
+[[nodiscard]] std::vector<Move> with_a_cache(std::vector<Move> fast, std::uint64_t room,
+                                             const ItemSizes* sizes = nullptr);
+
+/// What an order for one memory evicts and loads.
+[[nodiscard]] std::vector<Move> moves_of(StepSource& steps);
 
 class StepLists final : public WorkerSteps {
  public:

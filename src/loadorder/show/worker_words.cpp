@@ -55,19 +55,14 @@ void WorkerWords::say(JsonWriter& json) const {
   }
 }
 
-std::uint64_t WorkerWords::busiest_bytes() const {
-  return split_ != nullptr             ? split_->makespan_bytes
-         : facts_.worker_bytes.empty() ? 0
-                                       : *std::ranges::max_element(facts_.worker_bytes);
-}
-
 void WorkerWords::say_bytes(JsonWriter& json) const {
   if (workers_ == 0) {
     return;
   }
   const LoadBound& least =
       split_ != nullptr ? split_->makespan_bytes_bound : facts_.makespan_byte_bound;
-  json.key("makespan_bytes").value(busiest_bytes());
+  json.key("makespan_bytes")
+      .value(split_ != nullptr ? split_->makespan_bytes : facts_.makespan_bytes());
   if (split_ == nullptr) {
     json.key("span_bytes").value(facts_.span_bytes);
   }
@@ -84,7 +79,7 @@ std::string WorkerWords::in_lockstep(const std::string& what, const std::string&
         "{} with {} bytes of memory{}, no item at two of them: {} bytes in {} and {}, {}\n"
         "the busiest worker has {} bytes; the slowest of each step add up to {}, {}\n",
         who, facts_.sizes->memory, epochs, facts_.bytes, loads, count_of(steps, "step"),
-        over(facts_.bytes, facts_.byte_bound), busiest_bytes(), facts_.span_bytes,
+        over(facts_.bytes, facts_.byte_bound), facts_.makespan_bytes(), facts_.span_bytes,
         over(facts_.span_bytes, facts_.makespan_byte_bound));
   }
   return fmt::format(

@@ -32,8 +32,6 @@ class WorkerWords {
                                         std::uint64_t steps, const LoadBound& bound) const;
 
  private:
-  [[nodiscard]] std::uint64_t busiest_bytes() const;
-
   const LoadOrderFacts& facts_;
   const SplitFacts* split_;
   std::uint64_t workers_ = 0;

@@ -2,13 +2,25 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <queue>
+#include <unordered_set>
 #include <utility>
 
 #include "core/checked.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
 
 namespace changeover {
+
+std::vector<Element> items_as_they_come(const std::vector<Move>& moves) {
+  std::vector<Element> items;
+  std::unordered_set<Element> came;
+  for (const Move& move : moves) {
+    std::ranges::copy_if(move.load, std::back_inserter(items),
+                         [&](Element x) { return came.insert(x).second; });
+  }
+  return items;
+}
 
 std::uint64_t largest_of(const ItemSizes& sizes, const Groups& groups) {
   std::uint64_t most = 0;

@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "changeover/loadorder/schedule.hpp"
+#include "loadorder/shares/step_lists.hpp"
 
 namespace changeover {
 
-using Groups = std::vector<std::vector<Element>>;
+/// Items in the order of their first loads.
+[[nodiscard]] std::vector<Element> items_as_they_come(const std::vector<Move>& moves);
 
 /// The most bytes of a group.
 [[nodiscard]] std::uint64_t largest_of(const ItemSizes& sizes, const Groups& groups);

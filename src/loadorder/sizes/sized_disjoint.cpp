@@ -58,16 +58,7 @@ class Ways {
 
   /// For some pairs: groups of items that an order of one worker has next to each other.
   void groups_of(const LoadOrder& one) {
-    std::vector<Element> items;
-    std::vector<bool> came(sizes_.bytes.size(), false);
-    for (const Move& move : moves_of(one)) {
-      for (const Element x : move.load) {
-        if (!came[x]) {
-          came[x] = true;
-          items.push_back(x);
-        }
-      }
-    }
+    const std::vector<Element> items = items_as_they_come(moves_of(*one.stream()));
     for (const std::uint64_t room : rooms()) {
       const Groups groups = cut_into_groups(sizes_, items, sizes_.memory / room);
       follow(plan_disjoint_order(between_groups(groups, *graph_), room, workers_), groups);
@@ -75,7 +66,7 @@ class Ways {
   }
 
   void stretches_of(const LoadOrder& one) {
-    const StretchesInLockstep stretches(*graph_, moves_of(one));
+    const StretchesInLockstep stretches(*graph_, moves_of(*one.stream()));
     const std::uint64_t count = std::min<std::uint64_t>(workers_, stretches.jobs());
     std::vector<std::size_t> begins;
     for (std::uint64_t w = 0; w < count; ++w) {
@@ -107,15 +98,6 @@ class Ways {
       all.push_back(most);
     }
     return all;
-  }
-
-  static std::vector<Move> moves_of(const LoadOrder& order) {
-    std::vector<Move> moves;
-    const auto steps = order.stream();
-    for (Step step; steps->next(step);) {
-      moves.push_back({step.evict, step.load});
-    }
-    return moves;
   }
 
   void follow(const LoadOrder& order, const Groups& groups) {

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "changeover/core/error.hpp"
@@ -18,64 +17,12 @@
 namespace changeover {
 namespace {
 
-/// The order follows what the accelerator needs. What leaves it stays in memory, from which goes
-/// what is needed last.
-std::vector<Move> with_a_cache(const LoadOrder& fast, const ItemSizes& sizes) {
-  constexpr std::size_t never = ~std::size_t{0};
-  std::vector<Move> moves;
-  const auto steps = fast.stream();
-  for (Step step; steps->next(step);) {
-    moves.push_back({.fast_evict = step.evict, .fast_load = step.load});
-  }
-  std::vector<std::vector<std::size_t>> loads(sizes.bytes.size());  // by item, the next one last
-  for (std::size_t i = moves.size(); i > 0; --i) {
-    for (const Element x : moves[i - 1].fast_load) {
-      loads[x].push_back(i - 1);
-    }
-  }
-  std::set<std::pair<std::size_t, Element>> idle;  // in memory only, by when it is needed
-  std::vector<std::size_t> needed(sizes.bytes.size(), never);
-  std::vector<bool> there(sizes.bytes.size(), false);
-  std::uint64_t held = 0;
-  for (Move& move : moves) {
-    for (const Element x : move.fast_evict) {
-      needed[x] = loads[x].empty() ? never : loads[x].back();
-      idle.emplace(needed[x], x);
-    }
-    for (const Element x : move.fast_load) {
-      loads[x].pop_back();
-      if (there[x]) {
-        idle.erase({needed[x], x});
-      } else {
-        there[x] = true;
-        held += sizes.bytes[x];
-        move.load.push_back(x);
-      }
-    }
-    while (held > sizes.memory) {
-      const auto last = std::prev(idle.end());
-      move.evict.push_back(last->second);
-      there[last->second] = false;
-      held -= sizes.bytes[last->second];
-      idle.erase(last);
-    }
-  }
-  return moves;
-}
-
 /// The steps of an order of groups, item by item.
 std::vector<Move> of_items(StepSource& steps, const Groups& groups) {
-  const auto items_of = [&](const std::vector<Element>& moved) {
-    std::vector<Element> items;
-    for (const Element g : moved) {
-      items.insert(items.end(), groups[g].begin(), groups[g].end());
-    }
-    return items;
-  };
   std::vector<Move> moves;
   for (Step step; steps.next(step);) {
-    moves.push_back({items_of(step.evict), items_of(step.load), items_of(step.fast_evict),
-                     items_of(step.fast_load)});
+    moves.push_back({items_in(groups, step.evict), items_in(groups, step.load),
+                     items_in(groups, step.fast_evict), items_in(groups, step.fast_load)});
   }
   return moves;
 }
@@ -193,21 +140,10 @@ LoadOrder plan_two_levels(std::shared_ptr<const ItemSizes> sizes, const WantedPa
   facts.wanted = wanted;
   facts.bound = load_lower_bound(wanted.among(facts.items), facts.room);
   facts.transfer_bound = load_lower_bound(wanted.among(facts.items), *facts.fast_room);
-  const LoadOrder alone = plan_sized_order(fast, wanted, options);
-  LevelWays ways(*sizes, facts, with_a_cache(alone, *sizes));
+  const std::vector<Move> alone = moves_of(*plan_sized_order(fast, wanted, options).stream());
+  LevelWays ways(*sizes, facts, with_a_cache(alone, facts.room, sizes.get()));
   if (wanted.are_all() || wanted.graph() != nullptr) {
-    std::vector<Element> items;
-    std::vector<bool> came(sizes->bytes.size(), false);
-    const auto steps = alone.stream();
-    for (Step step; steps->next(step);) {
-      for (const Element x : step.load) {
-        if (!came[x]) {
-          came[x] = true;
-          items.push_back(x);
-        }
-      }
-    }
-    ways.consider_groups(items);
+    ways.consider_groups(items_as_they_come(alone));
   }
   const auto lists = std::make_shared<StepLists>();
   lists->add(ways.take());

@@ -381,7 +381,7 @@ class Spreading {
           }
         }
       }
-      moves = lazily(std::move(moves), rules_.room, rules_.sizes.get());
+      moves = lazily(moves, rules_.room, rules_.sizes.get());
       WorkerFacts& facts = spread.workers[static_cast<std::size_t>(w)];
       facts.first_step = facts.loads = 0;
       facts.steps = moves.size();

@@ -42,8 +42,8 @@ namespace changeover {
 ///      values at most two are set fewer than six times (docs/theorems.md, Theorem 24): one less
 ///      each, or one of them two less; if it is d ≥ 3 less, each other one is set 4 + d times.
 ///  (6) *In few tests.* Of parameters with two values each has five stays, but one that has two,
-///      and so many with three and four as Theorem 25 allows in so many tests. The cheapest number of
-///      tests is taken; other parameters change as (4) and (5) say.
+///      and so many with three and four as Theorem 25 allows in so many tests. The cheapest number
+///      of tests is taken; other parameters change as (4) and (5) say.
 void improve_choice_bound(const Job& job, CostBound& bound, std::string& known);
 
 }  // namespace changeover
