@@ -2,11 +2,10 @@
 // visited-windows and one fewer than chained-windows [docs/theorems.md, Theorem 11].
 //
 // The list begins with window 2 and ends with window 0 and the new elements x_1, …, x_w. There is a
-// table of steps for the windows iK−1, …, iK+3; with all others the steps are the usual ones, j+2K,
+// table of steps for the windows iK−1, …, iK+3; with all from_x(4) the steps are the usual ones, j+2K,
 // j+3K, j+K.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -14,53 +13,38 @@
 #include <vector>
 
 #include "changeover/construct/registry.hpp"
-#include "construct/entries/families/chains.hpp"
+#include "construct/entries/families/three_windows.hpp"
 #include "construct/entry.hpp"
-#include "construct/tools/swaps.hpp"
 
 namespace changeover::chained_three_windows_entry {
 namespace {
 
-using chains::Leg;
-using chains::Place;
-using chains::Step;
+using namespace three_windows;
 
-constexpr Place e(std::uint64_t i) { return {i, 0}; }
-constexpr Place f(std::uint64_t i) { return {i, -1}; }
-constexpr Place g(std::uint64_t i) { return {i, 1}; }
-constexpr Place h(std::uint64_t i) { return {i, 2}; }
-constexpr Place d(std::uint64_t i) { return {i, 3}; }
-
-// x_i is this many windows away, and i.
-constexpr std::uint64_t new_elements = 1000;
-constexpr Place x(int i) { return {new_elements, i}; }
-// x_4, …, x_w, one after another.
-constexpr Place others = x(0);
-
-const std::vector<Leg>& table() {
+const std::vector<Leg>& two_blocks_fewer() {
   static const std::vector<Leg> legs{
       {h(0), {{h(0), d(0)}, {h(2), h(3)}}, h(3)},
       {f(1), {e(4), f(4), {f(1), f(3)}, {f(4), f(2)}}, f(3)},
       {e(1), {e(3), e(2)}},
-      {g(1), {g(3), g(4), x(1), x(2), x(3), others, g(2)}},
+      {g(1), {g(3), g(4), x(1), x(2), x(3), from_x(4), g(2)}},
       {h(1), {{h(1), h(4)}, {g(1), h(2)}, {h(4), h(3)}}, h(3)},
       {f(2), {e(4), f(5), f(4)}},
       {e(2), {{f(2), e(5)}, {e(5), e(3)}, {f(4), f(3)}}},
-      {g(2), {x(3), g(5), x(1), x(2), others, g(4), {g(2), g(3)}}},
+      {g(2), {x(3), g(5), x(1), x(2), from_x(4), g(4), {g(2), g(3)}}},
       {h(2), {{h(2), h(5)}, {g(4), h(4)}, {h(5), h(3)}}, h(4)},
       {f(3), {f(5), f(6), e(5), e(4)}},
       {e(3), {{f(3), e(6)}, {e(3), f(4)}}, e(6)},
       {g(3),
-       {g(5), {g(3), e(0)}, {g(5), x(1)}, {e(0), h(0)}, {x(1), x(3)}, others, x(2), h(5), g(4)},
+       {g(5), {g(3), e(0)}, {g(5), x(1)}, {e(0), h(0)}, {x(1), x(3)}, from_x(4), x(2), h(5), g(4)},
        h(0)},
       {h(3), {g(0), {h(3), h(4)}}, g(0)},
       {d(3), {d(5), d(4)}},
       {e(4), {e(5), {e(4), f(1)}}, f(1)},
-      {g(4), {e(6), e(0), e(1), x(1), x(2), x(3), others, g(5)}},
+      {g(4), {e(6), e(0), e(1), x(1), x(2), x(3), from_x(4), g(5)}},
       {h(4), {h(0), h(1), {h(4), h(5)}, {h(1), g(0)}, g(1)}, g(1)},
       {d(4), {d(5)}},
       {e(5), {f(2), {e(5), e(6)}}, f(2)},
-      {g(5), {x(3), f(1), e(2), x(1), others, x(2), e(1), {g(5), g(2)}, {g(2), e(0)}}, e(1)},
+      {g(5), {x(3), f(1), e(2), x(1), from_x(4), x(2), e(1), {g(5), g(2)}, {g(2), e(0)}}, e(1)},
       {h(5), {h(2), {h(5), g(0)}}, h(2)},
       {d(5), {h(1), g(1), h(0)}},
       {e(6), {f(3), {e(6), f(1)}, {f(3), f(2)}, e(2), e(3), g(2), {g(0), g(3)}, {g(2), x(2)}}},
@@ -68,92 +52,36 @@ const std::vector<Leg>& table() {
   return legs;
 }
 
-class ThreeWindows final : public SwapPlan {
+class TwoBlocksFewer final : public ThreeWindows {
  public:
-  ThreeWindows(std::uint64_t k, std::uint64_t w) : big_(k - 1), u_(6 * big_ + 1), w_(w) {}
+  TwoBlocksFewer(std::uint64_t k, std::uint64_t w) : ThreeWindows(k, w, 2) {}
 
   // 2, 4, …, K+2 and 2K+2.
   [[nodiscard]] Block start() const override {
     Block block{2};
-    for (std::uint64_t y = 4; y <= big_ + 2; ++y) {
+    for (std::uint64_t y = 4; y <= big() + 2; ++y) {
       block.push_back(static_cast<Element>(y));
     }
-    block.push_back(static_cast<Element>(2 * big_ + 2));
+    block.push_back(static_cast<Element>(2 * big() + 2));
     return block;
   }
 
-  // A leg for each of the windows 2, …, 6K.
-  bool leg(std::uint64_t index, std::vector<Swap>& swaps) const override {
-    const std::uint64_t j = index + 2;
-    if (j == u_) {
-      return false;
-    }
-    const Leg* const before = leg_at(j - 1);
-    const std::uint64_t leaves =
-        before != nullptr && before->leaves_next ? at(*before->leaves_next) : j - 1;
-    if (const Leg* const own = leg_at(j)) {
-      chains::add(
-          expanded(own->steps), leaves, [this](const Place& place) { return at(place); }, swaps);
-    } else {
-      const std::uint64_t second = (j + 2 * big_) % u_;
-      const std::uint64_t third = (j + 3 * big_) % u_;
-      swaps.push_back({.leaves = leaves, .enters = second});
-      swaps.push_back({.leaves = second, .enters = third});
-      swaps.push_back({.leaves = third, .enters = (j + big_) % u_});
-    }
-    if (j + 1 == u_) {
-      end(swaps);
-    }
-    return true;
-  }
-
- private:
-  [[nodiscard]] std::uint64_t at(const Place& place) const {
-    if (place.windows == new_elements) {
-      return u_ + static_cast<std::uint64_t>(place.by) - 1;
-    }
-    return (place.windows * big_ + u_ + static_cast<std::uint64_t>(std::int64_t{place.by})) % u_;
-  }
-
-  [[nodiscard]] const Leg* leg_at(std::uint64_t j) const {
-    const auto found =
-        std::ranges::find(table(), j, [this](const Leg& leg) { return at(leg.window); });
-    return found == table().end() ? nullptr : &*found;
-  }
-
-  // With x_4, …, x_w instead of the others.
-  [[nodiscard]] std::vector<Step> expanded(const std::vector<Step>& steps) const {
-    std::vector<Step> all;
-    for (const Step& step : steps) {
-      if (step.enters == others) {
-        for (int i = 4; i <= static_cast<int>(w_); ++i) {
-          all.push_back(x(i));
-        }
-      } else {
-        all.push_back(step);
-      }
-    }
-    return all;
-  }
+ protected:
+  [[nodiscard]] const std::vector<Leg>& table() const override { return two_blocks_fewer(); }
 
   // 5, …, w+1 leave for x_4, …, x_w and come back when 1 and K have come.
-  void end(std::vector<Swap>& swaps) const {
-    const auto added = [&](std::uint64_t i) { return u_ + i - 1; };
-    for (std::uint64_t i = 4; i <= w_; ++i) {
-      swaps.push_back({.leaves = i + 1, .enters = added(i)});
+  void end(std::vector<Swap>& swaps) const override {
+    for (std::uint64_t i = 4; i <= added(); ++i) {
+      swaps.push_back({.leaves = i + 1, .enters = number_of_x(i)});
     }
-    swaps.push_back({.leaves = 2, .enters = added(3)});
-    swaps.push_back({.leaves = 0, .enters = added(1)});
+    swaps.push_back({.leaves = 2, .enters = number_of_x(3)});
+    swaps.push_back({.leaves = 0, .enters = number_of_x(1)});
     swaps.push_back({.leaves = 3, .enters = 1});
-    swaps.push_back({.leaves = 4, .enters = big_});
-    for (std::uint64_t i = 4; i <= w_; ++i) {
-      swaps.push_back({.leaves = added(i == 4 ? 2 : i - 1), .enters = i + 1});
+    swaps.push_back({.leaves = 4, .enters = big()});
+    for (std::uint64_t i = 4; i <= added(); ++i) {
+      swaps.push_back({.leaves = number_of_x(i == 4 ? 2 : i - 1), .enters = i + 1});
     }
   }
-
-  std::uint64_t big_;  // K
-  std::uint64_t u_;
-  std::uint64_t w_;
 };
 
 std::optional<std::uint64_t> added_of(const Parameters& p) {
@@ -182,7 +110,8 @@ class ChainedThreeWindows final : public Described<Family, description> {
 
   std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
     const std::uint64_t w = added_of(p).value();
-    return std::make_unique<SwapSource>(p, blocks_of(p, w), std::make_unique<ThreeWindows>(p.k, w));
+    return std::make_unique<SwapSource>(p, blocks_of(p, w),
+                                        std::make_unique<TwoBlocksFewer>(p.k, w));
   }
 
   std::string explanation(const Parameters& p) const override {

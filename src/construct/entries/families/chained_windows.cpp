@@ -32,11 +32,14 @@
 #include <vector>
 
 #include "changeover/construct/registry.hpp"
+#include "construct/entries/families/three_windows.hpp"
 #include "construct/entry.hpp"
 #include "construct/tools/swaps.hpp"
 
 namespace changeover::chained_windows_entry {
 namespace {
+
+using namespace three_windows;
 
 bool spares_a_block(std::uint64_t k, std::uint64_t w) { return k >= 7 && w >= 3; }
 
@@ -237,111 +240,53 @@ class Ring final : public SwapPlan {
   std::uint64_t w_;
 };
 
-class OfThree final : public SwapPlan {
+// What leaves before window 1 is x_w.
+const std::vector<Leg>& one_block_fewer() {
+  static const std::vector<Leg> legs{
+      {e(0), {}, last_x},
+      {g(1), {g(3), g(4), from_x(1), g(2)}},
+      {e(2), {e(5), e(4), {e(2), e(3)}}, e(4)},
+      {g(2), {g(4), g(5), from_x(1), g(3)}},
+      {e(3), {e(5), {e(3), e(4)}}, e(5)},
+      {g(3), {g(5), e(0), e(6), from_x(1), g(4)}},
+      {e(4), {f(1), {e(4), e(6)}, {e(6), x(1)}, {f(1), e(5)}}, x(1)},
+      {g(4), {e(0), e(1), from_x(2), g(5)}},
+      {g(5), {e(1), e(2), from_x(1), e(0)}},
+      {e(6), {f(2), f(3), e(3), {e(6), e(2)}, {g(0), f(1)}}},
+  };
+  return legs;
+}
+
+class OfThree final : public ThreeWindows {
  public:
-  OfThree(std::uint64_t k, std::uint64_t w) : big_(k - 1), u_(6 * big_ + 1), w_(w) {}
+  OfThree(std::uint64_t k, std::uint64_t w) : ThreeWindows(k, w, 1) {}
 
   // 0, 2, …, K but K−1, x_1 and x_2.
   [[nodiscard]] Block start() const override {
     Block block{0};
-    for (std::uint64_t y = 2; y <= big_; ++y) {
-      if (y != big_ - 1) {
+    for (std::uint64_t y = 2; y <= big(); ++y) {
+      if (y + 1 != big()) {
         block.push_back(static_cast<Element>(y));
       }
     }
-    block.push_back(static_cast<Element>(x(1)));
-    block.push_back(static_cast<Element>(x(2)));
+    block.push_back(static_cast<Element>(number_of_x(1)));
+    block.push_back(static_cast<Element>(number_of_x(2)));
     return block;
   }
 
-  // The blocks before W_1 + (2K+1), then those with W_j for j = 1, …, 6K.
-  bool leg(std::uint64_t index, std::vector<Swap>& swaps) const override {
-    if (index == 0) {
-      begin(swaps);
-      return true;
-    }
-    const std::uint64_t j = index;
-    if (j == u_) {
-      return false;
-    }
-    std::uint64_t out = leaving_before(j);
-    const auto visit = [&](std::uint64_t y) {
-      swaps.push_back({.leaves = out, .enters = y % u_});
-      out = y % u_;
-    };
-    const auto visit_new = [&](std::uint64_t from) {
-      for (std::uint64_t i = from; i <= w_; ++i) {
-        swaps.push_back({.leaves = out, .enters = x(i)});
-        out = x(i);
-      }
-    };
-    if (j == 4 * big_) {
-      visit(j + 3 * big_);
-      swaps.push_back({.leaves = j, .enters = j + 2 * big_});
-      swaps.push_back({.leaves = j + 2 * big_, .enters = x(1)});
-      swaps.push_back({.leaves = out, .enters = j + big_});
-      return true;
-    }
-    if (j == 2 * big_) {
-      visit(j + 3 * big_);
-      visit(j + 2 * big_);
-    } else {
-      visit(j + 2 * big_);
-      if (j != 3 * big_) {
-        visit(j + 3 * big_);
-      }
-    }
-    if (j == 3 * big_ + 1) {
-      visit(6 * big_);
-    }
-    if (j == 6 * big_) {
-      visit(3 * big_);
-      swaps.push_back({.leaves = j, .enters = 2 * big_});
-      swaps.push_back({.leaves = 1, .enters = big_ - 1});
-      return true;
-    }
-    if (j > big_ && j % big_ == 1) {
-      visit_new(j == 4 * big_ + 1 ? 2 : 1);
-    }
-    if (in_chain(j)) {
-      swaps.push_back({.leaves = j, .enters = j + big_});
-    } else {
-      visit(j + big_);
-    }
-    return true;
-  }
+ protected:
+  [[nodiscard]] const std::vector<Leg>& table() const override { return one_block_fewer(); }
 
- private:
-  [[nodiscard]] std::uint64_t x(std::uint64_t i) const { return u_ + i - 1; }
-  // Whether the visitor j+2K stays while j leaves for j+K.
-  [[nodiscard]] bool in_chain(std::uint64_t j) const { return j == 2 * big_ || j == 3 * big_; }
-  [[nodiscard]] std::uint64_t leaving_before(std::uint64_t j) const {
-    if (j == 1) {
-      return x(w_);
+  void begin(std::vector<Swap>& swaps) const override {
+    for (std::uint64_t i = 3; i <= added(); ++i) {
+      swaps.push_back({.leaves = i, .enters = number_of_x(i)});
     }
-    if (j == 4 * big_ + 1) {
-      return x(1);
-    }
-    return in_chain(j - 1) ? j - 1 + 2 * big_ : j - 1;
-  }
-
-  void begin(std::vector<Swap>& swaps) const {
-    const auto step = [&](std::uint64_t leaves, std::uint64_t enters) {
-      swaps.push_back({.leaves = leaves, .enters = enters});
-    };
-    for (std::uint64_t i = 3; i <= w_; ++i) {
-      step(i, x(i));
-    }
-    step(0, 1);
-    step(x(1), big_ - 1);
-    for (std::uint64_t i = 2; i < w_; ++i) {
-      step(x(i), i + 1);
+    swaps.push_back({.leaves = 0, .enters = 1});
+    swaps.push_back({.leaves = number_of_x(1), .enters = big() - 1});
+    for (std::uint64_t i = 2; i < added(); ++i) {
+      swaps.push_back({.leaves = number_of_x(i), .enters = i + 1});
     }
   }
-
-  std::uint64_t big_;  // K
-  std::uint64_t u_;
-  std::uint64_t w_;
 };
 
 /// v = 2cK+1+w.

@@ -12,10 +12,11 @@ const around = { v: 4, k: 2 };
 /** Null where the map does not reach. */
 export async function neighbourhood(cell: Cell, signal: AbortSignal): Promise<HTMLElement | null> {
   const strength = cell.strength ?? 2;
-  const atlas = await atlasNear(cell, around, signal);
-  if (!atlas?.has(cell.v, cell.k) || signal.aborted) {
+  const near = await atlasNear(cell, around, signal);
+  if (!near?.has(cell.v, cell.k) || signal.aborted) {
     return null;
   }
+  const atlas = near;
   const ks = Array.from({ length: 2 * around.k + 1 }, (_, i) => cell.k - around.k + i).filter(
     (k) => k >= atlas.k.from && k <= atlas.k.to,
   );
