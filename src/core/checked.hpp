@@ -11,6 +11,9 @@
 
 namespace changeover {
 
+/// Holds the product of two counts.
+__extension__ using Wide = unsigned __int128;
+
 /// a + b. @throws ImpossibleParameters if the sum does not fit in 64 bits.
 [[nodiscard]] inline std::uint64_t checked_add(std::uint64_t a, std::uint64_t b) {
   std::uint64_t sum = 0;

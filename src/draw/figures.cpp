@@ -15,7 +15,7 @@ namespace changeover {
 namespace {
 
 constexpr std::size_t colours = Paint::series_length;
-constexpr std::size_t black = colours - 1;  // of the unchanged subset
+constexpr std::size_t unchanged_colour = colours - 1;  // of the unchanged subset
 
 // What both kinds of picture come from.
 struct Node {
@@ -121,7 +121,7 @@ Round round_of(const CircleFigure& figure) {
         }
       }
     }
-    const std::size_t colour = i % black;
+    const std::size_t colour = i % unchanged_colour;
     const auto is_new = [&](Element x) {
       return std::find(block.introduced.begin(), block.introduced.end(), x) !=
              block.introduced.end();
@@ -130,11 +130,11 @@ Round round_of(const CircleFigure& figure) {
       const Element x = block.elements[a];
       Node& node = round.nodes[x];
       const bool kept = node.fill || (figure.blocks.size() == 1 && !is_new(x));
-      node.fill = kept ? black : colour;
+      node.fill = kept ? unchanged_colour : colour;
       for (std::size_t b = 0; b < a; ++b) {
         const Element y = block.elements[b];
         if (is_new(x) || is_new(y)) {
-          round.lines.push_back({y, x, colour, i / black});
+          round.lines.push_back({y, x, colour, i / unchanged_colour});
         }
       }
     }

@@ -11,7 +11,7 @@
 namespace changeover {
 namespace {
 
-constexpr double font = 12, small_font = 11;
+constexpr double line_font = 12, small_line_font = 11;
 constexpr double padding = 10;
 constexpr double most_room = 560;  // of a line in a node
 constexpr double between = 24, below = 36;
@@ -39,10 +39,10 @@ DrawnNode node_of(const Recipe& recipe, const Registry& registry) {
     node.inputs.push_back(node_of(input, registry));
   }
   for (std::size_t i = 0; i < node.lines.size(); ++i) {
-    node.lines[i] = fitted(node.lines[i], most_room, i == 0 ? font : small_font, i == 0);
-    node.own_width =
-        std::max(node.own_width,
-                 text_width(node.lines[i], i == 0 ? font : small_font, i == 0) + 2 * padding);
+    node.lines[i] = fitted(node.lines[i], most_room, i == 0 ? line_font : small_line_font, i == 0);
+    node.own_width = std::max(
+        node.own_width,
+        text_width(node.lines[i], i == 0 ? line_font : small_line_font, i == 0) + 2 * padding);
   }
   double inputs = 0;
   for (const DrawnNode& input : node.inputs) {
@@ -103,7 +103,7 @@ void add(Picture& picture, const DrawnNode& node, double left, double top) {
     Mark line{.shape = Text{.at = {middle, y}, .content = node.lines[i]}};
     if (i == 0) {
       line.style.bold = true;
-      line.style.font_size = font;
+      line.style.font_size = line_font;
     } else if (i > 1) {
       line.style.fill = Paint(Paint::Role::soft);
     }
@@ -113,7 +113,7 @@ void add(Picture& picture, const DrawnNode& node, double left, double top) {
                .kind = "node",
                .title = node.title,
                .data = {{"construction", node.construction}, {"b", std::to_string(node.b)}},
-               .style = {.font_size = small_font, .anchor = Anchor::middle}});
+               .style = {.font_size = small_line_font, .anchor = Anchor::middle}});
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ struct Classified {
 };
 
 // A member of a team tells the others what it found as words: counts, group orders, then classes.
-std::string pack(const Classification& found) {
+std::string pack_classification(const Classification& found) {
   std::string text = fmt::format("{} {} {} {} {} {} {}", static_cast<unsigned>(found.why_stopped),
                                  found.standard_forms, found.classes, found.tight, found.nodes,
                                  found.group_orders.size(), found.kept.size());
@@ -110,7 +110,7 @@ Classification of_all(const Classification& mine, const Parameters& p) {
     return mine;
   }
   Classification all;
-  for (const std::string& message : team.exchange(pack(mine))) {
+  for (const std::string& message : team.exchange(pack_classification(mine))) {
     unpack_into(all, message, p);
   }
   return all;

@@ -11,7 +11,7 @@
 namespace changeover {
 namespace {
 
-using Type = JsonEvent::Type;
+using EventType = JsonEvent::Type;
 
 // Calls visit(event) for each element of the blocks; knows only the shape.
 class BlockFinder final : public JsonHandler {
@@ -24,19 +24,19 @@ class BlockFinder final : public JsonHandler {
 
   void on(const JsonEvent& event) override {
     switch (event.type) {
-      case Type::begin_object:
-      case Type::begin_array:
-        if (depth_ == 0 && event.type == Type::begin_array) {
+      case EventType::begin_object:
+      case EventType::begin_array:
+        if (depth_ == 0 && event.type == EventType::begin_array) {
           in_blocks_ = true;
           blocks_depth_ = 0;
         }
         ++depth_;
         break;
-      case Type::end_object:
-      case Type::end_array:
+      case EventType::end_object:
+      case EventType::end_array:
         --depth_;
         break;
-      case Type::key:
+      case EventType::key:
         if (depth_ == 1) {
           in_blocks_ = event.text == "blocks";
           blocks_depth_ = 1;
@@ -119,19 +119,19 @@ class DesignHandler final : public JsonHandler {
   enum class Where : std::uint8_t { start, document, value, labels, blocks, block };
 
   void skip(const JsonEvent& event) {
-    if (event.type == Type::begin_array || event.type == Type::begin_object) {
+    if (event.type == EventType::begin_array || event.type == EventType::begin_object) {
       ++skipped_;
-    } else if (event.type == Type::end_array || event.type == Type::end_object) {
+    } else if (event.type == EventType::end_array || event.type == EventType::end_object) {
       --skipped_;
     }
   }
 
   void start(const JsonEvent& event) {
     start_ = event.offset;
-    if (event.type == Type::begin_array) {
+    if (event.type == EventType::begin_array) {
       bare_ = has_blocks_ = true;
       where_ = Where::blocks;
-    } else if (event.type == Type::begin_object) {
+    } else if (event.type == EventType::begin_object) {
       where_ = Where::document;
     } else {
       json_->fail_expecting(event, "an object with the key \"blocks\"");
@@ -139,7 +139,7 @@ class DesignHandler final : public JsonHandler {
   }
 
   void on_document(const JsonEvent& event) {
-    if (event.type == Type::key) {
+    if (event.type == EventType::key) {
       key_ = event.text;
       key_offset_ = event.offset;
       where_ = Where::value;
@@ -149,26 +149,26 @@ class DesignHandler final : public JsonHandler {
   }
 
   void on_value(const JsonEvent& event) {
-    if (event.type == Type::null) {
+    if (event.type == EventType::null) {
       return;
     }
     if (key_ == "format") {
       is_ours_ = true;
-      if (event.type != Type::string || event.text != "changeover-design/1") {
+      if (event.type != EventType::string || event.text != "changeover-design/1") {
         json_->fail(event.offset,
                     "format is not \"changeover-design/1\"; this is another kind of "
                     "file, or of a later version");
       }
-    } else if (key_ == "t" && !is_ours_ && event.type == Type::natural) {
+    } else if (key_ == "t" && !is_ours_ && event.type == EventType::natural) {
       key_ = "strength";  // as repositories of coverings call it
       declare(event);
     } else if (key_ == "v" || key_ == "k" || key_ == "change" || key_ == "strength") {
-      if (event.type != Type::natural && event.type != Type::other_number) {
+      if (event.type != EventType::natural && event.type != EventType::other_number) {
         json_->fail_expecting(event, "a number for " + key_);
       }
       declare(event);
     } else if (key_ == "kind") {
-      if (event.type != Type::string) {
+      if (event.type != EventType::string) {
         json_->fail_expecting(event, "\"linear\" or \"circular\" for kind");
       }
       declare(event);
@@ -182,7 +182,7 @@ class DesignHandler final : public JsonHandler {
       has_blocks_ = true;
       where_ = Where::blocks;
     } else if (key_ == "recipe") {
-      if (event.type != Type::begin_object) {
+      if (event.type != EventType::begin_object) {
         json_->fail_expecting(event, "an object for recipe");
       }
       if (recipe_) {
@@ -202,7 +202,7 @@ class DesignHandler final : public JsonHandler {
   }
 
   void begin_list(const JsonEvent& event, bool again) {
-    if (event.type != Type::begin_array) {
+    if (event.type != EventType::begin_array) {
       json_->fail_expecting(event, "an array for " + key_);
     }
     if (again) {
@@ -215,11 +215,11 @@ class DesignHandler final : public JsonHandler {
   }
 
   void on_label(const JsonEvent& event) {
-    if (event.type == Type::end_array) {
+    if (event.type == EventType::end_array) {
       where_ = Where::document;
       return;
     }
-    if (event.type != Type::string && event.type != Type::natural) {
+    if (event.type != EventType::string && event.type != EventType::natural) {
       json_->fail_expecting(event, "a label in quotes");
     }
     if (const auto defect = add_label(known_labels_, event.text)) {
@@ -229,9 +229,9 @@ class DesignHandler final : public JsonHandler {
   }
 
   void on_blocks(const JsonEvent& event) {
-    if (event.type == Type::begin_array) {
+    if (event.type == EventType::begin_array) {
       where_ = Where::block;
-    } else if (event.type == Type::end_array) {
+    } else if (event.type == EventType::end_array) {
       where_ = Where::document;
       end_ = event.offset;
     } else {
@@ -241,19 +241,19 @@ class DesignHandler final : public JsonHandler {
 
   void on_element(const JsonEvent& event) {
     std::optional<std::string> defect;
-    if (event.type == Type::natural) {
+    if (event.type == EventType::natural) {
       least_ = std::min(least_, event.natural);
       greatest_ = std::max(greatest_, event.natural);
       defect = collector_.add(event.text == "-0" ? "0" : event.text);
-    } else if (event.type == Type::string) {
+    } else if (event.type == EventType::string) {
       quoted_.assign(1, '"').append(event.text);
       defect = collector_.add(quoted_);
-    } else if (event.type == Type::end_array) {
+    } else if (event.type == EventType::end_array) {
       where_ = Where::blocks;
       defect = collector_.end_block();
-    } else if (event.type == Type::other_number && plain_number(event.text)) {
+    } else if (event.type == EventType::other_number && plain_number(event.text)) {
       defect = collector_.add(event.text);  // too large for a machine word, not for a name
-    } else if (event.type == Type::other_number) {
+    } else if (event.type == EventType::other_number) {
       defect =
           fmt::format("element {} is not a whole number from 0 on; correct it", shown(event.text));
     } else {

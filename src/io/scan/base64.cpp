@@ -5,7 +5,7 @@
 namespace changeover {
 namespace {
 
-constexpr std::string_view letters =
+constexpr std::string_view base64_letters =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr unsigned bits_of_letter = 6;
 constexpr unsigned bits_of_byte = 8;
@@ -22,12 +22,12 @@ std::string base64_of(std::string_view bytes) {
     bits += bits_of_byte;
     while (bits >= bits_of_letter) {
       bits -= bits_of_letter;
-      text += letters[held >> bits & 63U];
+      text += base64_letters[held >> bits & 63U];
     }
     held &= (1U << bits) - 1;
   }
   if (bits > 0) {
-    text += letters[held << (bits_of_letter - bits) & 63U];
+    text += base64_letters[held << (bits_of_letter - bits) & 63U];
   }
   text.append((4 - text.size() % 4) % 4, '=');
   return text;
@@ -45,7 +45,7 @@ std::optional<std::string> from_base64(std::string_view text) {
   std::uint32_t held = 0;
   unsigned bits = 0;
   for (const char letter : text) {
-    const std::size_t value = letters.find(letter);
+    const std::size_t value = base64_letters.find(letter);
     if (value == std::string_view::npos) {
       return std::nullopt;
     }

@@ -8,7 +8,7 @@
 namespace changeover {
 namespace {
 
-constexpr std::size_t gap = 2;
+constexpr std::size_t column_gap = 2;
 
 // The lines of a cell that are no longer than `width`, unless a word is.
 std::vector<std::string> lines_of(const TableCell& cell, std::size_t width) {
@@ -81,7 +81,8 @@ class TextTable {
 
   // The widest column that can be narrowed gives way.
   void narrow(std::size_t width) {
-    while (std::accumulate(widths_.begin(), widths_.end(), gap * (widths_.size() - 1)) > width) {
+    while (std::accumulate(widths_.begin(), widths_.end(), column_gap * (widths_.size() - 1)) >
+           width) {
       std::size_t widest = widths_.size();
       for (std::size_t c = 0; c < widths_.size(); ++c) {
         if (widths_[c] > least_[c] && (widest == widths_.size() || widths_[c] > widths_[widest])) {
@@ -99,7 +100,7 @@ class TextTable {
     std::string line;
     for (std::size_t c = 0; c < columns_.size(); ++c) {
       const std::string pad(widths_[c] - std::min(widths_[c], display_width(cells[c])), ' ');
-      line += (c == 0 ? "" : std::string(gap, ' ')) +
+      line += (c == 0 ? "" : std::string(column_gap, ' ')) +
               (is_right(*columns_[c]) ? pad + cells[c] : cells[c] + pad);
     }
     line.resize(line.find_last_not_of(' ') + 1);

@@ -138,9 +138,9 @@ void StepLists::add(const std::vector<Move>& moves) {
 }
 
 std::unique_ptr<StepSource> StepLists::of(std::uint64_t worker) const {
-  class Reader final : public StepSource {
+  class StepReader final : public StepSource {
    public:
-    Reader(std::shared_ptr<const Lists> lists, std::uint64_t worker)
+    StepReader(std::shared_ptr<const Lists> lists, std::uint64_t worker)
         : lists_(std::move(lists)), worker_(worker) {}
 
     bool next(Step& step) override {
@@ -163,7 +163,7 @@ std::unique_ptr<StepSource> StepLists::of(std::uint64_t worker) const {
     std::size_t begin_ = 0;
     std::size_t fast_begin_ = 0;
   };
-  return std::make_unique<Reader>(workers_[static_cast<std::size_t>(worker)], worker);
+  return std::make_unique<StepReader>(workers_[static_cast<std::size_t>(worker)], worker);
 }
 
 namespace {

@@ -17,17 +17,17 @@ namespace changeover {
 namespace {
 
 // Sums of products of sizes exceed 64 bits; rounded down, they remain bounds.
-using Wide = long double;
-constexpr Wide rounding = 1e-12L;  // relative error of all sums together
+using Real = long double;
+constexpr Real rounding = 1e-12L;  // relative error of all sums together
 
-std::uint64_t rounded_up(Wide bytes) {
+std::uint64_t rounded_up(Real bytes) {
   return bytes <= 0 ? 0 : static_cast<std::uint64_t>(std::ceil(bytes * (1 - rounding)));
 }
 
 struct Weights {
-  Wide pairs = 0;    // the sum of s_x s_y over all pairs
-  Wide brought = 0;  // the most that one load of each item can add
-  Wide capped = 0;   // the same, limited by the pairs of each item
+  Real pairs = 0;    // the sum of s_x s_y over all pairs
+  Real brought = 0;  // the most that one load of each item can add
+  Real capped = 0;   // the same, limited by the pairs of each item
   std::uint64_t bytes = 0;
   std::uint64_t items = 0;
   std::uint64_t largest = 0;
@@ -40,26 +40,26 @@ Weights weights_of(const ItemSizes& sizes, const WantedPairs& wanted, std::uint6
   Weights w;
   const std::uint64_t memory = sizes.memory;
   const auto counts = [&](Element x) { return wanted.needs(x) && sizes.bytes[x] >= least; };
-  Wide all = 0;
+  Real all = 0;
   for (Element x = 0; x < sizes.bytes.size(); ++x) {
-    all += counts(x) ? static_cast<Wide>(sizes.bytes[x]) : 0;
+    all += counts(x) ? static_cast<Real>(sizes.bytes[x]) : 0;
   }
   for (Element x = 0; x < sizes.bytes.size(); ++x) {
     if (!counts(x)) {
       continue;
     }
     const std::uint64_t size = sizes.bytes[x];
-    Wide partners = wanted.are_all() ? all - static_cast<Wide>(size) : 0;
+    Real partners = wanted.are_all() ? all - static_cast<Real>(size) : 0;
     if (!wanted.are_all()) {
       each_partner(wanted, sizes.bytes.size(), x, [&](Element y) {
-        partners += counts(y) ? static_cast<Wide>(sizes.bytes[y]) : 0;
+        partners += counts(y) ? static_cast<Real>(sizes.bytes[y]) : 0;
       });
     }
     const std::uint64_t beside = memory - size;
-    const Wide cap = std::min(partners, static_cast<Wide>(beside));
-    w.pairs += static_cast<Wide>(size) * partners / 2;
-    w.brought += static_cast<Wide>(size) * static_cast<Wide>(beside);
-    w.capped += static_cast<Wide>(size) * cap;
+    const Real cap = std::min(partners, static_cast<Real>(beside));
+    w.pairs += static_cast<Real>(size) * partners / 2;
+    w.brought += static_cast<Real>(size) * static_cast<Real>(beside);
+    w.capped += static_cast<Real>(size) * cap;
     w.best_capped = std::max(w.best_capped, static_cast<std::uint64_t>(std::ceil(cap)));
     w.bytes = checked_add(w.bytes, size);
     ++w.items;
@@ -74,14 +74,14 @@ Weights weights_of(const ItemSizes& sizes, const WantedPairs& wanted, std::uint6
 // memory can be full add M (M - s) / 2 less, where s is the largest size.
 std::pair<std::uint64_t, std::uint64_t> bytes_beyond(const Weights& w, std::uint64_t memory) {
   std::pair<std::uint64_t, std::uint64_t> best{0, 0};
-  const auto consider = [&](Wide lacking, std::uint64_t most) {
+  const auto consider = [&](Real lacking, std::uint64_t most) {
     const std::uint64_t more =
-        most > 0 ? rounded_up(lacking / static_cast<Wide>(most)) : std::uint64_t{0};
+        most > 0 ? rounded_up(lacking / static_cast<Real>(most)) : std::uint64_t{0};
     best = std::max(best, std::pair(more, most));
   };
-  const Wide m = static_cast<Wide>(memory);
+  const Real m = static_cast<Real>(memory);
   if (w.bytes > memory) {
-    const Wide less = m * (m - static_cast<Wide>(w.largest)) / 2;
+    const Real less = m * (m - static_cast<Real>(w.largest)) / 2;
     consider(w.pairs + less - w.brought, memory - w.smallest);
   }
   consider(w.pairs - w.capped, w.best_capped);
@@ -133,7 +133,7 @@ LoadBound by_workers_of_items(const ItemSizes& sizes, const WantedPairs& wanted,
                               const std::vector<std::uint64_t>& partners, std::uint64_t high,
                               std::uint64_t workers) {
   const std::uint64_t least = least_number(0, high, [&](std::uint64_t bytes) {
-    Wide loaded = 0;
+    Real loaded = 0;
     for (Element x = 0; x < partners.size(); ++x) {
       if (!wanted.needs(x)) {
         continue;
@@ -143,9 +143,9 @@ LoadBound by_workers_of_items(const ItemSizes& sizes, const WantedPairs& wanted,
       }
       const std::uint64_t times =
           partners[x] == 0 ? 1 : ceil_div(partners[x], bytes - sizes.bytes[x]);
-      loaded += static_cast<Wide>(sizes.bytes[x]) * static_cast<Wide>(times);
+      loaded += static_cast<Real>(sizes.bytes[x]) * static_cast<Real>(times);
     }
-    return loaded * (1 - rounding) <= static_cast<Wide>(bytes) * static_cast<Wide>(workers);
+    return loaded * (1 - rounding) <= static_cast<Real>(bytes) * static_cast<Real>(workers);
   });
   return {least, fmt::format("if no worker loads {} bytes, an item is loaded by so many workers "
                              "that what it must meet fits beside it, and all together are more "
@@ -160,12 +160,12 @@ LoadBound by_weight(const Weights& w, std::uint64_t most, std::uint64_t high,
   const auto weight = [&](std::uint64_t bytes) {
     const std::uint64_t rising = std::min(bytes, most);
     const std::uint64_t inside = rising - std::min(rising, w.largest);
-    const Wide r = static_cast<Wide>(rising);
-    return r * r / 2 + static_cast<Wide>(bytes - rising) * static_cast<Wide>(most) -
-           static_cast<Wide>(w.smallest) * static_cast<Wide>(inside) / 2;
+    const Real r = static_cast<Real>(rising);
+    return r * r / 2 + static_cast<Real>(bytes - rising) * static_cast<Real>(most) -
+           static_cast<Real>(w.smallest) * static_cast<Real>(inside) / 2;
   };
   const std::uint64_t least = least_number(0, high, [&](std::uint64_t bytes) {
-    return weight(bytes) * static_cast<Wide>(workers) >= w.pairs * (1 - rounding);
+    return weight(bytes) * static_cast<Real>(workers) >= w.pairs * (1 - rounding);
   });
   return {least, fmt::format("a pair weighs the product of its sizes, all of them {:.4g}, and {} "
                              "workers that load fewer than {} bytes each bring less together",

@@ -12,15 +12,15 @@
 namespace changeover {
 namespace {
 
-struct WithSet {
+struct DesignWithSet {
   Design design;
   ExpansionSet set;
 };
 
 // Designs with expansion sets: those of Tables 2 and 4, those of Theorem 10, and the circular ones
 // read as linear too.
-std::vector<WithSet> designs_with_sets(const PaperContext& context) {
-  std::vector<WithSet> designs;
+std::vector<DesignWithSet> recursion_designs(const PaperContext& context) {
+  std::vector<DesignWithSet> designs;
   const PrintedTable& table_2 = table_at(context.paper, "Table 2");
   designs.push_back({printed_design(table_2, Kind::linear), marked_expansion_set(table_2)});
   const PrintedTable& table_4 = table_at(context.paper, "Table 4 (right)");
@@ -31,7 +31,7 @@ std::vector<WithSet> designs_with_sets(const PaperContext& context) {
   }
   const std::size_t count = designs.size();
   for (std::size_t i = 1; i < count; ++i) {
-    WithSet linear = designs[i];
+    DesignWithSet linear = designs[i];
     linear.design.set_kind(Kind::linear);
     designs.push_back(std::move(linear));
   }
@@ -82,12 +82,12 @@ PaperItem check_expanded_single_change(const PaperContext& context) {
   return std::move(check).finish();
 }
 
-PaperItem check_theorem(const PaperContext& context, const std::vector<WithSet>& designs) {
+PaperItem check_theorem(const PaperContext& context, const std::vector<DesignWithSet>& designs) {
   Check check("Theorem 2", claim_at(context.paper, "Theorem 2"), "designs");
   const PrintedDesign& printed = formulas_at(context.paper.recursion, "Theorem 2");
   std::size_t tight = 0;
   std::size_t economical = 0;
-  for (const WithSet& with_set : designs) {
+  for (const DesignWithSet& with_set : designs) {
     const Design& design = with_set.design;
     const ExpansionSet& set = with_set.set;
     const auto subsets = static_cast<std::uint32_t>(set.size());
@@ -184,7 +184,7 @@ PaperItem check_colours(const Paper& paper, const PrintedTable& table) {
 
 // Hands on those whose set is one, and what Theorem 2 makes of them.
 template <typename Use>
-void for_each_expanded(const std::vector<WithSet>& designs, const Use& use) {
+void for_each_expanded(const std::vector<DesignWithSet>& designs, const Use& use) {
   for (const auto& [design, set] : designs) {
     if (!expansion_set_defect(design, set)) {
       use(design,
@@ -215,7 +215,7 @@ OldBlocks old_blocks(const Design& design, std::uint64_t old_elements) {
 }
 
 // "Each B_{j,e} only covers new pairs and does not effect introductions in preexisting blocks."
-PaperItem check_introductions(const Paper& paper, const std::vector<WithSet>& designs) {
+PaperItem check_introductions(const Paper& paper, const std::vector<DesignWithSet>& designs) {
   Check check(
       "Theorem 2",
       "the proof: the inserted blocks leave the introductions in the blocks that were there",
@@ -269,7 +269,7 @@ PaperItem check_introductions(const Paper& paper, const std::vector<WithSet>& de
   return std::move(check).finish();
 }
 
-PaperItem check_never_again(const std::vector<WithSet>& designs) {
+PaperItem check_never_again(const std::vector<DesignWithSet>& designs) {
   Check check("Section 3.1", "the expanded design never has an expansion set", "designs");
   for_each_expanded(designs, [&](const Design&, const Design& larger) {
     if (larger.v() > 64) {
@@ -285,7 +285,7 @@ PaperItem check_never_again(const std::vector<WithSet>& designs) {
 }
 
 // "Every new element is always removed one block after it is introduced."
-PaperItem check_removed_at_once(const std::vector<WithSet>& designs) {
+PaperItem check_removed_at_once(const std::vector<DesignWithSet>& designs) {
   Check check("Section 3.1", "a new element is removed one block after it is introduced",
               "designs");
   for_each_expanded(designs, [&](const Design& design, const Design& larger) {
@@ -299,7 +299,7 @@ PaperItem check_removed_at_once(const std::vector<WithSet>& designs) {
   return std::move(check).finish();
 }
 
-PaperItem check_new_elements(const Paper& paper, const std::vector<WithSet>& designs) {
+PaperItem check_new_elements(const Paper& paper, const std::vector<DesignWithSet>& designs) {
   Check check("Section 3.1", "a new element of Theorem 2 is never in an unchanged subset",
               "designs");
   for_each_expanded(designs, [&](const Design& design, const Design& larger) {
@@ -336,7 +336,7 @@ PaperItem check_new_elements(const Paper& paper, const std::vector<WithSet>& des
 
 std::vector<PaperItem> check_recursion(const PaperContext& context) {
   const PrintedTable& table = table_at(context.paper, "Table 3");
-  const std::vector<WithSet> designs = designs_with_sets(context);
+  const std::vector<DesignWithSet> designs = recursion_designs(context);
   return {check_expanded_single_change(context),
           check_theorem(context, designs),
           check_introductions(context.paper, designs),

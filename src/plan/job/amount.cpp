@@ -13,7 +13,7 @@
 namespace changeover {
 namespace {
 
-constexpr std::uint64_t unit = 1'000'000;
+constexpr std::uint64_t one_unit = 1'000'000;
 constexpr unsigned most_decimals = 6;
 constexpr auto largest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
 constexpr std::uint64_t too_many = std::numeric_limits<std::uint64_t>::max();
@@ -65,13 +65,13 @@ Amount parse_amount(std::string_view text) {
   std::uint64_t units = 0;
   for (const char c : whole) {
     units = 10 * units + static_cast<std::uint64_t>(c - '0');
-    if (units > largest / unit) {
+    if (units > largest / one_unit) {
       throw ImpossibleParameters(fmt::format(
           "the cost {} is too large; a total can be 9.2e12, so use a larger unit", said));
     }
   }
-  std::uint64_t millionths = units * unit;
-  std::uint64_t weight = unit;
+  std::uint64_t millionths = units * one_unit;
+  std::uint64_t weight = one_unit;
   for (const char c : decimals) {
     weight /= 10;
     millionths += static_cast<std::uint64_t>(c - '0') * weight;
@@ -80,7 +80,7 @@ Amount parse_amount(std::string_view text) {
 }
 
 unsigned decimals_needed(Amount amount) {
-  std::uint64_t rest = amount.millionths % unit;
+  std::uint64_t rest = amount.millionths % one_unit;
   if (rest == 0) {
     return 0;
   }
@@ -94,9 +94,9 @@ unsigned decimals_needed(Amount amount) {
 std::string to_string(Amount amount, unsigned at_least_decimals) {
   const unsigned decimals =
       std::min(most_decimals, std::max(at_least_decimals, decimals_needed(amount)));
-  std::string text = fmt::format("{}", amount.millionths / unit);
+  std::string text = fmt::format("{}", amount.millionths / one_unit);
   if (decimals > 0) {
-    const std::string all = fmt::format("{:06}", amount.millionths % unit);
+    const std::string all = fmt::format("{:06}", amount.millionths % one_unit);
     text += "." + all.substr(0, decimals);
   }
   return text;

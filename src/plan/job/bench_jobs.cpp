@@ -8,6 +8,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
+#include "core/checked.hpp"
 #include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "plan/job/fitting.hpp"
@@ -17,8 +18,6 @@
 namespace changeover {
 namespace {
 
-__extension__ using WideCost = unsigned __int128;
-
 constexpr std::size_t most_bench_defects = 10;
 
 bool has(const Block& block, Element x) {
@@ -27,13 +26,13 @@ bool has(const Block& block, Element x) {
 
 Amount multiplied(Amount cost, Amount factor) {
   constexpr std::uint64_t one = 1'000'000;
-  const WideCost product = WideCost{cost.millionths} * factor.millionths;
+  const Wide product = Wide{cost.millionths} * factor.millionths;
   if (product % one != 0) {
     throw BadInput(
         fmt::format("a change cost of {} times {} has more than six decimals; change one of them",
                     to_string(cost), to_string(factor)));
   }
-  constexpr WideCost most = std::numeric_limits<std::int64_t>::max();
+  constexpr Wide most = std::numeric_limits<std::int64_t>::max();
   if (product / one > most) {
     throw ImpossibleParameters(fmt::format("a change cost of {} times {} is too large",
                                            to_string(cost), to_string(factor)));

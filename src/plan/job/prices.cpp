@@ -3,14 +3,9 @@
 #include <algorithm>
 
 #include "changeover/core/error.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
-namespace {
-
-__extension__ using Wide = unsigned __int128;
-
-}  // namespace
-
 Job at_prices(const Job& job, Price price) {
   Job plain = job;
   plain.replace_costs.clear();

@@ -23,7 +23,7 @@
 
 namespace changeover {
 
-static constexpr std::uint64_t triples = 3;  // the strength at which triples must meet
+static constexpr std::uint64_t of_triples = 3;  // the strength at which triples must meet
 
 // Builds a checked job step by step.
 class JobMaker {
@@ -317,8 +317,8 @@ class JobMaker {
     const bool benches_say = has_benches() && std::ranges::all_of(benches_, [](const Bench& bench) {
                                return bench.down || bench.at_once;
                              });
-    const bool of_triples = question_->strength == triples;
-    const std::uint64_t least = of_triples ? triples : 2;
+    const bool is_triple = question_->strength == of_triples;
+    const std::uint64_t least = is_triple ? of_triples : 2;
     if (benches_say && job_.at_once < least) {
       job_.at_once = std::max(least, most_at_once(job_, benches_));
     } else if (!question_->at_once) {
@@ -330,7 +330,7 @@ class JobMaker {
     if (job_.at_once < least) {
       question_.refuse("at_once", fmt::format("{} {}: no {} can meet; give at least {}",
                                               question_.key("at_once"), job_.at_once,
-                                              of_triples ? "triple" : "pair", least));
+                                              is_triple ? "triple" : "pair", least));
     }
   }
 
@@ -454,12 +454,12 @@ class JobMaker {
 
   // Drops pairs and triples that cannot meet, with a note.
   void take_needs() {
-    if (question_->strength == triples) {
+    if (question_->strength == of_triples) {
       std::uint64_t apart = need_triples(job_);
       apart += drop_impossible_triples(job_, benches_);
       if (job_.triples.empty()) {
         throw BadInput(
-            job_.parts() < triples
+            job_.parts() < of_triples
                 ? "a triple needs three parts; list three or more"
                 : "no three parts can be in one set-up; loosen the slots, forbidden pairs or "
                   "what stays mounted");

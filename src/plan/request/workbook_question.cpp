@@ -107,15 +107,17 @@ void put_aside_what_does_not_fit(JobRequest& question, const JobRequest& request
     question.first_day.clear();
     question.weekends = false;
   }
-  using R = JobRequest;
   if (request.diagnose || request.what_if) {
-    put_aside(&R::budget, &R::title, &R::compact, &R::shuffle, &R::weights);
+    put_aside(&JobRequest::budget, &JobRequest::title, &JobRequest::compact, &JobRequest::shuffle,
+              &JobRequest::weights);
   }
   if (request.what_if) {
-    put_aside(&R::benches, &R::objective, &R::hours, &R::first_day, &R::weekends);
+    put_aside(&JobRequest::benches, &JobRequest::objective, &JobRequest::hours,
+              &JobRequest::first_day, &JobRequest::weekends);
   }
   if (request.diagnose) {
-    put_aside(&R::steps, &R::first, &R::trust_failed, &R::what_if);
+    put_aside(&JobRequest::steps, &JobRequest::first, &JobRequest::trust_failed,
+              &JobRequest::what_if);
   }
 }
 

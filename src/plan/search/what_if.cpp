@@ -11,6 +11,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
+#include "core/checked.hpp"
 #include "plan/job/prices.hpp"
 #include "plan/search/anneal/attempts.hpp"
 #include "plan/search/budget.hpp"
@@ -26,8 +27,6 @@ struct Line {
   std::uint64_t slope = 0;
   const Candidate* plan = nullptr;
 };
-
-__extension__ using Wide = unsigned __int128;
 
 // The ratio where the steeper line, which has fewer tests, meets the other.
 Ratio meeting(const Line& steep, const Line& flat) {

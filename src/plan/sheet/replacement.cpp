@@ -6,10 +6,10 @@
 #include <numeric>
 #include <optional>
 
+#include "core/checked.hpp"
+
 namespace changeover {
 namespace {
-
-__extension__ using Wide = unsigned __int128;
 
 using CostMatrix = std::vector<std::vector<std::uint64_t>>;
 

@@ -13,7 +13,7 @@
 namespace changeover {
 namespace {
 
-constexpr int most_starts = 400;
+constexpr int most_imposed_starts = 400;
 constexpr std::uint64_t largest_imposed_v = 4096;
 
 // A block of about `pieces` pieces of cycles, so that π moves at most that many elements out of it.
@@ -59,7 +59,7 @@ std::uint64_t fewest_base_blocks(const Parameters& p, const Automorphism& pi) {
 
 std::optional<std::vector<Block>> random_base_blocks(const Parameters& p, const Automorphism& pi,
                                                      std::size_t base_blocks, Random& random) {
-  for (int start = 0; start < most_starts; ++start) {
+  for (int start = 0; start < most_imposed_starts; ++start) {
     stop_if_asked();
     const auto k = static_cast<std::uint32_t>(p.k);
     const Block first = start % 2 == 0 ? random_block(p, random)

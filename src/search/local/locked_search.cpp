@@ -21,7 +21,7 @@ namespace changeover {
 namespace {
 
 constexpr std::uint64_t largest_locked_v = 4096;
-constexpr std::uint64_t first_moves = std::uint64_t{1} << 22;
+constexpr std::uint64_t first_locked_moves = std::uint64_t{1} << 22;
 // Few temperatures, where lists that miss one pair are entered most often: (16,5,29) and (20,5,46).
 constexpr double hot = 0.28;
 constexpr double cold = 0.24;
@@ -387,7 +387,7 @@ class LockedSearch {
   const std::uint64_t bound_, goal_;
   std::uint64_t aim_;
   std::uint64_t step_ = 1;
-  std::uint64_t budget_ = first_moves;
+  std::uint64_t budget_ = first_locked_moves;
   std::uint64_t doublings_ = 0;
   std::uint64_t fails_ = 0;
   std::uint64_t reserved_ = 0;  // moves of attempts that were started

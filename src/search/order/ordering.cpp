@@ -13,13 +13,13 @@
 namespace changeover {
 namespace {
 
-constexpr std::uint64_t most_bytes = std::uint64_t{4} << 30;
+constexpr std::uint64_t most_memory = std::uint64_t{4} << 30;
 
 }  // namespace
 
 Overlaps::Overlaps(std::span<const Block> blocks, std::uint64_t v)
     : words_(static_cast<std::size_t>(std::max<std::uint64_t>(1, ceil_div(v, 64)))) {
-  if (checked_multiply(words_ * 8, blocks.size()) > most_bytes) {
+  if (checked_multiply(words_ * 8, blocks.size()) > most_memory) {
     throw MissingResource(
         fmt::format("{} blocks on {} elements need more than 4 GiB as bit sets", blocks.size(), v));
   }

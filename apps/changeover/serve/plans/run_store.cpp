@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_runs = 200;
-constexpr std::size_t most_bytes = std::size_t{4} << 20;
+constexpr std::size_t most_run_bytes = std::size_t{4} << 20;
 constexpr std::size_t id_letters = 24;
 
 std::string now() {
@@ -69,9 +69,9 @@ struct stat status_of_run(const std::string& path) {
   if (!S_ISREG(status.st_mode)) {
     fail_to_read(path, "it is no file");
   }
-  if (static_cast<std::uintmax_t>(status.st_size) > most_bytes) {
+  if (static_cast<std::uintmax_t>(status.st_size) > most_run_bytes) {
     fail_to_read(path,
-                 fmt::format("it has more than the {} bytes that a run may have", most_bytes));
+                 fmt::format("it has more than the {} bytes that a run may have", most_run_bytes));
   }
   return status;
 }
@@ -128,7 +128,7 @@ KeptRun RunStore::read(const std::string& id) const {
   const std::string path = path_of(id);
   static_cast<void>(status_of_run(path));
   const auto input = open_input(path);
-  const std::string text = read_to_end(*input, most_bytes, "move it away");
+  const std::string text = read_to_end(*input, most_run_bytes, "move it away");
   try {
     return run_in(text, id);
   } catch (const BadInput& fault) {
@@ -138,10 +138,10 @@ KeptRun RunStore::read(const std::string& id) const {
 
 void RunStore::write(const KeptRun& run) const {
   const std::string text = run_json(run);
-  if (text.size() > most_bytes) {
+  if (text.size() > most_run_bytes) {
     throw Refusal{413, fmt::format("the run would have {} bytes, more than the {} that a run may "
                                    "have; write shorter notes",
-                                   text.size(), most_bytes)};
+                                   text.size(), most_run_bytes)};
   }
   if (run.revision > most_revisions) {
     throw Refusal{422, "the run was changed as often as may be; keep it as a new one"};

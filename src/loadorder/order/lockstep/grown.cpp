@@ -7,7 +7,7 @@
 namespace changeover {
 namespace {
 
-constexpr std::uint32_t no_worker = ~std::uint32_t{0};
+constexpr std::uint32_t no_holder = ~std::uint32_t{0};
 
 class Growth {
  public:
@@ -19,7 +19,7 @@ class Growth {
         random_(random),
         open_(items_ * items_, 1),
         open_pairs_(items_, static_cast<std::uint32_t>(items - 1)),
-        holder_(items_, no_worker),
+        holder_(items_, no_holder),
         arrival_(items_, 0),
         memory_(static_cast<std::size_t>(workers)),
         gain_(memory_.size(), std::vector<std::uint32_t>(items_, 0)),
@@ -97,7 +97,7 @@ class Growth {
       gain_[w][y] -= row[y];
     }
     std::erase(memory_[w], x);
-    holder_[x] = no_worker;
+    holder_[x] = no_holder;
   }
 
   void change(std::uint32_t w, Element out, Element in) {
@@ -113,7 +113,7 @@ class Growth {
     std::optional<Element> best;
     std::uint64_t best_key = 0;
     for (Element y = 0; y < items_; ++y) {
-      if (holder_[y] != no_worker) {
+      if (holder_[y] != no_holder) {
         continue;
       }
       using Comes = GrowthRule::Comes;
@@ -136,7 +136,7 @@ class Growth {
     const std::uint8_t* gone = &open_[out * items_];
     const std::uint8_t* come = &open_[in * items_];
     for (std::size_t y = 0; y < items_; ++y) {
-      if (holder_[y] == no_worker && y != in) {
+      if (holder_[y] == no_holder && y != in) {
         most = std::max<std::uint32_t>(most, gain_[w][y] + come[y] - gone[y]);
       }
     }
@@ -174,7 +174,7 @@ class Growth {
   }
 
   struct Exchange {
-    std::uint32_t with = no_worker;
+    std::uint32_t with = no_holder;
     Element theirs = 0;
     Element mine = 0;
     std::uint64_t pairs = 0;
@@ -230,7 +230,7 @@ class Growth {
   void load_most_open(std::uint32_t w, bool must) {
     std::optional<Element> in;
     for (Element y = 0; y < items_; ++y) {
-      if (holder_[y] == no_worker && open_pairs_[y] > (in ? open_pairs_[*in] : 0)) {
+      if (holder_[y] == no_holder && open_pairs_[y] > (in ? open_pairs_[*in] : 0)) {
         in = y;
       }
     }

@@ -9,12 +9,6 @@
 #include "core/checked.hpp"
 
 namespace changeover {
-namespace {
-
-__extension__ using Wide = unsigned __int128;
-
-}  // namespace
-
 Weights Weights::of(const Job& job, std::uint64_t tests) {
   Weights weights;
   weights.test = job.test_cost.millionths;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "changeover/run/control.hpp"
+#include "core/checked.hpp"
 #include "core/words.hpp"
 #include "plan/job/check_in_full.hpp"
 #include "plan/job/pair_numbers.hpp"
@@ -23,8 +24,6 @@
 
 namespace changeover {
 namespace {
-
-__extension__ using Wide = unsigned __int128;
 
 // (6): the least that the introductions must cost so that all parts meet whom they must.
 class DegreeCosts {

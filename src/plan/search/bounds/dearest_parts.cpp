@@ -18,8 +18,6 @@
 namespace changeover {
 namespace {
 
-__extension__ using WideSum = unsigned __int128;
-
 using Counts = std::vector<std::uint64_t>;  // by number of dearest parts
 
 class DearestBound {
@@ -83,7 +81,7 @@ class DearestBound {
       degrees_[t] = degrees_[t - 1] + degree;
       const std::uint64_t there = q_->at_start[number];
       start_introductions_ += there;
-      start_cost_ += WideSum{q_->prices[number].millionths} * there;
+      start_cost_ += Wide{q_->prices[number].millionths} * there;
       least_each_[t] = std::max<std::uint64_t>(1, there);
       most_each_[t] = std::max(least_each_[t], q_->most[number] + there);
       price_[t] = q_->prices[number].millionths;
@@ -230,7 +228,7 @@ class DearestBound {
   bool look_at(std::uint64_t tests) {
     Counts at_least = relaxed_;
     at_least[v_] = std::max(at_least[v_], least_total(tests));
-    const WideSum of_tests = tests_cost(tests);
+    const Wide of_tests = tests_cost(tests);
     const std::uint64_t most_tests =
         pairs_[v_] + q_->starts + lists_;  // each test covers something new
     if (best_ && (tests > most_tests || is_beaten(of_tests + cost(closed(at_least))))) {
@@ -242,7 +240,7 @@ class DearestBound {
     for (std::uint64_t total = at_least[v_]; total <= room_ * tests; ++total) {
       stop_if_asked();
       at_least[v_] = total;
-      const WideSum no_less = of_tests + cost(closed(at_least));
+      const Wide no_less = of_tests + cost(closed(at_least));
       if (is_beaten(no_less)) {
         break;  // more introductions cost no less
       }
@@ -255,8 +253,8 @@ class DearestBound {
       if (all[v_] > total) {
         continue;
       }
-      const WideSum found = of_tests + cost(closed(std::move(all)));
-      constexpr WideSum most = std::numeric_limits<std::int64_t>::max();
+      const Wide found = of_tests + cost(closed(std::move(all)));
+      constexpr Wide most = std::numeric_limits<std::int64_t>::max();
       if (found > most) {
         throw ImpossibleParameters("the costs are too large to be added up; use a larger unit");
       }
@@ -270,9 +268,7 @@ class DearestBound {
     return true;
   }
 
-  [[nodiscard]] bool is_beaten(WideSum cost) const {
-    return best_ && cost >= best_->cost.millionths;
-  }
+  [[nodiscard]] bool is_beaten(Wide cost) const { return best_ && cost >= best_->cost.millionths; }
 
   // The smallest numbers that are at least these and allow each part its minimum and maximum.
   [[nodiscard]] Counts closed(Counts sums) const {
@@ -285,16 +281,16 @@ class DearestBound {
     return sums;
   }
 
-  [[nodiscard]] WideSum cost(const Counts& sums) const {
-    WideSum sum = 0;
+  [[nodiscard]] Wide cost(const Counts& sums) const {
+    Wide sum = 0;
     for (std::size_t t = 1; t <= v_; ++t) {
-      sum += WideSum{price_[t] - price_[t + 1]} * sums[t];
+      sum += Wide{price_[t] - price_[t + 1]} * sums[t];
     }
     return sum - std::min(sum, start_cost_);
   }
 
-  [[nodiscard]] WideSum tests_cost(std::uint64_t tests) const {
-    return WideSum{q_->test.millionths} * (tests - q_->starts);
+  [[nodiscard]] Wide tests_cost(std::uint64_t tests) const {
+    return Wide{q_->test.millionths} * (tests - q_->starts);
   }
 
   const DearestParts* q_;
@@ -311,7 +307,7 @@ class DearestBound {
   Counts relaxed_;
   std::optional<DearestCost> best_;
   std::uint64_t start_introductions_ = 0;
-  WideSum start_cost_ = 0;
+  Wide start_cost_ = 0;
 };
 
 }  // namespace

@@ -24,8 +24,6 @@
 namespace changeover {
 namespace {
 
-__extension__ using Wide = unsigned __int128;
-
 // The numbers of the proof.
 struct ChoiceNumbers {
   std::size_t slots = 0;

@@ -7,6 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/benches.hpp"
+#include "core/checked.hpp"
 #include "core/words.hpp"
 
 namespace changeover {
@@ -17,7 +18,6 @@ bool in_block(const Block& block, Element x) {
 }
 
 Amount times_factor(Amount cost, Amount factor) {
-  __extension__ using Wide = unsigned __int128;
   constexpr std::uint64_t one = 1'000'000;
   const Wide product = Wide{cost.millionths} * factor.millionths;
   if (product % one != 0 || product / one > Wide{1} << 62U) {

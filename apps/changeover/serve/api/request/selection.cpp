@@ -19,12 +19,12 @@ namespace changeover::serve {
 namespace {
 
 constexpr std::uint64_t most_blocks = 200'000;
-constexpr std::size_t most_bytes = 50'000'000;
+constexpr std::size_t most_answer_bytes = 50'000'000;
 
 void refuse_if_long(const Parameters& p, std::uint64_t b) {
   // A number is two bytes at least: what would be too long in the end is not built first.
   constexpr std::size_t bytes_of_a_number = 2;
-  if (b > most_blocks || b > most_bytes / bytes_of_a_number / p.k) {
+  if (b > most_blocks || b > most_answer_bytes / bytes_of_a_number / p.k) {
     throw Refusal{
         413, fmt::format("{} has {} blocks, too many for a page; changeover design {} {} --change "
                          "{} --{} --format text -o FILE writes it",
@@ -146,7 +146,7 @@ std::string design_json(const Selection& selection) {
   StringSink sink;
   cli::write_design(*selection.chosen.source, selection.chosen.exhibit, "json", sink);
   std::string text = sink.take();
-  if (text.size() > most_bytes) {
+  if (text.size() > most_answer_bytes) {
     throw Refusal{413, fmt::format("the design takes {} bytes, too many for a page; changeover "
                                    "design --format text -o FILE writes it",
                                    text.size())};
