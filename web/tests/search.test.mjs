@@ -121,7 +121,7 @@ test('exact, from base blocks, with locked sets', async () => {
     .waitFor({ timeout: 60_000 });
   assert.match(
     await watched(page).locator('.figures').textContent(),
-    /^gap0best6lower bound6decided1 number$/,
+    /^gap0best6lower bound6numbers decided1$/,
   );
   assert.ok(!(await watched(page).textContent()).includes('not decided'));
   await begin(page, 15, 6, { seconds: '60' });

@@ -10,7 +10,7 @@ let asked = false;
 /** Formulas that are to be set, and whether that is under way. */
 let waiting: [HTMLElement, string, boolean][] = [];
 let setting = false;
-/** Whether some came since they were put in order. */
+/** Whether some came, or the page moved, since they were put in order. */
 let unordered = false;
 /** So long, in milliseconds, formulas are set before the page may draw and listen again. */
 const slice = 16;
@@ -20,11 +20,11 @@ const few = 30;
 async function ask(): Promise<void> {
   const temml = await import('temml');
   setter = (tex, place, displayMode) => {
-    const before = place.textContent ?? '';
+    const before = [...place.childNodes];
     try {
       temml.default.render(tex, place, { displayMode, throwOnError: true });
     } catch {
-      place.textContent = before;
+      place.replaceChildren(...before);
     }
     place.classList.remove('plain');
   };
@@ -57,6 +57,23 @@ function work(): void {
   setting && setTimeout(work, 0);
 }
 
+// What is read now comes first, and paper has all.
+window.addEventListener('scroll', () => (unordered = true), { capture: true, passive: true });
+window.addEventListener('beforeprint', () => {
+  waiting.splice(0).forEach(([place, tex, display]) => setter?.(tex, place, display));
+});
+
+/** A formula as it is written, until it is set: `x_{p}` with its index. */
+function written(plain: string): Child[] {
+  return plain.split(/([_^](?:\{[^{}]*\}|\w))/).map((piece, i) => {
+    if (i % 2 === 0) {
+      return piece;
+    }
+    const index = piece.slice(1).replace(/^\{|\}$/g, '');
+    return h(piece.startsWith('_') ? 'sub' : 'sup', {}, index);
+  });
+}
+
 function set(place: HTMLElement, tex: string, display: boolean): HTMLElement {
   waiting.push([place, tex, display]);
   unordered = true;
@@ -77,7 +94,7 @@ export function mathText(text: string): Child[] {
   return pieces(text).flatMap((piece): Child[] =>
     'tex' in piece
       ? [
-          set(h('span', { class: 'math plain' }, piece.text), piece.tex, false),
+          set(h('span', { class: 'math plain' }, written(piece.text)), piece.tex, false),
           ...(piece.breaks ? [h('wbr')] : []),
         ]
       : [piece.text],
@@ -86,14 +103,14 @@ export function mathText(text: string): Child[] {
 
 /** One formula, in TeX. */
 export function formula(tex: string, plain: string): HTMLElement {
-  return set(h('span', { class: 'math plain' }, plain), tex, false);
+  return set(h('span', { class: 'math plain' }, written(plain)), tex, false);
 }
 
 /**
  * Lines of a formula that stands alone. What is said of a line (`*if …*`) is a column of its own.
  */
 export function displayed(lines: readonly string[]): HTMLElement {
-  const place = h('div', { class: 'math plain display' }, lines.join('\n'));
+  const place = h('div', { class: 'math plain display' }, written(lines.join('\n')));
   const rows = lines.map((line) => {
     const [left, condition] = line.includes('*') ? line.split('*', 2) : [line, undefined];
     return condition === undefined

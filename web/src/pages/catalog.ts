@@ -399,15 +399,20 @@ export const catalog: Page = {
     );
     document.addEventListener('themechange', paint, { signal: view.signal });
     await redraw();
-    // The other selections are fetched while nothing else happens, so that choosing one takes no
-    // time.
-    const idle = window.setTimeout(() => {
-      for (const change of isCopy() ? [] : [1, 2, 3]) {
-        for (const kind of ['circular', 'linear'] as const) {
-          atlasOf({ change, kind, strength: 2 }).catch(() => undefined);
-        }
+    // The other selections are fetched while nothing else happens, one after another, so that
+    // choosing one takes no time and does not wait for all of them.
+    const others = [1, 2, 3].flatMap((change) =>
+      (['circular', 'linear'] as const).map((kind) => ({ change, kind, strength: 2 })),
+    );
+    const ahead = (): void => {
+      const next = isCopy() || view.signal.aborted ? undefined : others.shift();
+      if (next) {
+        void atlasOf(next)
+          .catch(() => undefined)
+          .then(() => requestIdleCallback(ahead));
       }
-    }, 1500);
+    };
+    const idle = window.setTimeout(ahead, 1500);
     view.signal.addEventListener('abort', () => window.clearTimeout(idle));
   },
 };

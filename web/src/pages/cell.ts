@@ -34,10 +34,10 @@ function others(cell: Cell): HTMLElement {
     h(
       'ul',
       {},
-      cell.v > 2 && step(`← v = ${cell.v - 1}`, { v: cell.v - 1 }, 'ArrowLeft'),
+      cell.v > cell.k && step(`← v = ${cell.v - 1}`, { v: cell.v - 1 }, 'ArrowLeft'),
       step(`v = ${cell.v + 1} →`, { v: cell.v + 1 }, 'ArrowRight'),
       cell.k > 2 && step(`↑ k = ${cell.k - 1}`, { k: cell.k - 1 }, 'ArrowUp'),
-      step(`↓ k = ${cell.k + 1}`, { k: cell.k + 1 }, 'ArrowDown'),
+      cell.k < cell.v && step(`↓ k = ${cell.k + 1}`, { k: cell.k + 1 }, 'ArrowDown'),
       step(cell.kind === 'circular' ? 'linear' : 'circular', {
         kind: cell.kind === 'circular' ? 'linear' : 'circular',
       }),
@@ -61,6 +61,21 @@ function others(cell: Cell): HTMLElement {
   );
 }
 
+/** Where v and k were likely exchanged. */
+function exchanged(cell: Cell): HTMLElement | false {
+  return (
+    cell.k > cell.v &&
+    cell.v >= 2 &&
+    h(
+      'p',
+      {},
+      'If v and k were exchanged: ',
+      h('a', { href: at(cell, { v: cell.k, k: cell.v }) }, `v = ${cell.k}, k = ${cell.v}`),
+      '.',
+    )
+  );
+}
+
 function walk(view: View, cell: Cell): void {
   const moves: Record<string, Partial<Cell>> = {
     ArrowLeft: { v: cell.v - 1 },
@@ -72,7 +87,8 @@ function walk(view: View, cell: Cell): void {
     'keydown',
     (event) => {
       const move = moves[event.key];
-      if (move && !busyKey(event) && !event.shiftKey && (move.v ?? 2) >= 2 && (move.k ?? 2) >= 2) {
+      const { v, k } = { ...cell, ...move };
+      if (move && !busyKey(event) && !event.shiftKey && k >= 2 && k <= Math.max(v, cell.k)) {
         event.preventDefault();
         window.location.hash = at(cell, move);
       }
@@ -408,9 +424,14 @@ export const cell: Page = {
         fill(body, h('p', { class: 'hint' }, 'Asking what is known …'));
       });
     } catch (fault) {
-      fill(body);
-      begin();
-      throw fault;
+      if (wanted.k <= wanted.v || view.signal.aborted) {
+        fill(body);
+        begin();
+        throw fault;
+      }
+      fill(body, problem(fault), exchanged(wanted));
+      fill(view.root, head, under, body);
+      return;
     }
     const recipe = h('div', { class: 'recipe-place' }, h('p', { class: 'hint' }, 'Asking …'));
     begin();
@@ -427,10 +448,8 @@ export const cell: Page = {
           'div',
           {},
           bounds(detail),
-          howMany(detail),
           detail.best && [h('h2', {}, 'How it is made'), recipe],
           origins(detail, view.signal),
-          offers(detail),
         ),
         h(
           'div',
@@ -438,6 +457,8 @@ export const cell: Page = {
           around,
           detail.best && [h('h2', {}, 'Download the best design'), files],
           !frozen && detail.best && forAPaper(wanted),
+          offers(detail),
+          howMany(detail),
           !frozen && [
             h('h2', {}, 'On the command line'),
             h(

@@ -112,6 +112,25 @@ function verified(asked: Asked, design: Design, frozen: boolean): string {
   );
 }
 
+/** Where to go from here. */
+function whatNext(design: Design, frozen: boolean): HTMLElement {
+  const { v, k, change, kind, strength, verdict } = design;
+  const cell = { v, k, change, kind, strength: strength === 2 ? null : strength };
+  return h(
+    'ul',
+    { class: 'next-links' },
+    h('li', {}, h('a', { href: link('cell', cell) }, 'Bounds, history and citation')),
+    h(
+      'li',
+      {},
+      h('a', { href: link('catalog', { change, kind, at: `${v}.${k}` }) }, 'Its place on the map'),
+    ),
+    !frozen &&
+      verdict?.minimum !== 'proved' &&
+      h('li', {}, h('a', { href: link('search', cell) }, 'Search for one with fewer blocks')),
+  );
+}
+
 export const design: Page = {
   path: 'design',
   title: 'Design',
@@ -423,22 +442,38 @@ export const design: Page = {
               strength: shown.strength === 2 ? null : shown.strength,
             }),
           },
-          'what is known of these parameters',
+          'bounds, history and citation',
         ),
       ),
       h('div', { class: 'selected' }, bySelf, selected),
       tabs('What to show of the design', all, start, view.signal, (which) =>
         view.go({ show: which }, { quiet: true }),
       ),
-      h('h2', {}, 'In numbers'),
       h(
-        'p',
-        { class: `verdict ${shown.verdict ? (shown.verdict.valid ? 'valid' : 'invalid') : ''}` },
-        verified(asked, shown, frozen),
+        'div',
+        { class: 'design-columns' },
+        h(
+          'div',
+          {},
+          h('h2', {}, 'In numbers'),
+          h(
+            'p',
+            {
+              class: `verdict ${shown.verdict ? (shown.verdict.valid ? 'valid' : 'invalid') : ''}`,
+            },
+            verified(asked, shown, frozen),
+          ),
+          scroll('The design in numbers', facts(shown)),
+        ),
+        h(
+          'div',
+          {},
+          h('h2', {}, 'Download'),
+          downloads(asked, shown, frozen),
+          h('h2', {}, 'What next'),
+          whatNext(shown, frozen),
+        ),
       ),
-      scroll('The design in numbers', facts(shown)),
-      h('h2', {}, 'Download'),
-      downloads(asked, shown, frozen),
     );
   },
 };

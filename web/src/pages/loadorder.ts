@@ -61,7 +61,13 @@ async function render(view: View): Promise<void> {
     value: params.get('workers') ?? '',
     placeholder: '1',
   });
-  const time = select(params.get('time') ?? '0', times, () => undefined);
+  // A link may ask for a time that is not in the list.
+  const asks = String(Math.max(0, Number(params.get('time')) || 0));
+  const time = select(
+    asks,
+    times.some(([seconds]) => seconds === asks) ? times : [...times, [asks, `${asks} seconds`]],
+    () => undefined,
+  );
   const ahead = h('input', { type: 'checkbox', checked: params.has('prefetch') });
   const pairs = h('textarea', {
     class: 'pairs-text',

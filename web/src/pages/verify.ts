@@ -384,11 +384,28 @@ async function render(view: View): Promise<void> {
         }
       },
     },
+    h('div', { class: 'verify-input' }, text, chosen),
     h(
       'div',
-      { class: 'verify-input' },
-      text,
-      chosen,
+      { class: 'verify-options' },
+      h(
+        'div',
+        { class: 'row' },
+        go,
+        h(
+          'button',
+          { type: 'button', class: 'plain', onclick: () => pick.click() },
+          'Choose a file …',
+        ),
+        pick,
+      ),
+      h(
+        'div',
+        { class: 'row' },
+        field('Elements v', v),
+        field('Change number', change),
+        field('Kind', kind),
+      ),
       h(
         'p',
         { class: 'hint' },
@@ -396,20 +413,6 @@ async function render(view: View): Promise<void> {
           'repository: the format is recognised. You can drop a file here. If the text does ' +
           'not say it, the change number is that of the first step, and the design is linear.',
       ),
-    ),
-    h(
-      'div',
-      { class: 'row' },
-      field('Elements v', v),
-      field('Change number', change),
-      field('Kind', kind),
-      go,
-      h(
-        'button',
-        { type: 'button', class: 'plain', onclick: () => pick.click() },
-        'Choose a file …',
-      ),
-      pick,
     ),
   );
   text.addEventListener('keydown', (event) => {

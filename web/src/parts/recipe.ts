@@ -23,9 +23,11 @@ export function reason(text: string): Child[] {
 
 /** A citation without its brackets. */
 export function citation(text: string): Child[] {
-  const key = /^\[([A-Za-z]+\d{4}[a-z]?)((?:, [^\]]*)?)\]$/.exec(text);
+  // What is said of a theorem of ours behind the place in the work has a link of its own.
+  const key =
+    /^\[([A-Za-z]+\d{4}[a-z]?)((?:, [^\]]*?)??)((?:, [^,\]]*docs\/theorems[^\]]*)?)\]$/.exec(text);
   return key
-    ? [work(key[1]!, key[2])]
+    ? [work(key[1]!, key[2]), ...reason(key[3]!)]
     : reason(text.startsWith('[') ? text.replace(/^\[|\]$/g, '') : text);
 }
 
@@ -58,7 +60,7 @@ function node(tree: TreeNode, depth: number): HTMLElement {
       reason(tree.explanation),
     ),
     tree.citation &&
-      tree.citation !== '[elementary]' &&
+      !/^\[(elementary|src\/.*)\]$/.test(tree.citation) &&
       h('p', { class: 'hint' }, citation(tree.citation)),
   );
   if (tree.inputs.length === 0) {

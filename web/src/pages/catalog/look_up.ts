@@ -39,6 +39,13 @@ export function understand(text: string, change: number, kind: Kind): Found {
     (named[0] || bare.length <= 3) &&
     words.replace(/[\d\s(),;=]|[vk]\b|circular|linear|single|double|change|sccd|dccd|-/g, '') === ''
   ) {
+    if (Number(k) > Number(v)) {
+      return {
+        problem:
+          `A block of k = ${k} elements is more than all v = ${v}; write v first, ` +
+          `as ${k} ${v}.`,
+      };
+    }
     return {
       to: link('cell', {
         v,

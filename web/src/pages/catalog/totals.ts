@@ -12,8 +12,12 @@ export function totals(cells: readonly AtlasCell[]): HTMLElement {
   const mean =
     ratios.length > 0 ? ratios.reduce((sum, each) => sum + each, 0) / ratios.length : null;
   const facts: [string, string][] = [
-    ['cells', number(possible.length)],
-    ['with a design', number(known.length)],
+    ...(known.length === possible.length
+      ? ([['cells, all with a design', number(known.length)]] as [string, string][])
+      : ([
+          ['cells', number(possible.length)],
+          ['with a design', number(known.length)],
+        ] as [string, string][])),
     [
       'proved minimum',
       possible.length > 0

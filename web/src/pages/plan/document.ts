@@ -305,6 +305,9 @@ export function forWhatIf({ title, budget, weights, ...request }: Request): Requ
 }
 
 const labels: Record<string, string> = {
+  at_once: 'How many fit at once',
+  test_cost: 'Cost of a test',
+  change_cost: 'Cost of a change',
   never: 'Forbidden pairs',
   first: 'First tests',
   weights: 'Priorities',
@@ -319,12 +322,21 @@ const labels: Record<string, string> = {
 
 /** Which key of the document a message of the server begins with. */
 export function keyIn(message: string): string | null {
-  return /^([a-z_]+)(?=[:\s.[]|$)/.exec(message)?.[1] ?? null;
+  return /^(?:give )?([a-z_]+)(?=[:,\s.[]|$)/.exec(message)?.[1] ?? null;
 }
 
 /** The message in the words of the form. */
 export function inWords(message: string): string {
-  return message.replace(/^([a-z_]+)(?:\[(\d+)\])?:/, (all, key: string, row?: string) =>
-    labels[key] ? `${labels[key]}${row === undefined ? '' : `, row ${Number(row) + 1}`}:` : all,
-  );
+  const free = /^give at_once, .*: (.*) is in no slot$/.exec(message);
+  return free
+    ? `${free[1]} is in no slot: name its slot in the list, or write “${labels.at_once}”.`
+    : message
+        .replace(/^give ([a-z_]+)(?=,|$)/, (all, key: string) =>
+          labels[key] ? `write “${labels[key]}”` : all,
+        )
+        .replace(/^([a-z_]+)(?:\[(\d+)\])?:/, (all, key: string, row?: string) =>
+          labels[key]
+            ? `${labels[key]}${row === undefined ? '' : `, row ${Number(row) + 1}`}:`
+            : all,
+        );
 }

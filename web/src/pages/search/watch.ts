@@ -127,7 +127,8 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
       const points = (job.points ?? []).filter(
         (point, i, all) => i === 0 || point.seconds > all[i - 1]!.seconds,
       );
-      chart.element.hidden = speeds.hidden = points.length < 2;
+      // A curve of less than a second says nothing.
+      chart.element.hidden = speeds.hidden = points.length < 2 || points.at(-1)!.seconds < 1;
       if (points.length > 1) {
         chart.set(
           points.map((point) => point.seconds),
@@ -215,8 +216,8 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
       facts[3] = open
         ? ['deciding now', count(open.blocks, 'block')]
         : [
-            'decided',
-            count(job.decisions.filter(({ outcome }) => outcome !== 'unknown').length, 'number'),
+            'numbers decided',
+            number(job.decisions.filter(({ outcome }) => outcome !== 'unknown').length),
           ];
     }
     fill(

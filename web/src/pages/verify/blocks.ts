@@ -5,18 +5,7 @@ import { count, number } from '../../lib/words';
 import { virtualList } from '../../parts/virtual';
 import type { View } from '../../shell/router';
 import type { Report } from './check';
-import { setsOf } from './verdict';
-
-/** Blocks (from 0) at whose step the number of changes is wrong. */
-export function wrongSteps({ blocks: { b, change, kind, introduced } }: Report): number[] {
-  const wrong: number[] = [];
-  for (let i = kind === 'circular' ? 0 : 1; i < b; ++i) {
-    if (introduced[i] !== change) {
-      wrong.push(i);
-    }
-  }
-  return wrong;
-}
+import { setsOf, wrongSteps } from './verdict';
 
 /** What is wrong with a list too long to be shown, in words. */
 export function defects({ answer, blocks }: Report): HTMLElement {

@@ -16,7 +16,31 @@ export function setsOf(strength: number): string {
   return strength === 2 ? 'pairs' : strength === 3 ? 'triples' : 'quadruples';
 }
 
-function reasons({ answer, blocks }: Report): Child[] {
+/** Blocks (from 0) at whose step the number of changes is wrong. */
+export function wrongSteps({ blocks: { b, change, kind, introduced } }: Report): number[] {
+  const wrong: number[] = [];
+  for (let i = kind === 'circular' ? 0 : 1; i < b; ++i) {
+    if (introduced[i] !== change) {
+      wrong.push(i);
+    }
+  }
+  return wrong;
+}
+
+/** The first wrong steps: ": from block 5 to block 6". */
+function placesOf(report: Report): string[] {
+  const wrong = report.blocks.shown ? wrongSteps(report) : [];
+  const { b } = report.blocks;
+  const named = wrong
+    .slice(0, 3)
+    .map((i) => `from block ${number(i === 0 ? b : i)} to block ${number(i + 1)}`);
+  return wrong.length === 0
+    ? []
+    : [`: ${named.join(', ')}`, wrong.length > 3 ? ` and ${number(wrong.length - 3)} more` : ''];
+}
+
+function reasons(report: Report): Child[] {
+  const { answer, blocks } = report;
   const { details, verdict, bound } = answer;
   if (answer.valid) {
     const what =
@@ -46,7 +70,9 @@ function reasons({ answer, blocks }: Report): Child[] {
         'li',
         {},
         `${count(details.bad_steps, 'step')} ${details.bad_steps === 1 ? 'does' : 'do'} not ` +
-          `change exactly ${count(blocks.change, 'element')}.`,
+          `change exactly ${count(blocks.change, 'element')}`,
+        ...placesOf(report),
+        '.',
       ),
     );
   }
