@@ -10,6 +10,7 @@ import { load } from './support/source.mjs';
 const { parse, inline } = await load('lib/markdown.ts');
 const { readRange } = await load('lib/range.ts');
 const { understand } = await load('pages/catalog/look_up.ts');
+const { inWords } = await load('pages/plan/document.ts');
 const { compare } = await load('pages/catalog/cells.ts');
 const { Steps } = await load('pages/design/steps.ts');
 const { asText, asCsv } = await load('parts/downloads.ts');
@@ -147,6 +148,18 @@ test('the look-up box understands cells, labels and designs', () => {
   for (const wrong of ['', '20', 'hello', '20 5 6 7', '20 5 kangaroo']) {
     assert.ok('problem' in understand(wrong, 2, 'linear'), wrong);
   }
+  assert.match(understand('5 23', 2, 'linear').problem, /write v first, as 23 5\.$/);
+  assert.equal(to('5 5'), '#/cell?v=5&k=5&change=2&kind=circular');
+});
+
+test('messages about a job name the fields of the form', () => {
+  assert.equal(
+    inWords('give at_once, how many parts fit at once: Sensor is in no slot'),
+    'Sensor is in no slot: name its slot in the list, or write “How many fit at once”.',
+  );
+  assert.equal(inWords('give at_once, how many parts fit at once'), 'write “How many fit at once”');
+  assert.equal(inWords('parts[2]: no name'), 'Parts, row 3: no name');
+  assert.equal(inWords('other: as it is'), 'other: as it is');
 });
 
 test('what is not known is sorted behind the rest', () => {

@@ -331,9 +331,7 @@ export function inWords(message: string): string {
   return free
     ? `${free[1]} is in no slot: name its slot in the list, or write “${labels.at_once}”.`
     : message
-        .replace(/^give ([a-z_]+)(?=,|$)/, (all, key: string) =>
-          labels[key] ? `write “${labels[key]}”` : all,
-        )
+        .replace(/^give at_once, how many parts fit at once/, `write “${labels.at_once}”`)
         .replace(/^([a-z_]+)(?:\[(\d+)\])?:/, (all, key: string, row?: string) =>
           labels[key]
             ? `${labels[key]}${row === undefined ? '' : `, row ${Number(row) + 1}`}:`
