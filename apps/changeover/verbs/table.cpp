@@ -195,8 +195,8 @@ std::string latex(const Cells& cells, const Table& shown,
   }
   return fmt::format(
       "% \\usepackage{{booktabs,longtable}}; BibTeX of what is cited:\n{}{}\n"
-      "\\noindent The fewest blocks known of {} {} covering designs. Bold: the minimum. An index "
-      "is the lower bound; --: no design exists. Made by: {}.\n",
+      "{{\\sloppy\\noindent The fewest blocks known of {} {} covering designs. Bold: the minimum. "
+      "An index is the lower bound; --: no design exists. Made by: {}.\\par}}\n",
       bibtex, table_latex(shown), to_string(p.kind), change_name(p.change), made);
 }
 

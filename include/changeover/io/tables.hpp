@@ -102,8 +102,9 @@ void write_table(const Design& design, Sink& sink, const TableOptions& options =
 // are columns; rows are those of aligned_rows(), so an element keeps its row while it stays. $^*$
 // marks an introduced element and $_*$ a leaving one; $_{\land}$ is in the last row between blocks
 // i and i+1 for each position i of an expansion set. Long designs go on in bands below each other,
-// separated by \hline. Labels such as ∞_s and 0_l become $\infty_{s}$ and $0_{l}$. No package is
-// needed; a label with other letters than ASCII needs an engine or an encoding that knows them.
+// separated by \hline; what is longer than a page is a longtable (package longtable), otherwise no
+// package is needed. Labels such as ∞_s and 0_l become $\infty_{s}$ and $0_{l}$; one with other
+// letters than ASCII needs an engine or an encoding that knows them.
 
 struct LatexOptions {
   std::size_t columns = 12;  ///< blocks in a band, at least 1

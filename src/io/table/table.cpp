@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 #include <memory>
+#include <numeric>
+#include <utility>
 
 #include "changeover/io/tables.hpp"
 #include "io/scan/row_reader.hpp"
@@ -181,9 +183,39 @@ std::string table_markdown(const Table& table) {
   return text;
 }
 
-std::string table_latex(const Table& table) {
+namespace {
+
+// How wide LaTeX is set, in digits. Signs above and below each other share their place.
+double latex_digits(std::string_view latex) {
+  constexpr double index = 0.75;
+  double digits = 0;
+  double aside = 0;  // signs above and below what was set last
+  for (std::size_t i = 0; i < latex.size(); ++i) {
+    const char sign = latex[i];
+    if (sign == '^' || sign == '_') {
+      const std::string_view rest = latex.substr(i + 1);
+      const std::size_t length = rest.starts_with('{') ? std::min(rest.find('}'), rest.size()) : 1;
+      aside = std::max(aside, index * latex_digits(rest.substr(0, length)));
+      i += length;
+      continue;
+    }
+    digits += std::exchange(aside, 0);
+    if (sign == '\\') {
+      while (i + 1 < latex.size() && std::isalpha(static_cast<unsigned char>(latex[i + 1])) != 0) {
+        ++i;
+      }
+      digits += i + 1 < latex.size() && latex[i + 1] == '{' ? 0 : 1.5;
+    } else if (sign == '=') {
+      digits += 2.5;  // with the space around it
+    } else if (sign != '{' && sign != '}' && sign != '$') {
+      digits += 1;
+    }
+  }
+  return digits + aside;
+}
+
+std::string columns_latex(const Table& table, const std::vector<const TableColumn*>& columns) {
   constexpr std::size_t most_on_a_page = 40;
-  const std::vector<const TableColumn*> columns = columns_in(table, in_latex);
   const std::string environment = table.rows > most_on_a_page ? "longtable" : "tabular";
   std::string text = "\\begin{" + environment + "}{";
   for (const TableColumn* column : columns) {
@@ -207,6 +239,41 @@ std::string table_latex(const Table& table) {
         text += row_of(cells, "", " & ", " \\\\\n") + std::exchange(rule, "");
       });
   return text + "\\bottomrule\n\\end{" + environment + "}\n";
+}
+
+}  // namespace
+
+std::string table_latex(const Table& table) {
+  // Points of the class article: its line, a digit, and what stands between columns; then small.
+  constexpr double line = 345;
+  constexpr double digit = 5;
+  constexpr double between = 12;
+  constexpr double small_digit = 4.6;
+  constexpr double small_between = 6;
+  const std::vector<const TableColumn*> columns = columns_in(table, in_latex);
+  std::vector<double> digits;
+  for (const TableColumn* column : columns) {
+    digits.push_back(latex_digits(head_line(*column, in_latex)));
+    for (std::size_t row = 0; row < table.rows; ++row) {
+      digits.back() = std::max(digits.back(), latex_digits(joined(column->cell(row).words)));
+    }
+  }
+  const auto all = std::accumulate(digits.begin(), digits.end(), 0.0);
+  if (digit * all + between * static_cast<double>(columns.size()) <= line) {
+    return columns_latex(table, columns);
+  }
+  // Small, and in as many tables as needed; each begins with the first column.
+  std::string text = "\\begingroup\n\\small\\setlength{\\tabcolsep}{3pt}\n";
+  for (std::size_t next = 1; next < columns.size();) {
+    std::vector<const TableColumn*> some{columns.front()};
+    double width = small_digit * digits.front() + small_between;
+    do {
+      width += small_digit * digits[next] + small_between;
+      some.push_back(columns[next++]);
+    } while (next < columns.size() && width + small_digit * digits[next] + small_between <= line);
+    text += columns_latex(table, some) + (next < columns.size() ? "\n\\bigskip\n\n" : "");
+  }
+  return text + "\\endgroup\n";
 }
 
 std::string table_html(const Table& table) {

@@ -50,6 +50,45 @@ std::string default_caption(const Design& design) {
   return "A " + latex_escaped(name);
 }
 
+// What stands around the columns, and ends a line of them: a table that floats, or one that goes on
+// over pages; small where 12 columns would be wider than a page of the class article.
+struct Place {
+  std::string begin;
+  std::string end_of_line;
+  std::string before_caption;
+  std::string end;
+};
+
+Place place_of(const Design& design, const LatexOptions& options, std::size_t blocks,
+               std::size_t band) {
+  constexpr std::size_t most_lines_of_a_float = 48;
+  constexpr double line_width = 345;  // points, of that class, and so are those of letters
+  constexpr double letter = 5;
+  constexpr double small_letter = 4;  // of an index
+  constexpr double between = 12;
+  std::size_t longest = 0;
+  for (Element x = 0; x < design.parameters().v; ++x) {
+    longest = std::max(longest, design.label(x).size());
+  }
+  const std::size_t name = blocks == 0 ? 0 : block_name(options.names, blocks - 1).size();
+  const double column = std::max(letter * (static_cast<double>(longest) + 1),
+                                 letter * 1.5 + small_letter * static_cast<double>(name)) +
+                        between;
+  const bool wide = column * static_cast<double>(band) > line_width;
+  const std::string narrow = wide ? "\\small\\setlength{\\tabcolsep}{3pt}\n" : "";
+  const std::size_t bands = (blocks + band - 1) / band;
+  if (bands * (design.parameters().k + 1) <= most_lines_of_a_float) {
+    return {.begin = "\\begin{table}[ht!]\n\\centering\n" + narrow + "\\begin{tabular}{",
+            .end_of_line = " \\\\\n",
+            .before_caption = "\n\\end{tabular}\n",
+            .end = "\\end{table}\n"};
+  }
+  return {.begin = "% \\usepackage{longtable}\n\\begingroup\n" + narrow + "\\begin{longtable}{",
+          .end_of_line = " \\\\*\n",  // a page does not end within a band
+          .before_caption = " \\\\\n",
+          .end = "\\end{longtable}\n\\endgroup\n"};
+}
+
 }  // namespace
 
 std::string latex_escaped(std::string_view text) {
@@ -127,7 +166,8 @@ void write_latex(const Design& design, Sink& sink, const LatexOptions& options) 
   const std::size_t band = std::max<std::size_t>(
       1, std::min<std::size_t>(options.columns, std::max<std::size_t>(1, blocks.size())));
 
-  std::string text = "\\begin{table}[ht!]\n\\centering\n\\begin{tabular}{";
+  const Place place = place_of(design, options, blocks.size(), band);
+  std::string text = place.begin;
   if (marks) {
     text += "c@{}";
   }
@@ -151,7 +191,7 @@ void write_latex(const Design& design, Sink& sink, const LatexOptions& options) 
           text += last && positions.contains(i + 1) ? " & $_{\\land}$" : " &";
         }
       }
-      text += last ? "" : " \\\\\n";
+      text += last ? "" : place.end_of_line;
     };
     row([&](std::size_t i) { return "$B_{" + block_name(options.names, i) + "}$"; }, false);
     const std::size_t k = blocks[start].size();
@@ -167,15 +207,15 @@ void write_latex(const Design& design, Sink& sink, const LatexOptions& options) 
     sink.write(text);
     text.clear();
   }
-  text += "\n\\end{tabular}\n";
   const std::string caption = options.caption.value_or(default_caption(design));
+  text += place.before_caption;
   if (!caption.empty()) {
     text += "\\caption{" + caption + "}\n";
   }
   if (!options.label.empty()) {
     text += "\\label{" + options.label + "}\n";
   }
-  text += "\\end{table}\n";
+  text += place.end;
   sink.write(text);
 }
 

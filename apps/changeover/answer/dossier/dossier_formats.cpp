@@ -188,13 +188,21 @@ class Latex final : public Form {
       text += sink.text();
       return;
     }
-    text += fmt::format(
-        "\\begin{{multicols}}{{{}}}\\scriptsize\n\\begin{{verbatim}}\n{}\\end{{verbatim}}\n"
-        "\\end{{multicols}}\n",
-        dossier.parameters.k > 16  ? 1
-        : dossier.parameters.k > 8 ? 2
-                                   : 4,
-        lines_of(*dossier.design));
+    // Letters of a line, and columns that fit; lines of more than that are set smaller.
+    constexpr std::size_t line = 108;
+    const std::string lines = lines_of(*dossier.design);
+    std::size_t longest = 0;
+    for (std::size_t start = 0; start < lines.size();) {
+      const std::size_t end = lines.find('\n', start);
+      longest = std::max(longest, end - start);
+      start = end + 1;
+    }
+    const std::size_t columns = std::clamp<std::size_t>(line / (longest + 3), 1, 6);
+    const std::string size = longest > line ? "\\tiny" : "\\scriptsize";
+    const std::string verbatim = "\\begin{verbatim}\n" + lines + "\\end{verbatim}\n";
+    text += columns == 1 ? fmt::format("{{{}\n{}}}\n", size, verbatim)
+                         : fmt::format("\\begin{{multicols}}{{{}}}{}\n{}\\end{{multicols}}\n",
+                                       columns, size, verbatim);
   }
   void picture(const Dossier& dossier) override {
     text += fmt::format(
@@ -351,6 +359,14 @@ class Html final : public Form {
 }  // namespace
 
 std::string dossier_latex(const Dossier& dossier) {
+  // Each table and picture stands below its heading.
+  constexpr std::string_view in_place =
+      "\\makeatletter\n"
+      "\\newenvironment{inplace}[1]{\\par\\medskip\\noindent\\begin{minipage}{\\linewidth}"
+      "\\def\\@captype{#1}}{\\end{minipage}\\par\\medskip}\n"
+      "\\renewenvironment{table}[1][]{\\inplace{table}}{\\endinplace}\n"
+      "\\renewenvironment{figure}[1][]{\\inplace{figure}}{\\endinplace}\n"
+      "\\makeatother\n";
   Latex form(dossier);
   write(dossier, form);
   const std::string file = Latex::bibliography(dossier);
@@ -359,10 +375,11 @@ std::string dossier_latex(const Dossier& dossier) {
       "\\begin{{filecontents*}}[overwrite]{{{}.bib}}\n{}\\end{{filecontents*}}\n"
       "\\documentclass{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage[T1]{{fontenc}}\n"
       "\\IfFileExists{{lmodern.sty}}{{\\usepackage{{lmodern}}}}{{}}\n\\usepackage{{tikz}}\n"
-      "\\usepackage{{multicol}}\n\\usepackage[margin=25mm]{{geometry}}\n"
+      "\\usepackage{{longtable}}\n\\usepackage{{multicol}}\n\\usepackage[margin=25mm]{{geometry}}\n"
+      "{}"
       "\\title{{{}}}\n\\author{{}}\n\\date{{}}\n\\sloppy\n\\begin{{document}}\n\\maketitle\n\n"
       "{}\n\\end{{document}}\n",
-      file, dossier.bibtex, latex_prose("A " + title_of(dossier)), form.text);
+      file, dossier.bibtex, in_place, latex_prose("A " + title_of(dossier)), form.text);
 }
 
 std::string dossier_markdown(const Dossier& dossier) {
