@@ -52,6 +52,13 @@ inline std::uint64_t earliest_end(const Job& job, const std::vector<Bench>& benc
                     benches[b].at_once.value_or(job.at_once) &&
                 (setup & mask_of(mounted)) == mask_of(mounted) &&
                 (setup & mask_of(benches[b].without)) == 0;
+    for (std::uint32_t s = 0; s < job.slots.size(); ++s) {
+      std::uint64_t there = 0;
+      for (std::size_t x = 0; x < v; ++x) {
+        there += (setup >> x & 1U) != 0 && job.slot_of[x] == s ? 1U : 0U;
+      }
+      fits = fits && job.slots[s].least <= there && there <= job.slots[s].most;
+    }
     job.never.for_each(1000, [&](Element x, Element y) {
       fits = fits && ((setup >> x & 1U) == 0 || (setup >> y & 1U) == 0);
     });

@@ -16,6 +16,7 @@
 #include "plan/job/pair_numbers.hpp"
 #include "plan/job/prices.hpp"
 #include "plan/job/setup_list.hpp"
+#include "plan/search/benches/benches_at_work.hpp"
 #include "plan/search/bounds/dearest_parts.hpp"
 #include "plan/search/bounds/job_numbers.hpp"
 #include "plan/search/valid_job.hpp"
@@ -284,6 +285,16 @@ class BenchBounder {
     }
   }
 
+  // Benches that take turns, one of which works longer a day, may do more than the best ones alone
+  // if their ratios differ.
+  void make_ratios_equal() {
+    const Ratio least =
+        *std::min_element(ratios_.begin(), ratios_.end(), [](const Ratio& a, const Ratio& b) {
+          return Huge{a.over} * b.under < Huge{b.over} * a.under;
+        });
+    std::fill(ratios_.begin(), ratios_.end(), least);
+  }
+
   // A lower bound on what a bench can do by this time, at the least costs, besides its first
   // set-ups.
   [[nodiscard]] std::uint64_t can_do(std::size_t w, std::uint64_t time) const {
@@ -318,8 +329,10 @@ class BenchBounder {
   // (1) and (2).
   void bound_shared() {
     const std::uint64_t benches = field_->size();
-    std::string why;
-    const std::uint64_t together = most_at_a_time(why);
+    const auto [together, why] = most_at_a_time(*field_, easiest_);
+    if (together < benches && field_->rules()) {
+      make_ratios_equal();
+    }
     std::optional<Amount> least;
     std::uint64_t used = 1;
     Amount cost;
@@ -344,38 +357,12 @@ class BenchBounder {
     }
     raise(least.value_or(Amount{}), [&] {
       const std::string each =
-          benches == 1
-              ? "every plan costs so much"
-              : fmt::format("{} together cost at least {}",
-                            count_of(used, "list of tests", "lists of tests"), to_string(cost));
-      return together < used ? fmt::format("{}, and {}", each, why) : each;
+          benches == 1 ? "every plan costs so much"
+          : used == 1
+              ? "a list of tests costs at least " + to_string(cost)
+              : fmt::format("{} lists of tests together cost at least {}", used, to_string(cost));
+      return together <= used && together < benches ? fmt::format("{}, and {}", each, why) : each;
     });
-  }
-
-  // The number of benches that can work at a time.
-  [[nodiscard]] std::uint64_t most_at_a_time(std::string& why) const {
-    std::uint64_t most = field_->size();
-    for (const Element m : easiest_.mounted) {
-      if (field_->most_holders(m) < most) {
-        most = field_->most_holders(m);
-        why = fmt::format("only {} can have {} at a time, which stays mounted",
-                          count_of(most, "bench", "benches"), field_->asked().names[m]);
-      }
-    }
-    for (std::uint32_t s = 0; s < easiest_.slots.size(); ++s) {
-      const Slot& slot = easiest_.slots[s];
-      std::uint64_t there = 0;
-      for (Element x = 0; x < easiest_.parts(); ++x) {
-        there += easiest_.slot_of[x] == s ? field_->most_holders(x) : 0;
-      }
-      if (slot.least > 0 && there / slot.least < most) {
-        most = there / slot.least;
-        why = fmt::format("only {} can work at a time, since slot {} needs {} and there {} {}",
-                          count_of(most, "bench", "benches"), slot.name,
-                          count_of(slot.least, "part"), there == 1 ? "is" : "are", there);
-      }
-    }
-    return std::max<std::uint64_t>(most, 1);
   }
 
   // (3)

@@ -13,9 +13,11 @@
 // to these.
 //   (1) *Shared.* For some n, the n most productive benches do b_n: Σ (u_w(M) − first_w) / φ_w ≥
 //   b_n.
-//   (2) *Side by side.* If each set-up has at least l of some parts of which benches can hold h at
-//   a
-//       time, at most ⌊h/l⌋ benches work at a time, and ⌊h/l⌋ of them would have to do everything.
+//   (2) *Side by side.* n benches at work have n different set-ups mounted, and a part is in at
+//   most
+//       min(h, n) of them if benches can hold h of it at a time. If each set-up has at least l of
+//       some parts, Σ min(h, n) ≥ n·l over these. The n benches of the largest such n would have to
+//       do everything, each with the least φ if benches rest.
 //   (3) *A scarce part.* A part that must meet d others is in at least ⌈d/(K−1)⌉ tests. In each of
 //   s
 //       stays it meets up to K−1 others that are there when it comes; the others are put in while

@@ -302,6 +302,76 @@ TEST(BenchStock, WhatWouldBlockBothIsGivenUp) {
   expect_sound(job, plan, "both blocked");
 }
 
+TEST(BenchStock, NoBoundOfTinyJobsWithSlotsIsAboveTheEarliestEnd) {
+  int taking_turns = 0;
+  int exact = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    Random random(seed, 31);
+    Job job = test::random_job_with_slots(seed, 4);
+    job.first.clear();
+    job.test_cost = units(1 + random.below(3));
+    for (Element x = 0; x < job.parts(); ++x) {
+      job.change_costs[x] = units(random.below(4));
+      job.quantities.push_back(random.one_in_two() ? 1 : enough_for_all);
+    }
+    std::vector<Bench> benches(2);
+    if (random.one_in_two()) {
+      benches[0].test_cost = units(1 + random.below(3));
+      benches[1].change_factor = units(1 + random.below(2));
+    }
+    if (!bench_defects(job, benches).empty()) {
+      continue;
+    }
+    RunControl control({.threads = 1});
+    const RunScope scope(control);
+    const BenchBounds bounds = bench_bounds(BenchField(job, benches));
+    const std::uint64_t end = test::earliest_end(job, benches) * 1'000'000;
+    EXPECT_LE(bounds.makespan.millionths, end) << seed << ": " << bounds.makespan_reason;
+    if (bounds.makespan_reason.find("can work at a time") != std::string::npos) {
+      ++taking_turns;
+      exact += bounds.makespan.millionths == end ? 1 : 0;
+    }
+  }
+  EXPECT_GT(taking_turns, 3);
+  EXPECT_GT(exact, 1);
+}
+
+TEST(BenchStock, OneOfTwoPartsThatAllNeedLeavesOneBenchAtWork) {
+  Job job = make_job(6, 3, units(2), units(1));
+  job.slots = {{"CPU", 2, 2}, {"", 1, 1}};
+  job.slot_of = {0, 0, 1, 1, 1, 1};
+  job.quantities = {
+      1, enough_for_all, enough_for_all, enough_for_all, enough_for_all, enough_for_all};
+  job.needed = all_pairs_but(job.never);
+  drop_needed(job, cannot_meet(job));
+  const BenchPlan plan = planned(job, std::vector<Bench>(3));
+  EXPECT_EQ(plan.makespan, units(14));
+  EXPECT_EQ(plan.makespan_bound, plan.makespan);
+  EXPECT_THAT(plan.makespan_reason,
+              HasSubstr("only 1 bench can work at a time: slot CPU needs 2 parts on each, no two "
+                        "alike, and 2 benches could have only 3"));
+}
+
+// One bench at a time: North is fast and rests from noon on, South slower and goes on.
+TEST(BenchStock, BenchesThatTakeTurnsDoMoreThanTheBestAlone) {
+  Job job = make_job(4, 2, units(2), Amount{});
+  job.mounted = {0};
+  job.quantities = {1, enough_for_all, enough_for_all, enough_for_all};
+  job.needed = PairSet(4);
+  for (Element x = 1; x < 4; ++x) {
+    job.needed.insert(0, x);
+  }
+  std::vector<Bench> benches(2);
+  benches[0].hours = units(4);
+  benches[1].hours = units(8);
+  benches[1].test_cost = units(4);
+  BenchField field(job, benches);
+  RunControl control({.threads = 1});
+  const RunScope scope(control);
+  EXPECT_LE(bench_bounds(field).makespan, units(8));
+  EXPECT_EQ(planned(job, benches).makespan, units(8));
+}
+
 TEST(BenchStock, AnUnsharedStockIsNoStock) {
   for (const std::uint64_t quantity : {std::uint64_t{3}, enough_for_all}) {
     Job job = make_job(9, 3, units(1), units(5));
