@@ -32,7 +32,8 @@ class WorkStep(NamedTuple):
     of `evict` leave memory, except the last `late` of them; `store` names the evicted items that
     have changed and are written back before; the items of `load` are loaded; `pairs` are computed.
     With prefetch the next loads begin then, `overlap` is computed while they run, and the late
-    items of the next step leave when it is over."""
+    items of the next step leave when it is over. With two levels `fast_evict` leave the accelerator
+    first, and `fast_load` are transferred to it before `pairs` are computed there."""
 
     number: int
     worker: int
@@ -43,6 +44,8 @@ class WorkStep(NamedTuple):
     overlap: List[Tuple[int, int]]
     late: int
     epoch: int
+    fast_evict: List[int] = []
+    fast_load: List[int] = []
 
 
 class _Recorded:
@@ -89,7 +92,7 @@ class _Recorded:
             yield (step["step"], step.get("worker", 0), first + late, step["load"],
                    step.get("store", []), [tuple(pair) for pair in pairs],
                    [tuple(pair) for pair in step.get("compute", [])], len(late),
-                   step.get("epoch", 1))
+                   step.get("epoch", 1), step.get("fast_evict", []), step.get("fast_load", []))
 
 
 def _made_again(kind: Any, state: bytes, checksum: int) -> Any:
@@ -111,6 +114,12 @@ def _made_again(kind: Any, state: bytes, checksum: int) -> Any:
 
 class _Loads(Made):
     """Shared by both kinds."""
+
+    fast_room: Optional[int] = fact("Of two levels: the most items on the accelerator.")
+    transfers: Optional[int] = fact("To the accelerator, of all workers together.")
+    transfer_bound: Optional[int] = fact("No order transfers fewer items.")
+    bytes_transferred: Optional[int] = fact("If items have sizes.")
+    transfer_bytes_bound: Optional[int] = fact("No order transfers fewer bytes.")
 
     def to_json(self) -> str:
         """changeover-loads/1: an object for the order, then one for each step, one per line."""
@@ -370,6 +379,7 @@ def load_order(
     prefetch: bool = False, ordered: bool = False, with_self: bool = False, shuffle: bool = False,
     first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
     epochs: int = 1, spread: bool = False, sizes: Any = None, memory: Optional[int] = None,
+    fast_room: Optional[int] = None, fast_memory: Optional[int] = None,
     time: Optional[float] = None, threads: int = 1, seed: int = 1, progress: Progress = None,
 ) -> LoadOrder: ...
 @overload
@@ -382,6 +392,7 @@ def load_order(
     prefetch: bool = False, ordered: bool = False, with_self: bool = False, shuffle: bool = False,
     first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
     epochs: int = 1, spread: bool = False, sizes: Any = None, memory: Optional[int] = None,
+    fast_room: Optional[int] = None, fast_memory: Optional[int] = None,
     time: Optional[float] = None, threads: int = 1, seed: int = 1, progress: Progress = None,
 ) -> WorkerLoads: ...
 
@@ -394,6 +405,7 @@ def load_order(
     ordered: bool = False, with_self: bool = False, shuffle: bool = False,
     first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
     epochs: int = 1, spread: bool = False, sizes: Any = None, memory: Optional[int] = None,
+    fast_room: Optional[int] = None, fast_memory: Optional[int] = None,
     time: Optional[float] = None, threads: int = 1, seed: int = 1, progress: Progress = None,
 ) -> Union[LoadOrder, WorkerLoads]:
     """Returns a load order with room for `room` items, after which every pair of `items` items has
@@ -419,7 +431,8 @@ def load_order(
     steps that have it, balanced over the steps, by seed.
 
     sizes, instead of room: the bytes of the items, in turn or as a mapping from item to bytes;
-    `memory` bytes are held at a time, by each worker. verify_beside: return before the steps are
+    `memory` bytes are held at a time, by each worker. fast_room, or with sizes fast_memory in bytes:
+    so much of it is on an accelerator, where pairs must be together. verify_beside: return before the steps are
     verified; verified() waits for that. Raises BadInput, ImpossibleParameters.
     """
     if sum(each is not None for each in (pairs, groups, against, done_items)) > 1:
@@ -432,7 +445,8 @@ def load_order(
         raise ValueError("time is a number of seconds, 0 or more")
     asked: Dict[str, Any] = {"items": items, "room": room, "against": against,
                              "done_items": done_items, "workers": workers,
-                             "epochs": None if epochs == 1 else epochs, "memory": memory}
+                             "epochs": None if epochs == 1 else epochs, "memory": memory,
+                             "fast_room": fast_room, "fast_memory": fast_memory}
     asked.update({key: True for key, given in (
         ("disjoint", disjoint), ("write_back", write_back), ("new_pairs", new_pairs),
         ("prefetch", prefetch), ("ordered", ordered), ("self", with_self), ("shuffle", shuffle),

@@ -76,12 +76,12 @@ py::tuple next_work(Work& self) {
 // Steps with all that was asked for.
 struct FullSteps : Work {};
 
-// (number, worker, evict, load, store, pairs, overlap, late, epoch)
+// (number, worker, evict, load, store, pairs, overlap, late, epoch, fast_evict, fast_load)
 py::tuple next_full(FullSteps& self) {
   const Step step = next_of(self);
   return py::make_tuple(step.number, step.worker, py::cast(step.evict), py::cast(step.load),
                         py::cast(step.store), py::cast(step.compute), py::cast(step.overlap),
-                        step.late, step.epoch);
+                        step.late, step.epoch, py::cast(step.fast_evict), py::cast(step.fast_load));
 }
 
 // Reads all steps on a thread of its own; destroying it stops that.
@@ -275,6 +275,20 @@ py::bytes shapes_of(const Loads& loads) {
   return {reinterpret_cast<const char*>(shapes.data()), shapes.size() * sizeof(shapes[0])};
 }
 
+// Of two levels.
+void add_transfers(py::dict& said, const LoadOrderFacts& whole, std::uint64_t transfers) {
+  const bool fast = whole.fast_room.has_value();
+  const bool weighed = fast && whole.sizes;
+  const auto given = [](bool is_given, std::uint64_t count) {
+    return is_given ? std::optional(count) : std::nullopt;
+  };
+  said["fast_room"] = whole.fast_room;
+  said["transfers"] = given(fast, transfers);
+  said["transfer_bound"] = given(fast, whole.transfer_bound.loads);
+  said["bytes_transferred"] = given(weighed, whole.transfer_bytes);
+  said["transfer_bytes_bound"] = given(weighed, whole.transfer_byte_bound.loads);
+}
+
 // What both kinds of facts say.
 template <typename Facts>
 py::dict facts_in(const Facts& facts, const Loads& loads) {
@@ -299,6 +313,7 @@ void add_bytes(py::dict& said, const std::optional<std::vector<std::uint64_t>>& 
 py::dict facts_of(const LoadOrder& order, const Loads& loads) {
   const LoadOrderFacts& facts = order.facts();
   py::dict said = facts_in(facts, loads);
+  add_transfers(said, facts, facts.transfers);
   said["method"] = facts.method;
   if (facts.lockstep == 0) {
     said["steps"] = facts.steps;
@@ -340,6 +355,7 @@ py::dict facts_of(const Loads& loads) {
     costs.append(worker.cost);
   }
   py::dict said = facts_in(facts, loads);
+  add_transfers(said, loads.split().order().facts(), facts.transfers);
   said["method"] = loads.split().order().facts().method;
   said["worker_loads"] = of_workers;
   said["makespan"] = facts.makespan;

@@ -326,9 +326,57 @@ class Sizes(unittest.TestCase):
             self.assertEqual((loaded, sorted(pairs)), (order.bytes, sorted(wanted)))
         self.assertIsNone(changeover.load_order(12, 4, workers=2).worker_bytes)
 
+    def test_two_levels(self):
+        """Both levels are replayed, with items of one size and of several, for workers and epochs.
+        """
+        sizes = [1 + i * i % 13 for i in range(14)]
+        ones = [1] * 14
+        bytes_at_once = {"sizes": sizes, "memory": 50, "fast_memory": 30}
+        for more, size, memory, fast in (
+            ({"room": 7, "fast_room": 4}, ones, 7, 4),
+            ({"room": 7, "fast_room": 4, "workers": 3}, ones, 7, 4),
+            ({"room": 7, "fast_room": 4, "workers": 2, "epochs": 3}, ones, 7, 4),
+            ({"room": 7, "fast_room": 4, "against": 5}, [1] * 19, 7, 4),
+            (bytes_at_once, sizes, 50, 30),
+            ({**bytes_at_once, "workers": 3}, sizes, 50, 30),
+            ({**bytes_at_once, "epochs": 2}, sizes, 50, 30),
+        ):
+            order = changeover.load_order(14, new_pairs=True, **more)
+            workers = more.get("workers")
+            pairs, transfers, transferred = [], 0, 0
+            for work in [order.work()] if workers is None else map(order.work, range(workers)):
+                held, there = set(), set()
+                for step in work:
+                    self.assertLessEqual(set(step.fast_evict), there)
+                    there -= set(step.fast_evict)
+                    self.assertFalse(set(step.evict) & there)
+                    held = held - set(step.evict) | set(step.load)
+                    self.assertLessEqual(set(step.fast_load), held - there)
+                    there |= set(step.fast_load)
+                    self.assertLessEqual(sum(size[x] for x in held), memory)
+                    self.assertLessEqual(sum(size[x] for x in there), fast)
+                    self.assertTrue(all(set(pair) <= there for pair in step.pairs))
+                    pairs += [(step.epoch, *pair) for pair in step.pairs]
+                    transfers += len(step.fast_load)
+                    transferred += sum(size[x] for x in step.fast_load)
+            wanted = 14 * 5 if "against" in more else 91
+            self.assertEqual(len(set(pairs)), len(pairs))
+            self.assertEqual(len(pairs), wanted * more.get("epochs", 1))
+            self.assertEqual(transfers, order.transfers)
+            self.assertGreaterEqual(order.transfers, order.transfer_bound)
+            if "sizes" in more:
+                self.assertEqual(transferred, order.bytes_transferred)
+                self.assertGreaterEqual(transferred, order.transfer_bytes_bound)
+            again = pickle.loads(pickle.dumps(order))
+            self.assertEqual(again.to_json(), order.to_json())
+        self.assertIsNone(changeover.load_order(6, 3).transfers)
+
     def test_what_does_not_fit_is_refused(self):
         for more, why in (
             ({"sizes": [3, 6], "memory": 8}, "9 bytes together"),
+            ({"sizes": [3, 6], "memory": 9, "fast_memory": 10}, "fast_memory 10: of memory 9"),
+            ({"sizes": [3, 6], "memory": 9, "fast_memory": 8}, "the accelerator"),
+            ({"sizes": [3, 6], "memory": 9, "fast_room": 2}, "fast_memory"),
             ({"sizes": [3, 6]}, "memory"),
             ({"sizes": [3, 0.5], "memory": 9}, "whole number of bytes"),
             ({}, "give items"),

@@ -413,6 +413,7 @@ def check_loads(server, count):
     # What chance may pass over.
     together = [
         {"fast_room": 2, "item_bytes": 8},
+        {"fast_room": 3, "workers": 2, "epochs": 2},
         {"workers": 3, "disjoint": True},
         {"workers": 3, "worker": 2},
         {"workers": 3, "pair_cost": [[0, 1, 2.5]]},
@@ -486,7 +487,7 @@ def check_loads(server, count):
         by_server = server.post("api/loadorder", body)
         for_all = not set(ask) - {
             "items", "room", "pairs", "groups", "against", "done_items", "workers", "balance",
-            "first_holder", "epochs", "sizes", "memory",
+            "first_holder", "epochs", "sizes", "memory", "fast_room", "fast_memory",
         }
         if for_all and (by_line.returncode == 0) != ("error" not in by_server):
             fault(
@@ -496,7 +497,7 @@ def check_loads(server, count):
             set(ask)
             - {
                 "items", "room", "pairs", "groups", "against", "done_items", "workers", "prefetch",
-                "balance", "first_holder", "epochs", "sizes", "memory",
+                "balance", "first_holder", "epochs", "sizes", "memory", "fast_room", "fast_memory",
             }
             and "error" not in by_server
         ):
@@ -509,7 +510,7 @@ def check_loads(server, count):
                 break
         of_python = (
             not set(ask)
-            & {"fast_room", "fast_memory", "item_bytes", "worker", "from_step", "balance"}
+            & {"item_bytes", "worker", "from_step", "balance"}
             and ask.get("pairs") not in pairs[1:]
             and ask.get("groups") not in groups[1:]
         )

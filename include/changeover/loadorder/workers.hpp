@@ -205,6 +205,11 @@ class WorkerSplit {
                                            std::uint64_t fast_room, std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
 
+/// The same for items of different sizes (ItemSizes::fast_memory), whose order is always cut.
+[[nodiscard]] WorkerSplit split_two_levels(std::shared_ptr<const ItemSizes> sizes,
+                                           const WantedPairs& wanted, std::uint64_t workers,
+                                           const LoadOrderOptions& options = {});
+
 /// Repeats the shares of one epoch. Each worker goes through its share forward and backward in turn
 /// (loadorder/load_order.hpp), keeps its memory between epochs, and computes the same pairs in
 /// each. Verified as far as the pairs of all epochs can be tracked at once. Above 5,000 items,
@@ -253,6 +258,14 @@ class WorkerSplit {
 [[nodiscard]] LoadOrder plan_disjoint_order(const WantedPairs& wanted, std::uint64_t room,
                                             std::uint64_t workers,
                                             const LoadOrderOptions& options = {});
+
+/// The same at two levels (loadorder/load_order.hpp), each worker with an accelerator of its own:
+/// an order as above, of items in groups, and after each of its steps what groups meet for the
+/// first time is done on the accelerators, in several steps. Verified. @throws as
+/// plan_disjoint_order() and plan_two_levels()
+[[nodiscard]] LoadOrder plan_disjoint_levels(const WantedPairs& wanted, std::uint64_t room,
+                                             std::uint64_t fast_room, std::uint64_t workers,
+                                             const LoadOrderOptions& options = {});
 
 /// For items of different sizes (loadorder/load_order.hpp), whose bytes are counted: the span in
 /// bytes is as small as we know how. Items are packed into groups, of which some fit at each

@@ -291,8 +291,7 @@ std::vector<Move> best_moves(LoadOrderFacts& facts, bool searched,
   facts.method = best_batch == 0 ? "cache" : "batches";
   facts.explanation =
       best_batch == 0
-          ? "An order for the accelerator alone; what leaves it stays in memory, from which goes "
-            "what is needed last."
+          ? std::string(by_a_cache)
           : fmt::format(
                 "An order for memory with {} less; what its next loads bring together is "
                 "done on the accelerator before anything goes.",
@@ -332,14 +331,7 @@ std::vector<Move> listed_levels_of(const std::vector<ItemPair>& pairs, std::uint
   facts.bound = load_lower_bound(facts.wanted, room);
   facts.transfer_bound = load_lower_bound(facts.wanted, fast_room);
   std::vector<Move> moves = best_moves(facts, searched, options);
-  for (Move& move : moves) {
-    for (std::vector<Element>* const list :
-         {&move.evict, &move.load, &move.fast_evict, &move.fast_load}) {
-      for (Element& x : *list) {
-        x = items[x];
-      }
-    }
-  }
+  give_names(moves, items);
   return moves;
 }
 

@@ -90,8 +90,7 @@ WantedPairs as_list(const WantedPairs& wanted) {
   }
   if (wanted.count() > most_pairs) {
     throw ImpossibleParameters(fmt::format(
-        "{} are {} pairs; at two levels, and for disjoint workers, at most {}; group items into "
-        "larger ones",
+        "{} are {} pairs; for disjoint workers at most {}; group items into larger ones",
         wanted.describe(), wanted.count(), most_pairs));
   }
   const auto items = static_cast<Element>(wanted.items());

@@ -36,4 +36,9 @@ std::string pairs_read(const ScheduleVerdict& verdict, std::uint64_t all,
                                  : fmt::format("all {} met{}", pairs, where);
 }
 
+std::string levels_read(const ScheduleVerdict& verdict, std::uint64_t all, bool by_bytes) {
+  return fmt::format("every step read: {} at both levels, {}", by_bytes ? "bytes" : "room",
+                     pairs_read(verdict, all, " on the accelerator"));
+}
+
 }  // namespace changeover

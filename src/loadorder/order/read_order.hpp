@@ -20,4 +20,8 @@ inline constexpr std::uint64_t most_loads_read = 200'000'000;
 [[nodiscard]] std::string pairs_read(const ScheduleVerdict& verdict, std::uint64_t all,
                                      const std::string& where = "");
 
+/// The certificate of two levels, whose room is counted in items or in bytes.
+[[nodiscard]] std::string levels_read(const ScheduleVerdict& verdict, std::uint64_t all,
+                                      bool by_bytes);
+
 }  // namespace changeover

@@ -23,8 +23,6 @@ using R = LoadRequest;
 
 constexpr std::string_view of_pages =
     "its answer is what the page draws: one order, or those of workers who share all items";
-constexpr std::string_view of_executor =
-    "there all_pairs() runs the order itself, and calls for each pair once";
 
 std::vector<RequestOption<R>> options() {
   return with_search_options<R>(
@@ -42,9 +40,9 @@ std::vector<RequestOption<R>> options() {
           option("done_items", "N", "the pairs of the first N items are done", &R::done_items),
           option("fast_room", "C",
                  "so many of those in memory are on an accelerator, where pairs meet",
-                 &R::fast_room, {.not_in_server = of_pages, .not_in_python = of_executor}),
+                 &R::fast_room),
           option("item_bytes", "N", "bytes an item, to say what both levels move", &R::item_bytes,
-                 {.not_in_server = "it has bytes_per_item, for one level",
+                 {.not_in_server = "it has bytes_per_item",
                   .not_in_python = "what is moved is the loads times the bytes"}),
           option("sizes", "FILE",
                  "items differ in size: an item and its bytes per line, or the bytes of items "
@@ -53,8 +51,7 @@ std::vector<RequestOption<R>> options() {
           option("memory", "SIZE", "bytes in memory at once, of items with --sizes", &R::memory,
                  {.of_every_search = true}),
           option("fast_memory", "SIZE",
-                 "so many bytes of these are on an accelerator, where pairs meet", &R::fast_memory,
-                 {.not_in_server = of_pages, .not_in_python = of_executor}),
+                 "so many bytes of these are on an accelerator, where pairs meet", &R::fast_memory),
           option("workers", "W", "split it for W workers with room C each", &R::workers),
           option("worker", "I", "only the steps of worker I of these, from 0", &R::worker,
                  {.not_in_server = of_pages, .not_in_python = "there steps(I) has them"}),
@@ -122,10 +119,10 @@ std::vector<OptionRule> rules() {
        {"disjoint", "fast_room", "fast_memory", "prefetch", "write_back"}},
       {Says::never_with, {"from_step"}, {"workers", "new_pairs", "verify_beside"}},
       {Says::never_with, {"balance", "first_holder", "pair_cost"}, {"disjoint"}},
-      // Workers in lockstep have one level so far; a search at two levels has no end of its own.
-      {Says::never_with, {"fast_room"}, {"disjoint", "prefetch", "seconds"}},
-      // Shares of several workers at two levels are cut by places.
-      {Says::never_with, {"fast_memory"}, {"workers", "prefetch"}},
+      // A search at two levels finds nothing.
+      {Says::never_with, {"fast_room"}, {"prefetch", "seconds"}},
+      // Groups that workers in lockstep exchange are counted in items on the accelerator.
+      {Says::never_with, {"fast_memory"}, {"disjoint", "prefetch"}},
       {Says::only_with, {"item_bytes"}, {"fast_room"}},
       {Says::never_with, {"disjoint"}, {"prefetch"}},
       {Says::only_with, {"ordered", "self", "shuffle"}, {"new_pairs", "write_back", "prefetch"}},
@@ -171,8 +168,8 @@ void check_workers_of(const LoadRequest& request, const Words& words) {
     words.refuse("write_back",
                  fmt::format("{} {}: two workers would change one item at once; {}",
                              words.key("write_back"), words.key("workers"),
-                             request.fast_room ? "leave out one of them"
-                                               : fmt::format("add {}", words.key("disjoint"))));
+                             request.fast_memory ? "leave out one of them"
+                                                 : fmt::format("add {}", words.key("disjoint"))));
   }
 }
 

@@ -264,4 +264,39 @@ GroupShares with_idle_workers(GroupShares shares, std::uint64_t items, std::uint
   return best;
 }
 
+GroupShares with_more_held(GroupShares shares, std::uint64_t items, std::uint64_t room) {
+  constexpr std::uint64_t most_groups = 240;
+  constexpr std::uint64_t most_parts = 4;
+  std::uint64_t best_pairs = pairs_of_the_fullest(shares, items);
+  GroupShares best = shares;
+  for (std::uint64_t parts = 1; parts <= most_parts; ++parts) {
+    if (parts * shares.groups > std::min(most_groups, items)) {
+      break;
+    }
+    GroupShares more = shares;
+    refine(more, parts);
+    const ItemGroups groups{items, more.groups};
+    for (GroupShare& share : more.workers) {
+      std::uint64_t held = groups.size(share.held);
+      while (!share.streamed.empty()) {
+        const std::uint64_t size = groups.size(share.streamed.front());
+        const std::uint64_t passing = share.streamed.size() > 1 ? 1 : 0;
+        if (held + size + passing > room) {
+          break;
+        }
+        held += size;
+        share.held.push_back(share.streamed.front());
+        share.streamed.erase(share.streamed.begin());
+      }
+    }
+    if (const std::uint64_t pairs = pairs_of_the_fullest(more, items); pairs < best_pairs) {
+      best_pairs = pairs;
+      best = std::move(more);
+      best.plane_order = 0;
+      best.explanation = shares.explanation + " What fits beside the held groups stays, too.";
+    }
+  }
+  return best;
+}
+
 }  // namespace changeover

@@ -228,7 +228,11 @@ std::optional<GroupShares> best_group_shares(std::uint64_t items, std::uint64_t 
   for (Choice::Candidate& one : candidates) {
     GroupShares shares =
         with_idle_workers(std::move(one.shares), items, room, workers, one.makespan);
-    const double uneven = unevenness(shares, items, workers);
+    double uneven = unevenness(shares, items, workers);
+    if (uneven > even) {
+      shares = with_more_held(std::move(shares), items, room);
+      uneven = unevenness(shares, items, workers);
+    }
     if (!best || (least > even && uneven < least - 0.01)) {
       least = uneven;
       best = std::move(shares);

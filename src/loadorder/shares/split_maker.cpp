@@ -174,6 +174,7 @@ WorkerSplit SplitMaker::lists(const WorkerSplit& like, const std::vector<std::ve
     lists->add(w < moves.size() ? moves[w] : std::vector<Move>());
     count_moves_of(w < moves.size() ? moves[w] : std::vector<Move>(), facts.workers[w]);
   }
+  whole.group_items = 0;
   whole.method = method;
   whole.explanation = explanation;
   WorkerSplit split(std::move(facts), LoadOrder(std::move(whole), {}));
@@ -405,20 +406,26 @@ void SplitMaker::own_orders(WorkerSplit& split, const OwnOrder& make) {
   take_steps(split, std::move(lists));
 }
 
-WorkerSplit SplitMaker::two_levels(WorkerSplit split, std::uint64_t fast_room,
+WorkerSplit SplitMaker::two_levels(WorkerSplit split, const LoadOrderFacts& levels,
                                    const LoadOrderOptions& options) {
   constexpr std::size_t most_searched = 4;  // workers, some seconds each
   own_orders(split, [&](const std::vector<std::vector<ItemPair>>& pairs) {
     std::vector<std::vector<Move>> moves;
     for (const std::vector<ItemPair>& of_worker : pairs) {
-      moves.push_back(listed_levels_of(of_worker, split.facts().room, fast_room,
-                                       pairs.size() <= most_searched, options));
+      moves.push_back(levels.sizes
+                          ? sized_levels_of(of_worker, *levels.sizes, options)
+                          : listed_levels_of(of_worker, split.facts().room, *levels.fast_room,
+                                             pairs.size() <= most_searched, options));
     }
     return moves;
   });
   LoadOrderFacts whole = split.order_.facts();
-  whole.fast_room = fast_room;
-  whole.transfer_bound = load_lower_bound(whole.wanted, fast_room);
+  whole.fast_room = levels.fast_room;
+  whole.sizes = levels.sizes;
+  whole.bound = levels.bound;
+  whole.transfer_bound = levels.transfer_bound;
+  whole.byte_bound = levels.byte_bound;
+  whole.transfer_byte_bound = levels.transfer_byte_bound;
   whole.transfers = split.facts_.transfers;
   whole.method = "two levels";
   whole.explanation =
@@ -488,11 +495,11 @@ void SplitMaker::verify(WorkerSplit& split, const LoadOrderOptions& options) {
   }
   facts.transfers = verdict.transfers;
   whole.bytes = verdict.bytes;
+  whole.transfer_bytes = verdict.transfer_bytes;
   whole.most_bytes = verdict.most_bytes;
   const std::string bytes =
       whole.sizes ? fmt::format(", at most {} bytes in memory", verdict.most_bytes) : "";
-  say(true, whole.fast_room ? "every step read: room at both levels, " +
-                                  pairs_read(verdict, facts.all_pairs, " on the accelerator")
+  say(true, whole.fast_room ? levels_read(verdict, facts.all_pairs, whole.sizes != nullptr)
                             : fmt::format("every step read, {} met{}",
                                           all_of(facts.all_pairs,
                                                  whole.wanted.are_all() ? "pair" : "wanted pair"),

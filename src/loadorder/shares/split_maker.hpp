@@ -43,9 +43,9 @@ class SplitMaker {
       const std::vector<std::vector<ItemPair>>& pairs)>;
   /// Gives each worker an order of its own for the pairs that it computes.
   static void own_orders(WorkerSplit& split, const OwnOrder& make);
-  /// Two levels for some pairs: each worker has the pairs of a split of one level, with an order of
-  /// its own for them.
-  static WorkerSplit two_levels(WorkerSplit split, std::uint64_t fast_room,
+  /// Two levels: each worker has the pairs of a split of one level, with an order of its own for
+  /// them. `levels` has both rooms, or sizes, and the bounds.
+  static WorkerSplit two_levels(WorkerSplit split, const LoadOrderFacts& levels,
                                 const LoadOrderOptions& options);
   /// Repeats the shares of one epoch.
   static void repeat(WorkerSplit& split, std::uint64_t epochs);

@@ -92,9 +92,19 @@ std::vector<Element> items_in(const Groups& groups, const std::vector<Element>& 
 std::vector<Move> moves_of(StepSource& steps) {
   std::vector<Move> moves;
   for (Step step; steps.next(step);) {
-    moves.push_back({.evict = step.evict, .load = step.load});
+    moves.push_back({step.evict, step.load, step.fast_evict, step.fast_load});
   }
   return moves;
+}
+
+void give_names(std::vector<Move>& moves, const std::vector<Element>& items) {
+  for (Move& move : moves) {
+    for (auto* const list : {&move.evict, &move.load, &move.fast_evict, &move.fast_load}) {
+      for (Element& x : *list) {
+        x = items[x];
+      }
+    }
+  }
 }
 
 struct StepLists::Lists {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "changeover/loadorder/workers.hpp"
@@ -35,8 +36,16 @@ using Groups = std::vector<std::vector<Element>>;
 [[nodiscard]] std::vector<Move> with_a_cache(std::vector<Move> fast, std::uint64_t room,
                                              const ItemSizes* sizes = nullptr);
 
-/// What an order for one memory evicts and loads.
+/// How such an order is made.
+inline constexpr std::string_view by_a_cache =
+    "An order for the accelerator alone; what leaves it stays in memory, from which goes what is "
+    "needed last.";
+
+/// What the steps of one worker move.
 [[nodiscard]] std::vector<Move> moves_of(StepSource& steps);
+
+/// Gives each item, a number below items.size(), the name that stands there.
+void give_names(std::vector<Move>& moves, const std::vector<Element>& items);
 
 class StepLists final : public WorkerSteps {
  public:

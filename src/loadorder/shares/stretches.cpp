@@ -43,12 +43,36 @@ std::shared_ptr<const GroupOwners> owners_of_stretches(const LoadOrder& order,
 
 namespace {
 
-/// What the steps of an order hold and load, in items or in bytes; a transfer to an accelerator
-/// counts, too, if it has a weight.
+/// What a load and a transfer to an accelerator count, as numbers of items or of bytes.
+struct Weights {
+  std::uint64_t load = 1;
+  std::uint64_t transfer = 0;
+};
+
+// Of two levels what both move, measured by the least there can be.
+Weights weights_of(const LoadOrderFacts& whole) {
+  if (!whole.fast_room) {
+    return {};
+  }
+  const bool by_bytes = whole.sizes != nullptr;
+  Weights weights{by_bytes ? whole.transfer_byte_bound.loads : whole.transfer_bound.loads,
+                  by_bytes ? whole.byte_bound.loads : whole.bound.loads};
+  const auto loads = static_cast<double>(by_bytes ? whole.bytes : whole.loads);
+  const auto transfers = static_cast<double>(by_bytes ? whole.transfer_bytes : whole.transfers);
+  constexpr double most = 1e18;  // all of it, so that sums fit into 64 bits
+  while (static_cast<double>(weights.load) * loads +
+             static_cast<double>(weights.transfer) * transfers >
+         most) {
+    weights = {weights.load / 2, weights.transfer / 2};
+  }
+  return {std::max<std::uint64_t>(1, weights.load), std::max<std::uint64_t>(1, weights.transfer)};
+}
+
+/// What the steps of an order hold and load, in items or in bytes.
 class StepSizes {
  public:
-  StepSizes(const LoadOrder& order, std::uint64_t items, std::uint64_t load = 1,
-            std::uint64_t transfer = 0, const ItemSizes* bytes = nullptr);
+  StepSizes(const LoadOrder& order, std::uint64_t items, Weights weights = {},
+            const ItemSizes* bytes = nullptr);
 
   [[nodiscard]] std::uint64_t steps() const { return held_.size(); }
   /// The loads of a worker whose share begins with step `first`, counted from 0: what is in memory
@@ -68,17 +92,20 @@ class StepSizes {
   std::vector<std::uint64_t> loaded_;  // before each step
 };
 
-StepSizes::StepSizes(const LoadOrder& order, std::uint64_t items, std::uint64_t load,
-                     std::uint64_t transfer, const ItemSizes* bytes) {
+StepSizes::StepSizes(const LoadOrder& order, std::uint64_t items, Weights weights,
+                     const ItemSizes* bytes) {
   const LoadOrderFacts& whole = order.facts();
-  const auto size = [&](const std::vector<Element>& groups, const std::vector<Element>& fast) {
+  const auto size_of = [&](const std::vector<Element>& groups) {
     std::uint64_t sum = 0;
     for (const Element group : groups) {
       sum += bytes != nullptr
                  ? bytes->bytes[group]
                  : (group + std::uint64_t{1}) * items / whole.items - group * items / whole.items;
     }
-    return sum * load + fast.size() * transfer;
+    return sum;
+  };
+  const auto size = [&](const std::vector<Element>& groups, const std::vector<Element>& fast) {
+    return size_of(groups) * weights.load + size_of(fast) * weights.transfer;
   };
   held_.reserve(static_cast<std::size_t>(whole.steps));
   loaded_.reserve(static_cast<std::size_t>(whole.steps) + 1);
@@ -170,12 +197,10 @@ Stretches cut_order(const LoadOrder& order, std::uint64_t items, std::uint64_t w
   std::optional<StepSizes> sizes;
   if (!alike && whole.steps <= most_steps_cut) {
     sizes.emplace(order, items);
-    // Of two levels what both move, measured by the fewest there can be.
-    counts = whole.fast_room
-                 ? StepSizes(order, items, whole.transfer_bound.loads, whole.bound.loads)
-                       .best_shares(workers)
-             : whole.sizes ? StepSizes(order, items, 1, 0, whole.sizes.get()).best_shares(workers)
-                           : sizes->best_shares(workers);
+    counts =
+        whole.fast_room || whole.sizes
+            ? StepSizes(order, items, weights_of(whole), whole.sizes.get()).best_shares(workers)
+            : sizes->best_shares(workers);
     counts.resize(static_cast<std::size_t>(workers), 0);
     cut.by_loads = workers > 1;
   } else {

@@ -1,11 +1,15 @@
 // The best split that is known.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "bounds/counting_bound.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 #include "loadorder/listed/listed_levels.hpp"
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/pairs/held/held_blocks.hpp"
@@ -13,6 +17,7 @@
 #include "loadorder/shares/known_shares.hpp"
 #include "loadorder/shares/owners/pair_table.hpp"
 #include "loadorder/shares/split_maker.hpp"
+#include "loadorder/sizes/sized_pairs.hpp"
 
 namespace changeover {
 namespace {
@@ -138,6 +143,87 @@ WorkerSplit split_some_pairs(const WantedPairs& wanted, std::uint64_t room, std:
   return split;
 }
 
+LoadOrderFacts bounds_of_levels(const WantedPairs& wanted, std::uint64_t room,
+                                std::uint64_t fast_room) {
+  LoadOrderFacts facts;
+  facts.fast_room = fast_room;
+  facts.bound = load_lower_bound(wanted, room);
+  facts.transfer_bound = load_lower_bound(wanted, fast_room);
+  return facts;
+}
+
+constexpr std::uint64_t most_pairs_listed = 1'000'000;  // of two sets, or of new items
+
+// What the busiest worker moves, at each level over the bound of all.
+double busiest_cost(const WorkerSplit& split) {
+  const LoadOrderFacts& bounds = split.order().facts();
+  const ItemSizes* const sizes = bounds.sizes.get();
+  const auto over = [&](const std::vector<Element>& items, const LoadBound& bound,
+                        const LoadBound& bytes) {
+    return sizes != nullptr
+               ? static_cast<double>(bytes_of(*sizes, items)) / static_cast<double>(bytes.loads)
+               : static_cast<double>(items.size()) / static_cast<double>(bound.loads);
+  };
+  std::vector<double> costs(split.facts().workers.size(), 0);
+  const auto steps = split.stream();
+  for (Step step; steps->next(step);) {
+    costs[static_cast<std::size_t>(step.worker)] +=
+        over(step.load, bounds.bound, bounds.byte_bound) +
+        over(step.fast_load, bounds.transfer_bound, bounds.transfer_byte_bound);
+  }
+  return *std::ranges::max_element(costs);
+}
+
+WorkerSplit best_of_two_levels(std::vector<WorkerSplit> candidates,
+                               const LoadOrderOptions& options) {
+  std::vector<double> costs;
+  for (const WorkerSplit& split : candidates) {
+    costs.push_back(candidates.size() > 1 ? busiest_cost(split) : 0);
+  }
+  WorkerSplit split = std::move(
+      candidates[static_cast<std::size_t>(std::ranges::min_element(costs) - costs.begin())]);
+  SplitMaker::verify(split, options);
+  return split;
+}
+
+// Each worker has a part of one set with a part of the other, and an order of two levels for these.
+std::optional<WorkerSplit> blocks_of_two_levels(const WorkerSplit& like, std::uint64_t fast_room,
+                                                const LoadOrderOptions& options) {
+  const std::uint64_t room = like.facts().room;
+  // Beside what stays in memory there is a group for the accelerator.
+  const auto blocks = best_held_blocks(like.order().facts().wanted, room - fast_room + 2,
+                                       like.facts().workers.size());
+  if (!blocks) {
+    return std::nullopt;
+  }
+  std::map<std::pair<std::uint64_t, std::uint64_t>, LoadOrder> orders;
+  std::vector<std::vector<Move>> moves;
+  for (const auto& [some, others] : blocks->parts) {
+    const auto sizes = std::pair(some.size(), others.size());
+    auto found = orders.find(sizes);
+    if (found == orders.end()) {
+      const auto pairs = WantedPairs::between(sizes.first, sizes.second);
+      found = orders.emplace(sizes, plan_two_levels(pairs, room, fast_room, options)).first;
+    }
+    moves.push_back(moves_of(*found->second.stream()));
+    std::vector<Element> names;
+    for (const ItemRange& range : {some, others}) {
+      for (std::uint64_t x = range.first; x < range.end; ++x) {
+        names.push_back(static_cast<Element>(x));
+      }
+    }
+    give_names(moves.back(), names);
+  }
+  WorkerSplit split = SplitMaker::lists(
+      like, moves, "two levels, a block a worker",
+      fmt::format("{} of the first set with {} of the other, a pair of parts a worker; the first: "
+                  "{}",
+                  count_of(blocks->first_parts, "part"), count_of(blocks->other_parts, "part"),
+                  orders.begin()->second.facts().explanation));
+  SplitMaker::give_pairs(split, options);
+  return split;
+}
+
 }  // namespace
 
 WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers,
@@ -147,23 +233,51 @@ WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room, std:
                           : split_some_pairs(wanted, room, workers, options);
 }
 
+WorkerSplit split_two_levels(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
+                             std::uint64_t workers, const LoadOrderOptions& options) {
+  check_workers(workers);
+  const std::uint64_t items = sizes->bytes.size();
+  LoadOrder order = plan_two_levels(std::move(sizes), wanted, options);
+  const std::uint64_t room = order.facts().room;
+  std::vector<WorkerSplit> candidates;
+  candidates.push_back(split_order(std::move(order), items, room, workers));
+  SplitMaker::give_pairs(candidates.back(), options);
+  // Workers with orders of their own take a second or so each.
+  constexpr std::uint64_t most_own_pairs = 2'000'000;
+  constexpr std::uint64_t most_own_workers = 16;
+  const std::uint64_t pairs = wanted.among(items).count();
+  if (workers > 1 && workers <= most_own_workers && pairs > 0 && pairs <= most_own_pairs) {
+    LoadOrderOptions quick = options;
+    quick.search_pairs = nullptr;  // the time was for the order that is cut
+    const LoadOrderFacts levels = candidates.front().order().facts();
+    candidates.push_back(SplitMaker::two_levels(
+        split_sized_order(levels.sizes, wanted, workers, quick), levels, quick));
+  }
+  return best_of_two_levels(std::move(candidates), options);
+}
+
 WorkerSplit split_two_levels(const WantedPairs& wanted, std::uint64_t room, std::uint64_t fast_room,
                              std::uint64_t workers, const LoadOrderOptions& options) {
   check_workers(workers);
-  WorkerSplit split = [&] {
-    if (wanted.are_all()) {
-      WorkerSplit cut =
-          split_order(plan_two_levels(wanted, room, fast_room), wanted.items(), room, workers);
-      SplitMaker::give_pairs(cut, options);
-      return cut;
+  check_rooms(room, fast_room);
+  std::vector<WorkerSplit> candidates;
+  if (wanted.graph() == nullptr) {
+    candidates.push_back(split_order(plan_two_levels(wanted, room, fast_room, options),
+                                     wanted.items(), room, workers));
+    SplitMaker::give_pairs(candidates.back(), options);
+  }
+  if (workers > 1 && wanted.kind() == WantedPairs::Kind::between) {
+    if (auto blocks = blocks_of_two_levels(candidates.front(), fast_room, options)) {
+      candidates.push_back(std::move(*blocks));
     }
-    check_rooms(room, fast_room);
-    return SplitMaker::two_levels(
-        split_some_pairs(as_list(wanted), room, workers, unread(options, workers)), fast_room,
-        options);
-  }();
-  SplitMaker::verify(split, options);
-  return split;
+  }
+  if (!wanted.are_all() && (workers > 1 || candidates.empty()) &&
+      (wanted.graph() != nullptr || wanted.count() <= most_pairs_listed)) {
+    candidates.push_back(
+        SplitMaker::two_levels(split_some_pairs(wanted, room, workers, unread(options, workers)),
+                               bounds_of_levels(wanted, room, fast_room), options));
+  }
+  return best_of_two_levels(std::move(candidates), options);
 }
 
 }  // namespace changeover

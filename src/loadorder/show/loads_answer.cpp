@@ -50,6 +50,9 @@ AnyLoads planned(const CheckedLoads& asked, const LoadRequest& request, LoadOrde
     return plan_disjoint_order(asked.sizes(), wanted, *request.workers, options);
   }
   if (request.fast_memory) {
+    if (request.workers) {
+      return split_two_levels(asked.sizes(), wanted, *request.workers, options);
+    }
     return plan_two_levels(asked.sizes(), wanted, options);
   }
   if (asked.sizes() && request.workers) {
@@ -63,6 +66,9 @@ AnyLoads planned(const CheckedLoads& asked, const LoadRequest& request, LoadOrde
       return plan_prefetch(asked.sizes(), wanted, options);
     }
     return plan_sized_order(asked.sizes(), wanted, options);
+  }
+  if (request.disjoint && request.fast_room) {
+    return plan_disjoint_levels(wanted, room, *request.fast_room, *request.workers, options);
   }
   if (request.disjoint) {
     return plan_disjoint_order(wanted, room, *request.workers, options);

@@ -144,8 +144,8 @@ class ScheduleText {
                          all_of(checked_.computed, "pair"), checked_.overlapped, lost);
     }
     if (checked_.steps > 0 && facts_.lockstep > 0) {
-      return fmt::format("every step read: no item held twice at once, {}, each once{}", computed,
-                         lost);
+      return fmt::format("every step read: no item held twice at once, {}{}, each once{}",
+                         facts_.fast_room ? "room at both levels, " : "", computed, lost);
     }
     if (checked_.steps > 0 && facts_.fast_room) {
       return fmt::format("every step read: {} at both levels, {} on the accelerator, each once{}",
@@ -300,22 +300,21 @@ class ScheduleText {
                               : facts_.sizes ? fmt::format("{} bytes are", *spare_)
                                              : "one of the places is");
     if (facts_.lockstep > 0) {
-      return WorkerWords(facts_, split_).in_lockstep(what_meets(), in_epochs(), steps, bound);
+      return WorkerWords(facts_, split_).in_lockstep(what_meets(), in_epochs(), steps, bound) +
+             (facts_.fast_room
+                  ? fmt::format("to the accelerators, with room for {}: {}\n", *facts_.fast_room,
+                                level(facts_.transfers, "transfer", facts_.transfer_bound))
+                  : "");
     }
-    const std::string busiest =
-        split_ == nullptr
-            ? ""
-            : fmt::format("{} for {}, the busiest has {}, {}\n{}", loads,
-                          count_of(split_->workers.size(), "worker"), facts_.makespan(),
-                          over(facts_.makespan(), facts_.makespan_bound),
-                          WorkerWords(facts_, split_).text());
+    const std::string busiest = WorkerWords(facts_, split_).busiest();
     if (facts_.fast_room && facts_.sizes) {
       return fmt::format(
-          "{}, {} bytes of memory and {} on the accelerator{}: {}\n"
+          "{}, {} bytes of memory and {} on the accelerator{}: {}\n{}"
           "from the disk: {} bytes in {}, {}\nto the accelerator: {} bytes in {}, {}\n",
           what_meets(), facts_.sizes->memory, facts_.sizes->fast_memory, in_epochs(),
-          count_of(steps, "step"), facts_.bytes, loads, over(facts_.bytes, facts_.byte_bound),
-          facts_.transfer_bytes, count_of(facts_.transfers, "transfer"),
+          count_of(steps, "step"), busiest, facts_.bytes, loads,
+          over(facts_.bytes, facts_.byte_bound), facts_.transfer_bytes,
+          count_of(facts_.transfers, "transfer"),
           over(facts_.transfer_bytes, facts_.transfer_byte_bound));
     }
     if (facts_.fast_room) {
@@ -327,15 +326,12 @@ class ScheduleText {
           level(facts_.transfers, "transfer", facts_.transfer_bound));
     }
     if (facts_.sizes) {
-      const std::string what = fmt::format("{}, {} bytes of memory{}: {} bytes in {}", what_meets(),
-                                           facts_.sizes->memory, in_epochs(), facts_.bytes, loads);
-      return split_ != nullptr
-                 ? fmt::format("{} for {}, the busiest has {} bytes, {}\n{}{}", what,
-                               count_of(split_->workers.size(), "worker"), split_->makespan_bytes,
-                               over(split_->makespan_bytes, split_->makespan_bytes_bound),
-                               WorkerWords(facts_, split_).text(), spare)
-                 : fmt::format("{} and {}, {}\n{}", what, count_of(steps, "step"),
-                               over(facts_.bytes, facts_.byte_bound), spare);
+      const std::string what = fmt::format("{}, {} bytes of memory{}: {}", what_meets(),
+                                           facts_.sizes->memory, in_epochs(), facts_.bytes);
+      return split_ != nullptr ? fmt::format("{} bytes in {}{}", what, busiest, spare)
+                               : fmt::format("{} bytes in {} and {}, {}\n{}", what, loads,
+                                             count_of(steps, "step"),
+                                             over(facts_.bytes, facts_.byte_bound), spare);
     }
     const std::string what =
         fmt::format("{}, room for {}{}: ", what_meets(), facts_.room, in_epochs());
@@ -423,8 +419,10 @@ class ScheduleText {
           "each step: wait for load, compute before; evict first of the next step, start its "
           "loads; compute the others; evict late\n";
     } else if (facts_.lockstep > 0) {
-      text += fmt::format("each step: all {}evict, wait for each other, load, compute\n",
-                          rules_.store ? "store and " : "");
+      const bool fast = facts_.fast_room.has_value();
+      text += fmt::format("each step: all {}{}evict, wait for each other, load, {}compute\n",
+                          fast ? "fast evict, " : "", rules_.store ? "store and " : "",
+                          fast ? "fast load, " : "");
     } else if (facts_.fast_room) {
       text += fmt::format("each step: fast evict, {}evict, load, fast load, compute\n",
                           rules_.store ? "store, " : "");

@@ -89,6 +89,19 @@ std::string WorkerWords::in_lockstep(const std::string& what, const std::string&
       count_of(facts_.makespan(), "load"), facts_.span, over(facts_.span, facts_.makespan_bound));
 }
 
+std::string WorkerWords::busiest() const {
+  if (split_ == nullptr) {
+    return "";
+  }
+  return fmt::format("{} for {}, the busiest has {}, {}\n{}", count_of(facts_.loads, "load"),
+                     count_of(workers_, "worker"),
+                     facts_.sizes ? fmt::format("{} bytes", split_->makespan_bytes)
+                                  : count_of(facts_.makespan(), "load"),
+                     facts_.sizes ? over(split_->makespan_bytes, split_->makespan_bytes_bound)
+                                  : over(facts_.makespan(), facts_.makespan_bound),
+                     text());
+}
+
 void WorkerWords::say_each(JsonWriter& json) const {
   if (split_ == nullptr && facts_.sizes) {
     json.key("worker_bytes").value(facts_.worker_bytes);

@@ -27,6 +27,8 @@ class WorkerWords {
   void say_each(JsonWriter& json) const;
   /// Lines of text; empty if the numbers are unknown.
   [[nodiscard]] std::string text() const;
+  /// "49 loads for 4 workers, the busiest has 13, …", and text(); empty unless shares are.
+  [[nodiscard]] std::string busiest() const;
   /// The first lines on workers in lockstep: `what` meets in so many steps and epochs.
   [[nodiscard]] std::string in_lockstep(const std::string& what, const std::string& epochs,
                                         std::uint64_t steps, const LoadBound& bound) const;

@@ -9,6 +9,7 @@
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
+#include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/shares/step_lists.hpp"
 #include "loadorder/sizes/item_groups.hpp"
@@ -39,9 +40,7 @@ class LevelWays {
     }
     least_ = cost_of(bytes);
     facts_.method = "cache";
-    facts_.explanation =
-        "An order for the accelerator alone; what leaves it stays in memory, from which goes what "
-        "is needed last.";
+    facts_.explanation = by_a_cache;
   }
 
   /// Groups of which some number fits on the accelerator, and more into memory.
@@ -158,9 +157,26 @@ LoadOrder plan_two_levels(std::shared_ptr<const ItemSizes> sizes, const WantedPa
     throw InternalError("an order of two levels moves fewer bytes than its bound");
   }
   facts.every_step_read = true;
-  facts.certificate = "every step read: bytes at both levels, " +
-                      pairs_read(verdict, wanted.among(facts.items).count(), " on the accelerator");
+  facts.certificate = levels_read(verdict, wanted.among(facts.items).count(), true);
   return {std::move(facts), maker};
+}
+
+std::vector<Move> sized_levels_of(const std::vector<ItemPair>& pairs, const ItemSizes& sizes,
+                                  const LoadOrderOptions& options) {
+  if (pairs.empty()) {
+    return {};
+  }
+  const std::vector<Element> items = items_of(pairs);
+  ItemSizes some{{}, sizes.memory, sizes.fast_memory};
+  for (const Element x : items) {
+    some.bytes.push_back(sizes.bytes[x]);
+  }
+  const auto graph = std::make_shared<const PairGraph>(items.size(), numbered(pairs, items));
+  std::vector<Move> moves = moves_of(
+      *plan_two_levels(std::make_shared<const ItemSizes>(some), WantedPairs::listed(graph), options)
+           .stream());
+  give_names(moves, items);
+  return moves;
 }
 
 }  // namespace changeover

@@ -12,6 +12,7 @@
 
 #include "changeover/io/input.hpp"
 #include "changeover/loadorder/workers.hpp"
+#include "loadorder/shares/step_lists.hpp"
 
 namespace changeover {
 
@@ -60,6 +61,11 @@ void each_partner(const WantedPairs& wanted, std::uint64_t items, Element x, Vis
 
 /// The largest number of items that fit into memory.
 [[nodiscard]] std::uint64_t most_held(const ItemSizes& sizes, const WantedPairs& wanted);
+
+/// The moves of an order of two levels for these pairs alone; (x,x) for an item in no pair.
+[[nodiscard]] std::vector<Move> sized_levels_of(const std::vector<ItemPair>& pairs,
+                                                const ItemSizes& sizes,
+                                                const LoadOrderOptions& options);
 
 struct SizesRead {
   std::vector<std::uint64_t> bytes;  ///< by item

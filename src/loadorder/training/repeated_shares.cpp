@@ -101,12 +101,21 @@ void SplitMaker::repeat(WorkerSplit& split, std::uint64_t epochs) {
     facts.workers[w].bytes = verdict.worker_bytes[w];
   }
   LoadOrderFacts its = whole;
+  if (whole.fast_room) {
+    its.transfer_bound =
+        epochs_lower_bound(whole.transfer_bound, pairs, *whole.fast_room, workers, epochs);
+  }
   if (whole.sizes) {
     its.bytes = verdict.bytes;
     its.byte_bound = epochs_byte_bound(whole.byte_bound, whole.sizes->memory, workers, epochs);
     facts.makespan_bytes_bound =
         epochs_makespan_bound(facts.makespan_bytes_bound, its.byte_bound, workers, "bytes");
     its.most_bytes = std::max(its.most_bytes, verdict.most_bytes);
+    its.transfer_bytes = verdict.transfer_bytes;
+    if (whole.fast_room) {
+      its.transfer_byte_bound =
+          epochs_byte_bound(whole.transfer_byte_bound, whole.sizes->fast_memory, workers, epochs);
+    }
   }
   its.every_step_read = read;
   its.certificate = facts.certificate = read ? in_each_epoch(whole.certificate, epochs)

@@ -8,10 +8,20 @@
 #include "../pairs/pairs_support.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "loadorder/listed/lockstep_events.hpp"
-#include "loadorder/order/kept_steps.hpp"
 
 namespace changeover::test::listed_disjoint_test {
 namespace {
+
+class KeptSteps final : public StepSource {
+ public:
+  explicit KeptSteps(std::vector<Step> steps) : steps_(std::move(steps)) {}
+
+  bool next(Step& step) override { return next_ < steps_.size() && (step = steps_[next_++], true); }
+
+ private:
+  std::vector<Step> steps_;
+  std::size_t next_ = 0;
+};
 
 // Plays all workers in sets: the first thing that is wrong, or "".
 std::string fault_of(const LoadOrder& order, const std::set<ItemPair>& wanted) {
@@ -205,8 +215,7 @@ TEST(ListedDisjoint, ChecksRefuseWhatIsWrong) {
   ScheduleRules rules{.items = 2, .room = 2, .lockstep = 2, .wanted = pair};
   EXPECT_EQ(verdict_of(apart, rules).missing, 1U);
   rules.compute = ComputeRules{};
-  StepWork work(std::make_unique<KeptSteps>(std::make_shared<const std::vector<Step>>(apart)),
-                rules);
+  StepWork work(std::make_unique<KeptSteps>(apart), rules);
   for (const Step& step : all_steps(work)) {
     EXPECT_TRUE(step.compute.empty());
   }

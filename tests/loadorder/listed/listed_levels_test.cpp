@@ -137,10 +137,83 @@ TEST(ListedLevels, TwoSetsAndNewItemsAreListsToo) {
     EXPECT_EQ(order.facts().computed, wanted.count());
     EXPECT_TRUE(split_two_levels(wanted, 9, 4, 3).facts().pairs_are_known);
   }
-  EXPECT_THROW(static_cast<void>(plan_two_levels(WantedPairs::between(5000, 5000), 9, 4)),
+  EXPECT_THROW(static_cast<void>(plan_two_levels(WantedPairs::between(65'000, 5000), 9, 4)),
                ImpossibleParameters);
   EXPECT_THROW(static_cast<void>(plan_two_levels(WantedPairs::between(5, 5), 4, 5)), BadInput);
   EXPECT_THROW(static_cast<void>(split_two_levels(WantedPairs::between(5, 5), 4, 5, 2)), BadInput);
+}
+
+// What all workers hold is played in sets; pairs are counted where they are computed.
+TEST(ListedLevels, TwoSetsAndNewItemsForWorkers) {
+  for (const auto& [wanted, room, fast_room] : {std::tuple{WantedPairs::between(1, 1), 2U, 2U},
+                                                std::tuple{WantedPairs::between(1, 9), 4U, 3U},
+                                                std::tuple{WantedPairs::between(7, 11), 5U, 2U},
+                                                std::tuple{WantedPairs::between(20, 33), 12U, 4U},
+                                                std::tuple{WantedPairs::between(30, 30), 16U, 8U},
+                                                std::tuple{WantedPairs::between(12, 12), 30U, 5U},
+                                                std::tuple{WantedPairs::beyond(1, 2), 2U, 2U},
+                                                std::tuple{WantedPairs::beyond(29, 30), 6U, 3U},
+                                                std::tuple{WantedPairs::beyond(11, 30), 9U, 4U},
+                                                std::tuple{WantedPairs::beyond(3, 40), 14U, 5U}}) {
+    std::set<ItemPair> pairs;
+    for (Element y = 0; y < wanted.items(); ++y) {
+      for (Element x = 0; x < y; ++x) {
+        if (wanted.contains(x, y)) {
+          pairs.insert({x, y});
+        }
+      }
+    }
+    for (const std::uint64_t workers : {1U, 3U, 4U, 40U}) {
+      const WorkerSplit split = split_two_levels(wanted, room, fast_room, workers);
+      const SplitFacts& facts = split.facts();
+      const ScheduleRules rules = split.rules(ComputeRules{});
+      Player player(pairs);
+      std::vector<Step> all;
+      for (std::uint64_t w = 0; w < workers; ++w) {
+        const std::uint64_t before = player.loads;
+        const std::size_t computed = player.computed.size();
+        StepWork work(split.stream(w), rules, split.owners());
+        for (const Step& step : all_steps(work)) {
+          player.idle.clear();  // groups may bring items that a worker does not need
+          player.take(step, room, fast_room);
+          all.push_back(step);
+        }
+        player.idle.clear();
+        player.next_worker();
+        EXPECT_EQ(player.loads - before, facts.workers[w].loads);
+        EXPECT_EQ(player.computed.size() - computed, facts.workers[w].pairs);
+      }
+      const std::string what = fmt::format("{} {} {}", wanted.describe(), room, workers);
+      EXPECT_EQ(player.fault, "") << what;
+      EXPECT_EQ(player.computed, pairs) << what;
+      EXPECT_EQ(player.transfers, facts.transfers) << what;
+      EXPECT_GE(facts.makespan, facts.makespan_bound.loads) << what;
+      EXPECT_GE(facts.transfers, split.order().facts().transfer_bound.loads) << what;
+      for (const std::size_t at : {std::size_t{0}, all.size() / 2, all.size() - 1}) {
+        std::vector<Step> wrong = all;
+        if (!wrong[at].fast_load.empty() && !wrong[at].compute.empty()) {
+          wrong[at].fast_load.clear();
+          EXPECT_FALSE(verdict_of(wrong, rules).valid()) << what;
+        }
+        wrong = all;
+        if (!wrong[at].compute.empty()) {
+          wrong[at].compute.pop_back();
+          EXPECT_EQ(verdict_of(wrong, rules).missing, 1U) << what;
+        }
+      }
+    }
+  }
+}
+
+// Each of few workers has a part of both sets: not much more than at one level.
+TEST(ListedLevels, TwoSetsOfWorkersAreNotFarFromOneLevel) {
+  for (const std::uint64_t workers : {1U, 4U, 9U}) {
+    const WantedPairs wanted = WantedPairs::between(100, 100);
+    const SplitFacts one = split_load_order(wanted, 20, workers).facts();
+    const SplitFacts two = split_two_levels(wanted, 20, 6, workers).facts();
+    EXPECT_LE(two.makespan * 10, one.makespan * 16) << workers;
+    EXPECT_LE(two.transfers, 2 * 2005U) << workers;
+  }
 }
 
 TEST(ListedLevels, ItemsThatAreOnlyLoadedAreTransferredOnce) {

@@ -8,6 +8,8 @@
 #include <string>
 
 #include "../loadorder_support.hpp"
+#include "changeover/loadorder/workers.hpp"
+#include "loadorder/shares/idle_workers.hpp"
 #include "loadorder/shares/known_shares.hpp"
 #include "loadorder/shares/owners/group_owners.hpp"
 
@@ -206,6 +208,38 @@ TEST(GroupOwners, GiveEachPairToOneWorkerThatHasIt) {
       EXPECT_LE(most, (all + counted.size() - 1) / counted.size() + 4 * groups.size(0) + 4) << line;
     }
   }
+}
+
+// Streamed groups that stay meet each other: as many loads, and pairs are never less even.
+TEST(GroupShares, HoldMoreWhereItFitsAndPairsAreMoreEven) {
+  int better = 0;
+  for (const std::uint64_t workers : {5U, 9U, 14U}) {
+    for (const std::uint64_t items : {64U, 256U}) {
+      each_group_shares(
+          workers, items, [](const ShareShape& shape) { return shape.groups <= 30; },
+          [&](const GroupShares& shares) {
+            for (const std::uint64_t room : {items / 4, items / 2, items}) {
+              const GroupShares more = with_more_held(shares, items, room);
+              const ItemGroups few{items, shares.groups};
+              const ItemGroups many{items, more.groups};
+              for (std::size_t w = 0; w < shares.workers.size(); ++w) {
+                const ShareCost cost = cost_of(shares.workers[w], few, room);
+                const ShareCost its = cost_of(more.workers[w], many, room);
+                EXPECT_EQ(its.loads, cost.loads);
+                EXPECT_EQ(its.steps > 0, cost.steps > 0);
+              }
+              const double before = unevenness(shares, items, shares.workers.size());
+              const double after = unevenness(more, items, shares.workers.size());
+              EXPECT_LE(after, before + 1e-9);
+              better += after < before - 0.01 ? 1 : 0;
+            }
+          });
+    }
+  }
+  EXPECT_GT(better, 0);
+  const SplitFacts facts = split_load_order(256, 128, 9).facts();
+  EXPECT_LE(facts.makespan, 104U);
+  EXPECT_LE(facts.most_pairs * 9 * 100, facts.all_pairs * 105);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/load_request.hpp"
+#include "changeover/loadorder/workers.hpp"
 #include "message_of.hpp"
 #include "sizes/sizes_support.hpp"
 
@@ -28,8 +29,9 @@ struct Played {
   std::set<ItemPair> met;  // on the accelerator
 };
 
-Played play_levels(const LoadOrder& order, const ItemSizes& sizes) {
+Played play_levels(StepSource& steps, const ItemSizes& sizes) {
   Played played;
+  std::uint64_t worker = 0;
   std::set<Element> memory;
   std::set<Element> fast;
   const auto bytes_in = [&](const std::set<Element>& items) {
@@ -39,9 +41,12 @@ Played play_levels(const LoadOrder& order, const ItemSizes& sizes) {
     }
     return bytes;
   };
-  const auto steps = order.stream();
-  for (Step step; steps->next(step);) {
+  for (Step step; steps.next(step);) {
     bool right = true;
+    if (step.worker != std::exchange(worker, step.worker)) {
+      memory.clear();
+      fast.clear();
+    }
     for (const Element x : step.fast_evict) {
       right = fast.erase(x) == 1 && right;
     }
@@ -76,7 +81,7 @@ TEST(SizedLevels, EveryPairMeetsOnTheAccelerator) {
           listed(items, random_pairs(items, 1 + random() % (items - 1), random()))}) {
       const LoadOrder order = plan_two_levels(sizes, wanted);
       const LoadOrderFacts& facts = order.facts();
-      const Played played = play_levels(order, *sizes);
+      const Played played = play_levels(*order.stream(), *sizes);
       EXPECT_EQ(played.fault, "");
       EXPECT_TRUE(have_all_met(played.met, items, wanted));
       EXPECT_EQ(played.bytes, facts.bytes);
@@ -84,8 +89,52 @@ TEST(SizedLevels, EveryPairMeetsOnTheAccelerator) {
       EXPECT_GE(facts.bytes, facts.byte_bound.loads);
       EXPECT_GE(facts.transfer_bytes, facts.transfer_byte_bound.loads);
       const LoadOrder again = repeat_order(plan_two_levels(sizes, wanted), 3);
-      EXPECT_EQ(play_levels(again, *sizes).fault, "");
+      EXPECT_EQ(play_levels(*again.stream(), *sizes).fault, "");
       EXPECT_GE(again.facts().transfer_bytes, again.facts().transfer_byte_bound.loads);
+    }
+  }
+}
+
+TEST(SizedLevels, OfSeveralWorkersComputeEachPairOnceAtOneOfThem) {
+  std::mt19937 random(4);
+  for (int round = 0; round < 4; ++round) {
+    const auto fast = random_sizes(random, 2 + random() % 12, round % 3 == 0 ? 3 : 40, 100);
+    const auto sizes = with_levels(fast->bytes, fast->memory + random() % 300, fast->memory);
+    const std::uint64_t items = sizes->bytes.size();
+    const std::uint64_t workers = 1 + random() % 6;
+    for (const WantedPairs& wanted :
+         {WantedPairs(items), WantedPairs::between(items / 2, items - items / 2),
+          listed(items, random_pairs(items, 1 + random() % (items - 1), random()))}) {
+      const WorkerSplit split = split_two_levels(sizes, wanted, workers);
+      const SplitFacts& facts = split.facts();
+      const LoadOrderFacts& whole = split.order().facts();
+      const Played played = play_levels(*split.stream(), *sizes);
+      EXPECT_EQ(played.fault, "");
+      EXPECT_TRUE(have_all_met(played.met, items, wanted));
+      EXPECT_EQ(played.bytes, facts.bytes);
+      EXPECT_EQ(played.fast_bytes, whole.transfer_bytes);
+      EXPECT_GE(facts.makespan_bytes, facts.makespan_bytes_bound.loads);
+      EXPECT_GE(whole.transfer_bytes, whole.transfer_byte_bound.loads);
+      const ScheduleRules rules = split.rules(ComputeRules{});
+      StepWork work(split.stream(), rules, split.owners());
+      std::vector<Step> steps = all_steps(work);
+      EXPECT_TRUE(verdict_of(steps, rules).valid());
+      EXPECT_EQ(verdict_of(steps, rules).computed, wanted.among(items).count());
+      // One item that is not transferred, or one byte less on the accelerator.
+      ItemSizes less = *sizes;
+      less.fast_memory = 1;
+      ScheduleRules narrow = rules;
+      narrow.sizes = std::make_shared<const ItemSizes>(less);
+      EXPECT_THAT(verdict_of(steps, narrow).fault, HasSubstr("are free"));
+      const auto transfers = std::ranges::find_if(
+          steps, [](const Step& step) { return !step.fast_load.empty() && !step.compute.empty(); });
+      transfers->fast_load.clear();
+      EXPECT_FALSE(verdict_of(steps, rules).valid());
+      const WorkerSplit again = repeat_shares(split_two_levels(sizes, wanted, workers), 3);
+      EXPECT_GE(again.order().facts().transfer_bytes,
+                again.order().facts().transfer_byte_bound.loads);
+      EXPECT_LE(again.order().facts().transfer_bytes, 3 * whole.transfer_bytes);
+      EXPECT_GE(again.facts().makespan_bytes, again.facts().makespan_bytes_bound.loads);
     }
   }
 }
@@ -94,6 +143,7 @@ TEST(SizedLevels, IfAllFitsEachItemMovesOnce) {
   const LoadOrder order = plan_two_levels(with_levels({3, 4, 5}, 20, 12), 3);
   EXPECT_EQ(order.facts().bytes, 12U);
   EXPECT_EQ(order.facts().transfer_bytes, 12U);
+  EXPECT_EQ(split_two_levels(with_levels({3}, 20, 12), 1, 4).facts().bytes, 3U);
 }
 
 TEST(SizedLevels, TheCheckFindsTooManyBytesOnTheAccelerator) {
@@ -114,7 +164,11 @@ TEST(SizedLevels, RequestsAreRefused) {
   EXPECT_THAT(refusal(R"("fast_memory":31)"), HasSubstr("of memory 30 give 2 to 30"));
   EXPECT_THAT(refusal(R"("fast_memory":6)"),
               HasSubstr("items 0 and 1 have 7 bytes together, more than the 6 of the accelerator"));
-  EXPECT_THAT(refusal(R"("fast_memory":9,"workers":2)"), HasSubstr("fast_memory"));
+  EXPECT_EQ(refusal(R"("fast_memory":9,"workers":2,"epochs":2)"), "");
+  EXPECT_THAT(refusal(R"("fast_memory":9,"prefetch":true)"), HasSubstr("fast_memory"));
+  EXPECT_THAT(refusal(R"("fast_memory":9,"workers":2,"disjoint":true)"), HasSubstr("fast_memory"));
+  EXPECT_THAT(refusal(R"("fast_memory":9,"workers":2,"write_back":true)"),
+              HasSubstr("leave out one of them"));
   EXPECT_THAT(refusal(R"("fast_room":2)"),
               HasSubstr("fast_room counts items, not their bytes; with sizes give fast_memory"));
 }

@@ -357,6 +357,28 @@ TEST_F(Answers, LoadOrdersBringAllPairsTogether) {
   }
 }
 
+// Pairs are counted where they meet: on the accelerator.
+TEST_F(Answers, LoadOrdersHaveTwoLevels) {
+  for (const std::string more : {"", R"(,"workers":3)", R"(,"epochs":2)"}) {
+    for (const std::string what :
+         {R"("items":20,"room":8,"fast_room":3)",
+          R"("sizes":[[0,5],[1,7],[2,9],[3,4],[4,6],[5,3]],"memory":22,"fast_memory":16)"}) {
+      const auto answer =
+          json_of(post("/api/loadorder", "{" + what + more + "}", "application/json"));
+      const auto& order = answer["order"];
+      EXPECT_GE(order["transfers"], order["transfer_bound"]) << answer;
+      const std::uint64_t items = order["items"];
+      EXPECT_EQ(answer["pairs"], items * (items - 1) / 2 * order.value("epochs", 1U));
+      EXPECT_EQ(answer["pairs_done"].back(), answer["pairs"]);
+      std::uint64_t transfers = 0;
+      for (const auto& step : answer["steps"]) {
+        transfers += step["fast_load"].size();
+      }
+      EXPECT_EQ(transfers, order["transfers"]);
+    }
+  }
+}
+
 TEST_F(Answers, AreGivenAgainWithoutABody) {
   const Reply first = get("/api/bounds?v=20&k=5&kind=linear");
   const std::string etag = first.header("etag");

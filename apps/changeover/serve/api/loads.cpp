@@ -81,28 +81,35 @@ LoadQuestion question_of(const Explorer& explorer, const Request& sent) {
 class Account {
  public:
   Account(const CheckedLoads& asked, std::uint64_t steps, const ScheduleRules& rules)
-      : asked_(asked), every_(steps / most_samples + 1), met_(asked.items()), check_(rules) {}
+      : asked_(asked),
+        come_(rules.fast_room ? &Step::fast_load : &Step::load),
+        leave_(rules.fast_room ? &Step::fast_evict : &Step::evict),
+        every_(steps / most_samples + 1),
+        met_(asked.items()),
+        check_(rules) {}
 
   void read(const Step& step) {
     check_.read(step);
     if (step.number == 1) {
-      memory_.clear();
+      together_.clear();
+      in_memory_ = 0;
     }
-    for (const Element item : step.evict) {
-      std::erase(memory_, item);
+    in_memory_ = in_memory_ + step.load.size() - step.evict.size();
+    for (const Element item : step.*leave_) {
+      std::erase(together_, item);
     }
     pairs_of_.resize(std::max<std::size_t>(pairs_of_.size(), step.worker + 1));
     if (step.epoch != std::exchange(epoch_, step.epoch)) {
       met_ = PairSet(asked_.items());
-      for (const Element item : std::exchange(memory_, {})) {
+      for (const Element item : std::exchange(together_, {})) {
         come(item, step.worker);
       }
     }
-    for (const Element item : step.load) {
+    for (const Element item : step.*come_) {
       come(item, step.worker);
     }
     if (count_++ % every_ == 0) {
-      held_.push_back(memory_.size());
+      held_.push_back(in_memory_);
       done_.push_back(pairs_);
       stop_if_asked();
     }
@@ -116,7 +123,7 @@ class Account {
           fmt::format("the load order is wrong: {}{}", verdict.fault, verdict.example));
     }
     if (held_.empty() || (count_ - 1) % every_ != 0) {
-      held_.push_back(memory_.size());
+      held_.push_back(in_memory_);
       done_.push_back(pairs_);
     }
   }
@@ -130,20 +137,23 @@ class Account {
 
  private:
   void come(Element item, std::uint64_t worker) {
-    for (const Element other : memory_) {
+    for (const Element other : together_) {
       if (item != other && !met_.contains(item, other) && asked_.wanted().contains(item, other)) {
         met_.insert(item, other);
         ++pairs_;
         ++pairs_of_[static_cast<std::size_t>(worker)];
       }
     }
-    memory_.push_back(item);
+    together_.push_back(item);
   }
 
   const CheckedLoads& asked_;
+  std::vector<Element> Step::*come_;
+  std::vector<Element> Step::*leave_;
   std::uint64_t epoch_ = 1;
   std::uint64_t every_;
-  std::vector<Element> memory_;
+  std::vector<Element> together_;  // in memory, or of two levels on the accelerator
+  std::size_t in_memory_ = 0;
   PairSet met_;
   ScheduleCheck check_;
   std::uint64_t count_ = 0;

@@ -13,6 +13,7 @@
 #include "core/words.hpp"
 #include "loadorder/listed/lockstep_cuts.hpp"
 #include "loadorder/listed/quick_moves.hpp"
+#include "loadorder/order/lockstep/check_disjoint.hpp"
 #include "loadorder/order/lockstep/eras.hpp"
 #include "loadorder/order/lockstep/grown.hpp"
 #include "loadorder/order/read_order.hpp"
@@ -255,16 +256,8 @@ WorkerMaker best_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
 
 }  // namespace
 
-LoadOrder plan_disjoint_order(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers,
-                              const LoadOrderOptions& options) {
+void check_disjoint(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers) {
   const std::uint64_t items = wanted.items();
-  LoadOrderFacts facts;
-  facts.wanted = wanted.are_all() ? WantedPairs() : wanted;
-  facts.items = items;
-  facts.room = room;
-  facts.lockstep = workers;
-  facts.bound = load_lower_bound(wanted, room);
-  facts.makespan_bound = makespan_lower_bound(wanted, room, workers);
   if (wanted.are_all() && workers > 1 && items / workers < room) {
     const std::string less =
         items / workers < 2 ? "" : fmt::format("room for {} or less, or ", items / workers);
@@ -278,6 +271,19 @@ LoadOrder plan_disjoint_order(const WantedPairs& wanted, std::uint64_t room, std
         fmt::format("{} items: disjoint workers have at most {}; group items into larger ones",
                     items, max_elements_in_memory));
   }
+}
+
+LoadOrder plan_disjoint_order(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers,
+                              const LoadOrderOptions& options) {
+  const std::uint64_t items = wanted.items();
+  LoadOrderFacts facts;
+  facts.wanted = wanted.are_all() ? WantedPairs() : wanted;
+  facts.items = items;
+  facts.room = room;
+  facts.lockstep = workers;
+  facts.bound = load_lower_bound(wanted, room);
+  facts.makespan_bound = makespan_lower_bound(wanted, room, workers);
+  check_disjoint(wanted, room, workers);
   const WorkerMaker worker = best_steps(facts, options);
   LoadOrder::Maker maker = [worker, workers] { return in_lockstep(worker, workers); };
   const ScheduleVerdict verdict =

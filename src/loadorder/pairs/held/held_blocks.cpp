@@ -112,8 +112,9 @@ std::optional<HeldBlocks> best_held_blocks(const WantedPairs& between, std::uint
   }
   for (std::uint64_t i = 0; i < blocks.first_parts; ++i) {
     for (std::uint64_t j = 0; j < blocks.other_parts; ++j) {
-      blocks.shapes.push_back(best_held_shape(part_of(first, i, blocks.first_parts),
-                                              part_of(other, j, blocks.other_parts), room));
+      const auto& [some, others] = blocks.parts.emplace_back(part_of(first, i, blocks.first_parts),
+                                                             part_of(other, j, blocks.other_parts));
+      blocks.shapes.push_back(best_held_shape(some, others, room));
     }
   }
   return blocks;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "changeover/loadorder/wanted_pairs.hpp"
@@ -18,6 +19,8 @@ namespace changeover {
 struct HeldBlocks {
   std::uint64_t first_parts = 0;  ///< of the first set
   std::uint64_t other_parts = 0;
+  /// The part of each set, one pair per worker that has any.
+  std::vector<std::pair<ItemRange, ItemRange>> parts;
   std::vector<HeldShape>
       shapes;  ///< one per worker; workers without any come last and are not listed
 

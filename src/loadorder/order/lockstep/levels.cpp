@@ -1,0 +1,167 @@
+// Disjoint workers with two levels each.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "changeover/core/parameters.hpp"
+#include "changeover/loadorder/workers.hpp"
+#include "changeover/run/control.hpp"
+#include "core/words.hpp"
+#include "loadorder/listed/listed_levels.hpp"
+#include "loadorder/order/group_levels.hpp"
+#include "loadorder/order/lockstep/check_disjoint.hpp"
+#include "loadorder/order/read_order.hpp"
+#include "loadorder/shares/few_workers.hpp"
+
+namespace changeover {
+namespace {
+
+/// What a step of an order of groups brings together at a worker takes it several steps; workers
+/// that are ready sooner have nothing to do until the next step of that order.
+class LockstepLevels final : public StepSource {
+ public:
+  LockstepLevels(const LevelShape& shape, std::unique_ptr<StepSource> groups, std::size_t workers,
+                 const std::shared_ptr<InnerOrders>& inner_orders)
+      : assigner_(shape.groups(), shape.group_room(), shape.wanted_groups(), workers),
+        groups_(workers),
+        steps_(workers) {
+    workers_.reserve(workers);
+    for (std::size_t w = 0; w < workers; ++w) {
+      workers_.emplace_back(shape, inner_orders);
+    }
+    assigner_.start(std::move(groups));
+  }
+
+  bool next(Step& step) override {
+    while (at_ == most_) {
+      if (!assigner_.next_round(groups_)) {
+        return false;
+      }
+      take_round();
+    }
+    const std::vector<Step>& its = steps_[worker_];
+    step = at_ < its.size() ? its[at_] : Step{};
+    step.number = number_;
+    step.worker = worker_;
+    if (++worker_ == workers_.size()) {
+      worker_ = 0;
+      ++at_;
+      ++number_;
+    }
+    return true;
+  }
+
+ private:
+  void take_round() {
+    at_ = most_ = 0;
+    for (std::size_t w = 0; w < workers_.size(); ++w) {
+      workers_[w].take(groups_[w]);
+      steps_[w].clear();
+      for (Step step; workers_[w].next(step);) {
+        steps_[w].push_back(step);
+      }
+      most_ = std::max(most_, steps_[w].size());
+    }
+  }
+
+  PairAssigner assigner_;
+  std::vector<AssignedStep> groups_;  // by worker: its step in the order of groups
+  std::vector<LevelWorker> workers_;
+  std::vector<std::vector<Step>> steps_;  // by worker: what that step takes
+  std::size_t most_ = 0;                  // of one worker
+  std::size_t at_ = 0;
+  std::size_t worker_ = 0;
+  std::uint64_t number_ = 1;
+};
+
+// What the slowest worker of each step moves, at each level over the bound of the busiest.
+double cost_of(StepSource& steps, std::uint64_t workers, std::uint64_t least_loads,
+               std::uint64_t least_transfers) {
+  std::uint64_t span = 0;
+  std::uint64_t fast_span = 0;
+  std::size_t loads = 0;
+  std::size_t transfers = 0;
+  for (Step step; steps.next(step);) {
+    loads = std::max(loads, step.load.size());
+    transfers = std::max(transfers, step.fast_load.size());
+    if (step.worker + 1 == workers) {
+      span += std::exchange(loads, 0);
+      fast_span += std::exchange(transfers, 0);
+    }
+  }
+  return static_cast<double>(span) / static_cast<double>(least_loads) +
+         static_cast<double>(fast_span) / static_cast<double>(least_transfers);
+}
+
+// Sizes of groups whose orders do not take too long to make.
+std::vector<std::uint64_t> group_sizes(const WantedPairs& wanted, std::uint64_t room,
+                                       std::uint64_t fast_room) {
+  if (wanted.graph() != nullptr) {
+    return {1};
+  }
+  constexpr std::size_t most_tried = 6;
+  constexpr std::uint64_t most_pairs = 1'000'000;  // of groups, listed
+  std::vector<std::uint64_t> sizes = sizes_to_try(wanted.items(), room, fast_room);
+  std::erase_if(sizes, [&](std::uint64_t size) {
+    return !wanted.are_all() &&
+           LevelShape{wanted, room, fast_room, size}.wanted_groups().count() > most_pairs;
+  });
+  sizes.resize(std::min(sizes.size(), most_tried));
+  return sizes.empty() ? std::vector<std::uint64_t>{1} : sizes;
+}
+
+}  // namespace
+
+LoadOrder plan_disjoint_levels(const WantedPairs& wanted, std::uint64_t room,
+                               std::uint64_t fast_room, std::uint64_t workers,
+                               const LoadOrderOptions& options) {
+  check_workers(workers);
+  check_rooms(room, fast_room);
+  check_disjoint(wanted, room, workers);
+  LoadOrderFacts facts;
+  facts.wanted = wanted.are_all() ? WantedPairs() : wanted;
+  facts.items = wanted.items();
+  facts.room = room;
+  facts.fast_room = fast_room;
+  facts.lockstep = workers;
+  facts.bound = load_lower_bound(wanted, room);
+  facts.transfer_bound = load_lower_bound(wanted, fast_room);
+  facts.makespan_bound = makespan_lower_bound(wanted, room, workers);
+  const std::uint64_t least_transfers = makespan_lower_bound(wanted, fast_room, workers).loads;
+  const auto inner = std::make_shared<InnerOrders>(fast_room);
+  LoadOrder::Maker maker;
+  double least = std::numeric_limits<double>::max();
+  for (const std::uint64_t size : group_sizes(wanted, room, fast_room)) {
+    stop_if_asked();
+    const LevelShape shape{wanted, room, fast_room, size};
+    const auto groups = std::make_shared<const LoadOrder>(
+        plan_disjoint_order(shape.wanted_groups(), shape.group_room(), workers, options));
+    LoadOrder::Maker its = [shape, groups, workers, inner]() -> std::unique_ptr<StepSource> {
+      return std::make_unique<LockstepLevels>(shape, groups->stream(),
+                                              static_cast<std::size_t>(workers), inner);
+    };
+    const double cost = cost_of(*its(), workers, facts.makespan_bound.loads, least_transfers);
+    if (cost < least) {
+      least = cost;
+      maker = std::move(its);
+      facts.group_items = wanted.graph() != nullptr ? 0 : size;
+      facts.method = groups->facts().method;
+      facts.explanation = (wanted.graph() != nullptr ? "What items meet is done at once. "
+                                                     : shape.explain() + " ") +
+                          groups->facts().explanation;
+    }
+  }
+  const ScheduleVerdict verdict =
+      read_order(maker, LoadOrder(facts, maker).rules(),
+                 fmt::format("{} for {} workers with room for {} and {}",
+                             wanted.are_all() ? count_of(facts.items, "item") : wanted.describe(),
+                             workers, room, fast_room));
+  static_cast<ScheduleFacts&>(facts) = verdict;
+  facts.every_step_read = true;
+  facts.certificate = "no item held twice at once, " + levels_read(verdict, wanted.count(), false);
+  return {std::move(facts), std::move(maker)};
+}
+
+}  // namespace changeover
