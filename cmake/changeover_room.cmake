@@ -33,7 +33,7 @@ function(changeover_room name)
   target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/src")
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:changeover_warnings>)
   changeover_precompile(${target} changeover_core <fmt/format.h>)
-  changeover_together(${target} 9)
+  changeover_together(${target})
   # nlohmann_json is headers only, so the installed library does not need it: BUILD_INTERFACE.
   foreach(library IN LISTS room_LIBRARIES)
     if(library STREQUAL "nlohmann_json::nlohmann_json")

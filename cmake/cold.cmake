@@ -29,7 +29,7 @@ function(changeover_cold target)
       set_property(TARGET ${apart} PROPERTY ${property} "$<TARGET_PROPERTY:${target},${property}>")
     endforeach()
     changeover_precompile(${apart} changeover_core)
-    changeover_together(${apart} 9)
+    changeover_together(${apart})
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${apart}>)
   endif()
   if(cold_ONLY)
@@ -42,14 +42,31 @@ function(changeover_cold target)
   endif()
 endfunction()
 
-# changeover_together(<target> <number>)
+# changeover_together(<target>)
 #
-# Where headers are precompiled, sources that stand beside each other are compiled together, so many at a time: what they include is
-# read, and templates are made, once. The preset `debug` compiles each alone, so what one leaves to another is found there.
-function(changeover_together target number)
-  if(CHANGEOVER_PRECOMPILE)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${number})
-    # A class of a source may have members of types that only this source knows; the warning is about headers.
-    target_compile_options(${target} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
+# Where headers are precompiled, sources that stand beside each other are compiled together: what they include is read, and templates
+# are made, once. One batch takes about half of what nine at a time take. So a target has as many batches as half the processors can
+# compile at once, of nine sources at least. Who changes one source often sets CHANGEOVER_TOGETHER to a small number.
+#
+# The preset `debug` compiles each source alone, so what one leaves to another is found there.
+set(CHANGEOVER_TOGETHER "" CACHE STRING "How many sources are compiled together; empty: what suits this machine")
+cmake_host_system_information(RESULT CHANGEOVER_PROCESSORS QUERY NUMBER_OF_LOGICAL_CORES)
+
+function(changeover_together target)
+  if(NOT CHANGEOVER_PRECOMPILE)
+    return()
   endif()
+  set(number "${CHANGEOVER_TOGETHER}")
+  if(NOT number)
+    get_target_property(sources ${target} SOURCES)
+    list(LENGTH sources count)
+    math(EXPR batches "(${CHANGEOVER_PROCESSORS} + 1) / 2")
+    math(EXPR number "(${count} + ${batches} - 1) / ${batches}")
+    if(number LESS 9)
+      set(number 9)
+    endif()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${number})
+  # A class of a source may have members of types that only this source knows; the warning is about headers.
+  target_compile_options(${target} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
 endfunction()

@@ -5,7 +5,7 @@
 Runs pdflatex on each answer twice, in a folder of its own, and reads the log: no error, no box more
 than ten points too wide, nothing that floats off its page. Without pdflatex (Debian:
 texlive-latex-recommended) the test says so and is skipped; without TikZ (texlive-pictures) the
-dossiers are left out. Neither is among the packages of ./dev test: together they take 300 MB.
+dossiers are left out. Neither is among the packages of ./dev test, for both are large.
 """
 
 import re
