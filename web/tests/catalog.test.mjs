@@ -1,7 +1,7 @@
 // The catalog: map, filters, table, what is taken along, look-up.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { after, before, test } from 'node:test';
+import { after, afterEach, before, test } from 'node:test';
 import { look, settled, start } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
 
@@ -9,6 +9,7 @@ let explorer;
 before(async () => {
   explorer = await start();
 });
+afterEach(() => explorer.tidy());
 after(() => explorer.stop());
 
 const small = '#/catalog?k=3..6&v=5..30';
@@ -37,7 +38,6 @@ test('the map is walked through by arrow keys, and a cell opens', async () => {
   await page.goBack();
   await settled(page);
   assert.equal(params(page).get('at'), '5.5');
-  await page.close();
 });
 
 test('a click opens a cell, hovering says what it is, a drag pans', async () => {
@@ -54,7 +54,6 @@ test('a click opens a cell, hovering says what it is, a drag pans', async () => 
   assert.ok(!page.url().includes('#/cell'), 'a drag opens nothing');
   await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
   await page.waitForURL(/#\/cell/);
-  await page.close();
 });
 
 test('zooming changes the window, the table and the link', async () => {
@@ -80,7 +79,6 @@ test('zooming changes the window, the table and the link', async () => {
   );
   await page.getByRole('button', { name: 'Zoom in' }).click();
   await page.getByRole('button', { name: 'All cells' }).click();
-  await page.close();
 });
 
 test('sorting and filters are in the link, and filters say what they leave', async () => {
@@ -110,7 +108,6 @@ test('sorting and filters are in the link, and filters say what they leave', asy
   assert.equal(await page.locator('th[aria-sort=descending]').textContent(), 'gap');
   await page.getByRole('button', { name: 'Clear the filters' }).click();
   assert.ok((await gaps()).length > found.length);
-  await page.close();
 });
 
 test('all tight designs with a group of order > 1', async () => {
@@ -124,7 +121,6 @@ test('all tight designs with a group of order > 1', async () => {
     orders.join(),
   );
   assert.ok((await page.locator('table.cells tbody .badge.good').count()) === orders.length);
-  await page.close();
 });
 
 test('what is listed is taken along', async () => {
@@ -146,14 +142,12 @@ test('what is listed is taken along', async () => {
   const latex = await taken('LaTeX');
   assert.match(latex, /\\begin\{longtable\}\{rrr\}/);
   assert.match(latex, /8 & \$\\mathbf\{9\}\$ & /);
-  await page.close();
 });
 
 test('a random cell is one of those that are listed', async () => {
   const page = await explorer.open('#/catalog?k=4&v=8..9&change=1&kind=linear');
   await page.getByRole('button', { name: 'Random cell' }).click();
   await page.waitForURL(/#\/cell\?v=[89]&k=4&change=1&kind=linear/, { waitUntil: 'commit' });
-  await page.close();
 });
 
 test('long tables are drawn in pieces', async () => {
@@ -162,7 +156,6 @@ test('long tables are drawn in pieces', async () => {
   assert.equal(await shown(), 100);
   await page.getByRole('button', { name: /More rows/ }).scrollIntoViewIfNeeded();
   await page.locator('table.cells tbody tr').nth(150).waitFor();
-  await page.close();
 });
 
 test('another change number, kind, strength and range are another table', async () => {
@@ -182,7 +175,6 @@ test('another change number, kind, strength and range are another table', async 
   assert.equal(params(page).get('kind'), 'linear');
   await page.getByLabel('Covers').selectOption('3');
   await page.locator('table.cells a[href*="strength=3"]').first().waitFor();
-  await page.close();
 });
 
 test('another measure paints the same table anew', async () => {
@@ -206,7 +198,6 @@ test('another measure paints the same table anew', async () => {
     [],
   );
   assert.equal(params(page).get('measure'), 'construction');
-  await page.close();
 });
 
 test('the look-up box leads to cells, labels and the page Verify', async () => {
@@ -231,7 +222,6 @@ test('the look-up box leads to cells, labels and the page Verify', async () => {
   });
   await page.waitForURL(/#\/verify/);
   await page.getByRole('heading', { name: 'Verify', level: 1 }).waitFor();
-  await page.close();
 });
 
 test('completeness by block size', async () => {
@@ -239,7 +229,6 @@ test('completeness by block size', async () => {
   await page.getByText('Completeness by block size').click();
   await page.locator('details.completeness[open]').waitFor();
   await page.locator('.completeness meter').first().waitFor();
-  await page.close();
 });
 
 test('it looks right', async () => {

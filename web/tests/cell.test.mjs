@@ -1,6 +1,6 @@
 // A cell: bounds, recipe, designs of the catalog, neighbours.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { after, afterEach, before, test } from 'node:test';
 import { look, settled, start } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
 
@@ -8,6 +8,7 @@ let explorer;
 before(async () => {
   explorer = await start();
 });
+afterEach(() => explorer.tidy());
 after(() => explorer.stop());
 
 test('what is known, and why', async () => {
@@ -32,7 +33,6 @@ test('what is known, and why', async () => {
   await settled(page);
   await page.getByRole('button', { name: /^Cite/ }).first().click();
   await page.locator('.bibtex pre', { hasText: '@misc{' }).waitFor();
-  await page.close();
 });
 
 test('a minimum says by which argument', async () => {
@@ -50,7 +50,6 @@ test('a minimum says by which argument', async () => {
   }
   await page.getByRole('link', { name: 'Open the design' }).click();
   await page.getByRole('heading', { name: /29 blocks/ }).waitFor();
-  await page.close();
 });
 
 test('how many there are, and what others report', async () => {
@@ -61,7 +60,6 @@ test('how many there are, and what others report', async () => {
   const bean = page.locator('.known a', { hasText: 'Bean 2026' });
   await bean.waitFor();
   assert.match(await bean.getAttribute('href'), /^https:\/\/arxiv\.org/);
-  await page.close();
 });
 
 test('beyond the catalog, too, all is in one place', async () => {
@@ -82,7 +80,6 @@ test('of many designs the first are shown, the others unfolded', async () => {
   await page.locator('summary', { hasText: 'more designs of this cell' }).click();
   assert.ok((await page.locator('.origin:visible').count()) > 10);
   assert.equal(await page.locator('.origin.best').count(), 1);
-  await page.close();
 });
 
 test('arrow keys lead to the neighbours', async () => {
@@ -94,7 +91,6 @@ test('arrow keys lead to the neighbours', async () => {
   await page.getByRole('link', { name: 'linear', exact: true }).click();
   await page.getByRole('heading', { name: /^Linear/ }).waitFor();
   await settled(page);
-  await page.close();
 });
 
 test('what does not exist, and addresses without a cell', async () => {
@@ -103,13 +99,11 @@ test('what does not exist, and addresses without a cell', async () => {
   assert.equal(await page.getByRole('heading', { name: 'How it is made' }).count(), 0);
   await page.goto(page.url().replace(/#.*/, '#/cell?v=x'));
   await page.getByRole('heading', { name: 'Which cell?' }).waitFor();
-  await page.close();
 });
 
 test('what the server refuses is said', async () => {
   const page = await explorer.open('#/cell?v=5&k=50', { mayFail: /status of 4\d\d/ });
   assert.ok((await page.locator('.problem, .note').first().textContent()).length > 20);
-  await page.close();
 });
 
 test('downloads are files of the server', async () => {
@@ -117,12 +111,10 @@ test('downloads are files of the server', async () => {
   const waiting = page.waitForEvent('download');
   await page.getByRole('link', { name: 'Text', exact: true }).click();
   assert.match((await waiting).suggestedFilename(), /\.(txt|text)$/);
-  await page.close();
 });
 
 test('it looks right', async () => {
   const page = await explorer.open('#/cell?v=40&k=6');
   await look(page, 'cell');
   await phone(page, 'cell');
-  await page.close();
 });

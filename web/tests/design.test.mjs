@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { after, afterEach, before, test } from 'node:test';
 import { look, settled, start } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
 
@@ -11,6 +11,7 @@ let explorer;
 before(async () => {
   explorer = await start();
 });
+afterEach(() => explorer.tidy());
 after(() => explorer.stop());
 
 const params = (page) => new URLSearchParams(page.url().split('?').at(-1));
@@ -56,7 +57,6 @@ test('the player is moved by keys, and its block is in the link', async () => {
   await page.keyboard.press(' ');
   await words.filter({ hasText: 'Block 29 of 29' }).waitFor();
   await page.getByRole('button', { name: 'Play' }).waitFor();
-  await page.close();
 });
 
 test('slider and number lead to a block; keys of a field stay with it', async () => {
@@ -68,7 +68,6 @@ test('slider and number lead to a block; keys of a field stay with it', async ()
   await page.locator('.block-text', { hasText: 'Block 3 of 29' }).waitFor();
   await page.keyboard.press('ArrowLeft');
   await page.locator('.block-text', { hasText: 'Block 3 of 29' }).waitFor();
-  await page.close();
 });
 
 test('tabs by arrow keys, in the link', async () => {
@@ -103,7 +102,6 @@ test('tabs by arrow keys, in the link', async () => {
   await page.locator('.recipe-node', { hasText: 'found' }).waitFor();
   await page.getByRole('tab', { name: 'Blocks' }).click();
   assert.equal((await page.locator('pre.blocks').textContent()).trim().split('\n').length, 30);
-  await page.close();
 });
 
 test('what is chosen in one view is lit in all', async () => {
@@ -147,7 +145,6 @@ test('what is chosen in one view is lit in all', async () => {
     await page.getByLabel('Select an element or a pair').getAttribute('aria-invalid'),
     'true',
   );
-  await page.close();
 });
 
 test('a design that is developed shows its symmetry', async () => {
@@ -161,7 +158,6 @@ test('a design that is developed shows its symmetry', async () => {
   const waiting = page.waitForEvent('download');
   await page.getByRole('button', { name: 'Save as SVG' }).click();
   assert.match((await waiting).suggestedFilename(), /^61\.4\.2\.circular\.366\..*circle\.svg$/);
-  await page.close();
 });
 
 test('ten thousand blocks are drawn, zoomed and panned without a pause', async () => {
@@ -182,7 +178,6 @@ test('ten thousand blocks are drawn, zoomed and panned without a pause', async (
     return worst;
   });
   console.log(`slowest of 15 pictures: ${slowest.toFixed(0)} ms`);
-  await page.close();
 });
 
 test('a long design is drawn in parts', async () => {
@@ -195,7 +190,6 @@ test('a long design is drawn in parts', async () => {
   await page.locator('canvas.coverage-map').waitFor();
   await page.keyboard.press('End');
   await page.locator('.met', { hasText: '(100 %)' }).waitFor();
-  await page.close();
 });
 
 test('by label, and a label that does not exist', async () => {
@@ -251,7 +245,6 @@ test('a design of this window, and none', async () => {
   const waiting = page.waitForEvent('download');
   await page.getByRole('link', { name: 'CSV', exact: true }).click();
   assert.equal((await waiting).suggestedFilename(), '4.3.1.linear.3.csv');
-  await page.close();
 });
 
 test('a file of the command line is what is shown first', async () => {

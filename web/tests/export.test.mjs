@@ -5,7 +5,7 @@ import { createReadStream, mkdtempSync, rmSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { extname, join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { after, afterEach, before, test } from 'node:test';
 import { look, program, settled, start } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
 
@@ -56,6 +56,7 @@ before(async () => {
   const origin = `http://127.0.0.1:${files.address().port}`;
   explorer = await start({ at: { address: `${origin}/some/where/`, origin, stop: async () => 0 } });
 });
+afterEach(() => explorer.tidy());
 after(async () => {
   await explorer?.stop();
   files?.close();
@@ -87,7 +88,6 @@ test('catalog, cell, design, theorems', async () => {
   assert.match((await waiting).suggestedFilename(), /^20\.\d\.2\..*\.txt$/);
   await page.goto(page.url().replace(/#.*/, '#/theorems'));
   await page.locator('#theorem-1').waitFor();
-  await page.close();
 });
 
 test('the window of the map, groups and permanent addresses', async () => {
@@ -96,7 +96,6 @@ test('the window of the map, groups and permanent addresses', async () => {
   assert.ok((await page.locator('table.cells tbody tr').count()) > 0);
   await page.goto(`${page.url().replace(/[?#].*/, '')}?cell=20.5.2.linear`);
   await page.getByRole('heading', { name: /^Linear.*20 elements in blocks of 5/ }).waitFor();
-  await page.close();
 });
 
 test('every design is the one whose label it has', async () => {
@@ -116,7 +115,6 @@ test('every design is the one whose label it has', async () => {
     createHash('sha256').update(blocks).digest('hex').slice(0, 8),
     label.split('.').at(-1),
   );
-  await page.close();
 });
 
 test('what the copy does not have is said', async () => {
@@ -139,7 +137,6 @@ test('pages that need the program say how to get it', async () => {
     await page.locator('.note', { hasText: 'changeover serve' }).waitFor();
   }
   await phone(page, 'export-search');
-  await page.close();
 });
 
 test('nothing but files was asked for', () => {

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
-import { after, before, test } from 'node:test';
+import { after, afterEach, before, test } from 'node:test';
 import { look, program, settled, start } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
 
@@ -10,6 +10,7 @@ let explorer;
 before(async () => {
   explorer = await start();
 });
+afterEach(() => explorer.tidy());
 after(() => explorer.stop());
 
 const steps = (page) => page.getByRole('list', { name: /^The .* steps$/ }).getByRole('listitem');

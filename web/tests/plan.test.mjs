@@ -23,16 +23,8 @@ let explorer;
 before(async () => {
   explorer = await start();
 });
+afterEach(() => explorer.tidy());
 after(() => explorer.stop());
-// A browser has few connections for one server, and each window that listens holds one.
-afterEach(() =>
-  Promise.all(
-    explorer.context
-      .pages()
-      .slice(1)
-      .map((page) => page.close()),
-  ),
-);
 
 test('what is missing is said where it is missing', async () => {
   const page = await explorer.open('#/plan', { mayFail: /422/ });

@@ -25,16 +25,8 @@ let explorer;
 before(async () => {
   explorer = await start();
 });
+afterEach(() => explorer.tidy());
 after(() => explorer.stop());
-// A browser has few connections for one server, and each window that listens holds one.
-afterEach(() =>
-  Promise.all(
-    explorer.context
-      .pages()
-      .slice(1)
-      .map((page) => page.close()),
-  ),
-);
 
 test(
   'a workbook as a lab has it: slots, quantities and forbidden pairs are in the form, and ' +

@@ -9,12 +9,8 @@ let explorer;
 before(async () => {
   explorer = await start();
 });
+afterEach(() => explorer.tidy());
 after(() => explorer.stop());
-// Each window has a stream of events, and a browser has six connections for one server; here no
-// window is ever hidden.
-afterEach(() =>
-  Promise.all(explorer.context.pages().map((page) => page.url() !== 'about:blank' && page.close())),
-);
 
 async function begin(page, v, k, { seconds = '10', change = '2', kind = 'linear' } = {}) {
   await page.getByRole('spinbutton', { name: 'Elements v' }).fill(String(v));
@@ -181,7 +177,6 @@ test('without the token the page looks on, and says how to get it', async () => 
   await settled(page);
   await page.getByText('it was opened without the token').waitFor();
   assert.ok(await page.getByRole('button', { name: 'Start' }).isDisabled());
-  await page.close();
 });
 
 test('a server that only reads says so; one that is gone is noticed', async () => {

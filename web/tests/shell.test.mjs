@@ -1,6 +1,6 @@
 // What all pages share: navigation, theme, links, the token.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { after, afterEach, before, test } from 'node:test';
 import { accessibility, look, settled, start } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
 
@@ -8,6 +8,7 @@ let explorer;
 before(async () => {
   explorer = await start();
 });
+afterEach(() => explorer.tidy());
 after(() => explorer.stop());
 
 test('the token leaves the address and survives a reload', async () => {
@@ -83,7 +84,6 @@ test('the start page has three doors, a picture and an action each', async () =>
     await page.goBack();
     await settled(page);
   }
-  await page.close();
 });
 
 test('the glossary is a click away on every page', async () => {
@@ -101,7 +101,6 @@ test('the glossary is a click away on every page', async () => {
     await page.keyboard.press('Escape');
     await dialog.waitFor({ state: 'hidden' });
   }
-  await page.close();
 });
 
 test('permanent addresses lead to cells and designs', async () => {
@@ -110,7 +109,6 @@ test('permanent addresses lead to cells and designs', async () => {
   await page.getByRole('heading', { name: /20 elements in blocks of 5/ }).waitFor();
   await page.goto(`${explorer.server.origin}/?design=20.5.2.circular.29.17482f88`);
   await page.getByRole('heading', { name: /29 blocks/ }).waitFor();
-  await page.close();
 });
 
 test('with less motion nothing moves by itself', async () => {
@@ -121,5 +119,4 @@ test('with less motion nothing moves by itself', async () => {
     'auto',
   );
   assert.equal(await page.evaluate(() => document.getAnimations().length), 0);
-  await page.close();
 });

@@ -1,6 +1,6 @@
 // Theorems and constructions, with mathematics as such.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { after, afterEach, before, test } from 'node:test';
 import { look, settled, start } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
 
@@ -8,6 +8,7 @@ let explorer;
 before(async () => {
   explorer = await start();
 });
+afterEach(() => explorer.tidy());
 after(() => explorer.stop());
 
 test('statements with subscripts, and no raw marks', async () => {
@@ -33,7 +34,6 @@ test('statements with subscripts, and no raw marks', async () => {
   assert.ok(!/\*\*|_\{/.test(all), /.{20}(\*\*|_\{).{20}/.exec(all)?.[0]);
   await page.locator('#theorem-5 math msub').first().waitFor();
   assert.ok((await page.locator('.statement').count()) > 40);
-  await page.close();
 });
 
 test('a link leads to a theorem or a construction', async () => {
@@ -83,7 +83,6 @@ test('constructions are found by words', async () => {
   assert.equal(await page.locator('details[id^=construction-]:visible').count(), shown);
   await page.getByLabel('Find a construction').fill('no such words');
   await page.getByText('No construction says that').waitFor();
-  await page.close();
 });
 
 test('names in the pictures of examples can be read', async () => {
@@ -94,12 +93,10 @@ test('names in the pictures of examples can be read', async () => {
     all.map((text) => Number(text.getAttribute('font-size')) * text.getScreenCTM().a),
   );
   assert.ok(Math.min(...heights) >= 8, `names of ${Math.min(...heights)} px`);
-  await page.close();
 });
 
 test('it looks right', async () => {
   const page = await explorer.open('#/theorems');
   await look(page, 'theorems');
   await phone(page, 'theorems');
-  await page.close();
 });

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { after, afterEach, before, test } from 'node:test';
 import { look, settled, start } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
 
@@ -11,6 +11,7 @@ let explorer;
 before(async () => {
   explorer = await start();
 });
+afterEach(() => explorer.tidy());
 after(() => explorer.stop());
 
 const design = [
@@ -236,7 +237,6 @@ test('a repair is suggested, and used', async () => {
   await look(page, 'verify-repair');
   await page.getByRole('button', { name: 'Use the repaired list' }).click();
   await page.getByRole('heading', { name: '✓ Valid' }).waitFor();
-  await page.close();
 });
 
 test('a design that is known is cited, with the reason of its bound', async () => {
@@ -246,7 +246,6 @@ test('a design that is known is cited, with the reason of its bound', async () =
     .waitFor();
   await page.locator('.verify-citation pre', { hasText: '@misc{' }).waitFor();
   await page.locator('.verdict .reason math').first().waitFor();
-  await page.close();
 });
 
 test('what comes is said before a check, and that the server is gone', async () => {

@@ -5,6 +5,7 @@
 //     const page = await explorer.open('#/catalog');        // fails the test on errors and on
 // requests that leave the machine
 //     await look(page, 'catalog');                          // what axe-core finds in light and dark
+//     await explorer.tidy();                                // after each test
 //     await explorer.stop();
 //
 // CHANGEOVER_PROGRAM names the program (default: the one in build/release), CHANGEOVER_ASSETS a
@@ -72,6 +73,8 @@ export async function serve(arguments_ = []) {
 export async function start(options = {}) {
   const server = options.at ?? (await serve(options.serve));
   const profile = mkdtempSync(join(tmpdir(), 'changeover-chromium-'));
+  const viewport = options.viewport ?? { width: 1280, height: 900 };
+  const colorScheme = options.colorScheme ?? 'light';
   const context = await chromium.launchPersistentContext(profile, {
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
     args: [
@@ -83,9 +86,10 @@ export async function start(options = {}) {
       '--disable-sync',
     ],
     chromiumSandbox: process.getuid?.() !== 0,
-    viewport: options.viewport ?? { width: 1280, height: 900 },
-    colorScheme: options.colorScheme ?? 'light',
+    viewport,
+    colorScheme,
   });
+  let [free] = context.pages();
   const faults = [];
   context.on('request', (request) => {
     const url = request.url();
@@ -101,7 +105,8 @@ export async function start(options = {}) {
      * matches them.
      */
     async open(fragment = '', { mayFail } = {}) {
-      const page = await context.newPage();
+      const page = free ?? (await context.newPage());
+      free = undefined;
       const note = (text) => {
         if (!mayFail?.test(text)) {
           faults.push(text);
@@ -117,6 +122,24 @@ export async function start(options = {}) {
       await page.goto(server.address + fragment);
       await settled(page);
       return page;
+    },
+    /**
+     * After each test: closes its pages but one, which is empty and as new, and the next to be
+     * opened: that takes half of the time. A browser has few connections for one server, too, and
+     * each window that listens holds one.
+     */
+    async tidy() {
+      const [first = await context.newPage(), ...others] = context.pages();
+      await Promise.all(others.map((page) => page.close()));
+      if (first.url() !== 'about:blank') {
+        await first.evaluate(() => sessionStorage.clear());
+        await first.goto('about:blank');
+      }
+      await first.unrouteAll();
+      first.removeAllListeners();
+      await first.setViewportSize(viewport);
+      await first.emulateMedia({ media: null, colorScheme, reducedMotion: null });
+      free = first;
     },
     async stop() {
       await context.close();
@@ -153,15 +176,16 @@ const coloursOfFormulas = () => {
   return [...wrong];
 };
 
-// Rows that are like those before them: axe-core takes as long for each. Their places are kept.
+// Rows and statements that are like those before them: axe-core takes as long for each. Their
+// places are kept.
 const putRowsAside = (most) => {
-  globalThis.aside = [...document.querySelectorAll('tbody, ol, ul, select, svg, svg g')].flatMap(
-    (list) =>
-      [...list.children].slice(most, -1).map((row) => {
-        const place = document.createComment('');
-        row.replaceWith(place);
-        return [row, place];
-      }),
+  const lists = 'tbody, ol, ul, select, svg, svg g, :has(> .statement)';
+  globalThis.aside = [...document.querySelectorAll(lists)].flatMap((list) =>
+    [...list.children].slice(most, -1).map((row) => {
+      const place = document.createComment('');
+      row.replaceWith(place);
+      return [row, place];
+    }),
   );
 };
 const putRowsBack = () => globalThis.aside.forEach(([row, place]) => place.replaceWith(row));
@@ -170,7 +194,7 @@ const putRowsBack = () => globalThis.aside.forEach(([row, place]) => place.repla
  * What axe-core finds wrong, a line each. The page's policy forbids foreign scripts, so it is run
  * from outside of it.
  * `onlyColours`: the page has been looked at in its other colours, and only those can be wrong now.
- * `rows`: so many rows of each table and list are looked at, and the last one.
+ * `rows`: so many rows of each table and list, and statements, are looked at, and the last one.
  */
 export async function accessibility(page, { onlyColours = false, rows = Infinity } = {}) {
   if (!(await page.evaluate(() => 'axe' in globalThis))) {
