@@ -25,7 +25,12 @@ def package_of(library):
 
 
 def main(program):
-    libraries = re.findall(r"=> (/\S+)", output("ldd", program))
+    libraries = set(re.findall(r"=> (/\S+)", output("ldd", program)))
+    # What the program loads late is in it by its name, as a string of its own.
+    names = set(re.findall(rb"\0(lib[a-z]+\.so\.[0-9]+)\0", pathlib.Path(program).read_bytes()))
+    for name, place in re.findall(r"(\S+) \([^)]*\) => (/\S+)", output("/sbin/ldconfig", "-p")):
+        if name.encode() in names:
+            libraries |= {place, *re.findall(r"=> (/\S+)", output("ldd", place))}
     packages = sorted({package_of(library) for library in libraries})
     version = output(program, "--version").split()[1]
     when = os.environ.get("SOURCE_DATE_EPOCH") or output("git", "log", "-1", "--format=%ct")

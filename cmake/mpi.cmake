@@ -1,5 +1,6 @@
 # changeover_use_mpi(<target>): lets mpirun start several processes of one job, if MPI is there when
-# this is configured. Defines CHANGEOVER_WITH_MPI; without MPI the target is alone.
+# this is configured. Defines CHANGEOVER_WITH_MPI; without MPI the target is alone. With LATE as
+# second argument, Open MPI is loaded late.
 option(CHANGEOVER_MPI "Let mpirun start several processes of one job" ON)
 
 if(CHANGEOVER_MPI)
@@ -20,7 +21,14 @@ endif()
 
 function(changeover_use_mpi target)
   if(CHANGEOVER_MPI AND CHANGEOVER_HAS_MPI AND MPI_CXX_FOUND)
-    target_link_libraries(${target} PRIVATE MPI::MPI_CXX)
+    set(library ${MPI_CXX_LIBRARIES})
+    list(FILTER library INCLUDE REGEX "/libmpi[.]so$")
+    if(ARGN AND library)
+      target_include_directories(${target} SYSTEM PRIVATE ${MPI_CXX_INCLUDE_DIRS})
+      changeover_late(${target} CHANGEOVER_LATE_MPI MPI::MPI_CXX "${library}")
+    else()
+      target_link_libraries(${target} PRIVATE MPI::MPI_CXX)
+    endif()
     # Without the C++ bindings, which MPI has dropped.
     target_compile_definitions(${target} PRIVATE
       CHANGEOVER_WITH_MPI OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)

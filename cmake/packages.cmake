@@ -69,6 +69,17 @@ recommended packages.")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME changeover)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION math)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
+# What is loaded late, which dpkg-shlibdeps does not see.
+get_property(late GLOBAL PROPERTY CHANGEOVER_LATE)
+set(needed)
+foreach(library IN LISTS late)
+  file(REAL_PATH "${library}" library)
+  execute_process(COMMAND dpkg-query --search "${library}" OUTPUT_VARIABLE owner ERROR_QUIET)
+  if(owner MATCHES "^([^:]+):")
+    list(APPEND needed "${CMAKE_MATCH_1}")
+  endif()
+endforeach()
+list(JOIN needed ", " CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "python3-changeover")
 set(CPACK_DEBIAN_TOOLS_DESCRIPTION "finds, proves, draws and runs change covering designs
 ${about}

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "changeover/core/error.hpp"
+#include "cli/late_library.hpp"
 #endif
 
 namespace changeover::cli {
@@ -25,6 +26,35 @@ class Alone final : public Team {
   bool heard() override { return false; }
   std::vector<std::string> exchange(const std::string& message) override { return {message}; }
 };
+
+#ifdef CHANGEOVER_LATE_MPI
+
+// These hide what has the same names in libmpi, so that only a process that mpirun started loads it.
+#define CHANGEOVER_LATE(name) const LateFunction<decltype(::name)> name(CHANGEOVER_LATE_MPI, #name)
+CHANGEOVER_LATE(MPI_Abort);
+CHANGEOVER_LATE(MPI_Allgather);
+CHANGEOVER_LATE(MPI_Allgatherv);
+CHANGEOVER_LATE(MPI_Barrier);
+CHANGEOVER_LATE(MPI_Comm_rank);
+CHANGEOVER_LATE(MPI_Comm_size);
+CHANGEOVER_LATE(MPI_Finalize);
+CHANGEOVER_LATE(MPI_Init_thread);
+CHANGEOVER_LATE(MPI_Iprobe);
+CHANGEOVER_LATE(MPI_Recv);
+CHANGEOVER_LATE(MPI_Send);
+#undef CHANGEOVER_LATE
+
+// The constants of Open MPI are addresses.
+struct LateConstant {
+  const char* name;
+  void* operator&() const { return late_address(CHANGEOVER_LATE_MPI, name); }
+};
+constexpr LateConstant ompi_mpi_char{"ompi_mpi_char"};
+constexpr LateConstant ompi_mpi_comm_world{"ompi_mpi_comm_world"};
+constexpr LateConstant ompi_mpi_int{"ompi_mpi_int"};
+constexpr LateConstant ompi_mpi_uint64_t{"ompi_mpi_uint64_t"};
+
+#endif
 
 #ifdef CHANGEOVER_WITH_MPI
 

@@ -2,7 +2,6 @@
 
 #include <expat.h>
 #include <fmt/format.h>
-#include <microhttpd.h>
 #include <sqlite3.h>
 #include <xlsxwriter.h>
 #include <zip.h>
@@ -20,6 +19,7 @@
 #include "construct/shipped_catalog.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
+#include "serve/http/microhttpd.hpp"
 #include "serve/pages/pages.hpp"
 #include "shell/build_information.hpp"
 
@@ -40,7 +40,7 @@ std::vector<std::pair<std::string, std::string>> libraries() {
           {"expat", std::string(XML_ExpatVersion()).substr(std::string_view("expat_").size())},
           {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
                               FMT_VERSION % 100)},
-          {"libmicrohttpd", MHD_get_version()},
+          {"libmicrohttpd", serve::MHD_get_version()},
           {"libxlsxwriter", lxw_version()},
           {"libzip", zip_libzip_version()},
           {"nlohmann_json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR,

@@ -1,8 +1,6 @@
 // Requests on their way, as the server keeps them while libmicrohttpd reads them.
 #pragma once
 
-#include <microhttpd.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <mutex>
@@ -12,6 +10,7 @@
 #include <thread>
 
 #include "serve/http/message.hpp"
+#include "serve/http/microhttpd.hpp"
 #include "serve/http/router.hpp"
 
 namespace changeover::serve {

@@ -1,7 +1,6 @@
 #include "serve/http/server.hpp"
 
 #include <fmt/format.h>
-#include <microhttpd.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -20,6 +19,7 @@
 #include "changeover/core/error.hpp"
 #include "core/printable.hpp"
 #include "serve/http/exchange.hpp"
+#include "serve/http/microhttpd.hpp"
 
 namespace changeover::serve {
 namespace {
@@ -421,7 +421,7 @@ MHD_Result Server::State::send(Exchange& exchange) {
                          request.header("if-none-match") == response.etag;
   const bool packed = response.gzipped && takes_gzip(request);
   using Made = std::unique_ptr<MHD_Response, void (*)(MHD_Response*)>;
-  Made made(nullptr, &MHD_destroy_response);
+  Made made(nullptr, MHD_destroy_response);
   if (response.events && request.method != "HEAD") {
     auto listener = std::make_unique<Listener>(Listener{response.events, exchange.connection});
     constexpr std::size_t room = 4096;
