@@ -8,6 +8,8 @@ function(changeover_late target definition linked library)
   endif()
   if(headers MATCHES "SONAME +([^ \n]+)")
     target_compile_definitions(${target} PUBLIC "${definition}=\"${CMAKE_MATCH_1}\"")
+    target_include_directories(${target} SYSTEM PUBLIC
+      "$<TARGET_PROPERTY:${linked},INTERFACE_INCLUDE_DIRECTORIES>")
     target_link_libraries(${target} PUBLIC ${CMAKE_DL_LIBS})
     set_property(GLOBAL APPEND PROPERTY CHANGEOVER_LATE "${library}")
   else()
