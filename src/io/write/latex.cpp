@@ -52,14 +52,14 @@ std::string default_caption(const Design& design) {
 
 // What stands around the columns, and ends a line of them: a table that floats, or one that goes on
 // over pages; small where 12 columns would be wider than a page of the class article.
-struct Place {
+struct Environment {
   std::string begin;
   std::string end_of_line;
   std::string before_caption;
   std::string end;
 };
 
-Place place_of(const Design& design, const LatexOptions& options, std::size_t blocks,
+Environment environment_of(const Design& design, const LatexOptions& options, std::size_t blocks,
                std::size_t band) {
   constexpr std::size_t most_lines_of_a_float = 48;
   constexpr double line_width = 345;  // points, of that class, and so are those of letters
@@ -166,8 +166,8 @@ void write_latex(const Design& design, Sink& sink, const LatexOptions& options) 
   const std::size_t band = std::max<std::size_t>(
       1, std::min<std::size_t>(options.columns, std::max<std::size_t>(1, blocks.size())));
 
-  const Place place = place_of(design, options, blocks.size(), band);
-  std::string text = place.begin;
+  const Environment environment = environment_of(design, options, blocks.size(), band);
+  std::string text = environment.begin;
   if (marks) {
     text += "c@{}";
   }
@@ -191,7 +191,7 @@ void write_latex(const Design& design, Sink& sink, const LatexOptions& options) 
           text += last && positions.contains(i + 1) ? " & $_{\\land}$" : " &";
         }
       }
-      text += last ? "" : place.end_of_line;
+      text += last ? "" : environment.end_of_line;
     };
     row([&](std::size_t i) { return "$B_{" + block_name(options.names, i) + "}$"; }, false);
     const std::size_t k = blocks[start].size();
@@ -208,14 +208,14 @@ void write_latex(const Design& design, Sink& sink, const LatexOptions& options) 
     text.clear();
   }
   const std::string caption = options.caption.value_or(default_caption(design));
-  text += place.before_caption;
+  text += environment.before_caption;
   if (!caption.empty()) {
     text += "\\caption{" + caption + "}\n";
   }
   if (!options.label.empty()) {
     text += "\\label{" + options.label + "}\n";
   }
-  text += place.end;
+  text += environment.end;
   sink.write(text);
 }
 
