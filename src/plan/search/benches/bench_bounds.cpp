@@ -17,6 +17,8 @@
 #include "plan/job/prices.hpp"
 #include "plan/job/setup_list.hpp"
 #include "plan/search/benches/benches_at_work.hpp"
+#include "plan/search/benches/easiest_job.hpp"
+#include "plan/search/benches/fullest_bench.hpp"
 #include "plan/search/bounds/dearest_parts.hpp"
 #include "plan/search/bounds/job_numbers.hpp"
 #include "plan/search/valid_job.hpp"
@@ -29,37 +31,6 @@ __extension__ using Huge = unsigned __int128;
 
 bool has_part(const Block& block, Element x) {
   return std::find(block.begin(), block.end(), x) != block.end();
-}
-
-// The cheapest and largest combination of all benches, with an empty start.
-Job easiest_job(const BenchField& field) {
-  Job easiest = at_prices(field.rest(0), Price::least);
-  easiest.needed = field.common().needed;
-  easiest.triples = field.common().triples;
-  easiest.start.clear();
-  for (std::size_t w = 1; w < field.size(); ++w) {
-    if (&field.rest(w) == &field.rest(0)) {
-      continue;
-    }
-    const Job other = at_prices(field.rest(w), Price::least);
-    easiest.at_once = std::max(easiest.at_once, other.at_once);
-    easiest.test_cost = std::min(easiest.test_cost, other.test_cost);
-    for (std::size_t x = 0; x < easiest.change_costs.size(); ++x) {
-      easiest.change_costs[x] = std::min(easiest.change_costs[x], other.change_costs[x]);
-    }
-    std::erase_if(easiest.mounted, [&](Element m) { return !has_part(other.mounted, m); });
-    // A part that a bench cannot have is in another slot there.
-    const auto of_both = std::min(easiest.slots.size(), other.slots.size());
-    for (std::size_t s = 0; s < of_both; ++s) {
-      easiest.slots[s].least = std::min(easiest.slots[s].least, other.slots[s].least);
-      easiest.slots[s].most = std::max(easiest.slots[s].most, other.slots[s].most);
-    }
-    if (easiest.slot_of != other.slot_of) {
-      easiest.slots.clear();
-      easiest.slot_of.clear();
-    }
-  }
-  return easiest;
 }
 
 // The first time from which a monotone condition holds.
@@ -102,6 +73,7 @@ class BenchBounder {
         bound_scarce();
         bound_whole_tests();
         bound_pairs();
+        bound_fullest();
       } catch (const Stopped&) {
         bound_costs_shared();  // the bound so far is valid, too
       }
@@ -256,11 +228,7 @@ class BenchBounder {
       all += easiest_.change_costs[m] * (lists - std::min(lists, there));
       mounting = mounting - std::min(mounting, easiest_.change_costs[m]);
     }
-    bool any_start = false;
-    for (std::size_t w = 0; w < field_->size(); ++w) {
-      any_start = any_start || has_start(w);
-    }
-    return any_start ? all : all + mounting;
+    return any_bench([&](std::size_t w) { return has_start(w); }) ? all : all + mounting;
   }
 
   // φ_w as a fraction.
@@ -566,6 +534,43 @@ class BenchBounder {
       return fmt::format("at least {} are needed, and a day has hours for only so many",
                          count_of(tests, "test"));
     });
+  }
+
+  // (7)
+  void bound_fullest() {
+    const JobNumbers n = numbers_of(easiest_);
+    std::vector<Amount> most;  // what each bench can do by now
+    for (std::size_t w = 0; w < field_->size(); ++w) {
+      most.push_back(Amount{can_do(w, bounds_.makespan.millionths)});
+    }
+    const auto cost = cost_of_fullest(shared_parts(easiest_, n,
+                                                   [&](Element x) {
+                                                     return any_bench([&](std::size_t w) {
+                                                       return has_part(field_->rest(w).start, x);
+                                                     });
+                                                   }),
+                                      field_->size(), *std::max_element(most.begin(), most.end()));
+    if (!cost) {
+      return;
+    }
+    const Amount found = earliest([&](std::uint64_t time) {
+      return any_bench([&](std::size_t w) { return can_do(w, time) >= cost->millionths; });
+    });
+    raise(found, [&] {
+      return fmt::format(
+          "parts that must meet need a bench in common, so what some bench must put "
+          "in costs at least {} with its tests",
+          to_string(*cost));
+    });
+  }
+
+  [[nodiscard]] bool any_bench(const std::function<bool(std::size_t)>& holds) const {
+    for (std::size_t w = 0; w < field_->size(); ++w) {
+      if (holds(w)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   const BenchField* field_;

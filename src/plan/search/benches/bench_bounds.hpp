@@ -29,6 +29,9 @@
 //   (6) *Whole tests.* A bench that rests does not end a day within a step. A step takes at least a
 //       test and the cheapest part, which limits the steps per day, and all benches together need a
 //       number of tests.
+//   (7) *Shared parts.* Two parts that must meet are together on one bench at some time. What the
+//       fullest bench must put in and test then is an integer program (docs/theorems.md,
+//       Theorem 26).
 #pragma once
 
 #include <string>
