@@ -60,7 +60,7 @@ struct Environment {
 };
 
 Environment environment_of(const Design& design, const LatexOptions& options, std::size_t blocks,
-               std::size_t band) {
+                           std::size_t band) {
   constexpr std::size_t most_lines_of_a_float = 48;
   constexpr double line_width = 345;  // points, of that class, and so are those of letters
   constexpr double letter = 5;

@@ -24,7 +24,7 @@ std::uint64_t rounded_up(Real bytes) {
   return bytes <= 0 ? 0 : static_cast<std::uint64_t>(std::ceil(bytes * (1 - rounding)));
 }
 
-struct Weights {
+struct SizeWeights {
   Real pairs = 0;    // the sum of s_x s_y over all pairs
   Real brought = 0;  // the most that one load of each item can add
   Real capped = 0;   // the same, limited by the pairs of each item
@@ -36,8 +36,9 @@ struct Weights {
 };
 
 // For the items with at least `least` bytes.
-Weights weights_of(const ItemSizes& sizes, const WantedPairs& wanted, std::uint64_t least) {
-  Weights w;
+SizeWeights size_weights_of(const ItemSizes& sizes, const WantedPairs& wanted,
+                            std::uint64_t least) {
+  SizeWeights w;
   const std::uint64_t memory = sizes.memory;
   const auto counts = [&](Element x) { return wanted.needs(x) && sizes.bytes[x] >= least; };
   Real all = 0;
@@ -72,7 +73,7 @@ Weights weights_of(const ItemSizes& sizes, const WantedPairs& wanted, std::uint6
 // The bytes that these items need beyond one load each, and the most that a loaded byte adds. A
 // load of x adds products of its size and those in memory, at most s_x (M - s_x); the loads before
 // memory can be full add M (M - s) / 2 less, where s is the largest size.
-std::pair<std::uint64_t, std::uint64_t> bytes_beyond(const Weights& w, std::uint64_t memory) {
+std::pair<std::uint64_t, std::uint64_t> bytes_beyond(const SizeWeights& w, std::uint64_t memory) {
   std::pair<std::uint64_t, std::uint64_t> best{0, 0};
   const auto consider = [&](Real lacking, std::uint64_t most) {
     const std::uint64_t more =
@@ -155,7 +156,7 @@ LoadBound by_workers_of_items(const ItemSizes& sizes, const WantedPairs& wanted,
 
 // A load of s bytes, when T bytes have been loaded, adds at most s min(T, most) to what pairs
 // weigh: no more than the integral of min(t, most) from T to T + s, and s²/2 less below `most`.
-LoadBound by_weight(const Weights& w, std::uint64_t most, std::uint64_t high,
+LoadBound by_weight(const SizeWeights& w, std::uint64_t most, std::uint64_t high,
                     std::uint64_t workers) {
   const auto weight = [&](std::uint64_t bytes) {
     const std::uint64_t rising = std::min(bytes, most);
@@ -191,7 +192,7 @@ LoadBound sized_makespan_bound(const ItemSizes& sizes, const WantedPairs& wanted
   };
   const std::vector<std::uint64_t> partners = partner_bytes(sizes, wanted);
   consider(by_workers_of_items(sizes, wanted, partners, alone.loads, workers));
-  const Weights w = weights_of(sizes, wanted, 0);
+  const SizeWeights w = size_weights_of(sizes, wanted, 0);
   consider(by_weight(
       w, std::min(sizes.memory - w.smallest, *std::max_element(partners.begin(), partners.end())),
       alone.loads, workers));
@@ -203,7 +204,7 @@ LoadBound sized_makespan_bound(const ItemSizes& sizes, const WantedPairs& wanted
 
 LoadBound sized_lower_bound(const ItemSizes& sizes, const WantedPairs& wanted) {
   check_sizes(sizes, wanted);
-  const std::uint64_t bytes = weights_of(sizes, wanted, 0).bytes;
+  const std::uint64_t bytes = size_weights_of(sizes, wanted, 0).bytes;
   LoadBound best{bytes, fmt::format("each item is loaded, {} bytes in all", bytes)};
   if (bytes <= sizes.memory) {
     return best;
@@ -215,7 +216,7 @@ LoadBound sized_lower_bound(const ItemSizes& sizes, const WantedPairs& wanted) {
   constexpr std::size_t most_tried = 64;
   const std::size_t tried = std::min(most_tried, thresholds.size());
   for (std::size_t i = 0; i < tried; ++i) {
-    const Weights w = weights_of(sizes, wanted, thresholds[i * thresholds.size() / tried]);
+    const SizeWeights w = size_weights_of(sizes, wanted, thresholds[i * thresholds.size() / tried]);
     const auto [more, most] = bytes_beyond(w, sizes.memory);
     if (checked_add(bytes, more) > best.loads) {
       const std::string which =
