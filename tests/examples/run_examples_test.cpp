@@ -33,7 +33,7 @@ TEST(RunExamples, ControlOfTime) {
   EXPECT_EQ(control.why_stopped(), WhyStopped::time_limit);
 }
 
-TEST(RunExamples, Outcome) { EXPECT_EQ(to_string(Outcome::none), "none"); }
+TEST(RunExamples, Outcome) { EXPECT_EQ(to_string(changeover::Outcome::none), "none"); }
 
 TEST(RunExamples, Scope) {
   const Parameters p{.v = 8, .k = 5, .kind = Kind::circular};

@@ -124,7 +124,7 @@ TEST_F(SearchExamples, Ordering) {
   RunControl control({.time = std::chrono::seconds(10)});
   const ChangeOrder order =
       order_for_change(triples, {.v = 9, .m = 2, .kind = Kind::circular}, {}, control);
-  if (order.outcome == Outcome::found) {
+  if (order.outcome == changeover::Outcome::found) {
     walk = arranged(triples, order.order);
   }
   ASSERT_THAT(walk, SizeIs(12));
