@@ -45,12 +45,15 @@ endfunction()
 # changeover_together(<target>)
 #
 # Where headers are precompiled, sources that stand beside each other are compiled together: what they include is read, and templates
-# are made, once. One batch takes about half of what nine at a time take. So a target has as many batches as half the processors can
-# compile at once, of nine sources at least. Who changes one source often sets CHANGEOVER_TOGETHER to a small number.
+# are made, once. All of a target in one batch take about half of what nine at a time take, and up to 1.5 GB of memory. So a target
+# has one batch for every two processors, of nine sources at least; of nine where memory is short. Who changes one source often sets
+# CHANGEOVER_TOGETHER to a small number.
 #
 # The preset `debug` compiles each source alone, so what one leaves to another is found there.
 set(CHANGEOVER_TOGETHER "" CACHE STRING "How many sources are compiled together; empty: what suits this machine")
 cmake_host_system_information(RESULT CHANGEOVER_PROCESSORS QUERY NUMBER_OF_LOGICAL_CORES)
+cmake_host_system_information(RESULT CHANGEOVER_MEMORY QUERY TOTAL_PHYSICAL_MEMORY)
+math(EXPR CHANGEOVER_MEMORY "${CHANGEOVER_MEMORY} / ${CHANGEOVER_PROCESSORS}")  # MiB for each
 
 function(changeover_together target)
   if(NOT CHANGEOVER_PRECOMPILE)
@@ -62,7 +65,7 @@ function(changeover_together target)
     list(LENGTH sources count)
     math(EXPR batches "(${CHANGEOVER_PROCESSORS} + 1) / 2")
     math(EXPR number "(${count} + ${batches} - 1) / ${batches}")
-    if(number LESS 9)
+    if(number LESS 9 OR CHANGEOVER_MEMORY LESS 1800)
       set(number 9)
     endif()
   endif()
