@@ -6,6 +6,8 @@
 namespace changeover::test::run_examples_test {
 namespace {
 
+using changeover::Outcome;  // not that of a program that was run
+
 TEST(RunExamples, Control) {
   int taken = 0;
   const auto take_steps = [&](RunControl& control) {
@@ -33,7 +35,7 @@ TEST(RunExamples, ControlOfTime) {
   EXPECT_EQ(control.why_stopped(), WhyStopped::time_limit);
 }
 
-TEST(RunExamples, Outcome) { EXPECT_EQ(to_string(changeover::Outcome::none), "none"); }
+TEST(RunExamples, Outcome) { EXPECT_EQ(to_string(Outcome::none), "none"); }
 
 TEST(RunExamples, Scope) {
   const Parameters p{.v = 8, .k = 5, .kind = Kind::circular};

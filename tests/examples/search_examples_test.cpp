@@ -6,6 +6,8 @@
 namespace changeover::test::search_examples_test {
 namespace {
 
+using changeover::Outcome;  // not that of a program that was run
+
 class SearchExamples : public InAFolder {};
 
 TEST_F(SearchExamples, BaseBlockSearch) {
@@ -124,7 +126,7 @@ TEST_F(SearchExamples, Ordering) {
   RunControl control({.time = std::chrono::seconds(10)});
   const ChangeOrder order =
       order_for_change(triples, {.v = 9, .m = 2, .kind = Kind::circular}, {}, control);
-  if (order.outcome == changeover::Outcome::found) {
+  if (order.outcome == Outcome::found) {
     walk = arranged(triples, order.order);
   }
   ASSERT_THAT(walk, SizeIs(12));

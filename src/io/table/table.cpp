@@ -259,7 +259,7 @@ std::string table_latex(const Table& table) {
     }
   }
   const auto all = std::accumulate(digits.begin(), digits.end(), 0.0);
-  if (digit * all + between * static_cast<double>(columns.size()) <= line) {
+  if (columns.size() < 2 || digit * all + between * static_cast<double>(columns.size()) <= line) {
     return columns_latex(table, columns);
   }
   // Small, and in as many tables as needed; each begins with the first column.

@@ -217,14 +217,18 @@ void check_latex(const std::string& text) {
   }
   RC_ASSERT(depth == 0);
   RC_ASSERT(dollars % 2 == 0);
-  const std::size_t start = text.find("\\begin{tabular}{") + 16;
+  const std::string environment =
+      text.find("\\begin{longtable}{") != std::string::npos ? "longtable" : "tabular";
+  const std::string begin = "\\begin{" + environment + "}{";
+  RC_ASSERT(text.find(begin) != std::string::npos);
+  const std::size_t start = text.find(begin) + begin.size();
   const std::size_t line_end = text.find('\n', start);
   std::string columns = text.substr(start, line_end - start - 1);
   for (std::size_t at; (at = columns.find("@{}")) != std::string::npos;) {
     columns.erase(at, 3);
   }
   std::size_t cells = 1;
-  for (std::size_t i = line_end; i < text.find("\\end{tabular}"); ++i) {
+  for (std::size_t i = line_end; i < text.find("\\end{" + environment + "}"); ++i) {
     if (text[i] == '\\') {
       cells = text[i + 1] == '\\' ? 1 : cells;
       ++i;
