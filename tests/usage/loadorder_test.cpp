@@ -371,7 +371,6 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
            {"--items 40 --room 12 --item-bytes 9", 2, "--item-bytes"},
            {"--items 40 --room 12 --fast-room 4 --workers 2", 0, "for 2 workers, the busiest has"},
            {"--items 40 --room 12 --fast-room 4 --workers 2 --json", 0, "\"worker\":1,\"step\":1"},
-           {"--items 40 --room 12 --fast-room 4 --prefetch", 2, "--fast-room"},
            {"--items 40 --room 12 --fast-room 4 --workers 2 --write-back", 2, "add --disjoint"},
            {"--items 40 --room 12 --fast-room 4 --prefetch", 2, "--fast-room"},
            {"--sizes sizes --memory 12 --fast-memory 9", 0,
