@@ -15,6 +15,7 @@
 
 #include "answer/converter.hpp"
 #include "catalog/store/database.hpp"
+#include "changeover/core/error.hpp"
 #include "changeover/core/version.hpp"
 #include "construct/shipped_catalog.hpp"
 #include "core/words.hpp"
@@ -33,6 +34,15 @@ std::string cadical_version() {
   return package.empty() ? own : package + " (calls itself " + own + ")";
 }
 
+// It is loaded late, and a report of what is wrong must name the others all the same.
+std::string microhttpd_version() {
+  try {
+    return serve::MHD_get_version();
+  } catch (const MissingResource&) {
+    return "cannot be loaded";
+  }
+}
+
 std::vector<std::pair<std::string, std::string>> libraries() {
   return {{"bliss", bliss::version},
           {"CaDiCaL", cadical_version()},
@@ -40,7 +50,7 @@ std::vector<std::pair<std::string, std::string>> libraries() {
           {"expat", std::string(XML_ExpatVersion()).substr(std::string_view("expat_").size())},
           {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
                               FMT_VERSION % 100)},
-          {"libmicrohttpd", serve::MHD_get_version()},
+          {"libmicrohttpd", microhttpd_version()},
           {"libxlsxwriter", lxw_version()},
           {"libzip", zip_libzip_version()},
           {"nlohmann_json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR,

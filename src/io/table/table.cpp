@@ -244,11 +244,12 @@ std::string columns_latex(const Table& table, const std::vector<const TableColum
 }  // namespace
 
 std::string table_latex(const Table& table) {
-  // Points of the class article: its line, a digit, and what stands between columns; then small.
-  constexpr double line = 345;
+  // Points of the class article: its line without an indent, a digit, and what stands between
+  // columns; then small.
+  constexpr double line = 330;
   constexpr double digit = 5;
   constexpr double between = 12;
-  constexpr double small_digit = 4.6;
+  constexpr double small_digit = 4.8;
   constexpr double small_between = 6;
   const std::vector<const TableColumn*> columns = columns_in(table, in_latex);
   std::vector<double> digits;

@@ -56,6 +56,12 @@ class Prose {
     before_ = rest_.front();
     plain_ += rest_.front();
     rest_.remove_prefix(1);
+    // Sets have no blanks, nor have paths; a line may end within them.
+    const char next = rest_.empty() ? ' ' : rest_.front();
+    if ((before_ == ',' && is_digit(next)) || (before_ == '/' && is_letter(next))) {
+      flush();
+      result_ += "\\allowbreak ";
+    }
   }
 
   void flush() {
