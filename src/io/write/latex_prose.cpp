@@ -56,9 +56,9 @@ class Prose {
     before_ = rest_.front();
     plain_ += rest_.front();
     rest_.remove_prefix(1);
-    // Sets have no blanks, nor have paths; a line may end within them.
-    const char next = rest_.empty() ? ' ' : rest_.front();
-    if ((before_ == ',' && is_digit(next)) || (before_ == '/' && is_letter(next))) {
+    in_set_ = before_ == '{' || (in_set_ && before_ != '}');
+    // Sets are written without blanks; a line may end within them.
+    if (in_set_ && before_ == ',' && !rest_.starts_with(' ')) {
       flush();
       result_ += "\\allowbreak ";
     }
@@ -178,6 +178,7 @@ class Prose {
   bool after_math_ = false;  // the result ends in a formula
   char before_ = ' ';
   int depth_ = 0;
+  bool in_set_ = false;
   std::vector<int> ceilings_;
 };
 

@@ -41,6 +41,11 @@ TEST(LatexProse, TakesNoWordsForFormulas) {
   EXPECT_EQ(latex_prose("search --change 2"), "search -{}-change 2");
 }
 
+TEST(LatexProse, LinesMayEndWithinSets) {
+  EXPECT_EQ(latex_prose("the base block {0,1,12} of (12,4)"),
+            "the base block \\{0,\\allowbreak 1,\\allowbreak 12\\} of (12,4)");
+}
+
 TEST(LatexProse, LeavesWordsAsTheyAre) {
   EXPECT_EQ(latex_prose("50 % of a_file & #1"), "50 \\% of a\\_file \\& \\#1");
   EXPECT_EQ(latex_prose("file_name, x_"), "file\\_name, x\\_");
