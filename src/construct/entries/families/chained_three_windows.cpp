@@ -2,8 +2,8 @@
 // visited-windows and one fewer than chained-windows [docs/theorems.md, Theorem 11].
 //
 // The list begins with window 2 and ends with window 0 and the new elements x_1, …, x_w. There is a
-// table of steps for the windows iK−1, …, iK+3; with all from_x(4) the steps are the usual ones, j+2K,
-// j+3K, j+K.
+// table of steps for the windows iK−1, …, iK+3; with all from_x(4) the steps are the usual ones,
+// j+2K, j+3K, j+K.
 #include <fmt/format.h>
 
 #include <cstdint>

@@ -201,11 +201,7 @@ export class PlanPage {
     try {
       const { job, notes } = await readParts(text, emptyJob(), this.view.signal);
       fill(this.fault);
-      this.tell(
-        notes
-          .filter((note) => /header|not used/.test(note))
-          .map((note) => note.replace(/^parts: t/, 'T')),
-      );
+      this.tell(notes.filter((note) => /header|not used/.test(note)).map(inWords));
       return job.parts;
     } catch (fault) {
       this.say(fault);
@@ -214,14 +210,7 @@ export class PlanPage {
   }
 
   private tell(notes: readonly string[]): void {
-    const list =
-      notes.length === 1
-        ? notes[0]
-        : h(
-            'ul',
-            {},
-            notes.map((note) => h('li', {}, note)),
-          );
+    const list = h('ul', {}, ...notes.map((note) => h('li', {}, note)));
     fill(this.news, notes.length > 0 && h('div', { class: 'note', role: 'status' }, list));
   }
 
