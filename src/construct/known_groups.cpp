@@ -150,7 +150,8 @@ void KnownDesigns::add_candidates(const Parameters& p, const Ptr& base, const Gr
 void KnownDesigns::add_candidates(const Parameters& p, const Parameters& w,
                                   std::uint64_t fewer_than, std::vector<GroupCandidate>& found) {
   const std::uint64_t added = p.v - w.v;
-  for (std::uint64_t groups = 2; groups <= added; ++groups) {
+  // The first block of a piece has m elements of its group.
+  for (std::uint64_t groups = 2; groups * p.change <= added; ++groups) {
     if (added % groups != 0) {
       continue;
     }

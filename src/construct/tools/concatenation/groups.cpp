@@ -11,6 +11,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "construct/tools/concatenation/slopes.hpp"
+#include "construct/tools/concatenation/triple_classes.hpp"
 #include "core/checked.hpp"
 #include "core/sorted.hpp"
 #include "core/words.hpp"
@@ -58,23 +59,25 @@ std::uint64_t class_count(const Groups& groups, std::uint64_t m) {
   if (m == 2) {
     return q % 2 == 0 || g % 2 == 0 ? checked_multiply(q - 1, g) : 0;
   }
-  if (q != m) {
-    return 0;
+  if (m == 3) {
+    return triple_class_count(q, g);
   }
-  return Slopes::known(g, m) ? g : m == 3 ? written_class_count(g) : 0;
+  return q == m && Slopes::known(g, m) ? g : 0;
 }
 
 std::vector<Block> group_class(const Groups& groups, std::uint64_t m, std::uint64_t index) {
   const auto [q, g] = groups;
   const auto number = [](std::uint64_t x) { return static_cast<Element>(x); };
   std::vector<Block> blocks;
-  if (m > 2) {
-    const auto slopes = Slopes::known(g, m) ? std::optional<Slopes>({g, m}) : std::nullopt;
+  if (m == 3) {
+    return triple_class(q, g, index);
+  }
+  if (m > 3) {
+    const Slopes slopes(g, m);
     for (std::uint64_t a = 0; a < g; ++a) {
       Block block;
       for (std::uint64_t i = 0; i < q; ++i) {
-        block.push_back(
-            number(i * g + (slopes ? slopes->at(i, index, a) : in_written_class(g, index, i, a))));
+        block.push_back(number(i * g + slopes.at(i, index, a)));
       }
       blocks.push_back(std::move(block));
     }

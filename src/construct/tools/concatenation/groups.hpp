@@ -29,14 +29,14 @@ struct Groups {
 
 /// How many classes bring every two elements of different groups together: (q−1)g/(m−1), each pair
 /// once, but 7 for three groups of 6. 0 if none are known: m = 2 needs an even number of elements;
-/// m ≥ 3 needs q = m and a g in which each prime comes with a power of m or more, or not at all;
-/// m = 3 also has a g of 6 or 10.
+/// m = 3 has those of triple_classes.hpp; m ≥ 4 needs q = m and a g in which each prime comes with a
+/// power of m or more, or not at all.
 [[nodiscard]] std::uint64_t class_count(const Groups& groups, std::uint64_t m);
 
 /// Class `index` < class_count(): each element i·g+t, 0 ≤ t < g, of group i < q is in one of its
 /// blocks. m = 2: 1-factors of the complete multipartite graph, made of 1-factors of a complete
-/// graph on the groups or on their halves. m ≥ 3: lines of slope `index` (slopes.hpp), or those of
-/// written_classes.hpp. O(qg).
+/// graph on the groups or on their halves. m = 3: triple_class(). m ≥ 4: lines of slope `index`
+/// (slopes.hpp). O(qg).
 [[nodiscard]] std::vector<Block> group_class(const Groups& groups, std::uint64_t m,
                                              std::uint64_t index);
 

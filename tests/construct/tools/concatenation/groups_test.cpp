@@ -1,6 +1,7 @@
 // Concatenation with groups: classes, hinges, pieces with holes, and what comes of all three.
 #include "construct/tools/concatenation/groups.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -27,6 +28,32 @@ std::set<Element> set_of(std::span<const Element> elements) {
   return {elements.begin(), elements.end()};
 }
 
+// Whether they are partitions into m-subsets that have each two elements of different groups once,
+// or once and more.
+void check_classes(const Groups& groups, std::uint64_t m, std::uint64_t classes, bool repeats) {
+  const auto [q, g] = groups;
+  SCOPED_TRACE(fmt::format("{} groups of {}, m = {}", q, g, m));
+  std::set<std::pair<Element, Element>> met;
+  for (std::uint64_t i = 0; i < classes; ++i) {
+    std::set<Element> all;
+    for (const Block& block : group_class(groups, m, i)) {
+      EXPECT_EQ(block.size(), m);
+      for (const Element x : block) {
+        EXPECT_LT(x, q * g);
+        EXPECT_TRUE(all.insert(x).second);
+        for (const Element y : block) {
+          if (x < y) {
+            EXPECT_NE(x / g, y / g);
+            EXPECT_TRUE(met.emplace(x, y).second || repeats);
+          }
+        }
+      }
+    }
+    EXPECT_EQ(all.size(), q * g);
+  }
+  EXPECT_EQ(met.size(), pairs(q) * g * g);
+}
+
 TEST(Groups, ClassesArePartitionsWithEachPairOfTwoGroupsOnce) {
   std::map<std::uint64_t, std::size_t> tried;
   for (std::uint64_t m = 2; m <= 5; ++m) {
@@ -37,32 +64,39 @@ TEST(Groups, ClassesArePartitionsWithEachPairOfTwoGroupsOnce) {
           EXPECT_TRUE(m > 2 || q < 2 || g == 0 || (q % 2 == 1 && g % 2 == 1));
           continue;
         }
-        const bool repeats = m == 3 && g == 6;
+        const bool repeats = m == 3 && q == 3 && g == 6;
         EXPECT_EQ(classes * (m - 1), (q - 1) * (repeats ? 7 : g));
-        std::set<std::pair<Element, Element>> met;
-        for (std::uint64_t i = 0; i < classes; ++i) {
-          std::set<Element> all;
-          for (const Block& block : group_class({q, g}, m, i)) {
-            EXPECT_EQ(block.size(), m);
-            for (const Element x : block) {
-              EXPECT_LT(x, q * g);
-              EXPECT_TRUE(all.insert(x).second);
-              for (const Element y : block) {
-                if (x < y) {
-                  EXPECT_NE(x / g, y / g);
-                  EXPECT_TRUE(met.emplace(x, y).second || repeats);
-                }
-              }
-            }
-          }
-          EXPECT_EQ(all.size(), q * g);
-        }
-        EXPECT_EQ(met.size(), pairs(q) * g * g);
+        check_classes({q, g}, m, classes, repeats);
         ++tried[m];
       }
     }
   }
-  EXPECT_EQ(tried, (std::map<std::uint64_t, std::size_t>{{2, 72}, {3, 11}, {4, 7}, {5, 6}}));
+  EXPECT_EQ(tried, (std::map<std::uint64_t, std::size_t>{{2, 72}, {3, 39}, {4, 7}, {5, 6}}));
+}
+
+// Up to 120 elements: what is written, and what lines make of it. Those that cannot be are not
+// there.
+TEST(Groups, TriplesOfMoreThanThreeGroups) {
+  std::size_t known = 0;
+  std::size_t possible = 0;
+  for (std::uint64_t q = 4; q <= 120; ++q) {
+    for (std::uint64_t g = 1; q * g <= 120; ++g) {
+      const bool can = q * g % 3 == 0 && g * (q - 1) % 2 == 0 && !(g == 2 && q == 6);
+      const std::uint64_t classes = class_count({q, g}, 3);
+      possible += can ? 1 : 0;
+      if (classes > 0) {
+        EXPECT_TRUE(can);
+        EXPECT_EQ(2 * classes, g * (q - 1));
+        check_classes({q, g}, 3, classes, false);
+        ++known;
+      }
+    }
+  }
+  EXPECT_EQ(std::pair(known, possible), std::pair(std::size_t{75}, std::size_t{119}));
+  for (const std::uint64_t huge : {UINT64_MAX, UINT64_MAX / 3, std::uint64_t{1} << 40}) {
+    EXPECT_EQ(class_count({4, huge}, 3), 0U);
+    EXPECT_EQ(class_count({huge, 6}, 3), 0U);
+  }
 }
 
 // Designs of the catalog, not all alike.
@@ -119,7 +153,8 @@ TEST(Hinges, StayAtTheirPositionAndPartsAreDisjoint) {
   EXPECT_GT(with_parts, 100U);
 }
 
-// The windows of a cyclic design fill the circle, but for what is left over; a greedy search alone leaves more.
+// The windows of a cyclic design fill the circle, but for what is left over; a greedy search alone
+// leaves more.
 TEST(Hinges, HaveAsManyPartsAsThereCanBe) {
   for (const auto& [v, k] :
        {std::pair{31U, 4U}, {61U, 4U}, {91U, 4U}, {43U, 5U}, {71U, 5U}, {37U, 6U}, {55U, 6U}}) {
