@@ -13,7 +13,9 @@ command -v node >/dev/null || missing 'Node is not installed'
 [[ -d node_modules/playwright-core && -d node_modules/axe-core && -d node_modules/esbuild &&
   -d node_modules/json-schema-to-typescript ]] ||
   missing 'web/node_modules is not there; run ./dev web install'
-[[ -x ${CHROMIUM:-/usr/bin/chromium} ]] || missing 'Chromium is not installed'
+command -v "${CHROMIUM:-chromium-headless-shell}" >/dev/null ||
+  [[ -z ${CHROMIUM:-} && -x /usr/bin/chromium ]] ||
+  missing 'Chromium is not installed'
 # On a loaded machine a browser can miss a limit of time: what fails is tried once more, and that is
 # said.
 if [[ "$*" == *' --test '* ]]; then

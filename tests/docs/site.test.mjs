@@ -1,28 +1,21 @@
 // The site in a real browser, opened as files: nothing is asked of the network, nothing is missing, formulas are drawn, and
-// both searches find things. CHANGEOVER_SITE is its folder, CHROMIUM the browser (default: /usr/bin/chromium). With
-// CHANGEOVER_SCREENSHOTS, where pictures of it go, every page is opened, else one in six.
+// both searches find things. CHANGEOVER_SITE is its folder. With CHANGEOVER_SCREENSHOTS, where pictures of it go, every page
+// is opened, else one in six.
 import assert from 'node:assert/strict';
-import { existsSync, mkdirSync, mkdtempSync, readdirSync, rmSync, statSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import { tmpdir } from 'node:os';
+import { existsSync, mkdirSync, readdirSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
-const { chromium } = createRequire(join(process.cwd(), 'package.json'))('playwright-core');
+const { launch } = await import(pathToFileURL(join(process.cwd(), 'tests/support/chromium.mjs')));
 const site = process.env.CHANGEOVER_SITE;
 const pictures = process.env.CHANGEOVER_SCREENSHOTS;
-const profile = mkdtempSync(join(tmpdir(), 'changeover-site-'));
 let context;
+let quit;
 let faults = [];
 
 before(async () => {
-  context = await chromium.launchPersistentContext(profile, {
-    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-    args: ['--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
-    chromiumSandbox: process.getuid?.() !== 0,
-    viewport: { width: 1280, height: 900 },
-  });
+  ({ context, quit } = await launch({ viewport: { width: 1280, height: 900 } }));
   context.setDefaultTimeout(120000); // On a loaded machine a page takes long.
   context.setDefaultNavigationTimeout(120000);
   context.on('request', (request) => {
@@ -34,10 +27,7 @@ before(async () => {
     }
   });
 });
-after(async () => {
-  await context.close();
-  rmSync(profile, { recursive: true, force: true });
-});
+after(() => quit());
 
 const address = (page) => pathToFileURL(join(site, page)).href;
 

@@ -9,9 +9,8 @@
 //     await explorer.stop();
 //
 // CHANGEOVER_PROGRAM names the program (default: the one in build/release), CHANGEOVER_ASSETS a
-// folder of pages to serve in place of those in the program, CHROMIUM the browser (default:
-// /usr/bin/chromium). With CHANGEOVER_SCREENSHOTS, a folder, `look` is thorough: it puts pictures
-// there, and axe-core sees every row, and a phone in dark, too.
+// folder of pages to serve in place of those in the program. With CHANGEOVER_SCREENSHOTS, a folder,
+// `look` is thorough: it puts pictures there, and axe-core sees every row, and a phone in dark, too.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
@@ -19,7 +18,7 @@ import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { chromium } from 'playwright-core';
+import { launch } from './chromium.mjs';
 
 const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..', '..');
 export const program = process.env.CHANGEOVER_PROGRAM ?? join(root, 'build/release/changeover');
@@ -72,23 +71,9 @@ export async function serve(arguments_ = []) {
  */
 export async function start(options = {}) {
   const server = options.at ?? (await serve(options.serve));
-  const profile = mkdtempSync(join(tmpdir(), 'changeover-chromium-'));
   const viewport = options.viewport ?? { width: 1280, height: 900 };
   const colorScheme = options.colorScheme ?? 'light';
-  const context = await chromium.launchPersistentContext(profile, {
-    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-    args: [
-      '--disable-gpu',
-      '--disable-quic',
-      '--no-first-run',
-      '--disable-background-networking',
-      '--disable-component-update',
-      '--disable-sync',
-    ],
-    chromiumSandbox: process.getuid?.() !== 0,
-    viewport,
-    colorScheme,
-  });
+  const { context, quit } = await launch({ viewport, colorScheme });
   let [free] = context.pages();
   const faults = [];
   context.on('request', (request) => {
@@ -142,9 +127,8 @@ export async function start(options = {}) {
       free = first;
     },
     async stop() {
-      await context.close();
+      await quit();
       const code = await server.stop();
-      rmSync(profile, { recursive: true, force: true });
       assert.deepEqual(faults, []);
       assert.equal(code, 0, 'serve ends with exit code 0 when it is asked to stop');
     },
