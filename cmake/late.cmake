@@ -11,6 +11,8 @@ function(changeover_late target definition linked library)
     target_include_directories(${target} SYSTEM PUBLIC
       "$<TARGET_PROPERTY:${linked},INTERFACE_INCLUDE_DIRECTORIES>")
     target_link_libraries(${target} PUBLIC ${CMAKE_DL_LIBS})
+    # Where a room asks for it, too, only what the target calls itself is linked.
+    target_link_options(${target} PRIVATE -Wl,--as-needed)
     set_property(GLOBAL APPEND PROPERTY CHANGEOVER_LATE "${library}")
   else()
     target_link_libraries(${target} PUBLIC ${linked})

@@ -34,10 +34,11 @@ std::string cadical_version() {
   return package.empty() ? own : package + " (calls itself " + own + ")";
 }
 
-// It is loaded late, and a report of what is wrong must name the others all the same.
-std::string microhttpd_version() {
+// Of a library that is loaded late; a report of what is wrong must name the others all the same.
+template <typename Version>
+std::string late_version(const Version& version) {
   try {
-    return serve::MHD_get_version();
+    return version();
   } catch (const MissingResource&) {
     return "cannot be loaded";
   }
@@ -50,9 +51,9 @@ std::vector<std::pair<std::string, std::string>> libraries() {
           {"expat", std::string(XML_ExpatVersion()).substr(std::string_view("expat_").size())},
           {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
                               FMT_VERSION % 100)},
-          {"libmicrohttpd", microhttpd_version()},
-          {"libxlsxwriter", lxw_version()},
-          {"libzip", zip_libzip_version()},
+          {"libmicrohttpd", late_version(serve::MHD_get_version)},
+          {"libxlsxwriter", late_version(lxw_version)},
+          {"libzip", late_version(zip_libzip_version)},
           {"nlohmann_json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR,
                                         NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
           {"SQLite", sqlite3_libversion()},
