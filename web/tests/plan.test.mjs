@@ -7,6 +7,7 @@ import { after, afterEach, before, test } from 'node:test';
 import { look, program, screenshots, settled, start } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
 import {
+  briefly,
   give,
   nameOf,
   open,
@@ -282,7 +283,7 @@ test('a job too long for a link is kept in the browser; a link to one that is no
   await page.getByRole('spinbutton', { name: 'How many parts' }).fill('90');
   await page.getByRole('button', { name: 'numbered parts' }).click();
   await page.getByRole('spinbutton', { name: 'How many fit at once' }).fill('5');
-  await page.getByRole('combobox', { name: 'Time to search' }).selectOption('1');
+  await briefly(page);
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
   await planned(page);
   await page.getByText('too long for a link').waitFor();

@@ -8,6 +8,9 @@ export const planned = (page, most = 60_000) =>
   page.locator('.verdict h2').waitFor({ timeout: most });
 export const sheetButton = (page, test, result) =>
   page.locator('.sheets').getByRole('button', { name: `Test ${test}: ${result}`, exact: true });
+/** For a test that asks nothing of how good a plan is. */
+export const briefly = (page) =>
+  page.getByRole('combobox', { name: 'Time to search' }).selectOption('1');
 export const press = (page, test, result = 'pass') => sheetButton(page, test, result).click();
 export const give = (page, name, buffer) =>
   page
