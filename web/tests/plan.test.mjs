@@ -9,6 +9,7 @@ import { phone } from './support/phone.mjs';
 import {
   briefly,
   give,
+  hurried,
   nameOf,
   open,
   planNine,
@@ -327,9 +328,9 @@ test('the keyboard alone: rows by Enter and arrows, results by arrows and Space'
 test('on a phone: what to do next first, each test a card', async () => {
   const page = await explorer.open('#/plan');
   await page.setViewportSize({ width: 390, height: 844 });
+  await hurried(page);
   await page.getByRole('link', { name: 'a pump bench' }).click();
-  // Where others compute, its search takes the whole minute that it may.
-  await planned(page, 120_000);
+  await planned(page);
   assert.ok(!(await page.locator('.plan-form').isVisible()), 'the form makes room');
   assert.ok(await page.locator('.next-test').getByText('Put in').isVisible());
   await page.locator('.next-test').getByRole('button', { name: /pass/ }).click();

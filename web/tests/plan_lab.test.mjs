@@ -12,6 +12,7 @@ import { phone } from './support/phone.mjs';
 import {
   briefly,
   give,
+  hurried,
   nameOf,
   planNine,
   planned,
@@ -234,8 +235,9 @@ test(
     'places',
   async () => {
     const one = await explorer.open('#/plan');
+    await hurried(one);
     await one.getByRole('link', { name: 'a server with slots' }).click();
-    await planned(one, 120_000);
+    await planned(one);
     const earlier = await setUps(one);
     await press(one, 1);
     await press(one, 2);
@@ -243,10 +245,9 @@ test(
     const fragment = new URL(one.url()).hash;
     const two = await explorer.open(fragment);
     const looking = await withoutToken(explorer, fragment);
-    await briefly(one);
     await one.getByRole('checkbox', { name: 'Part 11 is gone' }).check();
     await one.getByRole('button', { name: 'Replan the remaining tests' }).click();
-    await one.getByText('2 tests done; for the rest').waitFor({ timeout: 120_000 });
+    await one.getByText('2 tests done; for the rest').waitFor();
     const later = await setUps(one);
     assert.deepEqual(later.slice(0, 2), earlier.slice(0, 2));
     assert.ok(later.slice(2).every((set) => !set.includes('P5520')));

@@ -11,6 +11,13 @@ export const sheetButton = (page, test, result) =>
 /** For a test that asks nothing of how good a plan is. */
 export const briefly = (page) =>
   page.getByRole('combobox', { name: 'Time to search' }).selectOption('1');
+/** The same for an example, which is planned at once and as long as it may be. */
+export const hurried = (page) =>
+  page.route('**/api/plan/start*', (route) =>
+    route.continue({
+      postData: JSON.stringify({ ...route.request().postDataJSON(), seconds: 1 }),
+    }),
+  );
 export const press = (page, test, result = 'pass') => sheetButton(page, test, result).click();
 export const give = (page, name, buffer) =>
   page
