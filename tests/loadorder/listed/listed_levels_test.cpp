@@ -164,9 +164,10 @@ TEST(ListedLevels, TwoSetsAndNewItemsForWorkers) {
       }
     }
     for (const std::uint64_t workers : {1U, 3U, 4U, 40U}) {
-      // What is found in all of the time is looked at for one number of workers.
-      const WorkerSplit split = split_two_levels(
-          wanted, room, fast_room, workers, workers == 3 ? LoadOrderOptions{} : hardly_searched());
+      // What is found in all of the time is looked at for few items.
+      const WorkerSplit split =
+          split_two_levels(wanted, room, fast_room, workers,
+                           wanted.items() <= 20 ? LoadOrderOptions{} : hardly_searched());
       const SplitFacts& facts = split.facts();
       const ScheduleRules rules = split.rules(ComputeRules{});
       Player player(pairs);
