@@ -1,8 +1,6 @@
 // The libraries of workbooks, loaded when the first workbook is read or written: with what they bring
 // along (libcrypto) they take as long to load as all others. What the rooms call are these functions,
 // of the same names; of a function that is missing here, the program links the library again.
-#ifdef CHANGEOVER_LATE_ZIP
-
 #include <xlsxwriter.h>
 #include <zip.h>
 
@@ -55,6 +53,7 @@ struct Shape<Given(Taken...)> {
         TAKEN(name, 5), TAKEN(name, 6)),                                                \
        (a0, a1, a2, a3, a4, a5, a6))
 
+#ifdef CHANGEOVER_LATE_ZIP
 #define ZIP(count, name) LATE_##count(CHANGEOVER_LATE_ZIP, name)
 ZIP(1, zip_discard)
 ZIP(1, zip_error_code_zip)
@@ -72,7 +71,9 @@ ZIP(3, zip_open_from_source)
 ZIP(4, zip_source_buffer_create)
 ZIP(1, zip_source_free)
 ZIP(1, zip_strerror)
+#endif
 
+#ifdef CHANGEOVER_LATE_XLSXWRITER
 #define XLSX(count, name) LATE_##count(CHANGEOVER_LATE_XLSXWRITER, name)
 XLSX(2, format_set_align)
 XLSX(2, format_set_bg_color)
@@ -108,7 +109,6 @@ XLSX(4, worksheet_set_row)
 XLSX(4, worksheet_write_blank)
 XLSX(5, worksheet_write_number)
 XLSX(5, worksheet_write_string)
+#endif
 
 }  // namespace changeover::cli
-
-#endif
