@@ -1,6 +1,7 @@
-// The libraries of workbooks, loaded when the first workbook is read or written: with what they bring
-// along (libcrypto) they take as long to load as all others. What the rooms call are these functions,
-// of the same names; of a function that is missing here, the program links the library again.
+// The libraries of workbooks, loaded when the first workbook is read or written: with what they
+// bring along (libcrypto) they take as long to load as all others. What the rooms call are these
+// functions, of the same names; of a function that is missing here, the program links the library.
+
 #include <xlsxwriter.h>
 #include <zip.h>
 

@@ -1,5 +1,5 @@
-// The browser that tests use: CHROMIUM names it. chromium-headless-shell is Chromium without windows,
-// the same engine for less of the processor.
+// The browser that tests use: CHROMIUM names it. chromium-headless-shell is Chromium without
+// windows, the same engine for less of the processor.
 import { existsSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
