@@ -9,8 +9,9 @@
 //     await explorer.stop();
 //
 // CHANGEOVER_PROGRAM names the program (default: the one in build/release), CHANGEOVER_ASSETS a
-// folder of pages to serve in place of those in the program. With CHANGEOVER_SCREENSHOTS, a folder,
-// `look` is thorough: it puts pictures there, and axe-core sees every row, and a phone in dark, too.
+// folder of pages to serve in place of those in the program. With CHANGEOVER_SCREENSHOTS, a
+// folder, `look` is thorough: it puts pictures there, and axe-core sees every row, and a phone in
+// dark, too.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
