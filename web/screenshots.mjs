@@ -5,6 +5,7 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { smallPng } from './small_png.mjs';
 import { settled, start } from './tests/support/browser.mjs';
+import { planned } from './tests/support/plan.mjs';
 
 const folder = process.argv[2];
 if (!folder) {
@@ -46,7 +47,7 @@ const pictures = [
     async (page) => {
       await page.setViewportSize({ width: 1280, height: 1500 });
       await page.getByRole('link', { name: 'a server with slots' }).click();
-      await page.locator('.verdict h2').waitFor({ timeout: 60_000 });
+      await planned(page);
       for (const [test, result] of [
         [1, 'pass'],
         [2, 'pass'],
@@ -91,7 +92,7 @@ const pictures = [
     async (page) => {
       await onPhone(page);
       await page.getByRole('link', { name: 'a server with slots' }).click();
-      await page.locator('.next-test').waitFor({ timeout: 60_000 });
+      await planned(page);
       await page.evaluate(() =>
         window.scrollTo(0, document.querySelector('.next-test').offsetTop - 20),
       );

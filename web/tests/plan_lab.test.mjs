@@ -151,6 +151,17 @@ test('a search is seen while it goes on, and the best so far is kept', async () 
   await page.getByText('Cancelled.').waitFor();
 });
 
+test('a plan is heard of though no event arrives, and though the server is away for a while', async () => {
+  const page = await explorer.open('#/plan', { mayFail: /ERR_/ });
+  await page.route('**/api/events', (route) => route.abort());
+  let away = 0;
+  await page.route('**/api/plan/job?*', (route) =>
+    ++away <= 2 ? route.abort() : route.continue(),
+  );
+  await planNine(page);
+  assert.ok(away > 2);
+});
+
 test('two windows write into one run, which outlives both; without the token: look only', async () => {
   const one = await explorer.open('#/plan');
   await planNine(one);

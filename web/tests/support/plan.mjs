@@ -4,7 +4,8 @@ import { settled } from './browser.mjs';
 export const nameOf = (page, i) =>
   page.getByRole('textbox', { name: `Name of part ${i}`, exact: true });
 export const sheetRows = (page) => page.locator('.run-sheet tbody tr');
-export const planned = (page, most = 60_000) =>
+/** The page itself searches for 60 s at most, and takes them where the machine has other work. */
+export const planned = (page, most = 90_000) =>
   page.locator('.verdict h2').waitFor({ timeout: most });
 export const sheetButton = (page, test, result) =>
   page.locator('.sheets').getByRole('button', { name: `Test ${test}: ${result}`, exact: true });

@@ -1,8 +1,13 @@
 // Planning: what is asked of the server, followed while it searches.
 import type { Job as Request } from '../../../answers';
-import { get, hasToken, post, type PlanJob, type Planned } from '../../lib/api';
+import { ApiError, get, hasToken, post, type PlanJob, type Planned } from '../../lib/api';
 import { listen } from '../../lib/events';
 import { about } from '../../shell/about';
+
+/** After so long without news the server is asked: the stream may be closed, or held up. */
+const silence = 4000;
+/** A server that does not answer so often in turn is gone. */
+const mostAway = 6;
 
 /** Whether this window may start searches, and have runs kept. */
 export async function mayStart(): Promise<boolean> {
@@ -33,17 +38,28 @@ export async function follow(
   }
   const { id } = await post('plan/start', {}, request, signal);
   const own = new AbortController();
+  let quiet: ReturnType<typeof setTimeout> | undefined;
+  let away = 0;
   const stop = () => void post('plan/stop', { id }, undefined, own.signal).catch(() => undefined);
   best.addEventListener('abort', stop, { once: true });
   signal.addEventListener('abort', stop, { once: true });
   try {
     const ended = await new Promise<PlanJob>((resolve, reject) => {
       const ask = () =>
-        get('plan/job', { id }, own.signal).then(
-          hear,
-          (fault: unknown) => own.signal.aborted || reject(fault),
-        );
+        get('plan/job', { id }, own.signal).then(hear, (fault: unknown) => {
+          if (fault instanceof ApiError && fault.status === 0 && ++away < mostAway) {
+            listenOn();
+          } else if (!own.signal.aborted) {
+            reject(fault);
+          }
+        });
+      const listenOn = () => {
+        clearTimeout(quiet);
+        quiet = own.signal.aborted ? undefined : setTimeout(() => void ask(), silence);
+      };
       const hear = (job: PlanJob) => {
+        away = 0;
+        listenOn();
         if (job.state === 'running') {
           news(job);
         } else if (job.answer === undefined) {
@@ -60,12 +76,14 @@ export async function follow(
         },
         own.signal,
       );
+      listenOn();
     });
     if (!ended.answer) {
       throw new Error(ended.message);
     }
     return { job: id, planned: ended.answer, message: ended.message };
   } finally {
+    clearTimeout(quiet);
     best.removeEventListener('abort', stop);
     signal.removeEventListener('abort', stop);
     if (!signal.aborted) {
