@@ -244,7 +244,7 @@ export type LoadRequest = {
    */
   sizes?:
     | (
-        | [string | number | null, string | number | null][]
+        | ((string | number) | [string | number | null, string | number | null])[]
         | {file: string}
         | {text: string}
         | {workbook: string; sheet?: string}
@@ -611,6 +611,11 @@ export interface Head {
   /** With prefetch and sizes: the bytes that are used; the others are for what loads. */
   order_memory?: number;
   pairs?: number;
+  /**
+   * With prefetch at two levels: so many loads start in a step before the first transfer of the
+   * item.
+   */
+  loads_ahead?: number;
   overlapped?: number;
   /** How many pairs the fullest step computes, of one worker, and the mean. */
   pairs_per_step?: {max: number; mean: number};

@@ -356,17 +356,16 @@ def _cost_rows(pair_cost: Any) -> List[List[str]]:
     return made_rows
 
 
-def _size_rows(sizes: Any) -> List[List[str]]:
-    """Rows of an item and its bytes."""
-    items = sizes.items() if isinstance(sizes, Mapping) else enumerate(
-        listed("sizes", "numbers of bytes", sizes))
-    rows: List[List[str]] = []
-    for item, size in items:
-        count = attempt(operator.index, size)
-        if count is None:
-            raise BadInput(f"sizes: {in_a_line(size)} is not a whole number of bytes")
-        rows.append([str(_item("sizes", item)), str(count)])
-    return rows
+def _size_rows(sizes: Any) -> List[Any]:
+    """The bytes of items in turn, or rows of an item and its bytes."""
+    def size_of(given: Any) -> Any:
+        size = given if isinstance(given, str) else attempt(operator.index, given)
+        if size is None:
+            raise BadInput(f"sizes: {in_a_line(given)} is not a whole number of bytes")
+        return size if isinstance(size, str) else int(size)
+    if isinstance(sizes, Mapping):
+        return [[str(_item("sizes", item)), str(size_of(size))] for item, size in sizes.items()]
+    return [size_of(size) for size in listed("sizes", "numbers of bytes", sizes)]
 
 
 @overload
@@ -430,7 +429,8 @@ def load_order(
     it is between them. spread: with new_pairs or write_back, a pair goes to a random one of the
     steps that have it, balanced over the steps, by seed.
 
-    sizes, instead of room: the bytes of the items, in turn or as a mapping from item to bytes;
+    sizes, instead of room: the bytes of the items, in turn or as a mapping from item to bytes, each
+    a number or as in "4M";
     `memory` bytes are held at a time, by each worker. fast_room, or with sizes fast_memory in bytes:
     so much of it is on an accelerator, where pairs must be together. verify_beside: return before the steps are
     verified; verified() waits for that. Raises BadInput, ImpossibleParameters.

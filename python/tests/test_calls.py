@@ -305,8 +305,12 @@ class Calls(unittest.TestCase):
                 "^sizes: items are numbered from 0 to [0-9]+, not 'a'$",
             ),
             (
-                lambda: changeover.load_order(None, sizes=[1, "2"], memory=5),
-                "^sizes: '2' is not a whole number of bytes$",
+                lambda: changeover.load_order(None, sizes=[1, 1.5], memory=5),
+                "^sizes: 1.5 is not a whole number of bytes$",
+            ),
+            (
+                lambda: changeover.load_order(None, sizes=[1, "2 boxes"], memory=5),
+                "'2 boxes' is not a size",
             ),
             *(
                 (lambda wrong=wrong: changeover.table(wrong, 8), ends)

@@ -127,7 +127,12 @@ Enlarged larger_than(const Design& design, const ExpandRequest& request) {
   try {
     return enlarge(design, options);
   } catch (const MissingResource& missing) {
-    throw MissingResource(fmt::format("{}: {}", request.path, missing.what()));
+    const std::string which = request.which ? fmt::format("--set {}: ", *request.which) : "";
+    throw MissingResource(fmt::format("{}: {}{}", request.path, which, missing.what()));
+  } catch (const ImpossibleParameters& impossible) {
+    const std::string which =
+        request.new_elements ? fmt::format("--new-elements {}: ", *request.new_elements) : "";
+    throw ImpossibleParameters(which + impossible.what());
   }
 }
 

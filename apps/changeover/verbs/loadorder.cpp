@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "changeover/core/error.hpp"
 #include "changeover/loadorder/load_request.hpp"
 #include "loadorder/show/loads_answer.hpp"
 #include "request/request_options.hpp"
@@ -95,6 +96,13 @@ Answer run(const LoadOrderRequest& typed) {
   }
   // Made now, so that what cannot be is said before anything is written.
   const auto loads = std::make_shared<const LoadsAnswer>(asked, request, options);
+  if (request.from_step) {
+    try {
+      static_cast<void>(std::get<LoadOrder>(loads->loads()).stream_from(*request.from_step));
+    } catch (const BadInput& fault) {
+      throw BadInput(fmt::format("--from-step {}: {}", *request.from_step, fault.what()));
+    }
+  }
   Answer answer;
   answer.write = [format = output.format(), loads](OutputFile& out) { loads->write(format, out); };
   answer.output = output;

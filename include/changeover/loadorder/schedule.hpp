@@ -131,6 +131,8 @@ struct ScheduleFacts {
   std::uint64_t steps = 0;  ///< of all workers; in lockstep, of each worker
   std::uint64_t loads = 0;
   std::uint64_t transfers = 0;  ///< to the accelerator
+  std::uint64_t ahead =
+      0;  ///< of two levels: loads in a step before the first transfer of the item
   std::uint64_t stores = 0;
   std::uint64_t computed = 0;    ///< pairs, including repeated ones, and items alone
   std::uint64_t overlapped = 0;  ///< of these, how many while loads run

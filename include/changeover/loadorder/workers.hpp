@@ -267,6 +267,12 @@ class WorkerSplit {
                                              std::uint64_t fast_room, std::uint64_t workers,
                                              const LoadOrderOptions& options = {});
 
+/// For items of different sizes, whose bytes are counted at both levels (ItemSizes::fast_memory).
+/// Verified. @throws as plan_disjoint_order() and plan_two_levels() of such items
+[[nodiscard]] LoadOrder plan_disjoint_levels(std::shared_ptr<const ItemSizes> sizes,
+                                             const WantedPairs& wanted, std::uint64_t workers,
+                                             const LoadOrderOptions& options = {});
+
 /// For items of different sizes (loadorder/load_order.hpp), whose bytes are counted: the span in
 /// bytes is as small as we know how. Items are packed into groups, of which some fit at each
 /// worker, and these follow an order as above; or an order of one worker is cut into stretches.
@@ -341,5 +347,17 @@ using PrefetchSplit = Prefetched<WorkerSplit>;  ///< for several workers
 [[nodiscard]] PrefetchSplit split_prefetch(const std::shared_ptr<const ItemSizes>& sizes,
                                            const WantedPairs& wanted, std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
+
+// Two levels: what is computed is on the accelerator, so any item of memory beside these can make
+// way, and loads can start many steps before the transfer that needs them.
+//
+//     LoadOrder order = start_loads_early(plan_two_levels(200, 40, 8));
+//     // each step: fast_evict, evict, start `load`, wait for what is transferred, fast_load, compute
+
+/// The same transfers and pairs, with each load as early as memory has room for it. What memory leaves free for loads is the best of some numbers, in the
+/// model above with one disk that loads item by item. ScheduleFacts::ahead counts the loads of
+/// earlier steps. Verified. @throws ImpossibleParameters above 5·10⁷ moves
+[[nodiscard]] LoadOrder start_loads_early(LoadOrder order);
+[[nodiscard]] WorkerSplit start_loads_early(WorkerSplit split);
 
 }  // namespace changeover

@@ -257,6 +257,12 @@ void write_list(JsonWriter& json, const OptionRecord& record, const RequestList&
           break;
         }
         [[fallthrough]];
+      case RowShape::sizes:
+        if (row.fields.size() == 1) {
+          json.value(row.fields.front());
+          break;
+        }
+        [[fallthrough]];
       default:
         json.value(row.fields);
     }

@@ -150,7 +150,7 @@ std::string_view words_of_rows(RowShape shape) {
     case RowShape::pairs:
       return "[a,b]";
     case RowShape::sizes:
-      return "[item,bytes]";
+      return "[item,bytes], or bytes alone";
     case RowShape::costs:
       return "[a,b] or [a,b,cost]";
     case RowShape::groups:
@@ -197,6 +197,11 @@ std::optional<ListRow> row_of(RowShape shape, const JsonNode& node) {
       auto row = setup_of(node, false);
       return row && !row->fields.empty() ? row : std::nullopt;
     }
+    case RowShape::sizes:
+      if (node.is_text() || node.is_number()) {
+        return ListRow{{node.text}};
+      }
+      [[fallthrough]];
     default: {
       auto fields = fields_of(node);
       const std::size_t size = fields ? fields->size() : 0;

@@ -31,8 +31,9 @@ std::string row(RowShape shape) {
                          R"("properties":{{"name":{0},"least":{0},"most":{0}}}}})",
                          field);
     case RowShape::pairs:
-    case RowShape::sizes:
       return fields("2", "2");
+    case RowShape::sizes:
+      return fmt::format(R"({{"anyOf":[{{"type":["string","integer"]}},{}]}})", fields("2", "2"));
     case RowShape::costs:
     case RowShape::reasons:
       return fields("2", "3");

@@ -226,7 +226,8 @@ class Batches {
   std::vector<Move> moves_;
 };
 
-// How many loads a batch may have, the most promising numbers first.
+}  // namespace
+
 std::vector<std::uint64_t> batches_to_try(std::uint64_t room, std::uint64_t fast_room) {
   std::vector<std::uint64_t> sizes;
   for (const std::uint64_t size : {room / 4, room / 2, 2 * (fast_room - 1), room / 8, 3 * room / 4,
@@ -249,6 +250,18 @@ double cost_of(const std::vector<Move>& moves, const LoadOrderFacts& bounds) {
   return static_cast<double>(loads) / static_cast<double>(bounds.bound.loads) +
          static_cast<double>(transfers) / static_cast<double>(bounds.transfer_bound.loads);
 }
+
+std::vector<Move> levels_of(const PairGraph& graph, const LoadOrderFacts& facts,
+                            const std::vector<LoadMove>& loads, std::uint64_t batch) {
+  if (batch > 0) {
+    return Batches(graph, facts.room, *facts.fast_room).steps(loads);
+  }
+  std::vector<Move> cache = with_a_cache(one_step_each(loads), facts.room);
+  merge_fills(cache);
+  return cache;
+}
+
+namespace {
 
 std::vector<Move> best_moves(LoadOrderFacts& facts, bool searched,
                              const LoadOrderOptions& options) {
@@ -273,19 +286,16 @@ std::vector<Move> best_moves(LoadOrderFacts& facts, bool searched,
                ? one_by_one(plan_load_order(facts.wanted, room, quick))
                : quick_moves(graph, room);
   };
-  std::vector<Move> cache = with_a_cache(one_step_each(order_for(fast_room, true)), facts.room);
-  merge_fills(cache);
-  consider(std::move(cache), 0);
+  consider(levels_of(graph, facts, order_for(fast_room, true), 0), 0);
   constexpr std::uint64_t most_work = 20'000'000;  // some seconds
   std::uint64_t work = 0;
   for (const std::uint64_t size : batches_to_try(facts.room, fast_room)) {
     if ((work += graph.pairs()) <= most_work) {
-      consider(Batches(graph, facts.room, fast_room).steps(order_for(facts.room - size, false)),
-               size);
+      consider(levels_of(graph, facts, order_for(facts.room - size, false), size), size);
     }
   }
   if (best_batch > 0 && searched) {
-    consider(Batches(graph, facts.room, fast_room).steps(order_for(facts.room - best_batch, true)),
+    consider(levels_of(graph, facts, order_for(facts.room - best_batch, true), best_batch),
              best_batch);
   }
   facts.method = best_batch == 0 ? "cache" : "batches";

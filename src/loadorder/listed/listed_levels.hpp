@@ -8,12 +8,25 @@
 #pragma once
 
 #include "changeover/loadorder/load_order.hpp"
+#include "loadorder/pairs/closing.hpp"
 #include "loadorder/shares/step_lists.hpp"
 
 namespace changeover {
 
 /// @throws BadInput if the accelerator has more room than memory
 void check_rooms(std::uint64_t room, std::uint64_t fast_room);
+
+/// How many loads a batch may have, the most promising numbers first.
+[[nodiscard]] std::vector<std::uint64_t> batches_to_try(std::uint64_t room,
+                                                        std::uint64_t fast_room);
+
+/// What both levels move if loads follow these, an order for `batch` places less; 0: an order for
+/// the accelerator, with memory as a cache. `facts` has both rooms.
+[[nodiscard]] std::vector<Move> levels_of(const PairGraph& graph, const LoadOrderFacts& facts,
+                                          const std::vector<LoadMove>& loads, std::uint64_t batch);
+
+/// loads / bound + transfers / bound
+[[nodiscard]] double cost_of(const std::vector<Move>& moves, const LoadOrderFacts& bounds);
 
 /// The steps with the least loads / bound + transfers / bound; `facts` has the pairs, both rooms
 /// and both bounds, and is given their description.

@@ -6,17 +6,23 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
-#include "changeover/core/block.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/loadorder/schedule.hpp"
 
 namespace changeover {
 
 class Accelerator {
  public:
-  Accelerator(std::uint64_t items, std::uint64_t room)
-      : room_(room), at_(static_cast<std::size_t>(items)) {}
+  /// With sizes, `fast_memory` bytes are the room.
+  Accelerator(std::uint64_t items, std::uint64_t room,
+              std::shared_ptr<const ItemSizes> sizes = nullptr)
+      : room_(sizes ? sizes->fast_memory : room),
+        sizes_(std::move(sizes)),
+        at_(static_cast<std::size_t>(items)) {}
 
   [[nodiscard]] bool has(Element x) const { return at_[x].fast; }
 
@@ -33,23 +39,25 @@ class Accelerator {
   void bring(const std::vector<Element>& items, std::vector<Element>& fast_evict,
              std::vector<Element>& fast_load) {
     coming_.clear();
+    std::uint64_t needed = 0;
     for (const Element x : items) {
       if (at_[x].fast) {
         idle_.erase(place_of(x));
       } else {
         coming_.push_back(x);
+        needed += size_of(x);
       }
       at_[x].wanted = true;
       at_[x].used = ++uses_;
     }
-    while (held_ + coming_.size() > room_) {
+    while (held_ + needed > room_) {
       if (idle_.empty()) {
         throw InternalError("an order for the accelerator needs more room than there is");
       }
       take_off(idle_.front(), fast_evict);
     }
     for (const Element x : coming_) {
-      ++held_;
+      held_ += size_of(x);
       at_[x].fast = true;
       at_[x].used = ++uses_;
       fast_load.push_back(x);
@@ -62,7 +70,7 @@ class Accelerator {
       idle_.erase(place_of(x));
     }
     at_[x].fast = false;
-    --held_;
+    held_ -= size_of(x);
     fast_evict.push_back(x);
   }
 
@@ -73,12 +81,15 @@ class Accelerator {
     std::uint64_t used = 0;  // time of the last use
   };
 
+  [[nodiscard]] std::uint64_t size_of(Element x) const { return sizes_ ? sizes_->bytes[x] : 1; }
+
   [[nodiscard]] std::vector<Element>::iterator place_of(Element x) {
     return std::lower_bound(idle_.begin(), idle_.end(), x,
                             [&](Element a, Element b) { return at_[a].used < at_[b].used; });
   }
 
   std::uint64_t room_;
+  std::shared_ptr<const ItemSizes> sizes_;
   std::vector<Item> at_;  // by item
   std::uint64_t uses_ = 0;
   std::uint64_t held_ = 0;

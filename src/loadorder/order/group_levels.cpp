@@ -7,8 +7,48 @@
 
 #include "core/words.hpp"
 #include "loadorder/listed/quick_moves.hpp"
+#include "loadorder/pairs/closing.hpp"
+#include "loadorder/sizes/closing_search.hpp"
+#include "loadorder/sizes/sized_pairs.hpp"
 
 namespace changeover {
+namespace {
+
+std::vector<SizedMove> as_sized(const std::vector<LoadMove>& moves) {
+  std::vector<SizedMove> all;
+  for (const LoadMove& move : moves) {
+    all.push_back({move.load, {}});
+    if (move.evict != LoadMove::nothing) {
+      all.back().evict = {move.evict};
+    }
+  }
+  return all;
+}
+
+// The moves of the best start, in bytes of the accelerator. The items are items_of(pairs).
+std::vector<SizedMove> quick_bytes(const std::vector<ItemPair>& pairs,
+                                   const std::vector<Element>& items, const ItemSizes& sizes) {
+  if (items.empty()) {
+    return {};
+  }
+  ItemSizes fast{{}, sizes.fast_memory};
+  for (const Element x : items) {
+    fast.bytes.push_back(sizes.bytes[x]);
+  }
+  const auto graph = std::make_shared<const PairGraph>(items.size(), numbered(pairs, items));
+  ClosingSearch search(fast, *graph, most_held(fast, WantedPairs::listed(graph)), 0, 1);
+  search.begin([] { return false; });
+  std::vector<SizedMove> moves = search.offer().moves;
+  for (SizedMove& move : moves) {
+    move.load = items[move.load];
+    for (Element& x : move.evict) {
+      x = items[x];
+    }
+  }
+  return moves;
+}
+
+}  // namespace
 
 WantedPairs LevelShape::wanted_groups() const {
   switch (wanted.kind()) {
@@ -95,16 +135,17 @@ void LevelWorker::take(const AssignedStep& groups) {
   }
   tasks_.clear();
   next_task_ = 0;
-  if (const PairGraph* const graph = shape_.wanted.graph()) {
+  if (shape_.are_pairs()) {
     std::vector<ItemPair> pairs = groups.pairs;
     for (std::size_t i = 0; i < groups.step.load.size(); ++i) {
       const Element x = groups.step.load[i];
-      if (groups.is_new[i] && graph->partners(x).empty()) {
+      if (groups.is_new[i] && shape_.is_alone(x)) {
         pairs.emplace_back(x, x);
       }
     }
     names_ = items_of(pairs);
-    listed_ = quick_moves(pairs, names_, shape_.fast_room);
+    listed_ = shape_.sizes ? quick_bytes(pairs, names_, *shape_.sizes)
+                           : as_sized(quick_moves(pairs, names_, shape_.fast_room));
     next_listed_ = 0;
     return;
   }
@@ -177,7 +218,7 @@ bool LevelWorker::next(Step& step) {
   step.load = std::exchange(load_, {});
   step.fast_evict = std::exchange(fast_evict_, {});
   step.fast_load.clear();
-  if (shape_.wanted.graph() != nullptr) {
+  if (shape_.are_pairs()) {
     return next_listed(step);
   }
   while (true) {
@@ -199,9 +240,9 @@ bool LevelWorker::next(Step& step) {
 
 bool LevelWorker::next_listed(Step& step) {
   while (next_listed_ < listed_.size()) {
-    const LoadMove& move = listed_[next_listed_++];
-    if (move.evict != LoadMove::nothing) {
-      accelerator_.unwant(move.evict);
+    const SizedMove& move = listed_[next_listed_++];
+    for (const Element x : move.evict) {
+      accelerator_.unwant(x);
     }
     accelerator_.bring({move.load}, step.fast_evict, step.fast_load);
     if (!step.fast_load.empty()) {

@@ -16,7 +16,7 @@
 #include "core/checked.hpp"
 #include "loadorder/order/accelerator.hpp"
 #include "loadorder/order/pair_assigner.hpp"
-#include "loadorder/pairs/closing.hpp"
+#include "loadorder/sizes/byte_closing.hpp"
 
 namespace changeover {
 
@@ -25,9 +25,16 @@ struct LevelShape {
   WantedPairs wanted;  ///< of items
   std::uint64_t room = 0;
   std::uint64_t fast_room = 0;
-  std::uint64_t group_items = 0;  ///< 1 for listed pairs
+  std::uint64_t group_items = 0;                ///< 1 for listed pairs, and with sizes
+  std::shared_ptr<const ItemSizes> sizes = {};  ///< both rooms are counted in bytes then
 
   [[nodiscard]] std::uint64_t items() const { return wanted.items(); }
+  /// Whether what meets is done pair by pair.
+  [[nodiscard]] bool are_pairs() const { return sizes != nullptr || wanted.graph() != nullptr; }
+  /// Whether the item is in no wanted pair.
+  [[nodiscard]] bool is_alone(Element x) const {
+    return wanted.graph() != nullptr ? wanted.graph()->partners(x).empty() : items() == 1;
+  }
   [[nodiscard]] std::uint64_t group_room() const { return room / group_items; }
   [[nodiscard]] std::uint64_t first_groups() const { return ceil_div(wanted.first(), group_items); }
   [[nodiscard]] std::uint64_t groups() const {
@@ -69,7 +76,7 @@ class LevelWorker {
   LevelWorker(const LevelShape& shape, std::shared_ptr<InnerOrders> inner_orders)
       : shape_(shape),
         inner_orders_(std::move(inner_orders)),
-        accelerator_(shape.items(), shape.fast_room) {}
+        accelerator_(shape.items(), shape.fast_room, shape.sizes) {}
 
   /// What groups move and meet in a step, the first one or another.
   void take(const AssignedStep& groups);
@@ -99,8 +106,8 @@ class LevelWorker {
   std::size_t next_task_ = 0;
   std::unique_ptr<StepSource> inner_;
   Step inner_step_;
-  std::vector<Element> names_;    // of the items in the order that is followed
-  std::vector<LoadMove> listed_;  // the same of listed pairs
+  std::vector<Element> names_;     // of the items in the order that is followed
+  std::vector<SizedMove> listed_;  // the same pair by pair
   std::size_t next_listed_ = 0;
   Accelerator accelerator_;
   std::vector<Element> coming_;

@@ -50,6 +50,7 @@ class ScheduleCheck::State {
     }
     if (rules.fast_room) {
       fast_.place.assign(items, 0);
+      came_.assign(items, 0);
     }
     epochs_.resize(static_cast<std::size_t>(rules.epochs));
     open(1);
@@ -367,6 +368,9 @@ class ScheduleCheck::State {
         computed()->loaded[x] = true;
       }
       memory_.put(x, worker.memory);
+      if (rules_.fast_room) {
+        came_[x] = step.number;
+      }
       if (rules_.sizes) {
         take_bytes(step, x);
       }
@@ -389,6 +393,7 @@ class ScheduleCheck::State {
       if (rules_.sizes && !take_fast_bytes(step, x)) {
         return;
       }
+      verdict_.ahead += std::exchange(came_[x], ~std::uint64_t{0}) < step.number ? 1U : 0U;
       meet(step, x, fast_, worker.accelerator);
       fast_.put(x, worker.accelerator);
     }
@@ -513,8 +518,9 @@ class ScheduleCheck::State {
   std::vector<Worker> workers_;  // one, if workers follow one another
   std::uint64_t worker_ = 0;     // the current one then
   Held memory_;
-  Held fast_;                                   // on the accelerator, if there is one
-  std::vector<std::uint32_t> owner_;            // by item: its worker; empty unless in lockstep
+  Held fast_;                         // on the accelerator, if there is one
+  std::vector<std::uint64_t> came_;   // by item: the step that loaded it, until it is there
+  std::vector<std::uint32_t> owner_;  // by item: its worker; empty unless in lockstep
   std::vector<std::unique_ptr<Epoch>> epochs_;  // those whose pairs are tracked now
   std::uint64_t epoch_ = 1;
   std::optional<Changes> changes_;

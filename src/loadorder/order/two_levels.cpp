@@ -10,10 +10,14 @@
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
+#include "loadorder/listed/level_search.hpp"
 #include "loadorder/listed/listed_levels.hpp"
+#include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/order/group_levels.hpp"
 #include "loadorder/order/read_order.hpp"
+#include "loadorder/order/search_share.hpp"
 #include "loadorder/shares/step_lists.hpp"
+#include "loadorder/sizes/sized_pairs.hpp"
 
 namespace changeover {
 namespace {
@@ -108,6 +112,29 @@ Offer without_groups(const LoadOrderFacts& facts, const WantedPairs& wanted,
   return {0, std::move(maker), std::move(listed.explanation)};
 }
 
+// What a search of the caller finds from there on, of pairs that are few enough to be listed.
+void improve(Offer& best, const LoadOrderFacts& facts, const WantedPairs& wanted,
+             const LoadOrderOptions& options) {
+  if (!options.search_pairs || wanted.count() > most_pairs_searched) {
+    return;
+  }
+  const WantedPairs list = wanted.graph() != nullptr ? wanted
+                           : wanted.are_all()        ? listed_among(wanted, facts.items)
+                                                     : as_list(wanted);
+  const std::vector<Move> start = moves_of(*best.maker());
+  std::vector<Move> found;
+  options.search_pairs([&] {
+    RunControl* const control = RunScope::current();
+    found = search_levels(*list.graph(), facts, start, options.seed,
+                          [&] { return control != nullptr && control->stop_wanted(); });
+  });
+  if (!found.empty()) {
+    best = {0, in_lists(found),
+            "Searched: what an item lacks on the accelerator is brought there while it stays; the "
+            "sequence of the items is changed as long as both levels together move less."};
+  }
+}
+
 // The best order of groups or of items. Describes it in `facts`.
 LoadOrder::Maker best_levels(LoadOrderFacts& facts, const LoadOrderOptions& options) {
   const WantedPairs wanted = facts.wanted.among(facts.items);
@@ -128,9 +155,13 @@ LoadOrder::Maker best_levels(LoadOrderFacts& facts, const LoadOrderOptions& opti
   constexpr std::uint64_t most_listed = 1'000'000;  // of two sets, or of new items
   if (wanted.graph() != nullptr || (facts.transfer_bound.loads <= most_kept &&
                                     (wanted.are_all() || wanted.count() <= most_listed))) {
-    offers.push_back(without_groups(facts, wanted, options));
+    // It searches twice at most; then both levels are improved together.
+    constexpr double share = 0.25;
+    offers.push_back(without_groups(facts, wanted, with_share(options, share)));
   }
   Offer best = best_of(std::move(offers), facts);
+  constexpr double rest = 0.5;
+  improve(best, facts, wanted, with_share(options, rest));
   facts.group_items = best.group_items;
   facts.explanation = std::move(best.explanation);
   return std::move(best.maker);

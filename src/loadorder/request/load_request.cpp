@@ -119,10 +119,6 @@ std::vector<OptionRule> rules() {
        {"disjoint", "fast_room", "fast_memory", "prefetch", "write_back"}},
       {Says::never_with, {"from_step"}, {"workers", "new_pairs", "verify_beside"}},
       {Says::never_with, {"balance", "first_holder", "pair_cost"}, {"disjoint"}},
-      // A search at two levels finds nothing.
-      {Says::never_with, {"fast_room"}, {"prefetch", "seconds"}},
-      // Groups that workers in lockstep exchange are counted in items on the accelerator.
-      {Says::never_with, {"fast_memory"}, {"disjoint", "prefetch"}},
       {Says::only_with, {"item_bytes"}, {"fast_room"}},
       {Says::never_with, {"disjoint"}, {"prefetch"}},
       {Says::only_with, {"ordered", "self", "shuffle"}, {"new_pairs", "write_back", "prefetch"}},
@@ -166,10 +162,8 @@ void check_workers_of(const LoadRequest& request, const Words& words) {
   }
   if (request.write_back && request.workers && !request.disjoint) {
     words.refuse("write_back",
-                 fmt::format("{} {}: two workers would change one item at once; {}",
-                             words.key("write_back"), words.key("workers"),
-                             request.fast_memory ? "leave out one of them"
-                                                 : fmt::format("add {}", words.key("disjoint"))));
+                 fmt::format("{} {}: two workers would change one item at once; add {}",
+                             words.key("write_back"), words.key("workers"), words.key("disjoint")));
   }
 }
 

@@ -47,6 +47,8 @@ class SplitMaker {
   /// them. `levels` has both rooms, or sizes, and the bounds.
   static WorkerSplit two_levels(WorkerSplit split, const LoadOrderFacts& levels,
                                 const LoadOrderOptions& options);
+  /// Two levels: loads start as early as memory has room.
+  static void start_early(WorkerSplit& split);
   /// Repeats the shares of one epoch.
   static void repeat(WorkerSplit& split, std::uint64_t epochs);
   /// Reads all steps; for few items also what is computed. @throws InternalError

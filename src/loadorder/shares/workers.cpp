@@ -12,6 +12,7 @@
 #include "core/words.hpp"
 #include "loadorder/listed/listed_levels.hpp"
 #include "loadorder/listed/quick_moves.hpp"
+#include "loadorder/order/search_share.hpp"
 #include "loadorder/pairs/held/held_blocks.hpp"
 #include "loadorder/shares/few_workers.hpp"
 #include "loadorder/shares/known_shares.hpp"
@@ -260,6 +261,8 @@ WorkerSplit split_two_levels(const WantedPairs& wanted, std::uint64_t room, std:
                              std::uint64_t workers, const LoadOrderOptions& options) {
   check_workers(workers);
   check_rooms(room, fast_room);
+  // Each worker may search, too.
+  const LoadOrderOptions quick = with_share(options, 1 / static_cast<double>(workers + 1));
   std::vector<WorkerSplit> candidates;
   if (wanted.graph() == nullptr) {
     candidates.push_back(split_order(plan_two_levels(wanted, room, fast_room, options),
@@ -267,15 +270,16 @@ WorkerSplit split_two_levels(const WantedPairs& wanted, std::uint64_t room, std:
     SplitMaker::give_pairs(candidates.back(), options);
   }
   if (workers > 1 && wanted.kind() == WantedPairs::Kind::between) {
-    if (auto blocks = blocks_of_two_levels(candidates.front(), fast_room, options)) {
+    if (auto blocks = blocks_of_two_levels(candidates.front(), fast_room, quick)) {
       candidates.push_back(std::move(*blocks));
     }
   }
   if (!wanted.are_all() && (workers > 1 || candidates.empty()) &&
       (wanted.graph() != nullptr || wanted.count() <= most_pairs_listed)) {
+    const LoadOrderOptions& its = candidates.empty() ? options : quick;
     candidates.push_back(
-        SplitMaker::two_levels(split_some_pairs(wanted, room, workers, unread(options, workers)),
-                               bounds_of_levels(wanted, room, fast_room), options));
+        SplitMaker::two_levels(split_some_pairs(wanted, room, workers, unread(its, workers)),
+                               bounds_of_levels(wanted, room, fast_room), quick));
   }
   return best_of_two_levels(std::move(candidates), options);
 }

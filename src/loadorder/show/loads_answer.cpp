@@ -18,11 +18,16 @@ bool is_worker_by_itself(const LoadRequest& request) {
                              request.write_back || request.spread);
 }
 
+bool starts_early(const LoadRequest& request) {
+  return request.prefetch && (request.fast_room || request.fast_memory);
+}
+
 LoadsShown shown_as_asked(const LoadRequest& request) {
   const std::uint64_t seed = request.seed.value_or(1);
   LoadsShown how{.format = {},
                  .compute = {.ordered = request.ordered, .self = request.self},
-                 .new_pairs = request.new_pairs,
+                 .new_pairs = request.new_pairs || starts_early(request),
+                 .early = starts_early(request),
                  .write_back = request.write_back,
                  .searched = request.seconds.has_value(),
                  .seed = seed,
@@ -46,6 +51,9 @@ AnyLoads planned(const CheckedLoads& asked, const LoadRequest& request, LoadOrde
   options.read_first = !request.verify_beside && !is_worker_by_itself(request);
   const WantedPairs& wanted = asked.wanted();
   const std::uint64_t room = asked.room();
+  if (request.fast_memory && request.disjoint) {
+    return plan_disjoint_levels(asked.sizes(), wanted, *request.workers, options);
+  }
   if (asked.sizes() && request.disjoint) {
     return plan_disjoint_order(asked.sizes(), wanted, *request.workers, options);
   }
@@ -108,13 +116,27 @@ AnyLoads repeated(AnyLoads loads, std::uint64_t epochs) {
   return epochs == 1 ? std::move(loads) : std::visit(Again{epochs}, loads);
 }
 
+// Of two levels.
+AnyLoads started_early(AnyLoads loads) {
+  if (auto* const split = std::get_if<WorkerSplit>(&loads)) {
+    return start_loads_early(std::move(*split));
+  }
+  return start_loads_early(std::get<LoadOrder>(std::move(loads)));
+}
+
+AnyLoads loads_for(const CheckedLoads& asked, const LoadRequest& request,
+                   const LoadOrderOptions& options) {
+  AnyLoads loads = repeated(planned(asked, request, options), request.epochs.value_or(1));
+  return starts_early(request) ? started_early(std::move(loads)) : std::move(loads);
+}
+
 }  // namespace
 
 LoadsAnswer::LoadsAnswer(const CheckedLoads& asked, const LoadRequest& request,
                          const LoadOrderOptions& options)
     : room_(asked.room()),
       how_(shown_as_asked(request)),
-      loads_(repeated(planned(asked, request, options), request.epochs.value_or(1))) {}
+      loads_(loads_for(asked, request, options)) {}
 
 namespace {
 

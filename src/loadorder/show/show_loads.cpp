@@ -14,6 +14,7 @@
 #include "core/checked.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
+#include "loadorder/show/bytes_moved.hpp"
 #include "loadorder/show/counted_pairs.hpp"
 #include "loadorder/show/marius_writer.hpp"
 #include "loadorder/show/step_writer.hpp"
@@ -208,8 +209,8 @@ class ScheduleText {
       json.key("transfer_bound_reason").value(facts_.transfer_bound.reason);
       if (how_.item_bytes) {
         json.key("item_bytes").value(*how_.item_bytes);
-        json.key("bytes_loaded").value(checked_multiply(facts_.loads, *how_.item_bytes));
-        json.key("bytes_transferred").value(checked_multiply(facts_.transfers, *how_.item_bytes));
+        json.key("bytes_loaded").value(bytes_of_moves(facts_.loads, "load"));
+        json.key("bytes_transferred").value(bytes_of_moves(facts_.transfers, "transfer"));
       }
       if (facts_.group_items > 0) {
         json.key("group_items").value(facts_.group_items);
@@ -256,6 +257,11 @@ class ScheduleText {
       spread = fmt::format("pairs are spread over steps: at most {} in one, at least {}\n",
                            checked_.most_in_a_step, ceil_div(checked_.computed, steps_of_all));
     }
+    if (how_.early) {
+      json.key("loads_ahead").value(checked_.ahead);
+      spread += fmt::format("{} of {} start in a step before the item is transferred\n",
+                            checked_.ahead, count_of(facts_.loads, "load"));
+    }
     std::string stores;
     if (rules_.store) {
       const LoadBound least =
@@ -273,21 +279,8 @@ class ScheduleText {
     }
     const std::string method = facts_.fast_room ? facts_.explanation + "\n"
                                                 : facts_.method + ": " + facts_.explanation + "\n";
-    return in_short(bound, steps) + epochs_in_words() + spread + stores + (plain ? hint() : "") +
-           method + bounds(bound);
-  }
-
-  // Forward epochs after the first have equal loads, and so have backward ones.
-  [[nodiscard]] std::string epochs_in_words() const {
-    const std::vector<std::uint64_t>& loads = facts_.epoch_loads;
-    if (facts_.epochs == 1) {
-      return "";
-    }
-    return loads.size() > 2 && loads[1] != loads[2]
-               ? fmt::format("{} in the first epoch, then {} back and {} forth\n",
-                             count_of(loads[0], "load"), loads[1], loads[2])
-               : fmt::format("{} in the first epoch, then {} in each\n", count_of(loads[0], "load"),
-                             loads[1]);
+    return in_short(bound, steps) + epochs_in_words(facts_) + spread + stores +
+           (plain ? hint() : "") + method + bounds(bound);
   }
 
   // The first lines.
@@ -302,20 +295,22 @@ class ScheduleText {
     if (facts_.lockstep > 0) {
       return WorkerWords(facts_, split_).in_lockstep(what_meets(), in_epochs(), steps, bound) +
              (facts_.fast_room
-                  ? fmt::format("to the accelerators, with room for {}: {}\n", *facts_.fast_room,
-                                level(facts_.transfers, "transfer", facts_.transfer_bound))
+                  ? facts_.sizes
+                        ? fmt::format("to the accelerators, with {} bytes: {}\n",
+                                      facts_.sizes->fast_memory, bytes_transferred())
+                        : fmt::format("to the accelerators, with room for {}: {}\n",
+                                      *facts_.fast_room,
+                                      level(facts_.transfers, "transfer", facts_.transfer_bound))
                   : "");
     }
     const std::string busiest = WorkerWords(facts_, split_).busiest();
     if (facts_.fast_room && facts_.sizes) {
       return fmt::format(
           "{}, {} bytes of memory and {} on the accelerator{}: {}\n{}"
-          "from the disk: {} bytes in {}, {}\nto the accelerator: {} bytes in {}, {}\n",
+          "from the disk: {} bytes in {}, {}\nto the accelerator: {}\n",
           what_meets(), facts_.sizes->memory, facts_.sizes->fast_memory, in_epochs(),
           count_of(steps, "step"), busiest, facts_.bytes, loads,
-          over(facts_.bytes, facts_.byte_bound), facts_.transfer_bytes,
-          count_of(facts_.transfers, "transfer"),
-          over(facts_.transfer_bytes, facts_.transfer_byte_bound));
+          over(facts_.bytes, facts_.byte_bound), bytes_transferred());
     }
     if (facts_.fast_room) {
       return fmt::format(
@@ -357,12 +352,21 @@ class ScheduleText {
     return facts_.epochs == 1 ? "" : fmt::format(", {} epochs", facts_.epochs);
   }
 
+  [[nodiscard]] std::uint64_t bytes_of_moves(std::uint64_t count, const std::string& what) const {
+    return bytes_moved(count, *how_.item_bytes, "--item-bytes", what + "s");
+  }
+
+  [[nodiscard]] std::string bytes_transferred() const {
+    return fmt::format("{} bytes in {}, {}", facts_.transfer_bytes,
+                       count_of(facts_.transfers, "transfer"),
+                       over(facts_.transfer_bytes, facts_.transfer_byte_bound));
+  }
+
   // The number of moves to a level, with their bytes, and the lower bound.
   [[nodiscard]] std::string level(std::uint64_t count, const std::string& what,
                                   const LoadBound& bound) const {
     const std::string bytes =
-        how_.item_bytes ? fmt::format(" ({} bytes)", checked_multiply(count, *how_.item_bytes))
-                        : "";
+        how_.item_bytes ? fmt::format(" ({} bytes)", bytes_of_moves(count, what)) : "";
     return fmt::format("{}{}, {}", count_of(count, what), bytes, over(count, bound));
   }
 
@@ -424,8 +428,9 @@ class ScheduleText {
                           fast ? "fast evict, " : "", rules_.store ? "store and " : "",
                           fast ? "fast load, " : "");
     } else if (facts_.fast_room) {
-      text += fmt::format("each step: fast evict, {}evict, load, fast load, compute\n",
-                          rules_.store ? "store, " : "");
+      text += fmt::format("each step: fast evict, {}evict, {}load, {}fast load, compute\n",
+                          rules_.store ? "store, " : "", how_.early ? "start to " : "",
+                          how_.early ? "wait for what comes next, " : "");
     }
     return text;
   }

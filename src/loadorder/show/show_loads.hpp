@@ -14,6 +14,7 @@ struct LoadsShown {
   std::string format;
   ComputeRules compute = {};
   bool new_pairs = false;   ///< whether to show what is computed
+  bool early = false;       ///< of two levels: loads start early
   bool write_back = false;  ///< whether to show what is stored
   bool searched = false;    ///< whether a search for fewer loads was requested
   std::uint64_t seed =

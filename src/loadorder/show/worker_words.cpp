@@ -18,6 +18,19 @@ std::string over(std::uint64_t count, const LoadBound& bound) {
                    bound.loads);
 }
 
+// Forward epochs after the first have equal loads, and so have backward ones.
+std::string epochs_in_words(const LoadOrderFacts& facts) {
+  const std::vector<std::uint64_t>& loads = facts.epoch_loads;
+  if (facts.epochs == 1) {
+    return "";
+  }
+  return loads.size() > 2 && loads[1] != loads[2]
+             ? fmt::format("{} in the first epoch, then {} back and {} forth\n",
+                           count_of(loads[0], "load"), loads[1], loads[2])
+             : fmt::format("{} in the first epoch, then {} in each\n", count_of(loads[0], "load"),
+                           loads[1]);
+}
+
 WorkerWords::WorkerWords(const LoadOrderFacts& facts, const SplitFacts* split)
     : facts_(facts),
       split_(split),

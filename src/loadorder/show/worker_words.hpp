@@ -13,6 +13,9 @@ namespace changeover {
 /// How far a count is over its bound.
 [[nodiscard]] std::string over(std::uint64_t count, const LoadBound& bound);
 
+/// The loads of each of several epochs, as a line; empty for one.
+[[nodiscard]] std::string epochs_in_words(const LoadOrderFacts& facts);
+
 class WorkerWords {
  public:
   /// For workers in lockstep, or for those of a split. Both must outlive this object.

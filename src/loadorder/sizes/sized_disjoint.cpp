@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <tuple>
 #include <utility>
 
 #include "changeover/core/error.hpp"
@@ -12,6 +14,8 @@
 #include "loadorder/listed/lockstep_events.hpp"
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/listed/stretches_in_lockstep.hpp"
+#include "loadorder/order/loads_ahead.hpp"
+#include "loadorder/order/lockstep/levels.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/sizes/item_groups.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
@@ -23,11 +27,16 @@ struct Best {
   LockstepLists lists;  // span and loads in bytes
   std::string method;
   std::string explanation;
+  // Of two levels: the bytes of both, each over its bound.
+  std::function<double(const LockstepLists&)> cost_of = {};
+  double cost = 0;
 
   void consider(LockstepLists others, std::string its_method, std::string its_explanation) {
-    if (lists.lists == nullptr ||
-        std::pair(others.span, others.loads) < std::pair(lists.span, lists.loads)) {
+    const double its_cost = cost_of ? cost_of(others) : 0;
+    if (lists.lists == nullptr || std::tuple(its_cost, others.span, others.loads) <
+                                      std::tuple(cost, lists.span, lists.loads)) {
       lists = std::move(others);
+      cost = its_cost;
       method = std::move(its_method);
       explanation = std::move(its_explanation);
     }
@@ -118,7 +127,8 @@ class Ways {
 };
 
 Best best_of(const std::shared_ptr<const ItemSizes>& sizes, const WantedPairs& wanted,
-             std::uint64_t workers, const LoadOrderOptions& options) {
+             std::uint64_t workers, const LoadOrderOptions& options,
+             std::function<double(const LockstepLists&)> cost_of = {}) {
   const std::uint64_t items = sizes->bytes.size();
   const WantedPairs list = wanted.graph() == nullptr && items <= most_closed_all
                                ? listed_among(wanted, items)
@@ -132,8 +142,11 @@ Best best_of(const std::shared_ptr<const ItemSizes>& sizes, const WantedPairs& w
     }
   }
   Best best;
+  const bool is_level = cost_of == nullptr;
+  best.cost_of = std::move(cost_of);
   Ways ways(*sizes, std::move(needed), workers, graph, best);
-  const bool shares = workers > 1 || graph == nullptr;  // one worker has an order of its own
+  // One worker has an order of its own, at one level.
+  const bool shares = workers > 1 || graph == nullptr || !is_level;
   if (shares && (wanted.are_all() || 2 * graph->pairs() >= binomial(items, 2))) {
     ways.groups_of_all();
   }
@@ -147,10 +160,9 @@ Best best_of(const std::shared_ptr<const ItemSizes>& sizes, const WantedPairs& w
   return best;
 }
 
-}  // namespace
-
-LoadOrder plan_disjoint_order(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
-                              std::uint64_t workers, const LoadOrderOptions& options) {
+// What is known before there is an order.
+LoadOrderFacts facts_before(const std::shared_ptr<const ItemSizes>& sizes,
+                            const WantedPairs& wanted, std::uint64_t workers) {
   LoadOrderFacts facts;
   facts.items = sizes->bytes.size();
   facts.byte_bound = sized_lower_bound(*sizes, wanted);
@@ -161,6 +173,37 @@ LoadOrder plan_disjoint_order(std::shared_ptr<const ItemSizes> sizes, const Want
   facts.wanted = wanted;
   facts.bound = load_lower_bound(wanted.among(facts.items), facts.room);
   facts.makespan_bound = makespan_lower_bound(wanted.among(facts.items), facts.room, workers);
+  return facts;
+}
+
+// The order that `maker` makes, once it has been read.
+LoadOrder read_disjoint(LoadOrderFacts facts, const LoadOrder::Maker& maker) {
+  const ScheduleVerdict verdict =
+      read_order(maker, LoadOrder(facts, maker).rules(),
+                 fmt::format("{} for {} workers with {} bytes of memory",
+                             count_of(facts.items, "item"), facts.lockstep, facts.sizes->memory));
+  static_cast<ScheduleFacts&>(facts) = verdict;
+  if (facts.bytes < facts.byte_bound.loads || facts.span_bytes < facts.makespan_byte_bound.loads ||
+      facts.transfer_bytes < facts.transfer_byte_bound.loads) {
+    throw InternalError("an order of workers in lockstep has fewer bytes than its bound");
+  }
+  facts.every_step_read = true;
+  const std::uint64_t pairs = facts.wanted.among(facts.items).count();
+  facts.certificate =
+      facts.fast_room
+          ? "no item held twice at once, " + levels_read(verdict, pairs, true)
+          : fmt::format(
+                "every step read: no item held twice at once, {}, at most {} bytes at a "
+                "worker",
+                pairs_read(verdict, pairs), verdict.most_bytes);
+  return {std::move(facts), maker};
+}
+
+}  // namespace
+
+LoadOrder plan_disjoint_order(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
+                              std::uint64_t workers, const LoadOrderOptions& options) {
+  LoadOrderFacts facts = facts_before(sizes, wanted, workers);
   const Best best = best_of(sizes, wanted, workers, options);
   if (best.lists.lists == nullptr) {
     refuse_large_items(facts.items);
@@ -168,20 +211,38 @@ LoadOrder plan_disjoint_order(std::shared_ptr<const ItemSizes> sizes, const Want
   facts.method = best.method;
   facts.explanation = best.explanation;
   const LockstepLists lists = best.lists;
-  const LoadOrder::Maker maker = [lists, workers] { return in_lockstep(steps_in(lists), workers); };
-  const ScheduleVerdict verdict =
-      read_order(maker, LoadOrder(facts, maker).rules(),
-                 fmt::format("{} for {} workers with {} bytes of memory",
-                             count_of(facts.items, "item"), workers, sizes->memory));
-  static_cast<ScheduleFacts&>(facts) = verdict;
-  if (facts.bytes < facts.byte_bound.loads || facts.span_bytes < facts.makespan_byte_bound.loads) {
-    throw InternalError("an order of workers in lockstep has fewer bytes than its bound");
+  return read_disjoint(std::move(facts),
+                       [lists, workers] { return in_lockstep(steps_in(lists), workers); });
+}
+
+LoadOrder plan_disjoint_levels(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
+                               std::uint64_t workers, const LoadOrderOptions& options) {
+  LoadOrderFacts facts = facts_before(sizes, wanted, workers);
+  const ItemSizes fast{sizes->bytes, sizes->fast_memory};
+  facts.fast_room = most_held(fast, wanted);
+  facts.transfer_byte_bound = sized_lower_bound(fast, wanted);
+  facts.transfer_bound = load_lower_bound(wanted.among(facts.items), *facts.fast_room);
+  const std::uint64_t least_transfers = sized_makespan_bound(fast, wanted, workers).loads;
+  const LevelShape shape{wanted.among(facts.items), facts.room, *facts.fast_room, 1, sizes};
+  const auto both_levels = [shape, workers](const LockstepLists& lists) {
+    return levels_in_lockstep(shape, in_lockstep(steps_in(lists), workers), workers, nullptr);
+  };
+  const Best best = best_of(sizes, wanted, workers, options, [&](const LockstepLists& lists) {
+    return spans_of(*both_levels(lists), workers, sizes.get())
+        .over(facts.makespan_byte_bound.loads, least_transfers);
+  });
+  if (best.lists.lists == nullptr) {
+    refuse_large_items(facts.items);
   }
-  facts.every_step_read = true;
-  facts.certificate =
-      fmt::format("every step read: no item held twice at once, {}, at most {} bytes at a worker",
-                  pairs_read(verdict, wanted.among(facts.items).count()), verdict.most_bytes);
-  return {std::move(facts), maker};
+  facts.method = best.method;
+  facts.explanation = "What items meet is done at once. " + best.explanation;
+  // Made once: each part of it is an order of its own.
+  const auto steps = std::make_shared<std::vector<Step>>();
+  const auto all = both_levels(best.lists);
+  for (Step step; all->next(step);) {
+    steps->push_back(step);
+  }
+  return read_disjoint(std::move(facts), [steps] { return steps_of(steps); });
 }
 
 }  // namespace changeover

@@ -9,6 +9,8 @@
 #include "../pairs/pairs_support.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/workers.hpp"
+#include "loadorder/listed/level_search.hpp"
+#include "loadorder/listed/listed_levels.hpp"
 
 namespace changeover::test::listed_levels_test {
 namespace {
@@ -294,6 +296,41 @@ TEST(ListedLevels, AreCloseToBothBounds) {
   EXPECT_LE(facts.loads * 10, facts.bound.loads * 12) << facts.loads << " " << facts.bound.loads;
   EXPECT_LE(facts.transfers * 10, facts.transfer_bound.loads * 19)
       << facts.transfers << " " << facts.transfer_bound.loads;
+}
+
+TEST(ListedLevels, ASearchHasNoWorseOrderAndOneThatIsRight) {
+  for (const auto& [wanted, room, fast_room] :
+       {std::tuple{listed(40, close_points(40, 130, 3)), 10U, 4U},
+        std::tuple{listed(25, random_pairs(25, 60, 4)), 8U, 3U},
+        std::tuple{listed(12, random_pairs(12, 40, 2)), 5U, 5U},
+        std::tuple{listed(9, {{0, 1}, {1, 2}, {5, 8}}), 2U, 2U}}) {
+    const LoadOrder before = plan_two_levels(wanted, room, fast_room, hardly_searched());
+    const LoadOrderFacts& facts = before.facts();
+    const std::vector<Move> start = moves_of(*before.stream());
+    int rounds = 300;
+    const std::vector<Move> found =
+        search_levels(*wanted.graph(), facts, start, 1, [&] { return --rounds < 0; });
+    if (found.empty()) {
+      continue;
+    }
+    EXPECT_LT(cost_of(found, facts), cost_of(start, facts));
+    StepLists lists;
+    lists.add(found);
+    const ScheduleVerdict verdict = check_schedule(*lists.of(0), before.rules());
+    EXPECT_TRUE(verdict.valid()) << verdict.fault << verdict.example;
+    EXPECT_GE(verdict.loads, facts.bound.loads);
+    EXPECT_GE(verdict.transfers, facts.transfer_bound.loads);
+  }
+  const auto list = listed(40, close_points(40, 130, 3));
+  LoadOrderFacts rooms = plan_two_levels(list, 10, 4, hardly_searched()).facts();
+  // From a poor start something is found, the same each time.
+  const std::vector<Move> poor = moves_of(*plan_two_levels(40, 10, 4).stream());
+  const auto search = [&] {
+    int rounds = 100;
+    return search_levels(*list.graph(), rooms, poor, 7, [&] { return --rounds < 0; });
+  };
+  EXPECT_FALSE(search().empty());
+  EXPECT_EQ(cost_of(search(), rooms), cost_of(search(), rooms));
 }
 
 }  // namespace

@@ -16,6 +16,11 @@ namespace {
 
 using ::testing::HasSubstr;
 
+LoadOrder order_of(const std::shared_ptr<const ItemSizes>& sizes, const WantedPairs& wanted,
+                   std::uint64_t workers) {
+  return plan_disjoint_levels(sizes, wanted, workers, hardly_searched());
+}
+
 struct Played {
   std::string fault;
   std::uint64_t bytes = 0;
@@ -142,6 +147,74 @@ TEST(SizedDisjoint, ManyItemsWithOneOfMoreThanHalfOfMemoryAreRefused) {
   EXPECT_THAT(message_of<BadInput>(
                   [&] { static_cast<void>(plan_disjoint_order(sizes_of(bytes, 100), 2'500, 2)); }),
               HasSubstr("larger than half of memory"));
+}
+
+// Two levels: also what is on each accelerator.
+TEST(SizedDisjoint, AtTwoLevelsEveryPairMeetsOnAnAccelerator) {
+  std::mt19937 random(6);
+  for (int round = 0; round < 10; ++round) {
+    const auto fast = random_sizes(random, 2 + random() % 18, round % 3 == 0 ? 3 : 40, 60);
+    const auto sizes = std::make_shared<const ItemSizes>(
+        ItemSizes{fast->bytes, fast->memory + random() % 200, fast->memory});
+    const std::uint64_t items = sizes->bytes.size();
+    const std::uint64_t workers = 1 + random() % 4;
+    for (const WantedPairs& wanted :
+         {WantedPairs(items), WantedPairs::between(items / 2, items - items / 2),
+          listed(items, random_pairs(items, 1 + random() % items, random()))}) {
+      const LoadOrder order = order_of(sizes, wanted, workers);
+      const LoadOrderFacts& facts = order.facts();
+      const Played played = play_lockstep(order, workers, *sizes);
+      EXPECT_EQ(played.fault, "");
+      EXPECT_EQ(played.bytes, facts.bytes);
+      EXPECT_EQ(played.span, facts.span_bytes);
+      EXPECT_GE(facts.bytes, facts.byte_bound.loads);
+      EXPECT_GE(facts.span_bytes, facts.makespan_byte_bound.loads);
+      EXPECT_GE(facts.transfer_bytes, facts.transfer_byte_bound.loads);
+      std::vector<std::set<Element>> memory(workers);
+      std::vector<std::set<Element>> there(workers);
+      std::set<ItemPair> met;
+      std::uint64_t transferred = 0;
+      const std::vector<Step> steps = all_steps(*order.stream());
+      for (const Step& step : steps) {
+        for (const Element x : step.fast_evict) {
+          EXPECT_EQ(there[step.worker].erase(x), 1U);
+        }
+        for (const Element x : step.evict) {
+          EXPECT_EQ(memory[step.worker].erase(x), 1U);
+          EXPECT_FALSE(there[step.worker].contains(x));
+        }
+        memory[step.worker].insert(step.load.begin(), step.load.end());
+        std::uint64_t bytes = 0;
+        for (const Element x : step.fast_load) {
+          EXPECT_TRUE(memory[step.worker].contains(x));
+          EXPECT_TRUE(there[step.worker].insert(x).second);
+          transferred += sizes->bytes[x];
+          for (const Element y : there[step.worker]) {
+            met.emplace(std::min(x, y), std::max(x, y));
+          }
+        }
+        for (const Element x : there[step.worker]) {
+          bytes += sizes->bytes[x];
+        }
+        EXPECT_LE(bytes, sizes->fast_memory);
+      }
+      EXPECT_TRUE(have_all_met(met, items, wanted));
+      EXPECT_EQ(transferred, facts.transfer_bytes);
+      // Each pair once, in three epochs, with stores; a step that transfers nothing is found.
+      const LoadOrder again = repeat_order(order_of(sizes, wanted, workers), 3);
+      ScheduleRules rules = again.rules(ComputeRules{});
+      rules.store = true;
+      std::vector<Step> all = work_of(again.stream(), rules);
+      EXPECT_TRUE(verdict_of(all, rules).valid()) << verdict_of(all, rules).fault;
+      EXPECT_EQ(verdict_of(all, rules).computed, 3 * wanted.among(items).count());
+      const auto step = std::ranges::find_if(
+          all, [](const Step& each) { return !each.fast_load.empty() && !each.compute.empty(); });
+      if (step != all.end()) {
+        step->fast_load.clear();
+        EXPECT_FALSE(verdict_of(all, rules).valid());
+      }
+    }
+  }
 }
 
 }  // namespace

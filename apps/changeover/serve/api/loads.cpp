@@ -14,9 +14,9 @@
 #include "changeover/loadorder/load_request.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/control.hpp"
-#include "core/checked.hpp"
 #include "io/request/request_document.hpp"
 #include "io/write/json_writer.hpp"
+#include "loadorder/show/bytes_moved.hpp"
 #include "loadorder/show/loads_answer.hpp"
 #include "serve/api/request/query.hpp"
 #include "serve/api/routes.hpp"
@@ -286,11 +286,11 @@ Response load_order(const Explorer& explorer, const Request& request) {
   json.key("method").value(facts.method).key("explanation");
   json.value(planned.split != nullptr ? planned.split->facts().explanation : facts.explanation);
   const bool has_sizes = asked.sizes() != nullptr;
-  json.key("bytes").value(has_sizes ? facts.bytes
-                                    : checked_multiply(loads, question.bytes_per_item));
-  json.key("bytes_bound")
-      .value(has_sizes ? facts.byte_bound.loads
-                       : checked_multiply(bound.loads, question.bytes_per_item));
+  const auto bytes_of = [&](std::uint64_t count) {
+    return bytes_moved(count, question.bytes_per_item, "bytes_per_item", "loads");
+  };
+  json.key("bytes").value(has_sizes ? facts.bytes : bytes_of(loads));
+  json.key("bytes_bound").value(has_sizes ? facts.byte_bound.loads : bytes_of(bound.loads));
   json.key("step_count").value(steps);
   json.key("steps").raw(lines.others()).key("truncated").value(steps > most_steps);
   json.key("sample_every").value(account.every());

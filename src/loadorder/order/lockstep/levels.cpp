@@ -1,4 +1,5 @@
-// Disjoint workers with two levels each.
+#include "loadorder/order/lockstep/levels.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,18 +14,19 @@
 #include "loadorder/order/group_levels.hpp"
 #include "loadorder/order/lockstep/check_disjoint.hpp"
 #include "loadorder/order/read_order.hpp"
+#include "loadorder/order/search_share.hpp"
 #include "loadorder/shares/few_workers.hpp"
+#include "loadorder/sizes/sized_pairs.hpp"
 
 namespace changeover {
 namespace {
 
-/// What a step of an order of groups brings together at a worker takes it several steps; workers
-/// that are ready sooner have nothing to do until the next step of that order.
 class LockstepLevels final : public StepSource {
  public:
   LockstepLevels(const LevelShape& shape, std::unique_ptr<StepSource> groups, std::size_t workers,
                  const std::shared_ptr<InnerOrders>& inner_orders)
-      : assigner_(shape.groups(), shape.group_room(), shape.wanted_groups(), workers),
+      : assigner_(shape.groups(), shape.group_room(), shape.wanted_groups(), workers, false,
+                  nullptr, shape.sizes),
         groups_(workers),
         steps_(workers) {
     workers_.reserve(workers);
@@ -76,25 +78,6 @@ class LockstepLevels final : public StepSource {
   std::uint64_t number_ = 1;
 };
 
-// What the slowest worker of each step moves, at each level over the bound of the busiest.
-double cost_of(StepSource& steps, std::uint64_t workers, std::uint64_t least_loads,
-               std::uint64_t least_transfers) {
-  std::uint64_t span = 0;
-  std::uint64_t fast_span = 0;
-  std::size_t loads = 0;
-  std::size_t transfers = 0;
-  for (Step step; steps.next(step);) {
-    loads = std::max(loads, step.load.size());
-    transfers = std::max(transfers, step.fast_load.size());
-    if (step.worker + 1 == workers) {
-      span += std::exchange(loads, 0);
-      fast_span += std::exchange(transfers, 0);
-    }
-  }
-  return static_cast<double>(span) / static_cast<double>(least_loads) +
-         static_cast<double>(fast_span) / static_cast<double>(least_transfers);
-}
-
 // Sizes of groups whose orders do not take too long to make.
 std::vector<std::uint64_t> group_sizes(const WantedPairs& wanted, std::uint64_t room,
                                        std::uint64_t fast_room) {
@@ -113,6 +96,31 @@ std::vector<std::uint64_t> group_sizes(const WantedPairs& wanted, std::uint64_t 
 }
 
 }  // namespace
+
+std::unique_ptr<StepSource> levels_in_lockstep(const LevelShape& shape,
+                                               std::unique_ptr<StepSource> groups,
+                                               std::uint64_t workers,
+                                               const std::shared_ptr<InnerOrders>& inner_orders) {
+  return std::make_unique<LockstepLevels>(shape, std::move(groups),
+                                          static_cast<std::size_t>(workers), inner_orders);
+}
+
+LevelSpans spans_of(StepSource& steps, std::uint64_t workers, const ItemSizes* sizes) {
+  LevelSpans spans;
+  LevelSpans slowest;
+  const auto moved = [&](const std::vector<Element>& items) {
+    return sizes != nullptr ? bytes_of(*sizes, items) : items.size();
+  };
+  for (Step step; steps.next(step);) {
+    slowest.loads = std::max(slowest.loads, moved(step.load));
+    slowest.transfers = std::max(slowest.transfers, moved(step.fast_load));
+    if (step.worker + 1 == workers) {
+      spans.loads += std::exchange(slowest.loads, 0);
+      spans.transfers += std::exchange(slowest.transfers, 0);
+    }
+  }
+  return spans;
+}
 
 LoadOrder plan_disjoint_levels(const WantedPairs& wanted, std::uint64_t room,
                                std::uint64_t fast_room, std::uint64_t workers,
@@ -133,16 +141,18 @@ LoadOrder plan_disjoint_levels(const WantedPairs& wanted, std::uint64_t room,
   const auto inner = std::make_shared<InnerOrders>(fast_room);
   LoadOrder::Maker maker;
   double least = std::numeric_limits<double>::max();
-  for (const std::uint64_t size : group_sizes(wanted, room, fast_room)) {
+  const std::vector<std::uint64_t> group_items = group_sizes(wanted, room, fast_room);
+  for (std::size_t i = 0; i < group_items.size(); ++i) {
     stop_if_asked();
+    const std::uint64_t size = group_items[i];
+    const double share = 1 / static_cast<double>(group_items.size() - i);
     const LevelShape shape{wanted, room, fast_room, size};
-    const auto groups = std::make_shared<const LoadOrder>(
-        plan_disjoint_order(shape.wanted_groups(), shape.group_room(), workers, options));
-    LoadOrder::Maker its = [shape, groups, workers, inner]() -> std::unique_ptr<StepSource> {
-      return std::make_unique<LockstepLevels>(shape, groups->stream(),
-                                              static_cast<std::size_t>(workers), inner);
+    const auto groups = std::make_shared<const LoadOrder>(plan_disjoint_order(
+        shape.wanted_groups(), shape.group_room(), workers, with_share(options, share)));
+    LoadOrder::Maker its = [shape, groups, workers, inner] {
+      return levels_in_lockstep(shape, groups->stream(), workers, inner);
     };
-    const double cost = cost_of(*its(), workers, facts.makespan_bound.loads, least_transfers);
+    const double cost = spans_of(*its(), workers).over(facts.makespan_bound.loads, least_transfers);
     if (cost < least) {
       least = cost;
       maker = std::move(its);
