@@ -125,6 +125,40 @@ test('workers share the pairs', async () => {
   await look(page, 'loadorder-workers');
 });
 
+test('two levels: what both move, the stays on each, and loads that start early', async () => {
+  const page = await explorer.open('#/loadorder?items=24&room=12');
+  await page.getByRole('heading', { name: /loads in/ }).waitFor();
+  await page.getByRole('spinbutton', { name: 'Accelerator' }).fill('13');
+  await page.getByRole('button', { name: 'Find an order' }).click();
+  await page.getByRole('alert').getByText('write 2 to 12').waitFor();
+  await page.getByRole('spinbutton', { name: 'Accelerator' }).fill('4');
+  await page.getByRole('checkbox', { name: 'Load ahead' }).check();
+  await page.getByRole('button', { name: 'Find an order' }).click();
+  await page.getByText('4 of them on an accelerator').waitFor();
+  await page.getByText(/\d+ of \d+ loads start in a step before/).waitFor();
+  const table = page.getByRole('region', { name: 'What both levels move' });
+  const moves = async (name) =>
+    Number(
+      await table
+        .getByRole('row', { name: new RegExp(`^${name}`) })
+        .getByRole('cell')
+        .first()
+        .textContent(),
+    );
+  assert.ok((await moves('disk')) >= 24);
+  assert.ok((await moves('memory')) > (await moves('disk')));
+  await page.getByLabel('Level', { exact: true }).selectOption('accelerator');
+  await page.locator('.timeline-canvas').waitFor();
+  await page
+    .locator('.block', { hasText: /transfer \d+/ })
+    .first()
+    .waitFor();
+  assert.match(new URL(page.url()).hash, /room=12&fast=4/);
+  await page.locator('.command code', { hasText: '--room 12 --fast-room 4 --prefetch' }).waitFor();
+  await look(page, 'loadorder-levels');
+  await phone(page, 'loadorder-levels');
+});
+
 test('loads ahead, and a search', async () => {
   const page = await explorer.open('#/loadorder?items=20&room=6&prefetch=1&time=2');
   await page

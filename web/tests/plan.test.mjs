@@ -54,6 +54,12 @@ test('what is missing is said where it is missing', async () => {
     await page.getByRole('textbox', { name: 'Must never be in one set-up' }).isVisible(),
     'the group at fault opens',
   );
+  // A refusal stands in the field that it speaks of.
+  const within = (name) => page.locator('.field', { has: page.getByRole('textbox', { name }) });
+  await within('Must never be in one set-up').getByRole('alert').waitFor();
+  await page.getByRole('textbox', { name: 'Cost of a test' }).fill('1,000');
+  await page.getByRole('button', { name: 'Plan', exact: true }).click();
+  await within('Cost of a test').getByRole('alert').getByText('may be a thousand').waitFor();
   await look(page, 'plan-fault');
 });
 

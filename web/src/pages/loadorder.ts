@@ -7,7 +7,7 @@ import { copyButton } from '../parts/copy';
 import { link, problem, type Page, type View } from '../shell/router';
 import { bytesOf } from './loadorder/naive';
 import { memory, shares } from './loadorder/memory';
-import { comparison, headline, jsonLines, stepList, type Asked } from './loadorder/order';
+import { comparison, headline, jsonLines, levels, stepList, type Asked } from './loadorder/order';
 
 /** What the page begins with. */
 const usual = { items: '64', room: '16' };
@@ -18,11 +18,12 @@ const times: readonly (readonly [string, string])[] = [
   ['25', '25 seconds'],
 ];
 
-function commandOf({ items, room, workers, pairs, seconds, prefetch }: Asked): string {
+function commandOf({ items, room, fastRoom, workers, pairs, seconds, prefetch }: Asked): string {
   const what = pairs ? '--pairs pairs.txt' : `--items ${items}`;
   return (
     `changeover loadorder ${what} --room ` +
-    `${room}${workers > 1 ? ` --workers ${workers}` : ''}` +
+    `${room}${fastRoom !== null ? ` --fast-room ${fastRoom}` : ''}` +
+    `${workers > 1 ? ` --workers ${workers}` : ''}` +
     `${seconds > 0 ? ` --time ${seconds}s` : ''}${prefetch ? ' --prefetch' : ''} --json -o ` +
     `order.jsonl`
   );
@@ -47,6 +48,12 @@ async function render(view: View): Promise<void> {
     min: 2,
     value: params.get('room') ?? usual.room,
     placeholder: '16',
+  });
+  const fast = h('input', {
+    type: 'number',
+    min: 2,
+    value: params.get('fast') ?? '',
+    placeholder: 'none',
   });
   const size = h('input', {
     type: 'text',
@@ -100,9 +107,17 @@ async function render(view: View): Promise<void> {
           'meets.',
       );
     }
+    const there = fast.value === '' ? null : Number(fast.value);
+    if (there !== null && (!Number.isInteger(there) || there < 2 || there > c)) {
+      throw new Error(
+        `Accelerator: write 2 to ${c}, how many of the items in memory are on it, or ` +
+          'leave it empty.',
+      );
+    }
     return {
       items: named ? null : p,
       room: c,
+      fastRoom: there,
       workers: w,
       seconds: Number(time.value),
       prefetch: ahead.checked,
@@ -124,6 +139,7 @@ async function render(view: View): Promise<void> {
         {
           items: asked.items,
           room: asked.room,
+          fast: asked.fastRoom,
           bytes: size.value.trim(),
           workers: asked.workers > 1 ? asked.workers : null,
           time: asked.seconds > 0 ? asked.seconds : null,
@@ -149,6 +165,7 @@ async function render(view: View): Promise<void> {
         {
           ...(asked.items !== null ? { items: asked.items } : {}),
           room: asked.room,
+          ...(asked.fastRoom !== null ? { fast_room: asked.fastRoom } : {}),
           ...(asked.workers > 1 ? { workers: asked.workers } : {}),
           ...(asked.seconds > 0 ? { seconds: asked.seconds } : {}),
           ...(asked.prefetch ? { prefetch: true } : {}),
@@ -188,8 +205,9 @@ async function render(view: View): Promise<void> {
         'div',
         { class: 'columns loadorder-parts loadorder-head' },
         headline(answer, asked),
-        shares(answer, asked) ?? comparison(answer, asked),
+        shares(answer, asked) ?? levels(answer, asked) ?? comparison(answer, asked),
       ),
+      asked.workers > 1 && levels(answer, asked),
       memory(answer, mine()),
       h(
         'div',
@@ -226,8 +244,8 @@ async function render(view: View): Promise<void> {
             h(
               'p',
               { class: 'hint' },
-              'The command line can also search for longer (--time), hold two levels of memory ' +
-                '(--fast-room) and write back what changes (--write-back).',
+              'The command line can also search for longer (--time), take items of different size ' +
+                '(--sizes) and write back what changes (--write-back).',
             ),
           ),
         ),
@@ -249,6 +267,7 @@ async function render(view: View): Promise<void> {
       { class: 'row top' },
       field('Items', items, 'partitions, images, …'),
       field('Room', room, 'items in memory at once'),
+      field('Accelerator', fast, 'so many of these on it'),
       field('Bytes per item', size, 'optional'),
       field('Workers', workers, 'each with this room'),
       field('Search', time, 'for fewer loads'),
@@ -277,6 +296,12 @@ async function render(view: View): Promise<void> {
         'a',
         { href: link('loadorder', { items: 64, room: 16, bytes: '2 GB' }) },
         '64 items, room for 16',
+      ),
+      ', ',
+      h(
+        'a',
+        { href: link('loadorder', { items: 64, room: 16, fast: 4 }) },
+        '4 of these on an accelerator',
       ),
       ' or ',
       h(

@@ -1,7 +1,7 @@
 // What memory holds, step by step: items as rows, steps as columns; workers beside each other with
 // what each has to do.
 import type { Ordered } from '../../lib/api';
-import { fill, h, scroll } from '../../lib/dom';
+import { field, fill, h, scroll, select } from '../../lib/dom';
 import { bytes, count, number } from '../../lib/words';
 import { Choice, Stays } from '../../parts/stays';
 import { byFirst } from '../../parts/thumbnail';
@@ -22,9 +22,20 @@ class Picked extends Choice {
   }
 }
 
-/** The steps of one worker, or of the one order, drawn. */
-function drawn(answer: Ordered, worker: number | undefined, signal: AbortSignal): HTMLElement {
-  const steps = answer.steps.filter((step) => step.worker === worker);
+/** The steps of one worker, or of the one order, drawn: of memory, or of the accelerator. */
+function drawn(
+  answer: Ordered,
+  worker: number | undefined,
+  fast: boolean,
+  signal: AbortSignal,
+): HTMLElement {
+  const steps = answer.steps
+    .filter((step) => step.worker === worker)
+    .map((step) =>
+      fast
+        ? { load: step.fast_load ?? [], evict: step.fast_evict ?? [] }
+        : { load: step.load, evict: step.evict },
+    );
   const names = [...new Set(steps.flatMap((step) => step.load.map(String)))];
   const numbers = names.every((name) => /^\d+$/.test(name));
   names.sort((a, b) => (numbers ? Number(a) - Number(b) : a < b ? -1 : 1));
@@ -127,15 +138,30 @@ export function memory(answer: Ordered, signal: AbortSignal): HTMLElement {
   const workers = [...new Set(answer.steps.map((step) => step.worker))].filter(
     (worker): worker is number => worker !== undefined,
   );
+  const hasLevels = answer.order.fast_room !== undefined;
   const place = h('div');
   let leaving = new AbortController();
   signal.addEventListener('abort', () => leaving.abort());
-  const show = (worker: number | undefined): void => {
+  const show = (): void => {
     leaving.abort();
     leaving = new AbortController();
-    fill(place, drawn(answer, worker, leaving.signal));
+    const worker = workers.length > 1 ? Number(whose.value) : workers[0];
+    fill(place, drawn(answer, worker, level.value === 'fast', leaving.signal));
   };
-  show(workers[0]);
+  const whose = select(
+    String(workers[0] ?? ''),
+    workers.map((worker) => [String(worker), String(worker)] as const),
+    show,
+  );
+  const level = select(
+    'memory',
+    [
+      ['memory', 'memory'],
+      ['fast', 'accelerator'],
+    ],
+    show,
+  );
+  show();
   return h(
     'section',
     {},
@@ -143,29 +169,18 @@ export function memory(answer: Ordered, signal: AbortSignal): HTMLElement {
     h(
       'p',
       { class: 'hint' },
-      'A row for each item, a bar for each time that it is in memory: ',
+      `A row for each item, a bar for each time that it is ${hasLevels ? 'there' : 'in memory'}: `,
       h('span', { class: 'key key-loaded' }),
       ' loaded, ',
       h('span', { class: 'key key-met' }),
       ' held. Drag on the strip to choose steps; Ctrl + wheel or + and − zoom.',
     ),
-    workers.length > 1 &&
+    (workers.length > 1 || hasLevels) &&
       h(
         'div',
         { class: 'row' },
-        h(
-          'div',
-          { class: 'field' },
-          h('label', { for: 'memory-worker' }, 'Worker'),
-          h(
-            'select',
-            {
-              id: 'memory-worker',
-              onchange: (event) => show(Number((event.target as HTMLSelectElement).value)),
-            },
-            workers.map((worker) => h('option', { value: worker }, worker)),
-          ),
-        ),
+        workers.length > 1 && field('Worker', whose),
+        hasLevels && field('Level', level),
       ),
     answer.truncated &&
       h(

@@ -10,6 +10,8 @@ export interface Asked {
   /** null: as many as the pairs name. */
   items: number | null;
   room: number;
+  /** Of these on an accelerator, where pairs meet; null: one level. */
+  fastRoom: number | null;
   bytesPerItem: number | null;
   workers: number;
   /** Of a search, in seconds; 0: none. */
@@ -58,7 +60,8 @@ export function headline(answer: Ordered, asked: Asked): HTMLElement {
         ? `For ${count(workers, 'worker')}; the busiest has ${count(makespan, 'load')}: ` +
             `${over(makespan, spanBound)}.`
         : `${asked.pairs ? count(pairs, 'pair') : `All ${count(pairs, 'pair')}`} of ` +
-            `${count(order.items, 'item')}, with room for ${number(order.room)}: ` +
+            `${count(order.items, 'item')}, with room for ${number(order.room)}` +
+            `${order.fast_room === undefined ? '' : `, ${number(order.fast_room)} of them on an accelerator`}: ` +
             `${over(loads, bound)}.`,
       asked.bytesPerItem !== null && readWords(answer, asked.bytesPerItem),
     ),
@@ -71,6 +74,13 @@ export function headline(answer: Ordered, asked: Asked): HTMLElement {
         order.order_room !== undefined && order.order_room < order.room
           ? '; one place in memory is kept for the item that is loading.'
           : '.',
+      ),
+    order.loads_ahead !== undefined &&
+      h(
+        'p',
+        {},
+        `${number(order.loads_ahead)} of ${count(loads, 'load')} start in a step before the ` +
+          'transfer that needs them, and run while pairs are computed.',
       ),
     asked.seconds > 0 && h('p', {}, `Searched for ${asked.seconds} s for fewer loads.`),
     h('p', { class: 'hint' }, 'An independent checker read every step and counted every pair.'),
@@ -90,7 +100,7 @@ export function headline(answer: Ordered, asked: Asked): HTMLElement {
 }
 
 export function comparison(answer: Ordered, asked: Asked): HTMLElement | null {
-  if (asked.pairs || asked.workers > 1) {
+  if (asked.pairs || asked.workers > 1 || asked.fastRoom !== null) {
     return null;
   }
   const simple = naive(answer.order.items, asked.room);
@@ -147,6 +157,65 @@ export function comparison(answer: Ordered, asked: Asked): HTMLElement | null {
   );
 }
 
+/** What both levels move, beside the least that they can. */
+export function levels({ order }: Ordered, asked: Asked): HTMLElement | null {
+  const { transfers, transfer_bound: fewest } = order;
+  if (transfers === undefined || fewest === undefined) {
+    return null;
+  }
+  const rows: [name: string, moves: number, bound: number][] = [
+    ['disk to memory', order.loads, order.lower_bound],
+    ['memory to accelerator', transfers, fewest],
+  ];
+  return h(
+    'section',
+    {},
+    h('h2', {}, 'Both levels'),
+    scroll(
+      'What both levels move',
+      h(
+        'table',
+        {},
+        h(
+          'thead',
+          {},
+          h(
+            'tr',
+            {},
+            h('th', {}, 'from and to'),
+            h('th', { class: 'number' }, 'moves'),
+            h('th', { class: 'number' }, 'at least'),
+            h('th', { class: 'number' }, 'of the bound'),
+            asked.bytesPerItem !== null && h('th', { class: 'number' }, 'moved'),
+          ),
+        ),
+        h(
+          'tbody',
+          {},
+          rows.map(([name, moves, bound]) =>
+            h(
+              'tr',
+              {},
+              h('th', { scope: 'row' }, name),
+              h('td', { class: 'number' }, number(moves)),
+              h('td', { class: 'number' }, number(bound)),
+              h('td', { class: 'number' }, `× ${(moves / bound).toFixed(3)}`),
+              asked.bytesPerItem !== null &&
+                h('td', { class: 'number' }, bytes(moves * asked.bytesPerItem)),
+            ),
+          ),
+        ),
+      ),
+    ),
+    h(
+      'p',
+      { class: 'hint' },
+      'Pairs meet on the accelerator; what is there stays in memory, too. No order for these two ' +
+        'rooms moves less than “at least”.',
+    ),
+  );
+}
+
 /** Names of several words have commas between. */
 function listed(items: (number | string)[]): string {
   return items.join(items.some((item) => /\s/.test(String(item))) ? ', ' : ' ');
@@ -159,10 +228,14 @@ export function stepList(answer: Ordered): HTMLElement {
     rows: answer.steps.length,
     row(i) {
       const { step, worker, load, evict, before, compute } = answer.steps[i]!;
+      const { fast_load: come = [], fast_evict: leave = [] } = answer.steps[i]!;
       const parts: Child[] = [
         h('span', { class: 'block-number' }, shared ? `${worker} · ${number(step)}` : number(step)),
-        h('span', { class: 'load' }, 'load ', h('strong', {}, listed(load))),
+        (load.length > 0 || come.length === 0) &&
+          h('span', { class: 'load' }, 'load ', h('strong', {}, listed(load))),
         evict.length > 0 && h('span', { class: 'block-out' }, 'evict ', listed(evict)),
+        come.length > 0 && h('span', {}, 'transfer ', listed(come)),
+        leave.length > 0 && h('span', { class: 'block-out' }, 'take off ', listed(leave)),
         before &&
           compute &&
           h(

@@ -322,7 +322,11 @@ const labels: Record<string, string> = {
 
 /** Which key of the document a message of the server begins with. */
 export function keyIn(message: string): string | null {
-  return /^(?:give )?([a-z_]+)(?=[:,\s.[]|$)/.exec(message)?.[1] ?? null;
+  return (
+    Object.keys(labels).find((key) => message.startsWith(`${labels[key]}:`)) ??
+    /^(?:give )?([a-z_]+)(?=[:,\s.[]|$)/.exec(message)?.[1] ??
+    null
+  );
 }
 
 /** The message in the words of the form. */

@@ -48,8 +48,8 @@ export interface Form {
   /** @throws Error with a line that can be shown. */
   read(): Job;
   set(job: Job): void;
-  /** Opens the group of a key of the document, and shows it. */
-  show(key: string): void;
+  /** Puts the element below the field of a key of the document; false if that is not to be seen. */
+  show(key: string, element: HTMLElement): boolean;
 }
 
 interface Group {
@@ -467,22 +467,31 @@ export function jobForm(
       ),
     ),
   );
-  const keyGroup: Record<string, string> = {
-    slots: 'slots',
-    slot: 'slots',
-    pairs: 'pairs',
-    never: 'pairs',
-    strength: 'pairs',
-    mounted: 'mounted',
-    start: 'mounted',
-    budget: 'budget',
-    weights: 'budget',
-    first: 'budget',
-    benches: 'benches',
-    hours: 'benches',
-    first_day: 'benches',
-    objective: 'benches',
-    change_costs: 'change_costs',
+  /** What each key of a request is written into. */
+  const controls: Record<string, HTMLElement> = {
+    at_once: atOnce,
+    test_cost: testCost,
+    change_cost: changeCost,
+    unit,
+    title,
+    seconds,
+    parts: grid.element,
+    model,
+    slots: slots.element,
+    slot: slots.element,
+    pairs,
+    strength,
+    never,
+    mounted,
+    start,
+    budget,
+    weights,
+    first,
+    benches: benches.element,
+    hours,
+    first_day: firstDay,
+    objective,
+    change_costs: changeCosts,
   };
 
   return {
@@ -558,12 +567,19 @@ export function jobForm(
       setSource(job.source);
       Object.values(groups).forEach((each) => each.refresh());
     },
-    show(key) {
-      const found = groups[keyGroup[key] ?? ''];
-      if (found) {
-        found.element.open = true;
-        found.element.scrollIntoView({ block: 'nearest' });
+    show(key, element) {
+      const control = controls[key];
+      const labelled = control?.closest<HTMLElement>('.field');
+      const place = labelled ?? control;
+      if (!place || place.closest('[hidden]')) {
+        return false;
       }
+      const inside = place.closest('details.group') as HTMLDetailsElement | null;
+      if (inside) {
+        inside.open = true;
+      }
+      labelled ? labelled.append(element) : place.after(element);
+      return true;
     },
   };
 }

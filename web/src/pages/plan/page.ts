@@ -159,19 +159,23 @@ export class PlanPage {
       return;
     }
     const key = fault instanceof Error ? keyIn(fault.message) : null;
-    fill(
-      this.fault,
-      problem(
-        fault instanceof ApiError ? new ApiError(inWords(fault.message), fault.status) : fault,
-      ),
-    );
-    if (key) {
-      this.form.show(key);
-    }
+    this.clear();
+    const placed = key !== null && this.form.show(key, this.fault);
+    this.jobBox.open = placed || this.jobBox.open;
+    const said =
+      fault instanceof ApiError ? new ApiError(inWords(fault.message), fault.status) : fault;
+    fill(this.fault, problem(said));
     this.fault.scrollIntoView({ block: 'nearest' });
   }
 
+  /** What comes next is said below the job. */
+  private clear(): void {
+    this.news.after(this.fault);
+    fill(this.fault);
+  }
+
   note(...words: (Node | string)[]): void {
+    this.clear();
     fill(this.fault, h('p', { class: 'note', role: 'status' }, words));
   }
 
@@ -200,7 +204,7 @@ export class PlanPage {
   private async pasted(text: string): Promise<Part[] | null> {
     try {
       const { job, notes } = await readParts(text, emptyJob(), this.view.signal);
-      fill(this.fault);
+      this.clear();
       this.tell(notes.filter((note) => /header|not used/.test(note)).map(inWords));
       return job.parts;
     } catch (fault) {
@@ -230,7 +234,7 @@ export class PlanPage {
         () => requestOf(this.form.read()),
         this.view.signal,
       );
-      fill(this.fault);
+      this.clear();
       this.startAnew();
       this.form.set(job);
       this.tell(notes.map((note) => note.replace(/^(parts|done)(?=[:\s])/, file.name)));
@@ -270,7 +274,7 @@ export class PlanPage {
     const best = new AbortController();
     const stop = () => mine.abort();
     this.view.signal.addEventListener('abort', stop, { once: true });
-    fill(this.fault);
+    this.clear();
     this.form.go.disabled = true;
     try {
       const job = this.form.read();

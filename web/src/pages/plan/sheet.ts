@@ -36,7 +36,7 @@ export function clockOf(unit: Outcome['unit']): ((cost: number) => string) | nul
 
 /** A name breaks at its spaces only if it is long. */
 function unbroken(name: string): Child {
-  return name.length <= 24 && name.includes(' ') ? h('span', { class: 'whole' }, name) : name;
+  return name.length <= 24 && /[ -]/.test(name) ? h('span', { class: 'whole' }, name) : name;
 }
 
 function named(names: readonly string[]): Child[] {
@@ -378,6 +378,7 @@ export function runSheet(
       'div',
       { class: 'sheets' },
       h('div', { class: 'row no-print' }, progress, said),
+      h('p', { class: 'only-print' }, 'Run by ', h('span', {}), ' on ', h('span', {})),
       lists,
     ),
     refresh,
