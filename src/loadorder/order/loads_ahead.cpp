@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t never = ~std::size_t{0};
 
 /// From a load to its eviction.
-struct Stay {
+struct MemoryStay {
   Element item = 0;
   std::size_t first = never;   // the step that transfers it first
   std::size_t last = never;    // the step in which it leaves the accelerator for good
@@ -27,8 +27,8 @@ struct Stay {
 };
 
 /// The stays of all items by their first transfers.
-std::vector<Stay> stays_in(const std::vector<Step>& steps, std::uint64_t items) {
-  std::vector<Stay> stays;
+std::vector<MemoryStay> stays_in(const std::vector<Step>& steps, std::uint64_t items) {
+  std::vector<MemoryStay> stays;
   std::vector<std::size_t> now(static_cast<std::size_t>(items), never);
   for (std::size_t t = 0; t < steps.size(); ++t) {
     for (const Element x : steps[t].fast_evict) {
@@ -39,13 +39,13 @@ std::vector<Stay> stays_in(const std::vector<Step>& steps, std::uint64_t items) 
       stays.push_back({x});
     }
     for (const Element x : steps[t].fast_load) {
-      Stay& stay = stays[now[x]];
+      MemoryStay& stay = stays[now[x]];
       stay.first = std::min(stay.first, t);
       stay.last = never;
     }
   }
-  std::erase_if(stays, [](const Stay& stay) { return !stay.is_used(); });
-  std::ranges::stable_sort(stays, {}, &Stay::first);
+  std::erase_if(stays, [](const MemoryStay& stay) { return !stay.is_used(); });
+  std::ranges::stable_sort(stays, {}, &MemoryStay::first);
   std::vector<std::size_t> next(now.size(), never);
   for (std::size_t i = stays.size(); i > 0; --i) {
     stays[i - 1].needed = std::exchange(next[stays[i - 1].item], stays[i - 1].first);
@@ -53,7 +53,7 @@ std::vector<Stay> stays_in(const std::vector<Step>& steps, std::uint64_t items) 
   return stays;
 }
 
-std::uint64_t size_of(Element x, const ItemSizes* sizes) {
+std::uint64_t units_of(Element x, const ItemSizes* sizes) {
   return sizes != nullptr ? sizes->bytes[x] : 1;
 }
 
@@ -73,7 +73,7 @@ class Ahead {
       step.evict.clear();
       step.load.clear();
       for (const Element x : step.fast_evict) {
-        if (const Stay& stay = stays_[stay_of_[x]]; stay.last == t) {
+        if (const MemoryStay& stay = stays_[stay_of_[x]]; stay.last == t) {
           done_.emplace(stay.needed, x);
         }
       }
@@ -86,16 +86,16 @@ class Ahead {
 
  private:
   // Whether the stay begins now: the item is still there, or there is room for it.
-  bool start(const Stay& stay, Step& step) {
+  bool start(const MemoryStay& stay, Step& step) {
     if (stay_of_[stay.item] != never) {
       return done_.erase({stay.first, stay.item}) == 1;
     }
-    const std::uint64_t size = size_of(stay.item, sizes_);
+    const std::uint64_t size = units_of(stay.item, sizes_);
     while (room_ - held_ < size && !done_.empty()) {
       const Element goes = done_.rbegin()->second;
       done_.erase(std::prev(done_.end()));
       stay_of_[goes] = never;
-      held_ -= size_of(goes, sizes_);
+      held_ -= units_of(goes, sizes_);
       step.evict.push_back(goes);
     }
     if (room_ - held_ < size) {
@@ -107,7 +107,7 @@ class Ahead {
   }
 
   std::vector<Step>& steps_;
-  std::vector<Stay> stays_;
+  std::vector<MemoryStay> stays_;
   std::uint64_t room_;
   const ItemSizes* sizes_;
   std::size_t at_ = 0;                // the next stay
@@ -208,7 +208,7 @@ double time_ahead(StepSource& steps, const ScheduleRules& rules) {
     }
     for (const Element x : step.load) {
       disk = std::max(disk, now) +
-             (room - 1) * static_cast<double>(size_of(x, rules.sizes.get())) / mean;
+             (room - 1) * static_cast<double>(units_of(x, rules.sizes.get())) / mean;
       there[x] = disk;
     }
     for (const Element x : step.fast_load) {
