@@ -8,6 +8,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
+#include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/shares/step_lists.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
@@ -15,21 +16,19 @@
 namespace changeover {
 namespace {
 
-constexpr std::size_t never = ~std::size_t{0};
-
 /// From a load to its eviction.
 struct MemoryStay {
   Element item = 0;
-  std::size_t first = never;   // the step that transfers it first
-  std::size_t last = never;    // the step in which it leaves the accelerator for good
-  std::size_t needed = never;  // the first transfer of its next stay
-  [[nodiscard]] bool is_used() const { return first != never; }
+  std::size_t first = not_again;   // the step that transfers it first
+  std::size_t last = not_again;    // the step in which it leaves the accelerator for good
+  std::size_t needed = not_again;  // the first transfer of its next stay
+  [[nodiscard]] bool is_used() const { return first != not_again; }
 };
 
 /// The stays of all items by their first transfers.
 std::vector<MemoryStay> stays_in(const std::vector<Step>& steps, std::uint64_t items) {
   std::vector<MemoryStay> stays;
-  std::vector<std::size_t> now(static_cast<std::size_t>(items), never);
+  std::vector<std::size_t> now(static_cast<std::size_t>(items), not_again);
   for (std::size_t t = 0; t < steps.size(); ++t) {
     for (const Element x : steps[t].fast_evict) {
       stays[now[x]].last = t;
@@ -41,12 +40,12 @@ std::vector<MemoryStay> stays_in(const std::vector<Step>& steps, std::uint64_t i
     for (const Element x : steps[t].fast_load) {
       MemoryStay& stay = stays[now[x]];
       stay.first = std::min(stay.first, t);
-      stay.last = never;
+      stay.last = not_again;
     }
   }
   std::erase_if(stays, [](const MemoryStay& stay) { return !stay.is_used(); });
   std::ranges::stable_sort(stays, {}, &MemoryStay::first);
-  std::vector<std::size_t> next(now.size(), never);
+  std::vector<std::size_t> next(now.size(), not_again);
   for (std::size_t i = stays.size(); i > 0; --i) {
     stays[i - 1].needed = std::exchange(next[stays[i - 1].item], stays[i - 1].first);
   }
@@ -65,7 +64,7 @@ class Ahead {
         stays_(stays_in(steps, items)),
         room_(sizes != nullptr ? sizes->memory : room),
         sizes_(sizes),
-        stay_of_(static_cast<std::size_t>(items), never) {}
+        stay_of_(static_cast<std::size_t>(items), not_again) {}
 
   void run() {
     for (std::size_t t = 0; t < steps_.size(); ++t) {
@@ -87,14 +86,14 @@ class Ahead {
  private:
   // Whether the stay begins now: the item is still there, or there is room for it.
   bool start(const MemoryStay& stay, Step& step) {
-    if (stay_of_[stay.item] != never) {
+    if (stay_of_[stay.item] != not_again) {
       return done_.erase({stay.first, stay.item}) == 1;
     }
     const std::uint64_t size = units_of(stay.item, sizes_);
     while (room_ - held_ < size && !done_.empty()) {
       const Element goes = done_.rbegin()->second;
       done_.erase(std::prev(done_.end()));
-      stay_of_[goes] = never;
+      stay_of_[goes] = not_again;
       held_ -= units_of(goes, sizes_);
       step.evict.push_back(goes);
     }
