@@ -1,0 +1,15 @@
+#!/bin/sh
+# Looks for a linear single-change design in two lists, the second with a hole (docs/theorems.md,
+# Theorem 13): a list on W elements that lacks some pairs, with disjoint unchanged subsets, and one
+# after it that brings NEW elements in.
+#
+#     docs/tools/find_with_hole.sh 5 17 12 3 2 > FILE          SCCD(29,5): k, W, NEW, subsets, pairs
+#     docs/tools/find_with_hole.sh 5 16 12 2 2 1 900 > FILE    SCCD(28,5): seed 1, 900 seconds
+#
+# It leaves with 1 if it finds none. docs/tools/keep_design.sh FILE keeps the design.
+set -eu
+cd "$(dirname "$0")/../.."
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+${CXX:-c++} -std=c++20 -O3 -o "$work/find_with_hole" docs/tools/find_with_hole/find_with_hole.cpp
+"$work/find_with_hole" "$@"
