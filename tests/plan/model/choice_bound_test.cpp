@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <map>
 #include <optional>
@@ -257,6 +258,134 @@ TEST(ChoiceBound, OfFourStaysInFewTests) {
   }
 }
 
+// How many parameters of three values can have so few stays in so many tests, and how few stays a
+// number of parameters has together, by looking at all rows of values.
+class RowsOfThree {
+ public:
+  RowsOfThree(std::uint32_t tests, std::size_t most_stays) : tests_(tests), most_(most_stays) {
+    make({}, 0, 0, 3, 0);
+  }
+
+  [[nodiscard]] std::size_t most_rows() {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      look_from(i, rows_.size());
+    }
+    return most_rows_;
+  }
+  [[nodiscard]] std::size_t least_stays(std::size_t k) {
+    least_ = tests_ * k + 1;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      look_from(i, k);
+    }
+    return least_;
+  }
+
+ private:
+  using Row = std::array<std::uint32_t, 3>;  // by value: in which tests
+  using Bits = std::vector<std::uint64_t>;
+
+  void make(Row row, std::uint32_t at, std::uint32_t seen, std::uint32_t last, std::size_t stays) {
+    if (at == tests_) {
+      if (std::ranges::all_of(row, [](std::uint32_t each) { return std::popcount(each) > 2; })) {
+        rows_.push_back(row);
+        stays_.push_back(stays);
+      }
+      return;
+    }
+    for (std::uint32_t x = 0; x < std::min(3U, seen + 1); ++x) {
+      Row longer = row;
+      longer[x] |= 1U << at;
+      if (stays + (x == last ? 0 : 1) <= most_) {
+        make(longer, at + 1, std::max(seen, x + 1), x, stays + (x == last ? 0 : 1));
+      }
+    }
+  }
+  [[nodiscard]] bool meet(std::size_t i, std::size_t j) const {
+    return std::ranges::all_of(rows_[i], [&](std::uint32_t one) {
+      return std::ranges::all_of(rows_[j], [&](std::uint32_t other) { return (one & other) != 0; });
+    });
+  }
+  void look_from(std::size_t first, std::size_t k) {
+    others_.clear();
+    for (std::size_t j = first + 1; j < rows_.size(); ++j) {
+      if (meet(first, j)) {
+        others_.push_back(j);
+      }
+    }
+    fits_.assign(others_.size(), Bits((others_.size() + 63) / 64, 0));
+    for (std::size_t i = 0; i < others_.size(); ++i) {
+      for (std::size_t j = i + 1; j < others_.size(); ++j) {
+        fits_[i][j / 64] |= std::uint64_t{meet(others_[i], others_[j])} << j % 64;
+      }
+    }
+    Bits all((others_.size() + 63) / 64, 0);
+    for (std::size_t i = 0; i < others_.size(); ++i) {
+      all[i / 64] |= std::uint64_t{1} << i % 64;
+    }
+    add(all, 1, stays_[first], k);
+  }
+  void add(const Bits& open, std::size_t rows, std::size_t stays, std::size_t k) {
+    most_rows_ = std::max(most_rows_, rows);
+    if (rows == k) {
+      least_ = std::min(least_, stays);
+      return;
+    }
+    std::size_t left = 0;
+    for (const std::uint64_t word : open) {
+      left += static_cast<std::size_t>(std::popcount(word));
+    }
+    const std::size_t wanted = k < rows_.size() ? k : most_rows_ + 1;
+    for (std::size_t i = 0; i < others_.size() && rows + left >= wanted; ++i) {
+      if ((open[i / 64] >> i % 64 & 1U) == 0) {
+        continue;
+      }
+      --left;
+      Bits next = open;
+      for (std::size_t w = 0; w < next.size(); ++w) {
+        next[w] &= fits_[i][w];
+      }
+      add(next, rows + 1, stays + stays_[others_[i]], k);
+    }
+  }
+
+  std::uint32_t tests_;
+  std::size_t most_;
+  std::vector<Row> rows_;
+  std::vector<std::size_t> stays_;
+  std::vector<std::size_t> others_;
+  std::vector<Bits> fits_;  // of others, to later ones
+  std::size_t most_rows_ = 0;
+  std::size_t least_ = 0;
+};
+
+// Theorem 27: six stays in few tests.
+TEST(ChoiceBound, OfThreeValuesInFewTests) {
+  for (std::uint32_t tests = 9; tests <= 13; ++tests) {
+    const std::size_t most = RowsOfThree(tests, 6).most_rows();
+    EXPECT_EQ(most, (tests - 1) / 3) << tests;
+    EXPECT_LE(most - 5 * most / (tests - 1), (tests - 2) / 3) << tests;  // with a test fewer
+  }
+  for (std::size_t k = 3; k <= 4; ++k) {
+    for (std::uint32_t tests = 9; tests <= (k == 3 ? 10U : 9U); ++tests) {
+      EXPECT_GE(RowsOfThree(tests, tests).least_stays(k) + (tests - 1) / 3 + 2, 7 * k) << tests;
+    }
+  }
+  const Model model = test::model_of(model_text(std::vector<std::uint32_t>(12, 3)));
+  EXPECT_EQ(cost_bound(job_of(model, Amount{5}, Amount{1})).cost, Amount{5 * 15 + 7 * 12 - 4 - 2});
+  EXPECT_EQ(cost_bound(job_of(model, Amount{}, Amount{1})).cost, Amount{70});
+  const Model many = test::model_of(model_text(std::vector<std::uint32_t>(40, 3)));
+  EXPECT_EQ(cost_bound(job_of(many, Amount{5}, Amount{1})).cost, Amount{5 * 15 + 7 * 40 - 4 - 2});
+  Job dear = job_of(model, Amount{5}, Amount{1});  // three stays of the dear one, seven of others
+  std::fill_n(dear.change_costs.begin(), 3, Amount{9});
+  EXPECT_EQ(cost_bound(dear).cost, Amount{5 * 15 + 7 * 11 + 3 * 9});
+}
+
+TEST(ChoiceBoundSlow, OfThreeValuesInFewTests) {
+  for (std::uint32_t tests = 14; tests <= 16; ++tests) {
+    EXPECT_EQ(RowsOfThree(tests, 6).most_rows(), (tests - 1) / 3) << tests;
+  }
+}
+
 // One parameter after the other, a part of its way each time: with rules, too.
 TEST(ChoiceBound, SweepsChangeLittle) {
   std::vector<std::uint32_t> sizes(24, 2);
@@ -300,6 +429,13 @@ TEST(ChoiceBound, NeedsNoMoreTestsThanThereAreArrays) {
   EXPECT_EQ(least_tests_of_equal(13, 3), 12U);
   EXPECT_EQ(least_tests_of_equal(15, 4), 20U);
   EXPECT_EQ(least_tests_of_equal(20, 10), 107U);
+  for (const FewestTests& each : published_fewest_tests()) {
+    EXPECT_LT(least_tests_of_equal(each.parameters, each.values), each.tests);
+    const std::vector<std::uint32_t> sizes(each.parameters,
+                                           static_cast<std::uint32_t>(each.values));
+    const Model model = test::model_of(model_text(sizes));
+    EXPECT_EQ(cost_bound(job_of(model, Amount{1}, Amount{})).tests, each.tests);
+  }
 }
 
 TEST(ChoiceBound, GrowsWithTheParameters) {

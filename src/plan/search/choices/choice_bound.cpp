@@ -146,6 +146,13 @@ LeastNumber least_choice_tests(const Job& job, const ChoiceNumbers& n) {
                                "differ (docs/theorems.md, Theorem 21)",
                                count_of(equal, "parameter"), g));
   }
+  for (const FewestTests& each : published_fewest_tests()) {
+    if (number_in(clique_of_equal(job, n, each.values)) >= each.parameters) {
+      least.at_least(each.tests,
+                     fmt::format("{} of {} values and more need so many [IzquierdoTorres2018]",
+                                 count_of(each.parameters, "parameter"), each.values));
+    }
+  }
   if (hidden > 0) {
     least.why += fmt::format("{}{} more with a value that is out of range",
                              least.why.empty() ? "" : ", and ", hidden);
@@ -165,7 +172,9 @@ struct LeastChanges {
   Amount with_tests;  ///< of tests and changes together
 };
 
-constexpr std::uint64_t stays_of_two = 5;  // of a parameter with two values, but for few
+// Of a parameter with so many values, but for few: (6).
+constexpr std::uint64_t stays_of_two = 5;
+constexpr std::uint64_t stays_of_three = 7;
 
 // (5): what the parameters of a clique may save together if each but `exceptions` of them, one or
 // two, has `often` stays, and what those have fewer only two can have.
@@ -262,31 +271,68 @@ std::uint64_t least_more(const std::vector<std::vector<std::uint64_t>>& wanted,
       std::min(most, std::max(Wide{by_two(any)}, by_cliques + by_two(is_in))));
 }
 
-// (6): what tests and the changes of parameters with two values cost at least, beyond `there`.
-Amount of_two_values(const Job& job, const std::vector<bool>& twos,
-                     const std::vector<std::uint64_t>& there,
-                     const std::vector<std::uint64_t>& prices, std::uint64_t least_tests) {
-  std::vector<std::uint64_t> dearest;
-  Amount changes;
-  for (std::size_t p = 0; p < twos.size(); ++p) {
-    if (twos[p]) {
-      dearest.push_back(prices[p]);
-      changes += Amount{prices[p]} * (stays_of_two - there[p]);
+// Parameters that each have so many stays, but for few: what these save.
+class OftenSet {
+ public:
+  OftenSet(const std::vector<bool>& which, const std::vector<std::uint64_t>& there,
+           const std::vector<std::uint64_t>& prices, std::uint64_t stays) {
+    for (std::size_t p = 0; p < which.size(); ++p) {
+      if (which[p]) {
+        dearest_.push_back(prices[p]);
+        changes_ += Amount{prices[p]} * (stays - there[p]);
+      }
+    }
+    std::ranges::sort(dearest_, std::greater<>());
+  }
+
+  [[nodiscard]] std::uint64_t number() const { return dearest_.size(); }
+  [[nodiscard]] Amount of_dearest(std::uint64_t number) const {
+    Amount sum;
+    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(number, dearest_.size()); ++i) {
+      sum += Amount{dearest_[i]};
+    }
+    return sum;
+  }
+  [[nodiscard]] Amount changes_but(Amount saved) const {
+    return changes_ - std::min(changes_, saved);
+  }
+
+ private:
+  std::vector<std::uint64_t> dearest_;
+  Amount changes_;
+};
+
+// (6): how many parameters with three values can have six stays or fewer in so many tests; any
+// number from `enough` on if there can be as many.
+std::uint64_t most_of_six_stays(std::uint64_t tests, std::uint64_t enough) {
+  constexpr std::uint64_t looked_through = 16;
+  std::uint64_t most = (std::min(tests, looked_through) - 1) / 3;
+  for (std::uint64_t n = looked_through + 1; n <= tests && most < enough; ++n) {
+    const std::uint64_t before = most;
+    while (most < enough && most + 1 - 5 * (most + 1) / (n - 1) <= before) {
+      ++most;
     }
   }
-  std::ranges::sort(dearest, std::greater<>());
+  return most;
+}
+
+// (6): what tests and the changes of parameters with two or three values cost at least, beyond
+// `there`.
+Amount of_few_values(const Job& job, const OftenSet& twos, const OftenSet& threes,
+                     std::uint64_t least_tests) {
   std::optional<Amount> least;
   for (std::uint64_t tests = std::max<std::uint64_t>(4, least_tests);; ++tests) {
     const std::uint64_t all = tests + (job.start.empty() ? 0 : 1);
     const std::uint64_t three = 1 + (all - 1) / 2;  // they and one with two stays
     const std::uint64_t four = three + (all - 2) * (all - 2) / 4;
-    Amount saved;
-    for (std::uint64_t i = 0; i < dearest.size(); ++i) {
-      saved += Amount{dearest[i]} * (i == 0 ? 3U : i < three ? 2U : i < four ? 1U : 0U);
-    }
-    const Amount cost = job.test_cost * tests + changes - std::min(changes, saved);
+    const std::uint64_t six = most_of_six_stays(all, threes.number());
+    const Amount by_twos = twos.of_dearest(1) + twos.of_dearest(three) + twos.of_dearest(four);
+    const Amount by_threes =
+        std::max(threes.of_dearest(six) + threes.of_dearest(1) * 2, threes.of_dearest(1) * 4);
+    const Amount cost =
+        job.test_cost * tests + twos.changes_but(by_twos) + threes.changes_but(by_threes);
     least = least ? std::min(*least, cost) : cost;
-    if (three >= dearest.size()) {
+    if (three >= twos.number() && six >= threes.number()) {
       return *least;
     }
   }
@@ -337,20 +383,29 @@ LeastChanges least_choice_changes(const Job& job, const ChoiceNumbers& n,
   const Amount once_each = least.cost;
   least.cost += Amount{least_more(wanted, there, lowest, threes)};
   least.with_tests = job.test_cost * least_tests + least.cost;
-  std::vector<bool> twos = clique_of_equal(job, n, 2);
-  for (std::size_t p = 0; p < n.slots; ++p) {
-    twos[p] = twos[p] && there[p] == 2;
-  }
-  if (number_in(twos) > 1) {
+  const auto clique_of = [&](std::size_t values, std::uint64_t least_number) {
+    std::vector<bool> clique = clique_of_equal(job, n, values);
     for (std::size_t p = 0; p < n.slots; ++p) {
-      for (std::size_t q = 0; q < n.slots; ++q) {
-        wanted[p][q] = twos[p] || twos[q] ? 0 : wanted[p][q];
-      }
+      clique[p] = clique[p] && there[p] == values;
     }
-    least.with_tests =
-        std::max(least.with_tests, once_each + Amount{least_more(wanted, there, lowest, threes)} +
-                                       of_two_values(job, twos, there, lowest, least_tests));
+    return number_in(clique) < least_number ? std::vector<bool>(n.slots, false) : clique;
+  };
+  const std::vector<bool> twos = clique_of(2, 2);
+  const std::vector<bool> just_threes = clique_of(3, 3);
+  if (number_in(twos) + number_in(just_threes) == 0) {
+    return least;
   }
+  for (std::size_t p = 0; p < n.slots; ++p) {
+    for (std::size_t q = 0; q < n.slots; ++q) {
+      const bool counted = twos[p] || twos[q] || just_threes[p] || just_threes[q];
+      wanted[p][q] = counted ? 0 : wanted[p][q];
+    }
+  }
+  least.with_tests = std::max(
+      least.with_tests,
+      once_each + Amount{least_more(wanted, there, lowest, threes)} +
+          of_few_values(job, OftenSet(twos, there, lowest, stays_of_two),
+                        OftenSet(just_threes, there, lowest, stays_of_three), least_tests));
   return least;
 }
 

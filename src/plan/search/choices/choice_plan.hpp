@@ -42,8 +42,11 @@ namespace changeover {
 ///      values at most two are set fewer than six times (docs/theorems.md, Theorem 24): one less
 ///      each, or one of them two less; if it is d ≥ 3 less, each other one is set 4 + d times.
 ///  (6) *In few tests.* Of parameters with two values each has five stays, but one that has two,
-///      and so many with three and four as Theorem 25 allows in so many tests. The cheapest number
-///      of tests is taken; other parameters change as (4) and (5) say.
+///      and so many with three and four as Theorem 25 allows in so many tests. Of three or more
+///      parameters with three values each has seven stays, but so many that have six as Theorem 27
+///      allows. By (5) one of these may have two less, or two one less each; or one has three
+///      stays, and all others have seven. The cheapest number of tests is taken; other parameters
+///      change as (4) and (5) say.
 void improve_choice_bound(const Job& job, CostBound& bound, std::string& known);
 
 }  // namespace changeover

@@ -92,4 +92,9 @@ std::uint64_t least_tests_of_equal(std::uint64_t k, std::uint64_t g) {
   return tests;
 }
 
+std::span<const FewestTests> published_fewest_tests() {
+  static constexpr FewestTests all[] = {{11, 3, 15}, {7, 4, 21}, {5, 6, 39}};
+  return all;
+}
+
 }  // namespace changeover
