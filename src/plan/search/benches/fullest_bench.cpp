@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 
 #include "changeover/run/control.hpp"
@@ -13,15 +12,14 @@ namespace changeover {
 namespace {
 
 constexpr std::size_t most_shared_benches = 6;
+constexpr std::uint64_t most_sharing_steps = 300'000;
 
 // Gives the parts, one after the other, to sets of benches.
 class PartSharing {
  public:
-  PartSharing(const SharedParts& shared, std::size_t benches, Amount known,
-              std::uint64_t most_steps)
+  PartSharing(const SharedParts& shared, std::size_t benches, Amount known)
       : shared_(&shared),
         known_(known),
-        most_steps_(most_steps),
         benches_(benches),
         given_(shared.costs.size(), 0),
         meeting_(std::size_t{1} << benches, 0),
@@ -41,45 +39,13 @@ class PartSharing {
   }
 
   std::optional<Amount> run() {
-    if (!look()) {
-      rule_out();
-    }
-    return best_ > known_ ? std::optional(best_) : std::nullopt;
+    give(0, 0, std::vector<Sets>(given_.size(), ~Sets{0}));
+    return steps_ <= most_sharing_steps && best_ > known_ ? std::optional(best_) : std::nullopt;
   }
 
  private:
   using Set = std::uint32_t;   // of benches: bit w is bench w
   using Sets = std::uint64_t;  // bit s is the set s
-
-  // Whether the steps were enough to find what is cheaper than the best.
-  bool look() {
-    steps_ = 0;
-    give(0, 0, std::vector<Sets>(given_.size(), ~Sets{0}));
-    return steps_ <= most_steps_;
-  }
-
-  // Makes `best_` what each sharing costs at least, as far as it is known.
-  void rule_out() {
-    std::uint64_t unit = shared_->test.millionths;
-    for (const Amount cost : shared_->costs) {
-      unit = std::gcd(unit, cost.millionths);
-    }
-    Amount open = best_;
-    best_ = known_;
-    constexpr unsigned halves = 8;
-    for (unsigned i = 0; i < halves && unit > 0 && open > best_; ++i) {
-      const Amount proved = best_;
-      const Amount middle{(proved.millionths + open.millionths) / 2 / unit * unit};
-      if (middle <= proved) {
-        return;
-      }
-      best_ = middle;
-      const bool enough = look();
-      const bool none = enough && best_ == middle;
-      open = none ? open : best_;
-      best_ = none ? middle : proved;
-    }
-  }
 
   [[nodiscard]] std::uint64_t tests_of(const std::vector<bool>& parts) const {
     std::uint64_t tests = 0;
@@ -135,7 +101,7 @@ class PartSharing {
 
   // `open`: by part, the sets that it may be given to.
   void give(std::size_t part, std::size_t used, const std::vector<Sets>& open) {
-    if (++steps_ > most_steps_ || best_ <= known_) {
+    if (++steps_ > most_sharing_steps || best_ <= known_) {
       return;
     }
     stop_if_asked();
@@ -182,7 +148,6 @@ class PartSharing {
 
   const SharedParts* shared_;
   Amount known_;
-  std::uint64_t most_steps_;
   std::size_t benches_;
   std::vector<Set> given_;                         // by part
   std::vector<Sets> meeting_;                      // by set: those that have a bench of it
@@ -217,12 +182,12 @@ SharedParts shared_parts(const Job& job, const JobNumbers& n,
   return shared;
 }
 
-std::optional<Amount> cost_of_fullest(const SharedParts& shared, std::size_t benches, Amount known,
-                                      std::uint64_t steps) {
+std::optional<Amount> cost_of_fullest(const SharedParts& shared, std::size_t benches,
+                                      Amount known) {
   if (benches > most_shared_benches || shared.costs.empty()) {
     return std::nullopt;
   }
-  return PartSharing(shared, benches, known, steps).run();
+  return PartSharing(shared, benches, known).run();
 }
 
 }  // namespace changeover
