@@ -272,8 +272,10 @@ class RowsOfThree {
     }
     return most_rows_;
   }
-  [[nodiscard]] std::size_t least_stays(std::size_t k) {
-    least_ = tests_ * k + 1;
+  // Those of one row count `dear` times.
+  [[nodiscard]] std::size_t least_stays(std::size_t k, std::size_t dear) {
+    least_ = tests_ * (k + dear) + 1;
+    dear_ = dear;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       look_from(i, k);
     }
@@ -322,12 +324,13 @@ class RowsOfThree {
     for (std::size_t i = 0; i < others_.size(); ++i) {
       all[i / 64] |= std::uint64_t{1} << i % 64;
     }
-    add(all, 1, stays_[first], k);
+    add(all, 1, stays_[first], stays_[first], k);
   }
-  void add(const Bits& open, std::size_t rows, std::size_t stays, std::size_t k) {
+  void add(const Bits& open, std::size_t rows, std::size_t stays, std::size_t fewest,
+           std::size_t k) {
     most_rows_ = std::max(most_rows_, rows);
     if (rows == k) {
-      least_ = std::min(least_, stays);
+      least_ = std::min(least_, stays + (dear_ - 1) * fewest);
       return;
     }
     std::size_t left = 0;
@@ -344,7 +347,8 @@ class RowsOfThree {
       for (std::size_t w = 0; w < next.size(); ++w) {
         next[w] &= fits_[i][w];
       }
-      add(next, rows + 1, stays + stays_[others_[i]], k);
+      const std::size_t own = stays_[others_[i]];
+      add(next, rows + 1, stays + own, std::min(fewest, own), k);
     }
   }
 
@@ -356,6 +360,7 @@ class RowsOfThree {
   std::vector<Bits> fits_;  // of others, to later ones
   std::size_t most_rows_ = 0;
   std::size_t least_ = 0;
+  std::size_t dear_ = 1;
 };
 
 // Theorem 27: six stays in few tests.
@@ -366,8 +371,19 @@ TEST(ChoiceBound, OfThreeValuesInFewTests) {
     EXPECT_LE(most - 5 * most / (tests - 1), (tests - 2) / 3) << tests;  // with a test fewer
   }
   for (std::size_t k = 3; k <= 4; ++k) {
+    const Model few = test::model_of(model_text(std::vector<std::uint32_t>(k, 3)));
     for (std::uint32_t tests = 9; tests <= (k == 3 ? 10U : 9U); ++tests) {
-      EXPECT_GE(RowsOfThree(tests, tests).least_stays(k) + (tests - 1) / 3 + 2, 7 * k) << tests;
+      RowsOfThree rows(tests, tests);
+      EXPECT_GE(rows.least_stays(k, 1) + (tests - 1) / 3 + 2, 7 * k) << tests;
+      for (const std::uint32_t dear : {1U, 2U, 5U, 9U}) {
+        const std::size_t stays = rows.least_stays(k, dear);
+        for (const std::uint64_t test : {0U, 1U, 5U, 20U}) {
+          Job job = job_of(few, Amount{test}, Amount{1});
+          std::fill_n(job.change_costs.begin(), 3, Amount{dear});
+          EXPECT_LE(cost_bound(job).cost, Amount{test * tests + stays})
+              << k << ' ' << tests << ' ' << dear << ' ' << test;
+        }
+      }
     }
   }
   const Model model = test::model_of(model_text(std::vector<std::uint32_t>(12, 3)));
