@@ -32,7 +32,7 @@ class Ring final : public Described<Entry, description> {
   // What it asks for asks neither itself nor this.
   bool asks_registry() const override { return true; }
 
-  // Only after designs that end with a piece: new elements at the end, so the ends are disjoint.
+  // After designs that end with a piece, new elements, or with ends that are apart.
   std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override {
     if (!asks_for_pairs(p, 1) || p.kind != Kind::circular) {
       return std::nullopt;

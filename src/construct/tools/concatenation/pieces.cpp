@@ -257,6 +257,19 @@ std::optional<Offer> best_base(const Parameters& p, const Registry& registry) {
   return best;
 }
 
+// Whether k−1 elements of the first block are not among k−1 of the last.
+bool has_ends_apart(const Recipe& recipe, const Registry& registry) {
+  const auto source = registry.build(recipe);
+  Block now(static_cast<std::size_t>(recipe.parameters.k));
+  Block first;
+  while (source->next(now)) {
+    if (first.empty()) {
+      first = sorted(now);
+    }
+  }
+  return intersection(first, sorted(now)).size() <= 2;
+}
+
 std::uint64_t count_with_written(std::uint64_t v, std::uint64_t b, const WrittenPiece& piece,
                                  std::uint64_t times) {
   Piece same;
@@ -319,7 +332,7 @@ std::unique_ptr<BlockSource> with_pieces(std::unique_ptr<BlockSource> design, Pi
 }
 
 std::optional<Offer> best_concatenation(const Parameters& p, const Registry& registry,
-                                        bool pieces_alone) {
+                                        bool for_a_ring) {
   if (!asks_for_pairs(p, 1) || p.kind != Kind::linear) {
     return std::nullopt;
   }
@@ -335,7 +348,7 @@ std::optional<Offer> best_concatenation(const Parameters& p, const Registry& reg
       best = Offer{std::move(recipe), b, false, b == counting_bound(p), false};
     }
   };
-  if (pieces_alone) {
+  if (for_a_ring) {
     for (const WrittenPiece* piece : pieces) {
       if (piece->w == p.v) {
         consider(written_recipe(*piece), piece->b);
@@ -363,10 +376,12 @@ std::optional<Offer> best_concatenation(const Parameters& p, const Registry& reg
     for (std::uint64_t v = p.k + (reached - p.k) % main.fresh; v <= std::min(reached, largest_base);
          v += main.fresh) {
       const std::uint64_t times = (reached - v) / main.fresh;
-      if (times + other == 0) {
+      const bool base_alone = times + other == 0;
+      if (base_alone && !for_a_ring) {
         continue;
       }
-      if (auto base = best_base(p.on(v), registry)) {
+      auto base = best_base(p.on(v), registry);
+      if (base && (!base_alone || has_ends_apart(base->recipe, registry))) {
         Offer offer = with(with(*std::move(base), second, other), main, times);
         consider(std::move(offer.recipe), offer.b);
       }

@@ -69,9 +69,9 @@ struct WrittenPiece {
 [[nodiscard]] const std::vector<WrittenPiece>& closing_pieces();
 
 /// The fewest blocks that concatenation makes for p, linear, of the registry's designs that are
-/// no concatenations, with one piece or more; or a written piece itself. nullopt if there is
-/// none.
+/// no concatenations, with one piece or more. For a ring also a written piece itself, or such a
+/// design itself if its ends have at most two elements in common. nullopt if there is none.
 [[nodiscard]] std::optional<Offer> best_concatenation(const Parameters& p, const Registry& registry,
-                                                      bool pieces_alone);
+                                                      bool for_a_ring);
 
 }  // namespace changeover
