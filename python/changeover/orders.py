@@ -359,10 +359,12 @@ def _cost_rows(pair_cost: Any) -> List[List[str]]:
 def _size_rows(sizes: Any) -> List[Any]:
     """The bytes of items in turn, or rows of an item and its bytes."""
     def size_of(given: Any) -> Any:
-        size = given if isinstance(given, str) else attempt(operator.index, given)
+        if isinstance(given, str):
+            return given
+        size = attempt(operator.index, given)
         if size is None:
             raise BadInput(f"sizes: {in_a_line(given)} is not a whole number of bytes")
-        return size if isinstance(size, str) else int(size)
+        return int(size)
     if isinstance(sizes, Mapping):
         return [[str(_item("sizes", item)), str(size_of(size))] for item, size in sizes.items()]
     return [size_of(size) for size in listed("sizes", "numbers of bytes", sizes)]

@@ -414,6 +414,7 @@ def check_loads(server, count):
     together = [
         {"fast_room": 2, "item_bytes": 8},
         {"fast_room": 3, "workers": 2, "epochs": 2},
+        {"fast_room": 3, "prefetch": True},
         {"write_back": True},
         {"workers": 3, "disjoint": True},
         {"workers": 3, "worker": 2},

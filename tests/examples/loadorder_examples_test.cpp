@@ -258,5 +258,11 @@ TEST_F(LoadOrderExamples, Prefetch) {
   EXPECT_EQ(computed, 64U * 63 / 2);
 }
 
+TEST_F(LoadOrderExamples, LoadsStartEarly) {
+  LoadOrder order = start_loads_early(plan_two_levels(200, 40, 8));
+  EXPECT_GT(order.facts().ahead, 0U);
+  EXPECT_TRUE(check_schedule(*order.stream(), order.rules()).valid());
+}
+
 }  // namespace
 }  // namespace changeover::test::loadorder_examples_test

@@ -354,9 +354,10 @@ using PrefetchSplit = Prefetched<WorkerSplit>;  ///< for several workers
 //     LoadOrder order = start_loads_early(plan_two_levels(200, 40, 8));
 //     // each step: fast_evict, evict, start `load`, wait for what is transferred, fast_load, compute
 
-/// The same transfers and pairs, with each load as early as memory has room for it. What memory leaves free for loads is the best of some numbers, in the
-/// model above with one disk that loads item by item. ScheduleFacts::ahead counts the loads of
-/// earlier steps. Verified. @throws ImpossibleParameters above 5·10⁷ moves
+/// The same transfers and pairs, with each load as early as memory has room for it. What memory
+/// leaves free for loads is the best of some numbers, in the model above with one disk that loads
+/// item by item. ScheduleFacts::ahead counts the loads of earlier steps. Verified.
+/// @throws ImpossibleParameters above 5·10⁷ moves
 [[nodiscard]] LoadOrder start_loads_early(LoadOrder order);
 [[nodiscard]] WorkerSplit start_loads_early(WorkerSplit split);
 

@@ -419,6 +419,17 @@ const std::vector<WrittenPiece>& open_pieces() {
 
 const std::vector<WrittenPiece>& closing_pieces() {
   static const std::vector<WrittenPiece> pieces{
+      // Half a block more than a perfect one would have.
+      {5,
+       24,
+       16,
+       64,
+       "01238 0123e 013ae 013ac 01aci 1acgi 1aghi 1ghij 5ghij 9ghij 3ghij 2ghij 4ghij ghijl "
+       "7ghij 6ghij 68ghi 6bghi beghi efghi defgh cdefh cdefj 8cdef cdefm 2cdfm 2cdmn 2dkmn "
+       "1dkmn 3dkmn dikmn 0dkmn 0hkmn 0gkmn 0jkmn ajkmn bjkmn 8jkmn 48kmn 78kmn 7klmn 5klmn "
+       "6klmn 9klmn 9ekln 9fkln 9cfkl 9bcfl 39bfl 19bfl 09bfl 49bfl 49bdl 9abdl 29abl 89abl "
+       "589ab 579ab 5679a 567af 4567a 4567d 4567e 4567c",
+       {8, 22, 41, 56}},
       // One block more than a perfect one would have.
       {5,
        20,

@@ -1,7 +1,6 @@
 // Linear single-change designs one after the other, and rings of them.
 #include <gtest/gtest.h>
 
-
 #include "bounds/counting_bound.hpp"
 #include "changeover/construct/best_known.hpp"
 #include "changeover/construct/closure.hpp"
@@ -90,13 +89,16 @@ TEST(Ring, IsAtMostOneOver) {
     EXPECT_LE(best->b, counting_bound(p) + 1) << v;
     const auto offer = offer_of("ring", p);
     if (v >= 28) {
+      const bool closed_by_sixteen =
+          v >= 32 && (v % 8 == 2 || v % 8 == 4 || v % 8 == 5 || v % 8 == 7);
       ASSERT_TRUE(offer) << v;
-      EXPECT_EQ(offer->b, counting_bound(p) + 1) << v;
+      EXPECT_EQ(offer->b, counting_bound(p) + (closed_by_sixteen ? 0 : 1)) << v;
     }
     if (offer && v <= 100) {
       expect_as_promised(*offer);
       const Recipe& input = offer->recipe.inputs.front();
-      EXPECT_EQ(waste(p, offer->b), waste(input.parameters, blocks_in(input)) + 4);
+      EXPECT_EQ(waste(p, offer->b), waste(input.parameters, blocks_in(input)) +
+                                        (p.v - input.parameters.v == 16 ? 2 : 4));
       ++built;
     }
   }
@@ -210,7 +212,7 @@ TEST(Concatenate, RefusesSpoiltRecipes) {
       std::ranges::replace(r.blocks[i], Element{0}, Element{40});
     }
   });
-  spoil(ring->recipe, "a block less", [](Recipe& r) { r.blocks.pop_back(); });
+  spoil(ring->recipe, "a block less", [](Recipe& r) { r.blocks.erase(r.blocks.begin() + 3); });
 }
 
 // The ends of a design that begins as it ends are no anchors of a ring.
