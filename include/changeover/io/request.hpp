@@ -42,7 +42,7 @@ enum class RowShape {
   none,     ///< not a list
   parts,    ///< "name" or {"name", "cost", "slot", "quantity"}
   pairs,    ///< [a, b]
-  sizes,    ///< [item, bytes]
+  sizes,    ///< [item, bytes], or the bytes of items in turn
   costs,    ///< [a, b] or [a, b, cost]
   groups,   ///< [a, b, …]
   reasons,  ///< [a, b] or [a, b, why]
