@@ -13,6 +13,7 @@ set -eu
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
 ${CXX:-c++} -std=c++20 -O3 -o "$work/find_parts" docs/tools/find_parts/find_parts.cpp
 build/release/changeover design "$1" "$2" "--$3" --format text -o "$work/design.txt"
 "$work/find_parts" "$@" < "$work/design.txt"

@@ -10,6 +10,7 @@ cd "$(dirname "$0")/../.."
 table=src/loadorder/shares/share_table.inc
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
 ${CXX:-c++} -std=c++20 -O2 -o "$work/find_shares" docs/tools/find_shares/find_shares.cpp
 "$work/find_shares" "$@" < "$table" > "$work/table.inc"
 mv "$work/table.inc" "$table"

@@ -10,8 +10,13 @@
 #
 # It leaves with 1 if it finds none. docs/tools/keep_design.sh FILE keeps the design.
 set -eu
+[ $# -ge 5 ] || {
+  echo "usage: docs/tools/find_with_hole.sh K W NEW PARTS LACKING [SEED] [SECONDS]" >&2
+  exit 2
+}
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
 ${CXX:-c++} -std=c++20 -O3 -o "$work/find_with_hole" docs/tools/find_with_hole/find_with_hole.cpp
 "$work/find_with_hole" "$@"

@@ -15,14 +15,16 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <random>
 #include <set>
+#include <string_view>
+#include <system_error>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -240,10 +242,12 @@ bool is_design(const Blocks& list, int v) {
 }
 
 int run(int k, int w, int added, int parts, int lacking, std::uint64_t seed, double seconds) {
-  const int n = k - 1;
-  const int h = w - parts * n;
-  const int of_v = w * (w - 1) / 2 - k * (k - 1) / 2 - lacking;
-  const int of_p = added * h + added * (added - 1) / 2 + lacking;
+  const bool small = k >= 3 && k <= 64 && w >= k && w <= 64 && added >= 1 && added <= 64 &&
+                     parts >= 0 && parts <= 64 && lacking >= 0 && lacking <= 64 * 64;
+  const int n = small ? k - 1 : 1;
+  const int h = small ? w - parts * n : 0;
+  const int of_v = small ? w * (w - 1) / 2 - k * (k - 1) / 2 - lacking : 0;
+  const int of_p = small ? added * h + added * (added - 1) / 2 + lacking : 0;
   const int blocks_of_v = of_v / n + 1;
   const int blocks_of_p = (of_p + n - 1) / n;
   std::vector<Pair> inside;  // the hole, but not with both among the first k−1
@@ -252,9 +256,8 @@ int run(int k, int w, int added, int parts, int lacking, std::uint64_t seed, dou
       inside.emplace_back(x, y);
     }
   }
-  if (k < 3 || parts < 0 || lacking < 0 || added < 1 || h < n || h + added > 64 || w > 64 ||
-      of_v < 0 || of_v % n != 0 || blocks_of_v > most_blocks || blocks_of_p > most_blocks ||
-      static_cast<std::size_t>(lacking) > inside.size()) {
+  if (!small || h < n || h + added > 64 || of_v < 0 || of_v % n != 0 || blocks_of_v > most_blocks ||
+      blocks_of_p > most_blocks || static_cast<std::size_t>(lacking) > inside.size()) {
     std::fprintf(stderr,
                  "find_with_hole: these numbers make no two lists of at most 64 blocks; the pairs "
                  "of V, C(W,2)-C(K,2)-LACKING, must be a multiple of K-1\n");
@@ -338,13 +341,19 @@ int run(int k, int w, int added, int parts, int lacking, std::uint64_t seed, dou
 }  // namespace find_with_hole
 
 int main(int count, char** words) {
-  if (count < 6 || count > 8) {
-    std::fprintf(stderr, "usage: find_with_hole K W NEW PARTS LACKING [SEED] [SECONDS]\n");
+  std::vector<int> numbers{0, 0, 0, 0, 0, 1, 600};
+  bool right = count >= 6 && count <= 8;
+  for (int i = 1; right && i < count; ++i) {
+    const std::string_view word = words[i];
+    int& number = numbers[static_cast<std::size_t>(i - 1)];
+    const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), number);
+    right = fault == std::errc() && end == word.data() + word.size() && number >= 0;
+  }
+  if (!right || numbers.back() == 0) {
+    std::fprintf(stderr,
+                 "usage: find_with_hole K W NEW PARTS LACKING [SEED] [SECONDS], whole numbers\n");
     return 2;
   }
-  const auto number = [&](int i, int otherwise) {
-    return i < count ? std::atoi(words[i]) : otherwise;
-  };
-  return find_with_hole::run(number(1, 0), number(2, 0), number(3, 0), number(4, 0), number(5, 0),
-                             static_cast<std::uint64_t>(number(6, 1)), number(7, 600));
+  return find_with_hole::run(numbers[0], numbers[1], numbers[2], numbers[3], numbers[4],
+                             static_cast<std::uint64_t>(numbers[5]), numbers[6]);
 }
