@@ -29,8 +29,8 @@ struct Groups {
 
 /// How many classes bring every two elements of different groups together: (q−1)g/(m−1), each pair
 /// once, but 7 for three groups of 6. 0 if none are known: m = 2 needs an even number of elements;
-/// m = 3 has those of triple_classes.hpp; m ≥ 4 needs q = m and a g in which each prime comes with a
-/// power of m or more, or not at all.
+/// m = 3 has those of triple_classes.hpp; m ≥ 4 needs q = m and a g in which each prime comes with
+/// a power of m or more, or not at all.
 [[nodiscard]] std::uint64_t class_count(const Groups& groups, std::uint64_t m);
 
 /// Class `index` < class_count(): each element i·g+t, 0 ≤ t < g, of group i < q is in one of its
