@@ -352,7 +352,8 @@ using PrefetchSplit = Prefetched<WorkerSplit>;  ///< for several workers
 // way, and loads can start many steps before the transfer that needs them.
 //
 //     LoadOrder order = start_loads_early(plan_two_levels(200, 40, 8));
-//     // each step: fast_evict, evict, start `load`, wait for what is transferred, fast_load, compute
+//     // each step: fast_evict, evict, start `load`, wait for what is transferred, fast_load,
+//     // compute
 
 /// The same transfers and pairs, with each load as early as memory has room for it. What memory
 /// leaves free for loads is the best of some numbers, in the model above with one disk that loads

@@ -235,7 +235,6 @@ LoadOrder start_loads_early(LoadOrder order) {
     }
   }
   const LoadOrder::Maker maker = [best] { return steps_of(best); };
-  const std::string certificate = facts.certificate;
   static_cast<ScheduleFacts&>(facts) =
       read_order(maker, LoadOrder(facts, maker).rules(),
                  fmt::format("{} items with early loads", facts.items));
