@@ -6,6 +6,7 @@ the command line, of the server and in Python, and is the same document at each 
 """
 
 import base64
+import functools
 import gzip
 import hashlib
 import json
@@ -46,6 +47,7 @@ def run(*arguments, stdin=None):
     return subprocess.run([program, *arguments], input=stdin, capture_output=True, text=True)
 
 
+@functools.cache
 def schema(name, inside=None):
     """`inside` follows keys and $defs of that schema, as in "$defs/cell"."""
     document = json.loads((root / "docs/schema" / f"{name}.json").read_text())
