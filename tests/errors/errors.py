@@ -163,8 +163,10 @@ class Session:
             shutil.rmtree(folder, ignore_errors=True)
 
     def bash(self, command):
+        # Most are plain words, for which bash takes as long as the program.
+        plain = re.fullmatch(r"changeover( [\w.,:+/@-]+)+", command)
         done = subprocess.run(
-            ["bash", "-c", command],
+            [self.build / "changeover", *command.split()[1:]] if plain else ["bash", "-c", command],
             cwd=self.folder,
             env=self.environment,
             stdin=subprocess.DEVNULL,
