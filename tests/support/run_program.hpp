@@ -1,12 +1,16 @@
 // Runs a shell command and keeps what it said.
 #pragma once
 
+#include <fcntl.h>
+#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -63,20 +67,36 @@ inline bool has_full_device() {
 /// example that is built beside them. Its folder is `folder`.
 inline Outcome run(const std::string& command, const std::filesystem::path& folder) {
   const TemporaryFolder streams;
-  const std::string script = "export changeover='" + std::string(CHANGEOVER_PROGRAM) +
-                             "' checkdesign='" + std::string(CHECKDESIGN_PROGRAM) +
-                             "' all_pairs='" +
-                             std::filesystem::path(CHANGEOVER_PROGRAM).parent_path().string() +
-                             "/examples/all_pairs'; cd '" + folder.string() + "'; " + command;
-  spit(streams.file("script"), script);
-  const std::string line = "bash '" + streams.file("script") + "' >'" + streams.file("out") +
-                           "' 2>'" + streams.file("err") + "' </dev/null";
-  const int status = std::system(line.c_str());
-  Outcome outcome;
-  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  outcome.out = slurp(streams.file("out"));
-  outcome.err = slurp(streams.file("err"));
-  return outcome;
+  const std::string out = streams.file("out");
+  const std::string err = streams.file("err");
+  // No other shell before it, and none that waits for its last command: each takes as long as the
+  // program.
+  std::string script = "export changeover='" + std::string(CHANGEOVER_PROGRAM) + "' checkdesign='" +
+                       std::string(CHECKDESIGN_PROGRAM) + "' all_pairs='" +
+                       std::filesystem::path(CHANGEOVER_PROGRAM).parent_path().string() +
+                       "/examples/all_pairs'; cd '" + folder.string() + "'; " + command;
+  std::string bash = "bash";
+  std::string words = "-c";
+  const std::array<char*, 4> arguments{bash.data(), words.data(), script.data(), nullptr};
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  constexpr int made = O_WRONLY | O_CREAT | O_TRUNC;
+  ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), made, 0600);
+  ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), made, 0600);
+  pid_t process = 0;
+  int status = -1;
+  const int fault =
+      ::posix_spawnp(&process, bash.c_str(), &actions, nullptr, arguments.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  if (fault != 0) {
+    return {.code = -1, .out = {}, .err = std::strerror(fault)};
+  }
+  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return {.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+          .out = slurp(out),
+          .err = slurp(err)};
 }
 
 }  // namespace changeover::test
