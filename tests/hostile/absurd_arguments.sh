@@ -167,6 +167,13 @@ due() {
   turn=$(((turn + 1) % every))
   ((turn == 0))
 }
+# The same of so many at once: the places of those that are due.
+due_among() { # NUMBER
+  local at
+  chosen=()
+  for ((at = every - 1 - turn; at < $1; at += every)); do chosen+=("$at"); done
+  turn=$(((turn + $1) % every))
+}
 
 has_option() { # VERB NAME
   [[ ${options[$1]} == *" $2 "* ]]
@@ -215,17 +222,18 @@ for verb in "${verbs[@]}"; do
         ! due || attack "$verb" "${words[@]}" "$option" "${brief[@]}"
         continue
       fi
-      for value in "${values[@]}"; do
-        ! due || attack "$verb" "${words[@]}" "${brief[@]}" "$option" "$value"
+      due_among ${#values[@]}
+      for at in "${chosen[@]}"; do
+        attack "$verb" "${words[@]}" "${brief[@]}" "$option" "${values[at]}"
       done
     done
     brief=("${limits[@]}")
     ! has_option "$verb" --time || [[ $verb == minima ]] || brief+=(--time 100ms)
     # Each word of the command line replaced, and one word more.
     for ((i = 0; i <= ${#words[@]}; ++i)); do
-      for value in "${values[@]}"; do
-        due || continue
-        attack "$verb" "${words[@]:0:i}" "$value" "${words[@]:i+1}" "${brief[@]}"
+      due_among ${#values[@]}
+      for at in "${chosen[@]}"; do
+        attack "$verb" "${words[@]:0:i}" "${values[at]}" "${words[@]:i+1}" "${brief[@]}"
       done
     done
     # Two options at once, with values of all kinds.
