@@ -7,7 +7,6 @@
 #include <bit>
 #include <numeric>
 #include <queue>
-#include <unordered_map>
 #include <utility>
 
 #include "changeover/plan/model.hpp"
@@ -59,17 +58,13 @@ struct Node {
 struct State {
   Mask met = 0;
   Parts setup = 0;
-
-  bool operator==(const State&) const = default;
 };
 
-struct StateHash {
-  std::size_t operator()(const State& state) const {
-    std::uint64_t h = state.met * 0x9e3779b97f4a7c15ULL ^ std::uint64_t{state.setup} << 40;
-    h ^= h >> 29;
-    return static_cast<std::size_t>(h * 0xbf58476d1ce4e5b9ULL);
-  }
-};
+std::size_t state_hash(const State& state) {
+  std::uint64_t h = state.met * 0x9e3779b97f4a7c15ULL ^ std::uint64_t{state.setup} << 40;
+  h = (h ^ h >> 29) * 0xbf58476d1ce4e5b9ULL;
+  return static_cast<std::size_t>(h ^ h >> 32);
+}
 
 class Exact {
  public:
@@ -346,6 +341,9 @@ class Exact {
   // New labels for the parts: within a class, sorted by whether they are mounted and which parts
   // they still have to meet.
   [[nodiscard]] Labels labels(Mask met, Parts setup) const {
+    if (classes_.size() == parts_.size()) {
+      return nodes_[0].label;  // no part is like another
+    }
     std::array<std::uint32_t, most_small_parts> key{};
     for (unsigned round = 0; round < 2; ++round) {
       std::array<std::uint32_t, most_small_parts> sum{};
@@ -362,8 +360,12 @@ class Exact {
     std::array<std::size_t, most_small_parts> sorted{};
     for (const std::vector<std::size_t>& members : classes_) {
       std::copy(members.begin(), members.end(), sorted.begin());
-      std::stable_sort(sorted.begin(), sorted.begin() + std::ssize(members),
-                       [&](std::size_t a, std::size_t b) { return key[a] < key[b]; });
+      auto* const end = sorted.begin() + std::ssize(members);
+      for (auto* each = sorted.begin(); each != end; ++each) {  // std::stable_sort allocates
+        std::rotate(std::upper_bound(sorted.begin(), each, *each,
+                                     [&](std::size_t a, std::size_t b) { return key[a] < key[b]; }),
+                    each, each + 1);
+      }
       for (std::size_t i = 0; i < members.size(); ++i) {
         label[sorted[i]] = static_cast<std::uint8_t>(members[i]);
       }
@@ -396,16 +398,33 @@ class Exact {
         const auto& [i, j] = ends_[static_cast<std::size_t>(std::countr_zero(all))];
         state.met |= Mask{1} << pair_[label[i] * parts_.size() + label[j]];
       }
-      const auto [known, is_new] = known_.emplace(state, static_cast<std::uint32_t>(nodes_.size()));
-      if (!is_new && nodes_[known->second].cost <= cost) {
+      std::uint32_t& known = node_of(state);
+      if (known == 0) {
+        known = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.emplace_back();
+      } else if (nodes_[known].cost <= cost) {
         continue;
       }
-      if (is_new) {
-        nodes_.emplace_back();
-      }
-      nodes_[known->second] = {state.met, cost, from, state.setup, setups_[s], label};
-      open_.push({least, cost, known->second});
+      nodes_[known] = {state.met, cost, from, state.setup, setups_[s], label};
+      open_.push({least, cost, known});
     }
+  }
+
+  // Where the number of the node of that state stands; 0 if it is to be written there.
+  [[nodiscard]] std::uint32_t& node_of(const State& state) {
+    if (known_.size() < 2 * nodes_.size() + 2) {
+      known_.assign(std::max<std::size_t>(1024, 2 * known_.size()), 0);
+      for (std::uint32_t node = 1; node < nodes_.size(); ++node) {
+        node_of({nodes_[node].met, nodes_[node].setup}) = node;
+      }
+    }
+    const std::size_t mask = known_.size() - 1;
+    std::size_t at = state_hash(state) & mask;
+    while (known_[at] != 0 &&
+           (nodes_[known_[at]].met != state.met || nodes_[known_[at]].setup != state.setup)) {
+      at = (at + 1) & mask;
+    }
+    return known_[at];
   }
 
   [[nodiscard]] std::vector<Block> list_to(std::uint32_t node) const {
@@ -445,7 +464,9 @@ class Exact {
   std::vector<std::vector<std::size_t>> classes_;
   std::vector<std::vector<std::uint64_t>> fewest_;
   std::vector<Node> nodes_;
-  std::unordered_map<State, std::uint32_t, StateHash> known_;
+  // Numbers of nodes, by the hashes of their states, a power of 2 of places: a map of states would
+  // wait for memory twice as often.
+  std::vector<std::uint32_t> known_;
   std::priority_queue<Open> open_;
 };
 
