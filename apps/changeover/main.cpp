@@ -55,7 +55,7 @@ constexpr std::array all_verbs = {
     NamedVerb{"describe", add_describe, true},
 };
 
-// All verbs, or the one that the command line names: what the others take is half of a start.
+// All verbs, or the one that the command line names: the others take a third of a start.
 void add_verbs(Program& program, int argc, char** argv) {
   const std::string first = argc > 1 ? argv[1] : "";
   const std::string both = first + "-" + (argc > 2 ? argv[2] : "");
