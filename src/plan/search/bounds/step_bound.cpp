@@ -22,12 +22,13 @@ struct StepCost {
   Amount cost;
   double tests = 0;
   double introductions = 0;
+  std::optional<DearTimes> dear = {};
 };
 
 // For integer numbers of tests: the minimum is a convex function of their number.
 StepCost least_by_steps(StepProgram& program) {
   const auto found = [](const StepProgram& from) {
-    return StepCost{from.proved(), from.tests(), from.introductions()};
+    return StepCost{from.proved(), from.tests(), from.introductions(), from.dear_times()};
   };
   StepCost best{program.proved(), program.tests(), program.introductions()};
   try {
@@ -72,12 +73,17 @@ void raise_by_steps(const Job& job, const std::string& least_known, CostBound& b
   const auto up = [](double number) {
     return static_cast<std::uint64_t>(std::ceil(number - 0.01));
   };
+  const bool model = job.model != nullptr;
+  const std::string dear =
+      least.dear ? fmt::format(", the {} dearest {} at least {} in all, whatever the others do",
+                               least.dear->parts, model ? "values are set" : "parts are put in",
+                               count_of(least.dear->times, "time"))
+                 : "";
   bound.reason = fmt::format(
-      "{}, and {} is tested only with what {} then: about {} with {} cost least (docs/plan.md, The "
+      "{}{}, and {} is tested only with what {} then: about {} with {} cost least (docs/plan.md, The "
       "lower bound)",
-      least_known, job.model == nullptr ? "what is put in" : "a value that is set",
-      job.model == nullptr ? "is mounted" : "the other parameters have",
-      count_of(up(least.tests), "test"),
+      least_known, dear, model ? "a value that is set" : "what is put in",
+      model ? "the other parameters have" : "is mounted", count_of(up(least.tests), "test"),
       count_of(up(least.introductions) + n.mounted_introductions, "change"));
 }
 

@@ -117,7 +117,7 @@ bool StepProgram::add_violated() {
       any = (a <= b && add_subsets(a, b)) || any;
     }
   }
-  return any || add_side_by_side();
+  return any || add_side_by_side() || add_dearest();
 }
 
 // (3) of the theorem.

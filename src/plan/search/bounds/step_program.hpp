@@ -1,4 +1,4 @@
-// The linear program of Theorem 18 (docs/theorems.md): how often each part comes, how many tests
+// The linear program of Theorems 18 and 28 (docs/theorems.md): how often each part comes, how many tests
 // there are, and how often a step is of each kind. With costs by what is replaced, it also says how
 // often each part takes the place of which.
 #pragma once
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "changeover/plan/job.hpp"
+#include "plan/search/bounds/dear_walk.hpp"
 #include "plan/search/bounds/dearest_parts.hpp"
 #include "plan/search/bounds/job_numbers.hpp"
 #include "plan/search/bounds/least_sum.hpp"
@@ -35,6 +36,12 @@ struct ExchangePrices {
   std::vector<Entry> entries;
 };
 
+/// So many of the dearest parts come so often in all, those at the start not counted.
+struct DearTimes {
+  std::size_t parts = 0;
+  std::uint64_t times = 0;
+};
+
 /// Columns: by part, how often it comes beyond once; tests beyond the least number; by block and
 /// kind, steps; where costs depend on what is replaced, by exchange, how often there is one, and
 /// by part, how often it comes to an empty place.
@@ -52,6 +59,7 @@ class StepProgram {
     set_costs(job);
     add_first_rows();
     add_exchanges(job);
+    set_walks(job, n);
   }
 
   /// @throws Stopped
@@ -84,6 +92,8 @@ class StepProgram {
   /// @throws ImpossibleParameters if it overflows.
   [[nodiscard]] Amount proved() const;
   [[nodiscard]] ExchangePrices exchange_prices() const;
+  /// What Theorem 28 adds to this, if it adds something.
+  [[nodiscard]] std::optional<DearTimes> dear_times() const;
   /// Of so much, in the unit of the program.
   [[nodiscard]] double in_program(Amount cost) const {
     return (static_cast<double>(cost.millionths) - static_cast<double>(base_)) / unit_;
@@ -102,7 +112,18 @@ class StepProgram {
     std::int64_t least = 0;
   };
 
+  // The dearest parts; `open` as long as it may be proved that they come more often.
+  struct Dearest {
+    std::vector<std::size_t> parts = {};
+    DearWalk walk = {};
+    std::uint64_t starts = 0;
+    bool open = true;
+    std::uint64_t times = 0;  // what the row says
+    std::optional<std::size_t> row = {};
+  };
+
   void set_costs(const Job& job);
+  void set_walks(const Job& job, const JobNumbers& n);
   void add_first_rows();
   bool add_violated();
   bool add_staying(std::size_t a, std::size_t b);
@@ -112,6 +133,7 @@ class StepProgram {
   [[nodiscard]] std::vector<std::size_t> by_times(std::size_t group) const;
   bool add_occupied(const std::vector<std::size_t>& parts, std::uint64_t in_a_test);
   bool add_few_stays();
+  bool add_dearest();
   void add_exchanges(const Job& job);
   bool add_entries();
   bool add_entry(std::size_t to);
@@ -151,6 +173,8 @@ class StepProgram {
   std::optional<LeastSum> program_;
   std::vector<SavedRow> rows_;
   bool full_ = false;
+  std::vector<Dearest> walks_;
+  std::uint64_t walk_states_ = 60'000;
   std::vector<std::size_t> steps_rows_;  // by block: the row that counts its steps
   std::vector<Exchange> exchanges_;
   std::vector<std::size_t> out_rows_;                             // by part, if there are any
