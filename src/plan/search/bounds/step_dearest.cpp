@@ -27,7 +27,7 @@ void StepProgram::set_walks(const Job& job, const JobNumbers& n) {
 
 // Theorem 28, (2): for the dearest parts, one more than what they come.
 bool StepProgram::add_dearest() {
-  constexpr std::uint64_t most_states = 20'000;
+  constexpr std::uint64_t most_states = 10'000;
   constexpr double slightly = 1e-6;
   bool any = false;
   for (Dearest& dearest : walks_) {

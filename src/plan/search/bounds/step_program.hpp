@@ -174,7 +174,7 @@ class StepProgram {
   std::vector<SavedRow> rows_;
   bool full_ = false;
   std::vector<Dearest> walks_;
-  std::uint64_t walk_states_ = 60'000;
+  std::uint64_t walk_states_ = 20'000;
   std::vector<std::size_t> steps_rows_;  // by block: the row that counts its steps
   std::vector<Exchange> exchanges_;
   std::vector<std::size_t> out_rows_;                             // by part, if there are any
