@@ -11,7 +11,7 @@
 #include "changeover/run/control.hpp"
 #include "core/words.hpp"
 #include "loadorder/listed/quick_moves.hpp"
-#include "loadorder/order/accelerator.hpp"
+#include "loadorder/order/levels/accelerator.hpp"
 
 namespace changeover {
 namespace {

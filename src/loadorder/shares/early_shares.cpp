@@ -7,7 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
-#include "loadorder/order/loads_ahead.hpp"
+#include "loadorder/order/levels/loads_ahead.hpp"
 #include "loadorder/shares/split_maker.hpp"
 
 namespace changeover {

@@ -14,7 +14,7 @@
 #include "loadorder/listed/lockstep_events.hpp"
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/listed/stretches_in_lockstep.hpp"
-#include "loadorder/order/loads_ahead.hpp"
+#include "loadorder/order/levels/loads_ahead.hpp"
 #include "loadorder/order/lockstep/levels.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/sizes/item_groups.hpp"

@@ -11,7 +11,7 @@
 #include "changeover/run/control.hpp"
 #include "core/words.hpp"
 #include "loadorder/listed/listed_levels.hpp"
-#include "loadorder/order/group_levels.hpp"
+#include "loadorder/order/levels/group_levels.hpp"
 #include "loadorder/order/lockstep/check_disjoint.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/order/search_share.hpp"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "loadorder/order/group_levels.hpp"
+#include "loadorder/order/levels/group_levels.hpp"
 
 namespace changeover {
 

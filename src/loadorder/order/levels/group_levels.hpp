@@ -14,7 +14,7 @@
 
 #include "changeover/loadorder/load_order.hpp"
 #include "core/checked.hpp"
-#include "loadorder/order/accelerator.hpp"
+#include "loadorder/order/levels/accelerator.hpp"
 #include "loadorder/order/pair_assigner.hpp"
 #include "loadorder/sizes/byte_closing.hpp"
 

@@ -1,6 +1,6 @@
 // Loads of two levels that start early: the definition in sets, the fewest loads and the least
 // waiting by trying everything, and wrong schedules refused.
-#include "loadorder/order/loads_ahead.hpp"
+#include "loadorder/order/levels/loads_ahead.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 #include <random>
 #include <set>
 
-#include "../pairs/pairs_support.hpp"
-#include "../sizes/sizes_support.hpp"
+#include "../../pairs/pairs_support.hpp"
+#include "../../sizes/sizes_support.hpp"
 #include "changeover/loadorder/workers.hpp"
 
 namespace changeover::test::loads_ahead_test {

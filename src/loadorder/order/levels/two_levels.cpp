@@ -13,7 +13,7 @@
 #include "loadorder/listed/level_search.hpp"
 #include "loadorder/listed/listed_levels.hpp"
 #include "loadorder/listed/quick_moves.hpp"
-#include "loadorder/order/group_levels.hpp"
+#include "loadorder/order/levels/group_levels.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/order/search_share.hpp"
 #include "loadorder/shares/step_lists.hpp"
@@ -68,15 +68,15 @@ LoadOrder::Maker in_lists(const std::vector<Move>& moves) {
   return [lists] { return lists->of(0); };
 }
 
-struct Offer {
+struct LevelOrder {
   std::uint64_t group_items = 0;  // 0 if items are not grouped
   LoadOrder::Maker maker;
   std::string explanation;
 };
 
 // The first of the cheapest offers; loads and transfers are each divided by their lower bounds.
-Offer best_of(std::vector<Offer> offers, const LoadOrderFacts& bounds) {
-  const auto cost = [&](const Offer& offer) {
+LevelOrder best_of(std::vector<LevelOrder> offers, const LoadOrderFacts& bounds) {
+  const auto cost = [&](const LevelOrder& offer) {
     std::uint64_t loads = 0;
     std::uint64_t transfers = 0;
     const auto steps = offer.maker();
@@ -100,8 +100,8 @@ Offer best_of(std::vector<Offer> offers, const LoadOrderFacts& bounds) {
 }
 
 // An order of items, whose moves are kept in memory.
-Offer without_groups(const LoadOrderFacts& facts, const WantedPairs& wanted,
-                     const LoadOrderOptions& options) {
+LevelOrder without_groups(const LoadOrderFacts& facts, const WantedPairs& wanted,
+                          const LoadOrderOptions& options) {
   if (wanted.are_all()) {
     const LoadOrder alone = plan_load_order(wanted, *facts.fast_room);
     return {0, in_lists(with_a_cache(moves_of(*alone.stream()), facts.room)),
@@ -113,7 +113,7 @@ Offer without_groups(const LoadOrderFacts& facts, const WantedPairs& wanted,
 }
 
 // What a search of the caller finds from there on, of pairs that are few enough to be listed.
-void improve(Offer& best, const LoadOrderFacts& facts, const WantedPairs& wanted,
+void improve(LevelOrder& best, const LoadOrderFacts& facts, const WantedPairs& wanted,
              const LoadOrderOptions& options) {
   if (!options.search_pairs || wanted.count() > most_pairs_searched) {
     return;
@@ -144,7 +144,7 @@ LoadOrder::Maker best_levels(LoadOrderFacts& facts, const LoadOrderOptions& opti
   constexpr std::uint64_t most_work = 30'000'000;
   const std::uint64_t most_tried =
       std::max<std::uint64_t>(1, most_work / (4 * (wanted.count() + facts.items)));
-  std::vector<Offer> offers;
+  std::vector<LevelOrder> offers;
   for (const std::uint64_t size : sizes_to_try(facts.items, room, fast_room)) {
     if (offers.size() < most_tried && wanted.graph() == nullptr) {
       const LevelShape shape{wanted, room, fast_room, size};
@@ -159,7 +159,7 @@ LoadOrder::Maker best_levels(LoadOrderFacts& facts, const LoadOrderOptions& opti
     constexpr double share = 0.25;
     offers.push_back(without_groups(facts, wanted, with_share(options, share)));
   }
-  Offer best = best_of(std::move(offers), facts);
+  LevelOrder best = best_of(std::move(offers), facts);
   constexpr double rest = 0.5;
   improve(best, facts, wanted, with_share(options, rest));
   facts.group_items = best.group_items;

@@ -1,4 +1,4 @@
-#include "loadorder/order/group_levels.hpp"
+#include "loadorder/order/levels/group_levels.hpp"
 
 #include <fmt/format.h>
 

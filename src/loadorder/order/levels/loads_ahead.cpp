@@ -1,4 +1,4 @@
-#include "loadorder/order/loads_ahead.hpp"
+#include "loadorder/order/levels/loads_ahead.hpp"
 
 #include <fmt/format.h>
 
