@@ -13,25 +13,6 @@
 namespace changeover {
 namespace {
 
-/// The steps of each worker, kept.
-class EarlySteps final : public WorkerSteps {
- public:
-  EarlySteps(const WorkerSplit& split, std::uint64_t spare) {
-    const LoadOrderFacts& whole = split.order().facts();
-    for (std::uint64_t w = 0; w < split.facts().workers.size(); ++w) {
-      workers_.push_back(std::make_shared<const std::vector<Step>>(loads_ahead(
-          *split.stream(w), split.facts().items, split.facts().room, spare, whole.sizes.get())));
-    }
-  }
-
-  [[nodiscard]] std::unique_ptr<StepSource> of(std::uint64_t worker) const override {
-    return steps_of(workers_[static_cast<std::size_t>(worker)]);
-  }
-
- private:
-  std::vector<std::shared_ptr<const std::vector<Step>>> workers_;
-};
-
 // Of the slowest worker.
 double time_of(const WorkerSplit& split, const WorkerSteps& steps) {
   ScheduleRules rules = split.rules(ComputeRules{});
@@ -50,7 +31,11 @@ void SplitMaker::start_early(WorkerSplit& split) {
   double least = 0;
   for (const std::uint64_t spare : spares_to_try(split.rules())) {
     stop_if_asked();
-    auto steps = std::make_shared<const EarlySteps>(split, spare);
+    auto steps = std::make_shared<StepLists>();
+    for (std::uint64_t w = 0; w < split.facts().workers.size(); ++w) {
+      steps->add(loads_ahead(*split.stream(w), split.facts().items, split.facts().room, spare,
+                             split.order().facts().sizes.get()));
+    }
     if (const double time = time_of(split, *steps); best == nullptr || time < least) {
       least = time;
       best = std::move(steps);

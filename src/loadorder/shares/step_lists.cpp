@@ -77,6 +77,7 @@ std::vector<Move> with_a_cache(std::vector<Move> fast, std::uint64_t room, const
   for (std::size_t i = 0; i < moves.size(); ++i) {
     moves[i].fast_evict = std::move(fast[i].evict);
     moves[i].fast_load = std::move(fast[i].load);
+    moves[i].epoch = fast[i].epoch;
   }
   return moves;
 }
@@ -92,7 +93,7 @@ std::vector<Element> items_in(const Groups& groups, const std::vector<Element>& 
 std::vector<Move> moves_of(StepSource& steps) {
   std::vector<Move> moves;
   for (Step step; steps.next(step);) {
-    moves.push_back({step.evict, step.load, step.fast_evict, step.fast_load});
+    moves.push_back({step.evict, step.load, step.fast_evict, step.fast_load, step.epoch});
   }
   return moves;
 }
@@ -111,6 +112,7 @@ struct StepLists::Lists {
   std::vector<Element> items;  // for each step its evictions, then its loads
   std::vector<std::pair<std::size_t, std::size_t>> ends;  // ends of both lists
   std::shared_ptr<const Lists> fast;  // the same on the accelerator, if anything moves there
+  std::vector<std::size_t> epochs;    // the steps with which those after the first begin
 
   template <typename From>
   static std::shared_ptr<Lists> of(const std::vector<Move>& moves, From&& lists_of) {
@@ -144,6 +146,9 @@ void StepLists::add(const std::vector<Move>& moves) {
     lists->fast = Lists::of(
         moves, [](const Move& move) { return std::tie(move.fast_evict, move.fast_load); });
   }
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    lists->epochs.resize(static_cast<std::size_t>(moves[i].epoch - 1), i);
+  }
   workers_.push_back(std::move(lists));
 }
 
@@ -161,7 +166,11 @@ std::unique_ptr<StepSource> StepLists::of(std::uint64_t worker) const {
       if (lists_->fast) {
         fast_begin_ = lists_->fast->read(at_, fast_begin_, step.fast_evict, step.fast_load);
       }
+      while (epoch_ <= lists_->epochs.size() && lists_->epochs[epoch_ - 1] == at_) {
+        ++epoch_;
+      }
       step.number = ++at_;
+      step.epoch = epoch_;
       step.worker = worker_;
       return true;
     }
@@ -170,6 +179,7 @@ std::unique_ptr<StepSource> StepLists::of(std::uint64_t worker) const {
     std::shared_ptr<const Lists> lists_;
     std::uint64_t worker_;
     std::size_t at_ = 0;
+    std::size_t epoch_ = 1;
     std::size_t begin_ = 0;
     std::size_t fast_begin_ = 0;
   };

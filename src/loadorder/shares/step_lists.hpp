@@ -16,6 +16,7 @@ struct Move {
   std::vector<Element> load = {};
   std::vector<Element> fast_evict = {};
   std::vector<Element> fast_load = {};
+  std::uint64_t epoch = 1;
 };
 
 /// Items that move together.

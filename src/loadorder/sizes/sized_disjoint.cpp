@@ -14,7 +14,6 @@
 #include "loadorder/listed/lockstep_events.hpp"
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/listed/stretches_in_lockstep.hpp"
-#include "loadorder/order/levels/loads_ahead.hpp"
 #include "loadorder/order/lockstep/levels.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/sizes/item_groups.hpp"
@@ -237,12 +236,19 @@ LoadOrder plan_disjoint_levels(std::shared_ptr<const ItemSizes> sizes, const Wan
   facts.method = best.method;
   facts.explanation = "What items meet is done at once. " + best.explanation;
   // Made once: each part of it is an order of its own.
-  const auto steps = std::make_shared<std::vector<Step>>();
+  std::vector<std::vector<Move>> moves(static_cast<std::size_t>(workers));
   const auto all = both_levels(best.lists);
   for (Step step; all->next(step);) {
-    steps->push_back(step);
+    moves[static_cast<std::size_t>(step.worker)].push_back(
+        {step.evict, step.load, step.fast_evict, step.fast_load});
   }
-  return read_disjoint(std::move(facts), [steps] { return steps_of(steps); });
+  const auto steps = std::make_shared<StepLists>();
+  for (const std::vector<Move>& its : moves) {
+    steps->add(its);
+  }
+  return read_disjoint(std::move(facts), [steps, workers] {
+    return in_lockstep([&](std::uint64_t worker) { return steps->of(worker); }, workers);
+  });
 }
 
 }  // namespace changeover

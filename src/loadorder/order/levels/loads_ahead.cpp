@@ -10,7 +10,6 @@
 #include "changeover/run/control.hpp"
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/order/read_order.hpp"
-#include "loadorder/shares/step_lists.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
 
 namespace changeover {
@@ -26,7 +25,7 @@ struct MemoryStay {
 };
 
 /// The stays of all items by their first transfers.
-std::vector<MemoryStay> stays_in(const std::vector<Step>& steps, std::uint64_t items) {
+std::vector<MemoryStay> stays_in(const std::vector<Move>& steps, std::uint64_t items) {
   std::vector<MemoryStay> stays;
   std::vector<std::size_t> now(static_cast<std::size_t>(items), not_again);
   for (std::size_t t = 0; t < steps.size(); ++t) {
@@ -59,7 +58,7 @@ std::uint64_t units_of(Element x, const ItemSizes* sizes) {
 /// Moves what memory evicts and loads.
 class Ahead {
  public:
-  Ahead(std::vector<Step>& steps, std::uint64_t items, std::uint64_t room, const ItemSizes* sizes)
+  Ahead(std::vector<Move>& steps, std::uint64_t items, std::uint64_t room, const ItemSizes* sizes)
       : steps_(steps),
         stays_(stays_in(steps, items)),
         room_(sizes != nullptr ? sizes->memory : room),
@@ -68,7 +67,7 @@ class Ahead {
 
   void run() {
     for (std::size_t t = 0; t < steps_.size(); ++t) {
-      Step& step = steps_[t];
+      Move& step = steps_[t];
       step.evict.clear();
       step.load.clear();
       for (const Element x : step.fast_evict) {
@@ -85,7 +84,7 @@ class Ahead {
 
  private:
   // Whether the stay begins now: the item is still there, or there is room for it.
-  bool start(const MemoryStay& stay, Step& step) {
+  bool start(const MemoryStay& stay, Move& step) {
     if (stay_of_[stay.item] != not_again) {
       return done_.erase({stay.first, stay.item}) == 1;
     }
@@ -105,7 +104,7 @@ class Ahead {
     return true;
   }
 
-  std::vector<Step>& steps_;
+  std::vector<Move>& steps_;
   std::vector<MemoryStay> stays_;
   std::uint64_t room_;
   const ItemSizes* sizes_;
@@ -116,30 +115,12 @@ class Ahead {
       done_;  // may leave memory, what is needed last at the end
 };
 
-/// Keeps the steps that it is given.
-class KeptSteps final : public StepSource {
- public:
-  explicit KeptSteps(std::shared_ptr<const std::vector<Step>> steps) : steps_(std::move(steps)) {}
-
-  bool next(Step& step) override {
-    if (at_ == steps_->size()) {
-      return false;
-    }
-    step = (*steps_)[at_++];
-    return true;
-  }
-
- private:
-  std::shared_ptr<const std::vector<Step>> steps_;
-  std::size_t at_ = 0;
-};
-
 }  // namespace
 
-std::vector<Step> loads_ahead(StepSource& source, std::uint64_t items, std::uint64_t room,
+std::vector<Move> loads_ahead(StepSource& source, std::uint64_t items, std::uint64_t room,
                               std::uint64_t spare, const ItemSizes* sizes) {
   constexpr std::size_t most_moves = 50'000'000;  // 1 GB or so with their steps
-  std::vector<Step> steps;
+  std::vector<Move> steps;
   std::size_t moves = 0;
   for (Step step; source.next(step);) {
     moves += 1 + step.load.size() + step.fast_load.size();
@@ -149,30 +130,23 @@ std::vector<Step> loads_ahead(StepSource& source, std::uint64_t items, std::uint
                       "larger ones",
                       most_moves));
     }
-    steps.push_back(step);
+    steps.push_back({step.evict, step.load, step.fast_evict, step.fast_load, step.epoch});
   }
   if (spare > 0) {
-    std::vector<Move> fast;
-    for (const Step& step : steps) {
-      fast.push_back({step.fast_evict, step.fast_load});
+    for (Move& step : steps) {
+      step = {.evict = std::move(step.fast_evict),
+              .load = std::move(step.fast_load),
+              .epoch = step.epoch};
     }
     ItemSizes less;
     if (sizes != nullptr) {
       less = {sizes->bytes, sizes->memory - spare, sizes->fast_memory};
     }
-    const std::vector<Move> kept = with_a_cache(
-        std::move(fast), room - (sizes != nullptr ? 0 : spare), sizes != nullptr ? &less : nullptr);
-    for (std::size_t t = 0; t < steps.size(); ++t) {
-      steps[t].evict = kept[t].evict;
-      steps[t].load = kept[t].load;
-    }
+    steps = with_a_cache(std::move(steps), room - (sizes != nullptr ? 0 : spare),
+                         sizes != nullptr ? &less : nullptr);
   }
   Ahead(steps, items, room, sizes).run();
   return steps;
-}
-
-std::unique_ptr<StepSource> steps_of(std::shared_ptr<const std::vector<Step>> steps) {
-  return std::make_unique<KeptSteps>(std::move(steps));
 }
 
 std::vector<std::uint64_t> spares_to_try(const ScheduleRules& rules) {
@@ -222,19 +196,19 @@ double time_ahead(StepSource& steps, const ScheduleRules& rules) {
 LoadOrder start_loads_early(LoadOrder order) {
   LoadOrderFacts facts = order.facts();
   const ScheduleRules rules = order.rules(ComputeRules{});
-  std::shared_ptr<const std::vector<Step>> best;
+  std::shared_ptr<const StepLists> best;
   double least = 0;
   for (const std::uint64_t spare : spares_to_try(rules)) {
     stop_if_asked();
-    auto steps = std::make_shared<const std::vector<Step>>(
-        loads_ahead(*order.stream(), facts.items, facts.room, spare, facts.sizes.get()));
-    StepWork work(steps_of(steps), rules);
+    auto steps = std::make_shared<StepLists>();
+    steps->add(loads_ahead(*order.stream(), facts.items, facts.room, spare, facts.sizes.get()));
+    StepWork work(steps->of(0), rules);
     if (const double time = time_ahead(work, rules); best == nullptr || time < least) {
       least = time;
       best = std::move(steps);
     }
   }
-  const LoadOrder::Maker maker = [best] { return steps_of(best); };
+  const LoadOrder::Maker maker = [best] { return best->of(0); };
   static_cast<ScheduleFacts&>(facts) =
       read_order(maker, LoadOrder(facts, maker).rules(),
                  fmt::format("{} items with early loads", facts.items));

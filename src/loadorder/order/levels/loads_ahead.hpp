@@ -7,23 +7,20 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "changeover/loadorder/workers.hpp"
+#include "loadorder/shares/step_lists.hpp"
 
 namespace changeover {
 
-/// The same steps of one worker with other evictions and loads. `spare` is the room that a cache
+/// What the same steps of one worker move, with other evictions and loads. `spare` is the room that a cache
 /// leaves free for what is loading, at most room − the room of the accelerator; 0: what the steps
 /// keep for each other stays. Room is counted in bytes if there are sizes. @throws
 /// ImpossibleParameters if there are too many moves to be kept
-[[nodiscard]] std::vector<Step> loads_ahead(StepSource& steps, std::uint64_t items,
+[[nodiscard]] std::vector<Move> loads_ahead(StepSource& steps, std::uint64_t items,
                                             std::uint64_t room, std::uint64_t spare,
                                             const ItemSizes* sizes);
-
-/// Steps that are kept.
-[[nodiscard]] std::unique_ptr<StepSource> steps_of(std::shared_ptr<const std::vector<Step>> steps);
 
 /// What can be left free, to be compared.
 [[nodiscard]] std::vector<std::uint64_t> spares_to_try(const ScheduleRules& rules);

@@ -69,6 +69,12 @@ Played play(const std::vector<Step>& steps, std::uint64_t room, std::uint64_t fa
 
 std::uint64_t one(Element /*item*/) { return 1; }
 
+std::vector<Step> ahead_of(const LoadOrder& order, std::uint64_t spare) {
+  StepLists lists;
+  lists.add(loads_ahead(*order.stream(), order.facts().items, order.facts().room, spare, nullptr));
+  return all_steps(*lists.of(0));
+}
+
 TEST(LoadsAhead, TransfersStayAndLoadsComeNoLater) {
   for (const auto& [wanted, room, fast_room] :
        {std::tuple{WantedPairs(16), 8U, 3U}, std::tuple{WantedPairs(24), 15U, 4U},
@@ -79,7 +85,7 @@ TEST(LoadsAhead, TransfersStayAndLoadsComeNoLater) {
     const auto before = all_steps(*order.stream());
     for (const std::uint64_t spare : spares_to_try(order.rules())) {
       const std::string what = fmt::format("{} {} {}", wanted.describe(), room, spare);
-      const auto after = loads_ahead(*order.stream(), wanted.items(), room, spare, nullptr);
+      const auto after = ahead_of(order, spare);
       ASSERT_EQ(after.size(), before.size());
       std::uint64_t loaded_before = 0;
       std::uint64_t loaded_after = 0;
@@ -146,7 +152,7 @@ TEST(LoadsAhead, NoLoadIsSparedByWaiting) {
        {std::tuple{6U, 4U, 2U}, std::tuple{7U, 4U, 3U}, std::tuple{7U, 5U, 2U}}) {
     const LoadOrder order = plan_two_levels(items, room, fast_room);
     const auto before = all_steps(*order.stream());
-    const auto early = loads_ahead(*order.stream(), items, room, 0, nullptr);
+    const auto early = ahead_of(order, 0);
     const std::uint64_t least = fewest_loads_for(before, items, room);
     const Played played = play(early, room, fast_room, one);
     EXPECT_EQ(played.fault, "");
@@ -226,8 +232,7 @@ TEST(LoadsAhead, WhatIsWrongIsFound) {
   const auto verdict_with = [&](const auto& change) {
     std::vector<Step> wrong = all;
     change(wrong);
-    const auto steps = steps_of(std::make_shared<const std::vector<Step>>(wrong));
-    return check_schedule(*steps, order.rules());
+    return verdict_of(wrong, order.rules());
   };
   EXPECT_TRUE(verdict_with([](std::vector<Step>&) {}).valid());
   const auto ahead = std::ranges::find_if(all, [](const Step& step) {
@@ -247,8 +252,7 @@ TEST(LoadsAhead, WhatIsWrongIsFound) {
   }
   ASSERT_GT(transfer, at);
   late[transfer].load.push_back(x);
-  const ScheduleVerdict verdict =
-      check_schedule(*steps_of(std::make_shared<const std::vector<Step>>(late)), order.rules());
+  const ScheduleVerdict verdict = verdict_of(late, order.rules());
   EXPECT_TRUE(!verdict.valid() || verdict.ahead + 1 == order.facts().ahead);
 }
 
