@@ -67,6 +67,17 @@ RunControl::RunControl(RunControl& parent, std::chrono::duration<double> time)
   settings_.time = time;
 }
 
+RunControl::RunControl(RunControl& parent, Questions questions)
+    : settings_(parent.settings_), parent_(&parent), questions_(questions.most) {
+  settings_.time.reset();
+}
+
+std::unique_ptr<RunControl> RunControl::beyond_limit(RunControl& parent) {
+  auto control = std::make_unique<RunControl>(parent, Questions{~std::uint64_t{0}});
+  control->parents_limit_counts_ = false;
+  return control;
+}
+
 RunControl::RunControl(RunControl& parent, unsigned threads)
     : settings_(parent.settings_), parent_(&parent), quiet_(true) {
   settings_.threads = threads;
@@ -82,12 +93,16 @@ void RunControl::require_memory(std::uint64_t bytes, std::string_view what) cons
   }
 }
 
-bool RunControl::stop_wanted() {
-  if (why_stopped() != WhyStopped::running) {
+bool RunControl::stop_wanted() { return stops(true); }
+
+bool RunControl::stops(bool by_its_limit) {
+  const WhyStopped why = why_stopped();
+  const bool at_its_limit = why == WhyStopped::time_limit || why == WhyStopped::step_limit;
+  if (why != WhyStopped::running && (by_its_limit || !at_its_limit)) {
     return true;
   }
   if (parent_ != nullptr) {
-    if (parent_->stop_wanted()) {
+    if (parent_->stops(parents_limit_counts_)) {
       stop(parent_->why_stopped());
       return true;
     }
@@ -97,8 +112,12 @@ bool RunControl::stop_wanted() {
     return true;
   }
   const Clock::time_point now = Clock::now();
-  if (end_ && now >= *end_) {
+  if (by_its_limit && end_ && now >= *end_) {
     stop(WhyStopped::time_limit);
+    return true;
+  }
+  if (by_its_limit && questions_ && asked_++ >= *questions_) {
+    stop(WhyStopped::step_limit);
     return true;
   }
   if (parent_ == nullptr && settings_.found_elsewhere) {

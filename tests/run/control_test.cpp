@@ -62,6 +62,51 @@ TEST(RunControl, EndsAPhaseWithoutEndingTheWhole) {
   EXPECT_EQ(next.why_stopped(), WhyStopped::interrupted);
 }
 
+TEST(RunControl, StopsAfterSoManyQuestions) {
+  RunControl whole({});
+  RunControl part(whole, Questions{3});
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_FALSE(part.stop_wanted());
+  }
+  EXPECT_TRUE(part.stop_wanted());
+  EXPECT_TRUE(part.stop_wanted());
+  EXPECT_EQ(part.why_stopped(), WhyStopped::step_limit);
+  EXPECT_FALSE(whole.stop_wanted());
+  // Questions of a part count for the whole.
+  RunControl few(whole, Questions{2});
+  RunControl many(few, Questions{100});
+  EXPECT_FALSE(many.stop_wanted());
+  EXPECT_FALSE(many.stop_wanted());
+  EXPECT_TRUE(many.stop_wanted());
+  EXPECT_EQ(many.why_stopped(), WhyStopped::step_limit);
+}
+
+TEST(RunControl, GoesOnBeyondTheLimitOfItsParentAlone) {
+  std::atomic<bool> interrupted = false;
+  RunControl whole({.interrupted = &interrupted});
+  RunControl outer(whole, seconds(1000));
+  RunControl timed(outer, seconds(0));
+  RunControl counted(outer, Questions{0});
+  const auto beyond_time = RunControl::beyond_limit(timed);
+  const auto beyond_count = RunControl::beyond_limit(counted);
+  EXPECT_FALSE(beyond_time->stop_wanted());
+  EXPECT_TRUE(timed.stop_wanted());
+  EXPECT_FALSE(beyond_time->stop_wanted());
+  EXPECT_FALSE(beyond_count->stop_wanted());
+  EXPECT_TRUE(counted.stop_wanted());
+  EXPECT_FALSE(beyond_count->stop_wanted());
+  RunControl below(*beyond_time, seconds(1000));
+  EXPECT_FALSE(below.stop_wanted());
+  interrupted = true;
+  EXPECT_TRUE(below.stop_wanted());
+  EXPECT_TRUE(beyond_time->stop_wanted());
+  EXPECT_TRUE(beyond_count->stop_wanted());
+  // What is above the parent counts.
+  RunControl over({.time = seconds(0)});
+  RunControl within(over, seconds(1000));
+  EXPECT_TRUE(RunControl::beyond_limit(within)->stop_wanted());
+}
+
 TEST(RunControl, TellsFromOneThreadAtATime) {
   std::atomic<int> inside = 0;
   std::atomic<int> told = 0;

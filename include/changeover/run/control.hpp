@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -72,6 +73,11 @@ struct Progress {
       {};  ///< of the time limit; set by the control
 };
 
+/// A limit of work that no clock changes: how often stop_wanted() answers no.
+struct Questions {
+  std::uint64_t most = 0;
+};
+
 /// The part of a search that this process takes when several share it: every `of`-th, from `index`.
 struct WorkShare {
   std::uint64_t index = 0;
@@ -102,6 +108,18 @@ class RunControl {
   /// A control for one phase of a longer search: it stops with its parent, or after `time`. It
   /// shares the parent's settings and callback, and stopping it does not stop the parent.
   RunControl(RunControl& parent, std::chrono::duration<double> time);
+
+  /// The same with a limit of work instead of a time: what it leads to depends on no clock.
+  RunControl(RunControl& parent, Questions questions);
+
+  /// For work that the parent's own limit, of time or of questions, does not cut short: it stops
+  /// with what stops the parent otherwise.
+  [[nodiscard]] static std::unique_ptr<RunControl> beyond_limit(RunControl& parent);
+
+  /// Whether that is so here or above: what is stopped ends with the best so far.
+  [[nodiscard]] bool keeps_best() const {
+    return !parents_limit_counts_ || (parent_ != nullptr && parent_->keeps_best());
+  }
 
   /// The same without a time of its own, for `threads` threads and without a callback: one of
   /// several attempts that run side by side.
@@ -139,8 +157,14 @@ class RunControl {
   void tell(Progress progress, bool now = false);
 
  private:
+  // Whether to stop now; whether its own limit counts.
+  bool stops(bool by_its_limit);
+
   Settings settings_;
   RunControl* parent_ = nullptr;
+  bool parents_limit_counts_ = true;
+  std::optional<std::uint64_t> questions_;
+  std::atomic<std::uint64_t> asked_{0};
   bool quiet_ = false;
   Clock::time_point begin_ = Clock::now();
   std::optional<Clock::time_point> end_;
