@@ -284,12 +284,14 @@ void check(const LoadRequest& request, const Words& words, bool has_pairs) {
   refuse_places_for_bytes(request, words);
   check_rules(load_table(), request, words);
   check_threads(request, words);
-  // Of one worker, a search of some seconds found no order with fewer loads than groups have.
-  if (request.seconds && !request.disjoint && (request.against || request.done_items)) {
+  // A search of some seconds found no order of one level with fewer loads than groups have.
+  if (request.seconds && !request.disjoint && !request.fast_room && !request.sizes.is_given() &&
+      (request.against || request.done_items)) {
     words.refuse(
         "seconds",
-        fmt::format("{} with {} is for {}; leave it out", words.with_value("seconds"),
-                    words.key(request.against ? "against" : "done_items"), words.key("disjoint")));
+        fmt::format("{} with {} is for {}, {} or {}; leave it out", words.with_value("seconds"),
+                    words.key(request.against ? "against" : "done_items"), words.key("disjoint"),
+                    words.key("fast_room"), words.key("sizes")));
   }
   if (request.sizes.is_given()) {
     at_least_two_fit(request, words);

@@ -2,6 +2,7 @@
 // whichever way they come.
 #include "changeover/loadorder/load_request.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -98,6 +99,22 @@ TEST(LoadRequest, GroupsAndCostsAreTheSameByFileTextAndRows) {
   }
 }
 
+TEST(LoadRequest, TakesATimeForTwoSetsAndNewItemsWhereASearchIsOfUse) {
+  for (const char* const others : {"\"against\":5", "\"done_items\":4"}) {
+    for (const char* const rest :
+         {"\"room\":4,\"fast_room\":2", "\"room\":2,\"workers\":2,\"disjoint\":true",
+          "\"room\":4,\"fast_room\":3,\"workers\":2"}) {
+      const std::string json = fmt::format(R"({{"items":9,"seconds":1,{},{}}})", others, rest);
+      EXPECT_NO_THROW(static_cast<void>(checked_loads(load_request(json), Door::command_line)))
+          << json;
+    }
+  }
+  EXPECT_NO_THROW(static_cast<void>(checked_loads(
+      load_request(
+          R"({"items":2,"against":2,"seconds":1,"sizes":[3,4,2,1],"memory":9,"fast_memory":8})"),
+      Door::command_line)));
+}
+
 TEST(LoadRequest, SaysWhatIsWrongInTheWordsOfTheDoor) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {R"({})", "items and room are required"},
@@ -109,7 +126,8 @@ TEST(LoadRequest, SaysWhatIsWrongInTheWordsOfTheDoor) {
       {R"({"items":9,"room":3,"fast_room":4})", "fast_room 4: of room 3 give 2 to 3"},
       {R"({"items":9,"room":3,"done_items":9})", "done_items 9: of items 9 none would be new"},
       {R"({"items":9,"room":3,"against":2,"pairs":[[0,1]]})", "exclude each other"},
-      {R"({"items":9,"room":3,"against":2,"seconds":1})", "seconds with against is for disjoint"},
+      {R"({"items":9,"room":3,"against":2,"seconds":1})",
+       "seconds with against is for disjoint, fast_room or sizes"},
       {R"({"items":9,"room":3,"ordered":true})",
        "ordered is for new_pairs, write_back or prefetch"},
       {R"({"items":9,"room":3,"write_back":true,"workers":2})",
