@@ -109,10 +109,13 @@ struct LoadOrderOptions {
   bool constructions = true;  ///< whether to use the constructions of the registry
   bool closure_rules = true;  ///< whether to use the closure rules, too
   /// For listed pairs: a function that is given a search and calls it. The search runs until the
-  /// control of its thread (run/control.hpp) stops it. Without this function the search does a
-  /// fixed amount of work, a few seconds at most.
+  /// control of its thread (run/control.hpp) stops it. A fixed amount of work, a few seconds at
+  /// most, comes first, which the limit of that control does not cut short, and is all that is done
+  /// without this function: a search never gives a worse order than none, nor one that goes on for
+  /// longer than one that ends earlier.
   std::function<void(const std::function<void()>& search)> search_pairs = {};
   std::uint64_t seed = 1;  ///< of the search
+  double effort = 1;       ///< a share of the fixed amount of work
   /// For workers: whether pairs are spread evenly over the workers that have them; otherwise the
   /// first worker that has a pair computes it.
   bool balance = true;

@@ -4,6 +4,7 @@
 
 #include "changeover/loadorder/workers.hpp"
 #include "core/checked.hpp"
+#include "loadorder/order/in_rounds.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
 
 namespace changeover {
@@ -53,33 +54,46 @@ double time_of(const Order& order, std::uint64_t room, const LoadTime& loads) {
   return std::max(longest, total + overlap);
 }
 
+/// A way to leave room for loads; its time, if ways were compared.
+template <typename Order>
+struct Way {
+  Prefetched<Order> plan;
+  double time = 0;
+
+  [[nodiscard]] bool better_than(const Way& other) const {
+    return std::pair(time, plan.order.facts().loads) <
+           std::pair(other.time, other.plan.order.facts().loads);
+  }
+};
+
 // `plan` makes an order that leaves so much free; all of the items are so many.
 template <typename Plan>
 auto better_way(std::uint64_t items, std::uint64_t spare, std::uint64_t room, const LoadTime& loads,
-                Plan&& plan) -> Prefetched<decltype(plan(spare))> {
-  auto whole = plan(0);
-  if (spare == 0) {
-    return {std::move(whole), 0};
-  }
+                const Plan& plan) -> Way<decltype(plan(0))> {
   constexpr std::uint64_t most_compared = 2000;
-  auto less = plan(spare);
-  if (items <= most_compared && time_of(whole, room, loads) <= time_of(less, room, loads)) {
-    return {std::move(whole), 0};
+  auto whole = plan(0);
+  const double time = items <= most_compared ? time_of(whole, room, loads) : 0;
+  if (spare == 0) {
+    return {{std::move(whole), 0}, time};
   }
-  return {std::move(less), spare};
+  auto less = plan(spare);
+  const double its_time = items <= most_compared ? time_of(less, room, loads) : 0;
+  if (items <= most_compared && time <= its_time) {
+    return {{std::move(whole), 0}, time};
+  }
+  return {{std::move(less), spare}, its_time};
 }
 
 template <typename Plan>
-auto better_way(const WantedPairs& wanted, std::uint64_t room, Plan&& plan) {
+auto better_way(std::uint64_t room, const WantedPairs& wanted, const Plan& plan) {
   const std::uint64_t spare = room < 3 || wanted.items() <= room ? 0 : 1;
-  return better_way(wanted.items(), spare, room, LoadTime(std::max<std::uint64_t>(1, room)),
-                    [&](std::uint64_t places) { return plan(room - places); });
+  return better_way(wanted.items(), spare, room, LoadTime(std::max<std::uint64_t>(1, room)), plan);
 }
 
 // The memory of the largest item is free, unless two items that must meet need it.
 template <typename Plan>
 auto better_way(const std::shared_ptr<const ItemSizes>& sizes, const WantedPairs& wanted,
-                Plan&& plan) {
+                const Plan& plan) {
   check_sizes(*sizes, wanted);
   std::uint64_t all = 0;
   std::uint64_t count = 0;
@@ -98,33 +112,48 @@ auto better_way(const std::shared_ptr<const ItemSizes>& sizes, const WantedPairs
   return better_way(sizes->bytes.size(), spare, 0, LoadTime(sizes, mean), plan);
 }
 
+// The best of rounds; `plan` makes an order that leaves so much free, with such options.
+template <typename Items, typename Plan>
+auto best_way(const Items& items, const WantedPairs& wanted, const LoadOrderOptions& options,
+              const Plan& plan) {
+  return best_in_rounds(
+             options,
+             [&](const LoadOrderOptions& its) {
+               return better_way(items, wanted,
+                                 [&](std::uint64_t spare) { return plan(spare, its); });
+             },
+             [](const auto& its, const auto& other) { return its.better_than(other); })
+      .plan;
+}
+
 }  // namespace
 
 PrefetchPlan plan_prefetch(const WantedPairs& wanted, std::uint64_t room,
                            const LoadOrderOptions& options) {
-  return better_way(wanted, room,
-                    [&](std::uint64_t places) { return plan_load_order(wanted, places, options); });
+  return best_way(room, wanted, options, [&](std::uint64_t places, const LoadOrderOptions& its) {
+    return plan_load_order(wanted, room - places, its);
+  });
 }
 
 PrefetchSplit split_prefetch(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers,
                              const LoadOrderOptions& options) {
-  return better_way(wanted, room, [&](std::uint64_t places) {
-    return split_load_order(wanted, places, workers, options);
+  return best_way(room, wanted, options, [&](std::uint64_t places, const LoadOrderOptions& its) {
+    return split_load_order(wanted, room - places, workers, its);
   });
 }
 
 PrefetchPlan plan_prefetch(const std::shared_ptr<const ItemSizes>& sizes, const WantedPairs& wanted,
                            const LoadOrderOptions& options) {
-  return better_way(sizes, wanted, [&](std::uint64_t spare) {
-    return plan_with_spare(sizes, wanted, spare, options);
+  return best_way(sizes, wanted, options, [&](std::uint64_t spare, const LoadOrderOptions& its) {
+    return plan_with_spare(sizes, wanted, spare, its);
   });
 }
 
 PrefetchSplit split_prefetch(const std::shared_ptr<const ItemSizes>& sizes,
                              const WantedPairs& wanted, std::uint64_t workers,
                              const LoadOrderOptions& options) {
-  return better_way(sizes, wanted, [&](std::uint64_t spare) {
-    return split_with_spare(sizes, wanted, workers, spare, options);
+  return best_way(sizes, wanted, options, [&](std::uint64_t spare, const LoadOrderOptions& its) {
+    return split_with_spare(sizes, wanted, workers, spare, its);
   });
 }
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "changeover/run/control.hpp"
+#include "core/checked.hpp"
 #include "run/portable_math.hpp"
 
 namespace changeover {
@@ -350,18 +351,24 @@ void Closing::anneal(const Window& window, std::uint64_t work, Random& random,
   }
 }
 
-void Closing::improve(std::uint64_t work, Random& random,
-                      const std::function<bool()>& stop_wanted) {
+void Closing::improve(std::uint64_t work, Random& random, const std::function<bool()>& stop_wanted,
+                      const std::function<void()>& looked) {
   const std::size_t n = order_.size();
   const std::size_t size = std::min(n, items_in_a_window);
   const std::size_t step = size == n ? n : size / 2;
+  constexpr std::size_t times_looked = 8;
   const std::uint64_t windows = size == n ? 1 : (n - size) / step + 2;
   reset();
+  const std::size_t often = ceil_div(ceil_div(n, step), times_looked);
+  std::size_t window = 0;
   for (std::size_t begin = 0; begin < n && !stop_wanted(); begin += step) {
     const std::size_t end = std::min(n, begin + size);
     anneal({begin, end, std::min(n, end + size / 4)}, work / windows, random, stop_wanted);
     for (std::size_t i = begin; i < std::min(n, begin + step); ++i) {
       close(order_[i], no_limit);
+    }
+    if ((++window % often == 0 || begin + step >= n) && !stop_wanted()) {
+      looked();
     }
   }
 }

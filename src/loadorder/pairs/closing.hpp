@@ -60,8 +60,10 @@ class Closing {
   void take_order(std::vector<Element> order);
 
   /// Looks for a better order, for `work` steps of examining a pair, window by window from first to
-  /// last. Orders are compared by their loads within the window and somewhat beyond.
-  void improve(std::uint64_t work, Random& random, const std::function<bool()>& stop_wanted);
+  /// last. Orders are compared by their loads within the window and somewhat beyond. Calls `looked`
+  /// eight times, the last time at the end, unless it is stopped before.
+  void improve(std::uint64_t work, Random& random, const std::function<bool()>& stop_wanted,
+               const std::function<void()>& looked);
 
  private:
   static constexpr Element met = Element{1} << 31;

@@ -13,6 +13,7 @@
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
+#include "loadorder/order/in_rounds.hpp"
 #include "loadorder/order/plan_all_pairs.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/pairs/closing.hpp"
@@ -86,28 +87,38 @@ class ListSearch {
  public:
   ListSearch(const PairGraph& graph, std::uint64_t room, const LoadBound& bound,
              const LoadOrderOptions& options)
-      : graph_(graph), room_(room), bound_(bound), options_(options) {
+      : graph_(graph), room_(room), bound_(bound), options_(options), random_(options.seed) {
     best_.explanation =
         "Items are closed one after another: what an item lacks is loaded while it stays; what is "
         "needed last is evicted.";
   }
 
   ListedOrder result() {
-    if (options_.search_pairs) {
-      options_.search_pairs([this] { search(true); });
-    } else {
-      search(false);
+    fixed_first(
+        options_, [this] { search(); },
+        [this](RunControl&) {
+          goes_on_ = true;
+          if (!best_start_.empty()) {
+            improve_closing();
+          }
+        });
+    if (best_start_.empty() || held_.loads < best_.moves.size()) {
+      best_ = {.moves = held_.moves(graph_),
+               .method = "held groups",
+               .explanation = fmt::format(
+                   "{} groups stay in turn, in all places but one. What still has a pair with the "
+                   "group passes through that place.",
+                   held_.groups.size())};
     }
     return std::move(best_);
   }
 
  private:
-  void search(bool until_stopped) {
-    until_stopped_ = until_stopped;
-    const HeldList held = held_list(graph_, room_, [this] { return in_a_hurry(); });
+  void search() {
+    held_ = held_list(graph_, room_, [this] { return in_a_hurry(); });
     // Closing that begins far behind does not catch up: where most pairs are listed it takes long.
     constexpr std::uint64_t small = 1000;
-    most_loads_ = std::max(small, held.loads + held.loads / 3);
+    most_loads_ = std::max(small, held_.loads + held_.loads / 3);
     std::size_t tried = 0;
     each_start(
         graph_, room_,
@@ -121,39 +132,27 @@ class ListSearch {
     if (!best_start_.empty()) {
       improve_closing();
     }
-    if (best_start_.empty() || held.loads < best_.moves.size()) {
-      best_ = {.moves = held.moves(graph_),
-               .method = "held groups",
-               .explanation = fmt::format(
-                   "{} groups stay in turn, in all places but one. What still has a pair with the "
-                   "group passes through that place.",
-                   held.groups.size())};
-    }
   }
 
+  // Once for a fixed amount of work, or going on with ever more until stopped.
   void improve_closing() {
     // Improving an order takes as long as many runs of it.
     constexpr std::uint64_t most_work = 1'000'000'000;  // some seconds
     constexpr std::uint64_t work_a_pair = 1'000'000;
     constexpr std::uint64_t runs = 50;
-    const std::uint64_t work = std::min(most_work, work_a_pair * (graph_.pairs() + 1));
+    const auto work = static_cast<std::uint64_t>(
+        options_.effort *
+        static_cast<double>(std::min(most_work, work_a_pair * (graph_.pairs() + 1))));
     const std::uint64_t least = checked_multiply(runs, work_of_run_);
     if (SmallSearch::serves(graph_)) {
       improve_small();
-    } else if (best_.moves.size() > bound_.loads && !in_a_hurry() &&
-               (until_stopped_ || least <= work)) {
+    } else if (best_.moves.size() > bound_.loads && !in_a_hurry() && (goes_on_ || least <= work)) {
       improve(std::max(work, least));
     }
   }
 
-  // Whether a search that runs until it is stopped has been stopped. Other searches are stopped by
-  // the caller.
-  bool in_a_hurry() const {
-    if (!until_stopped_) {
-      stop_if_asked();
-    }
-    return until_stopped_ && stop_wanted();
-  }
+  // Whether the search of the caller has been stopped. Without one what stops is the whole.
+  bool in_a_hurry() const { return goes_on_ ? stop_wanted() : must_hurry(); }
 
   void try_start(const std::string& name, std::vector<Element> start) {
     if (SmallSearch::serves(graph_)) {
@@ -174,13 +173,14 @@ class ListSearch {
     constexpr std::uint64_t work = 1'000'000'000;  // some seconds
     constexpr std::uint64_t most_looks = 500'000;
     SmallSearch small(graph_, room_);
-    Random random(options_.seed);
     const auto stop = [this] { return in_a_hurry(); };
     const auto anneal = [&](const std::vector<Element>& start, std::uint64_t effort) {
-      return small.anneal(start, bound_.loads, effort, random, stop);
+      return small.anneal(start, bound_.loads, effort, random_, stop);
     };
-    for (std::uint64_t effort = std::min(work, most_looks * small.work_of_look());
-         best_.moves.size() > bound_.loads && !in_a_hurry(); effort = checked_multiply(effort, 2)) {
+    const auto least = static_cast<std::uint64_t>(
+        options_.effort * static_cast<double>(std::min(work, most_looks * small.work_of_look())));
+    for (; best_.moves.size() > bound_.loads && !in_a_hurry(); ++rounds_) {
+      const std::uint64_t effort = effort_of_round(least);
       SmallSearch::Found found = anneal(best_start_, effort / 8);
       for (const std::vector<Element>& start : starts_) {
         if (SmallSearch::Found other = anneal(start, effort / 8);
@@ -195,10 +195,16 @@ class ListSearch {
         best_.method = "closing, improved";
       }
       tell(effort);
-      if (!until_stopped_) {
+      if (!goes_on_) {
+        ++rounds_;
         return;
       }
     }
+  }
+
+  [[nodiscard]] std::uint64_t effort_of_round(std::uint64_t first) const {
+    constexpr std::uint64_t most_doubled = 32;
+    return checked_multiply(first, std::uint64_t{1} << std::min(rounds_, most_doubled));
   }
 
   void tell(std::uint64_t effort) const {
@@ -211,36 +217,28 @@ class ListSearch {
     }
   }
 
-  // Improves for a fixed amount of work, or until stopped. The result of a round is run once more,
-  // for which there must be time left.
+  // Improves windows of the order, ever longer. What has been reached is run in whole now and then,
+  // so that the best of it is not lost in what follows.
   void improve(std::uint64_t work) {
-    Closing closing(graph_, room_, best_start_);
-    Random random(options_.seed);
-    std::chrono::duration<double> a_run{0};
-    const auto enough = [&] {
-      RunControl* const control = RunScope::current();
-      const auto left = control != nullptr ? control->time_left() : std::nullopt;
-      return stop_wanted() || (until_stopped_ && left && *left < a_run);
-    };
-    const auto run = [&] {
-      const auto begin = RunControl::Clock::now();
-      const std::uint64_t loads = closing.run(best_.moves.size(), Patience());
-      a_run = RunControl::Clock::now() - begin;
-      return loads;
-    };
-    run();
-    for (std::uint64_t effort = work; best_.moves.size() > bound_.loads && !enough();
-         effort = checked_multiply(effort, 2)) {
-      const std::vector<Element> before = closing.closing_order();
-      closing.improve(effort, random, enough);
-      if (run() <= best_.moves.size()) {
-        best_.moves = closing.take_moves();
-        best_.method = "closing, improved";
-      } else {
-        closing.take_order(before);
-      }
+    if (!closing_) {
+      closing_.emplace(graph_, room_, best_start_);
+      best_order_ = closing_->closing_order();
+    }
+    const auto stop = [this] { return in_a_hurry(); };
+    for (; best_.moves.size() > bound_.loads && !in_a_hurry(); ++rounds_) {
+      const std::uint64_t effort = effort_of_round(work);
+      closing_->take_order(best_order_);
+      closing_->improve(effort, random_, stop, [&] {
+        Closing whole = *closing_;
+        if (whole.run(best_.moves.size(), Patience()) <= best_.moves.size()) {
+          best_order_ = whole.closing_order();
+          best_.moves = whole.take_moves();
+          best_.method = "closing, improved";
+        }
+      });
       tell(effort);
-      if (!until_stopped_) {
+      if (!goes_on_) {
+        ++rounds_;
         return;
       }
     }
@@ -255,7 +253,12 @@ class ListSearch {
   std::vector<std::vector<Element>> starts_;  // for a short list
   std::uint64_t work_of_run_ = 0;
   std::uint64_t most_loads_ = Closing::no_limit;  // of a start
-  bool until_stopped_ = false;
+  HeldList held_;
+  std::optional<Closing> closing_;   // of a long list
+  std::vector<Element> best_order_;  // in its names
+  Random random_;
+  std::uint64_t rounds_ = 0;
+  bool goes_on_ = false;  // beyond the fixed work
 };
 
 // The loads of an order, each with the item evicted for it.

@@ -12,7 +12,7 @@
 #include "core/words.hpp"
 #include "loadorder/listed/listed_levels.hpp"
 #include "loadorder/listed/quick_moves.hpp"
-#include "loadorder/order/search_share.hpp"
+#include "loadorder/order/in_rounds.hpp"
 #include "loadorder/pairs/held/held_blocks.hpp"
 #include "loadorder/shares/few_workers.hpp"
 #include "loadorder/shares/known_shares.hpp"
@@ -144,6 +144,11 @@ WorkerSplit split_some_pairs(const WantedPairs& wanted, std::uint64_t room, std:
   return split;
 }
 
+bool has_less_to_load(const WorkerSplit& split, const WorkerSplit& other) {
+  return std::pair(split.facts().makespan, split.facts().loads) <
+         std::pair(other.facts().makespan, other.facts().loads);
+}
+
 LoadOrderFacts bounds_of_levels(const WantedPairs& wanted, std::uint64_t room,
                                 std::uint64_t fast_room) {
   LoadOrderFacts facts;
@@ -230,15 +235,20 @@ std::optional<WorkerSplit> blocks_of_two_levels(const WorkerSplit& like, std::ui
 WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers,
                              const LoadOrderOptions& options) {
   check_workers(workers);
-  return wanted.are_all() ? split_all_pairs(wanted.items(), room, workers, options)
-                          : split_some_pairs(wanted, room, workers, options);
+  const auto split = [&](const LoadOrderOptions& its) {
+    return wanted.are_all() ? split_all_pairs(wanted.items(), room, workers, its)
+                            : split_some_pairs(wanted, room, workers, its);
+  };
+  return workers == 1 ? split(options) : best_in_rounds(options, split, has_less_to_load);
 }
 
-WorkerSplit split_two_levels(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
-                             std::uint64_t workers, const LoadOrderOptions& options) {
-  check_workers(workers);
+namespace {
+
+WorkerSplit sized_levels_once(const std::shared_ptr<const ItemSizes>& sizes,
+                              const WantedPairs& wanted, std::uint64_t workers,
+                              const LoadOrderOptions& options) {
   const std::uint64_t items = sizes->bytes.size();
-  LoadOrder order = plan_two_levels(std::move(sizes), wanted, options);
+  LoadOrder order = plan_two_levels(sizes, wanted, options);
   const std::uint64_t room = order.facts().room;
   std::vector<WorkerSplit> candidates;
   candidates.push_back(split_order(std::move(order), items, room, workers));
@@ -257,12 +267,8 @@ WorkerSplit split_two_levels(std::shared_ptr<const ItemSizes> sizes, const Wante
   return best_of_two_levels(std::move(candidates), options);
 }
 
-WorkerSplit split_two_levels(const WantedPairs& wanted, std::uint64_t room, std::uint64_t fast_room,
-                             std::uint64_t workers, const LoadOrderOptions& options) {
-  check_workers(workers);
-  check_rooms(room, fast_room);
-  // Each worker may search, too.
-  const LoadOrderOptions quick = with_share(options, 1 / static_cast<double>(workers + 1));
+WorkerSplit levels_once(const WantedPairs& wanted, std::uint64_t room, std::uint64_t fast_room,
+                        std::uint64_t workers, const LoadOrderOptions& options) {
   std::vector<WorkerSplit> candidates;
   if (wanted.graph() == nullptr) {
     candidates.push_back(split_order(plan_two_levels(wanted, room, fast_room, options),
@@ -270,18 +276,44 @@ WorkerSplit split_two_levels(const WantedPairs& wanted, std::uint64_t room, std:
     SplitMaker::give_pairs(candidates.back(), options);
   }
   if (workers > 1 && wanted.kind() == WantedPairs::Kind::between) {
-    if (auto blocks = blocks_of_two_levels(candidates.front(), fast_room, quick)) {
+    if (auto blocks = blocks_of_two_levels(candidates.front(), fast_room, options)) {
       candidates.push_back(std::move(*blocks));
     }
   }
   if (!wanted.are_all() && (workers > 1 || candidates.empty()) &&
       (wanted.graph() != nullptr || wanted.count() <= most_pairs_listed)) {
-    const LoadOrderOptions& its = candidates.empty() ? options : quick;
     candidates.push_back(
-        SplitMaker::two_levels(split_some_pairs(wanted, room, workers, unread(its, workers)),
-                               bounds_of_levels(wanted, room, fast_room), quick));
+        SplitMaker::two_levels(split_some_pairs(wanted, room, workers, unread(options, workers)),
+                               bounds_of_levels(wanted, room, fast_room), options));
   }
   return best_of_two_levels(std::move(candidates), options);
+}
+
+WorkerSplit better_in_rounds(
+    const LoadOrderOptions& options,
+    const std::function<WorkerSplit(const LoadOrderOptions& options)>& make) {
+  return best_in_rounds(options, make, [](const WorkerSplit& split, const WorkerSplit& other) {
+    return busiest_cost(split) < busiest_cost(other);
+  });
+}
+
+}  // namespace
+
+WorkerSplit split_two_levels(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
+                             std::uint64_t workers, const LoadOrderOptions& options) {
+  check_workers(workers);
+  return better_in_rounds(options, [&](const LoadOrderOptions& its) {
+    return sized_levels_once(sizes, wanted, workers, its);
+  });
+}
+
+WorkerSplit split_two_levels(const WantedPairs& wanted, std::uint64_t room, std::uint64_t fast_room,
+                             std::uint64_t workers, const LoadOrderOptions& options) {
+  check_workers(workers);
+  check_rooms(room, fast_room);
+  return better_in_rounds(options, [&](const LoadOrderOptions& its) {
+    return levels_once(wanted, room, fast_room, workers, its);
+  });
 }
 
 }  // namespace changeover

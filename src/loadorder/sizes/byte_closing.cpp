@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "changeover/run/control.hpp"
+
 namespace changeover {
 
 ByteClosing::ByteClosing(const ItemSizes& sizes, const PairGraph& graph)
@@ -51,6 +53,7 @@ std::uint64_t ByteClosing::run(const std::vector<Element>& order, std::uint64_t 
   held_ = bytes_ = 0;
   upward_ = true;
   for (const Element x : order) {
+    stop_if_asked();
     if (graph_.is_needed(x)) {
       close(x, limit);
       if (bytes_ > limit) {

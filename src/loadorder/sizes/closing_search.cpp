@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "changeover/run/control.hpp"
+#include "loadorder/order/in_rounds.hpp"
 #include "loadorder/pairs/starts.hpp"
 
 namespace changeover {
@@ -39,7 +40,10 @@ SizedOffer ClosingSearch::offer() {
 
 void ClosingSearch::try_start(const std::string& name, std::vector<Element> order) {
   const std::uint64_t limit = best_.empty() ? ByteClosing::no_limit : bytes_ - 1;
-  const std::uint64_t bytes = closing_.run(order, limit);
+  std::uint64_t bytes = ByteClosing::no_limit;
+  if (!done(!best_.empty(), [&] { bytes = closing_.run(order, limit); })) {
+    return;
+  }
   if (best_.empty() || bytes <= limit) {
     bytes_ = bytes;
     best_ = std::move(order);
@@ -85,7 +89,10 @@ void ClosingSearch::improve(std::uint64_t work, const Over& over) {
       std::rotate(order.begin() + to, order.begin() + from, order.begin() + from + 1);
     }
     // An equally good order is kept, since it may lead to a better one.
-    const std::uint64_t bytes = closing_.run(order, bytes_);
+    std::uint64_t bytes = 0;
+    if (!done(true, [&] { bytes = closing_.run(order, bytes_); })) {
+      return;
+    }
     if (bytes <= bytes_) {
       name_ = bytes < bytes_ ? "improved" : name_;
       bytes_ = bytes;
@@ -105,30 +112,20 @@ void ClosingSearch::improve(std::uint64_t work, const Over& over) {
 SizedOffer best_closing(const ItemSizes& sizes, const PairGraph& graph, std::uint64_t room,
                         std::uint64_t least, const LoadOrderOptions& options) {
   ClosingSearch search(sizes, graph, room, least, options.seed);
-  if (!options.search_pairs) {
-    constexpr std::uint64_t work = 20'000'000;  // a second or so
-    std::uint64_t tries = 0;
-    constexpr std::uint64_t most_tries = 10'000;
-    const auto stop = [] {
-      stop_if_asked();
-      return false;
-    };
-    search.begin(stop);
-    search.improve(work - std::min(work, search.looked()),
-                   [&] { return stop() || tries++ == most_tries; });
-    return search.offer();
-  }
-  bool has_begun = false;
-  options.search_pairs([&] {
-    has_begun = true;
-    RunControl* const control = RunScope::current();
-    const auto over = [&] { return control != nullptr && control->stop_wanted(); };
-    search.begin(over);
-    search.improve(~std::uint64_t{0}, over);
-  });
-  if (!has_begun) {
-    search.begin([] { return true; });
-  }
+  fixed_first(
+      options,
+      [&] {
+        constexpr double most_work = 20'000'000;  // a second or so
+        const auto work = static_cast<std::uint64_t>(options.effort * most_work);
+        std::uint64_t tries = 0;
+        constexpr std::uint64_t most_tries = 10'000;
+        search.begin(must_hurry);
+        search.improve(work - std::min(work, search.looked()),
+                       [&] { return must_hurry() || tries++ == most_tries; });
+      },
+      [&](RunControl& control) {
+        search.improve(~std::uint64_t{0}, [&] { return control.stop_wanted(); });
+      });
   return search.offer();
 }
 

@@ -14,6 +14,7 @@
 #include "loadorder/listed/lockstep_events.hpp"
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/listed/stretches_in_lockstep.hpp"
+#include "loadorder/order/in_rounds.hpp"
 #include "loadorder/order/lockstep/levels.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/sizes/item_groups.hpp"
@@ -29,6 +30,11 @@ struct Best {
   // Of two levels: the bytes of both, each over its bound.
   std::function<double(const LockstepLists&)> cost_of = {};
   double cost = 0;
+
+  [[nodiscard]] bool better_than(const Best& other) const {
+    return std::tuple(cost, lists.span, lists.loads) <
+           std::tuple(other.cost, other.lists.span, other.lists.loads);
+  }
 
   void consider(LockstepLists others, std::string its_method, std::string its_explanation) {
     const double its_cost = cost_of ? cost_of(others) : 0;
@@ -109,7 +115,9 @@ class Ways {
   }
 
   void follow(const LoadOrder& order, const Groups& groups) {
-    stop_if_asked();
+    if (best_.lists.lists != nullptr && must_hurry()) {
+      return;
+    }
     best_.consider(lists_of(events_of(*order.stream(), workers_, groups), graph_, &sizes_),
                    "groups, " + order.facts().method,
                    fmt::format("Items are in {} of at most {} bytes, of which {} fit: {}",
@@ -125,9 +133,10 @@ class Ways {
   std::uint64_t largest_ = 1;
 };
 
-Best best_of(const std::shared_ptr<const ItemSizes>& sizes, const WantedPairs& wanted,
-             std::uint64_t workers, const LoadOrderOptions& options,
-             std::function<double(const LockstepLists&)> cost_of = {}) {
+using CostOf = std::function<double(const LockstepLists&)>;
+
+Best best_once(const std::shared_ptr<const ItemSizes>& sizes, const WantedPairs& wanted,
+               std::uint64_t workers, const LoadOrderOptions& options, CostOf cost_of) {
   const std::uint64_t items = sizes->bytes.size();
   const WantedPairs list = wanted.graph() == nullptr && items <= most_closed_all
                                ? listed_among(wanted, items)
@@ -157,6 +166,14 @@ Best best_of(const std::shared_ptr<const ItemSizes>& sizes, const WantedPairs& w
     }
   }
   return best;
+}
+
+Best best_of(const std::shared_ptr<const ItemSizes>& sizes, const WantedPairs& wanted,
+             std::uint64_t workers, const LoadOrderOptions& options, const CostOf& cost_of = {}) {
+  return best_in_rounds(
+      options,
+      [&](const LoadOrderOptions& its) { return best_once(sizes, wanted, workers, its, cost_of); },
+      [](const Best& its, const Best& others) { return its.better_than(others); });
 }
 
 // What is known before there is an order.

@@ -10,6 +10,7 @@
 #include "core/checked.hpp"
 #include "core/words.hpp"
 #include "loadorder/listed/quick_moves.hpp"
+#include "loadorder/order/in_rounds.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/shares/step_lists.hpp"
 #include "loadorder/sizes/item_groups.hpp"
@@ -28,19 +29,24 @@ std::vector<Move> of_items(StepSource& steps, const Groups& groups) {
   return moves;
 }
 
+struct LevelWay {
+  std::vector<Move> moves = {};
+  double cost = 0;
+  std::string method = "cache";
+  std::string explanation{by_a_cache};
+};
+
 /// The best of the ways: the moves of an order for the accelerator, or an order of groups.
 class LevelWays {
  public:
-  LevelWays(const ItemSizes& sizes, LoadOrderFacts& facts, std::vector<Move> cache)
-      : sizes_(sizes), facts_(facts), moves_(std::move(cache)) {
+  LevelWays(const ItemSizes& sizes, const LoadOrderFacts& facts, std::vector<Move> cache)
+      : sizes_(sizes), facts_(facts), best_{.moves = std::move(cache)} {
     Bytes bytes;
-    for (const Move& move : moves_) {
+    for (const Move& move : best_.moves) {
       bytes.loaded += bytes_of(sizes_, move.load);
       bytes.transferred += bytes_of(sizes_, move.fast_load);
     }
-    least_ = cost_of(bytes);
-    facts_.method = "cache";
-    facts_.explanation = by_a_cache;
+    best_.cost = cost_of(bytes);
   }
 
   /// Groups of which some number fits on the accelerator, and more into memory.
@@ -53,9 +59,8 @@ class LevelWays {
     LoadOrderOptions quick;
     quick.read_first = false;  // the steps of the best are read as items
     for (const std::uint64_t count : {2U, 3U, 4U, 5U, 6U, 7U, 8U, 10U, 12U, 16U, 24U, 32U, 64U}) {
-      stop_if_asked();
       const std::uint64_t most = sizes_.fast_memory / count;
-      if (most < largest) {
+      if (most < largest || must_hurry()) {
         return;
       }
       Groups groups = graph == nullptr ? groups_of_at_most(sizes_, items, most, 1)
@@ -69,21 +74,27 @@ class LevelWays {
       const LoadOrder order = plan_two_levels(
           graph == nullptr ? WantedPairs(groups.size()) : between_groups(groups, *graph), room,
           fast_room, quick);
-      if (const double cost = cost_of(bytes_of_groups(order, groups)); cost < least_) {
-        least_ = cost;
-        moves_.clear();
+      if (const double cost = cost_of(bytes_of_groups(order, groups)); cost < best_.cost) {
         order_ = order.maker();
-        facts_.method = "groups, " + order.facts().method;
-        facts_.explanation = fmt::format(
-            "Items are in {} of at most {} bytes, of which {} fit into memory and {} "
-            "on the accelerator: {}",
-            count_of(groups.size(), "group"), size, room, fast_room, order.facts().explanation);
+        best_ = {
+            {},
+            cost,
+            "groups, " + order.facts().method,
+            fmt::format("Items are in {} of at most {} bytes, of which {} fit into memory and {} "
+                        "on the accelerator: {}",
+                        count_of(groups.size(), "group"), size, room, fast_room,
+                        order.facts().explanation)};
         groups_ = std::move(groups);
       }
     }
   }
 
-  std::vector<Move> take() { return order_ ? of_items(*order_(), groups_) : std::move(moves_); }
+  LevelWay take() {
+    if (order_) {
+      best_.moves = of_items(*order_(), groups_);
+    }
+    return std::move(best_);
+  }
 
  private:
   struct Bytes {
@@ -117,9 +128,8 @@ class LevelWays {
   }
 
   const ItemSizes& sizes_;
-  LoadOrderFacts& facts_;
-  double least_ = 0;
-  std::vector<Move> moves_;
+  const LoadOrderFacts& facts_;
+  LevelWay best_;
   LoadOrder::Maker order_;  // of groups, if there is one
   Groups groups_;
 };
@@ -139,13 +149,22 @@ LoadOrder plan_two_levels(std::shared_ptr<const ItemSizes> sizes, const WantedPa
   facts.wanted = wanted;
   facts.bound = load_lower_bound(wanted.among(facts.items), facts.room);
   facts.transfer_bound = load_lower_bound(wanted.among(facts.items), *facts.fast_room);
-  const std::vector<Move> alone = moves_of(*plan_sized_order(fast, wanted, options).stream());
-  LevelWays ways(*sizes, facts, with_a_cache(alone, facts.room, sizes.get()));
-  if (wanted.are_all() || wanted.graph() != nullptr) {
-    ways.consider_groups(items_as_they_come(alone));
-  }
+  LevelWay best = best_in_rounds(
+      options,
+      [&](const LoadOrderOptions& its) {
+        const std::vector<Move> alone = moves_of(*plan_sized_order(fast, wanted, its).stream());
+        LevelWays ways(*sizes, facts, with_a_cache(alone, facts.room, sizes.get()));
+        const bool is_searched = its.search_pairs != nullptr;
+        if (!is_searched && (wanted.are_all() || wanted.graph() != nullptr)) {
+          static_cast<void>(done(true, [&] { ways.consider_groups(items_as_they_come(alone)); }));
+        }
+        return ways.take();
+      },
+      [](const LevelWay& its, const LevelWay& others) { return its.cost < others.cost; });
+  facts.method = std::move(best.method);
+  facts.explanation = std::move(best.explanation);
   const auto lists = std::make_shared<StepLists>();
-  lists->add(ways.take());
+  lists->add(best.moves);
   const LoadOrder::Maker maker = [lists] { return lists->of(0); };
   const ScheduleVerdict verdict =
       read_order(maker, LoadOrder(facts, maker).rules(),

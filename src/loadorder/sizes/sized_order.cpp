@@ -10,6 +10,7 @@
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
+#include "loadorder/order/in_rounds.hpp"
 #include "loadorder/sizes/closing_search.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
 
@@ -68,6 +69,7 @@ class GroupedMoves {
     std::vector<std::pair<Element, Element>> idle;  // item and its group; may be evicted
     std::uint64_t held = 0;
     for (const Step& step : steps_) {
+      stop_if_asked();
       for (const Element g : step.evict) {
         wanted[g] = false;
         for (const Element x : groups_[g]) {
@@ -130,19 +132,20 @@ void consider_packed(const ItemSizes& sizes, const std::vector<Element>& items, 
     largest = std::max(largest, sizes.bytes[x]);
   }
   for (std::uint64_t room = 2; room <= most_room && best.bytes > least; ++room) {
-    stop_if_asked();
-    if (sizes.memory / room < largest) {
+    if (sizes.memory / room < largest || (must_hurry() && !best.moves.empty())) {
       return;
     }
-    const auto groups = packed(sizes, items, sizes.memory / room);
-    const LoadOrder order = plan_load_order(groups.size(), room, quick);
-    SizedOffer offer = GroupedMoves(sizes, groups, order).result();
-    if (offer.bytes < best.bytes) {
-      best = std::move(offer);
-      best.method = "packed, " + order.facts().method;
-      best.explanation = fmt::format("Items are packed into {} groups, of which {} fit: {}",
-                                     groups.size(), room, order.facts().explanation);
-    }
+    static_cast<void>(done(!best.moves.empty(), [&] {
+      const auto groups = packed(sizes, items, sizes.memory / room);
+      const LoadOrder order = plan_load_order(groups.size(), room, quick);
+      SizedOffer offer = GroupedMoves(sizes, groups, order).result();
+      if (offer.bytes < best.bytes) {
+        best = std::move(offer);
+        best.method = "packed, " + order.facts().method;
+        best.explanation = fmt::format("Items are packed into {} groups, of which {} fit: {}",
+                                       groups.size(), room, order.facts().explanation);
+      }
+    }));
   }
 }
 
@@ -308,10 +311,12 @@ LoadOrder plan_with_spare(std::shared_ptr<const ItemSizes> sizes, const WantedPa
     if (best.bytes > least && (wanted.graph() != nullptr || facts.items <= most_closed_all)) {
       const WantedPairs list =
           wanted.graph() != nullptr ? wanted : listed_among(wanted, facts.items);
-      SizedOffer closing = best_closing(used, *list.graph(), facts.room, least, options);
-      if (closing.bytes < best.bytes) {
-        best = std::move(closing);
-      }
+      static_cast<void>(done(!best.moves.empty(), [&] {
+        SizedOffer closing = best_closing(used, *list.graph(), facts.room, least, options);
+        if (closing.bytes < best.bytes) {
+          best = std::move(closing);
+        }
+      }));
     } else if (!wanted.are_all()) {
       consider_packed(used, items, least, best);
     }

@@ -11,6 +11,7 @@
 #include "changeover/run/control.hpp"
 #include "core/words.hpp"
 #include "loadorder/listed/quick_moves.hpp"
+#include "loadorder/order/in_rounds.hpp"
 #include "loadorder/shares/few_workers.hpp"
 #include "loadorder/shares/known_shares.hpp"
 #include "loadorder/shares/split_maker.hpp"
@@ -316,19 +317,14 @@ class SizedSplit {
       }
     };
     constexpr std::uint64_t slice = 200'000;
-    constexpr std::uint64_t fixed_work = 150'000'000;  // a few seconds
-    if (options_.search_pairs) {
-      options_.search_pairs([&] {
-        RunControl* const control = RunScope::current();
-        search(slice, std::numeric_limits<std::uint64_t>::max(),
-               [&] { return control != nullptr && control->stop_wanted(); });
-      });
-    } else {
-      search(slice, fixed_work, [] {
-        stop_if_asked();
-        return false;
-      });
-    }
+    constexpr double most_work = 150'000'000;  // a few seconds
+    fixed_first(
+        options_,
+        [&] { search(slice, static_cast<std::uint64_t>(options_.effort * most_work), must_hurry); },
+        [&](RunControl& control) {
+          search(slice, std::numeric_limits<std::uint64_t>::max(),
+                 [&] { return control.stop_wanted(); });
+        });
     std::vector<std::vector<Move>> moves;
     for (std::size_t w = 0; w < pairs.size(); ++w) {
       const bool is_better = w < parts.size() && !pairs[w].empty() &&

@@ -104,6 +104,7 @@ inline std::vector<ItemPair> close_points(std::uint32_t items, std::size_t count
 /// Without the search that takes some seconds, of which the result would be better.
 inline LoadOrderOptions hardly_searched() {
   LoadOrderOptions options;
+  options.effort = 1e-3;
   options.search_pairs = [](const std::function<void()>& search) {
     RunControl control({.time = std::chrono::milliseconds(2)});
     const RunScope scope(control);

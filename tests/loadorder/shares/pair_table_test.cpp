@@ -158,6 +158,7 @@ TEST(FairShares, TheFirstHolderComputesAndLoadsNothingInVain) {
       const auto items = static_cast<Element>(12 + 4 * (seed % 8));
       const std::vector<ItemPair> pairs = random_pairs(items, items + 5 * seed, seed);
       const std::set<ItemPair> wanted(pairs.begin(), pairs.end());
+      options.effort = 1e-3;
       options.search_pairs = [](const std::function<void()>& search) {
         RunControl control({.time = std::chrono::milliseconds(2)});
         const RunScope scope(control);

@@ -13,9 +13,9 @@
 #include "loadorder/listed/level_search.hpp"
 #include "loadorder/listed/listed_levels.hpp"
 #include "loadorder/listed/quick_moves.hpp"
+#include "loadorder/order/in_rounds.hpp"
 #include "loadorder/order/levels/group_levels.hpp"
 #include "loadorder/order/read_order.hpp"
-#include "loadorder/order/search_share.hpp"
 #include "loadorder/shares/step_lists.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
 
@@ -89,8 +89,7 @@ LevelOrder best_of(std::vector<LevelOrder> offers, const LoadOrderFacts& bounds)
   };
   std::size_t best = 0;
   double least = offers.size() == 1 ? 0 : cost(offers[0]);
-  for (std::size_t i = 1; i < offers.size(); ++i) {
-    stop_if_asked();
+  for (std::size_t i = 1; i < offers.size() && !must_hurry(); ++i) {
     if (const double its = cost(offers[i]); its < least) {
       best = i;
       least = its;
@@ -112,22 +111,18 @@ LevelOrder without_groups(const LoadOrderFacts& facts, const WantedPairs& wanted
   return {0, std::move(maker), std::move(listed.explanation)};
 }
 
-// What a search of the caller finds from there on, of pairs that are few enough to be listed.
+// What a search finds from there on, of pairs that are few enough to be listed.
 void improve(LevelOrder& best, const LoadOrderFacts& facts, const WantedPairs& wanted,
-             const LoadOrderOptions& options) {
-  if (!options.search_pairs || wanted.count() > most_pairs_searched) {
+             std::uint64_t seed, RunControl& control) {
+  if (wanted.count() > most_pairs_searched) {
     return;
   }
   const WantedPairs list = wanted.graph() != nullptr ? wanted
                            : wanted.are_all()        ? listed_among(wanted, facts.items)
                                                      : as_list(wanted);
   const std::vector<Move> start = moves_of(*best.maker());
-  std::vector<Move> found;
-  options.search_pairs([&] {
-    RunControl* const control = RunScope::current();
-    found = search_levels(*list.graph(), facts, start, options.seed,
-                          [&] { return control != nullptr && control->stop_wanted(); });
-  });
+  const std::vector<Move> found =
+      search_levels(*list.graph(), facts, start, seed, [&] { return control.stop_wanted(); });
   if (!found.empty()) {
     best = {0, in_lists(found),
             "Searched: what an item lacks on the accelerator is brought there while it stays; the "
@@ -135,9 +130,9 @@ void improve(LevelOrder& best, const LoadOrderFacts& facts, const WantedPairs& w
   }
 }
 
-// The best order of groups or of items. Describes it in `facts`.
-LoadOrder::Maker best_levels(LoadOrderFacts& facts, const LoadOrderOptions& options) {
-  const WantedPairs wanted = facts.wanted.among(facts.items);
+// The best order of groups or of items, without a search.
+LevelOrder fixed_levels(const LoadOrderFacts& facts, const WantedPairs& wanted,
+                        const LoadOrderOptions& options) {
   const std::uint64_t room = facts.room;
   const std::uint64_t fast_room = *facts.fast_room;
   // Limits the time to some seconds.
@@ -146,22 +141,31 @@ LoadOrder::Maker best_levels(LoadOrderFacts& facts, const LoadOrderOptions& opti
       std::max<std::uint64_t>(1, most_work / (4 * (wanted.count() + facts.items)));
   std::vector<LevelOrder> offers;
   for (const std::uint64_t size : sizes_to_try(facts.items, room, fast_room)) {
-    if (offers.size() < most_tried && wanted.graph() == nullptr) {
-      const LevelShape shape{wanted, room, fast_room, size};
-      offers.push_back({size, with_groups(shape), shape.explain()});
+    const LevelShape shape{wanted, room, fast_room, size};
+    if (offers.size() >= most_tried || wanted.graph() != nullptr || !done(!offers.empty(), [&] {
+          offers.push_back({size, with_groups(shape), shape.explain()});
+        })) {
+      break;
     }
   }
   constexpr std::uint64_t most_kept = 100'000;      // transfers
   constexpr std::uint64_t most_listed = 1'000'000;  // of two sets, or of new items
   if (wanted.graph() != nullptr || (facts.transfer_bound.loads <= most_kept &&
                                     (wanted.are_all() || wanted.count() <= most_listed))) {
-    // It searches twice at most; then both levels are improved together.
-    constexpr double share = 0.25;
-    offers.push_back(without_groups(facts, wanted, with_share(options, share)));
+    static_cast<void>(done(!offers.empty(), [&] {
+      offers.push_back(without_groups(facts, wanted, fixed_work(options)));
+    }));
   }
-  LevelOrder best = best_of(std::move(offers), facts);
-  constexpr double rest = 0.5;
-  improve(best, facts, wanted, with_share(options, rest));
+  return best_of(std::move(offers), facts);
+}
+
+// Describes the order in `facts`.
+LoadOrder::Maker best_levels(LoadOrderFacts& facts, const LoadOrderOptions& options) {
+  const WantedPairs wanted = facts.wanted.among(facts.items);
+  LevelOrder best;
+  fixed_first(
+      options, [&] { best = fixed_levels(facts, wanted, options); },
+      [&](RunControl& control) { improve(best, facts, wanted, options.seed, control); });
   facts.group_items = best.group_items;
   facts.explanation = std::move(best.explanation);
   return std::move(best.maker);

@@ -11,10 +11,10 @@
 #include "changeover/run/control.hpp"
 #include "core/words.hpp"
 #include "loadorder/listed/listed_levels.hpp"
+#include "loadorder/order/in_rounds.hpp"
 #include "loadorder/order/levels/group_levels.hpp"
 #include "loadorder/order/lockstep/check_disjoint.hpp"
 #include "loadorder/order/read_order.hpp"
-#include "loadorder/order/search_share.hpp"
 #include "loadorder/shares/few_workers.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
 
@@ -122,6 +122,47 @@ LevelSpans spans_of(StepSource& steps, std::uint64_t workers, const ItemSizes* s
   return spans;
 }
 
+namespace {
+
+/// An order in lockstep for groups, and what each of its steps is on the accelerators.
+struct BestGroups {
+  double cost = std::numeric_limits<double>::max();
+  std::uint64_t group_items = 0;
+  LoadOrder::Maker maker = {};
+  std::string method = {};
+  std::string explanation = {};
+};
+
+BestGroups best_groups(const LoadOrderFacts& facts, const WantedPairs& wanted,
+                       const LoadOrderOptions& options) {
+  const std::uint64_t fast_room = *facts.fast_room;
+  const std::uint64_t workers = facts.lockstep;
+  const std::uint64_t least_transfers = makespan_lower_bound(wanted, fast_room, workers).loads;
+  const auto inner = std::make_shared<InnerOrders>(fast_room);
+  BestGroups best;
+  for (const std::uint64_t size : group_sizes(wanted, facts.room, fast_room)) {
+    if (best.maker && must_hurry()) {
+      break;
+    }
+    const LevelShape shape{wanted, facts.room, fast_room, size};
+    const auto groups = std::make_shared<const LoadOrder>(
+        plan_disjoint_order(shape.wanted_groups(), shape.group_room(), workers, options));
+    LoadOrder::Maker its = [shape, groups, workers, inner] {
+      return levels_in_lockstep(shape, groups->stream(), workers, inner);
+    };
+    const double cost = spans_of(*its(), workers).over(facts.makespan_bound.loads, least_transfers);
+    if (cost < best.cost) {
+      const bool is_list = wanted.graph() != nullptr;
+      best = {cost, is_list ? 0 : size, std::move(its), groups->facts().method,
+              (is_list ? "What items meet is done at once. " : shape.explain() + " ") +
+                  groups->facts().explanation};
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
 LoadOrder plan_disjoint_levels(const WantedPairs& wanted, std::uint64_t room,
                                std::uint64_t fast_room, std::uint64_t workers,
                                const LoadOrderOptions& options) {
@@ -137,32 +178,13 @@ LoadOrder plan_disjoint_levels(const WantedPairs& wanted, std::uint64_t room,
   facts.bound = load_lower_bound(wanted, room);
   facts.transfer_bound = load_lower_bound(wanted, fast_room);
   facts.makespan_bound = makespan_lower_bound(wanted, room, workers);
-  const std::uint64_t least_transfers = makespan_lower_bound(wanted, fast_room, workers).loads;
-  const auto inner = std::make_shared<InnerOrders>(fast_room);
-  LoadOrder::Maker maker;
-  double least = std::numeric_limits<double>::max();
-  const std::vector<std::uint64_t> group_items = group_sizes(wanted, room, fast_room);
-  for (std::size_t i = 0; i < group_items.size(); ++i) {
-    stop_if_asked();
-    const std::uint64_t size = group_items[i];
-    const double share = 1 / static_cast<double>(group_items.size() - i);
-    const LevelShape shape{wanted, room, fast_room, size};
-    const auto groups = std::make_shared<const LoadOrder>(plan_disjoint_order(
-        shape.wanted_groups(), shape.group_room(), workers, with_share(options, share)));
-    LoadOrder::Maker its = [shape, groups, workers, inner] {
-      return levels_in_lockstep(shape, groups->stream(), workers, inner);
-    };
-    const double cost = spans_of(*its(), workers).over(facts.makespan_bound.loads, least_transfers);
-    if (cost < least) {
-      least = cost;
-      maker = std::move(its);
-      facts.group_items = wanted.graph() != nullptr ? 0 : size;
-      facts.method = groups->facts().method;
-      facts.explanation = (wanted.graph() != nullptr ? "What items meet is done at once. "
-                                                     : shape.explain() + " ") +
-                          groups->facts().explanation;
-    }
-  }
+  BestGroups best = best_in_rounds(
+      options, [&](const LoadOrderOptions& its) { return best_groups(facts, wanted, its); },
+      [](const BestGroups& its, const BestGroups& others) { return its.cost < others.cost; });
+  facts.group_items = best.group_items;
+  facts.method = std::move(best.method);
+  facts.explanation = std::move(best.explanation);
+  const LoadOrder::Maker maker = std::move(best.maker);
   const ScheduleVerdict verdict =
       read_order(maker, LoadOrder(facts, maker).rules(),
                  fmt::format("{} for {} workers with room for {} and {}",
@@ -171,7 +193,7 @@ LoadOrder plan_disjoint_levels(const WantedPairs& wanted, std::uint64_t room,
   static_cast<ScheduleFacts&>(facts) = verdict;
   facts.every_step_read = true;
   facts.certificate = "no item held twice at once, " + levels_read(verdict, wanted.count(), false);
-  return {std::move(facts), std::move(maker)};
+  return {std::move(facts), maker};
 }
 
 }  // namespace changeover
