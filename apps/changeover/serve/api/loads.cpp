@@ -253,15 +253,17 @@ void write_workers(JsonWriter& json, const WorkerSplit& split,
 Response load_order(const Explorer& explorer, const Request& request) {
   const LoadQuestion question = question_of(explorer, request);
   const CheckedLoads& asked = question.loads;
-  RunControl control(*RunScope::current(), std::chrono::duration<double>(question.seconds));
+  // What is not done in this time is left out; the rest is for reading what has been found.
+  RunControl limit(*RunScope::current(), explorer.limits.seconds / 2);
+  RunControl control(limit, std::chrono::duration<double>(question.seconds));
   LoadOrderOptions options;
   options.seed = question.request.seed.value_or(1);
+  options.search_pairs = [&control](const std::function<void()>& search) {
+    const RunScope scope(control);
+    search();
+  };
   if (question.seconds > 0) {
     options.improve = improve_by_search(control);
-    options.search_pairs = [&control](const std::function<void()>& search) {
-      const RunScope scope(control);
-      search();
-    };
   }
   const LoadsAnswer answer(asked, question.request, options);
   stop_if_asked();  // The client may have gone.
@@ -302,6 +304,7 @@ Response load_order(const Explorer& explorer, const Request& request) {
   if (planned.spare) {
     json.key("spare").value(*planned.spare);
   }
+  json.key("time_is_up").value(limit.why_stopped() == WhyStopped::time_limit);
   json.key("verified").value(true).end_object();
   return json_response(json.take() + "\n");
 }
