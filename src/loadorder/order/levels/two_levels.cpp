@@ -111,6 +111,14 @@ LevelOrder without_groups(const LoadOrderFacts& facts, const WantedPairs& wanted
   return {0, std::move(maker), std::move(listed.explanation)};
 }
 
+// The first start alone, which nothing stops.
+LevelOrder in_a_hurry(const LoadOrderFacts& facts, const PairGraph& graph) {
+  RunControl unlimited({});
+  const RunScope scope(unlimited);
+  return {0, in_lists(levels_of(graph, facts, quick_moves(graph, *facts.fast_room), 0)),
+          std::string(by_a_cache)};
+}
+
 // What a search finds from there on, of pairs that are few enough to be listed.
 void improve(LevelOrder& best, const LoadOrderFacts& facts, const WantedPairs& wanted,
              std::uint64_t seed, RunControl& control) {
@@ -152,9 +160,12 @@ LevelOrder fixed_levels(const LoadOrderFacts& facts, const WantedPairs& wanted,
   constexpr std::uint64_t most_listed = 1'000'000;  // of two sets, or of new items
   if (wanted.graph() != nullptr || (facts.transfer_bound.loads <= most_kept &&
                                     (wanted.are_all() || wanted.count() <= most_listed))) {
-    static_cast<void>(done(!offers.empty(), [&] {
-      offers.push_back(without_groups(facts, wanted, fixed_work(options)));
-    }));
+    const bool has_one = !offers.empty() || wanted.graph() != nullptr;
+    if (!done(has_one,
+              [&] { offers.push_back(without_groups(facts, wanted, fixed_work(options))); }) &&
+        offers.empty()) {
+      offers.push_back(in_a_hurry(facts, *wanted.graph()));
+    }
   }
   return best_of(std::move(offers), facts);
 }
