@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 #include "changeover/core/error.hpp"
@@ -31,22 +33,30 @@ std::vector<Move> of_items(StepSource& steps, const Groups& groups) {
 
 struct LevelWay {
   std::vector<Move> moves = {};
-  double cost = 0;
-  std::string method = "cache";
-  std::string explanation{by_a_cache};
+  double cost = std::numeric_limits<double>::max();
+  std::string method = {};
+  std::string explanation = {};
 };
 
 /// The best of the ways: the moves of an order for the accelerator, or an order of groups.
 class LevelWays {
  public:
-  LevelWays(const ItemSizes& sizes, const LoadOrderFacts& facts, std::vector<Move> cache)
-      : sizes_(sizes), facts_(facts), best_{.moves = std::move(cache)} {
+  LevelWays(const ItemSizes& sizes, const LoadOrderFacts& facts) : sizes_(sizes), facts_(facts) {}
+
+  [[nodiscard]] bool has_one() const { return !best_.method.empty(); }
+
+  /// An order for the accelerator, and memory as a cache.
+  void consider_cache(const std::vector<Move>& alone) {
+    std::vector<Move> moves = with_a_cache(alone, facts_.room, &sizes_);
     Bytes bytes;
-    for (const Move& move : best_.moves) {
+    for (const Move& move : moves) {
       bytes.loaded += bytes_of(sizes_, move.load);
       bytes.transferred += bytes_of(sizes_, move.fast_load);
     }
-    best_.cost = cost_of(bytes);
+    if (const double cost = cost_of(bytes); cost <= best_.cost) {
+      best_ = {std::move(moves), cost, "cache", std::string(by_a_cache)};
+      order_ = nullptr;
+    }
   }
 
   /// Groups of which some number fits on the accelerator, and more into memory.
@@ -60,7 +70,7 @@ class LevelWays {
     quick.read_first = false;  // the steps of the best are read as items
     for (const std::uint64_t count : {2U, 3U, 4U, 5U, 6U, 7U, 8U, 10U, 12U, 16U, 24U, 32U, 64U}) {
       const std::uint64_t most = sizes_.fast_memory / count;
-      if (most < largest || must_hurry()) {
+      if (most < largest || (must_hurry() && has_one())) {
         return;
       }
       Groups groups = graph == nullptr ? groups_of_at_most(sizes_, items, most, 1)
@@ -149,15 +159,23 @@ LoadOrder plan_two_levels(std::shared_ptr<const ItemSizes> sizes, const WantedPa
   facts.wanted = wanted;
   facts.bound = load_lower_bound(wanted.among(facts.items), facts.room);
   facts.transfer_bound = load_lower_bound(wanted.among(facts.items), *facts.fast_room);
+  std::vector<Element> all_items(sizes->bytes.size());
+  std::iota(all_items.begin(), all_items.end(), Element{0});
   LevelWay best = best_in_rounds(
       options,
       [&](const LoadOrderOptions& its) {
-        const std::vector<Move> alone = moves_of(*plan_sized_order(fast, wanted, its).stream());
-        LevelWays ways(*sizes, facts, with_a_cache(alone, facts.room, sizes.get()));
+        LevelWays ways(*sizes, facts);
         const bool is_searched = its.search_pairs != nullptr;
-        if (!is_searched && (wanted.are_all() || wanted.graph() != nullptr)) {
-          static_cast<void>(done(true, [&] { ways.consider_groups(items_as_they_come(alone)); }));
+        if (!is_searched && wanted.are_all()) {  // which take less time than what comes then
+          static_cast<void>(done(true, [&] { ways.consider_groups(all_items); }));
         }
+        static_cast<void>(done(ways.has_one(), [&] {
+          const std::vector<Move> alone = moves_of(*plan_sized_order(fast, wanted, its).stream());
+          ways.consider_cache(alone);
+          if (!is_searched && wanted.graph() != nullptr) {
+            ways.consider_groups(items_as_they_come(alone));
+          }
+        }));
         return ways.take();
       },
       [](const LevelWay& its, const LevelWay& others) { return its.cost < others.cost; });
