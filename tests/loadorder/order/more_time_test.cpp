@@ -178,6 +178,23 @@ TEST(MoreTime, TwoLevels) {
   });
 }
 
+// A limit above that of the search cuts the fixed work short, wherever that is.
+TEST(MoreTime, ALimitOfTheWholeLeavesAnOrderOfAList) {
+  const WantedPairs list = listed(40, close_points(40, 130, 3));
+  for (const std::uint64_t most : {0U, 1U, 3U, 10U, 40U, 200U, 1000U}) {
+    LoadOrderOptions options = searched(no_search);
+    options.search_pairs = [most](const std::function<void()>& search) {
+      RunControl all({});
+      RunControl limit(all, Questions{most});
+      RunControl control(limit, Questions{0});
+      const RunScope scope(control);
+      search();
+    };
+    EXPECT_TRUE(plan_load_order(list, 10, options).facts().every_step_read) << most;
+    EXPECT_TRUE(plan_two_levels(list, 10, 4, options).facts().every_step_read) << most;
+  }
+}
+
 TEST(MoreTime, TwoLevelsOfBytes) {
   never_worse(4, 8, times_of_rounds, [](const Job& job, const LoadOrderOptions& options) {
     return of_levels(plan_two_levels(job.sizes, job.wanted, options).facts());

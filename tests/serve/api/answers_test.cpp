@@ -328,6 +328,7 @@ TEST_F(Answers, LoadOrdersBringAllPairsTogether) {
   EXPECT_TRUE(ahead["steps"][1].contains("evict_first")) << ahead["steps"][1];
   const auto searched =
       json_of(post("/api/loadorder", R"({"items":20,"room":6,"seconds":0.2})", "application/json"));
+  EXPECT_EQ(searched["time_is_up"], false);
   EXPECT_LE(searched["loads"], json_of(post("/api/loadorder", R"({"items":20,"room":6})",
                                             "application/json"))["loads"]);
   EXPECT_EQ(
