@@ -49,7 +49,7 @@ struct Job {
 
 Job random_job(std::mt19937& random) {
   Job job;
-  const std::uint64_t items = 8 + random() % 20;
+  const std::uint64_t items = 9 + random() % 20;
   switch (random() % 4) {
     case 0:
       job.wanted = WantedPairs(items);
@@ -65,7 +65,7 @@ Job random_job(std::mt19937& random) {
       break;
   }
   job.workers = 2 + random() % 2;
-  job.room = 3 + random() % std::max<std::uint64_t>(1, items / job.workers - 3);
+  job.room = 3 + random() % (items / job.workers - 2);
   job.fast_room = 2 + random() % (job.room - 1);
   const auto fast = random_sizes(random, items, 9, 24);
   job.sizes = std::make_shared<const ItemSizes>(

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -94,11 +95,12 @@ void reverse(Piece& piece) {
 class PieceSource final : public BlockByBlock<PieceSource> {
  public:
   PieceSource(std::unique_ptr<BlockSource> design, Piece piece, std::uint64_t times,
-              const Parameters& larger)
+              const Parameters& larger, Ends ends)
       : parameters_(larger),
         design_(std::move(design)),
         piece_(std::move(piece)),
         times_(times),
+        open_(ends == Ends::open),
         begins_with_(static_cast<std::size_t>(larger.k)),
         now_(static_cast<std::size_t>(larger.k)),
         name_(piece_.anchors() + piece_.fresh.size()) {}
@@ -106,7 +108,8 @@ class PieceSource final : public BlockByBlock<PieceSource> {
   [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
   [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
     const auto b = design_->block_count();
-    return b ? std::optional(count_with_pieces(design_->parameters().v, *b, piece_, times_))
+    return b ? std::optional(count_with_pieces(design_->parameters().v, *b, piece_, times_,
+                                               open_ ? Ends::open : Ends::paired))
              : std::nullopt;
   }
 
@@ -140,6 +143,9 @@ class PieceSource final : public BlockByBlock<PieceSource> {
       v_ = design_->parameters().v;
       begin_piece();
     } else if (beside_ < piece_.parts.size() && piece_.parts[beside_].position == given_) {
+      if (next_ == 0 && leaves_ends_out()) {
+        next_ = piece_.first.size();
+      }
       while (next_ < v_ && std::ranges::binary_search(anchors_, static_cast<Element>(next_))) {
         ++next_;
       }
@@ -164,6 +170,11 @@ class PieceSource final : public BlockByBlock<PieceSource> {
     return true;
   }
 
+  // Whether the elements of the first block are not inserted beside this part.
+  bool leaves_ends_out() const {
+    return open_ && round_ + 1 == times_ && given_ == piece_.blocks.size();
+  }
+
   // After the block `now_`, whose elements with the largest numbers give the anchors.
   void begin_piece() {
     given_ = beside_ = 0;
@@ -171,7 +182,11 @@ class PieceSource final : public BlockByBlock<PieceSource> {
     Block end = now_;
     std::ranges::sort(end);
     anchors_.assign(end.end() - static_cast<std::ptrdiff_t>(piece_.first.size()), end.end());
-    if (!piece_.last.empty()) {
+    if (!piece_.last.empty() && open_) {
+      for (std::size_t i = 0; i < piece_.last.size(); ++i) {
+        anchors_.push_back(static_cast<Element>(i));
+      }
+    } else if (!piece_.last.empty()) {
       choose_both_anchors(end);
     }
     for (std::size_t i = 0; i < piece_.first.size(); ++i) {
@@ -210,6 +225,7 @@ class PieceSource final : public BlockByBlock<PieceSource> {
   std::unique_ptr<BlockSource> design_;
   Piece piece_;
   std::uint64_t times_;
+  bool open_;                // the design's ends
   Block begins_with_;        // the design's first block
   Block now_;                // the block made last
   Block name_;               // by element of the piece: which element it is
@@ -232,7 +248,8 @@ std::optional<Offer> best_base(const Parameters& p, const Registry& registry) {
     }
     for (const Construction* construction : registry.constructions()) {
       const std::string_view name = construction->name();
-      if (name == "concatenate" || name == "ring" || name == "cut") {
+      if (name == "concatenate" || name == "ring" || name == "ring-of-copies" ||
+          name == "cut") {
         continue;
       }
       std::optional<Offer> offer = construction->offer(asked, registry);
@@ -280,12 +297,12 @@ std::uint64_t count_with_written(std::uint64_t v, std::uint64_t b, const Written
   return count_with_pieces(v, b, same, times);
 }
 
+}  // namespace
+
 Recipe written_recipe(const WrittenPiece& piece) {
   return literal_recipe(Design({piece.w, piece.k, 1, Kind::linear, 2}, short_blocks(piece.blocks)),
                         "annealing with the cells of a partition locked");
 }
-
-}  // namespace
 
 Piece open_piece(std::vector<Block> blocks, const std::vector<Element>& positions) {
   Piece piece = with_parts(std::move(blocks), positions);
@@ -315,20 +332,30 @@ Piece closing_piece(std::vector<Block> blocks, const std::vector<Element>& posit
   return piece;
 }
 
+Piece opened(Piece closing) {
+  closing.parts.push_back({closing.blocks.size(), closing.last});
+  std::ranges::copy(closing.last, std::back_inserter(closing.fresh));
+  closing.last.clear();
+  return closing;
+}
+
 std::uint64_t count_with_pieces(std::uint64_t v, std::uint64_t b, const Piece& piece,
-                                std::uint64_t times) {
+                                std::uint64_t times, Ends ends) {
   // Round i = 0, 1, … adds the piece's blocks and, beside each part, v + i·fresh − anchors.
   const std::uint64_t parts = piece.parts.size();
   const std::uint64_t even =
       checked_add(piece.blocks.size(), checked_multiply(parts, v - std::min(v, piece.anchors())));
   const std::uint64_t pairs = times == 0 ? 0 : checked_multiply(times, times - 1) / 2;
-  return checked_add(b, checked_add(checked_multiply(times, even),
-                                    checked_multiply(parts * piece.fresh.size(), pairs)));
+  const std::uint64_t all =
+      checked_add(b, checked_add(checked_multiply(times, even),
+                                 checked_multiply(parts * piece.fresh.size(), pairs)));
+  const bool leaves_ends_out = ends == Ends::open && piece.last.empty() && times > 0;
+  return leaves_ends_out ? all - piece.first.size() : all;
 }
 
 std::unique_ptr<BlockSource> with_pieces(std::unique_ptr<BlockSource> design, Piece piece,
-                                         std::uint64_t times, const Parameters& larger) {
-  return std::make_unique<PieceSource>(std::move(design), std::move(piece), times, larger);
+                                         std::uint64_t times, const Parameters& larger, Ends ends) {
+  return std::make_unique<PieceSource>(std::move(design), std::move(piece), times, larger, ends);
 }
 
 std::optional<Offer> best_concatenation(const Parameters& p, const Registry& registry,
@@ -388,59 +415,6 @@ std::optional<Offer> best_concatenation(const Parameters& p, const Registry& reg
     }
   }
   return best;
-}
-
-// The pieces that are written down. Each was found by annealing in which the cells of its parts
-// were locked.
-
-const std::vector<WrittenPiece>& open_pieces() {
-  static const std::vector<WrittenPiece> pieces{
-      // A tight SCCD(20,5,46).
-      {5,
-       20,
-       16,
-       46,
-       "0123g 01236 0236a 02367 03467 0467c 4567c 4567e 4567d 467bd 4679d 4679f 46789 14789 "
-       "1789a 189ab 89abg 589ab 2589b 0589b 089bi 089bj 89bcj 89bej 389be 89beh 8befh 8defh "
-       "0defh cdefh 1cdef cdefg acdef 2cdef cdefi 3cdfi 3dfij 35fij 35hij 15hij 5ghij 7ghij "
-       "6ghij 4ghij 4ahij 24hij",
-       {8, 16, 33, 41}},
-      // An SCCD(16,5,29) of waste 1/2.
-      {5,
-       16,
-       12,
-       29,
-       "01235 12345 12456 24567 4567e 4567c 4567f 4567d 467bd 0467b 0467a 04679 46789 36789 3789b "
-       "1789b 189ab 589ab 289ab 28abc 28abf 2abef 2adef 3adef 3cdef 9cdef 1cdef 0cdef 08def",
-       {7, 18, 25}},
-  };
-  return pieces;
-}
-
-const std::vector<WrittenPiece>& closing_pieces() {
-  static const std::vector<WrittenPiece> pieces{
-      // Half a block more than a perfect one would have.
-      {5,
-       24,
-       16,
-       64,
-       "01238 0123e 013ae 013ac 01aci 1acgi 1aghi 1ghij 5ghij 9ghij 3ghij 2ghij 4ghij ghijl "
-       "7ghij 6ghij 68ghi 6bghi beghi efghi defgh cdefh cdefj 8cdef cdefm 2cdfm 2cdmn 2dkmn "
-       "1dkmn 3dkmn dikmn 0dkmn 0hkmn 0gkmn 0jkmn ajkmn bjkmn 8jkmn 48kmn 78kmn 7klmn 5klmn "
-       "6klmn 9klmn 9ekln 9fkln 9cfkl 9bcfl 39bfl 19bfl 09bfl 49bfl 49bdl 9abdl 29abl 89abl "
-       "589ab 579ab 5679a 567af 4567a 4567d 4567e 4567c",
-       {8, 22, 41, 56}},
-      // One block more than a perfect one would have.
-      {5,
-       20,
-       12,
-       43,
-       "2ghij 3ghij 13ghi 013gh 0134h 01234 0123d 01239 1239f 1239c 1238c 1238e 123ae 123ab 135ab "
-       "1357a 13567 1567j 0567j 4567j 4567h 4567f 24567 4567c 4567i 4567d 4567g 4567e 5679e 56789 "
-       "6789b 689ab 89abg 89abh 89abj 489ab 89abd 89abi 08abi 08abf 0abcf 0bcef bcdef",
-       {6, 27, 36}},
-  };
-  return pieces;
 }
 
 }  // namespace changeover

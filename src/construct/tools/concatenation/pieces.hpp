@@ -11,6 +11,10 @@
 // first block from the last block of V, those of the last from the first of V; all other elements
 // of the piece are new. At the position of each part U_i the blocks U_i ∪ {x} are inserted for
 // all x of V that are no anchors.
+//
+// *Open ends*: V lacks the pairs of its ends, those of 0, …, k−2, in its first block, with its
+// last k−1 elements, in its last block. Then a ring's piece brings them, and one that is made open
+// by `opened` leaves V with open ends again.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +33,7 @@ struct Piece {
   std::vector<UnchangedSubset> parts;  ///< in order of position
   Block first;                         ///< anchors in the first block, increasing
   Block last;                          ///< anchors of the last block; none unless it closes a ring
-  Block fresh;                         ///< the elements of the parts, increasing
+  Block fresh;                         ///< the elements of the parts, as they are numbered
 
   [[nodiscard]] std::uint64_t anchors() const { return first.size() + last.size(); }
 };
@@ -42,17 +46,25 @@ struct Piece {
 /// The same for a ring.
 [[nodiscard]] Piece closing_piece(std::vector<Block> blocks, const std::vector<Element>& positions);
 
+/// A ring's piece for the rounds before it closes: the anchors of its last block become a part
+/// there.
+[[nodiscard]] Piece opened(Piece closing);
+
+/// Whether a design has open ends, and so has what is made of it by an opened piece.
+enum class Ends : std::uint8_t { paired, open };
+
 /// How many blocks a design of v elements and b blocks has after `times` such pieces. @throws
 /// ImpossibleParameters if they exceed 64 bits.
 [[nodiscard]] std::uint64_t count_with_pieces(std::uint64_t v, std::uint64_t b, const Piece& piece,
-                                              std::uint64_t times);
+                                              std::uint64_t times, Ends ends = Ends::paired);
 
 /// The design with so many pieces after it, as a stream. `larger` has v + |fresh|·times elements.
 /// Memory of a piece and a block. Reading
 /// @throws BadInput if a ring's design has no disjoint anchors at its ends.
 [[nodiscard]] std::unique_ptr<BlockSource> with_pieces(std::unique_ptr<BlockSource> design,
                                                        Piece piece, std::uint64_t times,
-                                                       const Parameters& larger);
+                                                       const Parameters& larger,
+                                                       Ends ends = Ends::paired);
 
 /// A piece that is written down: blocks as in short_blocks.hpp, positions of its parts.
 struct WrittenPiece {
@@ -67,6 +79,22 @@ struct WrittenPiece {
 /// Those for concatenation, and those that close rings, of least waste first.
 [[nodiscard]] const std::vector<WrittenPiece>& open_pieces();
 [[nodiscard]] const std::vector<WrittenPiece>& closing_pieces();
+
+/// Pieces that are designs, for rings of copies; `fresh` when they close.
+[[nodiscard]] const std::vector<WrittenPiece>& copied_pieces();
+
+/// A piece as a design.
+[[nodiscard]] Recipe written_recipe(const WrittenPiece& piece);
+
+/// A list with open ends that is written down.
+struct WrittenList {
+  std::uint64_t k = 0;
+  std::uint64_t v = 0;
+  std::uint64_t b = 0;
+  std::string_view blocks{};
+};
+
+[[nodiscard]] const std::vector<WrittenList>& open_lists();
 
 /// The fewest blocks that concatenation makes for p, linear, of the registry's designs that are
 /// no concatenations, with one piece or more. For a ring also a written piece itself, or such a

@@ -1,12 +1,18 @@
 // Linear single-change designs one after the other, and rings of them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+
 #include "bounds/counting_bound.hpp"
 #include "changeover/construct/best_known.hpp"
 #include "changeover/construct/closure.hpp"
 #include "construct/tools/concatenation/pieces.hpp"
 #include "construct/tools/short_blocks.hpp"
 #include "construction_checks.hpp"
+#include "core/sorted.hpp"
 #include "message_of.hpp"
 
 namespace changeover::concatenate_test {
@@ -227,8 +233,127 @@ TEST(Ring, RefusesADesignWhoseEndsMeet) {
   EXPECT_REFUSAL((void)read_all(*source), BadInput, "have too many elements in common for a ring");
 }
 
+// The waste is that of the list with open ends alone, since the copied design is tight.
+TEST(RingOfCopies, IsAsPromisedForBlocksOfFive) {
+  std::size_t built = 0;
+  for (std::uint64_t v = 14; v <= 120; ++v) {
+    const Parameters p = single(v, 5, Kind::circular);
+    const auto offer = offer_of("ring-of-copies", p);
+    const bool reached = std::ranges::any_of(open_lists(), [v](const WrittenList& list) {
+      return v >= list.v + 12 && (v - list.v - 12) % 16 == 0;
+    });
+    ASSERT_EQ(offer.has_value(), reached) << v;
+    if (offer) {
+      expect_as_promised(*offer);
+      EXPECT_EQ(offer->b, counting_bound(p)) << v;
+      ++built;
+    }
+    EXPECT_FALSE(offer_of("ring-of-copies", single(v, 5)));
+    EXPECT_FALSE(offer_of("ring-of-copies", single(v, 4, Kind::circular)));
+  }
+  EXPECT_GE(built, 6U);
+}
+
+// A linear design with its first block's k−1 smallest elements first and k−1 of its last block's
+// last; nullopt if its ends have elements in common.
+std::optional<std::vector<Block>> with_ends_in_place(const Design& design) {
+  const std::uint64_t n = design.k() - 1;
+  Block order = sorted(design.blocks().front());
+  order.resize(n);
+  const Block end = sorted(difference(sorted(design.blocks().back()), order));
+  if (end.size() < n) {
+    return std::nullopt;
+  }
+  const Block last(end.end() - static_cast<std::ptrdiff_t>(n), end.end());
+  for (Element x = 0; x < design.v(); ++x) {
+    if (std::ranges::find(order, x) == order.end() && std::ranges::find(last, x) == last.end()) {
+      order.push_back(x);
+    }
+  }
+  order.insert(order.end(), last.begin(), last.end());
+  Block name(design.v());
+  for (Element i = 0; i < design.v(); ++i) {
+    name[order[i]] = i;
+  }
+  std::vector<Block> blocks = design.blocks();
+  for (Block& block : blocks) {
+    std::ranges::transform(block, block.begin(), [&](Element x) { return name[x]; });
+    std::ranges::sort(block);
+  }
+  return blocks;
+}
+
+// Any list and any design that fit: that of the list need not be missing pairs.
+TEST(RingOfCopies, TakesAnyThatFit) {
+  std::size_t built = 0;
+  for (const auto& [k, w] : {std::pair<std::uint64_t, std::uint64_t>{3, 6}, {3, 8}, {3, 10}, {4, 12}, {4, 15}}) {
+    const auto second = standard().best(single(w, k));
+    ASSERT_TRUE(second);
+    const Design design = standard().build_design(second->recipe);
+    for (const ExpansionSet& set : find_expansion_sets(design, {.how_many = 200}).sets) {
+      const Block begin = sorted(design.blocks().front());
+      if (set.front().position != 0 || set.back().position != design.block_count() ||
+          !intersection(begin, set.back().elements).empty()) {
+        continue;
+      }
+      std::vector<Block> list{{}};
+      for (const UnchangedSubset& part : set) {
+        if (part.position > 0 && part.position < design.block_count()) {
+          list.front().push_back(static_cast<Element>(part.position));
+        }
+      }
+      for (std::uint64_t v = 2 * k; v <= 3 * k + 1; ++v) {
+        const auto blocks = with_ends_in_place(standard().build_design(standard().best(single(v, k))->recipe));
+        if (!blocks || list.front().empty() || blocks->front().back() + k > v ||
+            blocks->back().front() + 1 < k) {
+          continue;
+        }
+        for (std::uint64_t times = 1; times <= 5; ++times) {
+          Recipe recipe{"ring-of-copies",
+                        single(v + w - 2 * (k - 1) + (times - 1) * (w - k + 1), k, Kind::circular),
+                        {{"times", static_cast<std::int64_t>(times)}},
+                        {second->recipe},
+                        list};
+          recipe.blocks.insert(recipe.blocks.end(), blocks->begin(), blocks->end());
+          const Design made = standard().build_design(recipe);
+          EXPECT_TRUE(verify(made).valid()) << name(made.parameters());
+          EXPECT_EQ(made.block_count(), blocks_in(recipe));
+          if (made.v() <= 20) {
+            EXPECT_TRUE(naive_verdict(made).valid);
+          }
+          ++built;
+        }
+      }
+    }
+  }
+  EXPECT_GE(built, 30U);
+}
+
+TEST(RingOfCopies, RefusesSpoiltRecipes) {
+  const auto offer = offer_of("ring-of-copies", single(51, 5, Kind::circular));
+  ASSERT_TRUE(offer);
+  expect_spoilt_recipes_refused(offer->recipe);
+  const auto spoil = [&](const std::string& how, const auto& change) {
+    Recipe recipe = offer->recipe;
+    change(recipe);
+    expect_refused(recipe, how);
+  };
+  spoil("no list", [](Recipe& r) { r.blocks.resize(1); });
+  spoil("no times", [](Recipe& r) { r.arguments.clear(); });
+  spoil("other times", [](Recipe& r) { r.arguments["times"] += 1; });
+  spoil("times 0", [](Recipe& r) { r.arguments["times"] = 0; });
+  spoil("a position less", [](Recipe& r) { r.blocks[0].pop_back(); });
+  spoil("another position", [](Recipe& r) { r.blocks[0][0] = 1; });
+  spoil("a short first block", [](Recipe& r) { r.blocks[1].pop_back(); });
+  spoil("a short block", [](Recipe& r) { r.blocks[5].pop_back(); });
+  spoil("another first block", [](Recipe& r) { std::swap(r.blocks[1], r.blocks[5]); });
+  spoil("ends that meet", [](Recipe& r) { r.blocks.back() = {0, 19, 20, 21, 22}; });
+  spoil("another last block", [](Recipe& r) { std::swap(r.blocks.back(), r.blocks[5]); });
+  spoil("a large element", [](Recipe& r) { r.blocks[5][0] = ~Element{0}; });
+}
+
 TEST(Pieces, AreWhatTheySay) {
-  for (const auto* pieces : {&open_pieces(), &closing_pieces()}) {
+  for (const auto* pieces : {&open_pieces(), &closing_pieces(), &copied_pieces()}) {
     for (const WrittenPiece& written : *pieces) {
       const bool open = pieces == &open_pieces();
       const Piece piece = open ? open_piece(short_blocks(written.blocks), written.positions)
@@ -237,6 +362,33 @@ TEST(Pieces, AreWhatTheySay) {
       EXPECT_EQ(piece.fresh.size(), written.fresh);
       EXPECT_EQ(piece.fresh.size() + piece.anchors(), written.w);
       EXPECT_EQ(piece.parts.size() * (written.k - 1), written.fresh);
+    }
+  }
+}
+
+// By definition: all pairs but those of the ends with each other, and one change at each step.
+TEST(OpenLists, AreWhatTheySay) {
+  for (const WrittenList& list : open_lists()) {
+    const std::vector<Block> blocks = short_blocks(list.blocks);
+    EXPECT_EQ(blocks.size(), list.b);
+    std::set<std::pair<Element, Element>> together;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      const Block block = sorted(blocks[i]);
+      ASSERT_EQ(block.size(), list.k);
+      if (i > 0) {
+        EXPECT_EQ(difference(block, sorted(blocks[i - 1])).size(), 1U);
+      }
+      for (const Element x : block) {
+        for (const Element y : block) {
+          together.emplace(x, y);
+        }
+      }
+    }
+    for (Element x = 0; x < list.v; ++x) {
+      for (Element y = x; y < list.v; ++y) {
+        const bool of_ends = x + 1 < list.k && y + list.k > list.v;
+        EXPECT_TRUE(together.contains({x, y}) || of_ends) << x << ' ' << y;
+      }
     }
   }
 }
