@@ -1180,6 +1180,8 @@ export interface Ordered {
   worker_pairs?: number[];
   /** of the room or of the memory, for what is loading */
   spare?: number;
+  /** whether something that is tried without a search was left out */
+  time_is_up?: boolean;
 }
 export interface Kept {
   label: string;

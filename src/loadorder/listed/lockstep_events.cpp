@@ -168,8 +168,9 @@ class EmptySteps final : public StepSource {
   explicit EmptySteps(std::uint64_t steps) : steps_(steps) {}
 
   bool next(Step& step) override {
-    step.evict.clear();
-    step.load.clear();
+    for (auto* const list : {&step.evict, &step.load, &step.fast_evict, &step.fast_load}) {
+      list->clear();
+    }
     step.number = number_ + 1;
     return number_++ < steps_;
   }

@@ -165,6 +165,9 @@ std::unique_ptr<StepSource> StepLists::of(std::uint64_t worker) const {
       begin_ = lists_->read(at_, begin_, step.evict, step.load);
       if (lists_->fast) {
         fast_begin_ = lists_->fast->read(at_, fast_begin_, step.fast_evict, step.fast_load);
+      } else {
+        step.fast_evict.clear();
+        step.fast_load.clear();
       }
       while (epoch_ <= lists_->epochs.size() && lists_->epochs[epoch_ - 1] == at_) {
         ++epoch_;

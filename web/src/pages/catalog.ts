@@ -199,6 +199,7 @@ export const catalog: Page = {
         fill(said);
         const other = atlas !== next;
         atlas = next;
+        anyCell.disabled = false;
         if (other) {
           sift.offer(atlas.constructions);
           document.title = `${wanted.kind} ${changeWord(wanted.change)} designs · Changeover`;
@@ -311,6 +312,13 @@ export const catalog: Page = {
       }
     }
 
+    // Until there are cells there is none to open.
+    const anyCell = h(
+      'button',
+      { type: 'button', class: 'plain small', disabled: true, onclick: random },
+      'Random cell',
+    );
+
     // On a phone the map comes first, and how it is shown on demand.
     const more = h(
       'button',
@@ -392,7 +400,7 @@ export const catalog: Page = {
         { class: 'row sums-row' },
         sums,
         take,
-        h('button', { type: 'button', class: 'plain small', onclick: random }, 'Random cell'),
+        anyCell,
       ),
       list.element,
       complete,
