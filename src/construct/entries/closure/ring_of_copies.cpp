@@ -110,13 +110,21 @@ class RingOfCopies final : public Described<Entry, description> {
   std::string explain(const Recipe& recipe) const override {
     const Parameters& copied = recipe.inputs.at(0).parameters;
     const std::int64_t times = recipe.arguments.at("times");
+    const std::string how_often = times == 1 ? "" : fmt::format(" {} times", times);
+    const std::string ends =
+        times == 1 ? ""
+                   : fmt::format("Between the list and the first copy these {} come beside the "
+                                 "list's end. At the end of each copy but the last, and beside",
+                                 copied.k - 1);
     return fmt::format(
-        "After a list of {} put the {}{}: {} at the end of what is there are the new one's too; the "
-        "last one ends with {} of the first block. Beside {} unchanged subsets and at the end of "
-        "each but the last, every old element is inserted.",
-        count_of(recipe.blocks.size() - 1, "block"), changeover::name(copied),
-        times == 1 ? "" : fmt::format(" {} times", times), count_of(copied.k - 1, "element"),
-        copied.k - 1, recipe.blocks.front().size());
+        "After a list of {} put the {}{}: {} at the end of what is there are the new one's too; "
+        "the last one ends with {} of the first block. {} {} unchanged subsets{}, the old elements "
+        "that are not in the copy are inserted{}.",
+        count_of(recipe.blocks.size() - 1, "block"), changeover::name(copied), how_often,
+        count_of(copied.k - 1, "element"), copied.k - 1, times == 1 ? "Beside" : ends,
+        recipe.blocks.front().size(), times == 1 ? "" : " of each",
+        times == 1 ? ""
+                   : fmt::format(", but the {} at the end of the last copy but one", copied.k - 1));
   }
 
  private:

@@ -24,7 +24,6 @@ class DearWalk {
   static constexpr std::size_t most_pairs = 128;
   static constexpr std::size_t most_groups = 8;
 
-  /// Of the parts with these numbers in JobNumbers::parts; at_start by the same numbers.
   DearWalk() = default;
   /// Of the parts with these numbers in JobNumbers::parts; at_start is by these numbers.
   DearWalk(const Job& job, const JobNumbers& n, const StepGroups& groups,

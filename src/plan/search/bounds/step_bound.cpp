@@ -74,11 +74,15 @@ void raise_by_steps(const Job& job, const std::string& least_known, CostBound& b
     return static_cast<std::uint64_t>(std::ceil(number - 0.01));
   };
   const bool model = job.model != nullptr;
-  const std::string dear =
-      least.dear ? fmt::format(", the {} dearest {} at least {} in all, whatever the others do",
-                               least.dear->parts, model ? "values are set" : "parts are put in",
-                               count_of(least.dear->times, "time"))
-                 : "";
+  std::string dear;
+  if (least.dear) {
+    const bool all = least.dear->parts == job.names.size();
+    dear = fmt::format(", {}{} at least {} in all{}",
+                       all ? "" : fmt::format("the {} dearest ", least.dear->parts),
+                       model ? "values are set" : "parts are put in",
+                       count_of(least.dear->times, "time"),
+                       all ? "" : ", whatever the others do");
+  }
   bound.reason = fmt::format(
       "{}{}, and {} is tested only with what {} then: about {} with {} cost least (docs/plan.md, The "
       "lower bound)",
