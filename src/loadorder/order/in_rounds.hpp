@@ -1,4 +1,4 @@
-// Internal: searches whose result gets no worse with more time, and is never worse than without any.
+// Internal: searches whose result gets no worse with more time, nor is worse than without any.
 //
 // The fixed work, which is done without a search, comes first, and the limit of the search does not
 // cut it short: its time begins afterwards. What follows goes the same way whenever it ends.

@@ -89,7 +89,7 @@ class LevelWays {
         best_ = {
             {},
             cost,
-            "groups, " + order.facts().method,
+            order.facts().method.empty() ? "groups" : "groups, " + order.facts().method,
             fmt::format("Items are in {} of at most {} bytes, of which {} fit into memory and {} "
                         "on the accelerator: {}",
                         count_of(groups.size(), "group"), size, room, fast_room,

@@ -27,7 +27,7 @@ constexpr Description description{
     .name = "ring-of-copies",
     .summary = "copies of a linear single-change design that close a list with open ends",
     .preconditions = "circular, m = 1; a design split into unchanged subsets and k-1 at each end",
-    .guarantee = "the blocks over the counting bound, before rounding, are those of list and copies",
+    .guarantee = "the blocks over the counting bound, before rounding, are those of all parts",
     .place = "docs/theorems.md, Theorem 13",
 };
 
@@ -113,9 +113,10 @@ class RingOfCopies final : public Described<Entry, description> {
     const std::string how_often = times == 1 ? "" : fmt::format(" {} times", times);
     const std::string ends =
         times == 1 ? ""
-                   : fmt::format("Between the list and the first copy these {} come beside the "
-                                 "list's end. At the end of each copy but the last, and beside",
-                                 copied.k - 1);
+                   : fmt::format(
+                         "Between the list and the first copy these {} come beside the "
+                         "list's end. At the end of each copy but the last, and beside",
+                         copied.k - 1);
     return fmt::format(
         "After a list of {} put the {}{}: {} at the end of what is there are the new one's too; "
         "the last one ends with {} of the first block. {} {} unchanged subsets{}, the old elements "
@@ -148,8 +149,7 @@ class RingOfCopies final : public Described<Entry, description> {
       read.times = static_cast<std::uint64_t>(given->second);
       read.closes = recipe.blocks.front().size() * (p.k - 1);
       const std::uint64_t step = read.closes + p.k - 1;
-      const std::uint64_t added =
-          checked_add(checked_multiply(read.times - 1, step), read.closes);
+      const std::uint64_t added = checked_add(checked_multiply(read.times - 1, step), read.closes);
       if (p.v > added && copied == p.as(Kind::linear).on(read.closes + 2 * p.k - 2)) {
         read.list_v = p.v - added;
         read.list.assign(recipe.blocks.begin() + 1, recipe.blocks.end());

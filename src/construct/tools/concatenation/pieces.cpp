@@ -248,8 +248,7 @@ std::optional<Offer> best_base(const Parameters& p, const Registry& registry) {
     }
     for (const Construction* construction : registry.constructions()) {
       const std::string_view name = construction->name();
-      if (name == "concatenate" || name == "ring" || name == "ring-of-copies" ||
-          name == "cut") {
+      if (name == "concatenate" || name == "ring" || name == "ring-of-copies" || name == "cut") {
         continue;
       }
       std::optional<Offer> offer = construction->offer(asked, registry);

@@ -14,9 +14,9 @@
 
 namespace changeover {
 
-/// What the same steps of one worker move, with other evictions and loads. `spare` is the room that a cache
-/// leaves free for what is loading, at most room − the room of the accelerator; 0: what the steps
-/// keep for each other stays. Room is counted in bytes if there are sizes. @throws
+/// What the same steps of one worker move, with other evictions and loads. `spare` is the room that
+/// a cache leaves free for what is loading, at most room − the room of the accelerator; 0: what the
+/// steps keep for each other stays. Room is counted in bytes if there are sizes. @throws
 /// ImpossibleParameters if there are too many moves to be kept
 [[nodiscard]] std::vector<Move> loads_ahead(StepSource& steps, std::uint64_t items,
                                             std::uint64_t room, std::uint64_t spare,

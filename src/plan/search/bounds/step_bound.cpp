@@ -80,8 +80,7 @@ void raise_by_steps(const Job& job, const std::string& least_known, CostBound& b
     dear = fmt::format(", {}{} at least {} in all{}",
                        all ? "" : fmt::format("the {} dearest ", least.dear->parts),
                        model ? "values are set" : "parts are put in",
-                       count_of(least.dear->times, "time"),
-                       all ? "" : ", whatever the others do");
+                       count_of(least.dear->times, "time"), all ? "" : ", whatever the others do");
   }
   bound.reason = fmt::format(
       "{}{}, and {} is tested only with what {} then: about {} with {} cost least (docs/plan.md, The "

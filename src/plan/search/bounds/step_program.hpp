@@ -1,6 +1,6 @@
-// The linear program of Theorems 18 and 28 (docs/theorems.md): how often each part comes, how many tests
-// there are, and how often a step is of each kind. With costs by what is replaced, it also says how
-// often each part takes the place of which.
+// The linear program of Theorems 18 and 28 (docs/theorems.md): how often each part comes, how many
+// tests there are, and how often a step is of each kind. With costs by what is replaced, it also
+// says how often each part takes the place of which.
 #pragma once
 
 #include <cstddef>

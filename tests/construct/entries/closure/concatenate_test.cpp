@@ -286,7 +286,8 @@ std::optional<std::vector<Block>> with_ends_in_place(const Design& design) {
 // Any list and any design that fit: that of the list need not be missing pairs.
 TEST(RingOfCopies, TakesAnyThatFit) {
   std::size_t built = 0;
-  for (const auto& [k, w] : {std::pair<std::uint64_t, std::uint64_t>{3, 6}, {3, 8}, {3, 10}, {4, 12}, {4, 15}}) {
+  for (const auto& [k, w] :
+       {std::pair<std::uint64_t, std::uint64_t>{3, 6}, {3, 8}, {3, 10}, {4, 12}, {4, 15}}) {
     const auto second = standard().best(single(w, k));
     ASSERT_TRUE(second);
     const Design design = standard().build_design(second->recipe);
@@ -303,7 +304,8 @@ TEST(RingOfCopies, TakesAnyThatFit) {
         }
       }
       for (std::uint64_t v = 2 * k; v <= 3 * k + 1; ++v) {
-        const auto blocks = with_ends_in_place(standard().build_design(standard().best(single(v, k))->recipe));
+        const auto blocks =
+            with_ends_in_place(standard().build_design(standard().best(single(v, k))->recipe));
         if (!blocks || list.front().empty() || blocks->front().back() + k > v ||
             blocks->back().front() + 1 < k) {
           continue;
