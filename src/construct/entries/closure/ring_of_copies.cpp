@@ -65,14 +65,14 @@ class RingOfCopies final : public Described<Entry, description> {
         continue;
       }
       const std::uint64_t step = written.fresh + p.k - 1;
-      for (const WrittenList& list : open_lists()) {
-        if (list.k != p.k || p.v < list.v + written.fresh ||
-            (p.v - list.v - written.fresh) % step != 0) {
+      for (const WrittenPiece& list : open_lists()) {
+        if (list.k != p.k || p.v < list.w + written.fresh ||
+            (p.v - list.w - written.fresh) % step != 0) {
           continue;
         }
-        const std::uint64_t times = 1 + (p.v - list.v - written.fresh) / step;
+        const std::uint64_t times = 1 + (p.v - list.w - written.fresh) / step;
         const Piece copy = closing_piece(short_blocks(written.blocks), written.positions);
-        const std::uint64_t b = blocks_of_ring(p.as(Kind::linear).on(list.v), list.b, copy, times);
+        const std::uint64_t b = blocks_of_ring(p.as(Kind::linear).on(list.w), list.b, copy, times);
         if (!best || b < best->b) {
           std::vector<Block> blocks = short_blocks(list.blocks);
           blocks.insert(blocks.begin(), written.positions);
@@ -95,9 +95,6 @@ class RingOfCopies final : public Described<Entry, description> {
                                      const Registry& registry) const override {
     Read read = read_recipe(recipe, registry);
     const Parameters list = recipe.parameters.as(Kind::linear).on(read.list_v);
-    if (read.times > 1) {
-      pair_ends(read.list, list);
-    }
     std::unique_ptr<BlockSource> chain =
         std::make_unique<BlockListSource>(list, std::move(read.list));
     if (read.times > 1) {
@@ -154,6 +151,9 @@ class RingOfCopies final : public Described<Entry, description> {
         read.list_v = p.v - added;
         read.list.assign(recipe.blocks.begin() + 1, recipe.blocks.end());
         require_open_ends(read.list, read.list_v, p.k);
+        if (read.times > 1) {
+          pair_ends(read.list, p.on(read.list_v));
+        }
         const std::unique_ptr<BlockSource> design = registry.build(recipe.inputs.front());
         read.copy = closing_piece(read_within_memory(*design).blocks(), recipe.blocks.front());
         return read;

@@ -86,15 +86,8 @@ struct WrittenPiece {
 /// A piece as a design.
 [[nodiscard]] Recipe written_recipe(const WrittenPiece& piece);
 
-/// A list with open ends that is written down.
-struct WrittenList {
-  std::uint64_t k = 0;
-  std::uint64_t v = 0;
-  std::uint64_t b = 0;
-  std::string_view blocks{};
-};
-
-[[nodiscard]] const std::vector<WrittenList>& open_lists();
+/// Lists with open ends that are written down; `fresh` and `positions` are not used.
+[[nodiscard]] const std::vector<WrittenPiece>& open_lists();
 
 /// The fewest blocks that concatenation makes for p, linear, of the registry's designs that are
 /// no concatenations, with one piece or more. For a ring also a written piece itself, or such a

@@ -31,8 +31,9 @@ std::span<const std::string_view> squares(std::uint64_t g) {
 }
 
 /// Classes that a cyclic group of order N turns into all of them: three points at a time are a
-/// triple. Points are 0-9, a-z, A-Z: orbits of N points, then one group that is not moved. The other
-/// groups reach into `orbits` orbits each, in which they are cosets of a subgroup of order g/orbits.
+/// triple. Points are 0-9, a-z, A-Z: orbits of N points, then one group that is not moved. The
+/// other groups reach into `orbits` orbits each, in which they are cosets of a subgroup of order
+/// g/orbits.
 struct Written {
   std::uint64_t q;
   std::uint64_t g;

@@ -71,13 +71,13 @@ const std::vector<WrittenPiece>& copied_pieces() {
   return pieces;
 }
 
-const std::vector<WrittenList>& open_lists() {
-  static const std::vector<WrittenList> lists{
-      {5, 20, 42,
+const std::vector<WrittenPiece>& open_lists() {
+  static const std::vector<WrittenPiece> lists{
+      {5, 20, 0, 42,
        "0123e 0123a 01239 0139f 0169f 0149f 014bf 14bcf 45bcf 24bcf 47bcf 347bc 47bch 467bc 67abc "
        "67bci 67bce 67bcg 67bcj 78bcj 789bc 78bcd 078cd 0578d 1578d 2578d 2568d 3568d 568dh 58adh "
        "8adeh 8adef 48ade 48aei 48aeg 4aegj 9aegj 59egj 59gij 9dgij 9ghij fghij"},
-      {5, 23, 58,
+      {5, 23, 0, 58,
        "0123h 0123d 1237d 137di 137ei 37cei 07cei 0cegi 2cegi ceghi ceghl cdehl 8cdeh cdehj cdehm "
        "5cdeh cdehk 6cehk 9cehk 9bceh 4bceh 4befh abefh 7abfh 67abf 78abf 8abfk 58abf 38abf 8abfl "
        "08abf 8abfi 28abf 8abfm 8abfj 18abf 1abcf 1abfg abdfg 9adfg 49adg 469dg 4689g 3469g 34569 "

@@ -83,8 +83,8 @@ void raise_by_steps(const Job& job, const std::string& least_known, CostBound& b
                        count_of(least.dear->times, "time"), all ? "" : ", whatever the others do");
   }
   bound.reason = fmt::format(
-      "{}{}, and {} is tested only with what {} then: about {} with {} cost least (docs/plan.md, The "
-      "lower bound)",
+      "{}{}, and {} is tested only with what {} then: about {} with {} cost least (docs/plan.md, "
+      "The lower bound)",
       least_known, dear, model ? "a value that is set" : "what is put in",
       model ? "the other parameters have" : "is mounted", count_of(up(least.tests), "test"),
       count_of(up(least.introductions) + n.mounted_introductions, "change"));

@@ -239,8 +239,8 @@ TEST(RingOfCopies, IsAsPromisedForBlocksOfFive) {
   for (std::uint64_t v = 14; v <= 120; ++v) {
     const Parameters p = single(v, 5, Kind::circular);
     const auto offer = offer_of("ring-of-copies", p);
-    const bool reached = std::ranges::any_of(open_lists(), [v](const WrittenList& list) {
-      return v >= list.v + 12 && (v - list.v - 12) % 16 == 0;
+    const bool reached = std::ranges::any_of(open_lists(), [v](const WrittenPiece& list) {
+      return v >= list.w + 12 && (v - list.w - 12) % 16 == 0;
     });
     ASSERT_EQ(offer.has_value(), reached) << v;
     if (offer) {
@@ -370,7 +370,7 @@ TEST(Pieces, AreWhatTheySay) {
 
 // By definition: all pairs but those of the ends with each other, and one change at each step.
 TEST(OpenLists, AreWhatTheySay) {
-  for (const WrittenList& list : open_lists()) {
+  for (const WrittenPiece& list : open_lists()) {
     const std::vector<Block> blocks = short_blocks(list.blocks);
     EXPECT_EQ(blocks.size(), list.b);
     std::set<std::pair<Element, Element>> together;
@@ -386,9 +386,9 @@ TEST(OpenLists, AreWhatTheySay) {
         }
       }
     }
-    for (Element x = 0; x < list.v; ++x) {
-      for (Element y = x; y < list.v; ++y) {
-        const bool of_ends = x + 1 < list.k && y + list.k > list.v;
+    for (Element x = 0; x < list.w; ++x) {
+      for (Element y = x; y < list.w; ++y) {
+        const bool of_ends = x + 1 < list.k && y + list.k > list.w;
         EXPECT_TRUE(together.contains({x, y}) || of_ends) << x << ' ' << y;
       }
     }
