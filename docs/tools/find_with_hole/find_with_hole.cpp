@@ -1,17 +1,21 @@
-// Linear single-change designs in two lists of blocks, the second with a hole (docs/theorems.md,
+// Single-change lists of blocks found in two parts, the second with a hole (docs/theorems.md,
 // Theorem 13); docs/tools/find_with_hole.sh compiles and runs it.
 //
-//     find_with_hole K W NEW PARTS LACKING [SEED] [SECONDS] > DESIGN
+//     find_with_hole [open] K W NEW PARTS LACKING [SEED] [SECONDS] > DESIGN
 //
-// V is a list on W elements, without LACKING pairs of a *hole*: the elements beside PARTS disjoint
-// unchanged subsets of K−1. P begins where V ends, and has the hole and NEW elements. V is looked
-// for backwards, so that both begin with the same K−1 elements of the hole.
+// V is a list on W elements, in which PARTS disjoint unchanged subsets of K−1 elements hold all but
+// the *hole*. P has the hole and NEW elements; K−1 elements U of the hole are in its first block and
+// in V's last. P is looked for first: it meets LACKING pairs of the hole, which ones is its choice.
+// V then covers all pairs of its elements but these. Both make a linear design or, with `open`, a
+// list with open ends: U_1, K−1 more elements of the hole, are in V's first block, U_2, K−1 new
+// ones, in P's last, and no pair of the one with the other is asked for.
 //
 // Each list is annealed: a move exchanges two elements in a stretch of blocks in which one of them
-// is and the other is not, half of the moves are aimed at a pair that is uncovered. An element has
-// one bit for each block, so a list has at most 64. What comes out is verified here and again by
-// the program that reads it. Results depend on the numbers and the seed, and on SECONDS only in
-// when it gives up.
+// is and the other is not, half of the moves are aimed at a pair that is uncovered. The unchanged
+// subsets of V are at places drawn for each try, and no move touches them. An element has one bit
+// for each block, so a list has at most 64. What comes out is verified here and again by the program
+// that reads it. Results depend on the numbers and the seed, and on SECONDS only in when it gives
+// up.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -23,6 +27,7 @@
 #include <optional>
 #include <random>
 #include <set>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <tuple>
@@ -38,32 +43,57 @@ using Pair = std::pair<int, int>;
 using Random = std::mt19937_64;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint64_t moves_of_v = 60'000'000;
+constexpr std::uint64_t moves_of_v = 8'000'000;
 constexpr std::uint64_t moves_of_p = 100'000'000;
-constexpr int tries = 3;      // of each list, before other pairs are taken
-constexpr double hot = 0.28;  // in uncovered pairs
-constexpr double cold = 0.20;
+constexpr int tries_of_v = 40;  // before another P is taken
+constexpr double hot_v = 0.32;  // in uncovered pairs
+constexpr double cold_v = 0.20;
+constexpr double hot_p = 0.25;
+constexpr double cold_p = 0.18;
 constexpr std::uint64_t levels = 400;
 constexpr int most_blocks = 64;
+constexpr int gap = 5;  // blocks between two unchanged subsets, at least
 
 int below(Random& random, std::size_t n) { return static_cast<int>((random() >> 32) * n >> 32); }
 
-/// Blocks of k elements in which one changes at each step, the first one fixed, and the pairs that
-/// are wanted.
+bool has(const Set& set, int x) { return std::ranges::find(set, x) != set.end(); }
+
+/// What a list is asked for.
+struct Wish {
+  int k;
+  int elements;
+  int blocks;
+  Set first = {};  ///< in the first block
+  Set last = {};   ///< in the last one
+  int parts = 0;   ///< unchanged subsets of k−1, of the elements from `of_parts` on
+  int of_parts = 0;
+  std::set<Pair> unwanted = {};  ///< pairs that need not meet; smaller element first
+  std::set<Pair> welcome = {};   ///< such of them of which `enough` are to meet
+  int enough = 0;
+};
+
+/// Blocks of k elements in which one changes at each step.
 class List {
  public:
-  List(int elements, Set first, int blocks, const std::set<Pair>& unwanted)
-      : elements_(elements), blocks_(static_cast<std::size_t>(blocks), first) {
-    for (int x = 0; x < elements; ++x) {
-      for (int y = x + 1; y < elements; ++y) {
-        wanted_[x][y] = wanted_[y][x] = unwanted.contains({x, y}) ? 0 : ~std::uint64_t{0};
+  explicit List(const Wish& wish) : wish_(wish) {
+    for (int x = 0; x < wish.elements; ++x) {
+      for (int y = 0; y < x; ++y) {
+        const std::uint64_t wanted = wish.unwanted.contains({y, x}) ? 0 : ~std::uint64_t{0};
+        const std::uint64_t welcome = wish.welcome.contains({y, x}) ? ~std::uint64_t{0} : 0;
+        wanted_[x][y] = wanted_[y][x] = wanted;
+        welcome_[x][y] = welcome_[y][x] = welcome;
       }
     }
   }
 
-  /// The blocks if nothing is uncovered at the end.
-  std::optional<Blocks> annealed(std::uint64_t moves, Random& random, Clock::time_point end) {
-    start(random);
+  /// The blocks if all that is asked for is there at the end.
+  std::optional<Blocks> annealed(std::uint64_t moves, double hot, double cold, Random& random,
+                                 Clock::time_point end) {
+    while (!start(random)) {
+      if (Clock::now() >= end) {
+        return std::nullopt;
+      }
+    }
     double temperature = hot;
     for (std::uint64_t level = 0; level < levels && Clock::now() < end; ++level) {
       std::array<std::uint64_t, 16> accepted{};
@@ -72,7 +102,7 @@ class List {
                                                  4294967295.0);
       }
       for (std::uint64_t i = 0; i < moves / levels; ++i) {
-        if (uncovered_.empty()) {
+        if (uncovered_.empty() && met_ >= wish_.enough) {
           return blocks_;
         }
         move(random, accepted);
@@ -83,35 +113,113 @@ class List {
   }
 
  private:
-  void start(Random& random) {
+  /// Random blocks with what is locked; false if these places do not fit.
+  bool start(Random& random) {
+    std::vector<Set> locked(static_cast<std::size_t>(wish_.blocks));
+    locked.front() = wish_.first;
+    locked.back().insert(locked.back().end(), wish_.last.begin(), wish_.last.end());
+    if (!place_parts(locked, random)) {
+      return false;
+    }
     rows_.fill(0);
-    int last = -1;
-    for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      if (b > 0) {
-        Set& block = blocks_[b] = blocks_[b - 1];
-        int in = 0;
-        do {
-          in = below(random, static_cast<std::size_t>(elements_));
-        } while (std::ranges::find(block, in) != block.end());
-        int place = 0;
-        do {
-          place = below(random, block.size());
-        } while (place == last);
-        block[static_cast<std::size_t>(place)] = in;
-        last = place;
+    locks_.fill(0);
+    blocks_.assign(1, locked.front());
+    while (blocks_.front().size() < static_cast<std::size_t>(wish_.k)) {
+      const int x = below(random, static_cast<std::size_t>(wish_.elements));
+      if (!has(blocks_.front(), x)) {
+        blocks_.front().push_back(x);
       }
+    }
+    for (std::size_t b = 1; b < locked.size(); ++b) {
+      if (!step(locked, random)) {
+        return false;
+      }
+    }
+    for (std::size_t b = 0; b < locked.size(); ++b) {
       for (const int x : blocks_[b]) {
-        rows_[x] |= std::uint64_t{1} << b;
+        rows_[static_cast<std::size_t>(x)] |= std::uint64_t{1} << b;
+      }
+      for (const int x : locked[b]) {
+        locks_[static_cast<std::size_t>(x)] |= std::uint64_t{1} << b;
       }
     }
     find_uncovered();
+    return true;
+  }
+
+  bool place_parts(std::vector<Set>& locked, Random& random) {
+    const auto n = static_cast<std::size_t>(wish_.k - 1);
+    Set of_parts;
+    for (int x = wish_.of_parts; x < wish_.elements && wish_.parts > 0; ++x) {
+      of_parts.push_back(x);
+    }
+    std::shuffle(of_parts.begin(), of_parts.end(), random);
+    const int room = wish_.blocks - gap * (wish_.parts + 1);
+    if (wish_.parts > 0 && room < 1) {
+      return false;
+    }
+    Set places;
+    for (int i = 0; i < wish_.parts; ++i) {
+      places.push_back(below(random, static_cast<std::size_t>(room)));
+    }
+    std::ranges::sort(places);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto b = static_cast<std::size_t>(places[i]) + static_cast<std::size_t>(gap) * (i + 1);
+      const auto part = std::span(of_parts).subspan(i * n, n);
+      locked[b - 1].assign(part.begin(), part.end());
+      locked[b].assign(part.begin(), part.end());
+    }
+    return true;
+  }
+
+  /// One block more, on the way to the next one that has locked elements.
+  bool step(const std::vector<Set>& locked, Random& random) {
+    const std::size_t b = blocks_.size();
+    std::size_t goal = b;
+    while (goal + 1 < locked.size() && locked[goal].empty()) {
+      ++goal;
+    }
+    Set block = blocks_.back();
+    Set lacking;
+    for (const int x : locked[goal]) {
+      if (!has(block, x)) {
+        lacking.push_back(x);
+      }
+    }
+    const std::size_t left = goal - b + 1;
+    if (lacking.size() > left) {
+      return false;
+    }
+    int in = 0;
+    if (lacking.size() == left) {
+      in = lacking[static_cast<std::size_t>(below(random, lacking.size()))];
+    } else {
+      do {
+        in = below(random, static_cast<std::size_t>(wish_.elements));
+      } while (has(block, in));
+    }
+    Set out;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      if (!has(locked[goal], block[i])) {
+        out.push_back(static_cast<int>(i));
+      }
+    }
+    if (out.empty()) {
+      return false;
+    }
+    block[static_cast<std::size_t>(out[static_cast<std::size_t>(below(random, out.size()))])] = in;
+    blocks_.push_back(block);
+    return b < goal || std::ranges::all_of(locked[b], [&](int x) { return has(block, x); });
   }
 
   void find_uncovered() {
     uncovered_.clear();
-    for (int x = 0; x < elements_; ++x) {
-      for (int y = x + 1; y < elements_; ++y) {
-        if (wanted_[x][y] != 0 && (rows_[x] & rows_[y]) == 0) {
+    met_ = 0;
+    for (int x = 0; x < wish_.elements; ++x) {
+      for (int y = x + 1; y < wish_.elements; ++y) {
+        const bool together = (rows_[x] & rows_[y]) != 0;
+        met_ += together && welcome_[x][y] != 0 ? 1 : 0;
+        if (wanted_[x][y] != 0 && !together) {
           uncovered_.emplace_back(x, y);
         }
       }
@@ -122,9 +230,9 @@ class List {
     int b = 0;
     int y = 0;
     int kept = -1;
-    if (random() % 2 == 0) {
-      b = 1 + below(random, blocks_.size() - 1);
-      y = below(random, static_cast<std::size_t>(elements_));
+    if (random() % 2 == 0 || uncovered_.empty()) {
+      b = below(random, blocks_.size());
+      y = below(random, static_cast<std::size_t>(wish_.elements));
     } else {
       std::tie(kept, y) = uncovered_[static_cast<std::size_t>(below(random, uncovered_.size()))];
       if (random() % 2 == 0) {
@@ -150,30 +258,46 @@ class List {
   void exchange(int x, int y, int b, Random& random,
                 const std::array<std::uint64_t, 16>& accepted) {
     const std::uint64_t one_of_them = rows_[x] ^ rows_[y];
-    const int first = b - std::countl_one(one_of_them << (most_blocks - 1 - b)) + 1;
+    const int first = std::max(0, b - std::countl_one(one_of_them << (most_blocks - 1 - b)) + 1);
     const int end =
         std::min(b + std::countr_one(one_of_them >> b), static_cast<int>(blocks_.size()));
-    if (first <= 0) {  // The first block is fixed.
-      return;
-    }
     const std::uint64_t run =
         (end == most_blocks ? ~std::uint64_t{0} : (std::uint64_t{1} << end) - 1) &
         ~((std::uint64_t{1} << first) - 1);
+    if ((((rows_[x] & locks_[x]) | (rows_[y] & locks_[y])) & run) != 0) {
+      return;
+    }
     const std::uint64_t old_x = std::exchange(rows_[x], 0);
     const std::uint64_t old_y = std::exchange(rows_[y], 0);
-    int change = 0;
-    for (int z = 0; z < elements_; ++z) {
+    const std::uint64_t new_x = old_x ^ run;
+    const std::uint64_t new_y = old_y ^ run;
+    std::int64_t lost = 0;
+    std::int64_t more = 0;
+    for (std::size_t z = 0; z < rows_.size(); ++z) {
       const std::uint64_t of_x = rows_[z] & wanted_[x][z];
       const std::uint64_t of_y = rows_[z] & wanted_[y][z];
-      change +=
-          static_cast<int>((of_x & old_x) != 0) - static_cast<int>((of_x & (old_x ^ run)) != 0);
-      change +=
-          static_cast<int>((of_y & old_y) != 0) - static_cast<int>((of_y & (old_y ^ run)) != 0);
+      lost += static_cast<std::int64_t>((of_x & old_x) != 0) -
+              static_cast<std::int64_t>((of_x & new_x) != 0);
+      lost += static_cast<std::int64_t>((of_y & old_y) != 0) -
+              static_cast<std::int64_t>((of_y & new_y) != 0);
     }
+    if (wish_.enough > 0) {
+      for (std::size_t z = 0; z < rows_.size(); ++z) {
+        const std::uint64_t of_x = rows_[z] & welcome_[x][z];
+        const std::uint64_t of_y = rows_[z] & welcome_[y][z];
+        more += static_cast<std::int64_t>((of_x & new_x) != 0) -
+                static_cast<std::int64_t>((of_x & old_x) != 0);
+        more += static_cast<std::int64_t>((of_y & new_y) != 0) -
+                static_cast<std::int64_t>((of_y & old_y) != 0);
+      }
+    }
+    const int after = met_ + static_cast<int>(more);
+    const int change = static_cast<int>(lost) + std::max(0, wish_.enough - after) -
+                       std::max(0, wish_.enough - met_);
     const bool made = change <= 0 || (change < static_cast<int>(accepted.size()) &&
                                       random() >> 32 < accepted[static_cast<std::size_t>(change)]);
-    rows_[x] = made ? old_x ^ run : old_x;
-    rows_[y] = made ? old_y ^ run : old_y;
+    rows_[x] = made ? new_x : old_x;
+    rows_[y] = made ? new_y : old_y;
     if (!made) {
       return;
     }
@@ -184,11 +308,14 @@ class List {
     find_uncovered();
   }
 
-  int elements_;
+  Wish wish_;
   Blocks blocks_;
   std::array<std::array<std::uint64_t, 64>, 64> wanted_{};
+  std::array<std::array<std::uint64_t, 64>, 64> welcome_{};
   std::array<std::uint64_t, 64> rows_{};
+  std::array<std::uint64_t, 64> locks_{};
   std::vector<Pair> uncovered_;
+  int met_ = 0;  // pairs that are welcome
 };
 
 Set common(const Set& one, const Set& other) {
@@ -224,136 +351,233 @@ bool find_parts(const Blocks& list, int h, std::size_t left, std::size_t from, S
   return false;
 }
 
-bool is_design(const Blocks& list, int v) {
-  std::set<Pair> met;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (i > 0 && common(list[i - 1], list[i]).size() + 1 != list[i].size()) {
-      return false;
+struct Numbers {
+  bool open = false;
+  int k = 0;
+  int w = 0;
+  int added = 0;
+  int parts = 0;
+  int lacking = 0;
+
+  [[nodiscard]] bool small() const {
+    return k >= 3 && k <= 64 && w >= k && w <= 64 && added >= 1 && added <= 64 && parts >= 0 &&
+           parts <= 64 && lacking >= 0 && lacking <= 64 * 64;
+  }
+  [[nodiscard]] int hole() const { return w - parts * (k - 1); }
+  [[nodiscard]] int all() const { return w + added; }
+};
+
+/// x, …, x+n−1.
+Set row(int x, int n) {
+  Set set;
+  for (int i = 0; i < n; ++i) {
+    set.push_back(x + i);
+  }
+  return set;
+}
+
+std::set<Pair> pairs_between(int from, int to, int from_2, int to_2) {
+  std::set<Pair> pairs;
+  for (int x = from; x < to; ++x) {
+    for (int y = std::max(from_2, x + 1); y < to_2; ++y) {
+      pairs.emplace(x, y);
     }
-    for (const int x : list[i]) {
-      for (const int y : list[i]) {
-        if (x < y) {
+  }
+  return pairs;
+}
+
+/// The hole is 0, …, h−1. U is its last K−1 elements, U_1 its first, U_2 the last of all.
+class Looking {
+ public:
+  explicit Looking(const Numbers& numbers)
+      : q_(numbers), n_(q_.k - 1), h_(q_.hole()), welcome_(pairs_between(0, h_, 0, h_)) {
+    std::erase_if(welcome_, [this](const Pair& pair) { return pair.first >= h_ - n_; });
+    int apart = 0;  // pairs that no list is asked for
+    if (q_.open) {
+      std::erase_if(welcome_, [this](const Pair& pair) { return pair.second < n_; });
+      apart = n_ * n_;
+    }
+    of_v_ = q_.w * (q_.w - 1) / 2 - q_.k * (q_.k - 1) / 2 - q_.lacking;
+    of_p_ = q_.added * h_ + q_.added * (q_.added - 1) / 2 + q_.lacking - apart;
+  }
+
+  [[nodiscard]] int blocks_of_v() const { return (of_v_ + n_ - 1) / n_ + 1; }
+  [[nodiscard]] int blocks_of_p() const { return (of_p_ + n_ - 1) / n_; }
+  [[nodiscard]] int blocks() const { return blocks_of_v() + blocks_of_p() + q_.parts * q_.added; }
+  [[nodiscard]] bool possible() const {
+    return h_ >= (q_.open ? 2 * n_ : n_) && (!q_.open || q_.added >= n_) && h_ + q_.added <= 64 &&
+           of_v_ >= 0 && of_p_ > 0 && blocks_of_v() <= most_blocks &&
+           blocks_of_p() <= most_blocks && static_cast<std::size_t>(q_.lacking) <= welcome_.size();
+  }
+
+  std::optional<Blocks> found(std::uint64_t seed, double seconds) const {
+    Random random(seed);
+    const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                        std::chrono::duration<double>(seconds));
+    while (Clock::now() < end) {
+      const auto p = List(wish_of_p()).annealed(moves_of_p, hot_p, cold_p, random, end);
+      if (!p) {
+        continue;
+      }
+      std::fprintf(stderr, "P found\n");
+      List v(wish_of_v(*p));
+      for (int i = 0; i < tries_of_v && Clock::now() < end; ++i) {
+        if (const auto list = v.annealed(moves_of_v, hot_v, cold_v, random, end)) {
+          if (auto all = put_together(*list, *p)) {
+            return all;
+          }
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// One change at each step, and all pairs that are asked for.
+  [[nodiscard]] bool right(const Blocks& list) const {
+    std::set<Pair> lacking = pairs_between(0, q_.all(), 0, q_.all());
+    if (q_.open) {
+      for (const Pair& pair : pairs_between(0, n_, q_.all() - n_, q_.all())) {
+        lacking.erase(pair);
+      }
+      if (common(list.front(), row(0, n_)).size() < static_cast<std::size_t>(n_) ||
+          common(list.back(), row(q_.all() - n_, n_)).size() < static_cast<std::size_t>(n_) ||
+          !common(list.front(), row(q_.all() - n_, n_)).empty() ||
+          !common(list.back(), row(0, n_)).empty()) {
+        return false;
+      }
+    }
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (i > 0 && common(list[i - 1], list[i]).size() + 1 != list[i].size()) {
+        return false;
+      }
+      for (const int x : list[i]) {
+        for (const int y : list[i]) {
+          lacking.erase({x, y});
+        }
+      }
+    }
+    return lacking.empty();
+  }
+
+ private:
+  [[nodiscard]] Wish wish_of_p() const {
+    const int all = h_ + q_.added;
+    Wish wish{.k = q_.k, .elements = all, .blocks = blocks_of_p(), .first = row(h_ - n_, n_)};
+    wish.unwanted = pairs_between(0, h_, 0, h_);
+    wish.welcome = welcome_;
+    wish.enough = q_.lacking;
+    if (q_.open) {
+      wish.last = row(all - n_, n_);
+      wish.unwanted.merge(pairs_between(0, n_, all - n_, all));
+    }
+    return wish;
+  }
+
+  [[nodiscard]] Wish wish_of_v(const Blocks& p) const {
+    std::set<Pair> met;
+    for (const Set& block : p) {
+      for (const int x : block) {
+        for (const int y : block) {
           met.emplace(x, y);
         }
       }
     }
+    std::erase_if(met, [this](const Pair& pair) { return !welcome_.contains(pair); });
+    Wish wish{.k = q_.k, .elements = q_.w, .blocks = blocks_of_v()};
+    wish.first = q_.open ? row(0, n_) : Set{};
+    wish.last = row(h_ - n_, n_);
+    wish.parts = q_.parts;
+    wish.of_parts = h_;
+    wish.unwanted = std::move(met);
+    return wish;
   }
-  return met.size() == static_cast<std::size_t>(v * (v - 1) / 2);
-}
 
-int run(int k, int w, int added, int parts, int lacking, std::uint64_t seed, double seconds) {
-  const bool small = k >= 3 && k <= 64 && w >= k && w <= 64 && added >= 1 && added <= 64 &&
-                     parts >= 0 && parts <= 64 && lacking >= 0 && lacking <= 64 * 64;
-  const int n = small ? k - 1 : 1;
-  const int h = small ? w - parts * n : 0;
-  const int of_v = small ? w * (w - 1) / 2 - k * (k - 1) / 2 - lacking : 0;
-  const int of_p = small ? added * h + added * (added - 1) / 2 + lacking : 0;
-  const int blocks_of_v = of_v / n + 1;
-  const int blocks_of_p = (of_p + n - 1) / n;
-  std::vector<Pair> inside;  // the hole, but not with both among the first k−1
-  for (int y = n; y < h; ++y) {
-    for (int x = 0; x < y; ++x) {
-      inside.emplace_back(x, y);
+  [[nodiscard]] std::optional<Blocks> put_together(const Blocks& v, const Blocks& p) const {
+    std::vector<std::size_t> positions;
+    Set taken;
+    if (!find_parts(v, h_, static_cast<std::size_t>(q_.parts), 0, taken, positions)) {
+      return std::nullopt;
     }
-  }
-  if (!small || h < n || h + added > 64 || of_v < 0 || of_v % n != 0 || blocks_of_v > most_blocks ||
-      blocks_of_p > most_blocks || static_cast<std::size_t>(lacking) > inside.size()) {
-    std::fprintf(stderr,
-                 "find_with_hole: these numbers make no two lists of at most 64 blocks; the pairs "
-                 "of V, C(W,2)-C(K,2)-LACKING, must be a multiple of K-1\n");
-    return 2;
-  }
-  std::fprintf(stderr,
-               "V: %d blocks on %d elements; P: %d blocks, a hole of %d, %d new; in all %d\n",
-               blocks_of_v, w, blocks_of_p, h, added, blocks_of_v + blocks_of_p + parts * added);
-  Random random(seed);
-  const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                      std::chrono::duration<double>(seconds));
-  Set first(static_cast<std::size_t>(k));
-  while (Clock::now() < end) {
-    std::shuffle(inside.begin(), inside.end(), random);
-    const std::set<Pair> lacks(inside.begin(), inside.begin() + lacking);
-    std::set<Pair> known;
-    for (int y = 0; y < h; ++y) {
-      for (int x = 0; x < y; ++x) {
-        if (!lacks.contains({x, y})) {
-          known.emplace(x, y);
-        }
-      }
-    }
-    for (int x = 0; x < n; ++x) {
-      first[static_cast<std::size_t>(x)] = x;
-    }
-    first.back() = h;  // of a part in V, new in P
-    for (int i = 0; i < tries; ++i) {
-      std::vector<std::size_t> positions;
-      Set taken;
-      const auto v = w > h ? List(w, first, blocks_of_v, lacks).annealed(moves_of_v, random, end)
-                           : std::nullopt;
-      if (!v || !find_parts(*v, h, static_cast<std::size_t>(parts), 0, taken, positions)) {
-        continue;
-      }
-      std::fprintf(stderr, "V with its subsets found\n");
-      for (int j = 0; j < tries; ++j) {
-        auto p = List(h + added, first, blocks_of_p, known).annealed(moves_of_p, random, end);
-        if (!p) {
-          continue;
-        }
-        Blocks all;
-        for (std::size_t place = v->size(); place > 0; --place) {
-          all.push_back((*v)[place - 1]);
-          if (std::ranges::find(positions, place - 1) != positions.end()) {
-            Set block = common((*v)[place - 2], (*v)[place - 1]);
-            block.push_back(w);
-            for (int x = 0; x < added; ++x) {
-              block.back() = w + x;
-              all.push_back(block);
-            }
-          }
-        }
-        for (Set& block : *p) {
-          for (int& x : block) {
-            x = x < h ? x : x - h + w;
-          }
+    Blocks all;
+    for (std::size_t place = 0; place < v.size(); ++place) {
+      if (std::ranges::find(positions, place) != positions.end()) {
+        Set block = common(v[place - 1], v[place]);
+        block.push_back(q_.w);
+        for (int x = 0; x < q_.added; ++x) {
+          block.back() = q_.w + x;
           all.push_back(block);
         }
-        if (!is_design(all, w + added)) {
-          std::fprintf(stderr, "find_with_hole: what came out is no design\n");
-          return 3;
-        }
-        std::printf("# changeover design v=%d k=%d change=1 kind=linear\n", w + added, k);
-        for (Set& block : all) {
-          std::ranges::sort(block);
-          for (std::size_t x = 0; x < block.size(); ++x) {
-            std::printf("%s%d", x == 0 ? "" : " ", block[x]);
-          }
-          std::printf("\n");
-        }
-        return 0;
       }
+      all.push_back(v[place]);
     }
+    for (Set block : p) {
+      for (int& x : block) {
+        x = x < h_ ? x : x - h_ + q_.w;
+      }
+      all.push_back(block);
+    }
+    return right(all) ? std::optional(all) : std::nullopt;
   }
-  std::fprintf(stderr, "find_with_hole: none found\n");
-  return 1;
+
+  Numbers q_;
+  int n_;
+  int h_;
+  std::set<Pair> welcome_;
+  int of_v_ = 0;
+  int of_p_ = 0;
+};
+
+int run(const Numbers& numbers, std::uint64_t seed, double seconds) {
+  if (!numbers.small() || !Looking(numbers).possible()) {
+    std::fprintf(stderr,
+                 "find_with_hole: these numbers make no two lists of at most 64 blocks; the hole, "
+                 "W-PARTS*(K-1) elements, needs K-1, with open 2(K-1), and with open NEW is K-1 "
+                 "or more\n");
+    return 2;
+  }
+  const Looking looking(numbers);
+  std::fprintf(stderr,
+               "V: %d blocks on %d elements; P: %d blocks, a hole of %d, %d new; in all %d\n",
+               looking.blocks_of_v(), numbers.w, looking.blocks_of_p(), numbers.hole(),
+               numbers.added, looking.blocks());
+  const auto list = looking.found(seed, seconds);
+  if (!list) {
+    std::fprintf(stderr, "find_with_hole: none found\n");
+    return 1;
+  }
+  std::printf(numbers.open ? "# list with open ends v=%d k=%d change=1\n"
+                           : "# changeover design v=%d k=%d change=1 kind=linear\n",
+              numbers.all(), numbers.k);
+  for (Set block : *list) {
+    std::ranges::sort(block);
+    for (std::size_t x = 0; x < block.size(); ++x) {
+      std::printf("%s%d", x == 0 ? "" : " ", block[x]);
+    }
+    std::printf("\n");
+  }
+  return 0;
 }
 
 }  // namespace
 }  // namespace find_with_hole
 
 int main(int count, char** words) {
+  const bool open = count > 1 && std::string_view(words[1]) == "open";
   std::vector<int> numbers{0, 0, 0, 0, 0, 1, 600};
-  bool right = count >= 6 && count <= 8;
-  for (int i = 1; right && i < count; ++i) {
+  const int from = open ? 2 : 1;
+  bool right = count - from >= 5 && count - from <= 7;
+  for (int i = from; right && i < count; ++i) {
     const std::string_view word = words[i];
-    int& number = numbers[static_cast<std::size_t>(i - 1)];
+    int& number = numbers[static_cast<std::size_t>(i - from)];
     const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), number);
     right = fault == std::errc() && end == word.data() + word.size() && number >= 0;
   }
   if (!right || numbers.back() == 0) {
     std::fprintf(stderr,
-                 "usage: find_with_hole K W NEW PARTS LACKING [SEED] [SECONDS], whole numbers\n");
+                 "usage: find_with_hole [open] K W NEW PARTS LACKING [SEED] [SECONDS], whole "
+                 "numbers\n");
     return 2;
   }
-  return find_with_hole::run(numbers[0], numbers[1], numbers[2], numbers[3], numbers[4],
+  return find_with_hole::run({open, numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]},
                              static_cast<std::uint64_t>(numbers[5]), numbers[6]);
 }
