@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <iterator>
 
 namespace changeover {
 
@@ -22,10 +21,9 @@ std::string printable(std::string_view text) {
     } else if (piece == "\t") {
       result += "\\t";
     } else if (piece.size() == 1) {
-      fmt::format_to(std::back_inserter(result), "\\x{:02x}", static_cast<unsigned char>(piece[0]));
+      result += fmt::format("\\x{:02x}", static_cast<unsigned char>(piece[0]));
     } else {
-      fmt::format_to(std::back_inserter(result), "\\u{{{:04x}}}",
-                     static_cast<std::uint32_t>(point.value));
+      result += fmt::format("\\u{{{:04x}}}", static_cast<std::uint32_t>(point.value));
     }
   }
   return result;

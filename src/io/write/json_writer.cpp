@@ -23,7 +23,7 @@ void append_json_string(std::string& out, std::string_view text) {
     } else if (byte == '\t') {
       out += "\\t";
     } else if (byte < 0x20 || byte == 0x7f) {
-      fmt::format_to(std::back_inserter(out), "\\u{:04x}", byte);
+      out += fmt::format("\\u{:04x}", byte);
     } else if (byte < 0x80) {
       out += text[0];
     } else {
@@ -31,8 +31,7 @@ void append_json_string(std::string& out, std::string_view text) {
       if (is_printable(point)) {
         out += text.substr(0, point.bytes);
       } else if (point.valid) {  // all below U+10000, so one escape is enough
-        fmt::format_to(std::back_inserter(out), "\\u{:04x}",
-                       static_cast<std::uint32_t>(point.value));
+        out += fmt::format("\\u{:04x}", static_cast<std::uint32_t>(point.value));
       } else {
         out += "\xEF\xBF\xBD";  // U+FFFD
       }

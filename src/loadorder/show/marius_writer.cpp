@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "changeover/core/error.hpp"
 
@@ -35,13 +34,17 @@ void MariusWriter::write(const Step& step) {
   }
   states_ += states_.empty() ? "[" : ",[";
   for (std::size_t i = 0; i < memory_.size(); ++i) {
-    fmt::format_to(std::back_inserter(states_), "{}{}", i == 0 ? "" : ",", memory_[i]);
+    states_ += i == 0 ? "" : ",";
+    states_ += fmt::format_int(memory_[i]).c_str();
   }
   states_ += ']';
   buckets_ += buckets_.empty() ? "[" : ",[";
   for (std::size_t i = 0; i < step.compute.size(); ++i) {
-    fmt::format_to(std::back_inserter(buckets_), "{}[{},{}]", i == 0 ? "" : ",",
-                   step.compute[i].first, step.compute[i].second);
+    buckets_ += i == 0 ? "[" : ",[";
+    buckets_ += fmt::format_int(step.compute[i].first).c_str();
+    buckets_ += ',';
+    buckets_ += fmt::format_int(step.compute[i].second).c_str();
+    buckets_ += ']';
   }
   buckets_ += ']';
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <span>
 #include <utility>
 
@@ -135,7 +134,7 @@ void StepWriter::end() {
 
 void StepWriter::add(Element item) {
   if (names_ == nullptr) {
-    fmt::format_to(std::back_inserter(text_), "{}", item);
+    text_ += fmt::format_int(item).c_str();
   } else if (json_) {
     append_json_string(text_, (*names_)[item]);
   } else {
@@ -161,7 +160,7 @@ void StepWriter::number(Column column, std::uint64_t value) {
     text_ += name_of(column);
     text_ += json_ ? "\":" : " ";
   }
-  fmt::format_to(std::back_inserter(text_), "{}", value);
+  text_ += fmt::format_int(value).c_str();
   text_ += column == Column::step && !json_ && !csv_ ? ":" : "";
   head_ = text_.size();
 }

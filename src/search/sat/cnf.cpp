@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 
 #include "changeover/core/error.hpp"
@@ -40,24 +39,24 @@ void Cnf::add(std::span<const Literal> clause) {
 void write_dimacs(const Cnf& cnf, std::span<const Literal> assumptions,
                   const std::vector<std::string>& comments, Sink& sink) {
   constexpr std::size_t piece = std::size_t{1} << 15;
-  fmt::memory_buffer text;
-  const auto out = std::back_inserter(text);
+  std::string text;
   for (const std::string& comment : comments) {
-    fmt::format_to(out, "c {}\n", comment);
+    text += fmt::format("c {}\n", comment);
   }
-  fmt::format_to(out, "p cnf {} {}\n", cnf.variables(), cnf.clauses() + assumptions.size());
+  text += fmt::format("p cnf {} {}\n", cnf.variables(), cnf.clauses() + assumptions.size());
   for (const Literal literal : cnf.literals()) {
-    fmt::format_to(out, "{}{}", literal, literal == 0 ? '\n' : ' ');
+    text += fmt::format_int(literal).c_str();
+    text += literal == 0 ? '\n' : ' ';
     if (text.size() > piece) {
       stop_if_asked();
-      sink.write({text.data(), text.size()});
+      sink.write(text);
       text.clear();
     }
   }
   for (const Literal literal : assumptions) {
-    fmt::format_to(out, "{} 0\n", literal);
+    text += fmt::format("{} 0\n", literal);
   }
-  sink.write({text.data(), text.size()});
+  sink.write(text);
 }
 
 namespace {

@@ -1,10 +1,9 @@
 #include "answer/catalog/entry_words.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
+#include <chrono>
 #include <string_view>
 
 #include "changeover/construct/registry.hpp"
@@ -189,6 +188,11 @@ std::string completeness_json(const Completeness& found) {
   return json.end_array().take();
 }
 
-std::string today() { return fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))); }
+std::string today() {
+  const std::chrono::year_month_day day{
+      std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now())};
+  return fmt::format("{:04}-{:02}-{:02}", int{day.year()}, unsigned{day.month()},
+                     unsigned{day.day()});
+}
 
 }  // namespace changeover::cli

@@ -1,6 +1,5 @@
 #include "serve/plans/run_store.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 
@@ -32,9 +31,13 @@ constexpr std::size_t most_run_bytes = std::size_t{4} << 20;
 constexpr std::size_t id_letters = 24;
 
 std::string now() {
-  return fmt::format(
-      "{:%Y-%m-%dT%H:%M:%SZ}",
-      fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+  const auto time = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+  const auto midnight = std::chrono::floor<std::chrono::days>(time);
+  const std::chrono::year_month_day day{midnight};
+  const std::chrono::hh_mm_ss clock{time - midnight};
+  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", int{day.year()}, unsigned{day.month()},
+                     unsigned{day.day()}, clock.hours().count(), clock.minutes().count(),
+                     clock.seconds().count());
 }
 
 // Names of files, and of nothing else.
