@@ -17,7 +17,7 @@
 namespace changeover {
 namespace {
 
-constexpr std::size_t most_lines = 12;     // suspects, one per line
+constexpr std::size_t most_suspects = 12;  // suspects, one per line
 constexpr std::size_t most_in_a_line = 6;  // explanations
 constexpr std::size_t most_in_json = 100;
 
@@ -132,11 +132,11 @@ void add_explanations(const Job& job, const Diagnosis& found, std::vector<std::s
                             : fmt::format("No {} faults together explain", found.at_least - 1),
         found.at_least, found.all_explanations ? "" : "more than ", count_of(count, "set")));
   }
-  for (std::size_t i = 0; i < std::min(count, most_lines); ++i) {
+  for (std::size_t i = 0; i < std::min(count, most_suspects); ++i) {
     lines.push_back("  " + words_of(job, found.explanations[i]));
   }
-  if (count > most_lines) {
-    lines.push_back(fmt::format("  and {} more", count - most_lines));
+  if (count > most_suspects) {
+    lines.push_back(fmt::format("  and {} more", count - most_suspects));
   }
 }
 
@@ -151,7 +151,7 @@ std::vector<std::string> what_is_suspect(const Job& job, const Diagnosis& found)
   std::vector<std::string> lines;
   add_contradictions(job, found, lines);
   const std::size_t suspects = found.suspects.size();
-  if (suspects > most_lines) {
+  if (suspects > most_suspects) {
     lines.push_back(
         fmt::format("One fault may explain {}, one of the {} suspects below.", all, suspects));
     return lines;
@@ -376,7 +376,7 @@ TableDocument table_document(const DiagnosisDocument& document) {
          .in = for_people | in_csv});
   }
   // Also called without a table: it makes the sheet with the lines.
-  const bool many = found.suspects.size() > most_lines;
+  const bool many = found.suspects.size() > most_suspects;
   made.sections.push_back({.heading = many ? "Suspects" : "",
                            .table = many ? suspects_by_part(job, found) : Table{},
                            .in = many ? everywhere & ~in_csv : in_workbook});
