@@ -28,7 +28,8 @@ set(CHANGEOVER_COLD_catalog COLD UNLESS "catalog/entry/")
 set(CHANGEOVER_COLD_curator COLD)
 set(CHANGEOVER_COLD_io COLD ONLY "io/(workbook|request)/")
 set(CHANGEOVER_COLD_paper COLD)
-set(CHANGEOVER_COLD_plan COLD ONLY "plan/(job|sheet|request)/")
+set(CHANGEOVER_COLD_plan COLD ONLY
+  "plan/(job|sheet|request)/|plan/model/(read_|pict_rules|model_(text|names))|plan/diagnosis/diagnosis_formats")
 
 # Third-party libraries, always used in sources only: no public header includes one.
 foreach(room IN LISTS CHANGEOVER_ROOMS)
