@@ -40,7 +40,8 @@ const BuildInformation& build_information() {
       .compiler = "@CMAKE_CXX_COMPILER_ID@ @CMAKE_CXX_COMPILER_VERSION@",
       .build_type = "@CMAKE_BUILD_TYPE@",
       .sanitizers = "@sanitizers@",
-      .cadical = "@cadical@"};
+      .cadical = "@cadical@",
+      .nlohmann_json = "@nlohmann_json_VERSION@"};
   return information;
 }
 

@@ -11,6 +11,7 @@ struct BuildInformation {
   std::string_view build_type;  ///< "Release"
   std::string_view sanitizers;  ///< as for -fsanitize; empty: none
   std::string_view cadical;  ///< version of the Debian package that has its library; empty: unknown
+  std::string_view nlohmann_json;  ///< version: "3.11.2"
 };
 
 [[nodiscard]] const BuildInformation& build_information();

@@ -10,7 +10,6 @@
 #include <CLI/Version.hpp>
 #include <bliss/defs.hh>
 #include <cadical.hpp>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "answer/converter.hpp"
@@ -54,8 +53,7 @@ std::vector<std::pair<std::string, std::string>> libraries() {
           {"libmicrohttpd", late_version(serve::MHD_get_version)},
           {"libxlsxwriter", late_version(lxw_version)},
           {"libzip", late_version(zip_libzip_version)},
-          {"nlohmann_json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR,
-                                        NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
+          {"nlohmann_json", std::string(build_information().nlohmann_json)},
           {"SQLite", sqlite3_libversion()},
           {"zlib", zlibVersion()}};
 }

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "changeover/io/input.hpp"
@@ -28,19 +27,19 @@ SearchWay way_named(const std::string& name) {
 
 Block elements_in(JsonBody& body, const std::string& name) {
   Block elements;
-  const nlohmann::json* const list = body.find(name);
+  const JsonNode* const list = body.find(name);
   if (list == nullptr) {
     return elements;
   }
   if (!list->is_array()) {
     throw Refusal{422, fmt::format("{}: write a list of elements such as [0,1,2]", name)};
   }
-  for (const nlohmann::json& each : *list) {
-    if (!each.is_number_unsigned() || each.get<std::uint64_t>() > max_elements_in_memory) {
+  for (const auto& [key, each] : list->members) {
+    if (!each.is_natural() || each.natural > max_elements_in_memory) {
       throw Refusal{422, fmt::format("{}: {} is not an element; write whole numbers from 0 to v-1",
-                                     name, changeover::shown(each.dump()))};
+                                     name, changeover::shown(json_text(each)))};
     }
-    elements.push_back(each.get<Element>());
+    elements.push_back(static_cast<Element>(each.natural));
   }
   return elements;
 }

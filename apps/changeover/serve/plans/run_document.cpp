@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "changeover/core/error.hpp"
@@ -129,17 +128,17 @@ RunResult result_in(JsonBody& body) {
 }
 
 void read_sheet(JsonBody& body, KeptRun& run) {
-  const nlohmann::json* const sheet = body.find("sheet");
+  const JsonNode* const sheet = body.find("sheet");
   if (sheet == nullptr || !sheet->is_object()) {
     throw Refusal{422, "sheet: write an object"};
   }
-  run.sheet = sheet->dump();
-  if (const nlohmann::json* const results = body.find("results")) {
-    if (!results->is_array() || results->size() > run.tests) {
+  run.sheet = json_text(*sheet);
+  if (const JsonNode* const results = body.find("results")) {
+    if (!results->is_array() || results->members.size() > run.tests) {
       throw Refusal{422, "results: write a list with at most one result per test"};
     }
-    for (const nlohmann::json& each : *results) {
-      JsonBody one(each.dump());
+    for (const auto& [key, each] : results->members) {
+      JsonBody one(each);
       run.results.push_back(result_in(one));
       run.results.back().at = short_text(one, "at");
       one.finish();

@@ -2,15 +2,16 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "cli/cli.hpp"
 #include "core/parsed.hpp"
 #include "core/printable.hpp"
-#include "io/scan/json_events.hpp"
+#include "io/write/json_writer.hpp"
 #include "request/parameters.hpp"
 #include "serve/http/message.hpp"
 
@@ -138,51 +139,39 @@ cli::Range range_of(const Request& request, std::string_view name, const cli::Ra
 
 namespace {
 
-// What is no JSON, or too deep, is refused with its place before anything is built of it.
-class Glance final : public JsonHandler {
- public:
-  void on(const JsonEvent& /*event*/) override {}
-};
-
 [[noreturn]] void refuse_type(const std::string& name, std::string_view wanted) {
   throw Refusal{422, fmt::format("{}: write {}", name, wanted)};
 }
 
 }  // namespace
 
-JsonBody::JsonBody(const std::string& text) {
-  const std::string name = "<text>";
-  Glance glance;
-  parse_json({.text = text, .name = name}, glance);
-  object_ = std::make_unique<nlohmann::json>(nlohmann::json::parse(text, nullptr, false));
-  if (!object_->is_object()) {
+JsonBody::JsonBody(const std::string& text)
+    : JsonBody(json_tree({.text = text, .name = "<text>"})) {}
+
+JsonBody::JsonBody(JsonNode object) : object_(std::move(object)) {
+  if (!object_.is_object()) {
     throw Refusal{422, "give an object of JSON, {…}"};
   }
 }
 
-JsonBody::~JsonBody() = default;
-
-const nlohmann::json* JsonBody::find(const std::string& name) {
+const JsonNode* JsonBody::find(const std::string& name) {
   asked_.insert(name);
-  const auto found = object_->find(name);
-  return found == object_->end() || found->is_null() ? nullptr : &*found;
+  const JsonNode* const found = object_.find(name);
+  return found == nullptr || found->is_null() ? nullptr : found;
 }
 
-template <typename Value, typename Fits>
-std::optional<Value> JsonBody::read(const std::string& name, std::string_view what, Fits&& fits) {
-  const nlohmann::json* const value = find(name);
-  if (value == nullptr) {
-    return std::nullopt;
-  }
-  if (!fits(*value)) {
+const JsonNode* JsonBody::find_of_type(const std::string& name, JsonEvent::Type type,
+                                       std::string_view what) {
+  const JsonNode* const value = find(name);
+  if (value != nullptr && value->type != type) {
     refuse_type(name, what);
   }
-  return value->get<Value>();
+  return value;
 }
 
 std::optional<std::uint64_t> JsonBody::number(const std::string& name) {
-  return read<std::uint64_t>(name, "a whole number",
-                             [](const auto& value) { return value.is_number_unsigned(); });
+  const JsonNode* const value = find_of_type(name, JsonEvent::Type::natural, "a whole number");
+  return value == nullptr ? std::nullopt : std::optional(value->natural);
 }
 
 std::uint64_t JsonBody::needed_number(const std::string& name) {
@@ -194,41 +183,77 @@ std::uint64_t JsonBody::needed_number(const std::string& name) {
 }
 
 std::optional<std::string> JsonBody::decimal(const std::string& name) {
-  const nlohmann::json* const value = find(name);
+  const JsonNode* const value = find(name);
   if (value == nullptr) {
     return std::nullopt;
   }
-  if (value->is_string()) {
-    return value->get<std::string>();
-  }
-  if (!value->is_number()) {
+  if (!value->is_text() && !value->is_number()) {
     refuse_type(name, "an amount, as 12.50");
   }
-  return value->dump();
+  return value->text;
 }
 
 std::optional<double> JsonBody::seconds(const std::string& name) {
-  return read<double>(name, "a number of seconds", [](const auto& value) {
-    return value.is_number() && std::isfinite(value.template get<double>()) &&
-           value.template get<double>() >= 0;
-  });
+  const JsonNode* const value = find(name);
+  if (value == nullptr) {
+    return std::nullopt;
+  }
+  double number = -1;
+  if (value->is_number()) {
+    std::from_chars(value->text.data(), value->text.data() + value->text.size(), number);
+  }
+  if (!std::isfinite(number) || number < 0) {
+    refuse_type(name, "a number of seconds");
+  }
+  return number;
 }
 
 std::optional<bool> JsonBody::boolean(const std::string& name) {
-  return read<bool>(name, "true or false", [](const auto& value) { return value.is_boolean(); });
+  const JsonNode* const value = find_of_type(name, JsonEvent::Type::boolean, "true or false");
+  return value == nullptr ? std::nullopt : std::optional(value->text == "true");
 }
 
 std::optional<std::string> JsonBody::text(const std::string& name) {
-  return read<std::string>(name, "a string", [](const auto& value) { return value.is_string(); });
+  const JsonNode* const value = find_of_type(name, JsonEvent::Type::string, "a string");
+  return value == nullptr ? std::nullopt : std::optional(value->text);
 }
 
 void JsonBody::finish() const {
-  for (const auto& [name, value] : object_->items()) {
+  for (const auto& [name, value] : object_.members) {
     if (!asked_.contains(name)) {
       throw Refusal{422, fmt::format("unknown key '{}'; the keys are {}", printable(name),
                                      fmt::join(asked_, ", "))};
     }
   }
+}
+
+namespace {
+
+void append(std::string& out, const JsonNode& node) {
+  if (node.is_object() || node.is_array()) {
+    out += node.is_object() ? '{' : '[';
+    for (std::size_t i = 0; i < node.members.size(); ++i) {
+      out += i == 0 ? "" : ",";
+      if (node.is_object()) {
+        append_json_string(out, node.members[i].first);
+        out += ':';
+      }
+      append(out, node.members[i].second);
+    }
+    out += node.is_object() ? '}' : ']';
+  } else if (node.is_text()) {
+    append_json_string(out, node.text);
+  } else {
+    out += node.is_null() ? "null" : node.text;
+  }
+}
+
+}  // namespace
+
+std::string json_text(const JsonNode& node) {
+  std::string text;
+  append(text, node);
+  return text;
 }
 
 }  // namespace changeover::serve

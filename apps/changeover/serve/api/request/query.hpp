@@ -5,10 +5,8 @@
 #pragma once
 
 #include <fmt/format.h>
-#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -19,6 +17,7 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/io/request.hpp"
 #include "io/request/request_document.hpp"
+#include "io/scan/json_events.hpp"
 #include "request/parameters.hpp"
 #include "serve/http/message.hpp"
 
@@ -60,15 +59,14 @@ inline constexpr std::string_view name_of_body = "<text>";
 
 class JsonBody {
  public:
-  /// @throws Refusal 422 with line and column if it is no JSON, nests deeper than 256 levels or is
-  /// no object.
+  /// @throws Refusal 422 with line and column if it is no JSON, nests deeper than 256 levels, has a
+  /// key twice or is no object.
   explicit JsonBody(const std::string& text);
-  ~JsonBody();
-  JsonBody(const JsonBody&) = delete;
-  JsonBody& operator=(const JsonBody&) = delete;
+  /// @throws Refusal 422 if it is no object.
+  explicit JsonBody(JsonNode object);
 
   /// nullptr if it is missing or null.
-  [[nodiscard]] const nlohmann::json* find(const std::string& name);
+  [[nodiscard]] const JsonNode* find(const std::string& name);
 
   /// A whole number that is not negative. @throws Refusal 422 if it is something else.
   [[nodiscard]] std::optional<std::uint64_t> number(const std::string& name);
@@ -83,12 +81,16 @@ class JsonBody {
   void finish() const;
 
  private:
-  template <typename Value, typename Fits>
-  std::optional<Value> read(const std::string& name, std::string_view what, Fits&& fits);
+  // nullptr if it is missing or null. @throws Refusal 422 if it is of another type.
+  const JsonNode* find_of_type(const std::string& name, JsonEvent::Type type,
+                               std::string_view what);
 
-  std::unique_ptr<nlohmann::json> object_;
+  JsonNode object_;
   std::set<std::string> asked_;
 };
+
+/// JSON without blanks; numbers are as they were written.
+[[nodiscard]] std::string json_text(const JsonNode& node);
 
 // Bodies that are request documents (changeover/io/request.hpp): what the server does not take of
 // them.
