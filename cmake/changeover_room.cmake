@@ -1,5 +1,5 @@
 # changeover_room(<name> [DEPENDS <room>...] [LIBRARIES <target>...] [SOURCES <file>...]
-#                 [GENERATED_HEADERS <dir>] [NOT_INSTALLED] [COLD [ONLY <regex> | UNLESS <regex>]])
+#                 [GENERATED_HEADERS <dir>] [NOT_INSTALLED] [WARM | COLD [ONLY <regex> | UNLESS <regex>]])
 #
 # Adds the library changeover_<name>, alias changeover::<name>, from src/<name>/**.cpp and
 # include/changeover/<name>/**.hpp and **.h. Sources are globbed, so that adding a file touches nothing
@@ -7,7 +7,7 @@
 # GENERATED_HEADERS is a directory laid out like include/. Other headers of a room, src/<name>/**.hpp,
 # are private: who is built in this tree may include them, as "<name>/….hpp", through the target changeover_internals.
 function(changeover_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "NOT_INSTALLED;COLD" "GENERATED_HEADERS;ONLY;UNLESS" "DEPENDS;LIBRARIES;SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 1 room "NOT_INSTALLED;WARM;COLD" "GENERATED_HEADERS;ONLY;UNLESS" "DEPENDS;LIBRARIES;SOURCES")
   if(room_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "changeover_room(${name}): unknown arguments ${room_UNPARSED_ARGUMENTS}")
   endif()
@@ -44,6 +44,9 @@ function(changeover_room name)
   foreach(other IN LISTS room_DEPENDS)
     target_link_libraries(${target} PUBLIC changeover_${other})
   endforeach()
+  if(room_WARM)
+    target_compile_options(${target} PRIVATE "$<$<CONFIG:Release>:${CHANGEOVER_WARM_OPTIONS}>")
+  endif()
   if(room_COLD)
     changeover_cold(${target} ONLY "${room_ONLY}" UNLESS "${room_UNLESS}")
   endif()

@@ -1,10 +1,16 @@
 # gcc 13 and later take headers that were compiled at -O2 at -Og only if these flags, which -O2 switches on, are on there as well. They
 # are those of one kind of processor.
 set(CHANGEOVER_COLD_OPTIONS -Og)
+# What is as fast with the inlining of -O2 and without its other passes takes about 0.75 of the compiler's time.
+set(CHANGEOVER_WARM_OPTIONS -O2)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set(CHANGEOVER_WARM_OPTIONS -O1 -finline-small-functions -finline-functions -findirect-inlining -fpartial-inlining)
+endif()
 if(CHANGEOVER_PRECOMPILE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
   include(CheckCXXCompilerFlag)
   check_cxx_compiler_flag("-munroll-only-small-loops -mvzeroupper" CHANGEOVER_HAS_FLAGS_OF_O2)
   if(CHANGEOVER_HAS_FLAGS_OF_O2)
+    list(APPEND CHANGEOVER_WARM_OPTIONS -munroll-only-small-loops -mvzeroupper)
     list(APPEND CHANGEOVER_COLD_OPTIONS -munroll-only-small-loops -mvzeroupper)
   endif()
 endif()
