@@ -1,7 +1,7 @@
 # gcc 13 and later take headers that were compiled at -O2 at -Og only if these flags, which -O2 switches on, are on there as well. They
 # are those of one kind of processor.
 set(CHANGEOVER_COLD_OPTIONS -Og)
-# What is as fast with the inlining of -O2 and without its other passes takes about 0.75 of the compiler's time.
+# What is as fast with the inlining of -O2 and without its other passes takes 0.7 to 0.9 of the compiler's time.
 set(CHANGEOVER_WARM_OPTIONS -O2)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   set(CHANGEOVER_WARM_OPTIONS -O1 -finline-small-functions -finline-functions -findirect-inlining -fpartial-inlining)
@@ -56,7 +56,7 @@ endfunction()
 # CHANGEOVER_TOGETHER to a small number.
 #
 # gcc looks for memory to free whenever what it holds has doubled. Where there is room it does not look before it holds 1 GB: this takes
-# 0.92 to 0.95 of the time, and up to 2.3 GB.
+# 0.89 to 0.95 of the time, and up to 2.3 GB.
 #
 # The preset `debug` compiles each source alone, so what one leaves to another is found there.
 set(CHANGEOVER_TOGETHER "" CACHE STRING "How many sources are compiled together; empty: what suits this machine")
