@@ -23,6 +23,8 @@ say the rest, for the block that comes next:
 
     <!-- not run: why -->     it is not run
     <!-- slow -->             it is run with --slow only
+    <!-- quick: OPTIONS -->   without --slow, commands of changeover get these options, too: fewer moves of a search whose
+                              figures are not shown
     <!-- first: COMMAND -->   COMMAND is run before, at its place in the session
     <!-- needs: PROGRAM -->   it is run where there is such a program; module:NAME, where Python has it
     <!-- is in: FILE -->      the fenced code that comes next is a part of FILE, line for line
@@ -52,13 +54,14 @@ PROGRESS = re.compile(r"changeover: .*; [\d:]+ (s|min|h|d)(, [\d:]+ (s|min|h|d) 
 
 class Command:
     def __init__(self, line, text):
-        self.line, self.text, self.shown, self.first, self.slow, self.skip = (
+        self.line, self.text, self.shown, self.first, self.slow, self.skip, self.quick = (
             line,
             text,
             [],
             [],
             False,
             False,
+            "",
         )
 
 
@@ -72,7 +75,7 @@ def parse(text):
     found, marks, i = [], [], 0
     lines = text.split("\n")
     while i < len(lines):
-        mark = re.match(r"<!-- (not run|slow|first|needs|is in)(?:: (.*))? -->$", lines[i])
+        mark = re.match(r"<!-- (not run|slow|quick|first|needs|is in)(?:: (.*))? -->$", lines[i])
         fence = re.match(r"```(\w*)", lines[i])
         if mark:
             marks.append((i, mark.group(1), mark.group(2)))
@@ -93,6 +96,7 @@ def parse(text):
             kinds = {what for _, what, _ in marks}
             first = [words for _, what, words in marks if what == "first"]
             needs = [words for _, what, words in marks if what == "needs"]
+            quick = "".join(f" {words}" for _, what, words in marks if what == "quick")
             marks = []
             while i < len(lines) and (lines[i].startswith("    ") or not lines[i].strip()):
                 if lines[i].startswith("    $ "):
@@ -101,6 +105,7 @@ def parse(text):
                         map(is_there, needs)
                     )
                     found[-1].first, first = first, []
+                    found[-1].quick = quick if found[-1].text.startswith("changeover ") else ""
                 else:
                     found[-1].shown.append(lines[i][4:])
                 i += 1
@@ -212,7 +217,7 @@ class Session:
             )
             return None, None
         try:
-            code, printed = self.run(command.text)
+            code, printed = self.run(command.text + ("" if self.slow else command.quick))
         except subprocess.TimeoutExpired:
             return "has not ended in time", None
         lines = (

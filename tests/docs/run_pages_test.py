@@ -78,6 +78,16 @@ class Pages(unittest.TestCase):
         with self.assertRaises(ValueError):
             self.ran("Text.\n<!-- slow -->\n\nText.\n")
 
+    def test_options_of_quick_runs(self):
+        program = self.root / "changeover"
+        program.write_text('#!/bin/sh\necho "$@"\n', encoding="utf-8")
+        program.chmod(0o755)
+        page = "<!-- quick: --few 3 -->\n    $ changeover a\n    {}\n    $ echo b\n    b\n"
+        self.right(page.format("a --few 3"), 2)
+        self.wrong(page.format("a"))
+        self.right(page.format("a"), 2, slow=True)
+        self.wrong(page.format("a --few 3"), slow=True)
+
     def test_a_session_is_no_part_of_a_list(self):
         for before in ("- An item.\n", "1. An item\n   that goes on.\n"):
             with self.assertRaises(ValueError):
