@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "changeover/plan/model.hpp"
+#include "core/bit_number.hpp"
 #include "core/words.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/pair_numbers.hpp"
@@ -140,9 +141,7 @@ class Exact {
     }
   };
 
-  [[nodiscard]] static std::uint64_t size_of(Parts setup) {
-    return static_cast<std::uint64_t>(std::popcount(setup));
-  }
+  [[nodiscard]] static std::uint64_t size_of(Parts setup) { return number_of_bits(setup); }
 
   [[nodiscard]] Mask pairs_of(Parts setup) const {
     Mask pairs = 0;

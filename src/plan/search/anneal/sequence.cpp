@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "changeover/run/control.hpp"
+#include "core/bit_number.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {
@@ -133,7 +134,7 @@ std::optional<Element> Sequence::some_difference(std::size_t in, std::size_t wit
   const std::uint64_t* const lacks = bits_of(without == size() ? 0 : order_[without]);
   std::uint32_t number = 0;
   for (std::size_t w = 0; w < words_; ++w) {
-    number += static_cast<std::uint32_t>(std::popcount(has[w] & ~lacks[w] & movable_bits_[w]));
+    number += number_of_bits(has[w] & ~lacks[w] & movable_bits_[w]);
   }
   if (number == 0) {
     return std::nullopt;
@@ -141,7 +142,7 @@ std::optional<Element> Sequence::some_difference(std::size_t in, std::size_t wit
   auto skip = static_cast<int>((std::uint64_t{choice} * number) >> 32U);
   for (std::size_t w = 0;; ++w) {
     std::uint64_t found = has[w] & ~lacks[w] & movable_bits_[w];
-    const int here = std::popcount(found);
+    const auto here = static_cast<int>(number_of_bits(found));
     if (skip < here) {
       for (; skip > 0; --skip) {
         found &= found - 1;
@@ -156,7 +157,7 @@ std::int64_t Sequence::step(std::uint32_t from, std::uint32_t to) const {
   if (one_weight_) {
     std::int64_t kept = 0;
     for (std::size_t w = 0; w < words_; ++w) {
-      kept += std::popcount(bits_of(from)[w] & bits_of(to)[w]);
+      kept += number_of_bits(bits_of(from)[w] & bits_of(to)[w]);
     }
     return (static_cast<std::int64_t>(sizes_[to]) - kept) * weight(0);
   }

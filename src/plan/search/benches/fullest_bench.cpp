@@ -1,11 +1,11 @@
 #include "plan/search/benches/fullest_bench.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <utility>
 
 #include "changeover/run/control.hpp"
+#include "core/bit_number.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {
@@ -31,7 +31,7 @@ class PartSharing {
       best_ += cost;  // a bench that has all
     }
     for (Set set = 1; set < meeting_.size(); ++set) {
-      of_size_[static_cast<std::size_t>(std::popcount(set)) - 1] |= Sets{1} << set;
+      of_size_[number_of_bits(set) - 1] |= Sets{1} << set;
       for (Set other = 1; other < meeting_.size(); ++other) {
         meeting_[set] |= (set & other) != 0 ? Sets{1} << other : 0;
       }
@@ -126,7 +126,7 @@ class PartSharing {
         left[y] &= shared_->meet[part][y] ? meeting_[set] : ~Sets{0};
       }
       take(part, set, true);
-      give(part + 1, used + static_cast<std::size_t>(std::popcount(fresh)), left);
+      give(part + 1, used + number_of_bits(fresh), left);
       take(part, set, false);
     }
   }

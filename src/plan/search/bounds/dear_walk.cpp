@@ -5,15 +5,14 @@
 #include <unordered_set>
 
 #include "changeover/run/control.hpp"
+#include "core/bit_number.hpp"
 #include "core/checked.hpp"
 #include "plan/job/pair_numbers.hpp"
 
 namespace changeover {
 namespace {
 
-std::uint64_t count(std::uint32_t parts) {
-  return static_cast<std::uint64_t>(std::popcount(parts));
-}
+std::uint64_t count(std::uint32_t parts) { return number_of_bits(parts); }
 
 // The least sum of numbers e_a, none below least[a], with across[a][b]·e_a + across[b][a]·e_b no
 // less than open[a][b].
@@ -129,6 +128,9 @@ DearWalk::DearWalk(const Job& job, const JobNumbers& n, const StepGroups& groups
   between_.assign(groups_.size(), std::vector<Pairs>(groups_.size()));
   for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
     all_.insert(pair);
+    if (pairs_[pair].others < groups_.size()) {
+      with_others_.insert(pair);
+    }
     for (std::size_t a = 0; a < groups_.size(); ++a) {
       for (std::size_t b = 0; b <= a && pairs_[pair].others == groups_.size(); ++b) {
         const Parts of_a = pairs_[pair].parts & groups_[a].parts;
@@ -182,20 +184,24 @@ bool DearWalk::allowed(Parts there) const {
   });
 }
 
-void DearWalk::meet(State& state) const {
+void DearWalk::meet(State& state, const Pairs& among) const {
   const bool room = std::all_of(groups_.begin(), groups_.end(), [&](const Group& group) {
     return !group.whole || count(group.parts & state.there) < group.places;
   });
-  for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
-    const Pair& each = pairs_[pair];
-    if ((each.parts & state.there) != each.parts) {
-      continue;
-    }
-    const bool met =
-        each.others == groups_.size() ||
-        (room && count(groups_[each.others].parts & state.there) < groups_[each.others].places);
-    if (met) {
-      state.met.insert(pair);
+  for (std::size_t word = 0; word < among.words.size(); ++word) {
+    for (std::uint64_t rest = among.words[word] & ~state.met.words[word]; rest != 0;
+         rest &= rest - 1) {
+      const std::size_t pair = word * 64 + static_cast<std::size_t>(std::countr_zero(rest));
+      const Pair& each = pairs_[pair];
+      if ((each.parts & state.there) != each.parts) {
+        continue;
+      }
+      const bool met =
+          each.others == groups_.size() ||
+          (room && count(groups_[each.others].parts & state.there) < groups_[each.others].places);
+      if (met) {
+        state.met.insert(pair);
+      }
     }
   }
 }
@@ -257,7 +263,7 @@ bool DearWalk::is_like_earlier(const State& state, std::size_t x) const {
 bool DearWalk::comes_more_than(std::uint64_t times, std::uint64_t& states) const {
   std::unordered_set<State, Hash> known;
   std::vector<State> now{{start_, {}}};
-  meet(now.front());
+  meet(now.front(), all_);
   known.insert(now.front());
   for (std::uint64_t come = 0; !now.empty(); ++come) {
     std::vector<State> next;
@@ -275,7 +281,8 @@ bool DearWalk::comes_more_than(std::uint64_t times, std::uint64_t& states) const
         if (!goes && (!allowed(other.there) || is_like_earlier(state, x))) {
           continue;
         }
-        meet(other);
+        // A part that comes takes room from others; one that goes makes some.
+        meet(other, goes ? with_others_ : of_part_[x]);
         std::unordered_set<State, Hash>& seen = goes ? known : known_next;
         if (!seen.contains(other) && come + (goes ? 0 : 1) <= times &&
             can_end(other, times - come - (goes ? 0 : 1))) {

@@ -6,13 +6,13 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "changeover/plan/job.hpp"
+#include "core/bit_number.hpp"
 #include "plan/search/bounds/job_numbers.hpp"
 #include "plan/search/bounds/step_groups.hpp"
 
@@ -50,7 +50,7 @@ class DearWalk {
   [[nodiscard]] static std::uint64_t common(const Pairs& a, const Pairs& b) {
     std::uint64_t all = 0;
     for (std::size_t word = 0; word < a.words.size(); ++word) {
-      all += static_cast<std::uint64_t>(std::popcount(a.words[word] & b.words[word]));
+      all += number_of_bits(a.words[word] & b.words[word]);
     }
     return all;
   }
@@ -74,7 +74,8 @@ class DearWalk {
   };
 
   [[nodiscard]] bool allowed(Parts there) const;
-  void meet(State& state) const;
+  // Adds those of these pairs that meet now.
+  void meet(State& state, const Pairs& among) const;
   // Whether it is not excluded that all meet if parts come only so often from here.
   [[nodiscard]] bool can_end(const State& state, std::uint64_t times) const;
   // A part that has met none, and another one before it that is like it and has met none.
@@ -88,6 +89,7 @@ class DearWalk {
   std::vector<Parts> never_;  // by part
   std::vector<Pair> pairs_;
   Pairs all_;
+  Pairs with_others_;                        // those of one part and the others of a group
   std::vector<std::vector<Pairs>> between_;  // by two groups, the later one first
   std::vector<Pairs> of_part_;
   std::vector<Parts> like_;  // by part: those before it that are like it

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/bit_number.hpp"
 #include "plan/search/lists/lists.hpp"
 
 namespace changeover {
@@ -44,9 +45,9 @@ std::int64_t Lists::overlap_of(std::size_t bench, const Place& place) const {
   }
   const Bits& own = scarce_[bench];
   return sum_of_overlaps(bench, place, [&](const Place& there, std::size_t other) {
-    int number = 0;
+    std::int64_t number = 0;
     for (std::size_t w = 0; w < own.size(); ++w) {
-      number += std::popcount(place.bits[w] & there.bits[w] & own[w] & scarce_[other][w]);
+      number += number_of_bits(place.bits[w] & there.bits[w] & own[w] & scarce_[other][w]);
     }
     return number;
   });
