@@ -382,26 +382,6 @@ TEST(Plan, TestsAgainWhatMetOnlyInFailedTests) {
          folder);
 }
 
-// The end in seconds against one in minutes: every row was once held against all pairs and all other rows.
-TEST(Plan, ReadsALongListOfTests) {
-  const TemporaryFolder folder;
-  std::string rows = "slot_1,slot_2,slot_3,slot_4,slot_5,result\n";
-  constexpr unsigned count = 300'000;
-  for (unsigned i = 0; i < count; ++i) {
-    const unsigned first = i * 7 % 900;
-    const unsigned step = 1 + i / 900 % 24;
-    for (unsigned j = 0; j < 5; ++j) {
-      rows += std::to_string(1 + first + j * step) + ",";
-    }
-    rows += i < 100 ? "pass\n" : i < 200 ? "fail\n" : "\n";
-  }
-  spit(folder.file("done.csv"), rows);
-  expect({{"timeout 120 $changeover plan --items 1000 -k 5 --test-cost 1 --change-cost 1 --quiet "
-           "--time 8s --done done.csv -o plan.txt && cat plan.txt",
-           0, "after 200 tests done"}},
-         folder);
-}
-
 TEST(Plan, SaysWhatMayBeBroken) {
   const TemporaryFolder folder;
   spit(folder.file("parts.csv"), "A,1\nB,2\nC,3\nD,2\nE,1\nF,2\n");

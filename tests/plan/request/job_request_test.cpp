@@ -325,6 +325,34 @@ TEST(JobRequest, DoneTestsCountAsTheyAreSent) {
   EXPECT_EQ(asked.job->tests_done, 2U);
 }
 
+// Every row was once held against all pairs and all other rows, which took minutes. The clock is the
+// number of questions that the work asks (run/control.hpp), so the test depends on no machine's
+// speed: one for each row, and some for a plan that is there with 10'000.
+TEST(JobRequest, ALongListOfTestsIsTakenRowByRow) {
+  constexpr std::uint64_t count = 300'000;
+  std::string rows = "slot_1,slot_2,slot_3,slot_4,slot_5,result\n";
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const std::uint64_t first = i * 7 % 900;
+    const std::uint64_t step = 1 + i / 900 % 24;
+    for (std::uint64_t j = 0; j < 5; ++j) {
+      rows += std::to_string(1 + first + j * step) + ",";
+    }
+    rows += i < 100 ? "pass\n" : i < 200 ? "fail\n" : "\n";
+  }
+  JobRequest request{.items = 1000, .at_once = 5, .test_cost = "1", .change_cost = "1"};
+  request.done.text = std::move(rows);
+  RunControl whole({.threads = 1});
+  RunControl control(whole, Questions{count + 50'000});
+  const RunScope scope(control);
+  const ParsedJob asked = checked_job(request, Door::document);
+  EXPECT_EQ(asked.done.size(), 200U);
+  EXPECT_EQ(asked.rest.size(), count - 200);
+  const PlanAnswer answer = answer_to(request, asked, control);
+  ASSERT_TRUE(answer.plan);
+  EXPECT_TRUE(answer.plan->sheet.does_the_job());
+  EXPECT_EQ(asked.job->tests_done, 200U);
+}
+
 // A row without a result was done; one whose result is empty was not, where another has one, as on a run sheet.
 TEST(JobRequest, ATestWithAnEmptyResultWasNotRun) {
   const auto tests_done = [](const std::string& rows) {
