@@ -592,7 +592,8 @@ class Simulations(unittest.TestCase):
             with self.subTest(**named), self.assertRaises(changeover.BadInput):
                 cluster.simulate(**{**self.setting, **named})
         with self.assertRaisesRegex(changeover.BadInput, "does not end"):
-            cluster.simulate(**self.setting, failures=3600, restart=None)
+            cluster.simulate(**{**self.setting, "items": 12, "room": 4}, failures=3600,
+                             restart=None)
 
 
 if __name__ == "__main__":
