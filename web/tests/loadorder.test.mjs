@@ -34,6 +34,18 @@ test('what is missing is said', async () => {
   await look(page, 'loadorder-fault');
 });
 
+test('an answer that was cut short says so', async () => {
+  const page = await explorer.open('#/loadorder');
+  await page.getByText('independent checker').waitFor();
+  assert.equal(await page.getByText('The time was up').count(), 0);
+  await page.route('**/api/loadorder*', async (route) => {
+    const response = await route.fetch();
+    await route.fulfill({ response, json: { ...(await response.json()), time_is_up: true } });
+  });
+  await page.getByRole('button', { name: 'Find an order' }).click();
+  await page.getByText('The time was up').waitFor();
+});
+
 test('twelve items, room for four: the fewest loads, beside simple orders', async () => {
   const page = await explorer.open('#/loadorder');
   await page.getByRole('spinbutton', { name: 'Items' }).fill('12');

@@ -271,9 +271,10 @@ export const design: Page = {
               'p',
               { class: 'hint' },
               'A row for each element, a bar for each stay. Drag on the strip to choose ' +
-                'blocks, drag below to pan; Ctrl + wheel or + and − zoom. Beside it a ' +
-                'square for each pair, its colour says when it first meets; pairs that first ' +
-                'meet in the blocks in sight are lit.',
+                'blocks, drag below to pan',
+              h('span', { class: 'with-wheel' }, '; Ctrl + wheel or + and − zoom'),
+              '. Beside it a square for each pair, its colour says when it first meets; pairs ' +
+                'that first meet in the blocks in sight are lit.',
             ),
             h(
               'div',

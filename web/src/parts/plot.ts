@@ -114,6 +114,7 @@ export function plot(options: PlotOptions): Plot {
         axes: [
           {
             ...axis,
+            space: 80,
             label: options.x,
             size: 34,
             values: (_, ticks) => ticks.map((tick) => (options.xText ?? short)(tick)),

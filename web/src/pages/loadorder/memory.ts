@@ -173,7 +173,9 @@ export function memory(answer: Ordered, signal: AbortSignal): HTMLElement {
       h('span', { class: 'key key-loaded' }),
       ' loaded, ',
       h('span', { class: 'key key-met' }),
-      ' held. Drag on the strip to choose steps; Ctrl + wheel or + and − zoom.',
+      ' held. Drag on the strip to choose steps',
+      h('span', { class: 'with-wheel' }, '; Ctrl + wheel or + and − zoom'),
+      '.',
     ),
     (workers.length > 1 || hasLevels) &&
       h(

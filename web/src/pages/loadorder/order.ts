@@ -24,8 +24,19 @@ export interface Asked {
 function over(loads: number, bound: number): string {
   return loads <= bound
     ? 'no order has fewer'
-    : `no order has fewer than ${number(bound)}, so this one has at most ` +
-        `${((100 * (loads - bound)) / bound).toFixed(1)} % more than the least possible`;
+    : `no order has fewer than ${number(bound)}, so ${atMost(loads, bound)}`;
+}
+
+const atMost = (loads: number, bound: number): string =>
+  `this one has at most ${((100 * (loads - bound)) / bound).toFixed(1)} % more than the least ` +
+  'possible';
+
+/** The same of the busiest of several workers. */
+function shareOver(loads: number, bound: number): string {
+  return loads <= bound
+    ? 'no other way to share the work makes that fewer'
+    : `however the work is shared, one worker has at least ${number(bound)}, so ` +
+        atMost(loads, bound);
 }
 
 /** What is read, and the least that can be: by all, or by the busiest of several workers. */
@@ -58,7 +69,7 @@ export function headline(answer: Ordered, asked: Asked): HTMLElement {
       {},
       shared
         ? `For ${count(workers, 'worker')}; the busiest has ${count(makespan, 'load')}: ` +
-            `${over(makespan, spanBound)}.`
+            `${shareOver(makespan, spanBound)}.`
         : `${asked.pairs ? count(pairs, 'pair') : `All ${count(pairs, 'pair')}`} of ` +
             `${count(order.items, 'item')}, with room for ${number(order.room)}` +
             `${order.fast_room === undefined ? '' : `, ${number(order.fast_room)} of them on an accelerator`}: ` +
@@ -82,7 +93,14 @@ export function headline(answer: Ordered, asked: Asked): HTMLElement {
         `${number(order.loads_ahead)} of ${count(loads, 'load')} start in a step before the ` +
           'transfer that needs them, and run while pairs are computed.',
       ),
-    asked.seconds > 0 && h('p', {}, `Searched for ${asked.seconds} s for fewer loads.`),
+    answer.time_is_up === true
+      ? h(
+          'p',
+          {},
+          'The time was up before everything was tried: this is the best order so far. The ' +
+            'command line has no such limit.',
+        )
+      : asked.seconds > 0 && h('p', {}, `Searched for ${asked.seconds} s for fewer loads.`),
     h('p', { class: 'hint' }, 'An independent checker read every step and counted every pair.'),
     h(
       'details',
