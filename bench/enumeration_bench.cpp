@@ -1,5 +1,5 @@
-// Enumeration against a plain depth-first search: what do the rules that give up early save, over a good
-// loop that only keeps count of repeated pairs?
+// Enumeration against a plain depth-first search: what do the rules that give up early save, over a
+// good loop that only keeps count of repeated pairs?
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -16,9 +16,9 @@
 namespace changeover::bench {
 namespace {
 
-// The peer: linear designs, block after block; elements in order of first introduction, of twins the lowest
-// first; a step that repeats more pairs than are left to repeat is not taken. No verification, nothing
-// handed out, no threads.
+// The peer: linear designs, block after block; elements in order of first introduction, of twins
+// the lowest first; a step that repeats more pairs than are left to repeat is not taken. No
+// verification, nothing handed out, no threads.
 class PlainSearch {
  public:
   PlainSearch(std::uint64_t v, std::uint64_t k, std::uint64_t change, std::uint64_t b)

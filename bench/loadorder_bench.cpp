@@ -1,6 +1,7 @@
-// Load orders against BETA, hold-and-stream, square tiles and exhaustive matching: loads, the executor on
-// a file whose pages are kept out of the cache, and reading alone: what the sequence of the items is worth. For
-// listed pairs, orders of closing items as they are in the literature against what search makes of the best.
+// Load orders against BETA, hold-and-stream, square tiles and exhaustive matching: loads, the
+// executor on a file whose pages are kept out of the cache, and reading alone: what the sequence of
+// the items is worth. For listed pairs, orders of closing items as they are in the literature
+// against what search makes of the best.
 //
 // CHANGEOVER_BENCH_SEARCH=20 gives local search so many seconds for each order that is not minimum.
 #include <benchmark/benchmark.h>
@@ -113,7 +114,8 @@ class DataFile {
   std::string path_;
 };
 
-/// The whole job with little to compute, so that loading is what takes the time: all methods in turn, medians.
+/// The whole job with little to compute, so that loading is what takes the time: all methods in
+/// turn, medians.
 void executor(benchmark::State& state) {
   constexpr std::uint64_t bytes = std::uint64_t{4} << 20;
   const auto items = static_cast<std::uint64_t>(state.range(0));
@@ -156,9 +158,9 @@ std::vector<Element> sequence_of(const LoadOrder& order) {
   return items;
 }
 
-/// As many items of the same size as our order loads, read one by one without anything else, in different
-/// sequences: front to back again and again, as BETA begins, as ours, ours with the items renamed at random, and
-/// at random. All in turn, medians, in MB/s.
+/// As many items of the same size as our order loads, read one by one without anything else, in
+/// different sequences: front to back again and again, as BETA begins, as ours, ours with the items
+/// renamed at random, and at random. All in turn, medians, in MB/s.
 void reading(benchmark::State& state) {
   const auto items = static_cast<std::uint64_t>(state.range(0));
   const auto room = static_cast<std::uint64_t>(state.range(1));
@@ -258,8 +260,8 @@ void listed(benchmark::State& state) {
   });
 }
 
-/// Training with room for 4 partitions on one machine, or at each of some workers: all loads of an epoch, those of
-/// each other epoch, and what COVER and BETA load in every epoch.
+/// Training with room for 4 partitions on one machine, or at each of some workers: all loads of an
+/// epoch, those of each other epoch, and what COVER and BETA load in every epoch.
 void training(benchmark::State& state) {
   const auto items = static_cast<std::uint64_t>(state.range(0));
   const auto workers = static_cast<std::uint64_t>(state.range(1));
