@@ -256,6 +256,28 @@ class WorkerLoads(_Loads):
     def __len__(self) -> int:
         return len(self.worker_loads)
 
+    def to_frame(self) -> Any:
+        """A pandas.DataFrame with one row for each step of each worker. Raises ImportError without
+        pandas."""
+        pandas: Any = importlib.import_module("pandas")
+        rows = [(worker, number, *step) for worker in range(len(self))
+                for number, step in enumerate(self.steps(worker), 1)]
+        frame = pandas.DataFrame(rows, columns=["worker", "step", "evict", "load"])
+        return frame.set_index(["worker", "step"])
+
+    def _repr_html_(self) -> str:
+        most_shown = 20
+        columns = {"loads": self.worker_loads, "bytes": self.worker_bytes,
+                   "pairs": self.worker_pairs, "cost": self.worker_costs}
+        known = {name: each for name, each in columns.items() if each is not None}
+        workers = range(min(len(self), most_shown))
+        return shown(
+            repr(self)[len("<WorkerLoads: "):-1],
+            [f"at least {self.makespan_bound} loads: {self.reason}", self.certificate],
+            table(("worker", *known),
+                  ((w, *(each[w] for each in known.values())) for w in workers)),
+            f"<div>{most_shown} of {len(self)} workers</div>\n" if len(self) > most_shown else "")
+
     def __repr__(self) -> str:
         return (f"<WorkerLoads: {count_of(len(self), 'worker')}, the busiest has "
                 f"{count_of(self.makespan, 'load')}>")

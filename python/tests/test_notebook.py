@@ -78,9 +78,17 @@ class Shown(unittest.TestCase):
         self.assertIn("<th>bench</th>", both._repr_html_())
         order = changeover.load_order(20, 5)
         self.assertIn("20 of 46 steps", order._repr_html_())
-        for each in (sheet, both, order):
+        shares = changeover.load_order(20, 5, workers=2, epochs=2)
+        page = shares._repr_html_()
+        for loads, pairs in zip(shares.worker_loads, shares.worker_pairs):
+            self.assertRegex(page, f">{loads}</td><td[^>]*>{pairs}</td>")
+        many = changeover.load_order(200, 20, workers=30)
+        self.assertIn("20 of 30 workers", many._repr_html_())
+        for each in (sheet, both, order, shares, many):
             well_formed(each._repr_html_())
         if pandas:
+            frame = shares.to_frame()["load"].map(len)
+            self.assertEqual([frame[worker].sum() for worker in range(2)], shares.worker_loads)
             self.assertEqual(len(sheet.to_frame()), sheet.tests)
             self.assertEqual(len(both.to_frame()), both.tests)
             self.assertEqual(list(order.to_frame()["load"].map(len))[0], 5)
