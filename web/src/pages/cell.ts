@@ -246,7 +246,7 @@ function howMany(detail: CellDetail): Child[] {
           h(
             'p',
             {},
-            `How many designs with ${count(best.b, 'block')} there are was not counted. `,
+            `Designs with ${count(best.b, 'block')} were not counted. `,
             command(`changeover classify ${v} ${k} ${best.b} --change ${change} --${kind}`),
             ' counts them; only small parameters are within reach.',
           ),

@@ -28,7 +28,7 @@ function over(loads: number, bound: number): string {
 }
 
 const atMost = (loads: number, bound: number): string =>
-  `this one has at most ${((100 * (loads - bound)) / bound).toFixed(1)} % more than the least ` +
+  `this one has at most ${((100 * (loads - bound)) / bound).toFixed(1)}\u00a0% more than the least ` +
   'possible';
 
 /** The same of the busiest of several workers. */
