@@ -611,6 +611,8 @@ export interface Head {
   /** With prefetch and sizes: the bytes that are used; the others are for what loads. */
   order_memory?: number;
   pairs?: number;
+  /** --time was too short for all that is done without it. */
+  time_is_up?: true;
   /**
    * With prefetch at two levels: so many loads start in a step before the first transfer of the
    * item.

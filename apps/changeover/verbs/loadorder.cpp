@@ -2,6 +2,8 @@
 // together.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <chrono>
 #include <functional>
 #include <optional>
 
@@ -28,6 +30,9 @@ void take_memory_of_items(LoadRequest& request, RunRequest& run) {
     run.memory.clear();
   }
 }
+
+// So long an order that is searched may take at least, in all.
+constexpr std::chrono::seconds shortest{10};
 
 // When memory is full for the first time, all pairs in it are new.
 void require_memory_for_a_step(const CheckedLoads& asked, bool ordered) {
@@ -93,6 +98,7 @@ Answer run(const LoadOrderRequest& typed) {
     options.search_pairs = [=](const std::function<void()>& search) {
       searching([&](RunControl&) { search(); });
     };
+    options.time_in_all = std::max<std::chrono::duration<double>>(*run.settings().time, shortest);
   }
   // Made now, so that what cannot be is said before anything is written.
   const auto loads = std::make_shared<const LoadsAnswer>(asked, request, options);

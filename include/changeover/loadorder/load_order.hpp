@@ -39,6 +39,7 @@
 // such an order while streaming it (ScheduleCheck).
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -114,6 +115,10 @@ struct LoadOrderOptions {
   /// without this function: a search never gives a worse order than none, nor one that goes on for
   /// longer than one that ends earlier.
   std::function<void(const std::function<void()>& search)> search_pairs = {};
+  /// How long the fixed work of one order and its search may take together. Fixed work that would
+  /// take longer, and can be cut short, ends with the best so far; then `on_cut_short` is called.
+  std::optional<std::chrono::duration<double>> time_in_all = {};
+  std::function<void()> on_cut_short = {};
   std::uint64_t seed = 1;  ///< of the search
   double effort = 1;       ///< a share of the fixed amount of work
   /// For workers: whether pairs are spread evenly over the workers that have them; otherwise the

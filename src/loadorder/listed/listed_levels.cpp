@@ -11,6 +11,7 @@
 #include "changeover/run/control.hpp"
 #include "core/words.hpp"
 #include "loadorder/listed/quick_moves.hpp"
+#include "loadorder/order/in_rounds.hpp"
 #include "loadorder/order/levels/accelerator.hpp"
 
 namespace changeover {
@@ -289,14 +290,20 @@ std::vector<Move> best_moves(LoadOrderFacts& facts, bool searched,
   consider(levels_of(graph, facts, order_for(fast_room, true), 0), 0);
   constexpr std::uint64_t most_work = 20'000'000;  // some seconds
   std::uint64_t work = 0;
+  // Stopped, it ends with the best so far.
+  const auto consider_batch = [&](std::uint64_t size, bool is_last) {
+    return !must_hurry() && done(true, [&] {
+      consider(levels_of(graph, facts, order_for(facts.room - size, is_last), size), size);
+    });
+  };
+  bool has_time = true;
   for (const std::uint64_t size : batches_to_try(facts.room, fast_room)) {
-    if ((work += graph.pairs()) <= most_work) {
-      consider(levels_of(graph, facts, order_for(facts.room - size, false), size), size);
+    if (has_time && (work += graph.pairs()) <= most_work) {
+      has_time = consider_batch(size, false);
     }
   }
-  if (best_batch > 0 && searched) {
-    consider(levels_of(graph, facts, order_for(facts.room - best_batch, true), best_batch),
-             best_batch);
+  if (has_time && best_batch > 0 && searched) {
+    static_cast<void>(consider_batch(best_batch, true));
   }
   facts.method = best_batch == 0 ? "cache" : "batches";
   facts.explanation =

@@ -299,6 +299,7 @@ class ScheduleCheck::State {
       }
       free -= size;
     }
+    verdict_.most_bytes = std::max(verdict_.most_bytes, rules_.sizes->memory - free);
   }
 
   // They fit, so their sum does.

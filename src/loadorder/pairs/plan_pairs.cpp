@@ -160,7 +160,10 @@ class ListSearch {
     }
     Closing closing(graph_, room_, start);
     const std::uint64_t limit = best_start_.empty() ? most_loads_ : best_.moves.size() - 1;
-    if (closing.run(limit, [this] { return in_a_hurry(); }) <= limit) {
+    std::uint64_t loads = 0;
+    const auto run = [&] { loads = closing.run(limit, [this] { return in_a_hurry(); }); };
+    best_start_.empty() ? in_spite_of_the_time(run) : run();
+    if (loads <= limit) {
       best_.moves = closing.take_moves();
       best_.method = "closing, " + name;
       best_start_ = std::move(start);

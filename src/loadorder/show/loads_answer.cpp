@@ -124,10 +124,36 @@ AnyLoads started_early(AnyLoads loads) {
   return start_loads_early(std::get<LoadOrder>(std::move(loads)));
 }
 
+// Of workers in lockstep what has a small span forward may have a large one backward: with a search
+// the better of the two orders is taken, with it and without.
+AnyLoads repeated_lockstep(const CheckedLoads& asked, const LoadRequest& request,
+                           const LoadOrderOptions& options) {
+  LoadOrderOptions fixed = options;
+  fixed.improve = nullptr;
+  fixed.search_pairs = nullptr;
+  AnyLoads without = repeated(planned(asked, request, fixed), *request.epochs);
+  AnyLoads with = repeated(planned(asked, request, options), *request.epochs);
+  const auto cost = [&](const AnyLoads& loads) {
+    const LoadOrderFacts& facts = std::get<LoadOrder>(loads).facts();
+    return facts.sizes ? std::pair(facts.span_bytes, facts.bytes)
+                       : std::pair(facts.span, facts.loads);
+  };
+  return cost(with) < cost(without) ? std::move(with) : std::move(without);
+}
+
 AnyLoads loads_for(const CheckedLoads& asked, const LoadRequest& request,
                    const LoadOrderOptions& options) {
+  const bool one_level = !request.fast_room && !request.fast_memory;
+  if (request.disjoint && one_level && request.epochs.value_or(1) > 1 && options.search_pairs) {
+    return repeated_lockstep(asked, request, options);
+  }
   AnyLoads loads = repeated(planned(asked, request, options), request.epochs.value_or(1));
   return starts_early(request) ? started_early(std::move(loads)) : std::move(loads);
+}
+
+LoadOrderOptions told_when_cut_short(LoadOrderOptions options, bool& is_cut_short) {
+  options.on_cut_short = [&is_cut_short] { is_cut_short = true; };
+  return options;
 }
 
 }  // namespace
@@ -136,7 +162,7 @@ LoadsAnswer::LoadsAnswer(const CheckedLoads& asked, const LoadRequest& request,
                          const LoadOrderOptions& options)
     : room_(asked.room()),
       how_(shown_as_asked(request)),
-      loads_(loads_for(asked, request, options)) {}
+      loads_(loads_for(asked, request, told_when_cut_short(options, how_.time_is_up))) {}
 
 namespace {
 

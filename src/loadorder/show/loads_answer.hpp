@@ -31,6 +31,9 @@ class LoadsAnswer {
   [[nodiscard]] const AnyLoads& loads() const { return loads_; }
   [[nodiscard]] std::uint64_t room() const { return room_; }
 
+  /// Whether LoadOrderOptions::time_in_all left out something that is tried without a search.
+  [[nodiscard]] bool time_is_up() const { return how_.time_is_up; }
+
   /// A lower bound on the loads of such a schedule.
   [[nodiscard]] LoadBound bound() const;
 

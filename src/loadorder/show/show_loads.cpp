@@ -193,7 +193,8 @@ class ScheduleText {
         json.key("transfer_bytes_bound_reason").value(facts_.transfer_byte_bound.reason);
       }
       json.key("bytes_loaded").value(facts_.bytes);
-      json.key("most_bytes").value(facts_.most_bytes);
+      // With what leaves late, if steps were read so.
+      json.key("most_bytes").value(std::max(facts_.most_bytes, checked_.most_bytes));
       json.key("bytes_bound").value(facts_.byte_bound.loads);
       json.key("bytes_bound_reason").value(facts_.byte_bound.reason);
       WorkerWords(facts_, split_).say_bytes(json);
@@ -279,6 +280,7 @@ class ScheduleText {
     }
     const std::string method = facts_.fast_room ? facts_.explanation + "\n"
                                                 : facts_.method + ": " + facts_.explanation + "\n";
+    spread += how_.time_is_up ? say_that_time_is_up(json) : "";
     return in_short(bound, steps) + epochs_in_words(facts_) + spread + stores +
            (plain ? hint() : "") + method + bounds(bound);
   }

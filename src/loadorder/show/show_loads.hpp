@@ -17,6 +17,7 @@ struct LoadsShown {
   bool early = false;       ///< of two levels: loads start early
   bool write_back = false;  ///< whether to show what is stored
   bool searched = false;    ///< whether a search for fewer loads was requested
+  bool time_is_up = false;  ///< whether what is tried without a search was cut short
   std::uint64_t seed =
       1;  ///< seed for choosing the items that are tracked while an unverified order is written
   std::optional<std::uint64_t> item_bytes = {};  ///< for two levels

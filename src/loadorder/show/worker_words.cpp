@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "core/checked.hpp"
 #include "core/words.hpp"
@@ -29,6 +30,12 @@ std::string epochs_in_words(const LoadOrderFacts& facts) {
                            count_of(loads[0], "load"), loads[1], loads[2])
              : fmt::format("{} in the first epoch, then {} in each\n", count_of(loads[0], "load"),
                            loads[1]);
+}
+
+std::string say_that_time_is_up(JsonWriter& json) {
+  json.key("time_is_up").value(true);
+  return "the time was up before all was tried that is tried without --time; with more time there "
+         "may be less to load\n";
 }
 
 WorkerWords::WorkerWords(const LoadOrderFacts& facts, const SplitFacts* split)
@@ -115,9 +122,19 @@ std::string WorkerWords::busiest() const {
                      text());
 }
 
+namespace {
+
+// A worker that does nothing has a number, too.
+std::vector<std::uint64_t> of_all(std::vector<std::uint64_t> counts, std::uint64_t workers) {
+  counts.resize(static_cast<std::size_t>(workers), 0);
+  return counts;
+}
+
+}  // namespace
+
 void WorkerWords::say_each(JsonWriter& json) const {
   if (split_ == nullptr && facts_.sizes) {
-    json.key("worker_bytes").value(facts_.worker_bytes);
+    json.key("worker_bytes").value(of_all(facts_.worker_bytes, workers_));
   }
   if (split_ != nullptr && facts_.sizes) {
     json.list("worker_bytes", split_->workers,
@@ -127,7 +144,7 @@ void WorkerWords::say_each(JsonWriter& json) const {
     return;
   }
   if (split_ == nullptr) {
-    json.key("worker_pairs").value(facts_.worker_pairs);
+    json.key("worker_pairs").value(of_all(facts_.worker_pairs, workers_));
     return;
   }
   json.list("worker_pairs", split_->workers,

@@ -16,6 +16,9 @@ namespace changeover {
 /// The loads of each of several epochs, as a line; empty for one.
 [[nodiscard]] std::string epochs_in_words(const LoadOrderFacts& facts);
 
+/// Writes the key "time_is_up", and returns the line that says the same.
+[[nodiscard]] std::string say_that_time_is_up(JsonWriter& json);
+
 class WorkerWords {
  public:
   /// For workers in lockstep, or for those of a split. Both must outlive this object.

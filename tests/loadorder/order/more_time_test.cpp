@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <functional>
 #include <limits>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "../pairs/pairs_support.hpp"
 #include "../sizes/sizes_support.hpp"
@@ -192,6 +195,51 @@ TEST(MoreTime, ALimitOfTheWholeLeavesAnOrderOfAList) {
     };
     EXPECT_TRUE(plan_load_order(list, 10, options).facts().every_step_read) << most;
     EXPECT_TRUE(plan_two_levels(list, 10, 4, options).facts().every_step_read) << most;
+  }
+}
+
+// A time for all of it leaves an order of every kind, which is said to be cut short. Without a time
+// that is too short nothing is said.
+TEST(MoreTime, ATimeInAllLeavesAnOrderOfEachKind) {
+  const WantedPairs list = listed(40, close_points(40, 130, 3));
+  std::mt19937 random(1);
+  const auto bytes = random_sizes(random, 40, 40, 90);
+  const auto both =
+      std::make_shared<const ItemSizes>(ItemSizes{bytes->bytes, bytes->memory + 60, bytes->memory});
+  const auto memory = std::make_shared<const ItemSizes>(ItemSizes{bytes->bytes, both->memory});
+  using Plan = std::function<std::uint64_t(const LoadOrderOptions&)>;  // the loads
+  const std::vector<std::pair<const char*, Plan>> plans{
+      {"one level",
+       [&](const auto& options) { return plan_load_order(list, 10, options).facts().loads; }},
+      {"two levels",
+       [&](const auto& options) { return plan_two_levels(list, 10, 4, options).facts().loads; }},
+      {"bytes",
+       [&](const auto& options) { return plan_sized_order(memory, list, options).facts().loads; }},
+      {"bytes at two levels",
+       [&](const auto& options) { return plan_two_levels(both, list, options).facts().loads; }},
+      {"workers",
+       [&](const auto& options) { return split_load_order(list, 10, 3, options).facts().loads; }},
+      {"workers of bytes",
+       [&](const auto& options) {
+         return split_sized_order(memory, list, 3, options).facts().loads;
+       }},
+      {"workers of two levels",
+       [&](const auto& options) {
+         return split_two_levels(list, 10, 4, 3, options).facts().loads;
+       }},
+      {"prefetch",
+       [&](const auto& options) { return plan_prefetch(list, 10, options).order.facts().loads; }},
+  };
+  for (const auto& [what, plan] : plans) {
+    LoadOrderOptions options = searched(0);
+    bool is_cut_short = false;
+    options.on_cut_short = [&] { is_cut_short = true; };
+    options.time_in_all = std::chrono::hours(1);
+    const std::uint64_t all = plan(options);
+    EXPECT_FALSE(is_cut_short) << what;
+    options.time_in_all = std::chrono::seconds(0);
+    EXPECT_LE(plan(options), 2 * all) << what;
+    EXPECT_TRUE(is_cut_short) << what;
   }
 }
 

@@ -236,6 +236,56 @@ TEST(LoadsAnswer, ColmapReadsEachPairOnceInBlocksThatFit) {
   }
 }
 
+// What leaves late keeps its bytes while the next items load.
+TEST(LoadsAnswer, MostBytesAreThoseWhileItemsLoad) {
+  bool some_leave_late = false;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    std::vector<std::uint64_t> bytes;
+    std::string sizes;
+    for (std::uint64_t x = 0; x < 10; ++x) {
+      bytes.push_back(1 + (seed * 37 + x * x * 11) % 40);
+      sizes += fmt::format("{}{}", x > 0 ? "," : "", bytes.back());
+    }
+    const LoadRequest request = load_request(
+        fmt::format(R"({{"items":10,"done_items":{},"memory":100,"prefetch":true,"sizes":[{}]}})",
+                    4 + seed % 6, sizes));
+    const CheckedLoads asked = checked_loads(request, Door::document);
+    const LoadsAnswer loads(asked, request, LoadOrderOptions());
+    std::uint64_t held = 0, most = 0;
+    const auto steps = loads.steps(std::nullopt);
+    for (Step step; steps->next(step);) {
+      const auto sum = [&](std::size_t begin, std::size_t end) {
+        std::uint64_t all = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+          all += bytes[step.evict[i]];
+        }
+        return all;
+      };
+      const std::size_t first = step.evict.size() - static_cast<std::size_t>(step.late);
+      held -= sum(0, first);
+      for (const Element x : step.load) {
+        held += bytes[x];
+      }
+      most = std::max(most, held);
+      held -= sum(first, step.evict.size());
+      some_leave_late = some_leave_late || step.late > 0;
+    }
+    EXPECT_THAT(loads.head(), HasSubstr(fmt::format("\"most_bytes\":{},", most))) << seed;
+  }
+  EXPECT_TRUE(some_leave_late);
+}
+
+TEST(LoadsAnswer, AWorkerWithoutWorkHasItsPlaceInEachList) {
+  const LoadRequest request = load_request(
+      R"({"items":6,"done_items":5,"workers":3,"disjoint":true,"memory":2,"sizes":[1,1,1,1,1,1]})");
+  const CheckedLoads asked = checked_loads(request, Door::document);
+  const std::string head = LoadsAnswer(asked, request, LoadOrderOptions()).head();
+  for (const char* key : {"worker_loads", "worker_bytes", "worker_pairs"}) {
+    const std::string list = list_in(head, key);
+    EXPECT_EQ(std::count(list.begin(), list.end(), ','), 2) << key << " " << head;
+  }
+}
+
 TEST(LoadsAnswer, ColmapIsGivenNoPairTwiceAndNoNameThatItCannotRead) {
   LoadRequest request;
   request.items = 70'000;
