@@ -188,6 +188,10 @@ Bound end_to_end(const Parameters& p) {
                   p.change, p.v, p.k, reach, p.strength, b, entering, count_of(reach, "block"))};
 }
 
+bool is_circular_14_5(const Parameters& p) {
+  return p.strength == 2 && p.change == 1 && p.kind == Kind::circular && p.k == 5 && p.v == 14;
+}
+
 }  // namespace
 
 std::vector<Bound> lower_bounds(const Parameters& p) {
@@ -222,6 +226,11 @@ std::vector<Bound> lower_bounds(const Parameters& p) {
              "no whole numbers i_x, r_x have the sums of {} or fewer blocks and "
              "i_x(k-1) + m(r_x-i_x) >= v-1 = {} for every x and the stays of Theorem 5: b >= {}",
              *program - 1, p.v - 1, *program)});
+  }
+  if (is_circular_14_5(p)) {
+    bounds.push_back({24, "all lists",
+                      "with 23 blocks each element has one or two stays; a search through all such "
+                      "lists finds none (docs/theorems.md, Theorem 29): b >= 24"});
   }
   if (const auto searched = excluded_below(p)) {
     bounds.push_back(

@@ -315,6 +315,9 @@ TEST(LowerBound, WritesEachReasonWithItsNumbers) {
       reason_named({.v = 12, .k = 4}, "checked proofs"),
       "fewer than 14 blocks are excluded by SAT with checked DRAT proofs, written anew by: changeover "
       "search 12 4 --change 2 --linear --exact --proof DIR");
+  EXPECT_EQ(reason_named(circular(14, 5, 1), "all lists"),
+            "with 23 blocks each element has one or two stays; a search through all such lists "
+            "finds none (docs/theorems.md, Theorem 29): b >= 24");
   EXPECT_EQ(reason_named({.v = 7, .k = 7}, "trivial"), "one block holds all elements");
 }
 

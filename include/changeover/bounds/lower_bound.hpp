@@ -24,7 +24,9 @@
 //             Fort and Hedlund.
 //   checked proofs  for some small parameters fewer blocks were excluded by SAT, each number of
 //             blocks with a DRAT proof that was checked; the reason names the command that writes
-//             the proofs again. This is the only bound here that is not a proof on paper.
+//             the proofs again. This bound and the next are not proofs on paper.
+//   all lists  circular SCCD(14,5): a search through all lists of 23 blocks that may be one
+//             [docs/theorems.md, Theorem 29].
 //   end to end  b ≥ 2⌈(v−k)/m⌉ + 1: with p = ⌈(v−k)/m⌉, some x is in none of the first p blocks and
 //             some y in none of the last p, so b ≤ 2p would leave {x,y} uncovered. For strength t
 //             likewise b ≥ tp + 1 [docs/theorems.md, Theorem 7].
@@ -44,7 +46,7 @@ namespace changeover {
 struct Bound {
   std::uint64_t blocks = 0;
   std::string name;    ///< "counting", "degree", "degree program", "end to end", "stays",
-                       ///< "checked proofs", "trivial"
+                       ///< "checked proofs", "all lists", "trivial"
   std::string reason;  ///< one line of plain mathematics with the numbers filled in
 
   bool operator==(const Bound&) const = default;
