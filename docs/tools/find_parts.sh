@@ -10,10 +10,10 @@
 # It starts from the best double-change design known, and leaves with 1 if it finds none.
 # docs/tools/keep_design.sh FILE keeps the design.
 set -eu
-cd "$(dirname "$0")/../.."
+CDPATH= cd -- "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
+trap 'exit 1' HUP INT QUIT PIPE TERM
 ${CXX:-c++} -std=c++20 -O3 -o "$work/find_parts" docs/tools/find_parts/find_parts.cpp
 build/release/changeover design "$1" "$2" "--$3" --format text -o "$work/design.txt"
 "$work/find_parts" "$@" < "$work/design.txt"

@@ -12,7 +12,7 @@ from test_cluster import jobs, memory, taken, wanted
 class Bytes(unittest.TestCase):
     def test_no_worker_holds_more_bytes_than_there_are(self):
         rng = random.Random(6)
-        for items, _, workers, pairs in jobs(rng, 60):
+        for items, _, workers, pairs in jobs(60):
             sizes = [rng.randint(1, 40) for _ in range(items)]
             overlap = rng.random() < 0.5
             room = sum(sorted(sizes)[-2:]) + max(sizes) + rng.randint(0, 80)

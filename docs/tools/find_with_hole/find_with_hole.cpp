@@ -407,7 +407,10 @@ class Looking {
   [[nodiscard]] bool possible() const {
     return h_ >= (q_.open ? 2 * n_ : n_) && (!q_.open || q_.added >= n_) && h_ + q_.added <= 64 &&
            of_v_ >= 0 && of_p_ > 0 && blocks_of_v() <= most_blocks &&
-           blocks_of_p() <= most_blocks && static_cast<std::size_t>(q_.lacking) <= welcome_.size();
+           blocks_of_p() <= most_blocks &&
+           static_cast<std::size_t>(q_.lacking) <= welcome_.size() &&
+           (q_.parts == 0 || blocks_of_v() > gap * (q_.parts + 1)) &&
+           (!q_.open || blocks_of_v() >= n_);  // From U_1 to U.
   }
 
   std::optional<Blocks> found(std::uint64_t seed, double seconds) const {
@@ -447,7 +450,9 @@ class Looking {
       }
     }
     for (std::size_t i = 0; i < list.size(); ++i) {
-      if (i > 0 && common(list[i - 1], list[i]).size() + 1 != list[i].size()) {
+      if (std::set<int>(list[i].begin(), list[i].end()).size() != static_cast<std::size_t>(q_.k) ||
+          list[i].size() != static_cast<std::size_t>(q_.k) ||
+          (i > 0 && common(list[i - 1], list[i]).size() != static_cast<std::size_t>(n_))) {
         return false;
       }
       for (const int x : list[i]) {
@@ -532,7 +537,7 @@ int run(const Numbers& numbers, std::uint64_t seed, double seconds) {
     std::fprintf(stderr,
                  "find_with_hole: these numbers make no two lists of at most 64 blocks; the hole, "
                  "W-PARTS*(K-1) elements, needs K-1, with open 2(K-1), and with open NEW is K-1 "
-                 "or more\n");
+                 "or more; V needs 5 blocks for each subset and 6 more\n");
     return 2;
   }
   const Looking looking(numbers);
@@ -555,6 +560,10 @@ int run(const Numbers& numbers, std::uint64_t seed, double seconds) {
     }
     std::printf("\n");
   }
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    std::fprintf(stderr, "find_with_hole: the list could not be written\n");
+    return 3;
+  }
   return 0;
 }
 
@@ -575,7 +584,7 @@ int main(int count, char** words) {
   if (!right || numbers.back() == 0) {
     std::fprintf(stderr,
                  "usage: find_with_hole [open] K W NEW PARTS LACKING [SEED] [SECONDS], whole "
-                 "numbers\n");
+                 "numbers, SECONDS at least 1\n");
     return 2;
   }
   return find_with_hole::run({open, numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]},

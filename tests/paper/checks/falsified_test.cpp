@@ -100,7 +100,7 @@ TEST(FalsifiedPaper, cited) {
   expect_found(section, cited(&PrintedCited::fixed_at, "2k-4"), "Section 2.1", "if and only if");
   expect_found(section, cited(&PrintedCited::room_v, "k+m+1"), "Section 2.1", "b > 1");
   expect_found(
-      section, [](Paper& p) { p.cited.single_k.push_back(5); }, "Section 2.1", "minimum SCCDs");
+      section, [](Paper& p) { p.cited.single_k.push_back(6); }, "Section 2.1", "minimum SCCDs");
   expect_found(
       section, [](Paper& p) { p.cited.k4_to = 20; }, "Section 2.1", "are constructed for v");
   Paper right = printed_paper();

@@ -196,12 +196,15 @@ function followReading(root: HTMLElement, contents: HTMLElement, signal: AbortSi
 /** What is inside of a fold, made when it is opened. */
 function lazily(make: () => Child[]): HTMLElement {
   const place = h('div');
-  const watcher = new IntersectionObserver((seen) => {
-    if (seen.some((each) => each.isIntersecting)) {
-      watcher.disconnect();
-      fill(place, make());
-    }
-  });
+  const watcher = new IntersectionObserver(
+    (seen) => {
+      if (seen.some((each) => each.isIntersecting)) {
+        watcher.disconnect();
+        fill(place, make());
+      }
+    },
+    { rootMargin: '400px' }, // What is opened at the lower edge begins below it.
+  );
   watcher.observe(place);
   place.append('\u00a0');
   return place;
