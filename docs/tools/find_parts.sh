@@ -10,7 +10,7 @@
 # It starts from the best double-change design known, and leaves with 1 if it finds none.
 # docs/tools/keep_design.sh FILE keeps the design.
 set -eu
-CDPATH= cd -- "$(dirname "$0")/../.."
+CDPATH='' cd -- "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT QUIT PIPE TERM

@@ -6,7 +6,7 @@
 #
 # Then build, run test_loadorder and measure again with docs/tools/share_region.py.
 set -eu
-CDPATH= cd -- "$(dirname "$0")/../.."
+CDPATH='' cd -- "$(dirname "$0")/../.."
 table=src/loadorder/shares/share_table.inc
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

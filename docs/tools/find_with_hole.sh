@@ -17,7 +17,7 @@ set -eu
   echo "usage: docs/tools/find_with_hole.sh [open] K W NEW PARTS LACKING [SEED] [SECONDS]" >&2
   exit 2
 }
-CDPATH= cd -- "$(dirname "$0")/../.."
+CDPATH='' cd -- "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT QUIT PIPE TERM
