@@ -78,6 +78,19 @@ class Stays {
     return meetings - 1;
   }
 
+  /// The same with all that are placed.
+  [[nodiscard]] std::optional<int> again_with_all(const Placed& x) const {
+    int sum = 0;
+    for (const Placed& y : placed_) {
+      const auto times = again(x, y);
+      if (!times) {
+        return std::nullopt;
+      }
+      sum += *times;
+    }
+    return sum;
+  }
+
   void find_pairs_of_stays() {
     for (int more = 0; more <= spare_; ++more) {
       const int blocks = v_ - 2 * k_ + 3 + more;
@@ -116,15 +129,9 @@ class Stays {
           break;  // Turned, one of them comes at step 0.
         }
         const Placed x{stay(begin, length), step(begin), step(begin + length), more};
-        int meets_again = 0;
-        const bool fits = std::ranges::all_of(placed_, [&](const Placed& y) {
-          const auto times = again(x, y);
-          meets_again += times.value_or(0);
-          return times.has_value();
-        });
-        if (fits && meets_again <= left) {
+        if (const auto times = again_with_all(x); times && *times <= left) {
           placed_.push_back(x);
-          place_single(begin + 1, left - meets_again);
+          place_single(begin + 1, left - *times);
           placed_.pop_back();
         }
       }
@@ -152,14 +159,8 @@ class Stays {
     }
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      int meets_again = 0;
-      const bool fits = std::ranges::all_of(placed_, [&](const Placed& y) {
-        const auto times = again(pairs_[i], y);
-        meets_again += times.value_or(0);
-        return times.has_value();
-      });
-      if (fits && meets_again <= left) {
-        candidates.push_back({i, meets_again});
+      if (const auto times = again_with_all(pairs_[i]); times && *times <= left) {
+        candidates.push_back({i, *times});
       }
     }
     go_on(comes, leaves, left, candidates);
