@@ -24,6 +24,7 @@
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
+#include "construct/tools/cyclic.hpp"
 #include "construct/trusted_entry.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
@@ -40,9 +41,10 @@ constexpr std::uint64_t most_searched = std::uint64_t{1} << 24;
 
 // How the unchanged subsets of a family look.
 enum class Family : std::uint8_t {
-  interval,  // c base blocks over Z_v with an interval in common
-  doubled,   // a circular SCCD(k−1, k/2, k−1) of that sort with two copies of every element
-  fixed,     // one of those with one more element in every block
+  interval,   // c base blocks over Z_v with an interval in common
+  doubled,    // a circular SCCD(k−1, k/2, k−1) of that sort with two copies of every element
+  fixed,      // one of those with one more element in every block
+  partition,  // unchanged subsets partition its elements
 };
 
 struct Known {
@@ -51,11 +53,12 @@ struct Known {
   Family family;
 };
 
-constexpr std::array<Known, 6> known_families{{
+constexpr std::array<Known, 7> known_families{{
     {"cyclic", 2, Family::interval},
     {"cyclic-paper", 2, Family::interval},
     {"cyclic-single-change", 1, Family::interval},
     {"mcsorley-circular", 1, Family::interval},
+    {"stretched-orbits", 1, Family::partition},
     {"doubling", 2, Family::doubled},
     {"fixed-element", 2, Family::fixed},
 }};
@@ -76,6 +79,12 @@ std::optional<IntervalCoverSize> cover_size(Family family, const Parameters& p, 
                                             std::uint64_t w) {
   if (family == Family::interval) {
     return interval_cover_size(p, b / p.v, w);
+  }
+  if (family == Family::partition) {
+    const std::uint64_t n = p.k - p.change;
+    return p.v % n == 0 && p.v <= max_elements_of_interval_expansion
+               ? std::optional(IntervalCoverSize{p.v / n, false})
+               : std::nullopt;
   }
   const Parameters half = halved(p);
   if (half.k < 2 || (w == 1 && p.v < p.k + 3)) {
@@ -248,6 +257,13 @@ class PartialExpander final : public Described<Rule, description> {
       }
     };
     const std::uint64_t other = p.v * n / (n + 1) / period;
+    // An odd number of unchanged subsets of k−1 elements partitions these.
+    if (p.change == 1 && p.k % 2 == 0 && p.v > n) {
+      const std::uint64_t most = (p.v - n - 1) / period;
+      for (std::uint64_t i = 0; i <= std::min(values_of_c, most); ++i) {
+        sizes.push_back((most - i) * period + n);
+      }
+    }
     for (std::uint64_t i = 0; i <= values_of_c; ++i) {
       add(largest_c - std::min(i, largest_c));
       add(other + i);
@@ -324,6 +340,9 @@ class PartialExpander final : public Described<Rule, description> {
     const Known* known = known_family(input);
     const auto size = known != nullptr && b ? cover_size(known->family, p, *b, w) : std::nullopt;
     if (size && p.v <= largest_v) {
+      if (known->family == Family::partition) {
+        return {.subsets = known_expansion_set(input, registry)};
+      }
       if (known->family != Family::interval) {
         return doubled_cover(p, size->subsets, known->family == Family::fixed);
       }

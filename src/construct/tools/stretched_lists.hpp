@@ -1,0 +1,34 @@
+// Lists of base blocks over Z × {0, …, g−1} that can be stretched: what the construction
+// stretched-orbits develops [docs/theorems.md, Theorem 30].
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace changeover {
+
+/// An element of Z × {0, …, g−1}.
+struct OrbitPoint {
+  std::int64_t residue = 0;  ///< an integer; that it is taken modulo n comes later
+  std::uint64_t orbit = 0;
+
+  bool operator==(const OrbitPoint&) const = default;
+};
+
+/// Blocks B₀, …, B_{q−1} of k = gh+1 points. The first one, and the one before it, B_{q−1} with 1
+/// less in each residue, have A = {0, …, h−1} × {0, …, g−1} in common.
+struct StretchedList {
+  std::uint64_t g = 1;  ///< orbits
+  std::uint64_t h = 1;  ///< residues of each of them in A
+  std::uint64_t n = 1;  ///< the list is one for Z_n, and so for n+2h, n+4h, …
+  std::vector<std::vector<OrbitPoint>> blocks;
+
+  [[nodiscard]] std::uint64_t k() const { return g * h + 1; }
+};
+
+/// All that are known; no two with the same g and h. The order and the lists stay as they are, for
+/// recipes name only what they make.
+[[nodiscard]] const std::vector<StretchedList>& stretched_lists();
+
+}  // namespace changeover
