@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Runs tests of the pages in Chromium; skipped (77) where Node, its modules or Chromium are
 # missing: `./dev test` brings them where it can.
-# usage: run.sh WEB COMMAND...
-#        run.sh WEB --tests FILE...
+# usage: run.sh WEB COMMAND...         one that needs no browser
+#        run.sh WEB --browser COMMAND...
+#        run.sh WEB --pages FILE...    CHANGEOVER_PAGES: words of the names of those to run
 set -euo pipefail
 cd "$1"
 shift
@@ -14,32 +15,16 @@ command -v node >/dev/null || missing 'Node is not installed'
 [[ -d node_modules/playwright-core && -d node_modules/axe-core && -d node_modules/esbuild &&
   -d node_modules/json-schema-to-typescript ]] ||
   missing 'web/node_modules is not there; run ./dev web install'
+[[ $1 == --browser || $1 == --pages ]] || exec "$@"
 command -v "${CHROMIUM:-chromium-headless-shell}" >/dev/null ||
   [[ -z ${CHROMIUM:-} && -x /usr/bin/chromium ]] ||
   missing 'Chromium is not installed'
-[[ $1 == --tests ]] || exec "$@"
+mode=$1
 shift
-
-# The files run beside each other, for a browser waits as often as it works. On a loaded machine one
-# can miss a limit of time: what fails is tried once more, alone, and that is said.
-said=$(mktemp -d)
-trap 'rm -rf "$said"' EXIT
-declare -A process
-again=()
-for file in "$@"; do
-  node "$file" >"$said/$(basename "$file")" 2>&1 &
-  process[$file]=$!
-done
-code=0
-for file in "$@"; do
-  failed=0
-  wait "${process[$file]}" || failed=1
-  printf '%s\n' "$file"
-  cat "$said/$(basename "$file")"
-  ((failed == 0)) || again+=("$file")
-done
-for file in "${again[@]}"; do
-  printf 'failed; once more: %s\n' "$file"
-  node "$file" || code=1
-done
-exit "$code"
+if [[ $mode == --browser ]]; then
+  # On a loaded machine it can miss a limit of time.
+  "$@" && exit
+  printf 'failed; once more\n'
+  exec "$@"
+fi
+exec node tests/run.mjs --only "${CHANGEOVER_PAGES:-}" "$@"

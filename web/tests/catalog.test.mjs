@@ -1,23 +1,16 @@
 // The catalog: map, filters, table, what is taken along, look-up.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { after, afterEach, before, test } from 'node:test';
-import { look, settled, start } from './support/browser.mjs';
+import { look, settled } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
-
-let explorer;
-before(async () => {
-  explorer = await start();
-});
-afterEach(() => explorer.tidy());
-after(() => explorer.stop());
+import { test } from './support/tests.mjs';
 
 const small = '#/catalog?k=3..6&v=5..30';
 const params = (page) => new URLSearchParams(page.url().split('?').at(-1));
 const map = (page) => page.locator('.atlas-canvas');
 const readout = (page, text) => page.locator('.readout h2', { hasText: text }).waitFor();
 
-test('the map is walked through by arrow keys, and a cell opens', async () => {
+test('the map is walked through by arrow keys, and a cell opens', async (explorer) => {
   const page = await explorer.open(`${small}&change=2&kind=circular&at=12.4`);
   await readout(page, 'v = 12, k = 4');
   await map(page).focus();
@@ -40,7 +33,7 @@ test('the map is walked through by arrow keys, and a cell opens', async () => {
   assert.equal(params(page).get('at'), '5.5');
 });
 
-test('a click opens a cell, hovering says what it is, a drag pans', async () => {
+test('a click opens a cell, hovering says what it is, a drag pans', async (explorer) => {
   const page = await explorer.open(small);
   const box = await map(page).boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
@@ -56,7 +49,7 @@ test('a click opens a cell, hovering says what it is, a drag pans', async () => 
   await page.waitForURL(/#\/cell/);
 });
 
-test('zooming changes the window, the table and the link', async () => {
+test('zooming changes the window, the table and the link', async (explorer) => {
   const page = await explorer.open('#/catalog');
   assert.equal(params(page).get('v'), null);
   const all = Number((await page.locator('.filter-says strong').textContent()).replace(/\D/g, ''));
@@ -81,7 +74,7 @@ test('zooming changes the window, the table and the link', async () => {
   await page.getByRole('button', { name: 'All cells' }).click();
 });
 
-test('sorting and filters are in the link, and filters say what they leave', async () => {
+test('sorting and filters are in the link, and filters say what they leave', async (explorer) => {
   const page = await explorer.open(small);
   await page.getByRole('button', { name: 'gap', exact: true }).click();
   await page.getByRole('button', { name: 'gap', exact: true }).click();
@@ -110,7 +103,7 @@ test('sorting and filters are in the link, and filters say what they leave', asy
   assert.ok((await gaps()).length > found.length);
 });
 
-test('all tight designs with a group of order > 1', async () => {
+test('all tight designs with a group of order > 1', async (explorer) => {
   const page = await explorer.open(`${small}&change=2&kind=circular`);
   await page.getByLabel('tight').check();
   await page.getByLabel('group of order > 1').check();
@@ -123,7 +116,7 @@ test('all tight designs with a group of order > 1', async () => {
   assert.ok((await page.locator('table.cells tbody .badge.good').count()) === orders.length);
 });
 
-test('what is listed is taken along', async () => {
+test('what is listed is taken along', async (explorer) => {
   const page = await explorer.open('#/catalog?k=4..5&v=8..10&change=1&kind=linear');
   const taken = async (name) => {
     const [download] = await Promise.all([
@@ -144,13 +137,13 @@ test('what is listed is taken along', async () => {
   assert.match(latex, /8 & \$\\mathbf\{9\}\$ & /);
 });
 
-test('a random cell is one of those that are listed', async () => {
+test('a random cell is one of those that are listed', async (explorer) => {
   const page = await explorer.open('#/catalog?k=4&v=8..9&change=1&kind=linear');
   await page.getByRole('button', { name: 'Random cell' }).click();
   await page.waitForURL(/#\/cell\?v=[89]&k=4&change=1&kind=linear/, { waitUntil: 'commit' });
 });
 
-test('long tables are drawn in pieces', async () => {
+test('long tables are drawn in pieces', async (explorer) => {
   const page = await explorer.open('#/catalog');
   const shown = () => page.locator('table.cells tbody tr').count();
   assert.equal(await shown(), 100);
@@ -158,7 +151,7 @@ test('long tables are drawn in pieces', async () => {
   await page.locator('table.cells tbody tr').nth(150).waitFor();
 });
 
-test('another change number, kind, strength and range are another table', async () => {
+test('another change number, kind, strength and range are another table', async (explorer) => {
   const page = await explorer.open(small);
   await page.getByLabel('Change number').selectOption('1');
   await page.getByLabel('Kind').selectOption('linear');
@@ -177,7 +170,7 @@ test('another change number, kind, strength and range are another table', async 
   await page.locator('table.cells a[href*="strength=3"]').first().waitFor();
 });
 
-test('another measure paints the same table anew', async () => {
+test('another measure paints the same table anew', async (explorer) => {
   const page = await explorer.open(small);
   const asked = [];
   page.on('request', (request) => asked.push(new URL(request.url()).pathname));
@@ -200,7 +193,7 @@ test('another measure paints the same table anew', async () => {
   assert.equal(params(page).get('measure'), 'construction');
 });
 
-test('the look-up box leads to cells, labels and the page Verify', async () => {
+test('the look-up box leads to cells, labels and the page Verify', async (explorer) => {
   const page = await explorer.open(small);
   const box = page.getByLabel('Look up a design');
   await box.fill('kangaroo');
@@ -224,14 +217,14 @@ test('the look-up box leads to cells, labels and the page Verify', async () => {
   await page.getByRole('heading', { name: 'Verify', level: 1 }).waitFor();
 });
 
-test('completeness by block size', async () => {
+test('completeness by block size', async (explorer) => {
   const page = await explorer.open(small);
   await page.getByText('Completeness by block size').click();
   await page.locator('details.completeness[open]').waitFor();
   await page.locator('.completeness meter').first().waitFor();
 });
 
-test('it looks right', async () => {
+test('it looks right', async (explorer) => {
   const page = await explorer.open(`${small}&at=20.5`);
   await look(page, 'catalog');
   const more = page.getByRole('button', { name: 'More controls' });

@@ -1,17 +1,10 @@
 // A cell: bounds, recipe, designs of the catalog, neighbours.
 import assert from 'node:assert/strict';
-import { after, afterEach, before, test } from 'node:test';
-import { look, settled, start } from './support/browser.mjs';
+import { look, settled } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
+import { test } from './support/tests.mjs';
 
-let explorer;
-before(async () => {
-  explorer = await start();
-});
-afterEach(() => explorer.tidy());
-after(() => explorer.stop());
-
-test('what is known, and why', async () => {
+test('what is known, and why', async (explorer) => {
   const page = await explorer.open('#/cell?v=108&k=5&change=2&kind=circular');
   assert.match(
     await page.locator('.known').textContent(),
@@ -35,7 +28,7 @@ test('what is known, and why', async () => {
   await page.locator('.bibtex pre', { hasText: '@misc{' }).waitFor();
 });
 
-test('a minimum says by which argument', async () => {
+test('a minimum says by which argument', async (explorer) => {
   const page = await explorer.open('#/cell?v=20&k=5');
   assert.match(
     await page.locator('.known').textContent(),
@@ -52,7 +45,7 @@ test('a minimum says by which argument', async () => {
   await page.getByRole('heading', { name: /29 blocks/ }).waitFor();
 });
 
-test('how many there are, and what others report', async () => {
+test('how many there are, and what others report', async (explorer) => {
   const page = await explorer.open('#/cell?v=9&k=4&change=1&kind=circular');
   await page.getByText('2 classes').waitFor();
   await page.getByText('1 with a group of order 3').waitFor();
@@ -62,7 +55,7 @@ test('how many there are, and what others report', async () => {
   assert.match(await bean.getAttribute('href'), /^https:\/\/arxiv\.org/);
 });
 
-test('beyond the catalog, too, all is in one place', async () => {
+test('beyond the catalog, too, all is in one place', async (explorer) => {
   for (const cell of ['v=300&k=6&change=2&kind=circular', 'v=30&k=9&change=4&kind=linear']) {
     const page = await explorer.open(`#/cell?${cell}`);
     await page.getByRole('heading', { name: 'How many there are' }).waitFor();
@@ -75,14 +68,14 @@ test('beyond the catalog, too, all is in one place', async () => {
   }
 });
 
-test('of many designs the first are shown, the others unfolded', async () => {
+test('of many designs the first are shown, the others unfolded', async (explorer) => {
   const page = await explorer.open('#/cell?v=10&k=4&change=1&kind=circular');
   await page.locator('summary', { hasText: 'more designs of this cell' }).click();
   assert.ok((await page.locator('.origin:visible').count()) > 10);
   assert.equal(await page.locator('.origin.best').count(), 1);
 });
 
-test('arrow keys lead to the neighbours', async () => {
+test('arrow keys lead to the neighbours', async (explorer) => {
   const page = await explorer.open('#/cell?v=20&k=5');
   await page.keyboard.press('ArrowRight');
   await page.getByRole('heading', { name: /21 elements in blocks of 5/ }).waitFor();
@@ -93,7 +86,7 @@ test('arrow keys lead to the neighbours', async () => {
   await settled(page);
 });
 
-test('what does not exist, and addresses without a cell', async () => {
+test('what does not exist, and addresses without a cell', async (explorer) => {
   const page = await explorer.open('#/cell?v=6&k=5&change=5');
   await page.getByText('There is none').waitFor();
   assert.equal(await page.getByRole('heading', { name: 'How it is made' }).count(), 0);
@@ -101,19 +94,19 @@ test('what does not exist, and addresses without a cell', async () => {
   await page.getByRole('heading', { name: 'Which cell?' }).waitFor();
 });
 
-test('what the server refuses is said', async () => {
+test('what the server refuses is said', async (explorer) => {
   const page = await explorer.open('#/cell?v=5&k=50', { mayFail: /status of 4\d\d/ });
   assert.ok((await page.locator('.problem, .note').first().textContent()).length > 20);
 });
 
-test('downloads are files of the server', async () => {
+test('downloads are files of the server', async (explorer) => {
   const page = await explorer.open('#/cell?v=9&k=4');
   const waiting = page.waitForEvent('download');
   await page.getByRole('link', { name: 'Text', exact: true }).click();
   assert.match((await waiting).suggestedFilename(), /\.(txt|text)$/);
 });
 
-test('it looks right', async () => {
+test('it looks right', async (explorer) => {
   const page = await explorer.open('#/cell?v=40&k=6');
   await look(page, 'cell');
   await phone(page, 'cell');

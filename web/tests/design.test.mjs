@@ -3,20 +3,13 @@ import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, afterEach, before, test } from 'node:test';
-import { look, settled, start } from './support/browser.mjs';
+import { look, settled } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
-
-let explorer;
-before(async () => {
-  explorer = await start();
-});
-afterEach(() => explorer.tidy());
-after(() => explorer.stop());
+import { test } from './support/tests.mjs';
 
 const params = (page) => new URLSearchParams(page.url().split('?').at(-1));
 
-test('the player is moved by keys, and its block is in the link', async () => {
+test('the player is moved by keys, and its block is in the link', async (explorer) => {
   const page = await explorer.open('#/design?v=20&k=5&at=7');
   const words = page.locator('.block-text');
   await words.filter({ hasText: 'Block 7 of 29' }).waitFor();
@@ -59,7 +52,7 @@ test('the player is moved by keys, and its block is in the link', async () => {
   await page.getByRole('button', { name: 'Play' }).waitFor();
 });
 
-test('slider and number lead to a block; keys of a field stay with it', async () => {
+test('slider and number lead to a block; keys of a field stay with it', async (explorer) => {
   const page = await explorer.open('#/design?v=20&k=5&show=steps');
   await page.getByLabel('Block', { exact: true }).fill('12');
   await page.locator('.block-text', { hasText: 'Block 12 of 29' }).waitFor();
@@ -70,7 +63,7 @@ test('slider and number lead to a block; keys of a field stay with it', async ()
   await page.locator('.block-text', { hasText: 'Block 3 of 29' }).waitFor();
 });
 
-test('tabs by arrow keys, in the link', async () => {
+test('tabs by arrow keys, in the link', async (explorer) => {
   const page = await explorer.open('#/design?v=20&k=5');
   await page.locator('.block-text', { hasText: 'Block 1 of 29' }).waitFor();
   await page.getByRole('tab', { name: 'Steps' }).focus();
@@ -104,7 +97,7 @@ test('tabs by arrow keys, in the link', async () => {
   assert.equal((await page.locator('pre.blocks').textContent()).trim().split('\n').length, 30);
 });
 
-test('what is chosen in one view is lit in all', async () => {
+test('what is chosen in one view is lit in all', async (explorer) => {
   const page = await explorer.open('#/design?v=20&k=5&at=12');
   await page.locator('.slots button', { hasText: /^2$/ }).click();
   await page.locator('.selected-words', { hasText: /^2 is in \d+ of 29 blocks/ }).waitFor();
@@ -147,7 +140,7 @@ test('what is chosen in one view is lit in all', async () => {
   );
 });
 
-test('a design that is developed shows its symmetry', async () => {
+test('a design that is developed shows its symmetry', async (explorer) => {
   const page = await explorer.open('#/design?v=61&k=4&kind=circular&show=circle');
   await page.getByText('6 base blocks make all 366 in 61 turns').waitFor();
   assert.equal(await page.locator('.circle-block').count(), 6);
@@ -160,7 +153,7 @@ test('a design that is developed shows its symmetry', async () => {
   assert.match((await waiting).suggestedFilename(), /^61\.4\.2\.circular\.366\..*circle\.svg$/);
 });
 
-test('ten thousand blocks are drawn, zoomed and panned without a pause', async () => {
+test('ten thousand blocks are drawn, zoomed and panned without a pause', async (explorer) => {
   const page = await explorer.open('#/design?v=253&k=4&change=1&kind=linear&show=stays');
   const canvas = page.locator('.timeline-canvas');
   await canvas.waitFor();
@@ -180,7 +173,7 @@ test('ten thousand blocks are drawn, zoomed and panned without a pause', async (
   console.log(`slowest of 15 pictures: ${slowest.toFixed(0)} ms`);
 });
 
-test('a long design is drawn in parts', async () => {
+test('a long design is drawn in parts', async (explorer) => {
   const page = await explorer.open('#/design?v=253&k=13&kind=circular&show=array');
   await page.locator('.array-table td').first().waitFor();
   assert.equal(await page.getByLabel('From block').inputValue(), '1');
@@ -192,7 +185,7 @@ test('a long design is drawn in parts', async () => {
   await page.locator('.met', { hasText: '(100 %)' }).waitFor();
 });
 
-test('by label, and a label that does not exist', async () => {
+test('by label, and a label that does not exist', async (explorer) => {
   const page = await explorer.open('#/design?label=20.5.2.circular.29.17482f88');
   assert.match(await page.locator('.under').textContent(), /20\.5\.2\.circular\.29\.17482f88/);
   await page.close();
@@ -207,7 +200,7 @@ test('by label, and a label that does not exist', async () => {
   await which.close();
 });
 
-test('a design of this window, and none', async () => {
+test('a design of this window, and none', async (explorer) => {
   const page = await explorer.open('#/design?local=1');
   await page.getByRole('alert').filter({ hasText: 'no pasted design' }).waitFor();
   await page.evaluate(() =>
@@ -247,10 +240,10 @@ test('a design of this window, and none', async () => {
   assert.equal((await waiting).suggestedFilename(), '4.3.1.linear.3.csv');
 });
 
-test('a file of the command line is what is shown first', async () => {
+test('a file of the command line is what is shown first', async (explorer) => {
   const folder = mkdtempSync(join(tmpdir(), 'changeover-file-'));
   writeFileSync(join(folder, 'mine.txt'), 'a b c\na b d\nb c d\n');
-  const other = await start({ serve: [join(folder, 'mine.txt')] });
+  const other = await explorer.another({ serve: [join(folder, 'mine.txt')] });
   try {
     const page = await other.open();
     await page.waitForURL(/#\/design\?file=1/);
@@ -275,12 +268,11 @@ test('a file of the command line is what is shown first', async () => {
     await map.hover({ position: { x: (width * 3.5) / 4, y: width / 8 } });
     await page.locator('.pair', { hasText: 'a and d: first together in block 2' }).waitFor();
   } finally {
-    await other.stop();
     rmSync(folder, { recursive: true, force: true });
   }
 });
 
-test('it looks right', async () => {
+test('it looks right', async (explorer) => {
   const page = await explorer.open('#/design?v=20&k=5&at=7');
   await look(page, 'design-steps');
   await phone(page, 'design-steps');

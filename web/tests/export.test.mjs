@@ -5,9 +5,9 @@ import { createReadStream, mkdtempSync, rmSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { extname, join } from 'node:path';
-import { after, afterEach, before, test } from 'node:test';
-import { look, program, settled, start } from './support/browser.mjs';
+import { look, program, settled } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
+import { served, test } from './support/tests.mjs';
 
 const types = {
   '.html': 'text/html',
@@ -19,10 +19,8 @@ const types = {
 };
 const folder = mkdtempSync(join(tmpdir(), 'changeover-export-'));
 const asked = [];
-let files;
-let explorer;
 
-before(async () => {
+served(async () => {
   const assets = process.env.CHANGEOVER_ASSETS ? ['--assets', process.env.CHANGEOVER_ASSETS] : [];
   execFileSync(
     program,
@@ -40,7 +38,7 @@ before(async () => {
     ],
     { stdio: 'pipe', env: { ...process.env, CHANGEOVER_CATALOG: '' } },
   );
-  files = createServer((request, response) => {
+  const files = createServer((request, response) => {
     const path = new URL(request.url, 'http://localhost').pathname;
     asked.push(path);
     const name = /^\/some\/where(\/.*)$/.exec(path)?.[1].replace(/\/$/, '/index.html');
@@ -54,16 +52,19 @@ before(async () => {
   });
   await new Promise((resolve) => files.listen(0, '127.0.0.1', resolve));
   const origin = `http://127.0.0.1:${files.address().port}`;
-  explorer = await start({ at: { address: `${origin}/some/where/`, origin, stop: async () => 0 } });
-});
-afterEach(() => explorer.tidy());
-after(async () => {
-  await explorer?.stop();
-  files?.close();
-  rmSync(folder, { recursive: true, force: true });
+  return {
+    address: `${origin}/some/where/`,
+    origin,
+    async stop() {
+      files.close();
+      files.closeAllConnections();
+      rmSync(folder, { recursive: true, force: true });
+      return 0;
+    },
+  };
 });
 
-test('catalog, cell, design, theorems', async () => {
+test('catalog, cell, design, theorems', async (explorer) => {
   const page = await explorer.open('#/catalog');
   assert.ok((await page.locator('table.cells tbody tr').count()) > 10);
   await look(page, 'export-catalog');
@@ -90,7 +91,7 @@ test('catalog, cell, design, theorems', async () => {
   await page.locator('#theorem-1').waitFor();
 });
 
-test('the window of the map, groups and permanent addresses', async () => {
+test('the window of the map, groups and permanent addresses', async (explorer) => {
   const page = await explorer.open('#/catalog?k=4&v=6..10&group=1');
   await page.locator('.filter-says', { hasText: 'with a group of order > 1' }).waitFor();
   assert.ok((await page.locator('table.cells tbody tr').count()) > 0);
@@ -98,7 +99,7 @@ test('the window of the map, groups and permanent addresses', async () => {
   await page.getByRole('heading', { name: /^Linear.*20 elements in blocks of 5/ }).waitFor();
 });
 
-test('every design is the one whose label it has', async () => {
+test('every design is the one whose label it has', async (explorer) => {
   const page = await explorer.open('#/design?v=20&k=5');
   const label = await page.locator('.under .code').textContent();
   const text = await page.evaluate(async () => {
@@ -117,7 +118,7 @@ test('every design is the one whose label it has', async () => {
   );
 });
 
-test('what the copy does not have is said', async () => {
+test('what the copy does not have is said', async (explorer) => {
   const page = await explorer.open('#/cell?v=50&k=5');
   await page.getByRole('alert').filter({ hasText: 'static copy does not have it' }).waitFor();
   await page.close();
@@ -128,7 +129,7 @@ test('what the copy does not have is said', async () => {
   await none.close();
 });
 
-test('pages that need the program say how to get it', async () => {
+test('pages that need the program say how to get it', async (explorer) => {
   const page = await explorer.open();
   for (const name of ['Verify', 'Plan', 'Load order', 'Search']) {
     await page.locator('nav a', { hasText: name }).click();

@@ -2,20 +2,13 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
-import { after, afterEach, before, test } from 'node:test';
-import { look, program, settled, start } from './support/browser.mjs';
+import { look, program, settled } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
-
-let explorer;
-before(async () => {
-  explorer = await start();
-});
-afterEach(() => explorer.tidy());
-after(() => explorer.stop());
+import { test } from './support/tests.mjs';
 
 const steps = (page) => page.getByRole('list', { name: /^The .* steps$/ }).getByRole('listitem');
 
-test('what is missing is said', async () => {
+test('what is missing is said', async (explorer) => {
   const page = await explorer.open('#/loadorder');
   // It begins with an example.
   await page.getByRole('heading', { name: /loads in/ }).waitFor();
@@ -34,7 +27,7 @@ test('what is missing is said', async () => {
   await look(page, 'loadorder-fault');
 });
 
-test('an answer that was cut short says so', async () => {
+test('an answer that was cut short says so', async (explorer) => {
   const page = await explorer.open('#/loadorder');
   await page.getByText('independent checker').waitFor();
   assert.equal(await page.getByText('The time was up').count(), 0);
@@ -46,7 +39,7 @@ test('an answer that was cut short says so', async () => {
   await page.getByText('The time was up').waitFor();
 });
 
-test('twelve items, room for four: the fewest loads, beside simple orders', async () => {
+test('twelve items, room for four: the fewest loads, beside simple orders', async (explorer) => {
   const page = await explorer.open('#/loadorder');
   await page.getByRole('spinbutton', { name: 'Items' }).fill('12');
   await page.getByRole('spinbutton', { name: 'Room' }).fill('4');
@@ -89,7 +82,7 @@ test('twelve items, room for four: the fewest loads, beside simple orders', asyn
   await page.getByRole('heading', { name: '24 loads in 21 steps' }).waitFor();
 });
 
-test('the steps bring all pairs together, and come as JSON lines', async () => {
+test('the steps bring all pairs together, and come as JSON lines', async (explorer) => {
   const page = await explorer.open('#/loadorder?items=12&room=4');
   const [download] = await Promise.all([
     page.waitForEvent('download'),
@@ -118,7 +111,7 @@ test('the steps bring all pairs together, and come as JSON lines', async () => {
   assert.equal(loads, 24);
 });
 
-test('workers share the pairs', async () => {
+test('workers share the pairs', async (explorer) => {
   const page = await explorer.open('#/loadorder?items=30&room=6&workers=3');
   await page.getByText('For 3 workers; the busiest has').waitFor();
   await page.getByText('Worker · step').waitFor();
@@ -137,7 +130,7 @@ test('workers share the pairs', async () => {
   await look(page, 'loadorder-workers');
 });
 
-test('two levels: what both move, the stays on each, and loads that start early', async () => {
+test('two levels: what both move, stays on each, loads that start early', async (explorer) => {
   const page = await explorer.open('#/loadorder?items=24&room=12');
   await page.getByRole('heading', { name: /loads in/ }).waitFor();
   await page.getByRole('spinbutton', { name: 'Accelerator' }).fill('13');
@@ -171,7 +164,7 @@ test('two levels: what both move, the stays on each, and loads that start early'
   await phone(page, 'loadorder-levels');
 });
 
-test('loads ahead, and a search', async () => {
+test('loads ahead, and a search', async (explorer) => {
   const page = await explorer.open('#/loadorder?items=20&room=6&prefetch=1&time=2');
   await page
     .getByText(/\d+ of 190 pairs are computed while items load/)
@@ -184,7 +177,7 @@ test('loads ahead, and a search', async () => {
     .waitFor();
 });
 
-test('only some pairs: they are in the link', async () => {
+test('only some pairs: they are in the link', async (explorer) => {
   const page = await explorer.open('#/loadorder', { mayFail: /status of 422/ });
   await page.getByText('Only some pairs').click();
   await page.getByRole('spinbutton', { name: 'Items' }).fill('6');
@@ -209,7 +202,7 @@ test('only some pairs: they are in the link', async () => {
   await look(other, 'loadorder-names');
 });
 
-test('a long order: the list goes to its end, the rest is on the command line', async () => {
+test('a long order: the list to its end, the rest on the command line', async (explorer) => {
   const page = await explorer.open('#/loadorder?items=600&room=20');
   await page.getByText('These are the first 5000').waitFor({ timeout: 60_000 });
   const list = page.getByRole('group', { name: 'The 5000 steps' });
@@ -220,7 +213,7 @@ test('a long order: the list goes to its end, the rest is on the command line', 
   await look(page, 'loadorder-long');
 });
 
-test('on a phone nothing scrolls sideways but the frames', async () => {
+test('on a phone nothing scrolls sideways but the frames', async (explorer) => {
   const page = await explorer.open('#/loadorder?items=64&room=16&bytes=2+GB');
   await page.setViewportSize({ width: 390, height: 844 });
   await page.locator('.timeline-canvas').waitFor();

@@ -3,8 +3,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, afterEach, before, test } from 'node:test';
-import { look, program, screenshots, settled, start } from './support/browser.mjs';
+import { look, program, screenshots, settled } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
 import {
   briefly,
@@ -20,15 +19,11 @@ import {
   sheetRows,
   withoutToken,
 } from './support/plan.mjs';
+import { ownServer, test } from './support/tests.mjs';
 
-let explorer;
-before(async () => {
-  explorer = await start();
-});
-afterEach(() => explorer.tidy());
-after(() => explorer.stop());
+ownServer();
 
-test('what is missing is said where it is missing', async () => {
+test('what is missing is said where it is missing', async (explorer) => {
   const page = await explorer.open('#/plan', { mayFail: /422/ });
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
   await page.getByRole('alert').getByText('fewer than two parts').waitFor();
@@ -63,7 +58,7 @@ test('what is missing is said where it is missing', async () => {
   await look(page, 'plan-fault');
 });
 
-test('nine parts: the sheet of the documents, the bound in words, the alternatives', async () => {
+test('nine parts: the sheet of the documents, bound and alternatives', async (explorer) => {
   const page = await explorer.open('#/plan');
   await planNine(page);
   await page.getByText('17 tests, 20 changes, cost 117').waitFor();
@@ -82,7 +77,7 @@ test('nine parts: the sheet of the documents, the bound in words, the alternativ
 test(
   'parts are pasted from a spreadsheet, with costs, slots and quantities; what is not used ' +
     'is said',
-  async () => {
+  async (explorer) => {
     const page = await explorer.open('#/plan');
     await nameOf(page, 1).focus();
     await page.evaluate(() => {
@@ -130,7 +125,7 @@ test(
   },
 );
 
-test('pairs that need not meet are left out', async () => {
+test('pairs that need not meet are left out', async (explorer) => {
   const page = await explorer.open('#/plan');
   await give(page, 'parts.csv', '"Pump, large",4\nMotor,2\nValve,1\n');
   await page.getByText('3 parts', { exact: true }).waitFor();
@@ -147,7 +142,7 @@ test('pairs that need not meet are left out', async () => {
   assert.equal(await sheetRows(page).count(), 2);
 });
 
-test('a window without the token keeps the whole job in its link, with what is done', async () => {
+test('without the token the whole job is in the link, with what is done', async (explorer) => {
   const page = await withoutToken(explorer, '#/plan');
   await planNine(page);
   await press(page, 1);
@@ -164,7 +159,7 @@ test('a window without the token keeps the whole job in its link, with what is d
   assert.equal(await nameOf(other, 9).inputValue(), '9');
 });
 
-test('a link to an older state does not undo what was done since', async () => {
+test('a link to an older state does not undo what was done since', async (explorer) => {
   const page = await withoutToken(explorer, '#/plan');
   await planNine(page);
   await page.getByText('The link of this page holds the whole job').waitFor();
@@ -177,7 +172,7 @@ test('a link to an older state does not undo what was done since', async () => {
   await other.getByText('1 of 17 tests done; 16 of 117 spent').waitFor();
 });
 
-test('the rest is planned anew after some tests, without a part that is gone', async () => {
+test('the rest is planned anew after some tests, without a part that is gone', async (explorer) => {
   const page = await explorer.open('#/plan');
   await planNine(page);
   for (const i of [1, 2, 3]) {
@@ -202,7 +197,7 @@ test('the rest is planned anew after some tests, without a part that is gone', a
   await look(page, 'plan-rest');
 });
 
-test('what if: the library says which plan is cheapest when, and plans anew', async () => {
+test('what if: the library says which plan is cheapest when, and plans anew', async (explorer) => {
   const page = await explorer.open('#/plan');
   await planNine(page);
   await page.getByRole('textbox', { name: 'Cost of a change' }).fill('1');
@@ -226,7 +221,7 @@ test('what if: the library says which plan is cheapest when, and plans anew', as
   await page.getByText('17 tests, 20 changes').first().waitFor();
 });
 
-test('the sheet is downloaded as CSV that the command line reads back', async () => {
+test('the sheet is downloaded as CSV that the command line reads back', async (explorer) => {
   const page = await explorer.open('#/plan');
   await planNine(page);
   await press(page, 1);
@@ -263,7 +258,7 @@ test('the sheet is downloaded as CSV that the command line reads back', async ()
   assert.equal(JSON.parse(again).tests_done, 1);
 });
 
-test('on paper there is the sheet alone, with boxes', async () => {
+test('on paper there is the sheet alone, with boxes', async (explorer) => {
   const page = await explorer.open('#/plan');
   await planNine(page);
   await press(page, 1);
@@ -285,7 +280,7 @@ test('on paper there is the sheet alone, with boxes', async () => {
   await page.emulateMedia({ media: 'screen' });
 });
 
-test('a job too long for a link is kept in the browser; a link to one that is not says so', async () => {
+test('a job too long for a link is kept; a link to one that is not says so', async (explorer) => {
   const page = await explorer.open('#/plan');
   await page.getByRole('spinbutton', { name: 'How many parts' }).fill('90');
   await page.getByRole('button', { name: 'numbered parts' }).click();
@@ -307,7 +302,7 @@ test('a job too long for a link is kept in the browser; a link to one that is no
   await gone.getByRole('alert').getByText('not kept here any more').waitFor();
 });
 
-test('the keyboard alone: rows by Enter and arrows, results by arrows and Space', async () => {
+test('the keyboard alone: rows by Enter and arrows, results by Space', async (explorer) => {
   const page = await explorer.open('#/plan');
   await nameOf(page, 1).focus();
   for (const name of ['A', 'B', 'C', 'D']) {
@@ -331,7 +326,7 @@ test('the keyboard alone: rows by Enter and arrows, results by arrows and Space'
   await page.getByText('2 of 3 tests done').waitFor();
 });
 
-test('on a phone: what to do next first, each test a card', async () => {
+test('on a phone: what to do next first, each test a card', async (explorer) => {
   const page = await explorer.open('#/plan');
   await page.setViewportSize({ width: 390, height: 844 });
   await hurried(page);

@@ -5,9 +5,8 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
-import { after, afterEach, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { look, start } from './support/browser.mjs';
+import { look } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
 import {
   briefly,
@@ -21,19 +20,15 @@ import {
   sheetRows,
   withoutToken,
 } from './support/plan.mjs';
+import { ownServer, test } from './support/tests.mjs';
+
+ownServer();
 
 const lab = join(dirname(fileURLToPath(import.meta.url)), '../../examples/lab');
-let explorer;
-before(async () => {
-  explorer = await start();
-});
-afterEach(() => explorer.tidy());
-after(() => explorer.stop());
-
 test(
   'a workbook as a lab has it: slots, quantities and forbidden pairs are in the form, and ' +
     'are obeyed',
-  async () => {
+  async (explorer) => {
     const page = await explorer.open('#/plan');
     const folder = mkdtempSync(join(tmpdir(), 'changeover-book-'));
     const book = join(folder, 'stock.xlsx');
@@ -96,7 +91,7 @@ test(
   },
 );
 
-test('a model of parameters: one value of each, its rules obeyed', async () => {
+test('a model of parameters: one value of each, its rules obeyed', async (explorer) => {
   const page = await explorer.open('#/plan');
   await give(page, 'shop.txt', readFileSync(join(lab, 'web_shop/model.txt')));
   await page
@@ -119,7 +114,7 @@ test('a model of parameters: one value of each, its rules obeyed', async () => {
   await look(page, 'plan-model');
 });
 
-test('files that are none of these are refused by name', async () => {
+test('files that are none of these are refused by name', async (explorer) => {
   const page = await explorer.open('#/plan', { mayFail: /422/ });
   await give(page, 'book.xlsx', 'PK\u0003\u0004\u0014\u0000\u0006\u0000');
   await page.getByRole('alert').getByText('book.xlsx').waitFor();
@@ -133,7 +128,7 @@ test('files that are none of these are refused by name', async () => {
   assert.equal(await nameOf(page, 1).inputValue(), 'Debian');
 });
 
-test('a search is seen while it goes on, and the best so far is kept', async () => {
+test('a search is seen while it goes on, and the best so far is kept', async (explorer) => {
   const page = await explorer.open('#/plan');
   await page.getByRole('spinbutton', { name: 'How many parts' }).fill('30');
   await page.getByRole('button', { name: 'numbered parts' }).click();
@@ -151,7 +146,7 @@ test('a search is seen while it goes on, and the best so far is kept', async () 
   await page.getByText('Cancelled.').waitFor();
 });
 
-test('a plan is heard of though no event arrives, and though the server is away for a while', async () => {
+test('a plan is heard of without events, and with the server away', async (explorer) => {
   const page = await explorer.open('#/plan', { mayFail: /ERR_/ });
   await page.route('**/api/events', (route) => route.abort());
   let away = 0;
@@ -162,7 +157,7 @@ test('a plan is heard of though no event arrives, and though the server is away 
   assert.ok(away > 2);
 });
 
-test('two windows write into one run, which outlives both; without the token: look only', async () => {
+test('two windows write into one run; without the token: look only', async (explorer) => {
   const one = await explorer.open('#/plan');
   await planNine(one);
   await press(one, 1);
@@ -200,7 +195,7 @@ test('two windows write into one run, which outlives both; without the token: lo
   await look(later, 'plan-runs');
 });
 
-test('the workbook is there in other windows and after a reload, if of this sheet', async () => {
+test('the workbook is in other windows and after a reload, if of this sheet', async (explorer) => {
   const page = await explorer.open('#/plan');
   await planNine(page);
   await page.getByRole('link', { name: 'Workbook' }).waitFor();
@@ -226,7 +221,7 @@ test('the workbook is there in other windows and after a reload, if of this shee
   assert.equal(await other.getByRole('link', { name: 'Workbook' }).count(), 0);
 });
 
-test('with a budget, plans are compared for the whole job, and the page says so', async () => {
+test('with a budget plans are compared for the whole job, and it is said', async (explorer) => {
   const page = await explorer.open('#/plan');
   await page.getByRole('spinbutton', { name: 'How many parts' }).fill('9');
   await page.getByRole('button', { name: 'numbered parts' }).click();
@@ -244,7 +239,7 @@ test('with a budget, plans are compared for the whole job, and the page says so'
 test(
   'a run that is planned anew in one window is so in the others; parts that stay keep their ' +
     'places',
-  async () => {
+  async (explorer) => {
     const one = await explorer.open('#/plan');
     await hurried(one);
     await one.getByRole('link', { name: 'a server with slots' }).click();
@@ -276,7 +271,7 @@ test(
   },
 );
 
-test('the failures say which pair is at fault, and which test tells most', async () => {
+test('the failures say which pair is at fault, and which test tells most', async (explorer) => {
   const page = await explorer.open('#/plan');
   await planNine(page);
   // Parts 2 and 5 do not work together.
@@ -316,7 +311,7 @@ test('the failures say which pair is at fault, and which test tells most', async
   await page.getByText(/tests done; for the rest: 0 tests/).waitFor();
 });
 
-test('three benches: a sheet each, with its times; a part is on one bench at a time', async () => {
+test('three benches: a sheet each; a part is on one bench at a time', async (explorer) => {
   const page = await explorer.open('#/plan');
   await give(page, 'parts.csv', readFileSync(join(lab, 'benches/parts.csv')));
   await page.getByText('12 parts', { exact: true }).waitFor();

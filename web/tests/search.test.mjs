@@ -1,16 +1,11 @@
 // The page of searches: they run in the server, and one stream of events tells all pages of a
 // window about them.
 import assert from 'node:assert/strict';
-import { after, afterEach, before, test } from 'node:test';
-import { look, settled, start } from './support/browser.mjs';
+import { look, settled } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
+import { ownServer, test } from './support/tests.mjs';
 
-let explorer;
-before(async () => {
-  explorer = await start();
-});
-afterEach(() => explorer.tidy());
-after(() => explorer.stop());
+ownServer();
 
 async function begin(page, v, k, { seconds = '10', change = '2', kind = 'linear' } = {}) {
   await page.getByRole('spinbutton', { name: 'Elements v' }).fill(String(v));
@@ -22,7 +17,7 @@ async function begin(page, v, k, { seconds = '10', change = '2', kind = 'linear'
 }
 const watched = (page) => page.locator('.watch');
 
-test('what is missing is said', async () => {
+test('what is missing is said', async (explorer) => {
   const page = await explorer.open('#/search');
   await page.locator('.stream[data-state=open]').waitFor({ state: 'attached' });
   await page.getByRole('button', { name: 'Start' }).click();
@@ -30,7 +25,7 @@ test('what is missing is said', async () => {
   await look(page, 'search-empty');
 });
 
-test('before a search the page says where to begin', async () => {
+test('before a search the page says where to begin', async (explorer) => {
   const page = await explorer.open('#/search');
   const begin = page.locator('.search-begin');
   await begin.getByText(/^In \d+ cells of the circular double-change designs/).waitFor();
@@ -46,13 +41,13 @@ test('before a search the page says where to begin', async () => {
   await page.getByText('Goes up from the lower bound').waitFor();
 });
 
-test('a cell comes with the link; what is known of it is said before it is searched', async () => {
+test('a cell comes with the link, and what is known of it is said', async (explorer) => {
   const page = await explorer.open('#/search?v=9&k=4&change=2&kind=linear');
   await page.getByText('Gap 0: a design with 8 blocks is known, and none has fewer').waitFor();
   assert.equal(await page.getByRole('spinbutton', { name: 'Elements v' }).inputValue(), '9');
 });
 
-test('a search: started, watched live, stopped; it survives reloads and other pages', async () => {
+test('a search: started, watched, stopped; it survives reloads', async (explorer) => {
   const page = await explorer.open('#/search');
   await begin(page, 30, 6, { seconds: '60' });
   await watched(page)
@@ -88,7 +83,7 @@ test('a search: started, watched live, stopped; it survives reloads and other pa
   await look(page, 'search-stopped');
 });
 
-test('what it found opens in the viewer and is kept in the catalog', async () => {
+test('what it found opens in the viewer and is kept in the catalog', async (explorer) => {
   const page = await explorer.open('#/search');
   await begin(page, 12, 5);
   await watched(page)
@@ -101,7 +96,7 @@ test('what it found opens in the viewer and is kept in the catalog', async () =>
   await page.waitForURL(/design\?job=\d+/);
 });
 
-test('exact, from base blocks, with locked sets', async () => {
+test('exact, from base blocks, with locked sets', async (explorer) => {
   const page = await explorer.open('#/search', { mayFail: /status of 4/ });
   await page.getByRole('combobox', { name: 'Method' }).selectOption('exact');
   assert.ok(await page.getByRole('spinbutton', { name: 'Seed' }).isHidden());
@@ -147,18 +142,18 @@ test('exact, from base blocks, with locked sets', async () => {
   await look(page, 'search-ways');
 });
 
-test('a search of nonsense is refused in words', async () => {
+test('a search of nonsense is refused in words', async (explorer) => {
   const page = await explorer.open('#/search', { mayFail: /status of 4/ });
   await begin(page, 5, 9);
   await page.getByRole('alert').waitFor();
 });
 
-test('a link to a search that the server has forgotten says so', async () => {
+test('a link to a search that the server has forgotten says so', async (explorer) => {
   const page = await explorer.open('#/search?id=999', { mayFail: /status of 404/ });
   await page.getByText('The server forgets its searches when it stops').waitFor();
 });
 
-test('the window has one stream of events, however often its pages change', async () => {
+test('the window has one stream of events, however often its pages change', async (explorer) => {
   const page = await explorer.open('#/theorems');
   let streams = 0;
   page.on('request', (request) => request.url().endsWith('/api/events') && ++streams);
@@ -171,7 +166,7 @@ test('the window has one stream of events, however often its pages change', asyn
   assert.equal(streams, 1);
 });
 
-test('without the token the page looks on, and says how to get it', async () => {
+test('without the token the page looks on, and says how to get it', async (explorer) => {
   const page = await explorer.context.newPage();
   await page.goto(`${explorer.server.origin}/#/search`);
   await settled(page);
@@ -179,8 +174,8 @@ test('without the token the page looks on, and says how to get it', async () => 
   assert.ok(await page.getByRole('button', { name: 'Start' }).isDisabled());
 });
 
-test('a server that only reads says so; one that is gone is noticed', async () => {
-  const reader = await start({ serve: ['--no-write'] });
+test('a server that only reads says so; one that is gone is noticed', async (explorer) => {
+  const reader = await explorer.another({ serve: ['--no-write'] });
   const page = await reader.open('#/search', { mayFail: /ERR_|status of/ });
   await page.getByText('--no-write').first().waitFor();
   assert.ok(await page.getByRole('button', { name: 'Start' }).isDisabled());
@@ -190,10 +185,9 @@ test('a server that only reads says so; one that is gone is noticed', async () =
   await page.getByRole('button', { name: 'Try now' }).focus();
   await page.keyboard.press('Enter');
   await page.getByText('Trying again in').waitFor();
-  await reader.stop();
 });
 
-test('on a phone nothing scrolls sideways but the frames', async () => {
+test('on a phone nothing scrolls sideways but the frames', async (explorer) => {
   const page = await explorer.open('#/search?v=30&k=6&change=2&kind=linear');
   await page.setViewportSize({ width: 390, height: 844 });
   await page.locator('.searches tbody tr').first().waitFor();

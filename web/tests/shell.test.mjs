@@ -1,17 +1,10 @@
 // What all pages share: navigation, theme, links, the token.
 import assert from 'node:assert/strict';
-import { after, afterEach, before, test } from 'node:test';
-import { accessibility, look, settled, start } from './support/browser.mjs';
+import { accessibility, look, settled } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
+import { test } from './support/tests.mjs';
 
-let explorer;
-before(async () => {
-  explorer = await start();
-});
-afterEach(() => explorer.tidy());
-after(() => explorer.stop());
-
-test('the token leaves the address and survives a reload', async () => {
+test('the token leaves the address and survives a reload', async (explorer) => {
   const page = await explorer.open('#/theorems');
   assert.ok(!page.url().includes('token'));
   await page.reload();
@@ -19,7 +12,7 @@ test('the token leaves the address and survives a reload', async () => {
   assert.ok(await page.evaluate(() => sessionStorage.getItem('changeover-token')));
 });
 
-test('a page that opens the explorer has no hold on it', async () => {
+test('a page that opens the explorer has no hold on it', async (explorer) => {
   const other = await explorer.context.newPage();
   await other.goto('data:text/html,<p>elsewhere');
   const [opened] = await Promise.all([
@@ -34,7 +27,7 @@ test('a page that opens the explorer has no hold on it', async () => {
   await Promise.all([opened.close(), other.close()]);
 });
 
-test('every page of the navigation is reached by keyboard alone', async () => {
+test('every page of the navigation is reached by keyboard alone', async (explorer) => {
   const page = await explorer.open();
   const names = await page.locator('nav a').allTextContents();
   assert.ok(names.length >= 6);
@@ -46,7 +39,7 @@ test('every page of the navigation is reached by keyboard alone', async () => {
   }
 });
 
-test('an address without a page says so and leads home', async () => {
+test('an address without a page says so and leads home', async (explorer) => {
   const page = await explorer.open('#/nowhere');
   assert.equal(await page.title(), 'No such page · Changeover');
   await page.getByRole('navigation').getByRole('link', { name: 'Plan' }).waitFor();
@@ -54,7 +47,7 @@ test('an address without a page says so and leads home', async () => {
   await page.getByRole('heading', { name: 'Study designs' }).waitFor();
 });
 
-test('light and dark are a choice that lasts', async () => {
+test('light and dark are a choice that lasts', async (explorer) => {
   const page = await explorer.open('#/theorems');
   await page.getByRole('button', { name: /light and dark/ }).click();
   assert.equal(await page.locator('html').getAttribute('data-theme'), 'dark');
@@ -63,7 +56,7 @@ test('light and dark are a choice that lasts', async () => {
   assert.equal(await page.locator('html').getAttribute('data-theme'), 'dark');
 });
 
-test('the start page has three doors, a picture and an action each', async () => {
+test('the start page has three doors, a picture and an action each', async (explorer) => {
   const page = await explorer.open('#/home');
   assert.deepEqual(await page.locator('.door h2').allTextContents(), [
     'Test parts',
@@ -86,7 +79,7 @@ test('the start page has three doors, a picture and an action each', async () =>
   }
 });
 
-test('the glossary is a click away on every page', async () => {
+test('the glossary is a click away on every page', async (explorer) => {
   const page = await explorer.open('#/home');
   for (const path of ['home', 'catalog', 'verify', 'theorems']) {
     await page.goto(page.url().replace(/#.*/, `#/${path}`));
@@ -103,7 +96,7 @@ test('the glossary is a click away on every page', async () => {
   }
 });
 
-test('permanent addresses lead to cells and designs', async () => {
+test('permanent addresses lead to cells and designs', async (explorer) => {
   const page = await explorer.context.newPage();
   await page.goto(`${explorer.server.origin}/?cell=20.5.2.circular`);
   await page.getByRole('heading', { name: /20 elements in blocks of 5/ }).waitFor();
@@ -111,7 +104,7 @@ test('permanent addresses lead to cells and designs', async () => {
   await page.getByRole('heading', { name: /29 blocks/ }).waitFor();
 });
 
-test('with less motion nothing moves by itself', async () => {
+test('with less motion nothing moves by itself', async (explorer) => {
   const page = await explorer.open('#/theorems');
   await page.emulateMedia({ reducedMotion: 'reduce' });
   assert.equal(

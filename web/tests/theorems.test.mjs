@@ -1,17 +1,10 @@
 // Theorems and constructions, with mathematics as such.
 import assert from 'node:assert/strict';
-import { after, afterEach, before, test } from 'node:test';
-import { look, settled, start } from './support/browser.mjs';
+import { look, settled } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
+import { test } from './support/tests.mjs';
 
-let explorer;
-before(async () => {
-  explorer = await start();
-});
-afterEach(() => explorer.tidy());
-after(() => explorer.stop());
-
-test('statements with subscripts, and no raw marks', async () => {
+test('statements with subscripts, and no raw marks', async (explorer) => {
   const page = await explorer.open('#/theorems');
   await page.locator('#theorem-5 math').first().waitFor();
   // Those in sight are set first, in pieces of some milliseconds, and then the hundreds below: the
@@ -36,7 +29,7 @@ test('statements with subscripts, and no raw marks', async () => {
   assert.ok((await page.locator('.statement').count()) > 40);
 });
 
-test('a link leads to a theorem or a construction', async () => {
+test('a link leads to a theorem or a construction', async (explorer) => {
   const page = await explorer.open('#/theorems?construction=cyclic');
   const chosen = page.locator('#construction-cyclic.chosen');
   await chosen.waitFor();
@@ -54,7 +47,7 @@ test('a link leads to a theorem or a construction', async () => {
   await none.close();
 });
 
-test('contents stay, proofs unfold, works are listed', async () => {
+test('contents stay, proofs unfold, works are listed', async (explorer) => {
   const page = await explorer.open('#/theorems');
   const contents = page.getByRole('navigation', { name: 'Contents' });
   await contents.getByRole('link', { name: /^7 / }).click();
@@ -73,7 +66,7 @@ test('contents stay, proofs unfold, works are listed', async () => {
   await work.close();
 });
 
-test('constructions are found by words', async () => {
+test('constructions are found by words', async (explorer) => {
   const page = await explorer.open('#/theorems');
   await page.getByLabel('Find a construction').fill('single-change cyclic');
   const shown = await page.locator('details[id^=construction-]:visible').count();
@@ -85,7 +78,7 @@ test('constructions are found by words', async () => {
   await page.getByText('No construction says that').waitFor();
 });
 
-test('names in the pictures of examples can be read', async () => {
+test('names in the pictures of examples can be read', async (explorer) => {
   const page = await explorer.open('#/theorems');
   const names = page.locator('.small-picture svg text');
   await names.first().waitFor();
@@ -95,7 +88,7 @@ test('names in the pictures of examples can be read', async () => {
   assert.ok(Math.min(...heights) >= 8, `names of ${Math.min(...heights)} px`);
 });
 
-test('it looks right', async () => {
+test('it looks right', async (explorer) => {
   const page = await explorer.open('#/theorems');
   await look(page, 'theorems');
   await phone(page, 'theorems');

@@ -3,16 +3,9 @@ import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, afterEach, before, test } from 'node:test';
-import { look, settled, start } from './support/browser.mjs';
+import { look, settled } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
-
-let explorer;
-before(async () => {
-  explorer = await start();
-});
-afterEach(() => explorer.tidy());
-after(() => explorer.stop());
+import { test } from './support/tests.mjs';
 
 const design = [
   '# changeover design v=7 k=3 change=2 kind=circular',
@@ -27,7 +20,7 @@ const design = [
 ].join('\n');
 const box = (page) => page.getByRole('textbox', { name: /^The design/ });
 
-test('an empty page says what to do, and nothing to check is said where it happens', async () => {
+test('an empty page says what to do; nothing to check is said there', async (explorer) => {
   const page = await explorer.open('#/verify');
   await page.getByRole('link', { name: 'a good one' }).waitFor();
   await page.getByRole('button', { name: 'Check' }).click();
@@ -35,7 +28,7 @@ test('an empty page says what to do, and nothing to check is said where it happe
   await look(page, 'verify-empty');
 });
 
-test('a good design: the verdict, its reasons, facts and elements', async () => {
+test('a good design: the verdict, its reasons, facts and elements', async (explorer) => {
   const page = await explorer.open('#/verify');
   await page.getByRole('link', { name: 'a good one' }).click();
   await page.getByRole('heading', { name: '✓ Valid' }).waitFor();
@@ -66,7 +59,7 @@ test('a good design: the verdict, its reasons, facts and elements', async () => 
   await look(page, 'verify-good');
 });
 
-test('a wrong step is marked in its place, and the buttons lead from one to the next', async () => {
+test('a wrong step is marked in its place; buttons lead to the next', async (explorer) => {
   const page = await explorer.open('#/verify?example=steps');
   await page.getByRole('heading', { name: '✗ Not a design' }).waitFor();
   const bad = page.locator('.block.bad');
@@ -79,7 +72,7 @@ test('a wrong step is marked in its place, and the buttons lead from one to the 
   await look(page, 'verify-steps');
 });
 
-test('an uncovered pair leads to its elements, and the choice is in the link', async () => {
+test('an uncovered pair leads to its elements, and the choice is in the link', async (explorer) => {
   const page = await explorer.open('#/verify?example=pairs');
   const pair = page.getByRole('button', { name: '{6, 7}' });
   await pair.click();
@@ -95,7 +88,7 @@ test('an uncovered pair leads to its elements, and the choice is in the link', a
   await look(page, 'verify-pairs');
 });
 
-test('a typing error is shown at its line and column', async () => {
+test('a typing error is shown at its line and column', async (explorer) => {
   const page = await explorer.open('#/verify?example=typing', { mayFail: /status of 422/ });
   await page.getByRole('alert').waitFor();
   await page.locator('.excerpt-line.here', { hasText: '2 3 4 4' }).waitFor();
@@ -109,7 +102,7 @@ test('a typing error is shown at its line and column', async () => {
   await look(page, 'verify-typing');
 });
 
-test('a pasted text is checked by keyboard alone, is in the link, survives a reload', async () => {
+test('a pasted text: keyboard alone, in the link, survives a reload', async (explorer) => {
   const page = await explorer.open('#/verify');
   await box(page).focus();
   await page.keyboard.insertText(design);
@@ -124,7 +117,7 @@ test('a pasted text is checked by keyboard alone, is in the link, survives a rel
   assert.equal(await box(other).inputValue(), design);
 });
 
-test('what the file says can be overruled', async () => {
+test('what the file says can be overruled', async (explorer) => {
   const page = await explorer.open('#/verify?example=good');
   await page.getByRole('heading', { name: '✓ Valid' }).waitFor();
   await page.getByRole('combobox', { name: 'Change number' }).selectOption('1');
@@ -134,7 +127,7 @@ test('what the file says can be overruled', async () => {
   assert.match(page.url(), /change=1/);
 });
 
-test('a file is chosen; the design opens in the viewer', async () => {
+test('a file is chosen; the design opens in the viewer', async (explorer) => {
   const page = await explorer.open('#/verify');
   await page
     .getByLabel('A file with a design')
@@ -147,7 +140,7 @@ test('a file is chosen; the design opens in the viewer', async () => {
   assert.deepEqual(local.blocks[1], [1, 2, 4]);
 });
 
-test('a valid design goes into the catalog, once', async () => {
+test('a valid design goes into the catalog, once', async (explorer) => {
   const page = await explorer.open('#/verify?example=good');
   const add = page.getByRole('button', { name: 'Add to my catalog' });
   await add.click();
@@ -159,7 +152,7 @@ test('a valid design goes into the catalog, once', async () => {
   await page.getByText('Your catalog has it already').waitFor();
 });
 
-test('a file is dropped; what another page hands over is checked at once', async () => {
+test('a file is dropped; what another page hands over is checked at once', async (explorer) => {
   const page = await explorer.open('#/verify');
   await page.locator('.verify-form').evaluate((form, text) => {
     const dataTransfer = new DataTransfer();
@@ -174,7 +167,7 @@ test('a file is dropped; what another page hands over is checked at once', async
   await other.getByRole('heading', { name: '✓ Valid' }).waitFor();
 });
 
-test('names of elements are kept', async () => {
+test('names of elements are kept', async (explorer) => {
   const page = await explorer.open('#/verify');
   await box(page).fill('a b c\nc d a\nd e a\n');
   await page.getByRole('combobox', { name: 'Change number' }).selectOption('1');
@@ -195,7 +188,7 @@ function rounds(count) {
   return { path, remove: () => rmSync(folder, { recursive: true }) };
 }
 
-test('a large file is read beside the page, and its list goes to the end', async () => {
+test('a large file is read beside the page, and its list goes to the end', async (explorer) => {
   const page = await explorer.open('#/verify');
   const file = rounds(28_000);
   const worker = page.waitForEvent('worker');
@@ -212,7 +205,7 @@ test('a large file is read beside the page, and its list goes to the end', async
   await look(page, 'verify-large');
 });
 
-test('a list with more blocks than a page can show is checked all the same', async () => {
+test('a list with more blocks than a page can show is checked all the same', async (explorer) => {
   const page = await explorer.open('#/verify');
   const file = rounds(230_000);
   await page.getByLabel('A file with a design').setInputFiles(file.path);
@@ -222,7 +215,7 @@ test('a list with more blocks than a page can show is checked all the same', asy
   await page.locator('table.facts').waitFor();
 });
 
-test('on a phone nothing scrolls sideways but the frames', async () => {
+test('on a phone nothing scrolls sideways but the frames', async (explorer) => {
   const page = await explorer.open('#/verify?example=pairs');
   await page.setViewportSize({ width: 390, height: 844 });
   await page.getByRole('heading', { name: '✗ Not a design' }).waitFor();
@@ -230,7 +223,7 @@ test('on a phone nothing scrolls sideways but the frames', async () => {
   await phone(page, 'verify');
 });
 
-test('a repair is suggested, and used', async () => {
+test('a repair is suggested, and used', async (explorer) => {
   const page = await explorer.open('#/verify?example=steps');
   await page.getByText(/keeps \d of your 8 blocks/).waitFor({ timeout: 60_000 });
   assert.ok((await page.locator('.repair-new').count()) > 0);
@@ -239,7 +232,7 @@ test('a repair is suggested, and used', async () => {
   await page.getByRole('heading', { name: '✓ Valid' }).waitFor();
 });
 
-test('a design that is known is cited, with the reason of its bound', async () => {
+test('a design that is known is cited, with the reason of its bound', async (explorer) => {
   const page = await explorer.open('#/verify?example=good');
   await page
     .locator('.verify-citation', { hasText: /9\.4\.2\.linear\.8\.|not the one in the catalog/ })
@@ -248,8 +241,8 @@ test('a design that is known is cited, with the reason of its bound', async () =
   await page.locator('.verdict .reason math').first().waitFor();
 });
 
-test('what comes is said before a check, and that the server is gone', async () => {
-  const other = await start();
+test('what comes is said before a check, and that the server is gone', async (explorer) => {
+  const other = await explorer.another();
   const page = await other.open('#/verify', { mayFail: /ERR_/ });
   await page.getByRole('heading', { name: 'What the answer says' }).waitFor();
   await other.server.stop();
@@ -257,5 +250,4 @@ test('what comes is said before a check, and that the server is gone', async () 
   await page.getByRole('heading', { name: 'This was not checked' }).waitFor();
   await page.getByRole('alert').getByText('The server does not answer.').waitFor();
   assert.equal(await page.getByRole('alert').locator('code').textContent(), 'changeover serve');
-  await other.stop();
 });

@@ -1,12 +1,8 @@
-// A real browser against the real program.
+// A real browser against the real program. What a test of support/tests.mjs is given:
 //
-//     const explorer = await start();                       // a server on a port of its own, and
-// Chromium
-//     const page = await explorer.open('#/catalog');        // fails the test on errors and on
+//     const page = await explorer.open('#/catalog'); // fails the test on errors and on
 // requests that leave the machine
-//     await look(page, 'catalog');                          // what axe-core finds in light and dark
-//     await explorer.tidy();                                // after each test
-//     await explorer.stop();
+//     await look(page, 'catalog');                   // what axe-core finds in light and dark
 //
 // CHANGEOVER_PROGRAM names the program (default: the one in build/release), CHANGEOVER_ASSETS a
 // folder of pages to serve in place of those in the program. With CHANGEOVER_SCREENSHOTS, a
@@ -67,25 +63,105 @@ export async function serve(arguments_ = []) {
 }
 
 /**
- * A server and a browser. Options: `serve` (arguments) or `at` (what serves the pages instead of
- * the program), `viewport`, `colorScheme`.
+ * A server and a browser, for programs of their own. Options: `serve` (arguments), `viewport`,
+ * `colorScheme`.
  */
 export async function start(options = {}) {
-  const server = options.at ?? (await serve(options.serve));
-  const viewport = options.viewport ?? { width: 1280, height: 900 };
-  const colorScheme = options.colorScheme ?? 'light';
-  const { context, quit } = await launch({ viewport, colorScheme });
-  let [free] = context.pages();
+  const server = await serve(options.serve);
+  const { context, quit } = await launch(shapeOf(options));
+  const seen = watch(context, server);
+  return {
+    server,
+    context,
+    open: seen.open,
+    async stop() {
+      await quit();
+      const code = await server.stop();
+      assert.deepEqual(seen.faults, []);
+      assert.equal(code, 0, 'serve ends with exit code 0 when it is asked to stop');
+    },
+  };
+}
+
+const shapeOf = ({ viewport = { width: 1280, height: 900 }, colorScheme = 'light' }) => ({
+  viewport,
+  colorScheme,
+});
+
+/**
+ * What a test has: `server`, and a `context` for its windows. `end()` is at fault if something was,
+ * and leaves the context empty.
+ */
+export async function explore(context, server) {
+  const seen = watch(context, server);
+  const others = [];
+  return {
+    server,
+    context,
+    open: seen.open,
+    /** The same with a server of its own, started with these arguments. */
+    async another(options = {}) {
+      const other = await explore(await newContext(context.browser()), await serve(options.serve));
+      others.push(other);
+      return other;
+    },
+    async end() {
+      for (const other of others) {
+        await other.context.close();
+        const code = await other.server.stop();
+        assert.equal(code, 0, 'serve ends with exit code 0 when it is asked to stop');
+        assert.deepEqual(other.faults, []);
+      }
+      seen.end();
+      await emptied(context, server);
+      assert.deepEqual(seen.faults, []);
+    },
+    faults: seen.faults,
+  };
+}
+
+/** A context of that browser, whose storage, cookies and windows no other one sees. */
+export const newContext = (browser) => browser.newContext(shapeOf({}));
+
+/**
+ * As new, but for what it has read from servers and compiled: that takes half of the time. One page
+ * stays, which is empty.
+ */
+async function emptied(context, server) {
+  const [first = await context.newPage(), ...others] = context.pages();
+  await Promise.all(others.map((page) => page.close()));
+  if (first.url() !== 'about:blank') {
+    await first.evaluate(() => sessionStorage.clear());
+    await first.goto('about:blank');
+  }
+  const protocol = await context.newCDPSession(first);
+  await protocol.send('Storage.clearDataForOrigin', {
+    origin: server.origin,
+    storageTypes: 'cookies,file_systems,indexeddb,local_storage,cache_storage,service_workers',
+  });
+  await protocol.detach();
+  await context.unrouteAll();
+  await first.unrouteAll();
+  first.removeAllListeners();
+  const { viewport, colorScheme } = shapeOf({});
+  await first.setViewportSize(viewport);
+  await first.emulateMedia({ media: null, colorScheme, reducedMotion: null });
+}
+
+/** Windows of a context that may ask that server only; what is wrong with them is in `faults`. */
+function watch(context, server) {
   const faults = [];
-  context.on('request', (request) => {
+  let [free] = context.pages();
+  const asked = (request) => {
     const url = request.url();
     if (!url.startsWith(server.origin) && !/^(data|blob):/.test(url)) {
       faults.push(`a request left the machine: ${url}`);
     }
-  });
+  };
+  context.on('request', asked);
   return {
-    server,
-    context,
+    faults,
+    end: () => context.off('request', asked),
     /**
      * A page at that fragment, drawn to its end. Errors of its scripts are faults unless `mayFail`
      * matches them.
@@ -108,30 +184,6 @@ export async function start(options = {}) {
       await page.goto(server.address + fragment);
       await settled(page);
       return page;
-    },
-    /**
-     * After each test: closes its pages but one, which is empty and as new, and the next to be
-     * opened: that takes half of the time. A browser has few connections for one server, too, and
-     * each window that listens holds one.
-     */
-    async tidy() {
-      const [first = await context.newPage(), ...others] = context.pages();
-      await Promise.all(others.map((page) => page.close()));
-      if (first.url() !== 'about:blank') {
-        await first.evaluate(() => sessionStorage.clear());
-        await first.goto('about:blank');
-      }
-      await first.unrouteAll();
-      first.removeAllListeners();
-      await first.setViewportSize(viewport);
-      await first.emulateMedia({ media: null, colorScheme, reducedMotion: null });
-      free = first;
-    },
-    async stop() {
-      await quit();
-      const code = await server.stop();
-      assert.deepEqual(faults, []);
-      assert.equal(code, 0, 'serve ends with exit code 0 when it is asked to stop');
     },
   };
 }

@@ -9,22 +9,26 @@ const executablePath =
   process.env.CHROMIUM ??
   ['/usr/bin/chromium-headless-shell', '/usr/bin/chromium'].find((path) => existsSync(path));
 
+const settings = {
+  executablePath,
+  args: [
+    '--disable-gpu',
+    '--disable-quic',
+    '--no-first-run',
+    '--disable-background-networking',
+    '--disable-component-update',
+    '--disable-sync',
+  ],
+  chromiumSandbox: process.getuid?.() !== 0,
+};
+
+/** A browser without a window. */
+export const launchBrowser = () => chromium.launch(settings);
+
 /** Its context, with a profile of its own that `quit` takes away. */
 export async function launch(options) {
   const profile = mkdtempSync(join(tmpdir(), 'changeover-chromium-'));
-  const context = await chromium.launchPersistentContext(profile, {
-    executablePath,
-    args: [
-      '--disable-gpu',
-      '--disable-quic',
-      '--no-first-run',
-      '--disable-background-networking',
-      '--disable-component-update',
-      '--disable-sync',
-    ],
-    chromiumSandbox: process.getuid?.() !== 0,
-    ...options,
-  });
+  const context = await chromium.launchPersistentContext(profile, { ...settings, ...options });
   const quit = async () => {
     await context.close();
     rmSync(profile, { recursive: true, force: true });
