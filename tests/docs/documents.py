@@ -491,7 +491,7 @@ def check_loads(server, count):
         by_server = server.post("api/loadorder", body)
         for_all = not set(ask) - {
             "items", "room", "pairs", "groups", "against", "done_items", "workers", "balance",
-            "first_holder", "epochs", "sizes", "memory", "fast_room", "fast_memory",
+            "first_holder", "epochs", "sizes", "memory", "fast_room", "fast_memory", "disjoint",
         }
         if for_all and (by_line.returncode == 0) != ("error" not in by_server):
             fault(
@@ -502,6 +502,7 @@ def check_loads(server, count):
             - {
                 "items", "room", "pairs", "groups", "against", "done_items", "workers", "prefetch",
                 "balance", "first_holder", "epochs", "sizes", "memory", "fast_room", "fast_memory",
+                "disjoint",
             }
             and "error" not in by_server
         ):

@@ -22,7 +22,7 @@ namespace {
 using R = LoadRequest;
 
 constexpr std::string_view of_pages =
-    "its answer is what the page draws: one order, or those of workers who share all items";
+    "its answer is what the page draws: what is loaded and evicted, by one or by several";
 
 std::vector<RequestOption<R>> options() {
   return with_search_options<R>(
@@ -79,7 +79,7 @@ std::vector<RequestOption<R>> options() {
                  &R::verify_beside, {.not_in_server = of_pages}),
           option("disjoint", "",
                  "workers step together and never hold one item twice, so that items may change",
-                 &R::disjoint, {.not_in_server = of_pages}),
+                 &R::disjoint),
           option("write_back", "", "items change while they are held: say what is stored when",
                  &R::write_back, {.not_in_server = of_pages}),
           option("prefetch", "", "say what is computed when, so that loads overlap computation",

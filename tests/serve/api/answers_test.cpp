@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <map>
+#include <vector>
+
 #include "changeover/catalog/entry.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/verify/verdict.hpp"
@@ -355,6 +358,48 @@ TEST_F(Answers, LoadOrdersBringAllPairsTogether) {
     EXPECT_EQ(shared["worker_bytes"], shared["order"]["worker_bytes"]);
     EXPECT_EQ(shared["makespan_bytes"], shared["order"]["makespan_bytes"]);
     EXPECT_GE(shared["makespan_bytes"], shared["makespan_bytes_bound"]);
+  }
+}
+
+// No item is at two workers at once, and what is counted is what the steps do.
+TEST_F(Answers, LoadOrdersAreOfWorkersThatStepTogether) {
+  for (const std::string more : {"", R"(,"epochs":2)"}) {
+    for (const std::string what :
+         {R"("items":24,"room":4)", R"("sizes":[3,4,5,2,6,3,2,4],"memory":12)"}) {
+      const auto answer =
+          json_of(post("/api/loadorder", "{" + what + more + R"(,"workers":2,"disjoint":true})",
+                       "application/json"));
+      const auto& order = answer["order"];
+      const std::uint64_t items = order["items"];
+      EXPECT_EQ(answer["pairs"], items * (items - 1) / 2 * order.value("epochs", 1U)) << answer;
+      EXPECT_EQ(answer["step_count"], answer["steps"].size());
+      EXPECT_EQ(answer["makespan"], order["makespan"]);
+      EXPECT_GE(answer["makespan"], answer["makespan_bound"]);
+      EXPECT_EQ(answer.contains("worker_bytes"), what.find("sizes") != std::string::npos);
+      if (answer.contains("worker_bytes")) {
+        EXPECT_EQ(answer["worker_bytes"], order["worker_bytes"]);
+      }
+      std::vector<std::uint64_t> loads(2);
+      std::map<int, int> held_by;
+      // A worker may take over what another one evicts in the same step.
+      const auto& steps = answer["steps"];
+      for (std::size_t i = 0; i < steps.size(); i += 2) {
+        for (const auto& step : {steps[i], steps[i + 1]}) {
+          for (const int item : step["evict"]) {
+            EXPECT_EQ(held_by[item], step["worker"]) << step;
+            held_by.erase(item);
+          }
+        }
+        for (const auto& step : {steps[i], steps[i + 1]}) {
+          for (const int item : step["load"]) {
+            EXPECT_TRUE(held_by.emplace(item, step["worker"]).second) << step;
+          }
+          loads[step["worker"]] += step["load"].size();
+        }
+      }
+      EXPECT_EQ(answer["worker_loads"], loads);
+      EXPECT_EQ(answer["worker_pairs"], order["worker_pairs"]);
+    }
   }
 }
 

@@ -84,35 +84,41 @@ class Account {
       : asked_(asked),
         come_(rules.fast_room ? &Step::fast_load : &Step::load),
         leave_(rules.fast_room ? &Step::fast_evict : &Step::evict),
+        in_lockstep_(rules.lockstep > 0),
         every_(steps / most_samples + 1),
         met_(asked.items()),
         check_(rules) {}
 
   void read(const Step& step) {
     check_.read(step);
-    if (step.number == 1) {
-      together_.clear();
-      in_memory_ = 0;
-    }
-    in_memory_ = in_memory_ + step.load.size() - step.evict.size();
+    workers_.resize(std::max<std::size_t>(workers_.size(), step.worker + 1));
+    Memory& mine = workers_[static_cast<std::size_t>(step.worker)];
+    mine.loads += step.load.size();
+    mine.held = mine.held + step.load.size() - step.evict.size();
     for (const Element item : step.*leave_) {
-      std::erase(together_, item);
+      std::erase(mine.together, item);
     }
-    pairs_of_.resize(std::max<std::size_t>(pairs_of_.size(), step.worker + 1));
     if (step.epoch != std::exchange(epoch_, step.epoch)) {
       met_ = PairSet(asked_.items());
-      for (const Element item : std::exchange(together_, {})) {
-        come(item, step.worker);
+    }
+    if (step.epoch != std::exchange(mine.epoch, step.epoch)) {
+      for (const Element item : std::exchange(mine.together, {})) {
+        come(item, mine);
       }
     }
     for (const Element item : step.*come_) {
-      come(item, step.worker);
+      come(item, mine);
+    }
+    if (asked_.sizes()) {
+      for (const Element item : step.load) {
+        mine.bytes += asked_.sizes()->bytes[item];
+      }
     }
     if (count_++ % every_ == 0) {
-      held_.push_back(in_memory_);
-      done_.push_back(pairs_);
+      sample(mine);
       stop_if_asked();
     }
+    last_ = step.worker;
   }
 
   /// @throws InternalError
@@ -123,42 +129,59 @@ class Account {
           fmt::format("the load order is wrong: {}{}", verdict.fault, verdict.example));
     }
     if (held_.empty() || (count_ - 1) % every_ != 0) {
-      held_.push_back(in_memory_);
-      done_.push_back(pairs_);
+      sample(workers_.empty() ? Memory{} : workers_[static_cast<std::size_t>(last_)]);
     }
   }
 
   [[nodiscard]] std::uint64_t every() const { return every_; }
   [[nodiscard]] std::uint64_t pairs() const { return pairs_; }
-  /// That no worker before had together, worker by worker.
-  [[nodiscard]] const std::vector<std::uint64_t>& pairs_of() const { return pairs_of_; }
+  /// What each worker does.
+  struct Memory {
+    std::vector<Element> together;  // in memory, or of two levels on the accelerator
+    std::uint64_t held = 0;
+    std::uint64_t loads = 0;
+    std::uint64_t bytes = 0;  // of items with sizes
+    std::uint64_t pairs = 0;  // that no worker before had together in the epoch
+    std::uint64_t epoch = 1;
+  };
+  [[nodiscard]] const std::vector<Memory>& workers() const { return workers_; }
   [[nodiscard]] const std::vector<std::uint64_t>& held() const { return held_; }
   [[nodiscard]] const std::vector<std::uint64_t>& done() const { return done_; }
 
  private:
-  void come(Element item, std::uint64_t worker) {
-    for (const Element other : together_) {
+  void come(Element item, Memory& mine) {
+    for (const Element other : mine.together) {
       if (item != other && !met_.contains(item, other) && asked_.wanted().contains(item, other)) {
         met_.insert(item, other);
         ++pairs_;
-        ++pairs_of_[static_cast<std::size_t>(worker)];
+        ++mine.pairs;
       }
     }
-    together_.push_back(item);
+    mine.together.push_back(item);
+  }
+
+  // What is in memory: of the worker whose steps are read, or of all that step together.
+  void sample(const Memory& mine) {
+    std::uint64_t held = in_lockstep_ ? 0 : mine.held;
+    for (std::size_t i = 0; in_lockstep_ && i < workers_.size(); ++i) {
+      held += workers_[i].held;
+    }
+    held_.push_back(held);
+    done_.push_back(pairs_);
   }
 
   const CheckedLoads& asked_;
   std::vector<Element> Step::*come_;
   std::vector<Element> Step::*leave_;
+  bool in_lockstep_;
   std::uint64_t epoch_ = 1;
   std::uint64_t every_;
-  std::vector<Element> together_;  // in memory, or of two levels on the accelerator
-  std::size_t in_memory_ = 0;
   PairSet met_;
   ScheduleCheck check_;
   std::uint64_t count_ = 0;
   std::uint64_t pairs_ = 0;
-  std::vector<std::uint64_t> pairs_of_;
+  std::vector<Memory> workers_;
+  std::uint64_t last_ = 0;
   std::vector<std::uint64_t> held_;
   std::vector<std::uint64_t> done_;
 };
@@ -201,6 +224,10 @@ struct PlannedLoads {
   [[nodiscard]] const LoadOrderFacts& facts() const {
     return split != nullptr ? split->order().facts() : order->facts();
   }
+  /// How many workers step together; 0: none do.
+  [[nodiscard]] std::uint64_t lockstep() const {
+    return split != nullptr ? 0 : order->facts().lockstep;
+  }
   [[nodiscard]] std::uint64_t loads() const {
     return split != nullptr ? split->facts().loads : order->facts().loads;
   }
@@ -208,7 +235,8 @@ struct PlannedLoads {
     return split != nullptr ? split->stream() : order->stream();
   }
   [[nodiscard]] std::uint64_t steps() const {
-    std::uint64_t steps = split != nullptr ? 0 : order->facts().steps;
+    std::uint64_t steps =
+        split != nullptr ? 0 : order->facts().steps * std::max<std::uint64_t>(1, lockstep());
     for (std::size_t i = 0; split != nullptr && i < split->facts().workers.size(); ++i) {
       steps += split->facts().workers[i].steps;
     }
@@ -229,8 +257,9 @@ PlannedLoads planned_loads(const AnyLoads& loads) {
   return {.order = &std::get<LoadOrder>(loads)};
 }
 
-void write_workers(JsonWriter& json, const WorkerSplit& split,
-                   const std::vector<std::uint64_t>& pairs_of) {
+using Memories = std::vector<Account::Memory>;
+
+void write_workers(JsonWriter& json, const WorkerSplit& split, const Memories& workers) {
   const SplitFacts& facts = split.facts();
   json.key("makespan").value(facts.makespan);
   json.key("makespan_bound").value(facts.makespan_bound.loads);
@@ -244,10 +273,26 @@ void write_workers(JsonWriter& json, const WorkerSplit& split,
   }
   json.key("worker_pairs").begin_array();
   for (std::size_t i = 0; i < facts.workers.size(); ++i) {
-    const std::uint64_t met = i < pairs_of.size() ? pairs_of[i] : 0;
+    const std::uint64_t met = i < workers.size() ? workers[i].pairs : 0;
     json.value(facts.pairs_are_known ? facts.workers[i].pairs : met);
   }
   json.end_array();
+}
+
+// Workers that step together and never hold one item twice.
+void write_lockstep(JsonWriter& json, const LoadOrderFacts& facts, const Memories& workers) {
+  const auto most = [&](std::uint64_t Account::Memory::*what) {
+    return std::ranges::max(workers, {}, what).*what;
+  };
+  json.key("makespan").value(most(&Account::Memory::loads));
+  json.key("makespan_bound").value(facts.makespan_bound.loads);
+  json.list("worker_loads", workers, [&](const auto& worker) { json.value(worker.loads); });
+  if (facts.sizes != nullptr) {
+    json.key("makespan_bytes").value(most(&Account::Memory::bytes));
+    json.key("makespan_bytes_bound").value(facts.makespan_byte_bound.loads);
+    json.list("worker_bytes", workers, [&](const auto& worker) { json.value(worker.bytes); });
+  }
+  json.list("worker_pairs", workers, [&](const auto& worker) { json.value(worker.pairs); });
 }
 
 Response load_order(const Explorer& explorer, const Request& request) {
@@ -299,7 +344,10 @@ Response load_order(const Explorer& explorer, const Request& request) {
   json.key("memory").value(account.held()).key("pairs_done").value(account.done());
   json.key("pairs").value(account.pairs());
   if (planned.split != nullptr) {
-    write_workers(json, *planned.split, account.pairs_of());
+    write_workers(json, *planned.split, account.workers());
+  }
+  if (planned.lockstep() > 0) {
+    write_lockstep(json, facts, account.workers());
   }
   if (planned.spare) {
     json.key("spare").value(*planned.spare);
