@@ -84,7 +84,7 @@ async function bundled(entryPoints, plugins = []) {
 async function pages() {
   // The worker by itself: nothing that both need is a file of its own, which would come later.
   const files = new Map([
-    ...(await bundled({ 'assets/app': 'src/main.ts' }, [styles])),
+    ...(await bundled({ 'assets/app': 'src/first.ts' }, [styles])),
     ...(await bundled({ 'assets/verify-worker': 'src/pages/verify/worker.ts' })),
   ]);
   // What is bundled comes with its licence.

@@ -164,10 +164,4 @@ function begin(): void {
   }
 }
 
-// The first frame shows the head of the page; what comes then takes longer than all until there.
-// Hidden windows have no frames.
-if (document.hidden || performance.getEntriesByType('paint').length > 0) {
-  begin();
-} else {
-  requestAnimationFrame(() => setTimeout(begin));
-}
+begin();

@@ -202,6 +202,73 @@ test('only some pairs: they are in the link', async (explorer) => {
   await look(other, 'loadorder-names');
 });
 
+test('items that differ in size, and epochs, are folded until wanted', async (explorer) => {
+  const page = await explorer.open('#/loadorder', { mayFail: /status of 422/ });
+  const sizes = page.getByRole('textbox', { name: /^Sizes/ });
+  assert.ok(await sizes.isHidden());
+  await page.getByText('Items that differ in size').click();
+  await sizes.fill('a 3 GB\nb 4GB\nc 5 GB\nd 500 MB\n');
+  assert.ok(await page.getByRole('spinbutton', { name: 'Room' }).isDisabled());
+  await page.getByRole('spinbutton', { name: 'Items' }).fill('');
+  await page.getByRole('button', { name: 'Find an order' }).click();
+  await page.getByRole('alert').getByText('write how many bytes are in memory').waitFor();
+  const memory = page.getByRole('textbox', { name: 'Memory', exact: true });
+  await memory.fill('8 GB');
+  await page.getByRole('button', { name: 'Find an order' }).click();
+  await page.getByRole('alert').getByText('items b and c have 9000000000 bytes').waitFor();
+  await memory.fill('10 GB');
+  await page.getByText('Several epochs').click();
+  await page.getByRole('spinbutton', { name: 'Epochs' }).fill('2');
+  await page.getByRole('button', { name: 'Find an order' }).click();
+  await page.getByText('All 6 pairs of 4 items in each of 2 epochs, with 10.0 GB').waitFor();
+  await page.getByText(/GB are read; less/).waitFor();
+  await page.getByText(/loads in the first epoch, \d+ in the other/).waitFor();
+  await page.getByText('epoch 2 begins').waitFor();
+  await page
+    .locator('.command code', { hasText: '--sizes sizes.txt --memory 10000000000 --epochs 2' })
+    .waitFor();
+  await look(page, 'loadorder-sizes');
+  const loads = await page.getByRole('heading', { name: /loads in/ }).textContent();
+  const other = await explorer.open(new URL(page.url()).hash);
+  await other.getByRole('heading', { name: loads }).waitFor();
+  assert.equal(
+    await other.getByRole('textbox', { name: 'Memory', exact: true }).inputValue(),
+    '10 GB',
+  );
+  await phone(other, 'loadorder-sizes');
+});
+
+test('workers that never hold one item twice', async (explorer) => {
+  const page = await explorer.open('#/loadorder?items=24&room=4');
+  await page.getByRole('heading', { name: /loads in/ }).waitFor();
+  await page.getByText('Items that change').click();
+  await page.getByRole('checkbox', { name: /^Workers step together/ }).check();
+  await page.getByRole('button', { name: 'Find an order' }).click();
+  await page.getByRole('alert').getByText('write how many workers share them').waitFor();
+  await page.getByRole('spinbutton', { name: 'Workers' }).fill('3');
+  await page.getByRole('button', { name: 'Find an order' }).click();
+  await page.getByText('For 3 workers that step together and never hold one item twice').waitFor();
+  await page.locator('.command code', { hasText: '--workers 3 --disjoint' }).waitFor();
+  assert.match(new URL(page.url()).hash, /workers=3.*disjoint=1/);
+  // At no step two of them hold one item.
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Download JSON lines' }).click(),
+  ]);
+  const [, ...steps] = readFileSync(await download.path(), 'utf8')
+    .trim()
+    .split('\n')
+    .map((line) => JSON.parse(line));
+  const held = [new Set(), new Set(), new Set()];
+  for (let i = 0; i < steps.length; i += 3) {
+    const together = steps.slice(i, i + 3);
+    together.forEach(({ worker, evict }) => evict.forEach((item) => held[worker].delete(item)));
+    together.forEach(({ worker, load }) => load.forEach((item) => held[worker].add(item)));
+    const all = held.flatMap((items) => [...items]);
+    assert.equal(new Set(all).size, all.length);
+  }
+});
+
 test('a long order: the list to its end, the rest on the command line', async (explorer) => {
   const page = await explorer.open('#/loadorder?items=600&room=20');
   await page.getByText('These are the first 5000').waitFor({ timeout: 60_000 });

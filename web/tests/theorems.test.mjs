@@ -88,6 +88,39 @@ test('names in the pictures of examples can be read', async (explorer) => {
   assert.ok(Math.min(...heights) >= 8, `names of ${Math.min(...heights)} px`);
 });
 
+test('on a phone formulas break, and what cannot scrolls in its frame', async (explorer) => {
+  const page = await explorer.open('#/theorems');
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.locator('.displayed math').first().waitFor();
+  await page.waitForFunction(() => !document.querySelector('.displayed .plain'), null, {
+    timeout: 60_000,
+  });
+  const found = await page.evaluate(() => {
+    document.querySelectorAll('details').forEach((each) => (each.open = true));
+    document
+      .querySelectorAll('article.statement')
+      .forEach((each) => (each.style.contentVisibility = 'visible'));
+    const frames = [...document.querySelectorAll('.formula')];
+    const right = (element) => element.getBoundingClientRect().right;
+    return {
+      frames: frames.length,
+      wide: frames.filter((frame) => frame.scrollWidth > frame.clientWidth).length,
+      outside: frames.filter((frame) => right(frame) > innerWidth).length,
+      // A part that fits into the frame is in sight.
+      cut: frames.flatMap((frame) =>
+        [...frame.querySelectorAll('.math')]
+          .filter((part) => part.offsetWidth <= frame.clientWidth - 24)
+          .filter((part) => right(part) > right(frame) + 1)
+          .map((part) => part.textContent),
+      ),
+    };
+  });
+  assert.ok(found.frames > 10);
+  assert.ok(found.wide < found.frames / 4, `${found.wide} of ${found.frames} formulas scroll`);
+  assert.equal(found.outside, 0);
+  assert.deepEqual(found.cut, []);
+});
+
 test('it looks right', async (explorer) => {
   const page = await explorer.open('#/theorems');
   await look(page, 'theorems');

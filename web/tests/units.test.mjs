@@ -475,55 +475,6 @@ test('sheets: what is taken out, what results say, the CSV for the planner', asy
   assert.deepEqual([later.doneBefore, later.tests.length], [1, 3]);
 });
 
-test('formulas in text: what is mathematics and what is not', async () => {
-  const { pieces, texOf } = await load('lib/formula.ts');
-  const set = (text) =>
-    pieces(text)
-      .map((piece) => ('tex' in piece ? `⟦${piece.tex}⟧` : piece.text))
-      .join('');
-  for (const [text, shown] of [
-    [
-      'at most 9 of C(40,2) = 780 pairs: b >= ceil(780 / 9) = 87 (elements in every block do ' +
-        'not help)',
-      'at most 9 of ⟦\\tbinom{40}{2}=780⟧ pairs: ⟦b\\ge \\lceil 780/9\\rceil =87⟧ (elements in ' +
-        'every block do not help)',
-    ],
-    ['3-subsets of a v-set, end to end', '3-subsets of a v-set, end to end'],
-    ['an element x of B_{i+1}', 'an element ⟦x⟧ of ⟦B_{i+1}⟧'],
-    ['2*n1 + n2 <= 3k', '⟦2\\cdot n_{1}+n_{2}\\le 3k⟧'],
-    ['DCCD(61,4)', '⟦\\mathrm{DCCD}(61,4)⟧'],
-    ['A = {0, 1, …, n−1} ⊂ Z_v', '⟦A=\\{0,\\, 1,\\, \\dots ,\\, n-1\\}\\subset Z_{v}⟧'],
-    ['b = (x+y)(z+1) = k(v−1)+m(b−1) = 3v − 3k', '⟦b⟧⟦{}=(x+y)(z+1)⟧⟦{}=k(v-1)+m(b-1)⟧⟦{}=3v-3k⟧'],
-    ['It is a design, as I said.', 'It is a design, as I said.'],
-    ['the theorem’s proof', 'the theorem’s proof'],
-  ]) {
-    assert.equal(set(text), shown, text);
-  }
-  assert.equal(texOf('s = 2  if v even'), 's=2\\quad \\text{ if }v\\text{ even }');
-});
-
-test('formulas in text: nothing is lost, and all of docs/theorems.md can be set', async () => {
-  const { pieces, texOf } = await load('lib/formula.ts');
-  const { default: temml } = await import('temml');
-  const source = readFileSync(
-    join(dirname(fileURLToPath(import.meta.url)), '../../docs/theorems.md'),
-    'utf8',
-  );
-  let formulas = 0;
-  for (const paragraph of source.split(/\n\n/)) {
-    const found = pieces(paragraph);
-    assert.equal(found.map((piece) => piece.text).join(''), paragraph);
-    const all = /^ {4}/.test(paragraph)
-      ? paragraph.split('\n').map((line) => texOf(line.trim()))
-      : found.flatMap((piece) => ('tex' in piece ? [piece.tex] : []));
-    for (const tex of all) {
-      assert.doesNotThrow(() => temml.renderToString(tex, { throwOnError: true }), tex);
-      ++formulas;
-    }
-  }
-  assert.ok(formulas > 2000, `${formulas}`);
-});
-
 test('symmetries: rotations, twins, none', async () => {
   const { symmetryOf, cyclesOf } = await load('lib/symmetry.ts');
   const developed = Array.from({ length: 7 }, (_, j) => [0, 1, 3].map((x) => (x + j) % 7));

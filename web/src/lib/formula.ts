@@ -72,51 +72,12 @@ const closed = new Set(Object.values(closers));
 const functions = new Set(['ceil', 'floor', 'max', 'min', 'gcd', 'log']);
 const designs = new Set(['SCCD', 'DCCD']);
 /** Pairs of letters that are words wherever they stand. */
-const words = new Set([
-  'a',
-  'A',
-  'I',
-  'am',
-  'an',
-  'as',
-  'at',
-  'be',
-  'by',
-  'do',
-  'go',
-  'he',
-  'if',
-  'in',
-  'is',
-  'it',
-  'me',
-  'my',
-  'no',
-  'of',
-  'on',
-  'or',
-  'so',
-  'to',
-  'up',
-  'us',
-  'we',
-  'If',
-  'In',
-  'It',
-  'So',
-  'To',
-  'On',
-  'At',
-  'By',
-  'No',
-  'Of',
-  'We',
-  'An',
-  'As',
-  'Is',
-  'Be',
-  'vs',
-]);
+const words = new Set(
+  (
+    'a A I am an as at be by do go he if in is it me my no of on or so to up us we ' +
+    'If In It So To On At By No Of We An As Is Be vs'
+  ).split(' '),
+);
 const greek: Record<string, string> = {
   ℓ: '\\ell ',
   τ: '\\tau ',
@@ -193,7 +154,9 @@ function tokenAt(text: string, at: number, sure: boolean): Token | null {
     const run = /^\p{L}\p{M}*(?:\p{L}\p{M}*)*/u.exec(rest)![0];
     const plain = run.normalize('NFD').replace(/\p{M}/gu, '');
     if (functions.has(plain) && (rest[run.length] === '(' || plain === 'max' || plain === 'min')) {
-      return make('function', plain, plain === 'ceil' || plain === 'floor' ? '' : `\\${plain} `);
+      const under = scripts(text, at + run.length);
+      const tex = plain === 'ceil' || plain === 'floor' ? '' : `\\${plain}${under.tex} `;
+      return { ...make('function', plain, tex), to: under.to };
     }
     if (plain === 'mod' && /^ ?\d|^ ?[a-z](?![a-z])/.test(rest.slice(3))) {
       return make('operator', 'mod', '\\bmod ');
@@ -370,6 +333,61 @@ export function texOf(formula: string): string {
   }
   flush();
   return tex;
+}
+
+/**
+ * A text that is a formula as a whole, in groups that stay together if there is room, and these in
+ * parts between which a line may end. Groups begin behind a comma and a gap and with a word, parts
+ * with a relation, or with a sign of a sum where they are long; brackets are never cut.
+ */
+export function partsOf(formula: string): { tex: string; text: string }[][] {
+  const cuts = { groups: [0], relations: [] as number[], sums: [] as number[] };
+  let depth = 0;
+  let last: Token | 'word' | null = null;
+  for (let i = 0; i < formula.length;) {
+    const gap = /^[ \n]*/.exec(formula.slice(i))![0].length;
+    if (gap > 0) {
+      i += gap;
+      if (depth === 0 && last !== null && (gap >= 2 || (last !== 'word' && last.sign === ','))) {
+        cuts.groups.push(i);
+        last = null;
+      }
+      continue;
+    }
+    const token = tokenAt(formula, i, true);
+    if (!token || (token.kind === 'variable' && words.has(token.sign) && token.sign.length > 1)) {
+      const word = /^(?:\p{L}[\p{L}\p{M}]*|.)/u.exec(formula.slice(i))![0];
+      if (depth === 0 && last !== null && last !== 'word' && letter.test(word)) {
+        cuts.groups.push(i);
+      }
+      last = 'word';
+      i += word.length;
+      continue;
+    }
+    depth += token.kind === 'open' ? 1 : token.kind === 'close' ? -1 : 0;
+    if (token.kind === 'operator' && depth === 0 && last && last !== 'word') {
+      if (last.kind !== 'operator') {
+        (relations.has(token.sign) ? cuts.relations : cuts.sums).push(i);
+      }
+    }
+    last = token;
+    i = token.to;
+  }
+  // A letter with its index is no part by itself.
+  const split = (from: number, to: number, at: readonly number[]): [number, number][] => {
+    const starts = [from, ...at.filter((each) => each > from + 7 && each < to - 2)];
+    return starts.map((start, i) => [start, starts[i + 1] ?? to]);
+  };
+  return cuts.groups.map((start, n) =>
+    split(start, cuts.groups[n + 1] ?? formula.length, cuts.relations)
+      .flatMap(([from, to]) =>
+        to - from <= longest + 6 ? [[from, to] as const] : split(from, to, cuts.sums),
+      )
+      .map(([from, to]) => {
+        const text = formula.slice(from, to);
+        return { tex: `${from > start ? '{}' : ''}${texOf(text)}`, text };
+      }),
+  );
 }
 
 /** Only what is balanced and neither begins nor ends with what joins. */

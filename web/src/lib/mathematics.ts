@@ -1,7 +1,7 @@
 // Mathematics in the pages: what lib/formula.ts finds, set as MathML by Temml. Until that is there
 // (it is fetched when it is first needed) formulas stand as they are written.
 import { h, type Child } from './dom';
-import { pieces, texOf } from './formula';
+import { partsOf, pieces } from './formula';
 
 type Setter = (tex: string, place: HTMLElement, display: boolean) => void;
 
@@ -19,10 +19,10 @@ const few = 30;
 
 async function ask(): Promise<void> {
   const temml = await import('temml');
-  setter = (tex, place, displayMode) => {
+  setter = (tex, place, display) => {
     const before = [...place.childNodes];
     try {
-      temml.default.render(tex, place, { displayMode, throwOnError: true });
+      temml.default.render(display ? `\\displaystyle ${tex}` : tex, place, { throwOnError: true });
     } catch {
       place.replaceChildren(...before);
     }
@@ -107,21 +107,31 @@ export function formula(tex: string, plain: string): HTMLElement {
 }
 
 /**
- * Lines of a formula that stands alone. What is said of a line (`*if …*`) is a column of its own.
+ * Lines of a formula that stands alone. What is said of a line (`*if …*`) is a column of its own;
+ * where there is little room it stands below, and lines end between parts.
  */
 export function displayed(lines: readonly string[]): HTMLElement {
-  const place = h('div', { class: 'math plain display' }, written(lines.join('\n')));
-  const rows = lines.map((line) => {
-    const [left, condition] = line.includes('*') ? line.split('*', 2) : [line, undefined];
-    return condition === undefined
-      ? texOf(left!.trim())
-      : `${texOf(left!.trim())} & ${texOf(condition.trim())}`;
-  });
-  return set(
-    place,
-    rows.length === 1 && !rows[0]!.includes(' & ')
-      ? rows[0]!
-      : `\\begin{array}{ll}${rows.join(' \\\\ ')}\\end{array}`,
-    true,
+  const parts = (text: string): Child[] =>
+    partsOf(text.trim()).flatMap((group) => [
+      h(
+        'span',
+        {},
+        group.flatMap((part) => [
+          set(h('span', { class: 'math plain' }, written(part.text)), part.tex, true),
+          h('wbr'),
+        ]),
+      ),
+      h('wbr'),
+    ]);
+  return h(
+    'div',
+    { class: 'displayed' },
+    lines.flatMap((each): Child[] => {
+      const [left, condition] = each.split('*', 2);
+      return [
+        h('div', { class: condition === undefined ? 'whole' : null }, parts(left!)),
+        condition !== undefined && h('div', { class: 'condition' }, parts(condition)),
+      ];
+    }),
   );
 }

@@ -58,7 +58,11 @@ export function timeline(
   const tip = h('div', { class: 'atlas-tip', hidden: true });
   const place = h('div', { class: 'timeline-place' }, canvas, tip);
   const element = h('div', { class: 'timeline' }, strip, place);
-  const pen = canvas.getContext('2d')!;
+  const screen = canvas.getContext('2d')!;
+  /** What does not change with what is pointed at, which is drawn over it. */
+  const still = document.createElement('canvas');
+  const pen = still.getContext('2d')!;
+  let stale = true;
   const thin = strip.getContext('2d')!;
   let rows: number[] = [];
   let rowOf = new Int32Array(v);
@@ -88,6 +92,10 @@ export function timeline(
     top = Math.max(0, Math.min(v - (height - axis) / row, top));
   }
   function later(): void {
+    stale = true;
+    soon();
+  }
+  function soon(): void {
     if (frame === 0) {
       frame = requestAnimationFrame(() => {
         frame = 0;
@@ -106,15 +114,37 @@ export function timeline(
     if (width === 0) {
       return;
     }
+    if (stale) {
+      stale = false;
+      drawStill();
+      drawStrip();
+    }
+    clear(screen, width, height);
+    screen.drawImage(still, 0, 0, width, height);
+    if (pointed) {
+      screen.fillStyle = token('--text');
+      screen.globalAlpha = 0.14;
+      const [x, y] = [
+        left + (pointed.block - 1 - at) * scale,
+        axis + (rowOf[pointed.x]! - top) * row,
+      ];
+      screen.fillRect(Math.max(x, left), axis, Math.max(scale, 1), height);
+      screen.fillRect(left, Math.max(y, axis), room(), row);
+      screen.globalAlpha = 1;
+    }
+  }
+
+  function drawStill(): void {
     clear(pen, width, height);
-    const [kept, fresh, faint, line, text, mark, leave] = [
+    const font = token('--text-font');
+    const [kept, fresh, faint, line, mark, leave, sunken] = [
       '--met',
       '--accent',
       '--faint',
       '--line',
-      '--text',
       '--mark',
       '--leave',
+      '--sunken',
     ].map(token) as [string, string, string, string, string, string, string];
     const [a, z] = [Math.floor(at) + 1, Math.min(b, Math.ceil(at + room() / scale))];
     const x = (block: number): number => left + (block - 1 - at) * scale;
@@ -131,7 +161,7 @@ export function timeline(
       const mine = stays.of(each);
       const strong = lit.has(each);
       if (strong) {
-        pen.fillStyle = token('--sunken');
+        pen.fillStyle = sunken;
         pen.fillRect(left, y, room(), row);
       }
       pen.globalAlpha = lit.size > 0 && !strong ? 0.45 : 1;
@@ -148,7 +178,7 @@ export function timeline(
         if (row >= 12 && long >= 22) {
           pen.globalAlpha = 1;
           pen.fillStyle = inkOn(strong ? mark : kept);
-          pen.font = `10px ${token('--text-font')}`;
+          pen.font = `10px ${font}`;
           pen.textAlign = 'center';
           pen.textBaseline = 'middle';
           pen.fillText(steps.names[each]!, start + long / 2 + 2, y + (row - gap) / 2);
@@ -167,18 +197,11 @@ export function timeline(
         }
       }
     }
-    if (pointed) {
-      pen.fillStyle = text;
-      pen.globalAlpha = 0.14;
-      pen.fillRect(x(pointed.block), axis, Math.max(scale, 1), height);
-      pen.fillRect(left, axis + (rowOf[pointed.x]! - top) * row, room(), row);
-      pen.globalAlpha = 1;
-    }
     pen.restore();
     // Scales.
     pen.fillStyle = faint;
     pen.strokeStyle = line;
-    pen.font = `12px ${token('--text-font')}`;
+    pen.font = `12px ${font}`;
     pen.textAlign = 'center';
     pen.textBaseline = 'alphabetic';
     const step = stride(scale, 52);
@@ -198,13 +221,13 @@ export function timeline(
       const strong = lit.has(rows[i]!);
       if (i % rowStep === 0 || strong) {
         pen.fillStyle = strong ? mark : faint;
-        pen.font = `${strong ? '700 ' : ''}12px ${token('--text-font')}`;
+        pen.font = `${strong ? '700 ' : ''}12px ${font}`;
         pen.fillText(steps.names[rows[i]!]!.slice(0, 8), left - 8, axis + (i - top + 0.5) * row);
       }
     }
     pen.textAlign = 'left';
     pen.fillStyle = faint;
-    pen.font = `12px ${token('--text-font')}`;
+    pen.font = `12px ${font}`;
     pen.fillText(steps.step, 8, axis - 12);
     if (rows.length * row > 120) {
       pen.save();
@@ -214,7 +237,6 @@ export function timeline(
       pen.fillText(`← ${steps.item}`, 0, 0);
       pen.restore();
     }
-    drawStrip();
   }
 
   function drawStrip(): void {
@@ -324,7 +346,7 @@ export function timeline(
           `${stay ? `stays from ${number(stay[0])} to ${number(stay[1])}` : 'not there'}`,
       );
     }
-    later();
+    soon();
   });
   canvas.addEventListener('pointerup', (event) => {
     const here = down && moved <= 4 ? hit(event) : null;
@@ -338,7 +360,7 @@ export function timeline(
   canvas.addEventListener('pointerleave', () => {
     pointed = null;
     tip.hidden = true;
-    later();
+    soon();
   });
   canvas.addEventListener(
     'wheel',
@@ -442,6 +464,7 @@ export function timeline(
     height = Math.min(Math.max(600, window.innerHeight * 0.6), axis + Math.ceil(v * row) + 2);
     place.style.height = `${height}px`;
     resize(canvas, width, height);
+    resize(still, width, height);
     resize(strip, width, strip.clientHeight);
     if (!begun) {
       const range = chosen.range;
@@ -449,6 +472,7 @@ export function timeline(
       at = range ? range.from - 1 : 0;
     }
     clamp();
+    stale = true;
     draw();
   });
   sizes.observe(place);

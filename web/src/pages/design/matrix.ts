@@ -94,10 +94,11 @@ export function matrix(
     return often;
   }
 
-  /** Many small squares: a pixel each, enlarged. */
+  /** Squares: a pixel each, enlarged. They are coloured anew where what they depend on is new. */
   const small = document.createElement('canvas');
   small.width = small.height = v;
-  function drawSmall(
+  let colouredFor: readonly unknown[] = [];
+  function colourSmall(
     colourOf: (i: number, j: number, when: number, n: number) => string,
     range: { from: number; to: number } | null,
     ground: string,
@@ -133,6 +134,18 @@ export function matrix(
       }
     }
     top.putImageData(image, 0, 0);
+  }
+
+  function drawSmall(
+    colourOf: (i: number, j: number, when: number, n: number) => string,
+    range: { from: number; to: number } | null,
+    ground: string,
+  ): void {
+    const now = [rows, range?.from, range?.to, theme()];
+    if (now.some((each, i) => each !== colouredFor[i])) {
+      colouredFor = now;
+      colourSmall(colourOf, range, ground);
+    }
     pen.imageSmoothingEnabled = false;
     pen.drawImage(
       small,
@@ -186,34 +199,35 @@ export function matrix(
                 ? met
                 : mark
           : colours[Math.min(colours.length - 1, Math.floor(((when - 1) / b) * colours.length))]!;
-    if (cell < 5) {
-      drawSmall(colourOf, range, ground);
+    drawSmall(colourOf, range, ground);
+    // Lines between squares, and numbers where they fit.
+    if (cell >= 5) {
+      for (let i = Math.floor(corner.y); i <= last.y; ++i) {
+        pen.clearRect(margin, margin + (i + 1 - corner.y) * cell - gap, room(), gap);
+      }
+      for (let j = Math.floor(corner.x); j <= last.x; ++j) {
+        pen.clearRect(margin + (j + 1 - corner.x) * cell - gap, margin, gap, room());
+      }
     }
-    for (let i = Math.floor(corner.y); cell >= 5 && i <= last.y; ++i) {
+    const font = `${cell >= 30 ? 11 : 9}px ${token('--text-font')}`;
+    for (let i = Math.floor(corner.y); cell >= 24 && i <= last.y; ++i) {
       for (let j = Math.floor(corner.x); j <= last.x; ++j) {
         const [x, y] = [rows[j]!, rows[i]!];
-        if (x === y) {
+        const when = meet[x * v + y]!;
+        if (x === y || (range && (when < range.from || when > range.to))) {
           continue;
         }
-        const when = meet[x * v + y]!;
         const n = counts[x * v + y]!;
-        const inside = !range || (when >= range.from && when <= range.to);
-        pen.globalAlpha = inside ? 1 : 0.22;
-        const colour = colourOf(i, j, when, n);
-        pen.fillStyle = colour;
         const [px, py] = [margin + (j - corner.x) * cell, margin + (i - corner.y) * cell];
-        pen.fillRect(px, py, cell - gap, cell - gap);
-        if (cell >= 24 && inside) {
-          pen.fillStyle = inkOn(colour);
-          pen.font = `${cell >= 30 ? 11 : 9}px ${token('--text-font')}`;
-          pen.textAlign = 'center';
-          pen.textBaseline = 'middle';
-          pen.fillText(
-            j > i ? (n === 1 ? '' : String(n)) : String(when),
-            px + cell / 2,
-            py + cell / 2,
-          );
-        }
+        pen.fillStyle = inkOn(colourOf(i, j, when, n));
+        pen.font = font;
+        pen.textAlign = 'center';
+        pen.textBaseline = 'middle';
+        pen.fillText(
+          j > i ? (n === 1 ? '' : String(n)) : String(when),
+          px + cell / 2,
+          py + cell / 2,
+        );
       }
     }
     pen.globalAlpha = 1;

@@ -202,6 +202,7 @@ export function shares(answer: Ordered, asked: Asked): HTMLElement | null {
     return null;
   }
   const most = Math.max(...loads);
+  const inBytes = asked.bytesPerItem !== null || asked.sizes !== null;
   const busiest = loads.filter((each) => each === most).length;
   return h(
     'section',
@@ -221,7 +222,7 @@ export function shares(answer: Ordered, asked: Asked): HTMLElement | null {
             h('th', { scope: 'col' }, 'worker'),
             h('th', { scope: 'col', class: 'number' }, 'loads'),
             h('td'),
-            asked.bytesPerItem !== null && h('th', { scope: 'col', class: 'number' }, 'read'),
+            inBytes && h('th', { scope: 'col', class: 'number' }, 'read'),
             h('th', { scope: 'col', class: 'number' }, 'pairs'),
           ),
         ),
@@ -248,11 +249,11 @@ export function shares(answer: Ordered, asked: Asked): HTMLElement | null {
                   count(each, 'load'),
                 ),
               ),
-              asked.bytesPerItem !== null &&
+              inBytes &&
                 h(
                   'td',
                   { class: 'number' },
-                  bytes(answer.worker_bytes?.[i] ?? each * asked.bytesPerItem),
+                  bytes(answer.worker_bytes?.[i] ?? each * (asked.bytesPerItem ?? 1)),
                 ),
               h('td', { class: 'number' }, number(pairs[i]!)),
             ),

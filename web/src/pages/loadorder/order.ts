@@ -19,6 +19,13 @@ export interface Asked {
   prefetch: boolean;
   /** Two items a line. */
   pairs: string | null;
+  /** An item and its bytes a line; then `memory` counts, and not `room`. */
+  sizes: string | null;
+  memory: number | null;
+  fastMemory: number | null;
+  epochs: number;
+  /** No item at two workers. */
+  disjoint: boolean;
 }
 
 function over(loads: number, bound: number): string {
@@ -43,8 +50,11 @@ function shareOver(loads: number, bound: number): string {
 function readWords(answer: Ordered, size: number): string {
   const { bytes: read, bytes_bound: least, makespan, makespan_bound: spanBound } = answer;
   if (makespan === undefined || spanBound === undefined) {
-    const words = read > least ? `; less than ${bytes(least)} is not possible` : '';
-    return ` ${bytes(read)} are read${words}.`;
+    if (read <= least) {
+      return ` ${bytes(read)} are read; less is not possible.`;
+    }
+    const more = answer.order.memory === undefined ? '' : `, so ${atMost(read, least)}`;
+    return ` ${bytes(read)} are read; less than ${bytes(least)} is not possible${more}.`;
   }
   const most = answer.makespan_bytes ?? makespan * size;
   const bound = answer.makespan_bytes_bound ?? spanBound * size;
@@ -56,8 +66,43 @@ function readWords(answer: Ordered, size: number): string {
   );
 }
 
+/** What is said of disjoint workers. */
+const apart = ' that step together and never hold one item twice';
+
+const inEpochs = ({ order }: Ordered): string =>
+  order.epochs === undefined ? '' : ` in each of ${count(order.epochs, 'epoch')}`;
+
+/** What fits at once. */
+function places({ order }: Ordered): string {
+  const { memory, fast_memory: fastMemory, room, fast_room: fastRoom } = order;
+  const [whole, some] =
+    memory === undefined
+      ? [`room for ${number(room)}`, fastRoom === undefined ? '' : `${number(fastRoom)} of them`]
+      : [
+          `${bytes(memory)} of memory`,
+          fastMemory === undefined ? '' : `${bytes(fastMemory)} of it`,
+        ];
+  return some === '' ? whole : `${whole}, ${some} on an accelerator`;
+}
+
+function epochWords({ order: { epoch_loads: loads = [] } }: Ordered): HTMLElement | null {
+  const [first, ...later] = loads;
+  if (first === undefined || later.length === 0) {
+    return null;
+  }
+  const [least, most] = [Math.min(...later), Math.max(...later)];
+  return h(
+    'p',
+    {},
+    `${count(first, 'load')} in the first epoch, ` +
+      `${least === most ? '' : `${number(least)} to `}${number(most)} in ` +
+      `${later.length === 1 ? 'the other' : 'each later one'}.`,
+  );
+}
+
 export function headline(answer: Ordered, asked: Asked): HTMLElement {
-  const { order, pairs } = answer;
+  const { order } = answer;
+  const pairs = answer.pairs / (order.epochs ?? 1);
   const { loads, lower_bound: bound, makespan, makespan_bound: spanBound, workers } = order;
   const shared = makespan !== undefined && spanBound !== undefined && workers !== undefined;
   return h(
@@ -68,14 +113,16 @@ export function headline(answer: Ordered, asked: Asked): HTMLElement {
       'p',
       {},
       shared
-        ? `For ${count(workers, 'worker')}; the busiest has ${count(makespan, 'load')}: ` +
+        ? `For ${count(workers, 'worker')}${asked.disjoint ? apart : ''}` +
+            `${inEpochs(answer)}; the busiest has ${count(makespan, 'load')}: ` +
             `${shareOver(makespan, spanBound)}.`
         : `${asked.pairs ? count(pairs, 'pair') : `All ${count(pairs, 'pair')}`} of ` +
-            `${count(order.items, 'item')}, with room for ${number(order.room)}` +
-            `${order.fast_room === undefined ? '' : `, ${number(order.fast_room)} of them on an accelerator`}: ` +
-            `${over(loads, bound)}.`,
-      asked.bytesPerItem !== null && readWords(answer, asked.bytesPerItem),
+            `${count(order.items, 'item')}${inEpochs(answer)}, with ${places(answer)}` +
+            `${asked.sizes === null ? `: ${over(loads, bound)}` : ''}.`,
+      (asked.bytesPerItem !== null || asked.sizes !== null) &&
+        readWords(answer, asked.bytesPerItem ?? 1),
     ),
+    epochWords(answer),
     order.overlapped !== undefined &&
       h(
         'p',
@@ -118,7 +165,8 @@ export function headline(answer: Ordered, asked: Asked): HTMLElement {
 }
 
 export function comparison(answer: Ordered, asked: Asked): HTMLElement | null {
-  if (asked.pairs || asked.workers > 1 || asked.fastRoom !== null) {
+  const alike = asked.sizes === null && asked.epochs === 1;
+  if (asked.pairs || asked.workers > 1 || asked.fastRoom !== null || !alike) {
     return null;
   }
   const simple = naive(answer.order.items, asked.room);
@@ -241,17 +289,28 @@ function listed(items: (number | string)[]): string {
 
 export function stepList(answer: Ordered): HTMLElement {
   const shared = answer.steps.some(({ worker }) => worker !== undefined);
+  const starts = new Set(
+    answer.steps.filter((step, i) => step.epoch !== answer.steps[i - 1]?.epoch),
+  );
   const list = virtualList({
     label: `The ${number(answer.steps.length)} steps`,
     rows: answer.steps.length,
     row(i) {
-      const { step, worker, load, evict, before, compute } = answer.steps[i]!;
+      const { step, worker, load, evict, before, compute, epoch } = answer.steps[i]!;
       const { fast_load: come = [], fast_evict: leave = [] } = answer.steps[i]!;
       const parts: Child[] = [
         h('span', { class: 'block-number' }, shared ? `${worker} · ${number(step)}` : number(step)),
-        (load.length > 0 || come.length === 0) &&
-          h('span', { class: 'load' }, 'load ', h('strong', {}, listed(load))),
+        (load.length > 0 || come.length + evict.length + leave.length === 0) &&
+          h(
+            'span',
+            { class: 'load' },
+            'load ',
+            load.length === 0 ? 'nothing' : h('strong', {}, listed(load)),
+          ),
         evict.length > 0 && h('span', { class: 'block-out' }, 'evict ', listed(evict)),
+        epoch !== undefined &&
+          starts.has(answer.steps[i]!) &&
+          h('span', { class: 'hint' }, `epoch ${number(epoch)} begins`),
         come.length > 0 && h('span', {}, 'transfer ', listed(come)),
         leave.length > 0 && h('span', { class: 'block-out' }, 'take off ', listed(leave)),
         before &&

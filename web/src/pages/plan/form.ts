@@ -14,6 +14,7 @@ import {
   type Slot,
   type Unit,
 } from './job';
+import { group as folded, type Group } from '../../parts/group';
 import { benchTable } from './bench_table';
 import { partsGrid } from './parts';
 import { rowsTable } from './rows';
@@ -50,11 +51,6 @@ export interface Form {
   set(job: Job): void;
   /** Puts the element below the field of a key of the document; false if that is not to be seen. */
   show(key: string, element: HTMLElement): boolean;
-}
-
-interface Group {
-  element: HTMLDetailsElement;
-  refresh(): void;
 }
 
 /** `reads` makes parts of what was pasted, or says why it cannot. */
@@ -185,22 +181,9 @@ export function jobForm(
     said: () => string,
     ...content: (HTMLElement | null)[]
   ): HTMLDetailsElement {
-    const state = h('span', { class: 'group-state' });
-    const element = h(
-      'details',
-      { class: 'group' },
-      h('summary', {}, h('span', { class: 'group-name' }, heading), state),
-      h('div', { class: 'group-body' }, content),
-    );
-    groups[name] = {
-      element,
-      refresh() {
-        const words = said();
-        state.textContent = words;
-        element.classList.toggle('set', words !== '');
-      },
-    };
-    return element;
+    const made = folded(heading, said, ...content);
+    groups[name] = made;
+    return made.element;
   }
   const lines = (text: string) => {
     try {
@@ -353,8 +336,13 @@ export function jobForm(
     grid.element,
     h(
       'div',
-      { class: 'row' },
+      { class: 'row list-tools' },
       h('button', { type: 'button', class: 'plain', onclick: pickFile }, 'Open a file …'),
+      h(
+        'button',
+        { type: 'button', class: 'plain', onclick: () => (grid.set([]), touched()) },
+        'Clear the list',
+      ),
       h(
         'span',
         { class: 'together' },
@@ -375,11 +363,6 @@ export function jobForm(
           },
           'Fill in numbered parts',
         ),
-      ),
-      h(
-        'button',
-        { type: 'button', class: 'plain', onclick: () => (grid.set([]), touched()) },
-        'Clear the list',
       ),
     ),
   );

@@ -362,7 +362,7 @@ export class PlanPage {
       next.element,
       h(
         'div',
-        { class: 'row no-print' },
+        { class: 'row actions no-print' },
         replan,
         diagnose,
         h(

@@ -11,6 +11,8 @@ export interface Grid {
   names(): string[];
 }
 
+/** What is said of a field where its column has no head. */
+const labels: Record<string, string> = { cost: 'cost', slot: 'slot', quantity: 'how many' };
 /** Rows beyond these are drawn a few at a time, so that a long list does not hold up the page. */
 const piece = 150;
 
@@ -62,7 +64,7 @@ export function partsGrid(
     const text = (kind: string, value: string | number | null, more: Record<string, string> = {}) =>
       h(
         'td',
-        { class: `of-${kind}` },
+        { class: `of-${kind}`, 'data-label': labels[kind] ?? null },
         h('input', {
           type: 'text',
           class: kind,
@@ -76,14 +78,14 @@ export function partsGrid(
       'tr',
       { class: part.gone ? 'gone' : null },
       h('td', { class: 'number' }),
-      text('name', part.name),
+      text('name', part.name, { placeholder: 'name' }),
       text('cost', part.cost, { inputmode: 'decimal', placeholder: 'usual' }),
       text('slot', part.slot, { list: 'slot-names' }),
       text('quantity', part.quantity, { inputmode: 'numeric', placeholder: 'any' }),
-      h('td', { class: 'centre' }, gone),
+      h('td', { class: 'of-gone', 'data-label': 'gone' }, gone),
       h(
         'td',
-        {},
+        { class: 'of-off' },
         h(
           'button',
           {

@@ -269,7 +269,7 @@ export function runSheet(
         { class: 'number of-sum', 'data-label': 'so far' },
         clock ? clock(sumAt[i]!) : money(sumAt[i]!),
       ),
-      h('td', { class: 'of-notes' }, notes),
+      h('td', { class: 'of-notes', 'data-label': 'notes' }, notes),
     );
     return rows[i]!;
   }

@@ -268,7 +268,7 @@ export function whatIf(
     h('div', { class: 'row' }, test.element, change.element),
     h(
       'div',
-      { class: 'row' },
+      { class: 'row actions' },
       look,
       h(
         'button',

@@ -1,0 +1,79 @@
+// Formulas in text and alone: what the pages find and where lines end.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { load } from './support/source.mjs';
+
+test('formulas in text: what is mathematics and what is not', async () => {
+  const { pieces, texOf } = await load('lib/formula.ts');
+  const set = (text) =>
+    pieces(text)
+      .map((piece) => ('tex' in piece ? `⟦${piece.tex}⟧` : piece.text))
+      .join('');
+  for (const [text, shown] of [
+    [
+      'at most 9 of C(40,2) = 780 pairs: b >= ceil(780 / 9) = 87 (elements in every block do ' +
+        'not help)',
+      'at most 9 of ⟦\\tbinom{40}{2}=780⟧ pairs: ⟦b\\ge \\lceil 780/9\\rceil =87⟧ (elements in ' +
+        'every block do not help)',
+    ],
+    ['3-subsets of a v-set, end to end', '3-subsets of a v-set, end to end'],
+    ['an element x of B_{i+1}', 'an element ⟦x⟧ of ⟦B_{i+1}⟧'],
+    ['2*n1 + n2 <= 3k', '⟦2\\cdot n_{1}+n_{2}\\le 3k⟧'],
+    ['DCCD(61,4)', '⟦\\mathrm{DCCD}(61,4)⟧'],
+    ['A = {0, 1, …, n−1} ⊂ Z_v', '⟦A=\\{0,\\, 1,\\, \\dots ,\\, n-1\\}\\subset Z_{v}⟧'],
+    ['b = (x+y)(z+1) = k(v−1)+m(b−1) = 3v − 3k', '⟦b⟧⟦{}=(x+y)(z+1)⟧⟦{}=k(v-1)+m(b-1)⟧⟦{}=3v-3k⟧'],
+    ['It is a design, as I said.', 'It is a design, as I said.'],
+    ['the theorem’s proof', 'the theorem’s proof'],
+  ]) {
+    assert.equal(set(text), shown, text);
+  }
+  assert.equal(texOf('s = 2  if v even'), 's=2\\quad \\text{ if }v\\text{ even }');
+});
+
+test('formulas in text: nothing is lost, and all of docs/theorems.md can be set', async () => {
+  const { partsOf, pieces, texOf } = await load('lib/formula.ts');
+  const { default: temml } = await import('temml');
+  const source = readFileSync(
+    join(dirname(fileURLToPath(import.meta.url)), '../../docs/theorems.md'),
+    'utf8',
+  );
+  /** A formula that stands alone, and the parts in which it is set. */
+  const displayed = (line) => {
+    const parts = partsOf(line).flat();
+    assert.equal(parts.map((part) => part.text).join(''), line);
+    return [texOf(line), ...parts.map((part) => part.tex)];
+  };
+  let formulas = 0;
+  for (const paragraph of source.split(/\n\n/)) {
+    const found = pieces(paragraph);
+    assert.equal(found.map((piece) => piece.text).join(''), paragraph);
+    const all = /^ {4}/.test(paragraph)
+      ? paragraph.split('\n').flatMap((line) => displayed(line.trim()))
+      : found.flatMap((piece) => ('tex' in piece ? [piece.tex] : []));
+    for (const tex of all) {
+      assert.doesNotThrow(() => temml.renderToString(tex, { throwOnError: true }), tex);
+      ++formulas;
+    }
+  }
+  assert.ok(formulas > 2000, `${formulas}`);
+});
+
+test('a formula that stands alone ends its lines between parts, never in brackets', async () => {
+  const { partsOf } = await load('lib/formula.ts');
+  const shown = (line) =>
+    partsOf(line).map((group) => group.map((part) => part.text.trim()).join(' ¦ '));
+  assert.deepEqual(shown('x_p = pN + n,   y_p = −pN − 1   for −(c−1) ≤ p ≤ c.'), [
+    'x_p = pN + n,',
+    'y_p = −pN − 1',
+    'for −(c−1) ¦ ≤ p ¦ ≤ c.',
+  ]);
+  assert.deepEqual(shown('c·u + (2c+1)w + max(0, w−K) + (c−1)·(k−2) blocks'), [
+    'c·u + (2c+1)w ¦ + max(0, w−K) ¦ + (c−1) ¦ ·(k−2)',
+    'blocks',
+  ]);
+  assert.deepEqual(shown('min_x (p + q, r)'), ['min_x (p + q, r)']);
+  assert.equal(partsOf('min_x (p)')[0][0].tex, '\\min_{x} (p)');
+});
