@@ -59,10 +59,9 @@ constexpr std::array all_verbs = {
 void add_verbs(Program& program, int argc, char** argv) {
   const std::string first = argc > 1 ? argv[1] : "";
   const std::string both = first + "-" + (argc > 2 ? argv[2] : "");
-  const auto* const named =
-      std::find_if(all_verbs.begin(), all_verbs.end(), [&](const NamedVerb& verb) {
-        return !verb.of_all && (verb.name == first || verb.name == both);
-      });
+  const auto* const named = std::ranges::find_if(all_verbs, [&](const NamedVerb& verb) {
+    return !verb.of_all && (verb.name == first || verb.name == both);
+  });
   const auto add_catalog = [&] {
     program.add_group("catalog", "browse and extend the catalog of known designs");
   };

@@ -171,7 +171,7 @@ class Stream {
           break;
         }
         if (read.data() != room->data() + filled) {
-          std::copy(read.begin(), read.end(), room->data() + filled);
+          std::ranges::copy(read, room->data() + filled);
         }
         filled += read.size();
       }

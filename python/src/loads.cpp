@@ -305,7 +305,7 @@ void add_bytes(py::dict& said, const std::optional<std::vector<std::uint64_t>>& 
   said["bytes"] =
       each ? Count(std::accumulate(each->begin(), each->end(), std::uint64_t{0})) : Count();
   said["worker_bytes"] = each;
-  said["makespan_bytes"] = each ? Count(*std::max_element(each->begin(), each->end())) : Count();
+  said["makespan_bytes"] = each ? Count(*std::ranges::max_element(*each)) : Count();
   said["makespan_bytes_bound"] = each ? Count(bound) : Count();
   said["span_bytes"] = span;
 }

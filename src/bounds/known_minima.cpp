@@ -57,8 +57,9 @@ constexpr auto place(const Row& row) {
   return std::tuple(row.strength, row.change, row.kind, row.k, row.v);
 }
 
-static_assert(std::is_sorted(rows.begin(), rows.end(),
-                             [](const Row& a, const Row& b) { return place(a) < place(b); }));
+static_assert(std::ranges::is_sorted(rows, [](const Row& a, const Row& b) {
+  return place(a) < place(b);
+}));
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 #include "bounds/degree_program.hpp"
@@ -214,9 +215,7 @@ std::vector<Bound> lower_bounds(const Parameters& p) {
   }
   bounds.push_back(end_to_end(p));
   bounds.push_back(stays(p));
-  const auto largest =
-      std::max_element(bounds.begin(), bounds.end(),
-                       [](const Bound& a, const Bound& b) { return a.blocks < b.blocks; });
+  const auto largest = std::ranges::max_element(bounds, {}, &Bound::blocks);
   const std::uint64_t known = largest->blocks;
   const std::optional<std::uint64_t> program = degree_program(p, known);
   if (program && *program > known) {
@@ -240,8 +239,7 @@ std::vector<Bound> lower_bounds(const Parameters& p) {
                      count_of(*searched, "block"), p.v, p.k, p.change, to_string(p.kind),
                      p.strength == 2 ? "" : fmt::format(" --strength {}", p.strength))});
   }
-  std::stable_sort(bounds.begin(), bounds.end(),
-                   [](const Bound& a, const Bound& b) { return a.blocks > b.blocks; });
+  std::ranges::stable_sort(bounds, std::ranges::greater(), &Bound::blocks);
   return bounds;
 }
 

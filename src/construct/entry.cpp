@@ -308,7 +308,7 @@ std::unique_ptr<BlockSource> with_fixed(const Parameters& parameters,
   return mapped(parameters, std::move(source),
                 [v = parameters.v](std::span<const Element> from, std::span<Element> to) {
                   const auto added = to.subspan(from.size());
-                  std::copy(from.begin(), from.end(), to.begin());
+                  std::ranges::copy(from, to.begin());
                   std::iota(added.begin(), added.end(), static_cast<Element>(v - added.size()));
                 });
 }
@@ -325,9 +325,9 @@ BlockListSource::BlockListSource(const Parameters& parameters, std::vector<Block
   }
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     Block sorted = blocks_[i];
-    std::sort(sorted.begin(), sorted.end());
+    std::ranges::sort(sorted);
     if (sorted.size() != parameters_.k || sorted.back() >= parameters_.v ||
-        std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
+        std::ranges::adjacent_find(sorted) != sorted.end()) {
       throw BadInput(fmt::format("block {} does not have k = {} distinct elements below v = {}",
                                  i + 1, parameters_.k, parameters_.v));
     }
@@ -339,7 +339,7 @@ bool BlockListSource::make(std::span<Element> block) {
     return false;
   }
   const Block& from = blocks_[position_++];
-  std::copy(from.begin(), from.end(), block.begin());
+  std::ranges::copy(from, block.begin());
   return true;
 }
 

@@ -305,8 +305,7 @@ class KnownDesigns::Cell {
       }
     }
     constexpr std::size_t most_sources = 20;
-    std::stable_sort(sources.begin(), sources.end(),
-                     [](const Promising& a, const Promising& b) { return a.b < b.b; });
+    std::ranges::stable_sort(sources, {}, &Promising::b);
     sources.resize(std::min(sources.size(), most_sources));
     for (const auto& [b, w, added] : sources) {
       const Parameters q = with(p_, p_.v - w, p_.k);
@@ -400,8 +399,8 @@ KnownDesigns::Ptr KnownDesigns::offered(const Parameters& p) {
 }
 
 const Design& KnownDesigns::design_of(const Ptr& known) {
-  const auto held = std::find_if(designs_.begin(), designs_.end(),
-                                 [&](const auto& each) { return each.first == known; });
+  const auto held =
+      std::ranges::find_if(designs_, [&](const auto& each) { return each.first == known; });
   if (held != designs_.end()) {
     return held->second;
   }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -17,8 +16,9 @@ namespace changeover {
 namespace {
 
 bool nested_deeper(const Recipe& recipe, std::size_t depth) {
-  return depth == 0 || std::any_of(recipe.inputs.begin(), recipe.inputs.end(),
-                                   [&](const Recipe& in) { return nested_deeper(in, depth - 1); });
+  return depth == 0 || std::ranges::any_of(recipe.inputs, [&](const Recipe& in) {
+           return nested_deeper(in, depth - 1);
+         });
 }
 
 // Whether check() would accept p, without the cost of an exception.
@@ -58,11 +58,10 @@ const Registry& Registry::standard() {
 
 Registry::Registry(std::vector<const Construction*> constructions, const Catalog* catalog)
     : constructions_(std::move(constructions)), catalog_(catalog) {
-  std::sort(constructions_.begin(), constructions_.end(),
-            [](const auto* a, const auto* b) { return a->name() < b->name(); });
-  const auto twin =
-      std::adjacent_find(constructions_.begin(), constructions_.end(),
-                         [](const auto* a, const auto* b) { return a->name() == b->name(); });
+  std::ranges::sort(constructions_,
+                    [](const auto* a, const auto* b) { return a->name() < b->name(); });
+  const auto twin = std::ranges::adjacent_find(
+      constructions_, [](const auto* a, const auto* b) { return a->name() == b->name(); });
   if (twin != constructions_.end()) {
     throw BadInput(fmt::format("two constructions are named '{}'", (*twin)->name()));
   }
@@ -101,7 +100,7 @@ std::vector<Offer> Registry::offers(const Parameters& p) const {
     }
   }
   // Of equal ones what is written down comes last: the others say how they are made.
-  std::stable_sort(offers.begin(), offers.end(), [](const Offer& a, const Offer& b) {
+  std::ranges::stable_sort(offers, [](const Offer& a, const Offer& b) {
     const auto rank = [](const Offer& offer) {
       return std::pair(offer.b, offer.recipe.construction == "found");
     };

@@ -28,8 +28,7 @@ DevelopedSource::DevelopedSource(BaseBlocks base, const Automorphism& pi, std::u
   }
   for (std::size_t i = 0; i < base_.blocks.size(); ++i) {
     const Block& block = base_.blocks[i];
-    if (block.size() != p.k ||
-        std::any_of(block.begin(), block.end(), [&](Element x) { return x >= p.v; })) {
+    if (block.size() != p.k || std::ranges::any_of(block, [&](Element x) { return x >= p.v; })) {
       throw BadInput(
           fmt::format("base block {} does not have k = {} elements below v = {}", i + 1, p.k, p.v));
     }

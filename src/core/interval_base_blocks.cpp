@@ -48,7 +48,7 @@ BaseBlocks IntervalBaseBlocks::written_out() const {
     const std::span<const Element> extra = points_of(i);
     Block block(n + extra.size());
     write_interval(start, parameters.v, std::span(block).first(n));
-    std::copy(extra.begin(), extra.end(), block.begin() + static_cast<std::ptrdiff_t>(n));
+    std::ranges::copy(extra, block.begin() + static_cast<std::ptrdiff_t>(n));
     base.blocks.push_back(std::move(block));
   }
   return base;

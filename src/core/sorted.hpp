@@ -11,7 +11,7 @@ namespace changeover {
 /// The elements, ascending. O(k log k).
 [[nodiscard]] inline Block sorted(std::span<const Element> block) {
   Block result(block.begin(), block.end());
-  std::sort(result.begin(), result.end());
+  std::ranges::sort(result);
   return result;
 }
 

@@ -10,10 +10,10 @@ namespace {
 
 Block select(std::span<const Element> block, std::span<const Element> other, bool common) {
   Block sorted(other.begin(), other.end());
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   Block result;
   for (const Element x : block) {
-    if (std::binary_search(sorted.begin(), sorted.end(), x) == common) {
+    if (std::ranges::binary_search(sorted, x) == common) {
       result.push_back(x);
     }
   }
@@ -87,7 +87,7 @@ std::vector<UnchangedSubset> unchanged_subsets(const Design& design) {
   const bool wraps = design.parameters().kind == Kind::circular && b > 1;
   for (std::size_t i = 0; i + (wraps ? 0 : 1) < b; ++i) {
     Block common = intersection(design.block(i), design.block((i + 1) % b));
-    std::sort(common.begin(), common.end());
+    std::ranges::sort(common);
     subsets.push_back({i + 1, std::move(common)});
   }
   return subsets;

@@ -123,8 +123,7 @@ Round round_of(const CircleFigure& figure) {
     }
     const std::size_t colour = i % unchanged_colour;
     const auto is_new = [&](Element x) {
-      return std::find(block.introduced.begin(), block.introduced.end(), x) !=
-             block.introduced.end();
+      return std::ranges::find(block.introduced, x) != block.introduced.end();
     };
     for (std::size_t a = 0; a < block.elements.size(); ++a) {
       const Element x = block.elements[a];

@@ -47,7 +47,7 @@ void add_collection(const Design& design, ColouredGraph& graph) {
   std::map<Block, unsigned> times;
   for (std::size_t i = 0; i < design.block_count(); ++i) {
     Block block(design.block(i).begin(), design.block(i).end());
-    std::sort(block.begin(), block.end());
+    std::ranges::sort(block);
     ++times[block];
   }
   for (const auto& [block, count] : times) {
@@ -153,8 +153,8 @@ GraphForm graph_form(const Design& design, BlockOrder order) {
   for (const auto& [one, other] : graph.edges) {
     form.edges.push_back(std::minmax({form.label[one], form.label[other]}));
   }
-  std::sort(form.colours.begin(), form.colours.end());
-  std::sort(form.edges.begin(), form.edges.end());
+  std::ranges::sort(form.colours);
+  std::ranges::sort(form.edges);
   return form;
 }
 
@@ -169,9 +169,9 @@ BlockSystem block_system(const Design& design) {
     for (const Element x : design.block(i)) {
       block.push_back(system.elements[x]);
     }
-    std::sort(block.begin(), block.end());
+    std::ranges::sort(block);
   }
-  std::sort(system.blocks.begin(), system.blocks.end());
+  std::ranges::sort(system.blocks);
   system.group_order = std::move(form.group_order);
   for (const auto& generator : form.generators) {
     system.generators.emplace_back(generator.begin(),

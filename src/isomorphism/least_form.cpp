@@ -59,7 +59,7 @@ std::vector<Candidates> candidates(const Design& design, const Sameness& same) {
                  .backwards = false});
   if (same.reversal) {
     // As a word that is read from left to right: block b−1 first.
-    std::reverse(words.backwards.begin(), words.backwards.end());
+    std::ranges::reverse(words.backwards);
     const LeastRotation backwards = least_rotation(words.backwards);
     const Candidates reversed{.start = last - backwards.start,
                               .stride = backwards.period,
@@ -235,7 +235,7 @@ void StandardNames::read(const Reading& reading) {
   reading_ = reading;
   std::iota(name_of_.begin(), name_of_.end(), Element{0});
   std::iota(element_of_.begin(), element_of_.end(), Element{0});
-  std::fill(class_of_.begin(), class_of_.end(), 0);
+  std::ranges::fill(class_of_, 0);
   classes_.assign(1, Class{.begin = 0, .size = v, .met = 0});
   for (std::size_t place = 0; place < b && classes_.size() < v; ++place) {
     split(design_->block(reading.block(place, b)));
@@ -284,10 +284,10 @@ std::vector<std::vector<Element>> StandardNames::twins() const {
     if (each.size > 1) {
       const auto begin = element_of_.begin() + static_cast<std::ptrdiff_t>(each.begin);
       twins.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(each.size));
-      std::sort(twins.back().begin(), twins.back().end());
+      std::ranges::sort(twins.back());
     }
   }
-  std::sort(twins.begin(), twins.end());
+  std::ranges::sort(twins);
   return twins;
 }
 

@@ -34,7 +34,7 @@ std::string summary(const PaperReport& report) {
 // Characters on a terminal, all of width one here.
 std::size_t width(std::string_view text) {
   return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+      std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 // Breaks a line at blanks so that it fits into 100 columns after an indent.
@@ -98,8 +98,8 @@ void append_findings(std::string& out, const PaperReport& report, std::string_vi
 // Whether others follow from what was found there.
 bool has_consequences(const PaperReport& report, const PaperItem& item) {
   return item.status == PaperStatus::refuted && item.follows.empty() &&
-         std::any_of(report.items.begin(), report.items.end(),
-                     [&](const PaperItem& other) { return other.follows == item.place; });
+         std::ranges::any_of(report.items,
+                             [&](const PaperItem& other) { return other.follows == item.place; });
 }
 
 }  // namespace
@@ -121,14 +121,14 @@ std::string_view to_string(PaperStatus status) {
 }
 
 std::size_t PaperReport::count(PaperStatus status) const {
-  return static_cast<std::size_t>(std::count_if(
-      items.begin(), items.end(),
-      [status](const PaperItem& item) { return item.status == status && item.follows.empty(); }));
+  return static_cast<std::size_t>(std::ranges::count_if(items, [status](const PaperItem& item) {
+    return item.status == status && item.follows.empty();
+  }));
 }
 
 std::size_t PaperReport::consequences() const {
-  return static_cast<std::size_t>(std::count_if(
-      items.begin(), items.end(), [](const PaperItem& item) { return !item.follows.empty(); }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(items, [](const PaperItem& item) { return !item.follows.empty(); }));
 }
 
 PaperReport run_paper_report(const Registry& registry, const PaperReportOptions& options,
@@ -263,7 +263,7 @@ FactorFigure printed_figure(const PrintedFactorization& printed) {
 
 // The place of a block in a table.
 std::uint64_t index_of(const Design& design, Block block, const std::string& place) {
-  std::sort(block.begin(), block.end());
+  std::ranges::sort(block);
   for (std::size_t i = 0; i < design.block_count(); ++i) {
     if (std::is_permutation(block.begin(), block.end(), design.block(i).begin(),
                             design.block(i).end())) {

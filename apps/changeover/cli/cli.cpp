@@ -34,7 +34,7 @@ namespace {
 int complain(int code, const std::string& message) {
   constexpr std::size_t longest = 1000;
   std::string line = "changeover: " + message;
-  std::replace(line.begin(), line.end(), '\n', ' ');
+  std::ranges::replace(line, '\n', ' ');
   line = printable(line);
   if (line.size() > longest) {
     std::size_t end = longest;
@@ -160,7 +160,7 @@ std::string kind_of_value(const std::string& what) {
 // The same for an argument: most are files.
 std::string kind_of_argument(const std::string& name) {
   static const std::vector<std::string> words{"LABEL", "CELL", "WORD", "K", "VERB"};
-  return std::find(words.begin(), words.end(), name) == words.end() ? "file" : "text";
+  return std::ranges::find(words, name) == words.end() ? "file" : "text";
 }
 
 std::string joined(const std::vector<std::string>& words, const std::string& between) {
@@ -268,8 +268,7 @@ struct Verb::State {
 
   [[nodiscard]] bool given(const std::string& name) const { return app->count(name) > 0; }
   [[nodiscard]] bool any_given(const std::vector<std::string>& names) const {
-    return std::any_of(names.begin(), names.end(),
-                       [this](const auto& name) { return given(name); });
+    return std::ranges::any_of(names, [this](const auto& name) { return given(name); });
   }
 
   // Refuses each of `names` that is given where `misplaced` says so.
@@ -358,7 +357,7 @@ void Verb::choice(const std::string& flags, std::string& value,
   option->required(!flags.starts_with('-'));  // a verb that asks for one of some words needs it
   option->check(
       [words, all](const std::string& given) {
-        return std::find(words.begin(), words.end(), given) == words.end()
+        return std::ranges::find(words, given) == words.end()
                    ? "'" + given + "' is not one of " + all
                    : std::string();
       },
@@ -377,8 +376,8 @@ void Verb::flag(const std::string& flags, std::function<void()> set, const std::
 void Verb::exclude(const std::vector<std::string>& names) {
   state_->sentences.push_back(sentence_of(OptionRule::Says::exclude, names, {}));
   state_->rules.emplace_back([state = state_.get(), names] {
-    if (std::count_if(names.begin(), names.end(),
-                      [state](const auto& name) { return state->given(name); }) > 1) {
+    if (std::ranges::count_if(names, [state](const auto& name) { return state->given(name); }) >
+        1) {
       throw UsageError{enumerated(names) + " exclude each other"};
     }
   });
@@ -501,7 +500,7 @@ int Program::run(int argc, char** argv) {
       return answer([&text] { return text_answer(text, {}); }, "");
     }
     const std::string member = argc > 2 ? words[2] : "";
-    if (std::find(members.begin(), members.end(), member) == members.end()) {
+    if (std::ranges::find(members, member) == members.end()) {
       return complain(exit_code::usage, (argc > 2 ? group + " has no verb '" + member + "'" +
                                                         did_you_mean(member, members)
                                                   : group + " wants a verb") +
@@ -532,8 +531,8 @@ int Program::run(int argc, char** argv) {
   } catch (const CLI::ParseError& fault) {
     return complain(exit_code::usage, usage_message(fault, chosen()));
   }
-  const auto verb = std::find_if(state_->verbs.begin(), state_->verbs.end(),
-                                 [&](const auto& each) { return each->state_->app == &chosen(); });
+  const auto verb = std::ranges::find_if(
+      state_->verbs, [&](const auto& each) { return each->state_->app == &chosen(); });
   bool delivered = false;
   const int code = answer(
       [&] {

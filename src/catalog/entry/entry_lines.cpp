@@ -110,7 +110,7 @@ class LineHandler final : public JsonHandler {
   }
 
   [[nodiscard]] bool has(std::string_view key) const {
-    return std::find(seen_.begin(), seen_.end(), key) != seen_.end();
+    return std::ranges::find(seen_, key) != seen_.end();
   }
   [[nodiscard]] const std::vector<std::string>& seen() const { return seen_; }
 
@@ -196,9 +196,7 @@ class LineHandler final : public JsonHandler {
   }
 
   void on_credit(const JsonEvent& event) {
-    const auto* const field =
-        std::find_if(credit_fields.begin(), credit_fields.end(),
-                     [&](const CreditField& each) { return each.first == key_; });
+    const auto* const field = std::ranges::find(credit_fields, key_, &CreditField::first);
     if (field == credit_fields.end()) {
       json_.fail(key_offset_, fmt::format("unknown key {} in the credit; use who, date, "
                                           "program or command",

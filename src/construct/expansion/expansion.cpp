@@ -55,7 +55,7 @@ std::optional<std::string> shape_defect(const Parameters& p, const ExpansionSet&
       part[x] = i;
     }
   }
-  const auto missed = std::find(part.begin(), part.end(), no_part);
+  const auto missed = std::ranges::find(part, no_part);
   if (missed != part.end()) {
     return fmt::format("element {} is in no subset of the set",
                        element_name(design, static_cast<Element>(missed - part.begin())));

@@ -132,8 +132,7 @@ class Rows {
       for (std::size_t i = 0; i < rows.size(); ++i) {
         set.push_back(candidates_->subsets[places_[rows[i]][turn[i]]]);
       }
-      std::sort(set.begin(), set.end(),
-                [](const auto& x, const auto& y) { return x.position < y.position; });
+      std::ranges::sort(set, [](const auto& x, const auto& y) { return x.position < y.position; });
       if (!visit(std::move(set))) {
         return false;
       }
@@ -177,7 +176,7 @@ std::string simple_reason(const Design& design, const Candidates& from) {
       met[x] = true;
     }
   }
-  const auto missed = std::find(met.begin(), met.end(), false);
+  const auto missed = std::ranges::find(met, false);
   if (from.all && missed != met.end()) {
     return fmt::format("element {} is in no unchanged subset",
                        design.label(static_cast<Element>(missed - met.begin())));

@@ -198,8 +198,7 @@ class CoverSearch {
       stop_if_asked();
       for (std::size_t i = 0; i < subsets_.size(); ++i) {
         const Block& elements = subsets_[i]->elements;
-        const auto gained =
-            static_cast<std::size_t>(std::count_if(elements.begin(), elements.end(), uncovered));
+        const auto gained = static_cast<std::size_t>(std::ranges::count_if(elements, uncovered));
         if (gained < gain) {
           continue;
         }
@@ -266,8 +265,8 @@ class CoverSearch {
         options.emplace_back(gain(i), i);
       }
     }
-    std::stable_sort(options.begin(), options.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::ranges::stable_sort(options,
+                             [](const auto& a, const auto& b) { return a.first > b.first; });
     std::size_t tried = 0;
     for (; tried < options.size() && enter(); ++tried) {
       const std::uint32_t i = options[tried].second;
@@ -297,7 +296,7 @@ class CoverSearch {
   [[nodiscard]] std::size_t gain(std::uint32_t i) const {
     const Block& elements = subsets_[i]->elements;
     return static_cast<std::size_t>(
-        std::count_if(elements.begin(), elements.end(), [&](Element x) { return times_[x] == 0; }));
+        std::ranges::count_if(elements, [&](Element x) { return times_[x] == 0; }));
   }
 
   void change(std::uint32_t i, int by) {
@@ -420,7 +419,7 @@ class Finder {
              const std::size_t position = cover.subsets[place].position;
              const std::size_t b = std::max<std::size_t>(design_.block_count(), 1);
              const auto is_in = [y](std::span<const Element> block) {
-               return std::find(block.begin(), block.end(), y) != block.end();
+               return std::ranges::find(block, y) != block.end();
              };
              return !(position > 0 && is_in(design_.block(position - 1))) &&
                     !((position < b || p_.kind == Kind::circular) &&
@@ -454,8 +453,8 @@ class Finder {
         }
       }
       sort_by_position(cover->subsets);
-      cover->sweep = static_cast<std::size_t>(
-          std::find(cover->subsets.begin(), cover->subsets.end(), subset) - cover->subsets.begin());
+      cover->sweep = static_cast<std::size_t>(std::ranges::find(cover->subsets, subset) -
+                                              cover->subsets.begin());
       cover->minimum = cover->subsets.size() == ceil_div(p_.v - 1, n_);
       return *std::move(cover);
     }
@@ -476,8 +475,7 @@ class Finder {
         return;
       }
       for (const Element x : design_.block(block)) {
-        if (elements.size() < n_ &&
-            std::find(elements.begin(), elements.end(), x) == elements.end()) {
+        if (elements.size() < n_ && std::ranges::find(elements, x) == elements.end()) {
           elements.push_back(x);
         }
       }
@@ -491,8 +489,8 @@ class Finder {
   }
 
   static void sort_by_position(std::vector<UnchangedSubset>& subsets) {
-    std::sort(subsets.begin(), subsets.end(),
-              [](const auto& a, const auto& b) { return a.position < b.position; });
+    std::ranges::sort(subsets,
+                      [](const auto& a, const auto& b) { return a.position < b.position; });
   }
 
   static constexpr std::uint64_t max_tries = 32;

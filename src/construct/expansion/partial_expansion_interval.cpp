@@ -32,7 +32,7 @@ Block interval(std::uint64_t start, std::uint64_t n, std::uint64_t v) {
   for (std::uint64_t i = 0; i < n; ++i) {
     elements.push_back(static_cast<Element>((start + i) % v));
   }
-  std::sort(elements.begin(), elements.end());
+  std::ranges::sort(elements);
   return elements;
 }
 
@@ -53,8 +53,7 @@ std::uint64_t fewest(const Parameters& p, std::uint64_t w) {
 // Whether y is in A + shift or one of the points + shift.
 bool holds(const Parameters& p, std::span<const Element> points, std::uint64_t shift, Element y) {
   const std::uint64_t unshifted = (y + p.v - shift % p.v) % p.v;
-  return unshifted < p.k - p.change ||
-         std::find(points.begin(), points.end(), unshifted) != points.end();
+  return unshifted < p.k - p.change || std::ranges::find(points, unshifted) != points.end();
 }
 
 }  // namespace
@@ -103,8 +102,8 @@ UnchangedCover interval_cover(const Parameters& p, std::uint64_t c, std::uint64_
         {static_cast<std::size_t>(position == 0 ? c * p.v : position), interval(shift, n, p.v)});
   };
   const auto sort = [&] {
-    std::sort(cover.subsets.begin(), cover.subsets.end(),
-              [](const auto& a, const auto& b) { return a.position < b.position; });
+    std::ranges::sort(cover.subsets,
+                      [](const auto& a, const auto& b) { return a.position < b.position; });
   };
   if (p.change == 1 && size->left_out) {
     const std::uint64_t start = c == 1 ? 1 : points_of(0).front() + std::uint64_t{1};

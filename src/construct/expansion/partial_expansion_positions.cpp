@@ -25,7 +25,7 @@ std::vector<UnchangedSubset> one_subset_a_position(const Design& design) {
     const auto end = [&](std::size_t block) {
       const auto elements = design.block(block);
       Block subset(elements.begin(), elements.begin() + size);
-      std::sort(subset.begin(), subset.end());
+      std::ranges::sort(subset);
       return subset;
     };
     result.insert(result.begin(), {0, end(0)});
@@ -43,12 +43,12 @@ bool add_positions(UnchangedCover& cover, const std::vector<UnchangedSubset>& mo
     if (subsets.size() + added.size() >= count) {
       break;
     }
-    if (!std::binary_search(subsets.begin(), subsets.end(), subset, by_position)) {
+    if (!std::ranges::binary_search(subsets, subset, by_position)) {
       added.push_back(subset);
     }
   }
   subsets.insert(subsets.end(), added.begin(), added.end());
-  std::sort(subsets.begin(), subsets.end(), by_position);
+  std::ranges::sort(subsets, by_position);
   return subsets.size() >= count;
 }
 
@@ -67,7 +67,7 @@ std::optional<UnchangedCover> cover_at(const Design& design, std::span<const Ele
     Block elements;
     if (!end) {
       elements = intersection(design.block(position - 1), design.block(position % b));
-      std::sort(elements.begin(), elements.end());
+      std::ranges::sort(elements);
       for (const Element x : elements) {
         met[x] = true;
       }
@@ -85,14 +85,13 @@ std::optional<UnchangedCover> cover_at(const Design& design, std::span<const Ele
     return design.block(end.position == 0 ? 0 : b - 1);
   };
   const auto holds = [](std::span<const Element> block, Element x) {
-    return std::find(block.begin(), block.end(), x) != block.end();
+    return std::ranges::find(block, x) != block.end();
   };
   for (const bool shared : {false, true}) {
     for (UnchangedSubset* end : ends) {
       for (const Element x : block_of(*end)) {
-        const bool in_all = std::all_of(ends.begin(), ends.end(), [&](const UnchangedSubset* each) {
-          return holds(block_of(*each), x);
-        });
+        const bool in_all = std::ranges::all_of(
+            ends, [&](const UnchangedSubset* each) { return holds(block_of(*each), x); });
         if (!met[x] && in_all == shared && end->elements.size() < size) {
           met[x] = true;
           end->elements.push_back(x);
@@ -106,11 +105,10 @@ std::optional<UnchangedCover> cover_at(const Design& design, std::span<const Ele
         end->elements.push_back(x);
       }
     }
-    std::sort(end->elements.begin(), end->elements.end());
+    std::ranges::sort(end->elements);
   }
-  return std::all_of(met.begin(), met.end(), [](bool once) { return once; })
-             ? std::optional(std::move(cover))
-             : std::nullopt;
+  return std::ranges::all_of(met, [](bool once) { return once; }) ? std::optional(std::move(cover))
+                                                                  : std::nullopt;
 }
 
 std::optional<std::vector<Block>> share_out(
@@ -152,7 +150,7 @@ std::optional<std::vector<Block>> share_out(
     }
   }
   for (Block& beside : result) {
-    std::sort(beside.begin(), beside.end());
+    std::ranges::sort(beside);
   }
   return result;
 }

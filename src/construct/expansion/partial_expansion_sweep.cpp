@@ -80,7 +80,7 @@ class Sweep {
   }
 
   void step(Element enters, Element leaves) {
-    *std::find(block_.begin(), block_.end(), leaves) = enters;
+    *std::ranges::find(block_, leaves) = enters;
     emit();
   }
 

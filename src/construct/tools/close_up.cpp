@@ -61,9 +61,7 @@ void close_up(const std::vector<Stay>& stays, std::uint64_t k, Element x, std::u
     if (stay.element >= x && stay.element < x + count) {
       continue;
     }
-    const auto same = std::find_if(present.begin(), present.end(), [&](const Stay& other) {
-      return other.element == stay.element;
-    });
+    const auto same = std::ranges::find(present, stay.element, &Stay::element);
     if (same != present.end()) {
       *same = stay;
       continue;
@@ -113,7 +111,7 @@ std::optional<BestToCloseUp> best_to_close_up(const Design& design, std::size_t 
   for (const Stay& stay : stays) {
     ++counts[stay.element];
   }
-  const std::size_t most = *std::max_element(counts.begin(), counts.end());
+  const std::size_t most = *std::ranges::max_element(counts);
   std::vector<Element> candidates;
   for (Element x = 0; x < counts.size(); ++x) {
     if (counts[x] == most) {

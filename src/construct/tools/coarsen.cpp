@@ -82,12 +82,10 @@ class Coarsening {
 
   [[nodiscard]] bool inside(Element x) const { return group_of_[x] == group_; }
   // Whether it was in the group before; it may be in this one as well.
-  [[nodiscard]] bool before(Element x) const {
-    return std::binary_search(previous_.begin(), previous_.end(), x);
-  }
+  [[nodiscard]] bool before(Element x) const { return std::ranges::binary_search(previous_, x); }
   [[nodiscard]] bool holds(std::size_t i, Element x) const {
     const auto block = design_.block(i);
-    return std::find(block.begin(), block.end(), x) != block.end();
+    return std::ranges::find(block, x) != block.end();
   }
 
   void add(Block& block, Element x) {
@@ -111,7 +109,7 @@ class Coarsening {
       if (free.size() < lacking) {
         return false;
       }
-      std::sort(free.begin(), free.end(), [](const auto& a, const auto& b) {
+      std::ranges::sort(free, [](const auto& a, const auto& b) {
         return a.first != b.first ? a.first > b.first : a.second < b.second;
       });
       for (std::size_t n = 0; n < lacking; ++n) {
@@ -122,7 +120,7 @@ class Coarsening {
       first_group_.insert(block.begin(), block.end());
     }
     previous_ = block;
-    std::sort(previous_.begin(), previous_.end());
+    std::ranges::sort(previous_);
     return true;
   }
 

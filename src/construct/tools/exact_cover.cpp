@@ -263,7 +263,7 @@ class PackingSearch {
     std::uint32_t gcd = 0;
     for (std::size_t r = 0; r < cover.row_count(); ++r) {
       const auto columns = cover.row(r);
-      const auto primary = std::lower_bound(columns.begin(), columns.end(), primary_);
+      const auto primary = std::ranges::lower_bound(columns, primary_);
       gcd = std::gcd(gcd, static_cast<std::uint32_t>(primary - columns.begin()));
     }
     granule_ = std::max(gcd, std::uint32_t{1});
@@ -279,7 +279,7 @@ class PackingSearch {
       best.upper_bound = best.covered;
     }
     best.optimal = best.covered == best.upper_bound;
-    std::sort(best.rows.begin(), best.rows.end());
+    std::ranges::sort(best.rows);
     return best;
   }
 
@@ -505,7 +505,7 @@ ExactCover::ExactCover(std::uint32_t primary_count, std::uint32_t secondary_coun
 std::size_t ExactCover::add_row(std::span<const std::uint32_t> columns) {
   const std::size_t number = row_count();
   std::vector<std::uint32_t> sorted(columns.begin(), columns.end());
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   if (sorted.empty() || sorted.front() >= primary_count_) {
     throw BadInput(fmt::format("row {} has no primary column (they are numbered below {})", number,
                                primary_count_));
@@ -514,7 +514,7 @@ std::size_t ExactCover::add_row(std::span<const std::uint32_t> columns) {
     throw BadInput(fmt::format("row {} has column {}, but there are only {}", number, sorted.back(),
                                column_count_));
   }
-  const auto repeated = std::adjacent_find(sorted.begin(), sorted.end());
+  const auto repeated = std::ranges::adjacent_find(sorted);
   if (repeated != sorted.end()) {
     throw BadInput(fmt::format("row {} has column {} twice", number, *repeated));
   }
@@ -549,7 +549,7 @@ FirstSolution ExactCover::first_solution(const SearchLimits& limits) const {
   const SearchReport report = for_each_solution(
       [&first](std::span<const std::size_t> rows) {
         first.rows.emplace(rows.begin(), rows.end());
-        std::sort(first.rows->begin(), first.rows->end());
+        std::ranges::sort(*first.rows);
         return false;
       },
       limits);

@@ -77,8 +77,8 @@ std::optional<std::string> factor_defect(const OneFactor& factor, std::uint32_t 
       last_met[vertex] = index;
     }
   }
-  const auto missed = std::find_if(last_met.begin(), last_met.end(),
-                                   [index](std::uint32_t last) { return last != index; });
+  const auto missed =
+      std::ranges::find_if(last_met, [index](std::uint32_t last) { return last != index; });
   if (missed != last_met.end()) {
     return fmt::format("factor {} misses vertex {}", index, missed - last_met.begin());
   }
@@ -242,7 +242,7 @@ std::map<std::vector<std::uint32_t>, std::uint64_t> cycle_types(
           lengths.push_back(partners.walk(f, g, start, visited));
         }
       }
-      std::sort(lengths.begin(), lengths.end());
+      std::ranges::sort(lengths);
       ++types[lengths];
     }
   }

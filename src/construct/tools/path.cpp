@@ -94,7 +94,7 @@ bool Way::next(std::span<Element> block) {
   }
   const std::uint64_t m = distances_->change();
   const auto d = static_cast<std::uint64_t>(
-      std::count_if(here_.begin(), here_.end(), [this](Element x) { return !is_goal_[x]; }));
+      std::ranges::count_if(here_, [this](Element x) { return !is_goal_[x]; }));
   // Of the moves that come nearer, the first: few wrong elements go, few others come.
   const auto [a_range, h_range] = moves_at(d, distances_->k(), m, distances_->v());
   std::uint64_t a = a_range.low;
@@ -113,7 +113,7 @@ bool Way::next(std::span<Element> block) {
   }
   take_step(a, h);
   --left_;
-  std::copy(here_.begin(), here_.end(), block.begin());
+  std::ranges::copy(here_, block.begin());
   return true;
 }
 

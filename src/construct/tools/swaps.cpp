@@ -30,7 +30,7 @@ bool SwapSource::make(std::span<Element> block) {
   if (!started_) {
     started_ = true;
     current_ = plan_->start();
-    std::fill(place_.begin(), place_.end(), 0U);
+    std::ranges::fill(place_, 0U);
     for (std::size_t i = 0; i < current_.size(); ++i) {
       place_.at(current_[i]) = static_cast<std::uint32_t>(i + 1);
     }
@@ -50,7 +50,7 @@ bool SwapSource::make(std::span<Element> block) {
       replace(swaps_[done_++]);
     }
   }
-  std::copy(current_.begin(), current_.end(), block.begin());
+  std::ranges::copy(current_, block.begin());
   return true;
 }
 
@@ -95,7 +95,7 @@ class UnionSource final : public BlockByBlock<UnionSource> {
       first_ = now_;
     }
     fill(block.size());
-    std::copy(now_.begin(), now_.end(), block.begin());
+    std::ranges::copy(now_, block.begin());
     return true;
   }
 
@@ -107,7 +107,7 @@ class UnionSource final : public BlockByBlock<UnionSource> {
 
  private:
   void add_one() {
-    std::sort(one_.begin(), one_.end());
+    std::ranges::sort(one_);
     Block both;
     both.reserve(now_.size() + one_.size());
     std::set_union(now_.begin(), now_.end(), one_.begin(), one_.end(), std::back_inserter(both));
@@ -115,9 +115,7 @@ class UnionSource final : public BlockByBlock<UnionSource> {
   }
 
   void fill(std::size_t size) {
-    const auto in = [](const Block& set, Element x) {
-      return std::binary_search(set.begin(), set.end(), x);
-    };
+    const auto in = [](const Block& set, Element x) { return std::ranges::binary_search(set, x); };
     const bool circular = parameters_.kind == Kind::circular;
     Block more;
     for (Element x = 0; now_.size() + more.size() < size; ++x) {
@@ -126,7 +124,7 @@ class UnionSource final : public BlockByBlock<UnionSource> {
       }
     }
     now_.insert(now_.end(), more.begin(), more.end());
-    std::sort(now_.begin(), now_.end());
+    std::ranges::sort(now_);
   }
 
   Parameters parameters_;

@@ -21,7 +21,7 @@ constexpr double list_line = 17;
 // "0-1:5" from cycle 0 to cycle 1, ∞ for a pair with a fixed element.
 std::vector<std::string> differences_of(const DrawnBlock& block, const Automorphism& pi) {
   const auto is_new = [&](Element x) {
-    return std::find(block.introduced.begin(), block.introduced.end(), x) != block.introduced.end();
+    return std::ranges::find(block.introduced, x) != block.introduced.end();
   };
   std::vector<std::array<std::uint64_t, 3>> differences;  // two cycles and the difference
   std::size_t with_fixed = 0;
@@ -41,7 +41,7 @@ std::vector<std::string> differences_of(const DrawnBlock& block, const Automorph
           {pi.cycle(x), pi.cycle(y), pure ? std::min(apart, pi.n - apart) : apart});
     }
   }
-  std::sort(differences.begin(), differences.end());
+  std::ranges::sort(differences);
   std::vector<std::string> words = {"new differences:"};
   for (const auto& [from, to, apart] : differences) {
     words.push_back(pi.cycles == 1 ? fmt::format("{}", apart)
@@ -154,8 +154,7 @@ Picture draw_design_circle(const Drawing& drawing) {
     const DrawnBlock& block = figure.blocks[i];
     std::vector<std::string> words = {fmt::format("B{} =", first + i + 1)};
     for (const Element x : block.elements) {
-      const bool is_new =
-          std::find(block.introduced.begin(), block.introduced.end(), x) != block.introduced.end();
+      const bool is_new = std::ranges::find(block.introduced, x) != block.introduced.end();
       words.push_back(drawing.name(x) + (is_new ? "*" : ""));
     }
     list.block(Paint::series(i % (Paint::series_length - 1)), words);

@@ -101,7 +101,7 @@ std::vector<Element> ordered(const DrawnStays& stays, ElementOrder order) {
     }
     return entry(x) < entry(y);
   };
-  std::stable_sort(elements.begin(), elements.end(), before);
+  std::ranges::stable_sort(elements, before);
   return elements;
 }
 

@@ -55,7 +55,7 @@ class TikzWriter {
       put(mark, Look());
     }
     std::string title = picture.title;  // it becomes a comment
-    std::replace(title.begin(), title.end(), '\n', ' ');
+    std::ranges::replace(title, '\n', ' ');
     std::string head =
         fmt::format("% {}\n\\begin{{tikzpicture}}[x={}bp,y=-{}bp]\n", latex_escaped(title), bp, bp);
     for (const std::string& hex : colours_) {

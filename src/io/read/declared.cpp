@@ -183,15 +183,15 @@ std::optional<std::string> table_defect(std::string_view beginning) {
   }
   const std::vector<std::string_view> words = words_of(lines[0]);
   const bool command = words[0][0] == '\\' && words[0].find('{') != std::string_view::npos;
-  if (command || std::find(words.begin(), words.end(), "&") != words.end()) {
+  if (command || std::ranges::find(words, "&") != words.end()) {
     return "this looks like LaTeX, a table for people; write it with --format text or --json";
   }
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
     const std::vector<std::string_view> names = words_of(lines[i]);
     if ((names[0] == "B1" || names[0] == "B0" || names[0] == "B0,0") &&
-        std::all_of(names.begin(), names.end(), is_block_name)) {
+        std::ranges::all_of(names, is_block_name)) {
       const std::vector<std::string_view> below = words_of(lines[i + 1]);
-      if (std::none_of(below.begin(), below.end(), is_block_name)) {
+      if (std::ranges::none_of(below, is_block_name)) {
         return "this looks like a table for people; write it with --format text or --json";
       }
     }
@@ -299,14 +299,13 @@ std::optional<std::string> Collector::end_block() {
 void Collector::settle(const Context& context) {
   const std::vector<std::string>& words = table_.words();
   const auto fail_at_word = [&](std::size_t which, const std::string& what) {
-    const auto first = std::find(elements_.begin(), elements_.end(), static_cast<Element>(which));
+    const auto first = std::ranges::find(elements_, static_cast<Element>(which));
     fail(context.name, context.place_of_word(static_cast<std::uint64_t>(first - elements_.begin())),
          what);
   };
   std::vector<Element> element_of(words.size());
-  const bool numbers = std::all_of(words.begin(), words.end(), [](const std::string& word) {
-    return plain_number(unquoted(word)).has_value();
-  });
+  const bool numbers = std::ranges::all_of(
+      words, [](const std::string& word) { return plain_number(unquoted(word)).has_value(); });
   if (context.labels || (context.declared.v && numbers && !context.named)) {
     TokenTable known;
     if (context.labels) {

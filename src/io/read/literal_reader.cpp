@@ -283,7 +283,7 @@ bool begins_like_a_literal(std::string_view beginning) {
     beginning.remove_prefix(std::min(beginning.find_first_not_of(what), beginning.size()));
   };
   const auto word = [&] {
-    const auto end = std::find_if_not(beginning.begin(), beginning.end(), is_of_name);
+    const auto end = std::ranges::find_if_not(beginning, is_of_name);
     const std::string_view found(beginning.data(),
                                  static_cast<std::size_t>(end - beginning.begin()));
     beginning.remove_prefix(found.size());

@@ -88,7 +88,7 @@ void RecipeHandler::on(const JsonEvent& event) {
 
 void RecipeHandler::on_key(Frame& frame, const JsonEvent& event) {
   frame.key = event.text;
-  if (std::find(frame.seen.begin(), frame.seen.end(), frame.key) != frame.seen.end()) {
+  if (std::ranges::find(frame.seen, frame.key) != frame.seen.end()) {
     json_->fail(event.offset, fmt::format("{} is given twice; give it once", shown(frame.key)));
   }
   frame.seen.push_back(frame.key);
@@ -168,7 +168,7 @@ void RecipeHandler::finish_frame(const JsonEvent& event) {
   Frame frame = std::move(frames_.back());
   frames_.pop_back();
   for (const std::string_view needed : {"construction", "v", "k", "change", "kind"}) {
-    if (std::find(frame.seen.begin(), frame.seen.end(), needed) == frame.seen.end()) {
+    if (std::ranges::find(frame.seen, needed) == frame.seen.end()) {
       json_->fail(event.offset, fmt::format("the recipe lacks {}; add it", needed));
     }
   }

@@ -93,7 +93,7 @@ class TextSource final : public BlockByBlock<TextSource, DesignInput> {
 
   bool make(std::span<Element> block) {
     if (given_ < front_.size()) {
-      std::copy(front_[given_].begin(), front_[given_].end(), block.begin());
+      std::ranges::copy(front_[given_], block.begin());
       ++given_;
       return true;
     }
@@ -211,8 +211,7 @@ class TextSource final : public BlockByBlock<TextSource, DesignInput> {
   void set_labels(std::vector<std::string> labels) {
     // Labels that are the elements' own numbers are dropped.
     const ElementSet set = element_set(labels);
-    const bool plain =
-        set.labels.empty() && std::is_sorted(set.element_of.begin(), set.element_of.end());
+    const bool plain = set.labels.empty() && std::ranges::is_sorted(set.element_of);
     labels_ = plain ? std::vector<std::string>() : std::move(labels);
   }
 
@@ -222,7 +221,7 @@ class TextSource final : public BlockByBlock<TextSource, DesignInput> {
   // the end. Once k is known the block has k elements.
   std::size_t read_block(Element* out, std::size_t room) {
     if (++stamp_ == 0) {  // after 2³² blocks old marks could be taken for new ones
-      std::fill(seen_.begin(), seen_.end(), 0);
+      std::ranges::fill(seen_, 0);
       stamp_ = 1;
     }
     std::size_t size = 0;
@@ -368,7 +367,7 @@ class TextSource final : public BlockByBlock<TextSource, DesignInput> {
     blocks_ = 0;
     ended_ = false;
     pending_word_ = false;
-    std::fill(seen_.begin(), seen_.end(), 0);
+    std::ranges::fill(seen_, 0);
     stamp_ = 0;
   }
 

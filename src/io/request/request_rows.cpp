@@ -23,7 +23,7 @@ std::optional<std::vector<std::string>> members_of(const JsonNode& object,
                                                    const std::vector<std::string_view>& keys) {
   std::vector<std::string> fields(keys.size());
   for (const auto& [key, node] : object.members) {
-    const auto at = std::find(keys.begin(), keys.end(), key);
+    const auto at = std::ranges::find(keys, key);
     const auto field = field_of(node);
     if (at == keys.end() || !field) {
       return std::nullopt;
@@ -95,7 +95,7 @@ std::optional<ListRow> bench_of(const JsonNode& node) {
     return node.is_text() ? std::optional(row) : std::nullopt;
   }
   for (const auto& [key, member] : node.members) {
-    const auto at = std::find(keys.begin(), keys.end(), key);
+    const auto at = std::ranges::find(keys, key);
     const auto field = bench_field(member);
     if (at == keys.end() || !field) {
       return std::nullopt;
@@ -107,7 +107,7 @@ std::optional<ListRow> bench_of(const JsonNode& node) {
 
 bool is_one_of_parts(std::string_view key) {
   constexpr std::array<std::string_view, 4> all{"mounted", "start", "own", "without"};
-  return std::find(all.begin(), all.end(), key) != all.end();
+  return std::ranges::find(all, key) != all.end();
 }
 
 // Writes a number as one if it has JSON's form; else as a text.

@@ -115,8 +115,7 @@ std::string type_of(const OptionRecord& record) {
 
 // The condition that a key is given.
 std::string given(std::string_view key, const std::vector<OptionRecord>& records) {
-  const auto record = std::find_if(records.begin(), records.end(),
-                                   [&](const OptionRecord& each) { return each.key == key; });
+  const auto record = std::ranges::find(records, key, &OptionRecord::key);
   if (record->kind == ValueKind::flag) {
     return fmt::format(R"({{"required":["{0}"],"properties":{{"{0}":{{"const":true}}}}}})", key);
   }

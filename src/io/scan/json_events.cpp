@@ -207,8 +207,7 @@ class Builder final : public JsonHandler {
 }  // namespace
 
 const JsonNode* JsonNode::find(std::string_view key) const {
-  const auto found =
-      std::find_if(members.begin(), members.end(), [&](const auto& m) { return m.first == key; });
+  const auto found = std::ranges::find_if(members, [&](const auto& m) { return m.first == key; });
   return found == members.end() ? nullptr : &found->second;
 }
 

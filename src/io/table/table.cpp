@@ -27,12 +27,13 @@ template <typename Head, typename Cell, typename Write>
 void each_row(const Table& table, const std::vector<const TableColumn*>& columns, Head&& head,
               Cell&& cell, Write&& write) {
   std::vector<std::string> cells(columns.size());
-  std::transform(columns.begin(), columns.end(), cells.begin(),
-                 [&](const TableColumn* column) { return head(*column); });
+  std::ranges::transform(columns, cells.begin(),
+                         [&](const TableColumn* column) { return head(*column); });
   write(cells);
   for (std::size_t row = 0; row < table.rows; ++row) {
-    std::transform(columns.begin(), columns.end(), cells.begin(),
-                   [&](const TableColumn* column) { return cell(*column, column->cell(row)); });
+    std::ranges::transform(columns, cells.begin(), [&](const TableColumn* column) {
+      return cell(*column, column->cell(row));
+    });
     write(cells);
   }
 }
@@ -85,7 +86,7 @@ std::string html_list(const TableCell& cell) {
 
 std::string html_boxes(const TableColumn& column) {
   std::string text;
-  const auto boxes = 1 + std::count(column.head.begin(), column.head.end(), ' ');
+  const auto boxes = 1 + std::ranges::count(column.head, ' ');
   for (std::ptrdiff_t i = 0; i < boxes; ++i) {
     text += std::string(i == 0 ? "" : " ") + "<span class=\"box\"></span>";
   }
@@ -143,7 +144,7 @@ std::vector<const TableColumn*> columns_in(const Table& table, TableFormats form
 std::string head_line(const TableColumn& column, TableFormats format) {
   std::string head =
       (format & for_programs) != 0 && !column.style.name.empty() ? column.style.name : column.head;
-  std::replace(head.begin(), head.end(), '\n', ' ');
+  std::ranges::replace(head, '\n', ' ');
   return head;
 }
 

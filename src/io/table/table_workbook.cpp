@@ -372,9 +372,8 @@ class SheetWriter {
 void write_overview(Workbook& book, const TableDocument& document) {
   SheetWriter writer(book, document.overview);
   writer.title(document.title);
-  const auto figures =
-      std::count_if(document.figures.begin(), document.figures.end(),
-                    [](const Figure& figure) { return (figure.in & in_workbook) != 0; });
+  const auto figures = std::ranges::count_if(
+      document.figures, [](const Figure& figure) { return (figure.in & in_workbook) != 0; });
   for (const Figure& figure : document.figures) {
     if ((figure.in & in_workbook) != 0) {
       writer.figure(figure);

@@ -31,7 +31,7 @@ constexpr std::uint64_t most_row_bytes = std::uint64_t{1} << 24;
 constexpr std::uint64_t most_text_bytes = std::uint64_t{1} << 30;
 
 std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
+  std::ranges::transform(text, text.begin(), [](char c) {
     return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   });
   return text;

@@ -50,8 +50,9 @@ bool is_decimal(std::string_view text) {
 bool is_formula(std::string_view text) {
   const std::size_t blanks = std::min(text.find_first_not_of(' '), text.size());
   const std::string_view rest = text.substr(blanks);
-  return std::any_of(formula_beginnings.begin(), formula_beginnings.end(),
-                     [&](std::string_view beginning) { return rest.starts_with(beginning); }) &&
+  return std::ranges::any_of(
+             formula_beginnings,
+             [&](std::string_view beginning) { return rest.starts_with(beginning); }) &&
          !is_decimal(rest);
 }
 
@@ -65,8 +66,7 @@ bool needs_quotes(std::string_view cell) {
     const auto byte = static_cast<unsigned char>(c);
     return c == ',' || c == ';' || c == '"' || byte < 0x20 || byte == 0x7f;
   };
-  return std::any_of(cell.begin(), cell.end(), special) || cell.starts_with(' ') ||
-         cell.ends_with(' ');
+  return std::ranges::any_of(cell, special) || cell.starts_with(' ') || cell.ends_with(' ');
 }
 
 }  // namespace
@@ -104,7 +104,7 @@ bool are_names(const std::vector<std::string>& labels) {
 std::uint64_t write_csv(BlockSource& source, Sink& sink, const std::vector<std::string>& labels) {
   const Parameters& p = source.parameters();
   std::vector<std::string> cells(labels);
-  std::transform(cells.begin(), cells.end(), cells.begin(), csv_cell);
+  std::ranges::transform(cells, cells.begin(), csv_cell);
   ElementText text(sink, p.v, cells, ',');
   text.put("block,");
   for (std::uint64_t i = 1; i <= p.k; ++i) {

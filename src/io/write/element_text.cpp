@@ -15,9 +15,8 @@ ElementText::ElementText(Sink& sink, std::uint64_t v, const std::vector<std::str
     : sink_(&sink), labels_(&labels), separator_(separator), buffer_(4096) {
   p_ = buffer_.data();
   end_ = p_ + buffer_.size();
-  const bool short_words = std::all_of(labels.begin(), labels.end(), [](const std::string& label) {
-    return label.size() < longest;
-  });
+  const bool short_words =
+      std::ranges::all_of(labels, [](const std::string& label) { return label.size() < longest; });
   if (std::endian::native != std::endian::little || !short_words || v > max_elements_in_memory) {
     return;
   }

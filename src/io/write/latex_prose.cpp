@@ -263,8 +263,8 @@ class Formula {
   }
 
   bool one_of(std::span<const Signs> any) {
-    return std::any_of(any.begin(), any.end(),
-                       [&](const Signs& sign) { return literal(sign.first, sign.second); });
+    return std::ranges::any_of(any,
+                               [&](const Signs& sign) { return literal(sign.first, sign.second); });
   }
 
   void spaces() { rest_.remove_prefix(std::min(rest_.find_first_not_of(' '), rest_.size())); }

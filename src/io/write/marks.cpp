@@ -20,8 +20,7 @@ struct Range {
 
 template <std::size_t N>
 bool in_ranges(char32_t value, const std::array<Range, N>& ranges) {
-  return std::any_of(ranges.begin(), ranges.end(),
-                     [=](Range r) { return r.first <= value && value <= r.last; });
+  return std::ranges::any_of(ranges, [=](Range r) { return r.first <= value && value <= r.last; });
 }
 
 // Ranges of combining marks and joiners, and of characters that terminals draw over two columns.

@@ -19,7 +19,7 @@ void put_blocks(const Design& design, Sink& sink, const std::function<std::strin
   for (std::size_t i = 0; i < design.block_count(); ++i) {
     const auto block = design.block(i);
     sorted.assign(block.begin(), block.end());
-    std::sort(sorted.begin(), sorted.end());
+    std::ranges::sort(sorted);
     text += open;
     for (std::size_t j = 0; j < sorted.size(); ++j) {
       text += j == 0 ? "" : between;

@@ -165,7 +165,7 @@ class CutSearch {
           below(2) == 0 ? begins[at] + reach : begins[at] - std::min(reach, begins[at]);
       begins[at] = std::clamp(to, before, end);
     }
-    std::sort(begins.begin(), begins.end());
+    std::ranges::sort(begins);
     begins.erase(std::unique(begins.begin(), begins.end()), begins.end());
     std::erase(begins, all);
     return begins == from.begins ? std::nullopt

@@ -48,7 +48,7 @@ class Lockstep {
       }
     }
     for (std::vector<LockstepEvent>& each : events_) {
-      std::stable_sort(each.begin(), each.end(), [](const auto& e, const auto& f) {
+      std::ranges::stable_sort(each, [](const auto& e, const auto& f) {
         return std::pair(e.step, e.comes) < std::pair(f.step, f.comes);
       });
     }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <memory>
 #include <string>
-#include <utility>
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
@@ -56,14 +55,14 @@ std::vector<Element> items_of(std::span<const ItemPair> pairs) {
     items.push_back(x);
     items.push_back(y);
   }
-  std::sort(items.begin(), items.end());
+  std::ranges::sort(items);
   items.erase(std::unique(items.begin(), items.end()), items.end());
   return items;
 }
 
 std::vector<ItemPair> numbered(std::span<const ItemPair> pairs, const std::vector<Element>& items) {
   const auto number = [&](Element x) {
-    return static_cast<Element>(std::lower_bound(items.begin(), items.end(), x) - items.begin());
+    return static_cast<Element>(std::ranges::lower_bound(items, x) - items.begin());
   };
   std::vector<ItemPair> found;
   found.reserve(pairs.size());

@@ -118,7 +118,7 @@ class StretchesInLockstep::Play {
   // The first job from `at` on that needs a held item.
   [[nodiscard]] std::size_t next_job(Element x, std::size_t at) const {
     const std::vector<std::size_t>& jobs = all_.stays_[held_stay_[x]].jobs;
-    const auto found = std::lower_bound(jobs.begin(), jobs.end(), at);
+    const auto found = std::ranges::lower_bound(jobs, at);
     return found == jobs.end() ? not_again : *found;
   }
 
@@ -159,7 +159,7 @@ class StretchesInLockstep::Play {
     const std::size_t job = worker.at++;
     for (const std::size_t stay : all_.jobs_[job]) {
       const std::vector<std::size_t>& jobs = all_.stays_[stay].jobs;
-      const auto next = std::upper_bound(jobs.begin(), jobs.end(), job);
+      const auto next = std::ranges::upper_bound(jobs, job);
       if (next == jobs.end() || *next >= worker.end) {
         worker.done_with.push_back(all_.stays_[stay].item);
       }

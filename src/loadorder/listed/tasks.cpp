@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <unordered_map>
-#include <utility>
 
 #include "changeover/run/control.hpp"
 #include "loadorder/listed/quick_moves.hpp"

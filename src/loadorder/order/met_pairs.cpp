@@ -354,7 +354,7 @@ void MetPairs::report(ScheduleVerdict& verdict) {
   if (pairs_) {
     verdict.missing = pairs_->missing();
     const auto item = [&](Element name) {
-      const auto found = std::find(kept_as_.begin(), kept_as_.end(), name);
+      const auto found = std::ranges::find(kept_as_, name);
       return found == kept_as_.end() ? name : static_cast<Element>(found - kept_as_.begin());
     };
     pairs_->for_each_missing(1, [&](Element x, Element y) { say(item(x), item(y)); });

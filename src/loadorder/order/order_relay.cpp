@@ -42,7 +42,7 @@ OrderRelay::Place OrderRelay::take(const LoadOrder& order, std::uint64_t before)
   std::vector<Element> held;
   if (place.step + 1 < before && place.order->jump(before, held)) {
     place.step = before - 1;
-    std::fill(place.present.begin(), place.present.end(), 0);
+    std::ranges::fill(place.present, 0);
     for (const Element x : held) {
       place.present[x / 64] |= std::uint64_t{1} << x % 64;
     }

@@ -137,7 +137,7 @@ class PairAssigner {
   }
 
   void forget() {
-    std::fill(at_.begin(), at_.end(), 0);
+    std::ranges::fill(at_, 0);
     memories_.assign(memories_.size(), {});
   }
 
@@ -227,9 +227,8 @@ class PairAssigner {
     std::uint64_t needed = room_taken(memories_[0]) + room_taken(ahead_.*come_);
     const std::vector<Element>& came = out.step.*come_;
     std::vector<Element> evicted = ahead_.*leave_;
-    std::stable_partition(evicted.begin(), evicted.end(), [&](Element x) {
-      return std::find(came.begin(), came.end(), x) == came.end();
-    });
+    std::stable_partition(evicted.begin(), evicted.end(),
+                          [&](Element x) { return std::ranges::find(came, x) == came.end(); });
     auto middle = evicted.begin();
     for (; middle != evicted.end() && needed > room_; ++middle) {
       needed -= sizes_ != nullptr ? sizes_->bytes[*middle] : 1;

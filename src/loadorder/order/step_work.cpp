@@ -105,7 +105,7 @@ class ComputedSteps final : public StepSource {
 
   void add_alone(const AssignedStep& from, Element x, Step& to) const {
     const std::vector<Element>& early = from.evicted_first;
-    const bool waits = rules_.overlap && std::find(early.begin(), early.end(), x) == early.end();
+    const bool waits = rules_.overlap && std::ranges::find(early, x) == early.end();
     (waits ? to.overlap : to.compute).emplace_back(x, x);
   }
 

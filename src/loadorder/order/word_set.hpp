@@ -38,7 +38,7 @@ class WordSet {
 };
 
 inline void WordSet::insert(const Word& word) {
-  const auto at = std::lower_bound(words_.begin(), words_.end(), Word(word.first, 0));
+  const auto at = std::ranges::lower_bound(words_, Word(word.first, 0));
   if (at != words_.end() && at->first == word.first) {
     at->second |= word.second;
   } else {
@@ -47,7 +47,7 @@ inline void WordSet::insert(const Word& word) {
 }
 
 inline void WordSet::erase(Element x) {
-  const auto at = std::lower_bound(words_.begin(), words_.end(), Word(x / 64, 0));
+  const auto at = std::ranges::lower_bound(words_, Word(x / 64, 0));
   if (at == words_.end() || at->first != x / 64) {
     return;
   }

@@ -343,8 +343,7 @@ void Closing::anneal(const Window& window, std::uint64_t work, Random& random,
       move(to, from);
     }
   }
-  std::copy(best_order.begin(), best_order.end(),
-            order_.begin() + static_cast<std::ptrdiff_t>(window.begin));
+  std::ranges::copy(best_order, order_.begin() + static_cast<std::ptrdiff_t>(window.begin));
   renumber(window.begin, window.end);
   for (const Element x : memory_) {
     needed_[x] = 0;

@@ -75,7 +75,7 @@ class FewestMissing {
       }
     }
     // Items that will be closed soon come last, so they stay longest.
-    std::sort(missing_.begin(), missing_.end(), [&](Element a, Element b) {
+    std::ranges::sort(missing_, [&](Element a, Element b) {
       return lacks_[a] != lacks_[b] ? lacks_[a] > lacks_[b] : a > b;
     });
     for (const Element y : missing_) {
@@ -126,7 +126,7 @@ class FewestMissing {
   void meet(Element x, Element y) {
     for (const auto& [a, b] : {std::pair(x, y), std::pair(y, x)}) {
       const auto of_a = graph_.partners(a);
-      const auto found = std::lower_bound(of_a.begin(), of_a.end(), b);
+      const auto found = std::ranges::lower_bound(of_a, b);
       met_[begin_[a] + static_cast<std::uint64_t>(found - of_a.begin())] = true;
       --lacks_[a];
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <functional>
 #include <utility>
 
 #include "run/portable_math.hpp"
@@ -110,8 +111,7 @@ class Player {
       const std::uint32_t next = others.first();
       missing_.push_back({next == nothing ? nothing : std::min(y, next), y});
     });
-    std::stable_sort(missing_.begin(), missing_.end(),
-                     [](const Missing& a, const Missing& b) { return a.needed > b.needed; });
+    std::ranges::stable_sort(missing_, std::ranges::greater(), &Missing::needed);
     for (std::size_t i = 0; i < missing_.size() && loads_ <= limit; ++i) {
       load(missing_[i].item, x);
     }
@@ -142,7 +142,7 @@ class Player {
   }
 
   void forget(std::uint32_t y) {
-    *std::find(memory_.begin(), memory_.end(), y) = memory_.back();
+    *std::ranges::find(memory_, y) = memory_.back();
     memory_.pop_back();
   }
 
@@ -195,8 +195,7 @@ Order changed(const Order& order, const std::vector<std::vector<Element>>& partn
   if (!near.empty() && random.below(4) != 0) {
     const Element y = near[random.below(static_cast<std::uint32_t>(near.size()))];
     const auto at =
-        static_cast<std::uint32_t>(std::find(order.begin(), order.end(), y) - order.begin()) +
-        random.below(7);
+        static_cast<std::uint32_t>(std::ranges::find(order, y) - order.begin()) + random.below(7);
     if (at >= 3 && at - 3 + length <= n) {
       to = at - 3;
     }
@@ -294,7 +293,7 @@ SmallSearch::Found SmallSearch::anneal(const std::vector<Element>& order, std::u
                                        const std::function<bool()>& stop_wanted) {
   Order ours;
   for (const Element x : order) {
-    const auto found = std::lower_bound(names_.begin(), names_.end(), x);
+    const auto found = std::ranges::lower_bound(names_, x);
     if (found != names_.end() && *found == x) {
       ours.push_back(static_cast<Element>(found - names_.begin()));
     }

@@ -77,7 +77,7 @@ std::optional<std::uint64_t> PairGraph::place(Element x, Element y) const {
     std::swap(x, y);
   }
   const auto of_x = partners(x);
-  const auto found = std::lower_bound(of_x.begin(), of_x.end(), y);
+  const auto found = std::ranges::lower_bound(of_x, y);
   if (found == of_x.end() || *found != y) {
     return std::nullopt;
   }

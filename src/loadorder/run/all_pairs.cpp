@@ -193,7 +193,7 @@ class Job {
       }
     }
     // Read-ahead changes the order within a step, but not its results.
-    std::sort(step_pairs_.begin(), step_pairs_.end());
+    std::ranges::sort(step_pairs_);
     return options_.results->checksum({step_.step.number, step_pairs_});
   }
 
@@ -245,7 +245,7 @@ class Job {
       needed.push_back(x);
       needed.push_back(y);
     }
-    std::sort(needed.begin(), needed.end());
+    std::ranges::sort(needed);
     needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
     Reader reader(source_, items_, room_, options_.readers, order_.facts().sizes);
     request(reader, needed);
@@ -287,8 +287,7 @@ class Job {
                        std::vector<Element> memory) {
     Reader reader(source_, items_, room_, options_.readers, order_.facts().sizes);
     std::erase_if(memory, [&](Element x) {
-      return std::find(step_.step.evict.begin(), step_.step.evict.end(), x) !=
-             step_.step.evict.end();
+      return std::ranges::find(step_.step.evict, x) != step_.step.evict.end();
     });
     request(reader, memory);
     request(reader, step_.step.load);

@@ -78,7 +78,7 @@ EarlierShares::EarlierShares(const std::vector<std::string>& journals,
       throw BadInput(path + ": is the journal of another version; name the journals of this job");
     }
   }
-  std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) {
+  std::ranges::sort(runs, [](const Run& a, const Run& b) {
     return std::pair(a.shares, a.index) < std::pair(b.shares, b.index);
   });
   while (!runs.empty()) {
@@ -147,7 +147,7 @@ void EarlierShares::read(const Run& run, const std::vector<JournalField>& fields
         done.pairs.emplace_back(step.step.load[i], step.step.load[i]);
       }
     }
-    std::sort(done.pairs.begin(), done.pairs.end());
+    std::ranges::sort(done.pairs);
     steps_.push_back(std::move(done));
   }
 }

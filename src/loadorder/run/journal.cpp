@@ -39,7 +39,7 @@ void sync_folder_of(const std::string& path) {
 
 std::string part_of_head(const JournalField& field) {
   std::string text = field.name + " " + field.value + "; ";
-  std::replace(text.begin(), text.end(), '\n', ' ');
+  std::ranges::replace(text, '\n', ' ');
   return text;
 }
 

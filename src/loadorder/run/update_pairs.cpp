@@ -82,7 +82,7 @@ class Memory {
 
   std::vector<std::pair<Element, Bytes>>::iterator find(Element x) {
     const auto place =
-        std::find_if(held_.begin(), held_.end(), [x](const auto& each) { return each.first == x; });
+        std::ranges::find_if(held_, [x](const auto& each) { return each.first == x; });
     if (place == held_.end()) {
       throw InternalError(fmt::format("item {} is not held", x));
     }

@@ -31,7 +31,7 @@ void refine(GroupShares& shares, std::uint64_t parts) {
 std::uint64_t pairs_of_the_fullest(const GroupShares& shares, std::uint64_t items) {
   constexpr double part = 1e-4;
   const auto owners = owners_of(shares, items, part);
-  return *std::max_element(owners->pairs().begin(), owners->pairs().end());
+  return *std::ranges::max_element(owners->pairs());
 }
 
 /// Shares of idle workers, changed group by group. The objective is the number of pairs that busy
@@ -89,8 +89,8 @@ class IdleShares {
       const auto middle = share.order.begin() + static_cast<std::ptrdiff_t>(share.held);
       GroupShare one{{share.order.begin(), middle},
                      {middle, middle + static_cast<std::ptrdiff_t>(share.streamed)}};
-      std::sort(one.held.begin(), one.held.end());
-      std::sort(one.streamed.begin(), one.streamed.end());
+      std::ranges::sort(one.held);
+      std::ranges::sort(one.streamed);
       all.push_back(std::move(one));
     }
     return all;

@@ -92,7 +92,7 @@ GroupShares developed(const Base& base) {
         for (const Element group : set) {
           out.push_back(static_cast<Element>((group + by) % base.groups));
         }
-        std::sort(out.begin(), out.end());
+        std::ranges::sort(out);
         return out;
       };
       shares.workers.push_back({moved(share.held), moved(share.streamed)});
@@ -142,10 +142,9 @@ class Choice {
   /// Sorted by makespan, then by loads.
   [[nodiscard]] std::vector<Candidate> take() {
     std::erase_if(candidates_, [&](const Candidate& one) { return one.makespan > most(); });
-    std::stable_sort(candidates_.begin(), candidates_.end(),
-                     [](const Candidate& a, const Candidate& b) {
-                       return std::pair(a.makespan, a.loads) < std::pair(b.makespan, b.loads);
-                     });
+    std::ranges::stable_sort(candidates_, [](const Candidate& a, const Candidate& b) {
+      return std::pair(a.makespan, a.loads) < std::pair(b.makespan, b.loads);
+    });
     return std::move(candidates_);
   }
 

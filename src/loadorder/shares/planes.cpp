@@ -183,7 +183,7 @@ std::vector<Element> Plane::points_of(std::uint64_t line) const {
       points.push_back(point_at_[static_cast<std::size_t>(number(point))]);
     }
   }
-  std::sort(points.begin(), points.end());
+  std::ranges::sort(points);
   return points;
 }
 

@@ -217,9 +217,8 @@ class AsOneOrder final : public StepSource {
  private:
   static void follow(std::vector<Element> leave, const std::vector<Element>& come,
                      std::vector<Element>& held) {
-    std::sort(leave.begin(), leave.end());
-    std::erase_if(held,
-                  [&](Element x) { return std::binary_search(leave.begin(), leave.end(), x); });
+    std::ranges::sort(leave);
+    std::erase_if(held, [&](Element x) { return std::ranges::binary_search(leave, x); });
     held.insert(held.end(), come.begin(), come.end());
   }
 

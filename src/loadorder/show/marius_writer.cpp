@@ -21,7 +21,7 @@ void MariusWriter::write(const Step& step) {
         step.number, step.evict.size(), step.load.size()));
   }
   for (std::size_t i = 0; i < step.evict.size(); ++i) {
-    *std::find(memory_.begin(), memory_.end(), step.evict[i]) = step.load[i];
+    *std::ranges::find(memory_, step.evict[i]) = step.load[i];
   }
   if (memory_.empty()) {
     memory_ = step.load;

@@ -177,7 +177,7 @@ void StepWriter::list(Column column, const Members& members) {
     return;
   } else {
     std::string name = name_of(column);
-    std::replace(name.begin(), name.end(), '_', ' ');
+    std::ranges::replace(name, '_', ' ');
     text_ += (text_.size() == head_ ? " " : "; ") + name + " ";
   }
   const std::size_t cell = text_.size();

@@ -46,7 +46,7 @@ std::uint64_t ByteClosing::run(const std::vector<Element>& order, std::uint64_t 
   }
   std::copy(begin_.begin(), begin_.end() - 1, front_.begin());
   std::fill(met_.begin(), met_.end(), false);
-  std::fill(place_.begin(), place_.end(), 0);
+  std::ranges::fill(place_, 0);
   std::fill(loaded_.begin(), loaded_.end(), false);
   memory_.clear();
   moves_.clear();
@@ -83,7 +83,7 @@ void ByteClosing::close(Element x, std::uint64_t limit) {
     }
   }
   if (!upward_) {
-    std::reverse(lacking_.begin(), lacking_.end());
+    std::ranges::reverse(lacking_);
   }
   upward_ = !upward_;
   for (const Element y : std::exchange(lacking_, {})) {

@@ -65,10 +65,10 @@ void ClosingSearch::begin(const Over& over) {
   std::vector<Element> order(static_cast<std::size_t>(graph_.items()));
   std::iota(order.begin(), order.end(), 0U);
   try_start("numbered", order);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Element a, Element b) { return sizes_.bytes[a] > sizes_.bytes[b]; });
+  std::ranges::stable_sort(order,
+                           [&](Element a, Element b) { return sizes_.bytes[a] > sizes_.bytes[b]; });
   try_start("largest first", order);
-  std::reverse(order.begin(), order.end());
+  std::ranges::reverse(order);
   try_start("smallest first", order);
   each_start(graph_, room_, [&](const std::string& name, std::vector<Element> start) {
     try_start(name, std::move(start));

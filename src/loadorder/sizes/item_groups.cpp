@@ -34,8 +34,8 @@ namespace {
 
 /// The largest items first, each into the group with the fewest bytes.
 Groups even_groups(const ItemSizes& sizes, std::vector<Element> items, std::uint64_t count) {
-  std::stable_sort(items.begin(), items.end(),
-                   [&](Element a, Element b) { return sizes.bytes[a] > sizes.bytes[b]; });
+  std::ranges::stable_sort(items,
+                           [&](Element a, Element b) { return sizes.bytes[a] > sizes.bytes[b]; });
   Groups groups(static_cast<std::size_t>(count));
   using Filled = std::pair<std::uint64_t, std::size_t>;
   std::priority_queue<Filled, std::vector<Filled>, std::greater<>> next;
@@ -95,7 +95,7 @@ WantedPairs between_groups(const Groups& groups, const PairGraph& graph) {
         others.push_back(group_of[y]);
       }
     }
-    std::sort(others.begin(), others.end());
+    std::ranges::sort(others);
     others.erase(std::unique(others.begin(), others.end()), others.end());
     for (const Element other : others) {
       if (other >= g) {

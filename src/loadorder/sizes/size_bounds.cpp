@@ -193,9 +193,8 @@ LoadBound sized_makespan_bound(const ItemSizes& sizes, const WantedPairs& wanted
   const std::vector<std::uint64_t> partners = partner_bytes(sizes, wanted);
   consider(by_workers_of_items(sizes, wanted, partners, alone.loads, workers));
   const SizeWeights w = size_weights_of(sizes, wanted, 0);
-  consider(by_weight(
-      w, std::min(sizes.memory - w.smallest, *std::max_element(partners.begin(), partners.end())),
-      alone.loads, workers));
+  consider(by_weight(w, std::min(sizes.memory - w.smallest, *std::ranges::max_element(partners)),
+                     alone.loads, workers));
   if (wanted.are_all()) {
     consider(by_units(sizes, w.bytes, workers));
   }
@@ -211,7 +210,7 @@ LoadBound sized_lower_bound(const ItemSizes& sizes, const WantedPairs& wanted) {
   }
   // The loads of some items are an order for these; all others are loaded once.
   std::vector<std::uint64_t> thresholds = sizes.bytes;
-  std::sort(thresholds.begin(), thresholds.end());
+  std::ranges::sort(thresholds);
   thresholds.erase(std::unique(thresholds.begin(), thresholds.end()), thresholds.end());
   constexpr std::size_t most_tried = 64;
   const std::size_t tried = std::min(most_tried, thresholds.size());

@@ -178,7 +178,7 @@ PaperItem check_triple(const PaperContext& context, const PrintedTriple& triple,
   }
   const auto is_printed = [&](const PrintedTriple& other) {
     const auto& list = context.paper.eleven;
-    return std::find(list.begin(), list.end(), other) != list.end();
+    return std::ranges::find(list, other) != list.end();
   };
   std::vector<std::string> instead;
   for (const CyclicWithSet& cyclic : designs) {

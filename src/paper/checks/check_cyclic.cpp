@@ -27,7 +27,7 @@ std::string in_words(const EdgeSet& edges) {
 EdgeSet edges_in(const std::string& text) {
   EdgeSet edges;
   for (std::string word : words(text)) {
-    std::replace(word.begin(), word.end(), '-', ' ');
+    std::ranges::replace(word, '-', ' ');
     const std::vector<Block> ends = blocks_in(word);  // one line, two numbers
     if (ends.size() != 1 || ends.front().size() != 2) {
       throw BadInput(fmt::format("\"{}\" is no chord", word));
@@ -108,8 +108,8 @@ std::string in_words(const std::vector<Block>& blocks) {
 }
 
 bool same_blocks(const std::vector<Block>& a, const std::vector<Block>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const Block& x, const Block& y) { return sorted(x) == sorted(y); });
+  return std::ranges::equal(a, b,
+                            [](const Block& x, const Block& y) { return sorted(x) == sorted(y); });
 }
 
 Parameters cyclic_parameters(std::uint64_t c, std::uint64_t k) {
@@ -158,15 +158,15 @@ PaperItem check_theorem(const PaperContext& context) {
       expect_design(check, design, {.b = count_of(family.b, values), .tight = true});
       // "the elements introduced in B_{i,j} are B_{i,j} \ (A+j)": what is kept is A+j.
       const std::vector<UnchangedSubset> between = unchanged_subsets(design);
-      check.expect(std::all_of(between.begin(), between.end(),
-                               [&](const UnchangedSubset& subset) {
-                                 Block shifted;
-                                 for (std::uint64_t a = 0; a + 2 < k; ++a) {
-                                   shifted.push_back(
-                                       static_cast<Element>((a + subset.position / row.c) % p.v));
-                                 }
-                                 return subset.elements == sorted(shifted);
-                               }),
+      check.expect(std::ranges::all_of(between,
+                                       [&](const UnchangedSubset& subset) {
+                                         Block shifted;
+                                         for (std::uint64_t a = 0; a + 2 < k; ++a) {
+                                           shifted.push_back(static_cast<Element>(
+                                               (a + subset.position / row.c) % p.v));
+                                         }
+                                         return subset.elements == sorted(shifted);
+                                       }),
                    {fmt::format("{}: A+j is kept", where), "another subset is", "verified"});
     }
   }
@@ -215,9 +215,7 @@ PaperItem check_introduced(const PaperContext& context) {
 PaperItem check_proof(const PaperContext& context) {
   Check check("Theorem 10", "the proof: the differences listed for c = 1 and c = 2", "differences");
   for (const PrintedBaseBlocks& row : context.paper.cyclic) {
-    const auto listed =
-        std::find_if(context.paper.differences.begin(), context.paper.differences.end(),
-                     [&](const PrintedDifferences& differences) { return differences.c == row.c; });
+    const auto listed = std::ranges::find(context.paper.differences, row.c, &PrintedDifferences::c);
     if (listed == context.paper.differences.end()) {
       continue;
     }
@@ -320,17 +318,16 @@ PaperItem check_larger_c(const PaperContext& context) {
       const auto offer = construction->offer(p, context.registry);
       const auto base = offer ? construction->base_blocks(offer->recipe) : std::nullopt;
       // The method: c base blocks A ∪ {x,y}, A = {0,…,k−3}, developed over Z_v.
-      const bool of_the_method =
-          base && base->blocks.size() == c &&
-          std::all_of(base->blocks.begin(), base->blocks.end(), [&](const Block& block) {
-            const Block in_order = sorted(block);
-            for (Element a = 0; a + 2 < k; ++a) {
-              if (in_order[a] != a) {
-                return false;
-              }
-            }
-            return true;
-          });
+      const bool of_the_method = base && base->blocks.size() == c &&
+                                 std::ranges::all_of(base->blocks, [&](const Block& block) {
+                                   const Block in_order = sorted(block);
+                                   for (Element a = 0; a + 2 < k; ++a) {
+                                     if (in_order[a] != a) {
+                                       return false;
+                                     }
+                                   }
+                                   return true;
+                                 });
       check.expect(
           of_the_method && base->parameters.v == p.v,
           {"the method works", fmt::format("not for c = {}, k = {}", c, k), "no such base blocks"});

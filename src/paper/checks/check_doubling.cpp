@@ -256,11 +256,11 @@ PaperItem check_introduced_once(const PaperContext& context) {
   }
   for (const Design& design : designs) {
     const Verdict verdict = verify(design);
-    check.expect(
-        verdict.tight() && std::all_of(verdict.elements.begin(), verdict.elements.end(),
-                                       [](const ElementCount& x) { return x.introductions == 1; }),
-        {"every element is introduced once",
-         fmt::format("not so in the {}", name(design.parameters())), in_words(verdict)});
+    check.expect(verdict.tight() && std::ranges::all_of(
+                                        verdict.elements,
+                                        [](const ElementCount& x) { return x.introductions == 1; }),
+                 {"every element is introduced once",
+                  fmt::format("not so in the {}", name(design.parameters())), in_words(verdict)});
   }
   check.note(fmt::format(
       "all {} with k = 4 that begin with {{0,1,2,3}}, and one for each even k <= {}; for "

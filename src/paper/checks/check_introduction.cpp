@@ -76,14 +76,13 @@ PaperItem check_covered_example(const Paper& paper) {
   for (Transitions steps(source); steps.next();) {
     const std::string& block = parsed.blocks[static_cast<std::size_t>(steps.index())].name;
     const auto holds = [&](std::span<const Element> elements, const std::string& name) {
-      return std::any_of(elements.begin(), elements.end(),
-                         [&](Element e) { return design.label(e) == name; });
+      return std::ranges::any_of(elements, [&](Element e) { return design.label(e) == name; });
     };
     const bool covered =
         holds(steps.block(), printed.x) && holds(steps.block(), printed.y) &&
         (holds(steps.introduced(), printed.x) || holds(steps.introduced(), printed.y));
     const auto compare = [&](const std::vector<std::string>& names, bool said) {
-      if (std::find(names.begin(), names.end(), block) == names.end()) {
+      if (std::ranges::find(names, block) == names.end()) {
         return;
       }
       ++found;
@@ -176,11 +175,11 @@ std::uint64_t most_changes(const std::vector<Block>& blocks) {
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (intersection(blocks[i], blocks[j]).empty()) {
-        std::replace(component.begin(), component.end(), component[i], component[j]);
+        std::ranges::replace(component, component[i], component[j]);
       }
     }
   }
-  std::sort(component.begin(), component.end());
+  std::ranges::sort(component);
   const auto components = static_cast<std::uint64_t>(
       std::unique(component.begin(), component.end()) - component.begin());
   const std::uint64_t k = blocks.front().size();

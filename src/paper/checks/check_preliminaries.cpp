@@ -231,11 +231,11 @@ PaperItem check_unchanged_row(const Paper& paper, const PrintedTable& table) {
     } else {
       // A free end: any (k−2)-subset of the first or the last block.
       const auto inside = label_set(design.block(i == 0 ? 0 : b - 1));
-      check.expect(printed.size() == table.parameters.k - 2 && i <= b &&
-                       std::all_of(printed.begin(), printed.end(),
-                                   [&](const auto& x) { return inside.contains(x); }),
-                   {fmt::format("U_{} = {}", i, braces(printed)),
-                    "no subset of the block beside it", "linear design"});
+      check.expect(
+          printed.size() == table.parameters.k - 2 && i <= b &&
+              std::ranges::all_of(printed, [&](const auto& x) { return inside.contains(x); }),
+          {fmt::format("U_{} = {}", i, braces(printed)), "no subset of the block beside it",
+           "linear design"});
     }
   }
   const PrintedUnchangedText& text = paper.unchanged;

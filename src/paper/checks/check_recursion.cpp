@@ -107,7 +107,7 @@ PaperItem check_theorem(const PaperContext& context, const std::vector<DesignWit
       OneFactorization factors = one_factorization(subsets + 1, kind);
       if (kind == FactorizationKind::doubled) {  // "in any order"
         for (OneFactor& factor : factors.factors) {
-          std::reverse(factor.begin(), factor.end());
+          std::ranges::reverse(factor);
         }
       }
       const Design larger = expand(design, set, factors);
@@ -154,23 +154,21 @@ PaperItem check_colours(const Paper& paper, const PrintedTable& table) {
     const OneFactorization factors = parse(printed);
     for (const PrintedBlock& block : parsed.blocks) {
       for (const PrintedCell& cell : block.cells) {
-        const auto vertex =
-            std::find(printed.vertices.begin(), printed.vertices.end(), cell.element);
+        const auto vertex = std::ranges::find(printed.vertices, cell.element);
         bool holds = (vertex == printed.vertices.end()) == (cell.colour == 0);
         if (holds && cell.colour != 0) {
           const auto x = static_cast<std::uint32_t>(vertex - printed.vertices.begin());
           const auto& factor =
               factors.factors.at(std::min<std::size_t>(cell.colour, factors.factors.size()) - 1);
           holds = cell.colour <= factors.factors.size() &&
-                  std::any_of(factor.begin(), factor.end(), [&](const Edge& edge) {
+                  std::ranges::any_of(factor, [&](const Edge& edge) {
                     if (edge.a != x && edge.b != x) {
                       return false;
                     }
                     const std::string& other = printed.vertices[edge.a == x ? edge.b : edge.a];
-                    return std::any_of(block.cells.begin(), block.cells.end(),
-                                       [&](const PrintedCell& c) {
-                                         return c.element == other && c.colour == cell.colour;
-                                       });
+                    return std::ranges::any_of(block.cells, [&](const PrintedCell& c) {
+                      return c.element == other && c.colour == cell.colour;
+                    });
                   });
         }
         check.expect(holds,
@@ -205,7 +203,7 @@ OldBlocks old_blocks(const Design& design, std::uint64_t old_elements) {
   DesignSource source(design);
   for (Transitions steps(source); steps.next();) {
     const std::span<const Element> block = steps.block();
-    if (std::all_of(block.begin(), block.end(), [&](Element x) { return x < old_elements; })) {
+    if (std::ranges::all_of(block, [&](Element x) { return x < old_elements; })) {
       old.blocks.push_back(sorted(block));
       old.introduced.push_back(sorted(steps.introduced()));
       old.number.push_back(steps.index() + 1);
@@ -304,10 +302,10 @@ PaperItem check_new_elements(const Paper& paper, const std::vector<DesignWithSet
               "designs");
   for_each_expanded(designs, [&](const Design& design, const Design& larger) {
     const std::vector<UnchangedSubset> between = unchanged_subsets(larger);
-    check.expect(std::none_of(between.begin(), between.end(),
-                              [&](const UnchangedSubset& subset) {
-                                return subset.elements.back() >= design.v();
-                              }),
+    check.expect(std::ranges::none_of(between,
+                                      [&](const UnchangedSubset& subset) {
+                                        return subset.elements.back() >= design.v();
+                                      }),
                  {"a new element is never in an unchanged subset",
                   "one is kept from a block to the next", name(larger.parameters())});
   });
@@ -317,8 +315,7 @@ PaperItem check_new_elements(const Paper& paper, const std::vector<DesignWithSet
   const std::uint64_t old_elements = table_at(paper, "Table 2").parameters.v;
   for (const std::size_t end : {std::size_t{0}, linear.block_count() - 1}) {
     const auto block = linear.block(end);
-    const auto fresh =
-        std::find_if(block.begin(), block.end(), [&](Element x) { return x >= old_elements; });
+    const auto fresh = std::ranges::find_if(block, [&](Element x) { return x >= old_elements; });
     check.expect(fresh == block.end(), [&] {
       return PaperFinding{"a new element is never in an unchanged subset",
                           fmt::format("in Table 3 the {} block is {}, so U_{} = {{{}}} is one",

@@ -39,8 +39,8 @@ std::string with_marks(const PrintedBlock& block) {
 
 bool is_made_from(const Recipe& recipe, std::string_view construction) {
   return recipe.construction == construction ||
-         std::any_of(recipe.inputs.begin(), recipe.inputs.end(),
-                     [&](const Recipe& input) { return is_made_from(input, construction); });
+         std::ranges::any_of(
+             recipe.inputs, [&](const Recipe& input) { return is_made_from(input, construction); });
 }
 
 // A table whose columns are not k-subsets of its elements.
@@ -88,8 +88,8 @@ void expect_highlights(Check& check, const PrintedTable& table, const ParsedTabl
   const std::string zero = element_name(table, 0);
   for (std::size_t i = 0; i < parsed.blocks.size(); ++i) {
     const auto& cells = parsed.blocks[i].cells;
-    const bool has_zero = std::any_of(cells.begin(), cells.end(),
-                                      [&](const auto& cell) { return cell.element == zero; });
+    const bool has_zero =
+        std::ranges::any_of(cells, [&](const auto& cell) { return cell.element == zero; });
     for (const PrintedCell& cell : cells) {
       const bool covered = has_zero && cell.element != zero &&
                            (introduced[i].contains(zero) || introduced[i].contains(cell.element));
@@ -309,9 +309,8 @@ PaperItem check_least(const PaperContext& context, const PrintedTable& table) {
                   fmt::format("the lower bound for a {} one is {}", to_string(kind), bound.blocks),
                   bound.reason});
     const std::vector<Offer> offers = context.registry.offers(p);
-    const auto ours = std::find_if(offers.begin(), offers.end(), [](const Offer& offer) {
-      return !is_made_from(offer.recipe, "printed");
-    });
+    const auto ours = std::ranges::find_if(
+        offers, [](const Offer& offer) { return !is_made_from(offer.recipe, "printed"); });
     if (ours == offers.end()) {
       check.note(fmt::format("no construction but the print gives a {} one", to_string(kind)));
       continue;

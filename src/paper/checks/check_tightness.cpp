@@ -51,7 +51,7 @@ std::string with_its_blocks(const Economical& found) {
       dccd(found.design.v() - fixed, found.design.k() - fixed, verdict.b), fixed,
       [&] {
         const std::vector<std::uint64_t> times = times_covered(found.design);
-        return std::count_if(times.begin(), times.end(), [](auto n) { return n > 1; });
+        return std::ranges::count_if(times, [](auto n) { return n > 1; });
       }(),
       found.additional, found.never);
 }
@@ -98,10 +98,10 @@ PaperItem check_for_all(std::string what, const std::vector<Economical>& designs
 
 // One of the designs, without a block that occurs twice if there is such a one.
 const Design& simplest(const std::vector<Design>& designs) {
-  const auto simple = std::find_if(designs.begin(), designs.end(), [](const Design& design) {
+  const auto simple = std::ranges::find_if(designs, [](const Design& design) {
     std::vector<Block> blocks = design.blocks();
-    std::sort(blocks.begin(), blocks.end());
-    return std::adjacent_find(blocks.begin(), blocks.end()) == blocks.end();
+    std::ranges::sort(blocks);
+    return std::ranges::adjacent_find(blocks) == blocks.end();
   });
   return simple == designs.end() ? designs.front() : *simple;
 }
@@ -245,8 +245,8 @@ PaperItem check_leaning_proof(const PaperContext& context) {
 std::vector<PaperItem> check_tightness(const PaperContext& context) {
   std::vector<Economical> designs = economical_designs(context);
   std::vector<Economical> tight;
-  std::copy_if(designs.begin(), designs.end(), std::back_inserter(tight),
-               [](const Economical& found) { return found.integral; });
+  std::ranges::copy_if(designs, std::back_inserter(tight),
+                       [](const Economical& found) { return found.integral; });
   return {check_economical_is_minimum(context),
           check_for_all(
               "in a tight DCCD every pair is covered exactly once", tight,

@@ -258,9 +258,7 @@ std::vector<Design> designs_to_try(const Registry& registry, Kind kind) {
       }
     }
   }
-  std::stable_sort(designs.begin(), designs.end(), [](const Design& a, const Design& b) {
-    return a.parameters() < b.parameters();
-  });
+  std::ranges::stable_sort(designs, {}, &Design::parameters);
   return designs;
 }
 
@@ -302,7 +300,7 @@ ExpansionSet marked_expansion_set(const PrintedTable& table) {
     if (position < parsed.unchanged.size()) {
       const auto& printed = parsed.unchanged[position].elements;
       for (Element x = 0; x < table.parameters.v; ++x) {
-        if (std::find(printed.begin(), printed.end(), element_name(table, x)) != printed.end()) {
+        if (std::ranges::find(printed, element_name(table, x)) != printed.end()) {
           subset.elements.push_back(x);
         }
       }

@@ -55,7 +55,7 @@ PrintedUnchanged unchanged_in(std::string_view token) {
     throw BadInput(fmt::format("\"{}\" is no unchanged subset; write {{2,3}}", token));
   }
   std::string inside(token.substr(1, token.size() - 2));
-  std::replace(inside.begin(), inside.end(), ',', ' ');
+  std::ranges::replace(inside, ',', ' ');
   unchanged.elements = words(inside);
   return unchanged;
 }
@@ -72,7 +72,7 @@ std::vector<std::string> lines_of(std::string_view text) {
 
 std::size_t index_of(const std::vector<std::string>& names, std::string_view name,
                      std::string_view place) {
-  const auto found = std::find(names.begin(), names.end(), name);
+  const auto found = std::ranges::find(names, name);
   if (found == names.end()) {
     throw BadInput(fmt::format("{}: \"{}\" is none of its elements", place, name));
   }
@@ -148,7 +148,7 @@ ParsedTable parse(const PrintedTable& table) {
   }
   for (std::size_t i = 0; i < parsed.blocks.size(); ++i) {
     const auto& cells = parsed.blocks[i].cells;
-    if (std::any_of(cells.begin(), cells.end(), [](const auto& cell) { return cell.caret; })) {
+    if (std::ranges::any_of(cells, [](const auto& cell) { return cell.caret; })) {
       parsed.carets.push_back(i + 1);
     }
   }
@@ -204,7 +204,7 @@ std::vector<Block> base_blocks(const PrintedBaseBlocks& row, std::uint64_t k) {
       block.push_back(x);
     }
     std::string spaced = terms;
-    std::replace(spaced.begin(), spaced.end(), ',', ' ');
+    std::ranges::replace(spaced, ',', ' ');
     for (const std::string& term : words(spaced)) {
       const auto value = value_of(term, {{'k', k}}).count();
       if (!value || *value >= max_elements_in_memory) {
@@ -221,8 +221,8 @@ namespace {
 template <typename Item, typename Place>
 const Item& item_at(const std::vector<Item>& items, std::string_view place, std::string_view what,
                     const Place& place_of) {
-  const auto found = std::find_if(items.begin(), items.end(),
-                                  [&](const Item& item) { return place_of(item) == place; });
+  const auto found =
+      std::ranges::find_if(items, [&](const Item& item) { return place_of(item) == place; });
   if (found == items.end()) {
     throw BadInput(fmt::format("the paper has no {} \"{}\"", what, place));
   }

@@ -135,9 +135,8 @@ Fitting::Fitting(const Job& job)
   }
   cheap_ = members_;
   for (std::vector<Element>& members : cheap_) {
-    std::stable_sort(members.begin(), members.end(), [&](Element x, Element y) {
-      return job.change_costs[x] < job.change_costs[y];
-    });
+    std::ranges::stable_sort(
+        members, [&](Element x, Element y) { return job.change_costs[x] < job.change_costs[y]; });
   }
   if (has_slots()) {
     job.never.for_each(std::numeric_limits<std::uint64_t>::max(), [&](Element x, Element y) {
@@ -188,7 +187,7 @@ Fitting::Found Fitting::simplest(Block setup) const {
 Block with_mounted(const Job& job, std::initializer_list<Element> parts) {
   Block setup = job.mounted;
   for (const Element x : parts) {
-    if (std::find(setup.begin(), setup.end(), x) == setup.end()) {
+    if (std::ranges::find(setup, x) == setup.end()) {
       setup.push_back(x);
     }
   }

@@ -17,8 +17,7 @@ Job at_prices(const Job& job, Price price) {
     std::uint64_t rows = 0;
     Amount& own = plain.change_costs[in];
     for (Element out = 0; out < job.parts(); ++out) {
-      const bool stays =
-          std::find(job.mounted.begin(), job.mounted.end(), out) != job.mounted.end();
+      const bool stays = std::ranges::find(job.mounted, out) != job.mounted.end();
       if (out == in || stays || !job.may_replace(out, in)) {
         continue;
       }

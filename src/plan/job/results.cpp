@@ -67,8 +67,8 @@ ResultWords result_words_of(std::string_view text) {
     }
     within = part;
   }
-  const auto initials = std::find_if(words.begin(), words.end(),
-                                     [](const std::string& word) { return word.size() != 1; });
+  const auto initials =
+      std::ranges::find_if(words, [](const std::string& word) { return word.size() != 1; });
   if (initials - words.begin() > 1) {
     std::string joined;
     std::for_each(words.begin(), initials, [&](const std::string& word) { joined += word; });
@@ -85,8 +85,8 @@ bool is_one_of(const std::string& word, std::string_view all) {
 
 template <std::size_t N>
 bool begins_with(const std::string& word, const std::array<std::string_view, N>& all) {
-  return std::any_of(all.begin(), all.end(),
-                     [&](std::string_view beginning) { return word.starts_with(beginning); });
+  return std::ranges::any_of(
+      all, [&](std::string_view beginning) { return word.starts_with(beginning); });
 }
 
 // The words of English, German, French, Spanish, Italian, Portuguese, Dutch, Japanese, Chinese and
@@ -116,9 +116,8 @@ bool is_fail(const std::string& word) {
       {"不合格", "不良", "不可", "失敗", "失败", "異常", "异常", "故障", "未通过", "未通過", "错误",
        "エラー", "불합격", "실패", "오류"});
   constexpr auto none = std::to_array<std::string_view>({"なし", "無", "无", "없"});
-  const bool has_none = std::any_of(none.begin(), none.end(), [&](std::string_view each) {
-    return word.find(each) != std::string::npos;
-  });
+  const bool has_none = std::ranges::any_of(
+      none, [&](std::string_view each) { return word.find(each) != std::string::npos; });
   return (word.starts_with("fail") && !begins_with(word, others)) || is_one_of(word, all) ||
          (begins_with(word, beginnings) && !has_none);
 }
@@ -222,7 +221,7 @@ TestResult result_of(std::string_view result) {
     return TestResult::not_run;
   }
   const bool alone = words.size() == 1 && text.find('?') == std::string::npos &&
-                     std::none_of(text.begin(), text.end(), is_digit);
+                     std::ranges::none_of(text, is_digit);
   return alone ? of_one_word(words.front()) : TestResult::unread;
 }
 

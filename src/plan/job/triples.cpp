@@ -31,7 +31,7 @@ bool is_of_three_parameters(const Job& job, const Triple& t) {
   const bool different = job.slot_of[t[0]] != job.slot_of[t[1]] &&
                          job.slot_of[t[0]] != job.slot_of[t[2]] &&
                          job.slot_of[t[1]] != job.slot_of[t[2]];
-  return different && std::count_if(t.begin(), t.end(), [&](Element x) {
+  return different && std::ranges::count_if(t, [&](Element x) {
                         return out_of_range(job, std::span(&x, 1)).has_value();
                       }) <= 1;
 }

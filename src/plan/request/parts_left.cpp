@@ -10,7 +10,7 @@ namespace changeover {
 
 PartsLeft::PartsLeft(std::size_t parts, const Block& without) : number_(parts) {
   for (std::size_t x = 0; x < parts; ++x) {
-    if (std::find(without.begin(), without.end(), static_cast<Element>(x)) == without.end()) {
+    if (std::ranges::find(without, static_cast<Element>(x)) == without.end()) {
       number_[x] = static_cast<Element>(left_++);
     }
   }

@@ -1,7 +1,6 @@
 #include "plan/sheet/replacement.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -45,7 +44,7 @@ std::optional<std::vector<std::size_t>> circle(const CostMatrix& costs,
   for (std::size_t at = before[last]; at != last; at = before[at]) {
     around.push_back(at);
   }
-  std::reverse(around.begin(), around.end());
+  std::ranges::reverse(around);
   return around;
 }
 
@@ -144,7 +143,7 @@ Replacement cheapest_replacement(const Job& job, const Block& out, const Block& 
     best.cost += here.cost;
     best.pairs.insert(best.pairs.end(), here.pairs.begin(), here.pairs.end());
   }
-  std::sort(best.pairs.begin(), best.pairs.end());
+  std::ranges::sort(best.pairs);
   return best;
 }
 

@@ -89,7 +89,7 @@ Block sorted(const Job& job, Block block) {
                                  job.parts()));
     }
   }
-  std::sort(block.begin(), block.end());
+  std::ranges::sort(block);
   return block;
 }
 
@@ -135,7 +135,7 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
     const auto where = [&] {
       return fmt::format("set-up {}", sheet.steps.size() + 1 + job.tests_done);
     };
-    if (std::adjacent_find(step.setup.begin(), step.setup.end()) != step.setup.end()) {
+    if (std::ranges::adjacent_find(step.setup) != step.setup.end()) {
       sheet.faults.push_back(where() + " names a part twice");
     }
     if (step.setup.size() > job.at_once) {
@@ -165,7 +165,7 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
     const auto hides = [&](Element x) {
       return job.model != nullptr && x < job.model->values() && job.model->value(x).negative;
     };
-    const bool any_hides = std::any_of(step.setup.begin(), step.setup.end(), hides);
+    const bool any_hides = std::ranges::any_of(step.setup, hides);
     const std::size_t place = sheet.steps.size();
     if (place < job.first.size() && step.setup != sorted(job, job.first[place])) {
       sheet.faults.push_back(where() + " is not the one that must be run there");
@@ -179,8 +179,7 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
     for (const Element x : look_at_all ? step.setup : step.put_in) {
       for (const Element y : step.setup) {
         const bool seen_from_y =
-            y >= x &&
-            (look_at_all || std::binary_search(step.put_in.begin(), step.put_in.end(), y));
+            y >= x && (look_at_all || std::ranges::binary_search(step.put_in, y));
         if (seen_from_y) {
           continue;
         }
@@ -198,7 +197,7 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
         }
       }
     }
-    std::sort(step.new_pairs.begin(), step.new_pairs.end());
+    std::ranges::sort(step.new_pairs);
     step.weight_so_far = sheet.weight_tested;
     step.new_triples = missing_triples.met(step.setup, [&](const Triple& t) {
       return !any_hides || hides(t[0]) || hides(t[1]) || hides(t[2]);

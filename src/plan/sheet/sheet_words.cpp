@@ -146,8 +146,8 @@ std::vector<std::string> names_of(const Job& job, const Block& parts) {
 std::vector<std::string> put_in_words(const Job& job, const RunStep& step) {
   std::vector<std::string> words;
   for (const Element in : step.put_in) {
-    const auto found = std::find_if(step.replaced.begin(), step.replaced.end(),
-                                    [&](const auto& pair) { return pair.second == in; });
+    const auto found =
+        std::ranges::find_if(step.replaced, [&](const auto& pair) { return pair.second == in; });
     words.push_back(found == step.replaced.end()
                         ? job.names[in]
                         : fmt::format("{} for {}", job.names[in], job.names[found->first]));

@@ -295,8 +295,7 @@ class Question {
     decision_.outcome = Outcome::none;
     decision_.proved = options_.prove;
     decision_.in_share = share.of > 1;
-    std::sort(decision_.parts.begin(), decision_.parts.end(),
-              [](const CheckedPart& a, const CheckedPart& b) { return a.cnf_path < b.cnf_path; });
+    std::ranges::sort(decision_.parts, {}, &CheckedPart::cnf_path);
     if (cubes_.size() > 1 && options_.prove && !options_.proof_directory.empty()) {
       write_cubes();
     }

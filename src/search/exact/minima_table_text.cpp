@@ -323,8 +323,8 @@ std::vector<MinimaRow> read_minima(Input& input) {
     }
     rows.push_back(std::move(row));
   }
-  std::sort(rows.begin(), rows.end(),
-            [&](const MinimaRow& a, const MinimaRow& b) { return place(a) < place(b); });
+  std::ranges::sort(rows,
+                    [&](const MinimaRow& a, const MinimaRow& b) { return place(a) < place(b); });
   return rows;
 }
 

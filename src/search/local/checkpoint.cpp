@@ -107,8 +107,7 @@ SearchArm read_arm(CheckpointLines& lines, const Parameters& p) {
 // The text is shown to the user: it must not contain control characters.
 std::string read_how(CheckpointLines& lines) {
   const std::string_view how = lines.line();
-  const bool words =
-      std::all_of(how.begin(), how.end(), [](char c) { return c >= ' ' && c <= '~'; });
+  const bool words = std::ranges::all_of(how, [](char c) { return c >= ' ' && c <= '~'; });
   if (!words || how.size() > longest_how) {
     lines.damaged();
   }

@@ -84,7 +84,7 @@ SearchArms::SearchArms(const Parameters& p, std::uint64_t goal, const Kinds& kin
 
 void SearchArms::restore(const std::vector<SearchArm>& arms) {
   for (SearchArm& mine : arms_) {
-    const auto same = std::find_if(arms.begin(), arms.end(), [&](const SearchArm& arm) {
+    const auto same = std::ranges::find_if(arms, [&](const SearchArm& arm) {
       return arm.method == mine.method && arm.order == mine.order && arm.fixed == mine.fixed &&
              arm.extra == mine.extra;
     });

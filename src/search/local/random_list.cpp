@@ -26,7 +26,7 @@ class Outside {
  public:
   Outside(const Block& one, const Block& other, std::uint64_t v) : taken_(one) {
     taken_.insert(taken_.end(), other.begin(), other.end());
-    std::sort(taken_.begin(), taken_.end());
+    std::ranges::sort(taken_);
     taken_.erase(std::unique(taken_.begin(), taken_.end()), taken_.end());
     count_ = static_cast<std::size_t>(v) - taken_.size();
   }

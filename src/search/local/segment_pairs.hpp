@@ -48,7 +48,7 @@ class SegmentPairs {
     for (const Element x : design.elements()) {
       ++blocks[x];
     }
-    return *std::max_element(blocks.begin(), blocks.end()) <= most;
+    return *std::ranges::max_element(blocks) <= most;
   }
 
   /// The memory for b < 2³² blocks of k of v ≤ 65,535 elements, at most: the list of uncovered

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
@@ -52,7 +51,7 @@ SegmentSubsets::SegmentSubsets(const Design& design, std::size_t frozen)
     }
     // Each subset is counted once: with its largest element.
     Block sorted(block.begin(), block.end());
-    std::sort(sorted.begin(), sorted.end());
+    std::ranges::sort(sorted);
     for (std::size_t at = t_ - 1; at < sorted.size(); ++at) {
       stop_if_asked();
       others_.assign(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(at));
@@ -118,7 +117,7 @@ SegmentSwap SegmentSubsets::propose_aimed(Random& random) const {
   for (std::uint32_t sample = 0; sample < samples; ++sample) {
     const std::uint32_t i = frozen_ + random.below(b_ - frozen_);
     const auto has = static_cast<std::uint32_t>(
-        std::count_if(wanted.begin(), wanted.end(), [&](Element z) { return contains(i, z); }));
+        std::ranges::count_if(wanted, [&](Element z) { return contains(i, z); }));
     if (sample == 0 || has > most) {
       best = i;
       most = has;
@@ -131,9 +130,7 @@ SegmentSwap SegmentSubsets::propose_aimed(Random& random) const {
       y = wanted[at];
     }
   }
-  const auto is_wanted = [&](Element z) {
-    return std::find(wanted.begin(), wanted.end(), z) != wanted.end();
-  };
+  const auto is_wanted = [&](Element z) { return std::ranges::find(wanted, z) != wanted.end(); };
   Element x = block(best)[random.below(k_)];
   while (most < k_ && is_wanted(x)) {
     x = block(best)[random.below(k_)];
@@ -151,7 +148,7 @@ void SegmentSubsets::exchange(const SegmentSwap& move) {
     std::uint16_t* place = std::find(elements, elements + k_, static_cast<std::uint16_t>(out));
     others_.assign(elements, elements + k_);
     others_.erase(others_.begin() + (place - elements));
-    std::sort(others_.begin(), others_.end());
+    std::ranges::sort(others_);
     count_with<false>(out, 0, 0, 0, 0);
     count_with<true>(in, 0, 0, 0, 0);
     row[out] = 0;

@@ -58,7 +58,7 @@ std::vector<Block> arranged(std::span<const Block> blocks, std::span<const std::
 std::uint64_t change_cost(std::span<const Block> blocks, std::span<const std::size_t> order,
                           const LeastChangeWanted& wanted) {
   std::vector<std::size_t> sorted(order.begin(), order.end());
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   bool all = sorted.size() == blocks.size();
   for (std::size_t i = 0; i < sorted.size() && all; ++i) {
     all = sorted[i] == i;

@@ -32,7 +32,7 @@ class OneTrees {
 
   // The bound in 1024ths of −(overlaps in an order, and the first block if it is free).
   std::int64_t round() {
-    std::fill(degrees_.begin(), degrees_.end(), 0);
+    std::ranges::fill(degrees_, 0);
     // The vertex outside the tree: the extra one, or block 0.
     const std::size_t begin = linear_ ? 0 : 1;
     std::int64_t length = tree(begin);

@@ -108,7 +108,7 @@ std::string obstruction(const ChangeGraph& graph, const ChangeWanted& wanted) {
       }
     }
     if (count < graph.count()) {
-      const auto out = std::find(reached.begin(), reached.end(), false) - reached.begin();
+      const auto out = std::ranges::find(reached, false) - reached.begin();
       return fmt::format("block {} is not reached from block 1 by steps that change exactly {}",
                          out + 1, m);
     }
@@ -152,7 +152,7 @@ class Rotation {
 
  private:
   void begin() {
-    std::fill(place_.begin(), place_.end(), nowhere);
+    std::ranges::fill(place_, nowhere);
     path_.clear();
     push(random_.below(static_cast<std::uint32_t>(graph_.count())));
   }

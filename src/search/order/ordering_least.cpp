@@ -66,7 +66,7 @@ std::vector<std::size_t> least_order(const Overlaps& overlaps, const LeastChange
     last = previous;
     order.push_back(last);
   }
-  std::reverse(order.begin(), order.end());
+  std::ranges::reverse(order);
   return order;
 }
 
@@ -241,7 +241,7 @@ std::vector<City> nearest_first(const Overlaps& overlaps, const Neighbours& neig
     }
     if (best == n) {
       if (control.stop_wanted()) {
-        std::sort(free.begin(), free.end());
+        std::ranges::sort(free);
         order.insert(order.end(), free.begin(), free.end());
         return order;
       }
@@ -275,7 +275,7 @@ std::vector<std::size_t> searched_order(std::span<const Block> blocks, const Ove
     for (std::size_t i = 0; i < options.neighbours; ++i) {
       beside.push_back(random.below(static_cast<City>(n)));
     }
-    std::sort(beside.begin(), beside.end(), [&](City a, City b) {
+    std::ranges::sort(beside, [&](City a, City b) {
       return std::pair(overlaps.size(b), a) < std::pair(overlaps.size(a), b);
     });
     if (extra_cities == 2) {
@@ -302,7 +302,7 @@ std::vector<std::size_t> searched_order(std::span<const Block> blocks, const Ove
   }
   std::vector<std::size_t> order(tour.cities().begin(), tour.cities().end());
   if (linear) {
-    const auto extra = std::find(order.begin(), order.end(), n);
+    const auto extra = std::ranges::find(order, n);
     std::rotate(order.begin(), extra, order.end());
     if (order[1] == n + 1) {  // read backwards
       std::reverse(order.begin() + 1, order.end());

@@ -101,7 +101,7 @@ class Steps {
 std::uint64_t kept_blocks(const Design& list, const Design& design) {
   std::multiset<Block> there;
   const auto sorted = [](Block block) {
-    std::sort(block.begin(), block.end());
+    std::ranges::sort(block);
     return block;
   };
   for (std::size_t i = 0; i < design.block_count(); ++i) {

@@ -17,7 +17,7 @@ constexpr int samples_per_step = 48;
 Block block_around(const Block& wanted, const Block& here) {
   Block block = wanted;
   for (const Element x : here) {
-    if (block.size() < here.size() && std::find(wanted.begin(), wanted.end(), x) == wanted.end()) {
+    if (block.size() < here.size() && std::ranges::find(wanted, x) == wanted.end()) {
       block.push_back(x);
     }
   }

@@ -120,7 +120,7 @@ class CoveredSubsets {
   template <typename Visit>
   void for_each_subset(std::span<const Element> block, Visit&& visit) {
     sorted_.assign(block.begin(), block.end());
-    std::sort(sorted_.begin(), sorted_.end());
+    std::ranges::sort(sorted_);
     descend(0, 0, 0, visit);
   }
 

@@ -20,7 +20,7 @@ std::vector<Literal> sum(Cnf& cnf, const std::vector<Literal>& a, const std::vec
                          std::size_t limit, Directions directions) {
   const std::size_t size = std::min(limit, a.size() + b.size());
   std::vector<Literal> total(size);
-  std::generate(total.begin(), total.end(), [&] { return cnf.new_variable(); });
+  std::ranges::generate(total, [&] { return cnf.new_variable(); });
   std::vector<Literal> clause;
   for (std::size_t i = 0; i <= a.size(); ++i) {
     stop_if_asked();

@@ -215,8 +215,7 @@ class Lookahead {
           continue;  // every counter is updated, as undo() expects it
         }
         const auto& clause = clauses_[c];
-        const auto unit =
-            std::find_if(clause.begin(), clause.end(), [&](Literal y) { return value_of(y) >= 0; });
+        const auto unit = std::ranges::find_if(clause, [&](Literal y) { return value_of(y) >= 0; });
         consistent = unit != clause.end() && assign(*unit);
       }
     }

@@ -154,7 +154,7 @@ BaseBlockAnnealing base_blocks_by_annealing(const Parameters& p, const BaseBlock
       for (std::uint32_t i = 0; i < state.base_block_count(); ++i) {
         const auto block = state.block(i);
         result.blocks.emplace_back(block.begin(), block.end());
-        std::sort(result.blocks.back().begin(), result.blocks.back().end());
+        std::ranges::sort(result.blocks.back());
       }
       break;
     }

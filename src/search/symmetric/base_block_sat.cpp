@@ -47,7 +47,7 @@ class Model {
  private:
   std::vector<Literal> variables(std::size_t how_many) {
     std::vector<Literal> list(how_many);
-    std::generate(list.begin(), list.end(), [&] { return solver.cnf.new_variable(); });
+    std::ranges::generate(list, [&] { return solver.cnf.new_variable(); });
     return list;
   }
 

@@ -203,9 +203,8 @@ class Search {
     if (control_.why_stopped() != WhyStopped::running) {
       return control_.why_stopped();
     }
-    const bool all_none =
-        std::all_of(result_.attempts.begin(), result_.attempts.end(),
-                    [](const ShapeAttempt& a) { return a.outcome == Outcome::none; });
+    const bool all_none = std::ranges::all_of(
+        result_.attempts, [](const ShapeAttempt& a) { return a.outcome == Outcome::none; });
     return all_none ? WhyStopped::exhausted : WhyStopped::step_limit;
   }
 
@@ -255,7 +254,7 @@ Recipe developed_recipe(const Parameters& p, const BaseBlockShape& shape,
       for (Element& x : block) {
         x = shape.renamed(x, shift);
       }
-      std::sort(block.begin(), block.end());
+      std::ranges::sort(block);
     }
   }
   return {"developed",
@@ -270,9 +269,7 @@ Recipe developed_recipe(const Parameters& p, const BaseBlockShape& shape,
 
 std::string describe(const BaseBlockResult& result) {
   if (!result.found()) {
-    const auto none =
-        std::count_if(result.attempts.begin(), result.attempts.end(),
-                      [](const ShapeAttempt& a) { return a.outcome == Outcome::none; });
+    const auto none = std::ranges::count(result.attempts, Outcome::none, &ShapeAttempt::outcome);
     if (result.attempts.empty()) {
       return result.why_stopped == WhyStopped::exhausted
                  ? "No shape of base blocks passes the counting conditions."

@@ -63,11 +63,10 @@ std::optional<std::string> tight_obstruction(const Parameters& p, const BaseBloc
     sums = std::move(next);
   }
   const bool adds_up =
-      shape.fixed == 0 ? sums[wanted]
-                       : std::any_of(of_fixed.begin(), of_fixed.end(), [&](const Degree& degree) {
-                           return degree.introductions <= wanted &&
-                                  sums[wanted - static_cast<std::size_t>(degree.introductions)];
-                         });
+      shape.fixed == 0 ? sums[wanted] : std::ranges::any_of(of_fixed, [&](const Degree& degree) {
+        return degree.introductions <= wanted &&
+               sums[wanted - static_cast<std::size_t>(degree.introductions)];
+      });
   if (!adds_up) {
     return fmt::format("the introductions that an element can have do not add up to {} in {}",
                        wanted, count_of(shape.base_blocks, "base block"));
@@ -179,7 +178,7 @@ std::vector<BaseBlockShape> base_block_shapes(const Parameters& p, const ShapeOp
       }
     }
   }
-  std::sort(shapes.begin(), shapes.end(), [](const BaseBlockShape& a, const BaseBlockShape& b) {
+  std::ranges::sort(shapes, [](const BaseBlockShape& a, const BaseBlockShape& b) {
     return std::tuple(a.b(), b.n, a.fixed) < std::tuple(b.b(), a.n, b.fixed);
   });
   return shapes;

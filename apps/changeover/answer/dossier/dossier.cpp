@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "answer/catalog/entry_words.hpp"
 #include "answer/known/known_table.hpp"
 #include "changeover/core/version.hpp"

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "changeover/construct/best_known.hpp"
 #include "changeover/construct/registry.hpp"
 #include "cli/cli.hpp"

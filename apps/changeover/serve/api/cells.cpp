@@ -115,8 +115,7 @@ std::string cell_json(const Catalog& catalog, const Parameters& p, Offers how) {
   }
   json.end_array().key("history").begin_array();
   for (const Improvement& step : catalog.history(p)) {
-    const auto entry = std::ranges::find_if(
-        entries, [&](const CatalogEntry& each) { return each.label() == step.label; });
+    const auto entry = std::ranges::find(entries, step.label, &CatalogEntry::label);
     json.begin_object().key("date").value(step.date).key("b").value(step.b);
     json.key("label").value(step.label);
     json.key("credit").value(entry == entries.end() ? "" : entry->credit.who);

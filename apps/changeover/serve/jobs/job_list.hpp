@@ -25,7 +25,6 @@
 #include <mutex>
 #include <string_view>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include "changeover/run/control.hpp"

@@ -124,8 +124,7 @@ class Cut final : public Described<Entry, description> {
     for (UnchangedSubset& subset : *set) {
       subset.position = static_cast<std::size_t>((subset.position + *b - at - 1) % *b + 1);
     }
-    std::sort(set->begin(), set->end(),
-              [](const auto& x, const auto& y) { return x.position < y.position; });
+    std::ranges::sort(*set, [](const auto& x, const auto& y) { return x.position < y.position; });
     return set;
   }
 

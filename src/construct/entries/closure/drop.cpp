@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
@@ -48,7 +47,7 @@ class Dropping {
   std::size_t run(Kind kind, std::size_t start = 0) {
     undo();
     std::vector<std::size_t> tried(candidates_);
-    std::rotate(tried.begin(), std::lower_bound(tried.begin(), tried.end(), start), tried.end());
+    std::rotate(tried.begin(), std::ranges::lower_bound(tried, start), tried.end());
     std::size_t left = b_;
     std::size_t first = start;
     std::size_t last = (start + b_ - 1) % b_;

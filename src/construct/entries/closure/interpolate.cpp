@@ -42,7 +42,7 @@ class InterpolatedSource final : public BlockByBlock<InterpolatedSource> {
       first_ = current_;
     } else if (done_ < leaving_.size()) {
       for (std::uint64_t i = 0; i < parameters_.change; ++i, ++done_) {
-        *std::find(current_.begin(), current_.end(), leaving_[done_]) = entering_[done_];
+        *std::ranges::find(current_, leaving_[done_]) = entering_[done_];
       }
     } else if (!begin_step()) {
       return false;
@@ -53,7 +53,7 @@ class InterpolatedSource final : public BlockByBlock<InterpolatedSource> {
     if (closing_ && done_ == leaving_.size()) {
       return false;
     }
-    std::copy(current_.begin(), current_.end(), block.begin());
+    std::ranges::copy(current_, block.begin());
     return true;
   }
 
@@ -92,8 +92,8 @@ class InterpolatedSource final : public BlockByBlock<InterpolatedSource> {
       next = first_;
     }
     Block from = current_;
-    std::sort(from.begin(), from.end());
-    std::sort(next.begin(), next.end());
+    std::ranges::sort(from);
+    std::ranges::sort(next);
     leaving_.clear();
     entering_.clear();
     std::set_difference(from.begin(), from.end(), next.begin(), next.end(),

@@ -112,18 +112,18 @@ UnchangedCover doubled_cover(const Parameters& p, std::uint64_t count, bool fixe
   const Parameters half = halved(p);
   UnchangedCover cover = interval_cover(half, 1, 1, {});
   for (std::uint64_t position = 1; cover.subsets.size() < count; ++position) {
-    if (std::none_of(cover.subsets.begin(), cover.subsets.end(),
-                     [&](const auto& subset) { return subset.position == position; })) {
+    if (std::ranges::none_of(cover.subsets,
+                             [&](const auto& subset) { return subset.position == position; })) {
       Block elements;
       for (std::uint64_t i = 0; i + 1 < half.k; ++i) {
         elements.push_back(static_cast<Element>((position + i) % half.v));
       }
-      std::sort(elements.begin(), elements.end());
+      std::ranges::sort(elements);
       cover.subsets.push_back({static_cast<std::size_t>(position), std::move(elements)});
     }
   }
-  std::sort(cover.subsets.begin(), cover.subsets.end(),
-            [](const auto& a, const auto& b) { return a.position < b.position; });
+  std::ranges::sort(cover.subsets,
+                    [](const auto& a, const auto& b) { return a.position < b.position; });
   for (UnchangedSubset& subset : cover.subsets) {
     Block copies;
     for (const Element x : subset.elements) {
@@ -272,7 +272,7 @@ class PartialExpander final : public Described<Rule, description> {
     if (p.change == 2) {
       sizes.push_back(p.k % 2 == 0 ? 2 * p.k - 2 : 2 * p.k - 3);
     }
-    std::sort(sizes.begin(), sizes.end(), std::greater<>());
+    std::ranges::sort(sizes, std::greater<>());
     sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
     std::vector<Parameters> result;
     for (const std::uint64_t v : sizes) {

@@ -77,12 +77,12 @@ class Truncation {
       }
       for (std::size_t i = 0; i < run.length; ++i) {
         Block& block = blocks[(run.first + i) % b_];
-        std::replace(block.begin(), block.end(), x, *other);
+        std::ranges::replace(block, x, *other);
       }
     }
     const auto last = static_cast<Element>(design_.v() - 1);
     for (Block& block : blocks) {
-      std::replace(block.begin(), block.end(), last, x);
+      std::ranges::replace(block, last, x);
     }
     return blocks;
   }
@@ -129,8 +129,7 @@ class Truncation {
     if (circular_ || run.first + run.length < b_) {
       mark((run.first + run.length) % b_);
     }
-    const auto free =
-        std::find_if(used_.begin(), used_.end(), [this](std::size_t s) { return s != stamp_; });
+    const auto free = std::ranges::find_if(used_, [this](std::size_t s) { return s != stamp_; });
     return free == used_.end() ? std::nullopt
                                : std::optional(static_cast<Element>(free - used_.begin()));
   }

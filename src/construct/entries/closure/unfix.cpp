@@ -33,7 +33,7 @@ class Unfix final : public Described<Entry, description> {
           to[at++] = x > fixed ? x - 1 : x;
         }
       }
-      if (at != to.size() || std::find(from.begin(), from.end(), fixed) == from.end()) {
+      if (at != to.size() || std::ranges::find(from, fixed) == from.end()) {
         throw BadInput(fmt::format("unfix: element {} is not in every block", fixed));
       }
     };
@@ -74,7 +74,7 @@ std::optional<Recipe> unfix_recipe(const Recipe& input, const Design& design) {
   for (const Element x : design.elements()) {
     ++blocks[x];
   }
-  const auto fixed = std::find(blocks.begin(), blocks.end(), design.block_count());
+  const auto fixed = std::ranges::find(blocks, design.block_count());
   if (fixed == blocks.end()) {
     return std::nullopt;
   }

@@ -97,7 +97,7 @@ class Walk {
       }
       gain.push_back(open);
     }
-    const auto next = std::max_element(gain.begin(), gain.end());
+    const auto next = std::ranges::max_element(gain);
     if (*next == 0) {
       return {};
     }

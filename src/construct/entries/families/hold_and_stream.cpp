@@ -51,7 +51,7 @@ class HoldAndStreamSource final : public BlockByBlock<HoldAndStreamSource> {
     while (legs_.empty()) {
       if (group_ < groups_) {
         last_ = round_block(group_++);
-        std::copy(last_.begin(), last_.end(), block.begin());
+        std::ranges::copy(last_, block.begin());
         return true;
       }
       if (!advance(block)) {
@@ -75,7 +75,7 @@ class HoldAndStreamSource final : public BlockByBlock<HoldAndStreamSource> {
       return make(block);
     }
     last_ = done.to;
-    std::copy(last_.begin(), last_.end(), block.begin());
+    std::ranges::copy(last_, block.begin());
     return true;
   }
 
@@ -168,7 +168,7 @@ class HoldAndStreamSource final : public BlockByBlock<HoldAndStreamSource> {
     }
     for (Element x = 0; block.size() < p_.k; ++x) {
       const auto from = rest_.begin() + static_cast<std::ptrdiff_t>(before);
-      if (std::find(block.begin(), block.end(), x) == block.end() &&
+      if (std::ranges::find(block, x) == block.end() &&
           std::find(from, rest_.end(), x) == rest_.end()) {
         block.push_back(x);
       }

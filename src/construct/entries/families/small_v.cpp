@@ -268,8 +268,8 @@ Recipe linear_core(const Shape& shape) {
 
 bool known(const Recipe& recipe, const Registry& registry) {
   return registry.find(recipe.construction) != nullptr &&
-         std::all_of(recipe.inputs.begin(), recipe.inputs.end(),
-                     [&](const Recipe& input) { return known(input, registry); });
+         std::ranges::all_of(recipe.inputs,
+                             [&](const Recipe& input) { return known(input, registry); });
 }
 
 // The recipe for these parameters: a layered core without inputs, or one input that makes it.

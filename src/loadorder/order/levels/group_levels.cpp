@@ -87,7 +87,7 @@ std::vector<std::uint64_t> sizes_to_try(std::uint64_t items, std::uint64_t room,
   const std::uint64_t most = std::min(items, std::max<std::uint64_t>(1, room / 2));
   std::vector<std::uint64_t> sizes;
   const auto add = [&](std::uint64_t size) {
-    if (size >= 1 && size <= most && std::find(sizes.begin(), sizes.end(), size) == sizes.end()) {
+    if (size >= 1 && size <= most && std::ranges::find(sizes, size) == sizes.end()) {
       sizes.push_back(size);
     }
   };

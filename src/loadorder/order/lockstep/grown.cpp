@@ -187,9 +187,8 @@ class Growth {
       if (v == w || moved_[v]) {
         continue;
       }
-      const Element theirs =
-          *std::max_element(memory_[v].begin(), memory_[v].end(),
-                            [&](Element a, Element b) { return gain_[w][a] < gain_[w][b]; });
+      const Element theirs = *std::ranges::max_element(
+          memory_[v], [&](Element a, Element b) { return gain_[w][a] < gain_[w][b]; });
       for (const Element mine : memory_[w]) {
         // Each side counts the pair of the two exchanged items, which does not meet.
         const std::uint64_t pairs =
@@ -234,9 +233,8 @@ class Growth {
         in = y;
       }
     }
-    const Element out =
-        *std::min_element(memory_[w].begin(), memory_[w].end(),
-                          [&](Element a, Element b) { return open_pairs_[a] < open_pairs_[b]; });
+    const Element out = *std::ranges::min_element(
+        memory_[w], [&](Element a, Element b) { return open_pairs_[a] < open_pairs_[b]; });
     if (in && (must || (open_pairs_[out] == 0 && 2 * open_pairs_[*in] >= room_))) {
       change(w, out, *in);
     }

@@ -59,7 +59,7 @@ class BlockedSteps final : public StepSource {
     // Evicted items are removed now and then, so that the list has at most twice the items in
     // memory.
     if (loaded_.size() > most_) {
-      std::sort(loaded_.begin(), loaded_.end());
+      std::ranges::sort(loaded_);
       loaded_.erase(std::unique(loaded_.begin(), loaded_.end()), loaded_.end());
       std::erase_if(loaded_, [&](Element x) { return !there_[x]; });
       most_ = std::max<std::size_t>(1024, 2 * loaded_.size());

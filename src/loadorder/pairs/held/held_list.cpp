@@ -78,8 +78,7 @@ void play(const PairGraph& graph, const Groups& groups, std::uint64_t room, Load
     stayed = LoadMove::nothing;
     if (const auto next = group + 1; next != groups.end()) {
       const std::unordered_set<Element> members(next->begin(), next->end());
-      const auto stays =
-          std::find_if(pass.begin(), pass.end(), [&](Element y) { return members.contains(y); });
+      const auto stays = std::ranges::find_if(pass, [&](Element y) { return members.contains(y); });
       if (stays != pass.end()) {
         std::iter_swap(stays, pass.end() - 1);
         stayed = pass.back();
@@ -149,7 +148,7 @@ std::vector<Element> by_shared_partners(const PairGraph& graph, std::uint64_t ro
       ++first;
     }
     ++round;
-    std::fill(shared.begin(), shared.end(), 0U);
+    std::ranges::fill(shared, 0U);
     BucketQueue queue(items);
     const auto take = [&](Element x) {
       queue.remove(x);
@@ -211,7 +210,7 @@ HeldList held_list(const PairGraph& graph, std::uint64_t room,
     }
   }
   std::vector<Element> by_degree = numbered;
-  std::stable_sort(by_degree.begin(), by_degree.end(), [&](Element a, Element b) {
+  std::ranges::stable_sort(by_degree, [&](Element a, Element b) {
     return graph.partners(a).size() > graph.partners(b).size();
   });
   HeldList best{.room = room, .groups = {}, .loads = ~std::uint64_t{0}};

@@ -79,8 +79,7 @@ class Walk {
     // passing_ is one range; joined and kept are parts of it.
     std::uint64_t at = passing_.first;
     std::vector<ItemRange> stay{joined, kept};
-    std::sort(stay.begin(), stay.end(),
-              [](const ItemRange& a, const ItemRange& b) { return a.first < b.first; });
+    std::ranges::sort(stay, {}, &ItemRange::first);
     for (const ItemRange& part : stay) {
       if (part.size() > 0) {
         change.out.push_back({at, part.first});

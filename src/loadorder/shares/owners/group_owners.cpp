@@ -42,8 +42,7 @@ void GroupOwners::add(std::uint64_t worker, Element group, Element other, std::u
 }
 
 void GroupOwners::balance(double part) {
-  std::stable_sort(added_.begin(), added_.end(),
-                   [](const Added& a, const Added& b) { return a.place < b.place; });
+  std::ranges::stable_sort(added_, {}, &Added::place);
   const std::uint64_t places = place_of(groups_.groups, 0);
   Pouring pouring;
   pouring.begin.assign(static_cast<std::size_t>(places) + 1, 0);

@@ -361,7 +361,7 @@ class Spreading {
             loaded[x] = true;
           }
         });
-    if (std::find(is_used.begin(), is_used.end(), false) == is_used.end()) {
+    if (std::ranges::find(is_used, false) == is_used.end()) {
       return;
     }
     auto lists = std::make_shared<StepLists>();
@@ -372,8 +372,8 @@ class Spreading {
       const auto steps = of_(w);
       for (Step step; steps->next(step);) {
         Move& move = moves.emplace_back();
-        std::copy_if(step.evict.begin(), step.evict.end(), std::back_inserter(move.evict),
-                     [&](Element x) { return is_kept[x]; });
+        std::ranges::copy_if(step.evict, std::back_inserter(move.evict),
+                             [&](Element x) { return is_kept[x]; });
         for (const Element x : step.load) {
           is_kept[x] = is_used[stay++];
           if (is_kept[x]) {

@@ -19,7 +19,7 @@ double pour_one(Pouring& all, std::uint64_t at, std::vector<double>& others,
     others.push_back(all.load[all.worker[p]] - all.portion[p]);
   }
   sorted = others;
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   double sum = all.amount[at];
   double height = 0;
   for (std::size_t k = 0; k < sorted.size(); ++k) {
@@ -73,7 +73,7 @@ void Pouring::pour(std::uint64_t workers, double part) {
     }
     // In the reverse order, an amount that was passed along a row of workers goes back the same
     // way.
-    std::reverse(shared.begin(), shared.end());
+    std::ranges::reverse(shared);
   }
 }
 

@@ -21,7 +21,7 @@ class StreamedRule final : public PairRule {
     }
     // What was there before the first step has met before it.
     const auto arrived = [&](Element z) {
-      return std::find(arrived_.begin(), arrived_.end(), z) != arrived_.end();
+      return std::ranges::find(arrived_, z) != arrived_.end();
     };
     return (step > 1 || first_ == 1 || arrived(x) || arrived(y)) &&
            pairs_.meet_first(in_order, x, y);

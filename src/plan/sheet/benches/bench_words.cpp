@@ -23,10 +23,10 @@ std::string scarce_parts(const BenchDocument& document) {
   const std::vector<Bench>& benches = document.plan->benches;
   std::vector<std::string> scarce;
   for (Element x = 0; x < job.quantities.size(); ++x) {
-    const auto sharing = static_cast<std::uint64_t>(
-        std::count_if(benches.begin(), benches.end(), [&](const Bench& b) {
+    const auto sharing =
+        static_cast<std::uint64_t>(std::ranges::count_if(benches, [&](const Bench& b) {
           const auto has = [&](const Block& parts) {
-            return std::find(parts.begin(), parts.end(), x) != parts.end();
+            return std::ranges::find(parts, x) != parts.end();
           };
           return !b.down && !has(b.own) && !has(b.without);
         }));
@@ -43,8 +43,8 @@ std::string scarce_parts(const BenchDocument& document) {
 std::string headline(const BenchDocument& document) {
   const Job& job = *document.job;
   const BenchPlan& plan = *document.plan;
-  const auto down = std::count_if(plan.benches.begin(), plan.benches.end(),
-                                  [](const Bench& bench) { return bench.down; });
+  const auto down =
+      std::ranges::count_if(plan.benches, [](const Bench& bench) { return bench.down; });
   const std::uint64_t done = tests_done_of(document);
   return fmt::format("{}, {} at a time, on {}{}: {}, {}{}", count_of(parts_listed(job), "part"),
                      job.at_once, count_of(plan.sheets.size(), "bench", "benches"),
@@ -146,7 +146,7 @@ Money money_of(const BenchDocument& document) {
 }
 
 bool some_bench_waits(const BenchPlan& plan) {
-  return std::any_of(plan.times.begin(), plan.times.end(), [](const std::vector<StepTime>& times) {
+  return std::ranges::any_of(plan.times, [](const std::vector<StepTime>& times) {
     Amount free;
     for (const StepTime& time : times) {
       if (time.begin > free) {
