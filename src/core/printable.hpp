@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -43,5 +44,31 @@ struct CodePoint {
 
 /// Whether it is a visible character as in printable.hpp: not a control, separator or override.
 [[nodiscard]] bool is_printable(const CodePoint& point);
+
+/// A word of the input for a message: in quotes, on one line, not too long.
+[[nodiscard]] std::string shown(std::string_view word);
+
+// Which texts can stand in a list.
+
+/// The message for a control byte.
+[[nodiscard]] std::string control_byte_defect(char byte);
+
+/// What is wrong with texts that an old Macintosh wrote. In a comment it is a fault, too: lines
+/// would hide behind it.
+inline constexpr std::string_view lone_carriage_return =
+    "carriage return inside a line; end lines with LF or CR LF";
+
+struct TextDefect {
+  std::size_t offset = 0;  ///< of the first byte that is at fault
+  std::string what;        ///< what it is and how to correct it, without a place
+};
+
+/// The first fault: a byte that is not UTF-8, a control character, a line end, or a character that
+/// reverses the direction of writing; nothing if there is none. Tabs are control characters unless
+/// allowed.
+[[nodiscard]] std::optional<TextDefect> first_defect(std::string_view text, bool allow_tabs);
+
+/// A name as it looks: without characters of no width, and with a plain blank for each other blank.
+[[nodiscard]] std::string visible(std::string_view name);
 
 }  // namespace changeover

@@ -59,5 +59,31 @@ TEST(LabelDefect, RefusesWhatNotEveryFormatAndTerminalCanCarry) {
   }
 }
 
+TEST(Shown, QuotesAWordAndCutsItBetweenCharacters) {
+  EXPECT_EQ(shown("a\nb"), "'a\\nb'");
+  EXPECT_EQ(shown(std::string(40, 'x')), "'" + std::string(40, 'x') + "'");
+  EXPECT_EQ(shown(std::string(41, 'x')), "'" + std::string(40, 'x') + "…'");
+  EXPECT_EQ(shown(std::string(39, 'x') + "∞"), "'" + std::string(39, 'x') + "…'");
+}
+
+TEST(FirstDefect, SaysWhereATextIsNoPlainText) {
+  EXPECT_FALSE(first_defect("a ∞", false));
+  EXPECT_FALSE(first_defect("a\tb", true));
+  const auto at = [](std::string_view text) { return first_defect(text, false).value().offset; };
+  EXPECT_EQ(at("a\tb"), 1U);
+  EXPECT_EQ(at("∞\r"), 3U);
+  EXPECT_EQ(at("ab\xff"), 2U);
+  EXPECT_EQ(at("\u2028"), 0U);
+  EXPECT_EQ(first_defect("\x1b", false).value().what, control_byte_defect('\x1b'));
+  EXPECT_EQ(first_defect("\u202e", false).value().what,
+            "U+202E, which reverses the direction of writing; remove it");
+}
+
+TEST(Visible, IsANameAsItLooks) {
+  EXPECT_EQ(visible("a\u200bb"), "ab");
+  EXPECT_EQ(visible("\u00a0a\u2003b "), "a b");
+  EXPECT_EQ(visible("\u200b"), "");
+}
+
 }  // namespace
 }  // namespace changeover::printable_test

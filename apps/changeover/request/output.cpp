@@ -14,15 +14,12 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/io/output.hpp"
+#include "core/contains.hpp"
 
 namespace changeover::cli {
 namespace {
 
 using Words = std::vector<std::string>;
-
-bool has(const Words& words, const std::string& word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 // ".svg, .tex or .png".
 std::string alternatives(const Words& words) {
@@ -69,8 +66,7 @@ bool is_text(const std::string& format) {
 
 const Ending* known_ending(const std::string& name) {
   const auto& all = known_endings();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Ending& each) { return each.name == name; });
+  const auto found = std::ranges::find(all, name, &Ending::name);
   return found == all.end() ? nullptr : &*found;
 }
 
@@ -79,8 +75,8 @@ const Ending* known_ending(const std::string& name) {
 std::string ending_of(const std::string& path) {
   constexpr std::size_t longest = 9;
   std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return ending.size() > longest || ending.find_first_not_of(".0123456789") == std::string::npos
              ? ""
              : ending;
@@ -88,8 +84,8 @@ std::string ending_of(const std::string& path) {
 
 // The format of these that a file of this ending has; nothing if none of them is written so.
 std::optional<std::string> format_for(const Ending& ending, const Words& formats) {
-  const auto found = std::find_if(ending.says.begin(), ending.says.end(),
-                                  [&](const std::string& word) { return has(formats, word); });
+  const auto found = std::ranges::find_if(
+      ending.says, [&](const std::string& word) { return contains(formats, word); });
   return found == ending.says.end() ? std::nullopt : std::optional(*found);
 }
 
@@ -99,7 +95,7 @@ std::string endings_for(const Words& formats) {
   Words said;
   for (const Ending& ending : known_endings()) {
     const auto format = format_for(ending, formats);
-    if (format && !has(said, *format)) {
+    if (format && !contains(said, *format)) {
       said.push_back(*format);
       endings.push_back(ending.name);
     }
@@ -136,7 +132,7 @@ void OutputRequest::add_file_to(Verb& verb, const std::vector<std::string>& endi
   verb.option("-o,--output", path, "FILE", "write to FILE instead of standard output");
   verb.require([this, endings] {
     const std::string ending = ending_of(path);
-    if (!ending.empty() && !has(endings, ending)) {
+    if (!ending.empty() && !contains(endings, ending)) {
       throw UsageError{fmt::format("{}: unknown file extension '{}'; use {}", path, ending,
                                    alternatives(endings))};
     }
@@ -172,13 +168,14 @@ std::string OutputRequest::format() const {
 
 bool OutputRequest::name_allows(const std::string& word) const {
   const Ending* const known = known_ending(ending_of(path));
-  return known == nullptr || has(known->holds, word) || (known->name == ".txt" && is_text(word));
+  return known == nullptr || contains(known->holds, word) ||
+         (known->name == ".txt" && is_text(word));
 }
 
 void OutputRequest::require(const std::string& option,
                             const std::vector<std::string>& formats) const {
   const std::string word = format();
-  if (!has(formats, word)) {
+  if (!contains(formats, word)) {
     const bool by_name = !is_asked_for() && !ending_of(path).empty();
     throw UsageError{fmt::format("{} has no meaning with {}; it is for {}", option,
                                  by_name ? "a file named " + ending_of(path) : "--format " + word,

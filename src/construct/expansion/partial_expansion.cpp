@@ -25,6 +25,7 @@
 #include "construct/expansion/inserter.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
 #include "core/checked.hpp"
+#include "core/contains.hpp"
 #include "core/words.hpp"
 
 namespace changeover {
@@ -59,13 +60,8 @@ bool has_unmatched(const Parameters& p, std::uint64_t w) {
   return p.change == 2 && w > 2 && w % 2 != 0;
 }
 
-bool is_in(std::span<const Element> block, Element x) {
-  return std::find(block.begin(), block.end(), x) != block.end();
-}
-
 bool increase(const Block& elements) {
-  return std::adjacent_find(elements.begin(), elements.end(), std::greater_equal<>()) ==
-         elements.end();
+  return std::ranges::adjacent_find(elements, std::greater_equal<>()) == elements.end();
 }
 
 // Why some list of elements cannot come beside new ones.
@@ -114,11 +110,11 @@ std::optional<std::string> left_out_defect(const Parameters& p, const UnchangedC
   for (const Element x : rest) {
     std::vector<bool> met(static_cast<std::size_t>(classes), false);
     for (std::size_t i = 0; i < cover.beside.size(); ++i) {
-      if (is_in(cover.beside[i], x)) {
+      if (contains(cover.beside[i], x)) {
         met[i % classes] = true;
       }
     }
-    if (!std::all_of(met.begin(), met.end(), [](bool once) { return once; })) {
+    if (!std::ranges::all_of(met, [](bool once) { return once; })) {
       return fmt::format("element {} is in no subset of the cover, nor beside every new element",
                          x);
     }
@@ -265,8 +261,8 @@ class PartiallyExpandedSource final : public InsertingSource {
       others.insert(others.end(), beside->begin(), beside->end());
     }
     for (Element y = 0; others.size() < small_.change; ++y) {
-      if (!is_in(place.before, y) && !is_in(place.after, y) && !is_in(kept, y) &&
-          !is_in(others, y)) {
+      if (!contains(place.before, y) && !contains(place.after, y) && !contains(kept, y) &&
+          !contains(others, y)) {
         others.push_back(y);
       }
     }
@@ -291,11 +287,11 @@ class PartiallyExpandedSource final : public InsertingSource {
       if (beside != nullptr && !beside->empty()) {
         y = beside->front();
       } else {
-        while (is_in(before, y) || is_in(kept, y)) {
+        while (contains(before, y) || contains(kept, y)) {
           ++y;
         }
       }
-      edges.insert(is_in(before, y) ? edges.end() : edges.begin(), {*unmatched, y});
+      edges.insert(contains(before, y) ? edges.end() : edges.begin(), {*unmatched, y});
     }
     return edges;
   }
@@ -304,7 +300,7 @@ class PartiallyExpandedSource final : public InsertingSource {
   [[nodiscard]] Block double_sweep(const Block& kept, const Place& place) const {
     Block added = new_elements();
     for (Element y = 0; added.size() % 2 != 0; ++y) {
-      if (!is_in(place.before, y) && !is_in(place.after, y)) {
+      if (!contains(place.before, y) && !contains(place.after, y)) {
         added.push_back(y);
       }
     }

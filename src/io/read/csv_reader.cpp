@@ -1,4 +1,5 @@
 #include "changeover/io/formats.hpp"
+#include "core/printable.hpp"
 
 #include <fmt/format.h>
 
@@ -21,7 +22,7 @@ Place place_of_field(const Field& field) { return {field.line, field.offset + 1}
 
 std::string lower(std::string_view text) {
   std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), [](char c) {
+  std::ranges::transform(result, result.begin(), [](char c) {
     return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   });
   return result;
@@ -58,7 +59,7 @@ class Columns {
       if (is_element_column(name)) {
         elements_.push_back(i);
       }
-      const auto constant = std::find(constants.begin(), constants.end(), name);
+      const auto constant = std::ranges::find(constants, name);
       if (constant != constants.end()) {
         std::optional<std::size_t>& column =
             constant_columns_[static_cast<std::size_t>(constant - constants.begin())];

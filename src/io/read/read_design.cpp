@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "changeover/io/formats.hpp"
+#include "core/printable.hpp"
 #include "io/read/declared.hpp"
 #include "io/scan/peeked_input.hpp"
 #include "io/scan/place.hpp"
@@ -40,7 +41,7 @@ struct Opened {
 // another kind.
 void refuse_binary(const PeekedInput& input) {
   const std::string_view beginning = input.beginning();
-  const auto control = std::find_if(beginning.begin(), beginning.end(), [](char c) {
+  const auto control = std::ranges::find_if(beginning, [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7f;
   });

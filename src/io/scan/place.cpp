@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
 
 #include "changeover/core/error.hpp"
-#include "core/printable.hpp"
 
 namespace changeover {
 
@@ -14,7 +12,7 @@ Place place_of(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset);
   const std::size_t newline = before.rfind('\n');
   const std::size_t start = newline == std::string_view::npos ? 0 : newline + 1;
-  return {static_cast<std::uint64_t>(std::count(before.begin(), before.end(), '\n')) + 1,
+  return {static_cast<std::uint64_t>(std::ranges::count(before, '\n')) + 1,
           before.size() - start + 1};
 }
 
@@ -24,106 +22,6 @@ std::string_view without_byte_order_mark(std::string_view text) {
 
 void fail(const std::string& name, Place place, std::string_view what) {
   throw BadInput(fmt::format("{}:{}:{}: {}", name, place.line, place.column, what));
-}
-
-std::string control_byte_defect(char byte) {
-  return fmt::format("control byte 0x{:02x}; the input must be plain text",
-                     static_cast<unsigned char>(byte));
-}
-
-std::string shown(std::string_view word) {
-  constexpr std::size_t longest = 40;
-  std::string_view rest = word;
-  while (!rest.empty()) {
-    const std::size_t bytes = first_code_point(rest).bytes;
-    if (word.size() - rest.size() + bytes > longest) {
-      break;
-    }
-    rest.remove_prefix(bytes);
-  }
-  const std::string_view front = word.substr(0, word.size() - rest.size());
-  return "'" + printable(front) + (rest.empty() ? "'" : "…'");
-}
-
-namespace {
-
-// A terminal shows a name with one of these in another order than that of its letters.
-bool turns_around(char32_t c) {
-  return (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
-}
-
-// Zero-width characters, joiners, marks of direction, soft hyphens, and what chooses between
-// shapes.
-bool takes_no_room(char32_t c) {
-  return c == 0xad || c == 0x34f || c == 0x61c || c == 0x180e || (c >= 0x200b && c <= 0x200f) ||
-         (c >= 0x2060 && c <= 0x2064) || (c >= 0xfe00 && c <= 0xfe0f) || c == 0xfeff;
-}
-
-bool is_another_blank(char32_t c) {
-  return c == 0xa0 || (c >= 0x2000 && c <= 0x200a) || c == 0x202f || c == 0x205f || c == 0x3000;
-}
-
-bool ends_a_line(char32_t c) { return c == 0x2028 || c == 0x2029; }
-
-}  // namespace
-
-std::optional<TextDefect> first_defect(std::string_view text, bool allow_tabs) {
-  for (std::size_t at = 0; at < text.size();) {
-    const auto byte = static_cast<unsigned char>(text[at]);
-    if (byte >= 0x20 && byte < 0x7f) {  // almost all texts
-      ++at;
-      continue;
-    }
-    if (byte == '\t') {
-      if (!allow_tabs) {
-        return TextDefect{at, "a tab; write a blank, and a comma between fields"};
-      }
-      ++at;
-      continue;
-    }
-    if (byte == '\r') {
-      return TextDefect{at, std::string(lone_carriage_return)};
-    }
-    if (byte < 0x20 || byte == 0x7f) {
-      return TextDefect{at,
-                        fmt::format("control byte 0x{:02x}; the input must be plain text", byte)};
-    }
-    const CodePoint point = first_code_point(text.substr(at));
-    if (!point.valid) {
-      return TextDefect{at,
-                        fmt::format("byte 0x{:02x} is not UTF-8; save the text as UTF-8", byte)};
-    }
-    const auto number = static_cast<std::uint32_t>(point.value);
-    if (point.value < 0xa0) {
-      return TextDefect{
-          at, fmt::format("control character U+{:04X}; the input must be plain text", number)};
-    }
-    if (turns_around(point.value)) {
-      return TextDefect{
-          at, fmt::format("U+{:04X}, which reverses the direction of writing; remove it", number)};
-    }
-    if (ends_a_line(point.value)) {
-      return TextDefect{at, fmt::format("U+{:04X}, which ends a line; remove it", number)};
-    }
-    at += point.bytes;
-  }
-  return std::nullopt;
-}
-
-std::string visible(std::string_view name) {
-  std::string seen;
-  while (!name.empty()) {
-    const CodePoint point = first_code_point(name);
-    if (is_another_blank(point.value)) {
-      seen += ' ';
-    } else if (!takes_no_room(point.value)) {
-      seen += name.substr(0, point.bytes);
-    }
-    name.remove_prefix(point.bytes);
-  }
-  const std::size_t first = std::min(seen.find_first_not_of(' '), seen.size());
-  const std::size_t last = seen.find_last_not_of(' ');
-  return last == std::string::npos ? "" : seen.substr(first, last + 1 - first);
 }
 
 }  // namespace changeover

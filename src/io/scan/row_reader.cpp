@@ -8,6 +8,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
+#include "core/printable.hpp"
 #include "io/scan/place.hpp"
 
 namespace changeover {
@@ -298,7 +299,7 @@ bool RowReader::split(Row& row) {
       options_.percent_too ? std::min(line.find_first_not_of(" \t"), line.size()) : 0;
   const std::string_view rest = line.substr(begin);
   if (rest.starts_with('#') || (options_.percent_too && rest.starts_with('%')) ||
-      std::all_of(rest.begin(), rest.end(), is_blank)) {
+      std::ranges::all_of(rest, is_blank)) {
     if (const std::size_t at = line.find('\r'); at != std::string_view::npos) {
       fail(at, lone_carriage_return);
     }
@@ -322,7 +323,7 @@ bool RowReader::split(Row& row) {
   if (++rows_ > options_.most_rows) {
     fail(0, fmt::format("more than {} rows; give a list without repetitions", options_.most_rows));
   }
-  return !std::all_of(row.begin(), row.end(), is_empty);
+  return !std::ranges::all_of(row, is_empty);
 }
 
 std::optional<Row> RowReader::next() {

@@ -9,6 +9,7 @@
 #include <unordered_set>
 
 #include "changeover/core/design.hpp"
+#include "core/printable.hpp"
 #include "io/scan/place.hpp"
 
 namespace changeover {
@@ -226,7 +227,7 @@ ElementSet element_set(std::span<const std::string> words) {
   }
   // By value: there are no leading zeros, so a longer number is larger, also where a value does not
   // fit.
-  std::sort(numbers.begin(), numbers.end(), [&](const auto& a, const auto& b) {
+  std::ranges::sort(numbers, [&](const auto& a, const auto& b) {
     const std::string& x = words[a.second];
     const std::string& y = words[b.second];
     return x.size() != y.size() ? x.size() < y.size() : x < y;

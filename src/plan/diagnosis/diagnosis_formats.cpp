@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "changeover/plan/diagnosis.hpp"
+#include "core/printable.hpp"
 #include "core/words.hpp"
-#include "io/scan/place.hpp"
 #include "io/write/json_writer.hpp"
 #include "plan/sheet/places.hpp"
 #include "plan/sheet/sheet_document.hpp"

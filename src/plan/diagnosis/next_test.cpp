@@ -7,6 +7,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "changeover/run/control.hpp"
+#include "core/contains.hpp"
 #include "plan/diagnosis/evidence.hpp"
 #include "plan/job/choices.hpp"
 #include "plan/job/fitting.hpp"
@@ -21,8 +22,6 @@ constexpr std::size_t most_exhausted = 12;  // parts of suspects
 constexpr std::uint64_t most_suspects_looked_at = 40'000'000;
 constexpr std::uint64_t least_climbs = 3;
 constexpr std::uint64_t most_climbs = 24;
-
-bool is_in(const Block& parts, Element x) { return std::ranges::find(parts, x) != parts.end(); }
 
 Block parts_of(const std::vector<Explanation>& sets) {
   std::set<Element> parts;
@@ -48,8 +47,9 @@ class SetUps {
       for (const bool cleared : {true, false}) {
         for (const bool on_bench : {true, false}) {
           for (Element x = 0; x < job_->parts(); ++x) {
-            if (is_in(wanted, x) == suspect && evidence.is_cleared({x, std::nullopt}) == cleared &&
-                is_in(job_->start, x) == on_bench) {
+            if (contains(wanted, x) == suspect &&
+                evidence.is_cleared({x, std::nullopt}) == cleared &&
+                contains(job_->start, x) == on_bench) {
               fillers_.push_back(x);
             }
           }
@@ -64,7 +64,7 @@ class SetUps {
     stop_if_asked();
     Block setup = job_->mounted;
     for (const Element x : chosen) {
-      if (!is_in(setup, x)) {
+      if (!contains(setup, x)) {
         setup.push_back(x);
       }
     }
@@ -146,7 +146,7 @@ class Splitter {
         setups_(evidence, parts_),
         random_(1, sets.size()),
         in_a_set_(evidence.job().names.size(), Members(evidence.job().names.size())) {
-    std::erase_if(parts_, [&](Element x) { return is_in(evidence.job().mounted, x); });
+    std::erase_if(parts_, [&](Element x) { return contains(evidence.job().mounted, x); });
     for (const Explanation& set : sets) {
       for (const Suspect& suspect : set) {
         in_a_set_[suspect.one][suspect.other.value_or(suspect.one)] = true;
@@ -222,7 +222,7 @@ class Splitter {
       shuffle(order);
       for (const Element x : order) {
         Block other = chosen;
-        if (is_in(other, x)) {
+        if (contains(other, x)) {
           std::erase(other, x);
         } else {
           other.push_back(x);
@@ -270,7 +270,7 @@ bool would_prove(const Evidence& evidence, const Block& setup, const Suspect& fa
   }
   const auto others = fault.other ? std::nullopt : Evidence::companions(suspects, fault.one);
   const auto is_new = [&](const Block& before) {
-    return std::ranges::none_of(before, [&](Element x) { return is_in(*others, x); });
+    return std::ranges::none_of(before, [&](Element x) { return contains(*others, x); });
   };
   return others && std::ranges::all_of(evidence.companions_of(fault.one), is_new);
 }

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "changeover/core/error.hpp"
+#include "core/printable.hpp"
 #include "core/words.hpp"
-#include "io/scan/place.hpp"
 
 namespace changeover {
 namespace {
@@ -55,8 +55,8 @@ Amount parse_amount(std::string_view text) {
   const std::size_t point = std::min(text.find('.'), text.size());
   const std::string_view whole = text.substr(0, point);
   const std::string_view decimals = point < text.size() ? text.substr(point + 1) : "";
-  if (whole.size() + decimals.size() == 0 || !std::all_of(whole.begin(), whole.end(), is_digit) ||
-      !std::all_of(decimals.begin(), decimals.end(), is_digit)) {
+  if (whole.size() + decimals.size() == 0 || !std::ranges::all_of(whole, is_digit) ||
+      !std::ranges::all_of(decimals, is_digit)) {
     throw BadInput(fmt::format("{} is not a cost; write it as 12 or 12.50", said));
   }
   if (decimals.size() > most_decimals) {

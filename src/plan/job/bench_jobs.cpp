@@ -9,8 +9,9 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "core/contains.hpp"
+#include "core/printable.hpp"
 #include "core/words.hpp"
-#include "io/scan/place.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/pair_numbers.hpp"
 #include "plan/job/setup_list.hpp"
@@ -19,10 +20,6 @@ namespace changeover {
 namespace {
 
 constexpr std::size_t most_bench_defects = 10;
-
-bool has(const Block& block, Element x) {
-  return std::find(block.begin(), block.end(), x) != block.end();
-}
 
 Amount multiplied(Amount cost, Amount factor) {
   constexpr std::uint64_t one = 1'000'000;
@@ -42,8 +39,7 @@ Amount multiplied(Amount cost, Amount factor) {
 
 void limit_slots(Job& own, const Bench& bench) {
   for (const Slot& limit : bench.slots) {
-    const auto found = std::find_if(own.slots.begin(), own.slots.end(),
-                                    [&](const Slot& slot) { return slot.name == limit.name; });
+    const auto found = std::ranges::find(own.slots, limit.name, &Slot::name);
     if (found == own.slots.end()) {
       throw BadInput(
           fmt::format("there is no slot {}; name one of the job's slots", shown(limit.name)));
@@ -69,7 +65,7 @@ class Holding {
   [[nodiscard]] bool can(std::initializer_list<Element> parts) const {
     std::size_t size = own_->mounted.size();
     for (const Element x : parts) {
-      size += has(own_->mounted, x) ? 0U : 1U;
+      size += contains(own_->mounted, x) ? 0U : 1U;
       if (!joins_[x] || std::ranges::any_of(parts, [&](Element y) {
             return y < x && own_->never.contains(x, y);
           })) {
@@ -123,7 +119,7 @@ Job whole_job_of_bench(const Job& job, const Bench& bench) {
   own.tests_done = bench.tests_done;
   limit_slots(own, bench);
   const std::vector<bool> barred = barred_parts(job, bench);
-  if (std::find(barred.begin(), barred.end(), true) != barred.end()) {
+  if (contains(barred, true)) {
     own.slot_of.resize(own.names.size(), no_slot);
     for (std::size_t x = 0; x < barred.size(); ++x) {
       own.slot_of[x] = barred[x] ? static_cast<std::uint32_t>(own.slots.size()) : own.slot_of[x];
@@ -138,7 +134,7 @@ Job without_empty_slots(Job own) {
   std::vector<std::uint32_t> number(own.slots.size(), no_slot);
   std::vector<Slot> kept;
   for (std::uint32_t s = 0; s < own.slots.size(); ++s) {
-    const bool is_empty = std::find(own.slot_of.begin(), own.slot_of.end(), s) == own.slot_of.end();
+    const bool is_empty = !contains(own.slot_of, s);
     if (!is_empty || own.slots[s].least > 0) {
       number[s] = static_cast<std::uint32_t>(kept.size());
       kept.push_back(own.slots[s]);
@@ -164,7 +160,7 @@ std::optional<std::string> defect_of(const Job& job, const Bench& bench) {
     }
   }
   for (const Element x : bench.own) {
-    if (has(bench.without, x)) {
+    if (contains(bench.without, x)) {
       return fmt::format("{} is in its columns own and without; remove it from one", job.names[x]);
     }
   }
@@ -184,8 +180,7 @@ std::optional<std::string> defect_of(const Job& job, const Bench& bench) {
   }
   const std::vector<bool> barred = barred_parts(job, bench);
   const auto barred_of = [&](const Block& parts) {
-    return std::find_if(parts.begin(), parts.end(),
-                        [&](Element x) { return x < barred.size() && barred[x]; });
+    return std::ranges::find_if(parts, [&](Element x) { return x < barred.size() && barred[x]; });
   };
   if (const auto x = barred_of(own.mounted); x != own.mounted.end()) {
     return fmt::format(
@@ -230,7 +225,7 @@ void find_overdrawn(const Job& job, const std::vector<Bench>& benches,
     std::uint64_t there = 0;
     for (const Bench& bench : benches) {
       const Block& start = bench.start ? *bench.start : job.start;
-      there += !bench.down && !has(bench.own, x) && has(start, x) ? 1U : 0U;
+      there += !bench.down && !contains(bench.own, x) && contains(start, x) ? 1U : 0U;
     }
     if (there > job.quantities[x]) {
       found.push_back(
@@ -263,9 +258,24 @@ std::vector<bool> barred_parts(const Job& job, const Bench& bench) {
   std::vector<bool> barred(job.names.size(), false);
   for (Element x = 0; x < job.parts(); ++x) {
     const bool is_out = x < job.quantities.size() && job.quantities[x] == 0;
-    barred[x] = has(bench.without, x) || (is_out && !has(bench.own, x));
+    barred[x] = contains(bench.without, x) || (is_out && !contains(bench.own, x));
   }
   return barred;
+}
+
+std::vector<std::size_t> benches_with_most_parts(const Job& job, const std::vector<Bench>& benches,
+                                                 std::size_t most) {
+  std::vector<std::size_t> working;
+  std::vector<std::ptrdiff_t> lacking;  // by bench
+  for (std::size_t b = 0; b < benches.size(); ++b) {
+    lacking.push_back(std::ranges::count(barred_parts(job, benches[b]), true));
+    if (!benches[b].down) {
+      working.push_back(b);
+    }
+  }
+  std::ranges::stable_sort(working, {}, [&](std::size_t b) { return lacking[b]; });
+  working.resize(std::min(working.size(), most));
+  return working;
 }
 
 Job job_of_bench(const Job& job, const Bench& bench) {
@@ -353,9 +363,8 @@ std::vector<std::string> bench_defects(const Job& job, const std::vector<Bench>&
       }
     }
     for (const Triple& t : job.triples) {
-      const bool can = std::any_of(jobs.begin(), jobs.end(), [&](const Job& own) {
-        return std::find(own.triples.begin(), own.triples.end(), t) != own.triples.end();
-      });
+      const bool can =
+          std::ranges::any_of(jobs, [&](const Job& own) { return contains(own.triples, t); });
       if (!can && found.size() < most_bench_defects) {
         found.push_back(
             fmt::format("{}, {} and {} must meet, but no bench can hold all three in one set-up",

@@ -1,6 +1,7 @@
 // Derives the job of a bench.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "changeover/plan/benches.hpp"
@@ -23,5 +24,10 @@ namespace changeover {
 /// By part: whether the bench cannot have it, because it says so, or because there are no pieces
 /// and it has none of its own.
 [[nodiscard]] std::vector<bool> barred_parts(const Job& job, const Bench& bench);
+
+/// The benches that work, at most so many, those that can have the most parts first.
+[[nodiscard]] std::vector<std::size_t> benches_with_most_parts(const Job& job,
+                                                               const std::vector<Bench>& benches,
+                                                               std::size_t most);
 
 }  // namespace changeover

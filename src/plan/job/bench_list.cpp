@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "core/printable.hpp"
 #include "io/request/request_rows.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
@@ -34,8 +35,8 @@ enum class BenchColumn : std::uint8_t {
 // Lower case, with underscores between words.
 std::string plain_heading(std::string_view text) {
   std::string plain = lower(text);
-  std::replace_if(
-      plain.begin(), plain.end(), [](char c) { return c == ' ' || c == '-'; }, '_');
+  std::ranges::replace_if(
+      plain, [](char c) { return c == ' ' || c == '-'; }, '_');
   return plain;
 }
 
@@ -54,7 +55,7 @@ std::optional<BenchColumn> bench_column(std::string_view text) {
     }
   }
   const auto& columns = bench_columns();
-  const auto found = std::find(columns.begin(), columns.end(), heading);
+  const auto found = std::ranges::find(columns, heading);
   return found == columns.end() ? std::nullopt
                                 : std::optional(static_cast<BenchColumn>(found - columns.begin()));
 }
@@ -95,7 +96,7 @@ class BenchReader {
         rows_.fail(field, fmt::format("there is no column {} of benches; there are {}",
                                       shown(field.text), fmt::join(bench_columns(), ", ")));
       }
-      if (std::find(columns.begin(), columns.end(), *column) != columns.end()) {
+      if (std::ranges::find(columns, *column) != columns.end()) {
         rows_.fail(field, fmt::format("a second column {}; remove one", shown(field.text)));
       }
       columns.push_back(*column);
@@ -181,7 +182,7 @@ class BenchReader {
 
   Amount amount(const Field& field, std::string_view what = "cost") {
     std::string text = field.text;
-    if (rows_.separator() != ',' && std::count(text.begin(), text.end(), ',') == 1) {
+    if (rows_.separator() != ',' && std::ranges::count(text, ',') == 1) {
       text[text.find(',')] = '.';
     }
     return at(field, [&] { return parse_measure(text, what); });
@@ -191,10 +192,10 @@ class BenchReader {
     const std::string word = lower(field.text);
     constexpr std::array<std::string_view, 6> yes{"yes", "true", "1", "x", "down", "y"};
     constexpr std::array<std::string_view, 6> no{"no", "false", "0", "up", "n", "-"};
-    if (std::find(yes.begin(), yes.end(), word) != yes.end()) {
+    if (std::ranges::find(yes, word) != yes.end()) {
       return true;
     }
-    if (std::find(no.begin(), no.end(), word) == no.end()) {
+    if (std::ranges::find(no, word) == no.end()) {
       rows_.fail(field, fmt::format("{} is not yes; write yes if the bench is down, or nothing",
                                     shown(field.text)));
     }

@@ -7,6 +7,7 @@
 
 #include "changeover/plan/job.hpp"
 #include "changeover/plan/model.hpp"
+#include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "plan/job/choices.hpp"
@@ -27,7 +28,7 @@ std::optional<std::string> setup_defect(const Job& job, const Block& setup) {
     return fmt::format("{} parts, but only {} fit at once; remove some", setup.size(), job.at_once);
   }
   for (const Element m : job.mounted) {
-    if (std::find(setup.begin(), setup.end(), m) == setup.end()) {
+    if (std::ranges::find(setup, m) == setup.end()) {
       return fmt::format("{} stays mounted, but is not in this set-up; add it", job.names[m]);
     }
   }
@@ -47,8 +48,7 @@ std::optional<std::string> setup_defect(const Job& job, const Block& setup) {
       return fmt::format("{} cannot be mounted here; remove it",
                          job.names[*std::ranges::find_if(setup, is_in_it)]);
     }
-    const auto there =
-        static_cast<std::uint64_t>(std::count_if(setup.begin(), setup.end(), is_in_it));
+    const auto there = static_cast<std::uint64_t>(std::ranges::count_if(setup, is_in_it));
     if (there < slot.least || there > slot.most) {
       const bool few = there < slot.least;
       return fmt::format("slot {} has {} here, but {} {} in every set-up; {}", shown(slot.name),

@@ -6,8 +6,8 @@
 #include <unordered_set>
 
 #include "changeover/core/error.hpp"
+#include "core/printable.hpp"
 #include "core/words.hpp"
-#include "io/scan/place.hpp"
 #include "plan/job/choices.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/pair_numbers.hpp"
@@ -27,7 +27,7 @@ void find_malformed_places(const Job& job, std::vector<std::string>& found) {
   std::unordered_set<Element> parts;
   for (const MountedPlace& place : job.places) {
     const auto at_start = [&](Element x) {
-      return std::find(job.start.begin(), job.start.end(), x) != job.start.end();
+      return std::ranges::find(job.start, x) != job.start.end();
     };
     if (place.number == 0 || !numbers.insert(place.number).second) {
       found.push_back(
@@ -80,10 +80,10 @@ void find_malformed(const Job& job, std::vector<std::string>& found) {
   if (job.replaces() && job.replace_costs.size() != job.parts() * job.parts()) {
     found.push_back("the costs by what is replaced do not fit the number of parts");
   }
-  const bool known_slots =
-      job.slot_of.size() == (job.slots.empty() ? 0 : job.names.size()) &&
-      std::all_of(job.slot_of.begin(), job.slot_of.end(),
-                  [&](std::uint32_t s) { return s < job.slots.size() || s == no_slot; });
+  const bool known_slots = job.slot_of.size() == (job.slots.empty() ? 0 : job.names.size()) &&
+                           std::ranges::all_of(job.slot_of, [&](std::uint32_t s) {
+                             return s < job.slots.size() || s == no_slot;
+                           });
   if (!known_slots) {
     found.push_back("the slots do not fit the parts");
   }
@@ -96,7 +96,7 @@ void find_malformed(const Job& job, std::vector<std::string>& found) {
     for (const Element x : block) {
       if (x >= job.parts()) {
         found.push_back("a mounted part is none of the parts");
-      } else if (std::count(block.begin(), block.end(), x) > 1) {
+      } else if (std::ranges::count(block, x) > 1) {
         found.push_back(fmt::format("{} is mounted twice", job.names[x]));
       }
     }
@@ -104,14 +104,14 @@ void find_malformed(const Job& job, std::vector<std::string>& found) {
   const auto no_triple = [&](const Triple& t) {
     return t[0] >= t[1] || t[1] >= t[2] || t[2] >= job.parts();
   };
-  if (!job.triples.empty() && (job.parts() > max_parts_of_triples ||
-                               std::any_of(job.triples.begin(), job.triples.end(), no_triple))) {
+  if (!job.triples.empty() &&
+      (job.parts() > max_parts_of_triples || std::ranges::any_of(job.triples, no_triple))) {
     found.push_back(fmt::format("triples are of three parts in their order, of at most {}",
                                 max_parts_of_triples));
   }
   look_at(job.mounted);
   look_at(job.start);
-  std::for_each(job.first.begin(), job.first.end(), look_at);
+  std::ranges::for_each(job.first, look_at);
   if (known_slots) {
     find_malformed_places(job, found);
   }
@@ -122,10 +122,9 @@ void find_impossible_slots(const Job& job, std::vector<std::string>& found) {
   std::uint64_t needed = job.mounted.size();
   for (std::size_t s = 0; s < job.slots.size(); ++s) {
     const Slot& slot = job.slots[s];
-    const auto members =
-        static_cast<std::uint64_t>(std::count(job.slot_of.begin(), job.slot_of.end(), s));
-    const auto mounted = static_cast<std::uint64_t>(std::count_if(
-        job.mounted.begin(), job.mounted.end(), [&](Element x) { return job.slot_of[x] == s; }));
+    const auto members = static_cast<std::uint64_t>(std::ranges::count(job.slot_of, s));
+    const auto mounted = static_cast<std::uint64_t>(
+        std::ranges::count_if(job.mounted, [&](Element x) { return job.slot_of[x] == s; }));
     if (slot.least > slot.most) {
       found.push_back(fmt::format("slot {} has at least {} and at most {}; write the least first",
                                   shown(slot.name), count_of(slot.least, "part"), slot.most));
@@ -241,8 +240,9 @@ void find_impossible(const Job& job, std::vector<std::string>& found) {
 }  // namespace
 
 bool Job::one_change_cost() const {
-  return !replaces() && std::all_of(change_costs.begin(), change_costs.end(),
-                                    [&](Amount cost) { return cost == change_costs.front(); });
+  return !replaces() && std::ranges::all_of(change_costs, [&](Amount cost) {
+    return cost == change_costs.front();
+  });
 }
 
 Job make_job(std::uint64_t v, std::uint64_t at_once, Amount test_cost, Amount change_cost) {

@@ -14,6 +14,7 @@
 
 #include "changeover/core/block.hpp"
 #include "changeover/plan/job.hpp"
+#include "core/printable.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/parts/heading_words.hpp"
@@ -85,7 +86,7 @@ class PartFinder {
   }
 
   [[nodiscard]] bool has_number_as_name() const {
-    return std::any_of(names_->begin(), names_->end(), [](const std::string& name) {
+    return std::ranges::any_of(*names_, [](const std::string& name) {
       return name.find_first_not_of("0123456789") == std::string::npos;
     });
   }

@@ -5,7 +5,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
-#include "io/scan/place.hpp"
+#include "core/printable.hpp"
 #include "plan/job/pair_numbers.hpp"
 
 namespace changeover {

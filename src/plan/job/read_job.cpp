@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "core/printable.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
 #include "io/write/csv_cell.hpp"
@@ -90,13 +91,12 @@ SetupColumns parameter_columns(const Row& first, const PartFinder& finder) {
     of_column[column.at] = parameter;
     columns.slots.push_back(column.at);
   }
-  std::sort(columns.slots.begin(), columns.slots.end());
+  std::ranges::sort(columns.slots);
   for (const std::size_t at : columns.slots) {
     columns.parameters.push_back(of_column[at]);
   }
   for (std::size_t i = 0; i < first.size(); ++i) {
-    const bool taken =
-        std::find(columns.slots.begin(), columns.slots.end(), i) != columns.slots.end();
+    const bool taken = std::ranges::find(columns.slots, i) != columns.slots.end();
     if (!taken && lower(first[i].text) == "result") {
       columns.result = i;
     } else if (!taken && lower(first[i].text) == "notes") {
@@ -175,7 +175,7 @@ void check_header(const Row& header, const RowReader& reader) {
 void check_shape(const Row& row, const Row& header, const SetupColumns& columns,
                  const RowReader& reader) {
   const auto same = [](const Field& a, const Field& b) { return a.text == b.text; };
-  if (std::equal(row.begin(), row.end(), header.begin(), header.end(), same)) {
+  if (std::ranges::equal(row, header, same)) {
     reader.fail(row.front(), "a second header; give one sheet at a time");
   }
   if (!columns.slots.empty() && row.size() <= columns.slots.back()) {
@@ -293,8 +293,7 @@ DoneList read_list(Input& input, const PartNames& names, std::uint64_t at_once, 
           }
         }
       }
-      is_empty =
-          std::all_of(slots.begin(), slots.end(), [](const Field& f) { return f.text.empty(); });
+      is_empty = std::ranges::all_of(slots, [](const Field& f) { return f.text.empty(); });
       for (const Field& slot : slots) {
         list.in_place.back().push_back(slot.text.empty() ? std::nullopt : find_cell(slot.text));
         list.written.back().push_back(text_of(slot.text));
@@ -310,8 +309,7 @@ DoneList read_list(Input& input, const PartNames& names, std::uint64_t at_once, 
       } catch (const BadInput& fault) {
         fail(field, fault.what());
       }
-      is_empty =
-          std::all_of(parts.begin(), parts.end(), [](const Field& f) { return f.text.empty(); });
+      is_empty = std::ranges::all_of(parts, [](const Field& f) { return f.text.empty(); });
       leave_out_gone(parts);
       setups.push_back(find_parts(finder, parts, find_cell, fail_in_list));
     } else {
@@ -347,8 +345,7 @@ DoneList read_done(Input& input, const Job& job) {
 }
 
 bool DoneList::has_results() const {
-  return std::any_of(results.begin(), results.end(),
-                     [](const std::string& result) { return !result.empty(); });
+  return std::ranges::any_of(results, [](const std::string& result) { return !result.empty(); });
 }
 
 Block parse_parts(std::string_view text, const std::vector<std::string>& names) {

@@ -11,6 +11,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
 #include "changeover/run/control.hpp"
+#include "core/printable.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/choices.hpp"
@@ -130,8 +131,7 @@ std::vector<Slot> read_slots(Input& input) {
                   fmt::format("slot {} has at least {} and at most {}; write the least first",
                               shown(slot.name), slot.least, slot.most));
     }
-    if (std::any_of(slots.begin(), slots.end(),
-                    [&](const Slot& other) { return other.name == slot.name; })) {
+    if (std::ranges::any_of(slots, [&](const Slot& other) { return other.name == slot.name; })) {
       reader.fail(*name, fmt::format("{} occurs twice; remove one", shown(slot.name)));
     }
     if (slots.size() == max_parts) {
@@ -162,7 +162,7 @@ std::vector<Slot> parse_slots(std::string_view text) {
       throw BadInput(fmt::format("{}: at least {} and at most {}; write the least first",
                                  shown(field.text), range->first, range->second));
     }
-    if (std::any_of(slots.begin(), slots.end(), [&](const Slot& s) { return s.name == name; })) {
+    if (std::ranges::any_of(slots, [&](const Slot& s) { return s.name == name; })) {
       throw BadInput(fmt::format("{} occurs twice; remove one", shown(name)));
     }
     slots.push_back({name, range->first, range->second});
@@ -182,8 +182,7 @@ void set_slots(Job& job, const std::vector<std::string>& of_parts, std::vector<S
     if (of_parts[x].empty()) {
       continue;
     }
-    const auto found = std::find_if(slots.begin(), slots.end(),
-                                    [&](const Slot& slot) { return slot.name == of_parts[x]; });
+    const auto found = std::ranges::find(slots, of_parts[x], &Slot::name);
     if (found == slots.end()) {
       throw BadInput(
           fmt::format("{} is in slot {}, which has no limits; give least and most, or "

@@ -6,6 +6,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "plan/model/model_text.hpp"

@@ -6,6 +6,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/model.hpp"
+#include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"

@@ -8,7 +8,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/model.hpp"
-#include "io/scan/place.hpp"
+#include "core/printable.hpp"
 #include "plan/model/model_text.hpp"
 
 namespace changeover {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "io/scan/place.hpp"
+#include "core/printable.hpp"
 #include "plan/model/model_text.hpp"
 
 namespace changeover {

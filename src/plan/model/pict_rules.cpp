@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "io/scan/place.hpp"
+#include "core/printable.hpp"
 #include "plan/model/model_builder.hpp"
 #include "plan/model/model_text.hpp"
 

@@ -5,7 +5,8 @@
 #include <charconv>
 #include <utility>
 
-#include "io/scan/place.hpp"
+#include "core/lines.hpp"
+#include "core/printable.hpp"
 #include "plan/model/model_builder.hpp"
 #include "plan/model/model_text.hpp"
 
@@ -381,14 +382,11 @@ class ActsReader {
   explicit ActsReader(ModelText& text) : text_(text), model_(text) {}
 
   Model read() {
-    std::string_view rest = text_.text();
-    while (!rest.empty()) {
-      const std::string_view whole = rest.substr(0, rest.find('\n'));
-      const std::string_view line = trimmed(whole);
+    for (Lines lines(text_.text()); lines.next();) {
+      const std::string_view line = trimmed(lines.line());
       if (!line.empty() && !line.starts_with("--") && line.front() != '#') {
         line.front() == '[' ? begin_section(line) : take_line(line);
       }
-      rest.remove_prefix(std::min(rest.size(), whole.size() + 1));
     }
     finish_parameters();
     return model_.take();
@@ -523,13 +521,11 @@ class ActsReader {
 
 // Whether the first line that is no comment begins a section.
 bool is_acts(std::string_view text) {
-  while (!text.empty()) {
-    const std::string_view whole = text.substr(0, text.find('\n'));
-    const std::string_view line = trimmed(whole);
+  for (Lines lines(text); lines.next();) {
+    const std::string_view line = trimmed(lines.line());
     if (!line.empty() && line.front() != '#' && !line.starts_with("--")) {
       return same_word(line, "[System]") || same_word(line, "[Parameter]");
     }
-    text.remove_prefix(std::min(text.size(), whole.size() + 1));
   }
   return false;
 }

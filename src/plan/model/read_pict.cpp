@@ -5,8 +5,9 @@
 #include <charconv>
 #include <utility>
 
+#include "core/lines.hpp"
+#include "core/printable.hpp"
 #include "core/words.hpp"
-#include "io/scan/place.hpp"
 #include "plan/model/model_builder.hpp"
 #include "plan/model/model_text.hpp"
 
@@ -62,17 +63,16 @@ class PictReader {
   explicit PictReader(ModelText& text) : text_(text), model_(text) {}
 
   Model read() {
-    std::string_view rest = text_.text();
-    while (!rest.empty()) {
-      const std::string_view whole = rest.substr(0, rest.find('\n'));
-      const std::string_view line = trimmed(whole);
+    std::size_t rules = text_.text().size();
+    for (Lines lines(text_.text()); lines.next();) {
+      const std::string_view line = trimmed(lines.line());
       if (!line.empty() && line.front() != '#') {
         if (begins_rules(line)) {
+          rules = text_.at(lines.line());
           break;
         }
         line.front() == '{' ? take_sub_model(line) : take_parameter(line);
       }
-      rest.remove_prefix(std::min(rest.size(), whole.size() + 1));
     }
     if (weights_ > 0) {
       model_.note(fmt::format(
@@ -80,7 +80,7 @@ class PictReader {
           count_of(weights_, "value"), weights_ == 1 ? "has" : "have"));
     }
     model_.finish_parameters();
-    read_pict_rules(model_, text_.text().size() - rest.size());
+    read_pict_rules(model_, rules);
     return model_.take();
   }
 

@@ -6,19 +6,15 @@
 #include <set>
 
 #include "changeover/core/error.hpp"
+#include "core/contains.hpp"
+#include "core/printable.hpp"
 #include "io/scan/place.hpp"
 #include "plan/job/bench_jobs.hpp"
 #include "plan/job/bench_list.hpp"
 #include "plan/job/setup_list.hpp"
 
 namespace changeover {
-namespace {
-
-bool is_among(const Block& parts, Element x) {
-  return std::find(parts.begin(), parts.end(), x) != parts.end();
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<Bench> listed_benches(Input& input, const OldListOptions& options) {
   std::vector<Bench> benches = read_benches(input, *options.names, options.gone);
@@ -46,7 +42,7 @@ std::uint64_t most_at_once(const Job& job, const std::vector<Bench>& benches) {
 void check_benches(const Job& job, const std::vector<Bench>& benches, const std::string& file) {
   std::vector<std::string> found = bench_defects(job, benches);
   if (found.empty() &&
-      std::all_of(benches.begin(), benches.end(), [](const Bench& bench) { return bench.down; })) {
+      std::ranges::all_of(benches, [](const Bench& bench) { return bench.down; })) {
     found.emplace_back("all benches are down, and nothing can be tested; put one up");
   }
   if (!found.empty()) {
@@ -119,8 +115,8 @@ void drop_overdrawn(const Job& job, std::vector<Bench>& benches, std::vector<std
     std::vector<std::size_t> there;
     std::string where;
     for (std::size_t i = 0; i < benches.size(); ++i) {
-      if (!benches[i].down && !is_among(benches[i].own, x) &&
-          is_among(benches[i].start.value_or(job.start), x)) {
+      if (!benches[i].down && !contains(benches[i].own, x) &&
+          contains(benches[i].start.value_or(job.start), x)) {
         where += (there.empty() ? "" : ", ") + name_of(benches, i);
         there.push_back(i);
       }

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "core/printable.hpp"
 #include "core/words.hpp"
-#include "io/scan/place.hpp"
 #include "plan/job/bench_jobs.hpp"
 #include "plan/job/bench_list.hpp"
 #include "plan/job/part_finder.hpp"
@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t unread_shown = 10;
 
 Block in_order(Block setup) {
-  std::sort(setup.begin(), setup.end());
+  std::ranges::sort(setup);
   return setup;
 }
 
@@ -234,7 +234,7 @@ class DoneTaker {
     }
     const auto found = find_bench(*benches_, word);
     if (!benches_->empty() && !found) {
-      if (std::find(no_benches_.begin(), no_benches_.end(), word) == no_benches_.end()) {
+      if (std::ranges::find(no_benches_, word) == no_benches_.end()) {
         no_benches_.push_back(word);
       }
     }

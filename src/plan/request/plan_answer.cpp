@@ -11,33 +11,14 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
 #include "changeover/plan/run_plan.hpp"
+#include "core/printable.hpp"
 #include "core/words.hpp"
-#include "io/scan/place.hpp"
 #include "plan/job/bench_jobs.hpp"
 #include "plan/request/workbook_question.hpp"
 #include "plan/search/first_pieces.hpp"
 
 namespace changeover {
 namespace {
-
-// The benches that work, those that can have the most parts first.
-std::vector<std::size_t> benches_to_diagnose_on(const ParsedJob& asked) {
-  std::vector<std::pair<std::ptrdiff_t, std::size_t>> by_lacking;
-  for (std::size_t b = 0; b < asked.benches.size(); ++b) {
-    const std::vector<bool> barred = barred_parts(*asked.job, asked.benches[b]);
-    if (!asked.benches[b].down) {
-      by_lacking.emplace_back(std::count(barred.begin(), barred.end(), true), b);
-    }
-  }
-  std::ranges::sort(by_lacking);
-  constexpr std::size_t most_looked_at = 8;
-  by_lacking.resize(std::min(by_lacking.size(), most_looked_at));
-  std::vector<std::size_t> benches;
-  for (const auto& [lacking, bench] : by_lacking) {
-    benches.push_back(bench);
-  }
-  return benches;
-}
 
 // The job of the bench that the next test is for.
 Job diagnosed_job(const ParsedJob& asked, std::size_t bench) {
@@ -85,8 +66,10 @@ void diagnose_results(const ParsedJob& asked, PlanAnswer& answer) {
                           asked.first_unread.front().place,
                           shown(asked.first_unread.front().text)));
   }
+  constexpr std::size_t most_looked_at = 8;
   const std::vector<std::size_t> benches =
-      asked.benches.empty() ? std::vector<std::size_t>{0} : benches_to_diagnose_on(asked);
+      asked.benches.empty() ? std::vector<std::size_t>{0}
+                            : benches_with_most_parts(*asked.job, asked.benches, most_looked_at);
   for (const std::size_t bench : benches) {
     Diagnosis on_it = diagnose(diagnosed_job(asked, bench), asked.results);
     if (!answer.diagnosis || worth_of(on_it) < worth_of(*answer.diagnosis)) {

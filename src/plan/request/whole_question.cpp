@@ -9,16 +9,6 @@
 #include "plan/job/pair_numbers.hpp"
 
 namespace changeover {
-namespace {
-
-RequestList list_of(std::vector<ListRow> rows) {
-  RequestList list;
-  list.rows = std::move(rows);
-  return list;
-}
-
-}  // namespace
-
 RequestList part_rows(const PartList& list, const Job& job) {
   std::vector<ListRow> rows;
   for (std::size_t i = 0; i < list.names.size(); ++i) {
@@ -27,7 +17,7 @@ RequestList part_rows(const PartList& list, const Job& job) {
                   list.slots.empty() ? "" : list.slots[i],
                   list.quantities.empty() ? "" : std::to_string(list.quantities[i])};
   }
-  return list_of(std::move(rows));
+  return {.rows = std::move(rows)};
 }
 
 RequestList slot_rows(const std::vector<Slot>& slots) {
@@ -36,7 +26,7 @@ RequestList slot_rows(const std::vector<Slot>& slots) {
     rows.push_back({{slot.name, std::to_string(slot.least),
                      slot.most == Slot{}.most ? "" : std::to_string(slot.most)}});
   }
-  return list_of(std::move(rows));
+  return {.rows = std::move(rows)};
 }
 
 RequestList pair_rows(const PairSet& pairs, const Job& job, const PairReasons& why) {
@@ -48,7 +38,7 @@ RequestList pair_rows(const PairSet& pairs, const Job& job, const PairReasons& w
       row.fields.push_back(why(x, y));
     }
   });
-  return list_of(std::move(rows));
+  return {.rows = std::move(rows)};
 }
 
 RequestList weight_rows(const Job& job) {
@@ -60,7 +50,7 @@ RequestList weight_rows(const Job& job) {
       }
     }
   }
-  return list_of(std::move(rows));
+  return {.rows = std::move(rows)};
 }
 
 RequestList setup_rows(const std::vector<Block>& setups, const Job& job,
@@ -81,7 +71,7 @@ RequestList setup_rows(const std::vector<Block>& setups, const Job& job,
       add((*benches[b].first)[i], name_of(benches, b));
     }
   }
-  return list_of(std::move(rows));
+  return {.rows = std::move(rows)};
 }
 
 RequestList bench_rows(const std::vector<Bench>& benches, const Job& job) {
@@ -111,7 +101,7 @@ RequestList bench_rows(const std::vector<Bench>& benches, const Job& job) {
           if_said(bench.mounted), if_said(bench.start), some(bench.own), some(bench.without),
           amount(bench.hours), bench.down ? "yes" : ""}});
   }
-  return list_of(std::move(rows));
+  return {.rows = std::move(rows)};
 }
 
 RequestList change_cost_rows(const Job& job) {
@@ -134,7 +124,7 @@ RequestList change_cost_rows(const Job& job) {
           out == in || !job.may_replace(out, in) ? "" : to_string(job.replace_cost(out, in)));
     }
   }
-  return list_of(std::move(rows));
+  return {.rows = std::move(rows)};
 }
 
 RequestList value_cost_rows(const Job& job) {
@@ -153,7 +143,7 @@ RequestList value_cost_rows(const Job& job) {
       }
     }
   }
-  return list_of(std::move(rows));
+  return {.rows = std::move(rows)};
 }
 
 }  // namespace changeover

@@ -96,15 +96,13 @@ std::vector<Figure> figures_of(const SheetDocument& document) {
 
 const ColumnStyle remark{.kind = ColumnKind::remark};
 
-std::string text(std::uint64_t n) { return std::to_string(n); }
-
 Table compared(const SheetDocument& document) {
   const Job& job = *document.job;
   const Money money(job, document.budget);
   std::vector<std::vector<std::string>> rows;
   for (const Candidate& c : document.plan->candidates) {
-    rows.push_back({c.name, text(c.tests()), text(c.changes), money(c.cost),
-                    text(tested_by(job, c)), difference(document, c), c.how});
+    rows.push_back({c.name, std::to_string(c.tests()), std::to_string(c.changes), money(c.cost),
+                    std::to_string(tested_by(job, c)), difference(document, c), c.how});
   }
   return table_of({{"plan", {}},
                    {"tests", number_column},
@@ -148,7 +146,7 @@ Table parts(const Job& job, const Money& money) {
       row.push_back(job.slot_of[i] == no_slot ? "" : job.slots[job.slot_of[i]].name);
     }
     if (has_quantities) {
-      row.push_back(quantities[i] == enough_for_all ? "" : text(quantities[i]));
+      row.push_back(quantities[i] == enough_for_all ? "" : std::to_string(quantities[i]));
     }
   }
   const std::string_view unit = word_of(job.cost_unit);
@@ -168,7 +166,8 @@ Table parts(const Job& job, const Money& money) {
 Table slot_limits(const Job& job) {
   std::vector<std::vector<std::string>> rows;
   for (const Slot& slot : job.slots) {
-    rows.push_back({slot.name, text(slot.least), slot.most == Slot{}.most ? "" : text(slot.most)});
+    rows.push_back({slot.name, std::to_string(slot.least),
+                    slot.most == Slot{}.most ? "" : std::to_string(slot.most)});
   }
   return table_of({{"slot", {}}, {"least", number_column}, {"most", number_column}},
                   std::move(rows));
@@ -211,7 +210,7 @@ Table tests_done(const DoneRecord& done) {
     if (on_benches) {
       row.push_back(test.bench);
     }
-    row.push_back(text(++steps[test.bench]));
+    row.push_back(std::to_string(++steps[test.bench]));
     const std::size_t places = row.size();
     row.insert(row.end(), test.parts.begin(), test.parts.end());
     row.resize(places + done.places.size());
@@ -349,7 +348,7 @@ TableDocument table_document(const Job& job, const WhatIf& answer) {
     const std::string from = range.from ? range.from->to_string() : "";
     const std::string to = range.to ? range.to->to_string() : "";
     rows.push_back({range.from ? from : "0", range.to ? to : "any", from, to,
-                    text(range.plan.tests()), text(range.plan.changes),
+                    std::to_string(range.plan.tests()), std::to_string(range.plan.changes),
                     money(range.plan.change_cost), range.plan.name});
   }
   // In files for programs an open end is empty.
@@ -389,7 +388,7 @@ namespace {
 // Written in one of these formats; `what` names the document in the message for other formats.
 std::string written_as(std::string_view format, std::initializer_list<std::string_view> formats,
                        std::string_view what, const TableDocument& document, std::size_t width) {
-  const bool known = std::find(formats.begin(), formats.end(), format) != formats.end();
+  const bool known = std::ranges::find(formats, format) != formats.end();
   const std::optional<std::string> text =
       known ? document_as(format, document, width) : std::nullopt;
   return text ? *text : throw BadOption(fmt::format("{} is not written as {}", what, format));

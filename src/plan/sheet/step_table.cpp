@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "changeover/io/tables.hpp"
+#include "core/contains.hpp"
 #include "plan/sheet/clock.hpp"
 #include "plan/sheet/places.hpp"
 #include "plan/sheet/shown_values.hpp"
@@ -50,8 +51,6 @@ std::shared_ptr<const Steps> steps_of(const Job& job, const std::vector<const Ru
   return made;
 }
 
-bool is_in(const Block& parts, Element x) { return std::ranges::find(parts, x) != parts.end(); }
-
 TableCell number_cell(std::uint64_t number) { return std::to_string(number); }
 
 // Some places with their parts after a step, in order; places that are empty to the end of the row
@@ -69,7 +68,7 @@ std::vector<SeenPlace> seen(const Job& job, const Steps& steps, const Line& line
   for (std::size_t i = 0; i < line.now->size(); ++i) {
     const auto& part = (*line.now)[i];
     const auto& before = (*line.before)[i];
-    if ((slot && steps.placed.places[i].slot != *slot) || (part && is_in(job.mounted, *part))) {
+    if ((slot && steps.placed.places[i].slot != *slot) || (part && contains(job.mounted, *part))) {
       continue;
     }
     found.push_back({part, part == before ? std::nullopt : before, part && part != before});

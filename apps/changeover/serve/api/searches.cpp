@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "changeover/io/input.hpp"
-#include "io/scan/place.hpp"
+#include "core/printable.hpp"
 #include "io/write/json_writer.hpp"
 #include "serve/api/request/query.hpp"
 #include "serve/api/routes.hpp"

@@ -7,6 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
+#include "core/printable.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/part_finder.hpp"

@@ -6,8 +6,8 @@
 #include <array>
 
 #include "changeover/core/error.hpp"
+#include "core/printable.hpp"
 #include "core/words.hpp"
-#include "io/scan/place.hpp"
 #include "plan/job/parts/heading_words.hpp"
 
 namespace changeover {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "core/printable.hpp"
 #include "core/words.hpp"
-#include "io/scan/place.hpp"
 #include "plan/job/parts/cost_reader.hpp"
 
 namespace changeover {
@@ -101,7 +101,7 @@ bool is_header(std::span<const Row> rows, const RowReader& reader, std::string& 
     doubtful("all other rows have a cost");
   }
   const bool one_column =
-      std::all_of(rows.begin(), rows.end(), [](const Row& row) { return text_of(row, 1).empty(); });
+      std::ranges::all_of(rows, [](const Row& row) { return text_of(row, 1).empty(); });
   if (one_column && of_another_kind(rows)) {
     doubtful("it does not look like the others");
   }

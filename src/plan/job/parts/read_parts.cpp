@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "changeover/plan/job.hpp"
+#include "core/printable.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/parts/cost_reader.hpp"

@@ -7,8 +7,8 @@
 #include <charconv>
 
 #include "changeover/core/error.hpp"
+#include "core/printable.hpp"
 #include "core/words.hpp"
-#include "io/scan/place.hpp"
 
 namespace changeover {
 namespace {
@@ -18,7 +18,7 @@ constexpr Amount night_and_day{24'000'000};
 std::optional<int> digits(std::string_view text) {
   int number = 0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool plain = std::all_of(text.begin(), text.end(), is_digit);
+  const bool plain = std::ranges::all_of(text, is_digit);
   return failure == std::errc() && end == text.data() + text.size() && plain ? std::optional(number)
                                                                              : std::nullopt;
 }

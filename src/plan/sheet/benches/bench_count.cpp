@@ -8,14 +8,11 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/benches.hpp"
 #include "core/checked.hpp"
+#include "core/contains.hpp"
 #include "core/words.hpp"
 
 namespace changeover {
 namespace {
-
-bool in_block(const Block& block, Element x) {
-  return std::find(block.begin(), block.end(), x) != block.end();
-}
 
 Amount times_factor(Amount cost, Amount factor) {
   constexpr std::uint64_t one = 1'000'000;
@@ -144,8 +141,8 @@ class BenchReferee {
     for (std::size_t i = 0; i < sheet.steps.size(); ++i) {
       for (const Element x : sheet.steps[i].setup) {
         const bool there_is_none =
-            x < job_->quantities.size() && job_->quantities[x] == 0 && !in_block(bench.own, x);
-        if (in_block(bench.without, x) || there_is_none) {
+            x < job_->quantities.size() && job_->quantities[x] == 0 && !contains(bench.own, x);
+        if (contains(bench.without, x) || there_is_none) {
           fault(number, fmt::format("set-up {} has {}, which the bench cannot have",
                                     i + 1 + bench.tests_done, job_->names[x]));
         }
@@ -160,7 +157,7 @@ class BenchReferee {
     for (std::size_t i = 0; i < sheet.steps.size(); ++i) {
       RunStep& step = sheet.steps[i];
       for (const Element x : (*schedule_)[number][i].again) {
-        if (!in_block(before, x) || !in_block(step.setup, x) || in_block(step.put_in, x)) {
+        if (!contains(before, x) || !contains(step.setup, x) || contains(step.put_in, x)) {
           fault(number,
                 fmt::format("set-up {} puts in again what did not stay", i + 1 + own.tests_done));
           continue;
@@ -173,8 +170,8 @@ class BenchReferee {
         sheet.cost += own.change_costs[x];
         ++sheet.changes;
       }
-      std::sort(step.put_in.begin(), step.put_in.end());
-      std::sort(step.take_out.begin(), step.take_out.end());
+      std::ranges::sort(step.put_in);
+      std::ranges::sort(step.take_out);
       step.cost_so_far += more;
       before = step.setup;
     }
@@ -220,13 +217,13 @@ class BenchReferee {
     const std::vector<StepTime>& times = count_.times[number];
     for (std::size_t i = 0; i < sheet.steps.size(); ++i) {
       for (const Element x : sheet.steps[i].setup) {
-        const bool stays = !in_block(sheet.steps[i].put_in, x);
+        const bool stays = !contains(sheet.steps[i].put_in, x);
         Held* const before = stays ? last_hold(number, x) : nullptr;
         if (before != nullptr) {
           before->to = times[i].end;
         } else {
           // Parts that stay from the start are held from the beginning.
-          const bool from_start = stays && i == 0 && in_block(own.start, x);
+          const bool from_start = stays && i == 0 && contains(own.start, x);
           held_.push_back({x, number, from_start ? Amount{} : times[i].begin, times[i].end});
         }
       }
@@ -249,7 +246,7 @@ class BenchReferee {
         met.insert(x, y);
       }
       for (const Triple& t : step.new_triples) {
-        left_.triples.erase(std::find(left_.triples.begin(), left_.triples.end(), t));
+        left_.triples.erase(std::ranges::find(left_.triples, t));
       }
     }
     drop_needed(left_, met);
@@ -259,13 +256,14 @@ class BenchReferee {
   void check_stock() {
     for (Element x = 0; x < job_->quantities.size(); ++x) {
       std::vector<Held> shared;
-      std::copy_if(held_.begin(), held_.end(), std::back_inserter(shared), [&](const Held& h) {
-        return h.part == x && h.from < h.to && !in_block((*benches_)[h.bench].own, x);
+      std::ranges::copy_if(held_, std::back_inserter(shared), [&](const Held& h) {
+        return h.part == x && h.from < h.to && !contains((*benches_)[h.bench].own, x);
       });
       for (const Held& one : shared) {
-        const auto there = static_cast<std::uint64_t>(std::count_if(
-            shared.begin(), shared.end(),
-            [&](const Held& other) { return other.from <= one.from && one.from < other.to; }));
+        const auto there =
+            static_cast<std::uint64_t>(std::ranges::count_if(shared, [&](const Held& other) {
+              return other.from <= one.from && one.from < other.to;
+            }));
         if (there > job_->quantities[x]) {
           fault(one.bench,
                 fmt::format("at {} {} is on {}, but there {} {}", to_string(one.from),

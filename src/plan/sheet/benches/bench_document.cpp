@@ -15,16 +15,15 @@
 namespace changeover {
 namespace {
 
-std::string number_text(std::uint64_t n) { return std::to_string(n); }
-
 Table compared_benches(const BenchDocument& document, const Money& money) {
   const Job& job = *document.job;
   const bool all = !document.plan->complete;
   std::vector<std::vector<std::string>> rows;
   for (const BenchCandidate& c : document.plan->candidates) {
-    rows.push_back({c.name, number_text(c.tests), number_text(c.changes), money(c.makespan),
+    rows.push_back({c.name, std::to_string(c.tests), std::to_string(c.changes), money(c.makespan),
                     money(c.cost),
-                    number_text(job.triples.empty() ? c.pairs_tested : c.triples_tested), c.how});
+                    std::to_string(job.triples.empty() ? c.pairs_tested : c.triples_tested),
+                    c.how});
   }
   Table table = table_of({{"plan", {}},
                           {"tests", number_column},
@@ -46,8 +45,8 @@ Table bench_table(const BenchDocument& document, const Money& money) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t b = 0; b < plan.sheets.size(); ++b) {
     const RunSheet& sheet = plan.sheets[b];
-    rows.push_back({name_of(plan.benches, b), number_text(sheet.steps.size()),
-                    number_text(sheet.changes), money(sheet.cost),
+    rows.push_back({name_of(plan.benches, b), std::to_string(sheet.steps.size()),
+                    std::to_string(sheet.changes), money(sheet.cost),
                     plan.times[b].empty() ? "" : money(plan.times[b].back().end)});
   }
   return table_of({{"bench", {}},
@@ -79,7 +78,7 @@ std::string sheet_name(const std::string& name, std::set<std::string>& taken) {
   }
   clean.resize(std::min(clean.size(), longest));
   const auto lower_case = [](std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(), [](char c) {
+    std::ranges::transform(text, text.begin(), [](char c) {
       return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     });
     return text;
@@ -166,7 +165,7 @@ TableDocument table_document(const BenchDocument& document) {
       options.calendar = calendar.has_days() ? &calendar : nullptr;
     }
     all.push_back(&sheet);
-    whole.benches.push_back(plan.benches[b].name.empty() ? number_text(b + 1) : name);
+    whole.benches.push_back(plan.benches[b].name.empty() ? std::to_string(b + 1) : name);
     whole.jobs.push_back(&job);
     whole.times.push_back(&plan.times[b]);
     std::vector<std::string> lines = mounted_on_page(job);
