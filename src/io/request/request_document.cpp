@@ -96,7 +96,7 @@ RequestPlaces RequestDocument::places() const {
 
 void RequestDocument::require_known(const std::vector<std::string_view>& keys) const {
   for (const auto& [key, node] : object_.members) {
-    if (key != "format" && std::find(keys.begin(), keys.end(), key) == keys.end()) {
+    if (key != "format" && std::ranges::find(keys, key) == keys.end()) {
       fail(node, "",
            fmt::format("unknown key '{}'; the keys are {}", printable(key), fmt::join(keys, ", ")));
     }
@@ -137,7 +137,7 @@ std::string RequestDocument::text(const OptionRecord& record, const JsonNode& no
     fail(node, record.key, "it is empty; write an amount, as 12.50, or leave it out");
   }
   if (record.kind == ValueKind::word &&
-      std::find(record.words.begin(), record.words.end(), node.text) == record.words.end()) {
+      std::ranges::find(record.words, node.text) == record.words.end()) {
     fail(node, record.key, fmt::format("write one of {}", fmt::join(record.words, ", ")));
   }
   return node.text;
@@ -294,8 +294,8 @@ std::unique_ptr<Input> open(const RequestList& list, const OptionRecord& record,
   }
   // Benches of set-ups that come first have a column, too; without them rows are set-ups as they
   // stand.
-  const bool has_benches = std::any_of(list.rows->begin(), list.rows->end(),
-                                       [](const ListRow& row) { return !row.bench.empty(); });
+  const bool has_benches =
+      std::ranges::any_of(*list.rows, [](const ListRow& row) { return !row.bench.empty(); });
   const bool as_sheet =
       record.shape == RowShape::tests || (record.shape == RowShape::setups && has_benches);
   if (record.shape == RowShape::parts) {
@@ -303,10 +303,9 @@ std::unique_ptr<Input> open(const RequestList& list, const OptionRecord& record,
     header.resize(std::clamp<std::size_t>(widest, 1, header.size()));
     // A column for slots or quantities would say that parts have some.
     for (std::size_t column = header.size(); column-- > 2;) {
-      says_nothing.push_back(
-          std::none_of(list.rows->begin(), list.rows->end(), [&](const ListRow& row) {
-            return column < row.fields.size() && !row.fields[column].empty();
-          }));
+      says_nothing.push_back(std::ranges::none_of(*list.rows, [&](const ListRow& row) {
+        return column < row.fields.size() && !row.fields[column].empty();
+      }));
     }
     std::reverse(says_nothing.begin(), says_nothing.end());
   } else if (record.shape == RowShape::benches) {

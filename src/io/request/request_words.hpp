@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,10 @@ class RequestWords {
   /// "--at-once K", "at_once".
   [[nodiscard]] std::string with_value(std::string_view key) const {
     return spelled_with_value(option_of(table_, key).record, door_of(key));
+  }
+  /// A list of the request as an input. @throws as open_list()
+  [[nodiscard]] std::unique_ptr<Input> open(std::string_view key, const RequestList& list) const {
+    return changeover::open(list, option_of(table_, key).record, this->key(key));
   }
   [[nodiscard]] Door door_of(std::string_view key) const {
     return place_of(key).empty() ? door_ : Door::document;

@@ -13,6 +13,7 @@
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/order/in_rounds.hpp"
 #include "loadorder/order/levels/accelerator.hpp"
+#include "loadorder/order/read_order.hpp"
 
 namespace changeover {
 namespace {
@@ -233,8 +234,7 @@ std::vector<std::uint64_t> batches_to_try(std::uint64_t room, std::uint64_t fast
   std::vector<std::uint64_t> sizes;
   for (const std::uint64_t size : {room / 4, room / 2, 2 * (fast_room - 1), room / 8, 3 * room / 4,
                                    fast_room - 1, std::uint64_t{1}}) {
-    if (size >= 1 && size + 2 <= room &&
-        std::find(sizes.begin(), sizes.end(), size) == sizes.end()) {
+    if (size >= 1 && size + 2 <= room && std::ranges::find(sizes, size) == sizes.end()) {
       sizes.push_back(size);
     }
   }
@@ -339,14 +339,9 @@ std::vector<Move> listed_levels_of(const std::vector<ItemPair>& pairs, std::uint
     return {};
   }
   std::vector<Element> items = items_of(pairs);
-  LoadOrderFacts facts;
-  facts.items = items.size();
-  facts.room = room;
-  facts.fast_room = fast_room;
-  facts.wanted =
-      WantedPairs::listed(std::make_shared<const PairGraph>(items.size(), numbered(pairs, items)));
-  facts.bound = load_lower_bound(facts.wanted, room);
-  facts.transfer_bound = load_lower_bound(facts.wanted, fast_room);
+  LoadOrderFacts facts = facts_before(
+      WantedPairs::listed(std::make_shared<const PairGraph>(items.size(), numbered(pairs, items))),
+      room, fast_room);
   std::vector<Move> moves = best_moves(facts, searched, options);
   give_names(moves, items);
   return moves;

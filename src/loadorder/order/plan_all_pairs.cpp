@@ -127,10 +127,7 @@ void certify_order(LoadOrder::Maker& maker, LoadOrderFacts& facts, const std::st
 }  // namespace
 
 LoadOrder plan_all_pairs(std::uint64_t items, std::uint64_t room, const LoadOrderOptions& options) {
-  LoadOrderFacts facts;
-  facts.items = items;
-  facts.room = room;
-  facts.bound = load_lower_bound(items, room);
+  LoadOrderFacts facts = facts_before(items, room);
   const StreamedShape shape = best_streamed_shape(items, room);
   facts.every_step_read =
       items <= std::min<std::uint64_t>(options.read_up_to, max_elements_in_memory) &&
@@ -191,10 +188,7 @@ LoadOrder load_order_of(std::shared_ptr<const Design> design, std::string method
   if (p.kind != Kind::linear || design->block_count() == 0) {
     throw BadInput("a load order needs a linear design with at least one block");
   }
-  LoadOrderFacts facts;
-  facts.items = p.v;
-  facts.room = p.k;
-  facts.bound = load_lower_bound(p.v, p.k);
+  LoadOrderFacts facts = facts_before(p.v, p.k);
   facts.steps = design->block_count();
   facts.method = std::move(method);
   facts.explanation = std::move(explanation);

@@ -29,6 +29,36 @@ ScheduleVerdict read_order(const LoadOrder::Maker& maker, ScheduleRules rules,
   return verdict;
 }
 
+LoadOrderFacts facts_before(const WantedPairs& wanted, std::uint64_t room,
+                            std::optional<std::uint64_t> fast_room) {
+  LoadOrderFacts facts;
+  facts.items = wanted.items();
+  facts.room = room;
+  facts.fast_room = fast_room;
+  facts.wanted = wanted.are_all() ? WantedPairs() : wanted;
+  facts.bound = load_lower_bound(wanted, room);
+  if (fast_room) {
+    facts.transfer_bound = load_lower_bound(wanted, *fast_room);
+  }
+  return facts;
+}
+
+LoadOrder read_in_full(LoadOrderFacts facts, LoadOrder::Maker maker, const std::string& memory,
+                       const std::function<std::string(const ScheduleVerdict&)>& certificate) {
+  const std::string pairs =
+      facts.wanted.are_all() ? count_of(facts.items, "item") : facts.wanted.describe();
+  const std::string what = fmt::format("{} {}", pairs, memory);
+  const ScheduleVerdict verdict = read_order(maker, LoadOrder(facts, maker).rules(), what);
+  static_cast<ScheduleFacts&>(facts) = verdict;
+  if (facts.bytes < facts.byte_bound.loads || facts.span_bytes < facts.makespan_byte_bound.loads ||
+      facts.transfer_bytes < facts.transfer_byte_bound.loads) {
+    throw InternalError(fmt::format("the order of {} moves fewer bytes than its bound", what));
+  }
+  facts.every_step_read = true;
+  facts.certificate = certificate(verdict);
+  return {std::move(facts), std::move(maker)};
+}
+
 std::string pairs_read(const ScheduleVerdict& verdict, std::uint64_t all,
                        const std::string& where) {
   const std::string pairs = count_of(all, "pair");

@@ -1,6 +1,9 @@
 // Internal: verifies an order before it is returned.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "changeover/loadorder/load_order.hpp"
@@ -15,6 +18,17 @@ inline constexpr std::uint64_t most_loads_read = 200'000'000;
 /// they are written. @throws InternalError if the steps are wrong; `what` names the order.
 [[nodiscard]] ScheduleVerdict read_order(const LoadOrder::Maker& maker, ScheduleRules rules,
                                          const std::string& what, bool compute = true);
+
+/// What is known before there is an order: the pairs, both rooms and the bounds of one worker.
+[[nodiscard]] LoadOrderFacts facts_before(const WantedPairs& wanted, std::uint64_t room,
+                                          std::optional<std::uint64_t> fast_room = {});
+
+/// The order that `maker` makes, once it has been read as read_order() does; `certificate` says
+/// what was seen, `memory` what the order is for. @throws InternalError also if fewer bytes move
+/// than the bounds in `facts` say
+[[nodiscard]] LoadOrder read_in_full(
+    LoadOrderFacts facts, LoadOrder::Maker maker, const std::string& memory,
+    const std::function<std::string(const ScheduleVerdict&)>& certificate);
 
 /// What such a verdict says of all pairs: "6 pairs computed on the accelerator, each once".
 [[nodiscard]] std::string pairs_read(const ScheduleVerdict& verdict, std::uint64_t all,

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <utility>
 
-#include "changeover/loadorder/wanted_pairs.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
 
@@ -48,6 +47,29 @@ std::optional<std::string> invisible_character(std::string_view word) {
 
 }  // namespace
 
+RowOptions item_row_options() {
+  RowOptions options = RowOptions::of_any_length();
+  options.any_separator = options.blanks = options.percent_too = true;
+  return options;
+}
+
+void take_fields(Row& row, const RowReader& rows) {
+  std::erase_if(row, [](const Field& field) { return field.text.empty(); });
+  if (row.size() == 1 && !row.front().in_quotes && !rows.is_given()) {
+    row = at_blanks(row.front(), rows);
+  }
+}
+
+std::unordered_map<std::string, Element> items_by_name(const PairGraph* graph) {
+  std::unordered_map<std::string, Element> items;
+  if (graph != nullptr) {
+    for (const std::string& name : graph->names()) {
+      items.emplace(name, static_cast<Element>(items.size()));
+    }
+  }
+  return items;
+}
+
 std::optional<Element> item_number(const Field& field) {
   const std::string_view word = field.text;
   Element number = 0;
@@ -65,9 +87,7 @@ std::optional<std::string> as_number(std::string_view word) {
   const std::size_t point = std::min(word.find('.'), word.size());
   const std::string_view whole = word.substr(0, point);
   std::string_view part = point < word.size() ? word.substr(point + 1) : std::string_view();
-  const auto digits = [](std::string_view text) {
-    return std::all_of(text.begin(), text.end(), is_digit);
-  };
+  const auto digits = [](std::string_view text) { return std::ranges::all_of(text, is_digit); };
   if (whole.empty() || !digits(whole) || !digits(part)) {
     return std::nullopt;
   }

@@ -1,18 +1,45 @@
-// Internal: the rules for names of items, the same in every list of load orders.
+// Internal: the rules for rows and names of items, the same in every list of load orders.
 //
 //     as_number("+01.0")                  // "1": written like a number, in another way
 //     check_item_name(rows, field)        // refuses what cannot be seen, a '|', 256 bytes
+//     each_item_row(rows, is_heading, take)
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "changeover/core/block.hpp"
+#include "changeover/loadorder/wanted_pairs.hpp"
 #include "io/scan/row_reader.hpp"
 
 namespace changeover {
+
+/// How rows of items are read.
+[[nodiscard]] RowOptions item_row_options();
+
+/// Leaves out empty fields, and splits a row that is one word between blanks at these.
+void take_fields(Row& row, const RowReader& rows);
+
+/// Calls `take` with each row that has fields, but not with a first one that is a heading.
+template <typename IsHeading, typename Take>
+void each_item_row(RowReader& rows, const IsHeading& is_heading, const Take& take) {
+  Row row;
+  for (bool first = true; rows.next_line();) {
+    if (!rows.split(row)) {
+      continue;
+    }
+    take_fields(row, rows);
+    if (!row.empty() && !(std::exchange(first, false) && !rows.is_given() && is_heading(row))) {
+      take(row);
+    }
+  }
+}
+
+/// The items of a graph by their names; nothing without a graph, or names.
+[[nodiscard]] std::unordered_map<std::string, Element> items_by_name(const PairGraph* graph);
 
 /// The number of a plain decimal below most_items; nullopt otherwise.
 [[nodiscard]] std::optional<Element> item_number(const Field& field);

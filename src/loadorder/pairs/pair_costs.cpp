@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "io/scan/row_reader.hpp"
+#include "loadorder/pairs/item_names.hpp"
 
 namespace changeover {
 namespace {
@@ -36,37 +37,18 @@ std::optional<Number> number_in(const Field& field) {
 class CostList {
  public:
   CostList(Input& input, const WantedPairs& wanted)
-      : rows_(input, options()), items_(wanted.items()) {
-    if (wanted.graph() != nullptr) {
-      for (const std::string& name : wanted.graph()->names()) {
-        numbers_.emplace(name, static_cast<Element>(numbers_.size()));
-      }
-    }
-  }
+      : rows_(input, item_row_options()),
+        items_(wanted.items()),
+        numbers_(items_by_name(wanted.graph())) {}
 
   Costs read() {
-    Row row;
-    for (bool first = true; rows_.next_line();) {
-      if (rows_.split(row)) {
-        std::erase_if(row, [](const Field& field) { return field.text.empty(); });
-        if (row.size() == 1 && !row.front().in_quotes && !rows_.is_given()) {
-          row = at_blanks(row.front(), rows_);
-        }
-        if (!row.empty() && !(std::exchange(first, false) && !rows_.is_given() && is_header(row))) {
-          take(row);
-        }
-      }
-    }
+    each_item_row(
+        rows_, [this](const Row& row) { return is_header(row); },
+        [this](const Row& row) { take(row); });
     return std::move(costs_);
   }
 
  private:
-  static RowOptions options() {
-    RowOptions options = RowOptions::of_any_length();
-    options.any_separator = options.blanks = options.percent_too = true;
-    return options;
-  }
-
   // A header is words over columns, none of which is an item; otherwise the cost of a pair would be
   // lost.
   [[nodiscard]] bool is_header(const Row& row) const {

@@ -397,11 +397,7 @@ LoadOrder plan_load_order(const WantedPairs& wanted, std::uint64_t room,
   if (wanted.are_all()) {
     return plan_all_pairs(wanted.items(), room, options);
   }
-  LoadOrderFacts facts;
-  facts.bound = load_lower_bound(wanted, room);
-  facts.items = wanted.items();
-  facts.room = room;
-  facts.wanted = wanted;
+  LoadOrderFacts facts = facts_before(wanted, room);
   if (facts.items > most_items) {
     throw ImpossibleParameters(
         fmt::format("{}: that is {} items together, and {} is the most; take fewer",

@@ -16,8 +16,7 @@ namespace {
 
 // Items with anything between them. Lists are long: a row is not kept.
 RowOptions row_options(bool groups) {
-  RowOptions options = RowOptions::of_any_length();
-  options.any_separator = options.blanks = options.percent_too = true;
+  RowOptions options = item_row_options();
   if (!groups) {
     options.longest_line = 65'536;
     options.too_long = "a line of more than 65536 bytes; give two items a line";
@@ -74,8 +73,7 @@ bool is_title(std::string_view word) {
              among.find(c) != std::string_view::npos;
     };
   };
-  return std::count_if(word.begin(), word.end(), is("")) >= 2 &&
-         std::all_of(word.begin(), word.end(), is(" _.()[]"));
+  return std::ranges::count_if(word, is("")) >= 2 && std::ranges::all_of(word, is(" _.()[]"));
 }
 
 class PairReader {
@@ -129,10 +127,7 @@ class PairReader {
  private:
   // Reduces a row to its two items; false for a row without items.
   bool items_of_row() {
-    std::erase_if(row_, [](const Field& field) { return field.text.empty(); });
-    if (row_.size() == 1 && !row_.front().in_quotes && !rows_.is_given()) {
-      row_ = at_blanks(row_.front(), rows_);
-    }
+    take_fields(row_, rows_);
     if (!options_.groups) {
       if (row_.size() > 3 || (row_.size() == 3 && options_.costs == nullptr)) {
         rows_.fail(row_[2],
@@ -155,13 +150,13 @@ class PairReader {
   }
 
   void take() {
-    const bool words = std::none_of(row_.begin(), row_.end(),
-                                    [](const Field& field) { return as_number(field.text); });
+    const bool words = std::ranges::none_of(
+        row_, [](const Field& field) { return as_number(field.text).has_value(); });
     if (!options_.groups && !take_cost(words)) {
       return;
     }
-    const bool numbers = std::all_of(row_.begin(), row_.end(),
-                                     [](const Field& field) { return item_number(field); });
+    const bool numbers = std::ranges::all_of(
+        row_, [](const Field& field) { return item_number(field).has_value(); });
     if (!seen_any_ && words && columns_ < 3 && !rows_.is_given()) {  // perhaps names of columns
       seen_any_ = true;
       first_line_ = row_;

@@ -338,9 +338,7 @@ SizePlace take_sizes(const LoadRequest& request, const Words& words,
   if (items && request.against) {
     items = checked_add(*items, *request.against);
   }
-  auto [bytes, names, place] =
-      read_sizes(open(request.sizes, option_of(load_table(), "sizes").record, words.key("sizes")),
-                 items, pairs.get());
+  auto [bytes, names, place] = read_sizes(words.open("sizes", request.sizes), items, pairs.get());
   if (!names.empty()) {
     constexpr std::uint64_t most_named = 2'000;
     if (names.size() > most_named || request.against || request.done_items) {
@@ -387,9 +385,8 @@ std::string why_no_costs(const LoadRequest& request, const Words& words) {
 std::shared_ptr<const PairGraph> listed_pairs(const LoadRequest& request, const Words& words,
                                               std::function<double(Element, Element)>& cost) {
   const bool groups = request.groups.is_given();
-  const std::string_view name = groups ? "groups" : "pairs";
-  const auto input = open(groups ? request.groups : request.pairs,
-                          option_of(load_table(), name).record, words.key(name));
+  const auto input =
+      groups ? words.open("groups", request.groups) : words.open("pairs", request.pairs);
   const std::string no_costs = why_no_costs(request, words);
   return read_pairs(*input, {.items = request.items,
                              .groups = groups,
@@ -457,9 +454,7 @@ CheckedLoads checked_loads(const LoadRequest& request, Door door,
       check_whole_epochs(request, checked.wanted_, door);
     }
     if (request.pair_cost.is_given()) {
-      const auto input = open(request.pair_cost, option_of(load_table(), "pair_cost").record,
-                              words.key("pair_cost"));
-      checked.cost_ = read_pair_costs(*input, checked.wanted_);
+      checked.cost_ = read_pair_costs(*words.open("pair_cost", request.pair_cost), checked.wanted_);
     }
     return checked;
   });

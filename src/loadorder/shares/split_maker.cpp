@@ -83,16 +83,7 @@ void sum_up(SplitFacts& facts) {
 
 WorkerSplit SplitMaker::stretches(LoadOrder order, std::uint64_t items, std::uint64_t room,
                                   std::uint64_t workers, bool even_pairs) {
-  check_workers(workers);
   const LoadOrderFacts& whole = order.facts();
-  if (whole.items > items) {
-    throw BadInput(fmt::format("{} cannot be put into {} groups; give no more groups than items",
-                               count_of(items, "item"), whole.items));
-  }
-  if (whole.lockstep > 1) {
-    throw BadInput(fmt::format(
-        "an order for {} workers in lockstep cannot be cut for other workers", whole.lockstep));
-  }
   SplitFacts facts;
   facts.items = items;
   facts.room = room;
@@ -528,6 +519,16 @@ std::string SplitMaker::certify(const GroupShares& shares) {
 
 WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room,
                         std::uint64_t workers) {
+  check_workers(workers);
+  const LoadOrderFacts& whole = order.facts();
+  if (whole.items > items) {
+    throw BadInput(fmt::format("{} cannot be put into {} groups; give no more groups than items",
+                               count_of(items, "item"), whole.items));
+  }
+  if (whole.lockstep > 1) {
+    throw BadInput(fmt::format(
+        "an order for {} workers in lockstep cannot be cut for other workers", whole.lockstep));
+  }
   return SplitMaker::stretches(std::move(order), items, room, workers, false);
 }
 

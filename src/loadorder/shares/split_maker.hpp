@@ -16,9 +16,9 @@ namespace changeover {
 class SplitMaker {
  public:
   /// Cut so that loads are even, or numbers of steps or of new pairs where all steps are alike.
-  /// @throws as split_order()
+  /// Needs an order of at most so many items, not in lockstep (split_order() checks that).
   static WorkerSplit stretches(LoadOrder order, std::uint64_t items, std::uint64_t room,
-                               std::uint64_t workers, bool even_pairs);
+                               std::uint64_t workers, bool even_pairs = false);
   static WorkerSplit shares(GroupShares shares, std::uint64_t items, std::uint64_t room,
                             std::uint64_t workers);
   /// For two sets: like `other`, but one block per worker.

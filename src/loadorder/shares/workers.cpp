@@ -13,6 +13,7 @@
 #include "loadorder/listed/listed_levels.hpp"
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/order/in_rounds.hpp"
+#include "loadorder/order/read_order.hpp"
 #include "loadorder/pairs/held/held_blocks.hpp"
 #include "loadorder/shares/few_workers.hpp"
 #include "loadorder/shares/known_shares.hpp"
@@ -109,8 +110,8 @@ WorkerSplit split_all_pairs(std::uint64_t items, std::uint64_t room, std::uint64
 WorkerSplit split_some_pairs(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers,
                              const LoadOrderOptions& options) {
   std::vector<WorkerSplit> candidates;
-  candidates.push_back(split_order(plan_load_order(wanted, room, unread(options, workers)),
-                                   wanted.items(), room, workers));
+  candidates.push_back(SplitMaker::stretches(
+      plan_load_order(wanted, room, unread(options, workers)), wanted.items(), room, workers));
   const WorkerSplit& stretches = candidates.front();
   const LoadBound bound = stretches.order().facts().bound;
   const LoadBound makespan_bound = stretches.facts().makespan_bound;
@@ -149,15 +150,6 @@ bool has_less_to_load(const WorkerSplit& split, const WorkerSplit& other) {
          std::pair(other.facts().makespan, other.facts().loads);
 }
 
-LoadOrderFacts bounds_of_levels(const WantedPairs& wanted, std::uint64_t room,
-                                std::uint64_t fast_room) {
-  LoadOrderFacts facts;
-  facts.fast_room = fast_room;
-  facts.bound = load_lower_bound(wanted, room);
-  facts.transfer_bound = load_lower_bound(wanted, fast_room);
-  return facts;
-}
-
 constexpr std::uint64_t most_pairs_listed = 1'000'000;  // of two sets, or of new items
 
 // What the busiest worker moves, at each level over the bound of all.
@@ -178,6 +170,10 @@ double busiest_cost(const WorkerSplit& split) {
         over(step.fast_load, bounds.transfer_bound, bounds.transfer_byte_bound);
   }
   return *std::ranges::max_element(costs);
+}
+
+bool is_less_busy(const WorkerSplit& split, const WorkerSplit& other) {
+  return busiest_cost(split) < busiest_cost(other);
 }
 
 WorkerSplit best_of_two_levels(std::vector<WorkerSplit> candidates,
@@ -230,20 +226,6 @@ std::optional<WorkerSplit> blocks_of_two_levels(const WorkerSplit& like, std::ui
   return split;
 }
 
-}  // namespace
-
-WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers,
-                             const LoadOrderOptions& options) {
-  check_workers(workers);
-  const auto split = [&](const LoadOrderOptions& its) {
-    return wanted.are_all() ? split_all_pairs(wanted.items(), room, workers, its)
-                            : split_some_pairs(wanted, room, workers, its);
-  };
-  return workers == 1 ? split(options) : best_in_rounds(options, split, has_less_to_load);
-}
-
-namespace {
-
 WorkerSplit sized_levels_once(const std::shared_ptr<const ItemSizes>& sizes,
                               const WantedPairs& wanted, std::uint64_t workers,
                               const LoadOrderOptions& options) {
@@ -251,7 +233,7 @@ WorkerSplit sized_levels_once(const std::shared_ptr<const ItemSizes>& sizes,
   LoadOrder order = plan_two_levels(sizes, wanted, options);
   const std::uint64_t room = order.facts().room;
   std::vector<WorkerSplit> candidates;
-  candidates.push_back(split_order(std::move(order), items, room, workers));
+  candidates.push_back(SplitMaker::stretches(std::move(order), items, room, workers));
   SplitMaker::give_pairs(candidates.back(), options);
   // Workers with orders of their own take a second or so each.
   constexpr std::uint64_t most_own_pairs = 2'000'000;
@@ -271,8 +253,8 @@ WorkerSplit levels_once(const WantedPairs& wanted, std::uint64_t room, std::uint
                         std::uint64_t workers, const LoadOrderOptions& options) {
   std::vector<WorkerSplit> candidates;
   if (wanted.graph() == nullptr) {
-    candidates.push_back(split_order(plan_two_levels(wanted, room, fast_room, options),
-                                     wanted.items(), room, workers));
+    candidates.push_back(SplitMaker::stretches(plan_two_levels(wanted, room, fast_room, options),
+                                               wanted.items(), room, workers));
     SplitMaker::give_pairs(candidates.back(), options);
   }
   if (workers > 1 && wanted.kind() == WantedPairs::Kind::between) {
@@ -284,36 +266,40 @@ WorkerSplit levels_once(const WantedPairs& wanted, std::uint64_t room, std::uint
       (wanted.graph() != nullptr || wanted.count() <= most_pairs_listed)) {
     candidates.push_back(
         SplitMaker::two_levels(split_some_pairs(wanted, room, workers, unread(options, workers)),
-                               bounds_of_levels(wanted, room, fast_room), options));
+                               facts_before(wanted, room, fast_room), options));
   }
   return best_of_two_levels(std::move(candidates), options);
 }
 
-WorkerSplit better_in_rounds(
-    const LoadOrderOptions& options,
-    const std::function<WorkerSplit(const LoadOrderOptions& options)>& make) {
-  return best_in_rounds(options, make, [](const WorkerSplit& split, const WorkerSplit& other) {
-    return busiest_cost(split) < busiest_cost(other);
-  });
-}
-
 }  // namespace
+
+WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers,
+                             const LoadOrderOptions& options) {
+  check_workers(workers);
+  const auto split = [&](const LoadOrderOptions& its) {
+    return wanted.are_all() ? split_all_pairs(wanted.items(), room, workers, its)
+                            : split_some_pairs(wanted, room, workers, its);
+  };
+  return workers == 1 ? split(options) : best_in_rounds(options, split, has_less_to_load);
+}
 
 WorkerSplit split_two_levels(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
                              std::uint64_t workers, const LoadOrderOptions& options) {
   check_workers(workers);
-  return better_in_rounds(options, [&](const LoadOrderOptions& its) {
+  const auto split = [&](const LoadOrderOptions& its) {
     return sized_levels_once(sizes, wanted, workers, its);
-  });
+  };
+  return best_in_rounds(options, split, is_less_busy);
 }
 
 WorkerSplit split_two_levels(const WantedPairs& wanted, std::uint64_t room, std::uint64_t fast_room,
                              std::uint64_t workers, const LoadOrderOptions& options) {
   check_workers(workers);
   check_rooms(room, fast_room);
-  return better_in_rounds(options, [&](const LoadOrderOptions& its) {
+  const auto split = [&](const LoadOrderOptions& its) {
     return levels_once(wanted, room, fast_room, workers, its);
-  });
+  };
+  return best_in_rounds(options, split, is_less_busy);
 }
 
 }  // namespace changeover

@@ -6,6 +6,7 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/workers.hpp"
+#include "loadorder/order/in_rounds.hpp"
 #include "loadorder/order/of_worker.hpp"
 
 namespace changeover {
@@ -128,17 +129,14 @@ AnyLoads started_early(AnyLoads loads) {
 // the better of the two orders is taken, with it and without.
 AnyLoads repeated_lockstep(const CheckedLoads& asked, const LoadRequest& request,
                            const LoadOrderOptions& options) {
-  LoadOrderOptions fixed = options;
-  fixed.improve = nullptr;
-  fixed.search_pairs = nullptr;
-  AnyLoads without = repeated(planned(asked, request, fixed), *request.epochs);
+  AnyLoads without = repeated(planned(asked, request, fixed_work(options)), *request.epochs);
   AnyLoads with = repeated(planned(asked, request, options), *request.epochs);
-  const auto cost = [&](const AnyLoads& loads) {
+  const auto span_of = [](const AnyLoads& loads) {
     const LoadOrderFacts& facts = std::get<LoadOrder>(loads).facts();
     return facts.sizes ? std::pair(facts.span_bytes, facts.bytes)
                        : std::pair(facts.span, facts.loads);
   };
-  return cost(with) < cost(without) ? std::move(with) : std::move(without);
+  return span_of(with) < span_of(without) ? std::move(with) : std::move(without);
 }
 
 AnyLoads loads_for(const CheckedLoads& asked, const LoadRequest& request,

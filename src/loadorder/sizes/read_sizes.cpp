@@ -25,30 +25,15 @@ std::optional<std::uint64_t> whole_number(std::string_view text, std::string_vie
 class SizeList {
  public:
   SizeList(std::unique_ptr<Input> input, std::optional<std::uint64_t> items, const PairGraph* graph)
-      : input_(std::move(input)), rows_(*input_, options()), items_(items), graph_(graph) {
-    if (graph != nullptr) {
-      items_ = graph->items();
-      for (const std::string& name : graph->names()) {
-        numbers_.emplace(name, static_cast<Element>(numbers_.size()));
-      }
-    }
-  }
+      : input_(std::move(input)),
+        rows_(*input_, item_row_options()),
+        items_(graph != nullptr ? graph->items() : items),
+        graph_(graph),
+        numbers_(items_by_name(graph)) {}
 
   // Both are called once.
   std::vector<std::uint64_t> read() {
-    Row row;
-    for (bool first = true; rows_.next_line();) {
-      if (!rows_.split(row)) {
-        continue;
-      }
-      std::erase_if(row, [](const Field& field) { return field.text.empty(); });
-      if (row.size() == 1 && !row.front().in_quotes && !rows_.is_given()) {
-        row = at_blanks(row.front(), rows_);
-      }
-      if (!row.empty() && !(std::exchange(first, false) && !rows_.is_given() && is_heading(row))) {
-        take(row);
-      }
-    }
+    each_item_row(rows_, is_heading, [this](const Row& row) { take(row); });
     return finish();
   }
   std::vector<std::string> take_names() { return std::move(names_); }
@@ -60,12 +45,6 @@ class SizeList {
   }
 
  private:
-  static RowOptions options() {
-    RowOptions options = RowOptions::of_any_length();
-    options.any_separator = options.blanks = options.percent_too = true;
-    return options;
-  }
-
   static std::optional<std::uint64_t> size_in(const Field& field) {
     std::string_view unit;
     const auto number = whole_number(field.text, unit);

@@ -143,16 +143,10 @@ Best best_once(const std::shared_ptr<const ItemSizes>& sizes, const WantedPairs&
                            : wanted.are_all() ? wanted
                                               : as_list(wanted);
   const PairGraph* const graph = list.graph();
-  std::vector<Element> needed;
-  for (Element x = 0; x < items; ++x) {
-    if (wanted.needs(x)) {
-      needed.push_back(x);
-    }
-  }
   Best best;
   const bool is_level = cost_of == nullptr;
   best.cost_of = std::move(cost_of);
-  Ways ways(*sizes, std::move(needed), workers, graph, best);
+  Ways ways(*sizes, needed_among(wanted, items), workers, graph, best);
   // One worker has an order of its own, at one level.
   const bool shares = workers > 1 || graph == nullptr || !is_level;
   if (shares && (wanted.are_all() || 2 * graph->pairs() >= binomial(items, 2))) {
@@ -179,40 +173,26 @@ Best best_of(const std::shared_ptr<const ItemSizes>& sizes, const WantedPairs& w
 // What is known before there is an order.
 LoadOrderFacts facts_before(const std::shared_ptr<const ItemSizes>& sizes,
                             const WantedPairs& wanted, std::uint64_t workers) {
-  LoadOrderFacts facts;
-  facts.items = sizes->bytes.size();
-  facts.byte_bound = sized_lower_bound(*sizes, wanted);
+  LoadOrderFacts facts = facts_before(sizes, wanted);
   facts.makespan_byte_bound = sized_makespan_bound(*sizes, wanted, workers);
-  facts.room = most_held(*sizes, wanted);
   facts.lockstep = workers;
-  facts.sizes = sizes;
-  facts.wanted = wanted;
-  facts.bound = load_lower_bound(wanted.among(facts.items), facts.room);
   facts.makespan_bound = makespan_lower_bound(wanted.among(facts.items), facts.room, workers);
   return facts;
 }
 
 // The order that `maker` makes, once it has been read.
 LoadOrder read_disjoint(LoadOrderFacts facts, const LoadOrder::Maker& maker) {
-  const ScheduleVerdict verdict =
-      read_order(maker, LoadOrder(facts, maker).rules(),
-                 fmt::format("{} for {} workers with {} bytes of memory",
-                             count_of(facts.items, "item"), facts.lockstep, facts.sizes->memory));
-  static_cast<ScheduleFacts&>(facts) = verdict;
-  if (facts.bytes < facts.byte_bound.loads || facts.span_bytes < facts.makespan_byte_bound.loads ||
-      facts.transfer_bytes < facts.transfer_byte_bound.loads) {
-    throw InternalError("an order of workers in lockstep has fewer bytes than its bound");
-  }
-  facts.every_step_read = true;
+  const std::string memory =
+      fmt::format("for {} workers with {} bytes of memory", facts.lockstep, facts.sizes->memory);
   const std::uint64_t pairs = facts.wanted.among(facts.items).count();
-  facts.certificate =
-      facts.fast_room
-          ? "no item held twice at once, " + levels_read(verdict, pairs, true)
-          : fmt::format(
-                "every step read: no item held twice at once, {}, at most {} bytes at a "
-                "worker",
-                pairs_read(verdict, pairs), verdict.most_bytes);
-  return {std::move(facts), maker};
+  const bool levels = facts.fast_room.has_value();
+  return read_in_full(std::move(facts), maker, memory, [&](const ScheduleVerdict& verdict) {
+    return levels ? "no item held twice at once, " + levels_read(verdict, pairs, true)
+                  : fmt::format(
+                        "every step read: no item held twice at once, {}, at most {} bytes at a "
+                        "worker",
+                        pairs_read(verdict, pairs), verdict.most_bytes);
+  });
 }
 
 }  // namespace

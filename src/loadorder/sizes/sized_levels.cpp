@@ -149,15 +149,9 @@ class LevelWays {
 LoadOrder plan_two_levels(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
                           const LoadOrderOptions& options) {
   const auto fast = std::make_shared<const ItemSizes>(ItemSizes{sizes->bytes, sizes->fast_memory});
-  LoadOrderFacts facts;
-  facts.items = sizes->bytes.size();
-  facts.byte_bound = sized_lower_bound(*sizes, wanted);
+  LoadOrderFacts facts = facts_before(sizes, wanted);
   facts.transfer_byte_bound = sized_lower_bound(*fast, wanted);
-  facts.room = most_held(*sizes, wanted);
   facts.fast_room = most_held(*fast, wanted);
-  facts.sizes = sizes;
-  facts.wanted = wanted;
-  facts.bound = load_lower_bound(wanted.among(facts.items), facts.room);
   facts.transfer_bound = load_lower_bound(wanted.among(facts.items), *facts.fast_room);
   std::vector<Element> all_items(sizes->bytes.size());
   std::iota(all_items.begin(), all_items.end(), Element{0});
@@ -183,19 +177,13 @@ LoadOrder plan_two_levels(std::shared_ptr<const ItemSizes> sizes, const WantedPa
   facts.explanation = std::move(best.explanation);
   const auto lists = std::make_shared<StepLists>();
   lists->add(best.moves);
-  const LoadOrder::Maker maker = [lists] { return lists->of(0); };
-  const ScheduleVerdict verdict =
-      read_order(maker, LoadOrder(facts, maker).rules(),
-                 fmt::format("{} with {} and {} bytes of memory", count_of(facts.items, "item"),
-                             sizes->memory, sizes->fast_memory));
-  static_cast<ScheduleFacts&>(facts) = verdict;
-  if (facts.bytes < facts.byte_bound.loads ||
-      facts.transfer_bytes < facts.transfer_byte_bound.loads) {
-    throw InternalError("an order of two levels moves fewer bytes than its bound");
-  }
-  facts.every_step_read = true;
-  facts.certificate = levels_read(verdict, wanted.among(facts.items).count(), true);
-  return {std::move(facts), maker};
+  const std::string memory =
+      fmt::format("with {} and {} bytes of memory", sizes->memory, sizes->fast_memory);
+  return read_in_full(
+      std::move(facts), [lists] { return lists->of(0); }, memory,
+      [&](const auto& verdict) {
+        return levels_read(verdict, wanted.among(sizes->bytes.size()).count(), true);
+      });
 }
 
 std::vector<Move> sized_levels_of(const std::vector<ItemPair>& pairs, const ItemSizes& sizes,

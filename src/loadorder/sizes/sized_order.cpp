@@ -22,8 +22,8 @@ namespace {
 std::vector<std::vector<Element>> packed(const ItemSizes& sizes, const std::vector<Element>& items,
                                          std::uint64_t most) {
   std::vector<Element> order = items;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Element a, Element b) { return sizes.bytes[a] > sizes.bytes[b]; });
+  std::ranges::stable_sort(order,
+                           [&](Element a, Element b) { return sizes.bytes[a] > sizes.bytes[b]; });
   std::vector<std::vector<Element>> groups;
   std::vector<std::uint64_t> left;
   for (const Element x : order) {
@@ -57,7 +57,7 @@ class GroupedMoves {
       steps_.push_back(step);
     }
     for (std::vector<std::uint64_t>& each : uses_) {
-      std::reverse(each.begin(), each.end());
+      std::ranges::reverse(each);
     }
   }
 
@@ -88,10 +88,9 @@ class GroupedMoves {
           }
           SizedMove move{x, {}};
           while (held + sizes_.bytes[x] > sizes_.memory) {
-            const auto goes =
-                std::max_element(idle.begin(), idle.end(), [&](const auto& a, const auto& b) {
-                  return next_use(a.second) < next_use(b.second);
-                });
+            const auto goes = std::ranges::max_element(idle, [&](const auto& a, const auto& b) {
+              return next_use(a.second) < next_use(b.second);
+            });
             if (goes == idle.end()) {
               throw InternalError("groups of items do not fit into memory");
             }
@@ -259,19 +258,38 @@ std::uint64_t largest_pair(const ItemSizes& sizes, const WantedPairs& wanted) {
   return most;
 }
 
-std::uint64_t most_held(const ItemSizes& sizes, const WantedPairs& wanted) {
-  std::vector<std::uint64_t> all;
-  for (Element x = 0; x < sizes.bytes.size(); ++x) {
+std::vector<Element> needed_among(const WantedPairs& wanted, std::uint64_t items) {
+  std::vector<Element> needed;
+  for (Element x = 0; x < items; ++x) {
     if (wanted.needs(x)) {
-      all.push_back(sizes.bytes[x]);
+      needed.push_back(x);
     }
   }
-  std::sort(all.begin(), all.end());
+  return needed;
+}
+
+std::uint64_t most_held(const ItemSizes& sizes, const WantedPairs& wanted) {
+  std::vector<std::uint64_t> all;
+  for (const Element x : needed_among(wanted, sizes.bytes.size())) {
+    all.push_back(sizes.bytes[x]);
+  }
+  std::ranges::sort(all);
   std::uint64_t count = 0;
   for (std::uint64_t left = sizes.memory; count < all.size() && all[count] <= left; ++count) {
     left -= all[count];
   }
   return std::max<std::uint64_t>(2, count);
+}
+
+LoadOrderFacts facts_before(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted) {
+  LoadOrderFacts facts;
+  facts.byte_bound = sized_lower_bound(*sizes, wanted);
+  facts.items = sizes->bytes.size();
+  facts.room = most_held(*sizes, wanted);
+  facts.sizes = std::move(sizes);
+  facts.wanted = wanted;
+  facts.bound = load_lower_bound(wanted.among(facts.items), facts.room);
+  return facts;
 }
 
 LoadOrder plan_sized_order(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
@@ -281,19 +299,8 @@ LoadOrder plan_sized_order(std::shared_ptr<const ItemSizes> sizes, const WantedP
 
 LoadOrder plan_with_spare(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
                           std::uint64_t spare, const LoadOrderOptions& options) {
-  LoadOrderFacts facts;
-  facts.byte_bound = sized_lower_bound(*sizes, wanted);
-  facts.items = sizes->bytes.size();
-  facts.room = most_held(*sizes, wanted);
-  facts.sizes = sizes;
-  facts.wanted = wanted;
-  facts.bound = load_lower_bound(wanted.among(facts.items), facts.room);
-  std::vector<Element> items;
-  for (Element x = 0; x < facts.items; ++x) {
-    if (wanted.needs(x)) {
-      items.push_back(x);
-    }
-  }
+  LoadOrderFacts facts = facts_before(sizes, wanted);
+  const std::vector<Element> items = needed_among(wanted, facts.items);
   const std::uint64_t least = facts.byte_bound.loads;
   ItemSizes used = *sizes;
   used.memory -= spare;

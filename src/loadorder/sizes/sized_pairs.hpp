@@ -59,6 +59,13 @@ void each_partner(const WantedPairs& wanted, std::uint64_t items, Element x, Vis
 /// The most bytes of two items that must meet, or of one that meets none.
 [[nodiscard]] std::uint64_t largest_pair(const ItemSizes& sizes, const WantedPairs& wanted);
 
+/// The items that are in some wanted pair, or must be loaded alone.
+[[nodiscard]] std::vector<Element> needed_among(const WantedPairs& wanted, std::uint64_t items);
+
+/// What is known before there is an order: the sizes, and the bounds of one worker.
+[[nodiscard]] LoadOrderFacts facts_before(std::shared_ptr<const ItemSizes> sizes,
+                                          const WantedPairs& wanted);
+
 /// The largest number of items that fit into memory.
 [[nodiscard]] std::uint64_t most_held(const ItemSizes& sizes, const WantedPairs& wanted);
 

@@ -88,13 +88,9 @@ class SizedSplit {
         wanted_(wanted),
         workers_(workers),
         spare_(spare),
-        options_(options) {
+        options_(options),
+        items_(needed_among(wanted, sizes_.bytes.size())) {
     sizes_.memory -= spare;
-    for (Element x = 0; x < sizes_.bytes.size(); ++x) {
-      if (wanted.needs(x)) {
-        items_.push_back(x);
-      }
-    }
     all_bytes_ = bytes_of(sizes_, items_);
   }
 
@@ -104,7 +100,7 @@ class SizedSplit {
     LoadOrder order = plan_with_spare(shared_, wanted_, spare_, workers_ == 1 ? options_ : quick);
     const std::uint64_t room = order.facts().room;
     candidates_.push_back(
-        SplitMaker::stretches(std::move(order), sizes_.bytes.size(), room, workers_, false));
+        SplitMaker::stretches(std::move(order), sizes_.bytes.size(), room, workers_));
     if (workers_ > 1) {
       add_shares();
       if (wanted_.kind() == WantedPairs::Kind::between) {

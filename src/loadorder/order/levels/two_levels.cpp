@@ -187,13 +187,7 @@ LoadOrder::Maker best_levels(LoadOrderFacts& facts, const LoadOrderOptions& opti
 LoadOrder plan_two_levels(const WantedPairs& wanted, std::uint64_t room, std::uint64_t fast_room,
                           const LoadOrderOptions& options) {
   const std::uint64_t items = wanted.items();
-  LoadOrderFacts facts;
-  facts.items = items;
-  facts.room = room;
-  facts.fast_room = fast_room;
-  facts.wanted = wanted.are_all() ? WantedPairs() : wanted;
-  facts.bound = load_lower_bound(wanted, room);
-  facts.transfer_bound = load_lower_bound(wanted, fast_room);
+  LoadOrderFacts facts = facts_before(wanted, room, fast_room);
   check_rooms(room, fast_room);
   if (wanted.graph() == nullptr && items > max_elements_in_memory) {
     throw ImpossibleParameters(
@@ -201,15 +195,9 @@ LoadOrder plan_two_levels(const WantedPairs& wanted, std::uint64_t room, std::ui
                     max_elements_in_memory));
   }
   LoadOrder::Maker maker = best_levels(facts, options);
-  const ScheduleVerdict verdict =
-      read_order(maker, LoadOrder(facts, maker).rules(),
-                 fmt::format("{} with room for {} and {}",
-                             wanted.are_all() ? fmt::format("{} items", items) : wanted.describe(),
-                             room, fast_room));
-  static_cast<ScheduleFacts&>(facts) = verdict;
-  facts.every_step_read = true;
-  facts.certificate = levels_read(verdict, wanted.count(), false);
-  return {std::move(facts), std::move(maker)};
+  return read_in_full(
+      std::move(facts), std::move(maker), fmt::format("with room for {} and {}", room, fast_room),
+      [&](const auto& verdict) { return levels_read(verdict, wanted.count(), false); });
 }
 
 }  // namespace changeover

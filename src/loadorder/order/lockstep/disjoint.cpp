@@ -275,27 +275,16 @@ void check_disjoint(const WantedPairs& wanted, std::uint64_t room, std::uint64_t
 
 LoadOrder plan_disjoint_order(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers,
                               const LoadOrderOptions& options) {
-  const std::uint64_t items = wanted.items();
-  LoadOrderFacts facts;
-  facts.wanted = wanted.are_all() ? WantedPairs() : wanted;
-  facts.items = items;
-  facts.room = room;
+  LoadOrderFacts facts = facts_before(wanted, room);
   facts.lockstep = workers;
-  facts.bound = load_lower_bound(wanted, room);
   facts.makespan_bound = makespan_lower_bound(wanted, room, workers);
   check_disjoint(wanted, room, workers);
   const WorkerMaker worker = best_steps(facts, options);
   LoadOrder::Maker maker = [worker, workers] { return in_lockstep(worker, workers); };
-  const ScheduleVerdict verdict =
-      read_order(maker, LoadOrder(facts, maker).rules(),
-                 fmt::format("{} for {} workers with room for {}",
-                             wanted.are_all() ? fmt::format("{} items", items) : wanted.describe(),
-                             workers, room));
-  static_cast<ScheduleFacts&>(facts) = verdict;
-  facts.every_step_read = true;
-  facts.certificate =
-      "every step read: no item held twice at once, " + pairs_read(verdict, wanted.count());
-  return {std::move(facts), std::move(maker)};
+  const std::string memory = fmt::format("for {} workers with room for {}", workers, room);
+  return read_in_full(std::move(facts), std::move(maker), memory, [&](const auto& verdict) {
+    return "every step read: no item held twice at once, " + pairs_read(verdict, wanted.count());
+  });
 }
 
 }  // namespace changeover

@@ -169,14 +169,8 @@ LoadOrder plan_disjoint_levels(const WantedPairs& wanted, std::uint64_t room,
   check_workers(workers);
   check_rooms(room, fast_room);
   check_disjoint(wanted, room, workers);
-  LoadOrderFacts facts;
-  facts.wanted = wanted.are_all() ? WantedPairs() : wanted;
-  facts.items = wanted.items();
-  facts.room = room;
-  facts.fast_room = fast_room;
+  LoadOrderFacts facts = facts_before(wanted, room, fast_room);
   facts.lockstep = workers;
-  facts.bound = load_lower_bound(wanted, room);
-  facts.transfer_bound = load_lower_bound(wanted, fast_room);
   facts.makespan_bound = makespan_lower_bound(wanted, room, workers);
   BestGroups best = best_in_rounds(
       options, [&](const LoadOrderOptions& its) { return best_groups(facts, wanted, its); },
@@ -184,16 +178,11 @@ LoadOrder plan_disjoint_levels(const WantedPairs& wanted, std::uint64_t room,
   facts.group_items = best.group_items;
   facts.method = std::move(best.method);
   facts.explanation = std::move(best.explanation);
-  const LoadOrder::Maker maker = std::move(best.maker);
-  const ScheduleVerdict verdict =
-      read_order(maker, LoadOrder(facts, maker).rules(),
-                 fmt::format("{} for {} workers with room for {} and {}",
-                             wanted.are_all() ? count_of(facts.items, "item") : wanted.describe(),
-                             workers, room, fast_room));
-  static_cast<ScheduleFacts&>(facts) = verdict;
-  facts.every_step_read = true;
-  facts.certificate = "no item held twice at once, " + levels_read(verdict, wanted.count(), false);
-  return {std::move(facts), maker};
+  const std::string memory =
+      fmt::format("for {} workers with room for {} and {}", workers, room, fast_room);
+  return read_in_full(std::move(facts), std::move(best.maker), memory, [&](const auto& verdict) {
+    return "no item held twice at once, " + levels_read(verdict, wanted.count(), false);
+  });
 }
 
 }  // namespace changeover
