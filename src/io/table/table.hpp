@@ -138,4 +138,8 @@ struct Table {
 [[nodiscard]] std::string markdown_text(std::string_view text);
 [[nodiscard]] std::string html_text(std::string_view text);
 
+/// A page of its own; `body` is HTML.
+[[nodiscard]] std::string html_page(std::string_view title, std::string_view style,
+                                    std::string_view body);
+
 }  // namespace changeover

@@ -98,12 +98,16 @@ std::string document_html(const TableDocument& document) {
             paragraphs(section.notes, "<p>");
   });
   body += figures.empty() ? "" : paragraphs(document.lines, small);
+  return html_page(document.title, document.style, body);
+}
+
+std::string html_page(std::string_view title, std::string_view style, std::string_view body) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n{2}"
       "</body>\n</html>\n",
-      html_text(document.title), document.style, body);
+      html_text(title), style, body);
 }
 
 std::optional<std::string> document_as(std::string_view format, const TableDocument& document,

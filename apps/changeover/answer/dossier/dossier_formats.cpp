@@ -391,12 +391,7 @@ std::string dossier_markdown(const Dossier& dossier) {
 std::string dossier_html(const Dossier& dossier) {
   Html form;
   write(dossier, form);
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n{2}</body>\n"
-      "</html>\n",
-      html_text("A " + title_of(dossier)), style, form.text);
+  return html_page("A " + title_of(dossier), style, form.text);
 }
 
 }  // namespace changeover::cli

@@ -1,7 +1,5 @@
 #include "serve/api/atlas.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "changeover/catalog/catalog.hpp"
@@ -37,20 +35,13 @@ KnownCell known_cell(const Parameters& p) {
 }
 
 AtlasQuestion atlas_question_of(const Request& request) {
-  const std::uint64_t strength = number_of(request, "strength").value_or(2);
-  if (strength < 2 || strength > max_strength) {
-    throw Refusal{400, fmt::format("strength={}: give 2 to {}", strength, max_strength)};
-  }
-  const auto kind = kind_of(request);
-  if (!kind) {
-    throw Refusal{400, "kind is missing; write kind=circular or kind=linear"};
-  }
+  const std::uint32_t strength = strength_of(request);
+  const Kind kind = needed_kind(request);
   constexpr std::uint64_t usual_change = 2;
   const std::uint64_t change = number_of(request, "change").value_or(usual_change);
-  const auto t = static_cast<std::uint32_t>(strength);
-  cli::TableRange range = table_range_of(request, atlas_range(change, t));
+  cli::TableRange range = table_range_of(request, atlas_range(change, strength));
   range.kind = kind;
-  return {.range = range, .kind = *kind, .strength = t};
+  return {.range = range, .kind = kind, .strength = strength};
 }
 
 // The line of stored_atlases() that is the answer; empty if none is.

@@ -91,17 +91,14 @@ Response drawn_selection(Explorer& explorer, const Request& request) {
 }
 
 Response heatmap(Explorer& explorer, const Request& request) {
-  const auto kind = kind_of(request);
-  if (!kind) {
-    throw Refusal{400, "kind is missing; write kind=circular or kind=linear"};
-  }
+  const Kind kind = needed_kind(request);
   const HeatMeasure measure =
       heat_measure_from_string(word_of(request, "measure", {"ratio", "status", "gap"})).value();
   cli::TableRange range = table_range_of(request);
   range.kind = kind;
   const auto table = explorer.tables.of(range, explorer.generation());
   std::vector<KnownCell> cells;
-  for (const KnownCell* const cell : table->cells(*kind)) {
+  for (const KnownCell* const cell : table->cells(kind)) {
     cells.push_back(*cell);
   }
   return picture_response(draw_heatmap(cells, measure), theme_of(request));

@@ -141,9 +141,7 @@ RequestList listed(const PartList& parts) {
                   parts.slots.empty() ? "" : parts.slots[i],
                   parts.quantities.empty() ? "" : std::to_string(parts.quantities[i])};
   }
-  RequestList list;
-  list.rows = std::move(rows);
-  return list;
+  return {.rows = std::move(rows)};
 }
 
 // The slots that a parts list names, without limits.
@@ -155,9 +153,7 @@ RequestList slots_named(const PartList& parts) {
       rows.push_back({{slot, "", ""}});
     }
   }
-  RequestList list;
-  list.rows = std::move(rows);
-  return list;
+  return {.rows = std::move(rows)};
 }
 
 // The same with some number of parts at once, which is not said in the answer.

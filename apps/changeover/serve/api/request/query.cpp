@@ -25,15 +25,11 @@ std::string shown(const std::string& value) {
 }
 
 Parameters parameters_of(const Request& request, Kind kind) {
-  const std::uint64_t strength = number_of(request, "strength").value_or(2);
-  if (strength < 2 || strength > max_strength) {
-    throw Refusal{400, fmt::format("strength={}: give 2 to {}", strength, max_strength)};
-  }
   const Parameters p{.v = needed_number(request, "v"),
                      .k = needed_number(request, "k"),
                      .change = number_of(request, "change").value_or(2),
                      .kind = kind,
-                     .strength = static_cast<std::uint32_t>(strength)};
+                     .strength = strength_of(request)};
   check(p);
   return p;
 }
@@ -109,13 +105,23 @@ std::optional<Kind> kind_of(const Request& request) {
   return kind;
 }
 
-Parameters cell_of(const Request& request) {
+Kind needed_kind(const Request& request) {
   const auto kind = kind_of(request);
   if (!kind) {
     throw Refusal{400, "kind is missing; write kind=circular or kind=linear"};
   }
-  return parameters_of(request, *kind);
+  return *kind;
 }
+
+std::uint32_t strength_of(const Request& request) {
+  const std::uint64_t strength = number_of(request, "strength").value_or(2);
+  if (strength < 2 || strength > max_strength) {
+    throw Refusal{400, fmt::format("strength={}: give 2 to {}", strength, max_strength)};
+  }
+  return static_cast<std::uint32_t>(strength);
+}
+
+Parameters cell_of(const Request& request) { return parameters_of(request, needed_kind(request)); }
 
 std::vector<Parameters> cells_of(const Request& request) {
   std::vector<Parameters> cells;

@@ -40,6 +40,10 @@ inline constexpr std::string_view name_of_body = "<text>";
 
 /// "circular" or "linear", if one is named. @throws Refusal 400
 [[nodiscard]] std::optional<Kind> kind_of(const Request& request);
+/// @throws Refusal 400 also if none is.
+[[nodiscard]] Kind needed_kind(const Request& request);
+/// 2 if it is missing. @throws Refusal 400
+[[nodiscard]] std::uint32_t strength_of(const Request& request);
 
 /// v, k, change (2 if it is missing), strength (2) and kind, which must be there. @throws Refusal
 /// 400, ImpossibleParameters
