@@ -78,7 +78,9 @@ RunPlan plan_of_valid_job(const Job& job, const PlanOptions& options, RunControl
     throw BadInput(
         "only plans of a model can have the objective of fewest tests; choose another objective");
   }
-  return strategy->plan(job, options, control);
+  RunPlan plan = strategy->plan(job, options, control);
+  raise_numbers(job, plan.bound);
+  return plan;
 }
 
 RunPlan make_run_plan(const Job& job, const PlanOptions& options, RunControl& control) {

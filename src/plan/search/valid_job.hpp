@@ -13,4 +13,8 @@ namespace changeover {
 /// cost_bound() for a job without defects.
 [[nodiscard]] CostBound bound_of_valid_job(const Job& job);
 
+/// Where only changes cost something, the bound on the cost bounds their number, and where only
+/// tests do, theirs.
+void raise_numbers(const Job& job, CostBound& bound);
+
 }  // namespace changeover

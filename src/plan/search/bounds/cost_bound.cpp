@@ -168,7 +168,23 @@ Cheapest cheapest_numbers(const Job& job, const JobNumbers& n, const Introductio
 
 CostBound cost_bound(const Job& job) {
   check_in_full(job);
-  return bound_of_valid_job(job);
+  CostBound bound = bound_of_valid_job(job);
+  raise_numbers(job, bound);
+  return bound;
+}
+
+void raise_numbers(const Job& job, CostBound& bound) {
+  if (job.replaces() || job.change_costs.empty()) {
+    return;
+  }
+  const Amount dearest = *std::ranges::max_element(job.change_costs);
+  const std::uint64_t cost = bound.cost.millionths;
+  if (job.test_cost.millionths == 0 && dearest.millionths > 0) {
+    bound.introductions = std::max(bound.introductions, ceil_div(cost, dearest.millionths));
+  }
+  if (dearest.millionths == 0 && job.test_cost.millionths > 0) {
+    bound.tests = std::max(bound.tests, ceil_div(cost, job.test_cost.millionths));
+  }
 }
 
 namespace {

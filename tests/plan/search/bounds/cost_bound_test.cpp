@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 
 #include "changeover/core/error.hpp"
@@ -63,6 +64,54 @@ TEST(CostBound, OfPartsWithSixAndTheirOwnCosts) {
     ASSERT_TRUE(least.has_value()) << seed;
     EXPECT_LE(cost_bound(job).cost.millionths, *least) << seed;
   }
+}
+
+// The least number of changes, or of tests, of any list.
+std::uint64_t least_number_of(Job job, bool of_changes) {
+  job.test_cost = Amount{of_changes ? 0U : 1U};
+  std::ranges::fill(job.change_costs, Amount{of_changes ? 1U : 0U});
+  return test::least_cost(job).value_or(0);
+}
+
+TEST(CostBound, CountsNoMoreThanTheFewestChangesAndTests) {
+  std::uint64_t by_cost = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    Job job = seed % 4 == 0 ? test::random_job_with_slots(seed, 5) : test::random_job(seed, 5);
+    if (seed % 3 == 0) {
+      std::ranges::fill(job.change_costs, Amount{});
+      job.test_cost = units(1);
+    } else if (seed % 3 == 1) {
+      job.test_cost = Amount{};
+    }
+    const CostBound bound = cost_bound(job);
+    EXPECT_LE(bound.introductions, least_number_of(job, true)) << seed;
+    EXPECT_LE(bound.tests, least_number_of(job, false)) << seed;
+    const Amount dearest = *std::ranges::max_element(job.change_costs);
+    if (job.test_cost == Amount{} && dearest > Amount{}) {
+      EXPECT_LE(bound.cost, dearest * bound.introductions) << seed;
+      ++by_cost;
+    }
+  }
+  EXPECT_GT(by_cost, 100U);
+}
+
+// Six slots with two parts each: where only changes cost something, 17 of them cost 17.
+TEST(CostBound, OfChangesAloneIsTheirNumber) {
+  Job job = make_job(12, 6, Amount{}, units(1));
+  for (Element x = 0; x < 12; ++x) {
+    job.slot_of.push_back(x / 2);
+  }
+  for (const char* name : {"A", "B", "C", "D", "E", "F"}) {
+    job.slots.push_back({name, 1, 1});
+  }
+  drop_needed(job, cannot_meet(job));
+  const CostBound bound = cost_bound(job);
+  EXPECT_EQ(bound.cost, units(17));
+  EXPECT_EQ(bound.introductions, 17U);
+  job.test_cost = units(1);
+  RunControl control({.threads = 1});
+  const RunPlan plan = make_run_plan(job, {.steps = 1000, .attempts = 1}, control);
+  EXPECT_GE(plan.sheet.changes, plan.bound.introductions);
 }
 
 TEST(CostBound, IsNothingWhenNothingIsLeft) {
