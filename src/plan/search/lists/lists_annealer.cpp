@@ -7,6 +7,14 @@ namespace {
 
 constexpr double a_pair_weighs = 1e6;  // in millionths
 
+// What overlaps cost: less than for how long they are, since one wait is often enough for several
+// parts, and for later overlaps, too.
+double cost_of_overlap(std::int64_t overlap) { return 0.15 * static_cast<double>(overlap); }
+
+std::int64_t with_overlap(std::int64_t cost, const Lists& lists) {
+  return cost + static_cast<std::int64_t>(cost_of_overlap(lists.overlap()));
+}
+
 }  // namespace
 
 std::optional<Rank> rank_of(const Lists& lists, const ListsSearch& options) {
@@ -17,13 +25,13 @@ std::optional<Rank> rank_of(const Lists& lists, const ListsSearch& options) {
                  : std::nullopt;
     case Aim::least_largest:
       return lists.open() == 0
-                 ? std::optional(Rank(0, lists.largest() + lists.overlap(), lists.total()))
+                 ? std::optional(Rank(0, with_overlap(lists.largest(), lists), lists.total()))
                  : std::nullopt;
     case Aim::least_cost:
       break;
   }
   return lists.open() == 0
-             ? std::optional(Rank(0, lists.total() + lists.overlap(), lists.largest()))
+             ? std::optional(Rank(0, with_overlap(lists.total(), lists), lists.largest()))
              : std::nullopt;
 }
 
@@ -76,7 +84,7 @@ void ListsAnnealer::cool(double done) {
 
 // The cost or duration of the benches together, higher the more they differ, if that of one rises.
 double ListsAnnealer::costs(const Lists::Rise& rise) const {
-  const auto overlap = static_cast<double>(lists_->overlap() + rise.overlap);
+  const auto overlap = cost_of_overlap(lists_->overlap() + rise.overlap);
   const auto total = static_cast<double>(lists_->total() + rise.work + rise.other_work) + overlap;
   switch (options_->aim) {
     case Aim::most_weight:
