@@ -101,7 +101,7 @@ TEST(StretchedOrbits, ServeNothingElse) {
   }
 }
 
-// Theorem 30, with Theorem 3: classes modulo 10.
+// SCCD(v, 6) under Theorem 30: classes modulo 10.
 TEST(StretchedOrbits, MakeCircularDesignsWithSixElementsInABlockOneOverAtMost) {
   const std::set<std::uint64_t> minimum{1, 2, 5, 6, 7};
   for (std::uint64_t v = 161; v <= 340; ++v) {
