@@ -7,13 +7,16 @@
 #     docs/tools/find_parts.sh 44 6 linear end 10 200 7 > FILE     10 parts, the hinge in the last
 # block; 200 tries, seed 7
 #
-# It starts from the best double-change design known, and leaves with 1 if it finds none.
+# It starts from the best double-change design known, and leaves with 1 if it finds none, 4
+# if the tool does not compile.
 # docs/tools/keep_design.sh FILE keeps the design.
 set -eu
+[ $# -ge 5 ] || {
+  echo "usage: docs/tools/find_parts.sh V K circular|linear step|end PARTS [TRIES] [SEED]" >&2
+  exit 2
+}
 CDPATH='' cd -- "$(dirname "$0")/../.."
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT QUIT PIPE TERM
-${CXX:-c++} -std=c++20 -O3 -o "$work/find_parts" docs/tools/find_parts/find_parts.cpp
+. docs/tools/compiled.sh
+compile find_parts -O3
 build/release/changeover design "$1" "$2" "--$3" --format text -o "$work/design.txt"
-"$work/find_parts" "$@" < "$work/design.txt"
+run find_parts "$@" < "$work/design.txt"

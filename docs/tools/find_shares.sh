@@ -8,9 +8,7 @@
 set -eu
 CDPATH='' cd -- "$(dirname "$0")/../.."
 table=src/loadorder/shares/share_table.inc
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT QUIT PIPE TERM
-${CXX:-c++} -std=c++20 -O2 -o "$work/find_shares" docs/tools/find_shares/find_shares.cpp
-"$work/find_shares" "$@" < "$table" > "$work/table.inc"
+. docs/tools/compiled.sh
+compile find_shares -O2
+run find_shares "$@" < "$table" > "$work/table.inc"
 mv "$work/table.inc" "$table"

@@ -7,7 +7,7 @@
 #     docs/tools/find_stretched.sh 3 2 15 4 900 > LIST  SCCD(45,7), ...; seed 4, at most 900 seconds
 #
 # Both take a minute or two. It leaves with 1 if it finds none or is stopped, 2 for numbers that
-# cannot be, 3 if the list could not be written. A list goes into
+# cannot be, 3 if the list could not be written, 4 if the tool does not compile. A list goes into
 # src/construct/tools/stretched_lists.cpp.
 set -eu
 [ $# -ge 3 ] || {
@@ -15,9 +15,6 @@ set -eu
   exit 2
 }
 CDPATH='' cd -- "$(dirname "$0")/../.."
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT QUIT PIPE TERM
-${CXX:-c++} -std=c++20 -O3 -march=native -o "$work/find_stretched" \
-  docs/tools/find_stretched/find_stretched.cpp
-"$work/find_stretched" "$@"
+. docs/tools/compiled.sh
+compile find_stretched -O3 -march=native
+run find_stretched "$@"

@@ -10,7 +10,8 @@
 # The second one found SCCD(28,5,93) in four minutes on a busy core.
 #
 # It leaves with 1 if it finds none or is stopped, 2 for numbers that cannot be, 3 if the list could
-# not be written. docs/tools/keep_design.sh FILE keeps a design; a list with open ends goes into
+# not be written, 4 if the tool does not compile.
+# docs/tools/keep_design.sh FILE keeps a design; a list with open ends goes into
 # src/construct/tools/concatenation/written_pieces.cpp.
 set -eu
 [ $# -ge 5 ] || {
@@ -18,9 +19,6 @@ set -eu
   exit 2
 }
 CDPATH='' cd -- "$(dirname "$0")/../.."
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT QUIT PIPE TERM
-${CXX:-c++} -std=c++20 -O3 -march=native -o "$work/find_with_hole" \
-  docs/tools/find_with_hole/find_with_hole.cpp
-"$work/find_with_hole" "$@"
+. docs/tools/compiled.sh
+compile find_with_hole -O3 -march=native
+run find_with_hole "$@"

@@ -43,6 +43,10 @@ std::optional<std::vector<UnchangedSubset>> Construction::expansion_set(const Re
 
 std::optional<BaseBlocks> Construction::base_blocks(const Recipe&) const { return std::nullopt; }
 
+std::optional<OrbitBaseBlocks> Construction::orbit_base_blocks(const Recipe&) const {
+  return std::nullopt;
+}
+
 std::optional<IntervalBaseBlocks> Construction::interval_base_blocks(const Recipe&) const {
   return std::nullopt;
 }

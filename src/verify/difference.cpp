@@ -6,6 +6,7 @@
 
 #include "changeover/core/error.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -28,9 +29,56 @@ Block sorted_and_checked(const Block& block, std::size_t number, const Parameter
   return sorted;
 }
 
+// The orbits of pairs under a permutation without fixed points, numbered: first the differences 1,
+// …, ⌊n/2⌋ of each cycle, then those of each two cycles, 0, …, n−1.
+class PairOrbits {
+ public:
+  explicit PairOrbits(const Automorphism& pi)
+      : pi_(pi), seen_(static_cast<std::size_t>(pi.pair_orbits()), false) {}
+
+  void mark(Element x, Element y) { seen_[static_cast<std::size_t>(number(x, y))] = true; }
+
+  [[nodiscard]] std::uint64_t count() const { return seen_.size(); }
+  [[nodiscard]] bool seen(std::uint64_t number) const {
+    return seen_[static_cast<std::size_t>(number)];
+  }
+  [[nodiscard]] std::uint64_t pairs(std::uint64_t number) const {
+    const bool halved =
+        number < pi_.cycles * (pi_.n / 2) && pi_.n % 2 == 0 && (number + 1) % (pi_.n / 2) == 0;
+    return halved ? pi_.n / 2 : pi_.n;
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t number(Element x, Element y) const {
+    const auto [low, high] = std::minmax(x, y);
+    const std::uint64_t one = pi_.cycle(low);
+    const std::uint64_t other = pi_.cycle(high);
+    const std::uint64_t apart = (pi_.residue(high) + pi_.n - pi_.residue(low)) % pi_.n;
+    const std::uint64_t half = pi_.n / 2;
+    return one == other ? one * half + std::min(apart, pi_.n - apart) - 1
+                        : pi_.cycles * half + (other * (other - 1) / 2 + one) * pi_.n + apart;
+  }
+
+  Automorphism pi_;
+  std::vector<bool> seen_;
+};
+
+void mark_all(const Block& block, PairOrbits& orbits) {
+  for (std::size_t j = 1; j < block.size(); ++j) {
+    for (std::size_t i = 0; i < j; ++i) {
+      orbits.mark(block[i], block[j]);
+    }
+  }
+}
+
 }  // namespace
 
 DifferenceVerdict verify_differences(const BaseBlocks& base) {
+  check(base.parameters);
+  return verify_differences(base, {base.parameters.v, 1, 0});
+}
+
+DifferenceVerdict verify_differences(const BaseBlocks& base, const Automorphism& pi) {
   const Parameters& p = base.parameters;
   check(p);
   if (p.strength != 2) {
@@ -39,18 +87,20 @@ DifferenceVerdict verify_differences(const BaseBlocks& base) {
   if (base.blocks.empty()) {
     throw BadInput("no base blocks: give at least one");
   }
+  if (pi.fixed != 0 || pi.n == 0 || pi.v() != p.v) {
+    throw BadInput(fmt::format(
+        "the permutation has {} of length {} and {}: use one whose cycles have all {} elements",
+        count_of(pi.cycles, "cycle"), pi.n, count_of(pi.fixed, "fixed element"), p.v));
+  }
   const std::size_t c = base.blocks.size();
   DifferenceVerdict verdict;
-  verdict.b = base.block_count();
+  verdict.b = checked_multiply(c, pi.n);
 
-  // Before B_0 comes the last base block of the round before: B_{c−1} − 1.
-  Block previous = sorted_and_checked(base.blocks.back(), c, p);
-  for (Element& x : previous) {
-    x = x == 0 ? static_cast<Element>(p.v - 1) : x - 1;
-  }
+  // Before B_0 comes the last base block of the round before: π^{−1}(B_{c−1}).
+  Block previous = pi.image(sorted_and_checked(base.blocks.back(), c, p), pi.n - 1);
   std::sort(previous.begin(), previous.end());
 
-  std::vector<bool> seen(static_cast<std::size_t>(p.v / 2 + 1), false);
+  PairOrbits orbits(pi);
   std::uint64_t newly_covered = 0;
   Block kept;
   Block introduced;
@@ -70,9 +120,7 @@ DifferenceVerdict verify_differences(const BaseBlocks& base) {
     }
     for (std::size_t a = 0; a < introduced.size(); ++a) {
       const auto mark = [&](Element y) {
-        const Element x = introduced[a];
-        const std::uint64_t d = x < y ? y - x : x - y;
-        seen[static_cast<std::size_t>(std::min(d, p.v - d))] = true;
+        orbits.mark(introduced[a], y);
         ++newly_covered;
       };
       std::for_each(kept.begin(), kept.end(), mark);
@@ -81,24 +129,31 @@ DifferenceVerdict verify_differences(const BaseBlocks& base) {
     previous = std::move(block);
   }
 
-  if (p.k == p.v) {  // every block is Z_v: nothing ever changes, everything occurs
+  if (p.k == p.v) {  // every block has all elements: nothing ever changes, everything occurs
     return verdict;
   }
-  // No element is in every translate of a base block, so a pair that occurs is newly covered
-  // somewhere.
+  // No element is in all blocks unless its whole cycle is, so a pair that occurs is newly covered
+  // somewhere, or its elements are of such cycles.
+  PairOrbits always(pi);
+  if (p.k >= pi.n) {
+    mark_all(base.blocks.front(), always);
+  }
+  std::uint64_t never_newly = 0;
   std::uint64_t distinct = 0;
-  for (std::uint64_t d = 1; d <= p.v / 2; ++d) {
-    if (seen[static_cast<std::size_t>(d)]) {
-      distinct += 2 * d == p.v ? p.v / 2 : p.v;
+  for (std::uint64_t number = 0; number < orbits.count(); ++number) {
+    if (orbits.seen(number)) {
+      distinct += orbits.pairs(number);
+    } else if (always.seen(number)) {
+      ++never_newly;
     } else {
       ++verdict.uncovered;
-      if (verdict.uncovered_examples.size() < DifferenceVerdict::most_examples) {
-        verdict.uncovered_examples.push_back(d);
+      if (pi.cycles == 1 && verdict.uncovered_examples.size() < DifferenceVerdict::most_examples) {
+        verdict.uncovered_examples.push_back(number + 1);
       }
     }
   }
-  verdict.excess = checked_multiply(newly_covered, p.v) - distinct;
-  verdict.tight = verdict.valid() && verdict.excess == 0;
+  verdict.excess = checked_multiply(newly_covered, pi.n) - distinct;
+  verdict.tight = verdict.valid() && verdict.excess == 0 && never_newly == 0;
   return verdict;
 }
 

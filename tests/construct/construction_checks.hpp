@@ -194,6 +194,11 @@ inline void expect_as_promised(const Offer& offer) {
     EXPECT_TRUE(differences.valid());
     EXPECT_TRUE(differences.tight || !offer.tight);
   }
+  if (const auto base = maker.orbit_base_blocks(recipe)) {
+    DevelopedSource developed(base->base, base->automorphism);
+    EXPECT_EQ(blocks_of(developed), design.blocks());
+    EXPECT_TRUE(verify_differences(base->base, base->automorphism).tight || !offer.tight);
+  }
   EXPECT_FALSE(maker.explain(recipe).empty());
 }
 

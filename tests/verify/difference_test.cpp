@@ -50,6 +50,54 @@ TEST(DifferenceVerdict, EqualsTheFullVerificationOnRandomBaseBlocks) {
   EXPECT_GT(valid, 10);
 }
 
+TEST(DifferenceVerdict, EqualsTheFullVerificationUnderSeveralCycles) {
+  std::mt19937 random(11);
+  int valid = 0;
+  int tight = 0;
+  for (int round = 0; round < 6000; ++round) {
+    const Automorphism pi{.n = 2 + random() % 5, .cycles = 1 + random() % 3, .fixed = 0};
+    const std::uint64_t v = pi.v();
+    if (v < 4) {
+      continue;
+    }
+    const std::uint64_t k = 2 + random() % (v - 2);
+    const std::uint64_t m = 1 + random() % std::min<std::uint64_t>(2, k);
+    BaseBlocks developed{{.v = v, .k = k, .change = m, .kind = Kind::circular}, {}};
+    Block points(static_cast<std::size_t>(v));
+    std::iota(points.begin(), points.end(), 0U);
+    std::shuffle(points.begin(), points.end(), random);
+    const std::size_t c = 1 + random() % 6;
+    for (std::size_t i = 0; i < c; ++i) {
+      for (std::uint64_t j = 0; j < m; ++j) {
+        std::swap(points[random() % k], points[k + random() % (v - k)]);
+      }
+      developed.blocks.emplace_back(points.begin(),
+                                    points.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+    const DifferenceVerdict differences = verify_differences(developed, pi);
+    DevelopedSource source(developed, pi);
+    const Verdict full = verify(source);
+    ASSERT_EQ(differences.valid(), full.valid());
+    ASSERT_EQ(differences.tight, full.tight());
+    ASSERT_EQ(differences.b, full.b);
+    ASSERT_EQ(differences.bad_steps * pi.n, full.bad_steps);
+    ASSERT_EQ(differences.uncovered == 0, full.uncovered == 0);
+    ASSERT_EQ(differences.excess, full.excess);
+    valid += differences.valid() ? 1 : 0;
+    tight += differences.tight ? 1 : 0;
+  }
+  EXPECT_GT(valid, 10);
+  EXPECT_GT(tight, 0);
+}
+
+TEST(DifferenceVerdict, RefusesPermutationsOfOtherElements) {
+  const BaseBlocks base{{.v = 6, .k = 3, .change = 1, .kind = Kind::circular}, {{0, 1, 3}}};
+  for (const Automorphism& pi :
+       {Automorphism{3, 1, 0}, Automorphism{5, 1, 1}, Automorphism{0, 0, 6}}) {
+    EXPECT_THROW((void)verify_differences(base, pi), BadInput);
+  }
+}
+
 TEST(DifferenceVerdict, EqualsTheFullVerificationOnEveryBaseBlockOfSmallParameters) {
   int valid = 0;
   for (std::uint32_t v = 3; v <= 11; ++v) {

@@ -135,10 +135,7 @@ Answer draw_promised(const Offer& promise, DrawOptions options, const DrawReques
   if (const auto at_once = judge_at_once(*subject.source, promise)) {
     options.note = quality(*at_once);
   } else if (takes_long_to_judge(*subject.source, promise)) {
-    const Parameters& p = promise.recipe.parameters;
-    options.note = fmt::format(
-        "not verified here, for that takes long: changeover design {} {} --change {} --{} does",
-        p.v, p.k, p.change, to_string(p.kind));
+    options.note = not_verified_here(promise.recipe.parameters);
   } else {
     options.note = quality(judge(*subject.source, promise));
   }

@@ -86,6 +86,10 @@ class Construction {
   /// differences then certify it (verify/difference.hpp).
   [[nodiscard]] virtual std::optional<BaseBlocks> base_blocks(const Recipe& recipe) const;
 
+  /// The same under a permutation with several cycles.
+  [[nodiscard]] virtual std::optional<OrbitBaseBlocks> orbit_base_blocks(
+      const Recipe& recipe) const;
+
   /// The same where base blocks share an interval, without writing it out
   /// (verify/difference.hpp).
   [[nodiscard]] virtual std::optional<IntervalBaseBlocks> interval_base_blocks(

@@ -111,6 +111,12 @@ struct BaseBlocks {
   bool operator==(const BaseBlocks&) const = default;
 };
 
+/// The same under a permutation with several cycles; automorphism.v() is the v of the base blocks.
+struct OrbitBaseBlocks {
+  BaseBlocks base;
+  Automorphism automorphism;
+};
+
 /// The development of base blocks as a stream.
 class DevelopedSource final : public BlockSource {
  public:

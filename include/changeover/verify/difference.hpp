@@ -30,8 +30,8 @@ struct DifferenceVerdict {
   std::uint64_t b = 0;          ///< blocks of the developed design
   std::uint64_t bad_steps = 0;  ///< steps B₀→B₁, …, link, that do not change m elements
   std::optional<std::uint64_t> first_bad_step;  ///< 1-based; c is the link
-  std::uint64_t uncovered = 0;                  ///< differences 1..⌊v/2⌋ that no base block has
-  std::vector<std::uint64_t> uncovered_examples;  ///< the first most_examples
+  std::uint64_t uncovered = 0;  ///< differences 1..⌊v/2⌋, or orbits of pairs, not in a base block
+  std::vector<std::uint64_t> uncovered_examples;  ///< the first most_examples, over Z_v
   static constexpr std::size_t most_examples = 20;
   std::uint64_t excess = 0;  ///< of the developed design, in pairs
   bool tight = false;
@@ -42,6 +42,11 @@ struct DifferenceVerdict {
 /// Decides the developed design by its differences. @throws BadInput if a base block is not k
 /// distinct elements below v; ImpossibleParameters as check().
 [[nodiscard]] DifferenceVerdict verify_differences(const BaseBlocks& base);
+
+/// The same under a permutation with several cycles of length n: an orbit of pairs is a difference
+/// modulo n within a cycle, up to sign, or from one cycle to another. Memory is a bit for each
+/// orbit. @throws as the above, and BadInput if pi.v() is another v or an element is fixed.
+[[nodiscard]] DifferenceVerdict verify_differences(const BaseBlocks& base, const Automorphism& pi);
 
 // Difference certificates for base blocks that share an interval, in time that does not depend on
 // k.

@@ -67,6 +67,8 @@ static_assert(std::atomic<int>::is_always_lock_free, "a signal handler reads it"
 
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a signal handler needs it
 Unfinished unfinished;
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a signal handler needs it
+std::atomic_flag ending = ATOMIC_FLAG_INIT;
 
 [[noreturn]] void cannot_write(const std::string& path, int error) {
   const std::string line =
@@ -308,10 +310,13 @@ void remove_unfinished_outputs_on_signals() {
     }
     struct sigaction action = {};
     action.sa_handler = [](int number) {
+      if (ending.test_and_set()) {
+        return;  // a second one, perhaps to another thread, while the files are removed
+      }
       remove_unfinished_outputs();
-      ::raise(number);  // SA_RESETHAND: this time it ends the process
+      ::signal(number, SIG_DFL);
+      ::raise(number);  // once this handler ends
     };
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
     ::sigaction(signal, &action, nullptr);
   }
 }

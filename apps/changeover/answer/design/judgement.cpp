@@ -30,7 +30,7 @@ Judgement judge(const Verdict& verdict, const std::optional<Bound>& proved) {
   return judgement;
 }
 
-// The certificate of a development over Z_v, if the recipe has one.
+// The certificate of a development, if the recipe has one.
 static std::optional<DifferenceVerdict> certificate(const Recipe& recipe) {
   const Construction& construction = Registry::standard().construction_of(recipe);
   if (const auto base = construction.interval_base_blocks(recipe)) {
@@ -38,6 +38,9 @@ static std::optional<DifferenceVerdict> certificate(const Recipe& recipe) {
   }
   if (const auto base = construction.base_blocks(recipe)) {
     return verify_differences(*base);
+  }
+  if (const auto base = construction.orbit_base_blocks(recipe)) {
+    return verify_differences(base->base, base->automorphism);
   }
   return std::nullopt;
 }
@@ -80,6 +83,17 @@ std::optional<Judgement> judge_at_once(const BlockSource& source, const Offer& p
 
 bool takes_long_to_judge(const BlockSource& source, const Offer& promise) {
   return is_long(source.parameters(), promise.b);
+}
+
+std::string not_verified_here(const Parameters& p, std::string_view options) {
+  if (p.v > max_elements_in_memory) {
+    return fmt::format(
+        "not verified here: with more than {} elements only what base blocks develop into can be",
+        max_elements_in_memory);
+  }
+  return fmt::format(
+      "not verified here, for that takes long: changeover design {} {} --change {} --{}{} does",
+      p.v, p.k, p.change, to_string(p.kind), options);
 }
 
 JudgedWhileRead::JudgedWhileRead(BlockSource& source, const Offer& promise)

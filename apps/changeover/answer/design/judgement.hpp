@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "changeover/bounds/lower_bound.hpp"
@@ -26,7 +27,7 @@ struct Judgement {
 };
 
 /// Verifies a stream of blocks and rewinds it. If the list is long and is the development of base
-/// blocks over Z_v, their differences are checked instead. @throws InternalError if what was
+/// blocks, their differences are checked instead. @throws InternalError if what was
 /// promised does not hold.
 ///
 /// A list of 10⁸ blocks without such a certificate takes a minute or more, in which nothing would
@@ -45,6 +46,10 @@ struct Judgement {
 /// nothing.
 [[nodiscard]] std::optional<Judgement> judge_at_once(const BlockSource& source,
                                                      const Offer& promise);
+
+/// What to say of a design that takes_long_to_judge(): which command verifies it, if one can.
+/// `options` are more options of that command, with a space before each.
+[[nodiscard]] std::string not_verified_here(const Parameters& p, std::string_view options = {});
 
 /// Hands on the blocks of a stream and verifies them on the way. A caller that reads the end of it
 /// has a design that was verified: read() @throws InternalError there if what was promised does not

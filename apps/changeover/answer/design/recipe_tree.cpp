@@ -30,11 +30,7 @@ std::string quality_of(const Recipe& recipe) {
   if (const auto judgement = judgement_of(recipe)) {
     return quality(*judgement);
   }
-  const Parameters& p = recipe.parameters;
-  return fmt::format(
-      "not verified here, for that takes long: changeover design {} {} --change {} --{} "
-      "--format text -o FILE does",
-      p.v, p.k, p.change, to_string(p.kind));
+  return not_verified_here(recipe.parameters, " --format text -o FILE");
 }
 
 void add_text(const RecipeNode& node, const Recipe& recipe, const std::string& indent,

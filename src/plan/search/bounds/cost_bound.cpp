@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "changeover/run/control.hpp"
@@ -178,12 +179,19 @@ void raise_numbers(const Job& job, CostBound& bound) {
     return;
   }
   const Amount dearest = *std::ranges::max_element(job.change_costs);
-  const std::uint64_t cost = bound.cost.millionths;
+  const auto raise = [&](std::uint64_t& number, Amount each, std::string_view what) {
+    const std::uint64_t least = ceil_div(bound.cost.millionths, each.millionths);
+    if (least > number) {
+      number = least;
+      bound.reason += fmt::format("; a {} costs {} at most and nothing else costs anything, so {}",
+                                  what, to_string(each), count_of(least, what));
+    }
+  };
   if (job.test_cost.millionths == 0 && dearest.millionths > 0) {
-    bound.introductions = std::max(bound.introductions, ceil_div(cost, dearest.millionths));
+    raise(bound.introductions, dearest, "change");
   }
   if (dearest.millionths == 0 && job.test_cost.millionths > 0) {
-    bound.tests = std::max(bound.tests, ceil_div(cost, job.test_cost.millionths));
+    raise(bound.tests, job.test_cost, "test");
   }
 }
 

@@ -119,6 +119,19 @@ class StretchedOrbits final : public Described<Family, description> {
     return set;
   }
 
+  std::optional<OrbitBaseBlocks> orbit_base_blocks(const Recipe& recipe) const override {
+    const Parameters& p = required(recipe);
+    const Stretched blocks = *stretched_to(p);
+    if (blocks.base_blocks() > max_written_out_elements / p.k) {
+      return std::nullopt;
+    }
+    OrbitBaseBlocks result{{p, {}}, {blocks.n(), blocks.list().g, 0}};
+    for (std::uint64_t i = 0; i < blocks.base_blocks(); ++i) {
+      blocks.write(i, result.base.blocks.emplace_back(static_cast<std::size_t>(p.k)));
+    }
+    return result;
+  }
+
  protected:
   std::optional<Promise> promise(const Parameters& p) const override {
     const auto blocks = stretched_to(p);
@@ -157,7 +170,7 @@ class StretchedOrbits final : public Described<Family, description> {
       return fmt::format("the residue {}", first);
     }
     return h == 1 ? fmt::format("the residues {} to {}", first, last)
-                  : fmt::format("each {}th residue from {} to {}", h, first, last);
+                  : fmt::format("the residues {}, {}, … up to {}", first, first + h, last);
   }
 };
 
