@@ -9,6 +9,7 @@
 #include "changeover/core/developed.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "message_of.hpp"
 
 namespace changeover::difference_test {
 namespace {
@@ -92,10 +93,15 @@ TEST(DifferenceVerdict, EqualsTheFullVerificationUnderSeveralCycles) {
 
 TEST(DifferenceVerdict, RefusesPermutationsOfOtherElements) {
   const BaseBlocks base{{.v = 6, .k = 3, .change = 1, .kind = Kind::circular}, {{0, 1, 3}}};
-  for (const Automorphism& pi :
-       {Automorphism{3, 1, 0}, Automorphism{5, 1, 1}, Automorphism{0, 0, 6}}) {
-    EXPECT_THROW((void)verify_differences(base, pi), BadInput);
-  }
+  const auto refused = [&](const Automorphism& pi) {
+    return message_of<BadInput>([&] { (void)verify_differences(base, pi); });
+  };
+  EXPECT_EQ(refused({3, 1, 0}),
+            "the permutation has 1 cycle of length 3 and 0 fixed elements: use one whose cycles "
+            "have all 6 elements");
+  EXPECT_EQ(refused({5, 1, 1}),
+            "the permutation has 1 cycle of length 5 and 1 fixed element: use one whose cycles "
+            "have all 6 elements");
 }
 
 TEST(DifferenceVerdict, EqualsTheFullVerificationOnEveryBaseBlockOfSmallParameters) {

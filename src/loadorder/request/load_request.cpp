@@ -22,7 +22,7 @@ namespace {
 using R = LoadRequest;
 
 constexpr std::string_view of_pages =
-    "its answer is what the page draws: what is loaded and evicted, by one or by several";
+    "its answer is what the page draws: the loads and evictions of one worker or of several";
 
 std::vector<RequestOption<R>> options() {
   return with_search_options<R>(
