@@ -1,7 +1,7 @@
 // Runs tests of pages: in one browser, which is opened once, and on one server, unless a file has
-// one of its own. Each test has a new context of that browser. Two files at a time, for a browser
-// waits as often as it works. On a loaded machine a test can miss a limit of time: what fails is
-// tried once more, alone, and that is said.
+// one of its own. Each file has a new context of that browser, which is emptied after each test.
+// Two files at a time, for a browser waits as often as it works. On a loaded machine a test can
+// miss a limit of time: what fails is tried once more, alone, and that is said.
 //
 //     node tests/run.mjs FILE...              all tests of these files
 //     node tests/run.mjs --only WORDS FILE... those whose names, behind that of their file, have
