@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <array>
 #include <map>
 #include <vector>
 
@@ -358,6 +359,15 @@ TEST_F(Answers, LoadOrdersBringAllPairsTogether) {
     EXPECT_EQ(shared["worker_bytes"], shared["order"]["worker_bytes"]);
     EXPECT_EQ(shared["makespan_bytes"], shared["order"]["makespan_bytes"]);
     EXPECT_GE(shared["makespan_bytes"], shared["makespan_bytes_bound"]);
+  }
+  for (const auto& [items, room, workers, epochs] :
+       {std::array{24, 6, 2, 2}, std::array{24, 6, 3, 3}, std::array{40, 8, 5, 4}}) {
+    const auto in_epochs =
+        json_of(post("/api/loadorder",
+                     fmt::format(R"({{"items":{},"room":{},"workers":{},"epochs":{}}})", items,
+                                 room, workers, epochs),
+                     "application/json"));
+    EXPECT_EQ(in_epochs["pairs"], items * (items - 1) / 2 * epochs);
   }
 }
 

@@ -80,13 +80,16 @@ LoadQuestion question_of(const Explorer& explorer, const Request& sent) {
 // Follows all steps: samples for curves, and the referee.
 class Account {
  public:
-  Account(const CheckedLoads& asked, std::uint64_t steps, const ScheduleRules& rules)
+  Account(const CheckedLoads& asked, std::uint64_t steps, const ScheduleRules& rules, bool epochs)
       : asked_(asked),
         come_(rules.fast_room ? &Step::fast_load : &Step::load),
         leave_(rules.fast_room ? &Step::fast_evict : &Step::evict),
         in_lockstep_(rules.lockstep > 0),
+        one_by_one_(epochs && rules.lockstep == 0),
         every_(steps / most_samples + 1),
         met_(asked.items()),
+        before_(asked.items()),
+        ever_(asked.items()),
         check_(rules) {}
 
   void read(const Step& step) {
@@ -97,6 +100,10 @@ class Account {
     mine.held = mine.held + step.load.size() - step.evict.size();
     for (const Element item : step.*leave_) {
       std::erase(mine.together, item);
+    }
+    if (step.worker != last_ && one_by_one_) {
+      before_ = ever_;
+      met_ = PairSet(asked_.items());
     }
     if (step.epoch != std::exchange(epoch_, step.epoch)) {
       met_ = PairSet(asked_.items());
@@ -151,8 +158,12 @@ class Account {
  private:
   void come(Element item, Memory& mine) {
     for (const Element other : mine.together) {
-      if (item != other && !met_.contains(item, other) && asked_.wanted().contains(item, other)) {
+      if (item != other && !met_.contains(item, other) && !before_.contains(item, other) &&
+          asked_.wanted().contains(item, other)) {
         met_.insert(item, other);
+        if (one_by_one_) {
+          ever_.insert(item, other);
+        }
         ++pairs_;
         ++mine.pairs;
       }
@@ -174,9 +185,12 @@ class Account {
   std::vector<Element> Step::*come_;
   std::vector<Element> Step::*leave_;
   bool in_lockstep_;
+  bool one_by_one_;  // workers, through all epochs each
   std::uint64_t epoch_ = 1;
   std::uint64_t every_;
-  PairSet met_;
+  PairSet met_;     // in this epoch; of workers one by one, by this one
+  PairSet before_;  // then, by the workers before it: a worker has the same pairs in each epoch
+  PairSet ever_;
   ScheduleCheck check_;
   std::uint64_t count_ = 0;
   std::uint64_t pairs_ = 0;
@@ -321,7 +335,7 @@ Response load_order(const Explorer& explorer, const Request& request) {
   answer.write("jsonl", lines);
   ScheduleRules rules = planned.split != nullptr ? planned.split->rules() : planned.order->rules();
   rules.room = asked.room();
-  Account account(asked, steps, rules);
+  Account account(asked, steps, rules, question.request.epochs.value_or(1) > 1);
   const auto stream = planned.stream();
   for (Step step; stream->next(step);) {
     account.read(step);
