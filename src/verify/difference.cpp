@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "changeover/core/error.hpp"
 #include "core/checked.hpp"
@@ -134,16 +135,16 @@ DifferenceVerdict verify_differences(const BaseBlocks& base, const Automorphism&
   }
   // No element is in all blocks unless its whole cycle is, so a pair that occurs is newly covered
   // somewhere, or its elements are of such cycles.
-  PairOrbits always(pi);
-  if (p.k >= pi.n) {
-    mark_all(base.blocks.front(), always);
+  std::optional<PairOrbits> always;
+  if (p.k >= pi.n) {  // a cycle fits into a block
+    mark_all(base.blocks.front(), always.emplace(pi));
   }
   std::uint64_t never_newly = 0;
   std::uint64_t distinct = 0;
   for (std::uint64_t number = 0; number < orbits.count(); ++number) {
     if (orbits.seen(number)) {
       distinct += orbits.pairs(number);
-    } else if (always.seen(number)) {
+    } else if (always && always->seen(number)) {
       ++never_newly;
     } else {
       ++verdict.uncovered;

@@ -65,6 +65,7 @@ const std::vector<Case>& cases() {
       {"$changeover explain 100 12", 0, "from"},
       {"$changeover explain 4096 5", 0, "DCCD(4096,5)"},
       {"$changeover explain 8000 4", 0, "not verified here"},
+      {"$changeover explain 65546 6 -m 1 --circular", 0, "more than 65535 elements only"},
       {"$changeover explain 8000 4 --json", 0, "\"verdict\":null"},
       {"$changeover factorize 8", 0, "F_7: "},
       {"$changeover table --k 3..5 --v 5..12", 0, "mean of b / lower bound"},

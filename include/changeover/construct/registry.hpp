@@ -86,11 +86,11 @@ class Construction {
   /// differences then certify it (verify/difference.hpp).
   [[nodiscard]] virtual std::optional<BaseBlocks> base_blocks(const Recipe& recipe) const;
 
-  /// The same under a permutation with several cycles.
+  /// The same under a permutation with several cycles, if they are not too many to write out.
   [[nodiscard]] virtual std::optional<OrbitBaseBlocks> orbit_base_blocks(
       const Recipe& recipe) const;
 
-  /// The same where base blocks share an interval, without writing it out
+  /// As base_blocks(), for base blocks that share an interval, without writing it out
   /// (verify/difference.hpp).
   [[nodiscard]] virtual std::optional<IntervalBaseBlocks> interval_base_blocks(
       const Recipe& recipe) const;

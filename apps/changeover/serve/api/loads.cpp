@@ -88,8 +88,8 @@ class Account {
         one_by_one_(epochs && rules.lockstep == 0),
         every_(steps / most_samples + 1),
         met_(asked.items()),
-        before_(asked.items()),
-        ever_(asked.items()),
+        before_(one_by_one_ ? asked.items() : 0),
+        ever_(before_),
         check_(rules) {}
 
   void read(const Step& step) {
@@ -158,7 +158,8 @@ class Account {
  private:
   void come(Element item, Memory& mine) {
     for (const Element other : mine.together) {
-      if (item != other && !met_.contains(item, other) && !before_.contains(item, other) &&
+      if (item != other && !met_.contains(item, other) &&
+          !(one_by_one_ && before_.contains(item, other)) &&
           asked_.wanted().contains(item, other)) {
         met_.insert(item, other);
         if (one_by_one_) {
@@ -190,7 +191,7 @@ class Account {
   std::uint64_t every_;
   PairSet met_;     // in this epoch; of workers one by one, by this one
   PairSet before_;  // then, by the workers before it: a worker has the same pairs in each epoch
-  PairSet ever_;
+  PairSet ever_;    // by it, too
   ScheduleCheck check_;
   std::uint64_t count_ = 0;
   std::uint64_t pairs_ = 0;

@@ -108,6 +108,7 @@ TEST(CostBound, OfChangesAloneIsTheirNumber) {
   const CostBound bound = cost_bound(job);
   EXPECT_EQ(bound.cost, units(17));
   EXPECT_EQ(bound.introductions, 17U);
+  EXPECT_NE(bound.reason.find("so 17 changes"), std::string::npos) << bound.reason;
   job.test_cost = units(1);
   RunControl control({.threads = 1});
   const RunPlan plan = make_run_plan(job, {.steps = 1000, .attempts = 1}, control);

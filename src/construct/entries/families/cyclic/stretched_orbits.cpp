@@ -44,21 +44,19 @@ class Stretched {
                              [&](const OrbitPoint& point) { return element(point, power); });
       return;
     }
-    const Block kept = held(power);
-    std::ranges::copy(kept, block.begin());
+    hold(power, block);
     const std::uint64_t farthest = (list_->n - 1) / 2 + list_->h * (1 + which / list_->g);
     block.back() = element({static_cast<std::int64_t>(farthest), which % list_->g}, power);
   }
 
-  // A + power.
-  [[nodiscard]] Block held(std::uint64_t power) const {
-    Block kept;
+  // A + power, the first elements of `block`, in ascending order for h = 1.
+  void hold(std::uint64_t power, std::span<Element> block) const {
+    std::size_t filled = 0;
     for (std::uint64_t orbit = 0; orbit < list_->g; ++orbit) {
       for (std::uint64_t i = 0; i < list_->h; ++i) {
-        kept.push_back(element({static_cast<std::int64_t>(i), orbit}, power));
+        block[filled++] = element({static_cast<std::int64_t>(i), orbit}, power);
       }
     }
-    return kept;
   }
 
  private:
@@ -112,8 +110,8 @@ class StretchedOrbits final : public Described<Family, description> {
     }
     std::vector<UnchangedSubset> set;
     for (std::uint64_t power = 1; power <= blocks.n(); ++power) {
-      Block kept = blocks.held(power % blocks.n());
-      std::ranges::sort(kept);
+      Block kept(static_cast<std::size_t>(recipe.parameters.k - 1));
+      blocks.hold(power % blocks.n(), kept);
       set.push_back({static_cast<std::size_t>(power * blocks.base_blocks()), std::move(kept)});
     }
     return set;
