@@ -6,18 +6,51 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <string_view>
 
 #include "changeover/core/error.hpp"
 #include "io/file/left_behind.hpp"
+#include "io/file/unfinished.hpp"
 
 namespace changeover {
 namespace {
 
 constexpr std::string_view lock_words = "changeover: a process works with the file beside this\n";
+
+std::string content_of(int descriptor) {
+  std::string content(lock_words.size() + 1, '\0');
+  const ssize_t length = ::pread(descriptor, content.data(), content.size(), 0);
+  content.resize(length > 0 ? static_cast<std::size_t>(length) : 0);
+  return content;
+}
+
+// On a full disk our words may be there only in part.
+bool has_our_words(const std::string& content) {
+  return !content.empty() && lock_words.starts_with(content);
+}
+
+// While a lock is made, this thread puts off the signals that would end the process: a lock that is
+// not yet noted as unfinished would stay.
+class SignalsPutOff {
+ public:
+  SignalsPutOff() {
+    sigset_t signals;
+    ::sigemptyset(&signals);
+    for (const int each : {SIGINT, SIGTERM, SIGHUP}) {
+      ::sigaddset(&signals, each);
+    }
+    ::pthread_sigmask(SIG_BLOCK, &signals, &before_);
+  }
+  ~SignalsPutOff() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsPutOff(const SignalsPutOff&) = delete;
+  SignalsPutOff& operator=(const SignalsPutOff&) = delete;
+
+ private:
+  sigset_t before_{};
+};
 
 }  // namespace
 
@@ -28,6 +61,7 @@ FileLock::FileLock(const std::string& path) {
     throw MissingResource(path + ": symbolic links lead in a circle; correct them");
   }
   lock_path_ = target->string() + ".lock";
+  const SignalsPutOff put_off;
   acquire(path);
 }
 
@@ -39,7 +73,10 @@ void FileLock::acquire(const std::string& path) {
     constexpr int flags = O_RDWR | O_CLOEXEC | O_NOFOLLOW;
     descriptor_ = ::open(lock_path_.c_str(), flags | O_CREAT | O_EXCL, 0666);
     made = descriptor_ >= 0;
-    if (!made && errno == EEXIST) {
+    if (made) {
+      // At once: another process can have the lock before us, and then it removes our file.
+      (void)!::pwrite(descriptor_, lock_words.data(), lock_words.size(), 0);
+    } else if (errno == EEXIST) {
       descriptor_ = ::open(lock_path_.c_str(), flags);
       if (descriptor_ < 0 && errno == ENOENT) {
         continue;  // It has just been removed.
@@ -72,18 +109,13 @@ void FileLock::acquire(const std::string& path) {
     }
     ::close(descriptor_);
   }
-  // A file of another kind that happens to have this name is left alone. An empty one is used as
-  // the lock but not removed, because its owner is unknown. A lock that a killed search left has
-  // our words in it.
-  std::array<char, lock_words.size() + 1> content{};
-  const ssize_t length = ::pread(descriptor_, content.data(), content.size(), 0);
-  if (length == 0 && made) {
-    is_ours_ = ::pwrite(descriptor_, lock_words.data(), lock_words.size(), 0) ==
-               static_cast<ssize_t>(lock_words.size());
-  } else if (length == static_cast<ssize_t>(lock_words.size()) &&
-             std::string_view(content.data(), lock_words.size()) == lock_words) {
-    is_ours_ = true;
-  } else if (length != 0) {
+  // A file of another kind that happens to have this name is left alone. A lock that a killed
+  // process left has our words in it; an empty one may have an owner who has yet to write them.
+  const std::string content = content_of(descriptor_);
+  if (made || has_our_words(content)) {
+    removes_ = true;
+    slot_ = note_unfinished(lock_path_);
+  } else if (!content.empty()) {
     ::close(descriptor_);
     throw BadInput(
         fmt::format("{}: not a lock file; move it away, or name another file than the one it "
@@ -93,9 +125,10 @@ void FileLock::acquire(const std::string& path) {
 }
 
 FileLock::~FileLock() {
-  if (is_ours_) {
+  if (removes_ || has_our_words(content_of(descriptor_))) {
     ::unlink(lock_path_.c_str());
   }
+  forget_unfinished(slot_);
   ::close(descriptor_);
 }
 

@@ -3,8 +3,8 @@
 //     FileLock lock("mine.csv");             // "mine.csv.lock", until the end of the block
 //
 // The file itself cannot carry the lock, for writing replaces it (io/output.hpp). The lock file
-// says what it is, and its owner removes it; one that a killed process left does no harm, because
-// the system drops the lock with the process. All names of a file, links included, have the same
+// says what it is, and its owner removes it, also on a signal; one that a killed process left does
+// no harm, because the system drops the lock with the process. All names of a file, links included, have the same
 // lock.
 #pragma once
 
@@ -27,7 +27,8 @@ class FileLock {
 
   std::string lock_path_;
   int descriptor_ = -1;
-  bool is_ours_ = false;  // to be removed: it has our words, or was made here
+  int slot_ = -1;         // of io/file/unfinished.hpp
+  bool removes_ = false;  // known at once: it was made here, or has our words
 };
 
 }  // namespace changeover

@@ -6,11 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <atomic>
 #include <cerrno>
-#include <climits>
-#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <vector>
@@ -18,57 +15,10 @@
 #include "changeover/core/error.hpp"
 #include "io/file/left_behind.hpp"
 #include "io/file/remedies.hpp"
+#include "io/file/unfinished.hpp"
 
 namespace changeover {
 namespace {
-
-// Paths of temporaries where a signal handler can find them: static memory, never freed.
-class Unfinished {
- public:
-  /// The slot that holds `path`, or −1 if there is no room: it is then not removed on a signal.
-  int add(const std::string& path) {
-    if (path.size() >= PATH_MAX) {
-      return -1;
-    }
-    for (std::size_t i = 0; i < slots_.size(); ++i) {
-      int expected = free_slot;
-      if (slots_[i].state.compare_exchange_strong(expected, claimed)) {
-        std::memcpy(slots_[i].path.data(), path.c_str(), path.size() + 1);
-        slots_[i].state.store(active);
-        return static_cast<int>(i);
-      }
-    }
-    return -1;
-  }
-
-  void drop(int slot) {
-    if (slot >= 0) {
-      slots_[static_cast<std::size_t>(slot)].state.store(free_slot);
-    }
-  }
-
-  void remove_all() noexcept {
-    for (Slot& slot : slots_) {
-      if (slot.state.load() == active) {
-        ::unlink(slot.path.data());
-      }
-    }
-  }
-
- private:
-  static constexpr int free_slot = 0, claimed = 1, active = 2;
-  struct Slot {
-    std::atomic<int> state = free_slot;
-    std::array<char, PATH_MAX> path = {};
-  };
-  std::array<Slot, 16> slots_;
-};
-static_assert(std::atomic<int>::is_always_lock_free, "a signal handler reads it");
-
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a signal handler needs it
-Unfinished unfinished;
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a signal handler needs it
-std::atomic_flag ending = ATOMIC_FLAG_INIT;
 
 [[noreturn]] void cannot_write(const std::string& path, int error) {
   const std::string line =
@@ -159,13 +109,13 @@ struct OutputFile::State {
     remove_left_behind(folder, stem);
     for (int attempt = 0; attempt < 100; ++attempt) {
       temporary = (folder / fmt::format(".{}.{}-{}.tmp", stem, ::getpid(), counter++)).string();
-      slot = unfinished.add(temporary);
+      slot = note_unfinished(temporary);
       descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       if (descriptor >= 0 && claim_temporary(descriptor, temporary)) {
         break;
       }
       const int error = descriptor >= 0 ? EEXIST : errno;
-      unfinished.drop(slot);
+      forget_unfinished(slot);
       if (descriptor >= 0) {
         ::close(descriptor);
         descriptor = -1;
@@ -201,7 +151,7 @@ struct OutputFile::State {
     }
     if (!temporary.empty()) {
       ::unlink(temporary.c_str());
-      unfinished.drop(slot);
+      forget_unfinished(slot);
       temporary.clear();
     }
     release();
@@ -286,7 +236,7 @@ void OutputFile::commit() {
     s.fail(errno);
   }
   s.release();
-  unfinished.drop(s.slot);
+  forget_unfinished(s.slot);
   s.temporary.clear();
   s.sync_folder();
 }
@@ -299,26 +249,5 @@ std::string OutputFile::path_until_commit() const {
 }
 
 bool OutputFile::is_standard_output() const { return state_->standard; }
-
-void remove_unfinished_outputs() noexcept { unfinished.remove_all(); }
-
-void remove_unfinished_outputs_on_signals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction old = {};
-    if (::sigaction(signal, nullptr, &old) != 0 || old.sa_handler != SIG_DFL) {
-      continue;
-    }
-    struct sigaction action = {};
-    action.sa_handler = [](int number) {
-      if (ending.test_and_set()) {
-        return;  // a second one, perhaps to another thread, while the files are removed
-      }
-      remove_unfinished_outputs();
-      ::signal(number, SIG_DFL);
-      ::raise(number);  // once this handler ends
-    };
-    ::sigaction(signal, &action, nullptr);
-  }
-}
 
 }  // namespace changeover

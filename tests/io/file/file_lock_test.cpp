@@ -6,12 +6,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 
 #include "changeover/core/error.hpp"
+#include "changeover/io/output.hpp"
 #include "message_of.hpp"
 
 namespace changeover::file_lock_test {
@@ -71,6 +73,23 @@ TEST_F(FileLockTest, AProcessThatEndsWithoutAWordLeavesNoLock) {
   ASSERT_TRUE(fs::exists(lock_file_));
   EXPECT_EQ(refusal(file_), "");
   EXPECT_FALSE(fs::exists(lock_file_));
+}
+
+TEST_F(FileLockTest, ASignalRemovesTheLock) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const pid_t child = fork();
+    if (child == 0) {
+      ::signal(signal, SIG_DFL);  // whoever started the tests may ignore it
+      remove_unfinished_outputs_on_signals();
+      const FileLock lock(file_.string());
+      ::raise(signal);
+      _exit(0);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFSIGNALED(status));
+    EXPECT_FALSE(fs::exists(lock_file_));
+  }
 }
 
 TEST_F(FileLockTest, AFileOfSomebodysIsLeftAlone) {
