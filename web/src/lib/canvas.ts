@@ -20,6 +20,12 @@ export function stride(pixels: number, least: number): number {
   }
 }
 
+/** "#rrggbb" as a pixel of ImageData that is read 32 bits at a time. */
+export function pixelOf(colour: string): number {
+  const at = (i: number): number => parseInt(colour.slice(i, i + 2), 16);
+  return ((0xff << 24) | (at(5) << 16) | (at(3) << 8) | at(1)) >>> 0;
+}
+
 /** Gives a canvas the pixels of the screen. */
 export function resize(canvas: HTMLCanvasElement, width: number, height: number): void {
   const ratio = devicePixelRatio || 1;

@@ -73,12 +73,20 @@ export function hues(count: number, theme: 'light' | 'dark'): readonly string[] 
   );
 }
 
+/** Maps ask for the same few colours in each cell. */
+const inks = new Map<string, string>();
+
 /** Black or white, whichever is read more easily on `#rrggbb`: its contrast is 4.5 at least. */
 export function inkOn(colour: string): string {
-  const [r, g, b] = [1, 3, 5].map((i) => {
-    const x = parseInt(colour.slice(i, i + 2), 16) / 255;
-    return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
-  });
-  const light = 0.2126 * r! + 0.7152 * g! + 0.0722 * b!;
-  return (light + 0.05) ** 2 > 1.05 * 0.05 ? '#000000' : '#ffffff';
+  let ink = inks.get(colour);
+  if (ink === undefined) {
+    const [r, g, b] = [1, 3, 5].map((i) => {
+      const x = parseInt(colour.slice(i, i + 2), 16) / 255;
+      return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
+    });
+    const light = 0.2126 * r! + 0.7152 * g! + 0.0722 * b!;
+    ink = (light + 0.05) ** 2 > 1.05 * 0.05 ? '#000000' : '#ffffff';
+    inks.set(colour, ink);
+  }
+  return ink;
 }

@@ -36,6 +36,21 @@ function linkOf(cell: AtlasCell): Record<string, string | number | null> {
   };
 }
 
+/** What is to be said where most cells have no design; null elsewhere. */
+function whatLacks(atlas: Atlas): HTMLElement | null {
+  const possible = atlas.cells().filter((cell) => cell.status !== 'impossible');
+  const known = possible.filter((cell) => cell.b !== null).length;
+  return 2 * known >= possible.length
+    ? null
+    : h(
+        'p',
+        {},
+        `A design is known for ${number(known)} of these ${count(possible.length, 'cell')}. ` +
+          'A number in italics says how many blocks a design would have at least. ' +
+          `${isCopy() ? '' : 'Select such a cell to search for its first design.'}`,
+      );
+}
+
 export const catalog: Page = {
   path: 'catalog',
   title: 'Catalog',
@@ -53,6 +68,7 @@ export const catalog: Page = {
     const readout = h('aside', { class: 'readout', 'aria-label': 'Details of the selected cell' });
     const said = h('div');
     const legend = h('div', { class: 'legend-place' });
+    const lacking = h('div', { class: 'lacking' });
     const sums = h('div', { class: 'sums' });
     const list = cellTable(view);
     const complete = h(
@@ -118,10 +134,12 @@ export const catalog: Page = {
           'p',
           {},
           h('a', { href: link('cell', linkOf(cell)) }, 'Bounds, recipe, history'),
-          cell.b !== null && [
-            h('br'),
-            h('a', { href: link('design', linkOf(cell)) }, 'The design, step by step'),
-          ],
+          cell.b !== null
+            ? [h('br'), h('a', { href: link('design', linkOf(cell)) }, 'The design, step by step')]
+            : !isCopy() && [
+                h('br'),
+                h('a', { href: link('search', linkOf(cell)) }, 'Search for a design'),
+              ],
         ),
       );
     }
@@ -173,6 +191,7 @@ export const catalog: Page = {
           passes: sift.passes(),
         });
         fill(legend, paintOf(atlas, measure).legend);
+        fill(lacking, whatLacks(atlas));
       }
     }
 
@@ -389,6 +408,7 @@ export const catalog: Page = {
             'div',
             { class: 'map-foot' },
             legend,
+            lacking,
             h(
               'p',
               { class: 'hint' },

@@ -64,6 +64,22 @@ function recipeTab(asked: Asked, design: Design, panel: HTMLElement, signal: Abo
   );
 }
 
+/** So many lines are laid out at once, when they come into sight: all of them take too long. */
+const linesAtOnce = 200;
+
+/** Lines as parts that the browser skips while they are out of sight. */
+function inParts(text: string): HTMLElement[] {
+  const lines = text.split(/(?<=\n)/);
+  const parts: HTMLElement[] = [];
+  for (let i = 0; i < lines.length; i += linesAtOnce) {
+    const some = lines.slice(i, i + linesAtOnce);
+    const part = h('span', { class: 'lines' }, some.join(''));
+    part.style.setProperty('--lines', String(some.length));
+    parts.push(part);
+  }
+  return parts;
+}
+
 function textTab(design: Design, panel: HTMLElement): void {
   const short = design.blocks.length > mostText;
   const shown = short ? { ...design, blocks: design.blocks.slice(0, mostText) } : design;
@@ -83,7 +99,7 @@ function textTab(design: Design, panel: HTMLElement): void {
     h(
       'pre',
       { class: 'blocks', tabindex: 0, role: 'region', 'aria-label': 'Blocks as text' },
-      asText(shown),
+      inParts(asText(shown)),
     ),
     short &&
       h(

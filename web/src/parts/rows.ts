@@ -1,7 +1,8 @@
 // Long tables in pieces: rows are made as the reader comes near to them.
 import { h } from '../lib/dom';
 
-const piece = 100;
+/** Few enough that a frame with a piece is a short one. */
+const piece = 40;
 
 export interface Rows<T> {
   readonly body: HTMLTableSectionElement;
@@ -25,10 +26,13 @@ export function rows<T>(draw: (item: T) => HTMLTableRowElement, signal: AbortSig
     body.append(part);
     more.hidden = shown >= waiting.length;
     button.textContent = `More rows (${shown} of ${waiting.length} shown)`;
+    // Says once more whether it is in sight, in the next frame.
+    watcher.unobserve(more);
+    watcher.observe(more);
   }
   const watcher = new IntersectionObserver(
     (seen) => seen.some((each) => each.isIntersecting) && add(),
-    { rootMargin: '200px' },
+    { rootMargin: '1200px' },
   );
   watcher.observe(more);
   signal.addEventListener('abort', () => watcher.disconnect());

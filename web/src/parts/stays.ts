@@ -18,6 +18,11 @@ export class Choice {
     // Nowhere, unless a page has a place for it.
   }
 
+  /** The same for what may change with each frame. */
+  protected rememberSoon(): void {
+    this.remember();
+  }
+
   /** Calls back at each change until `signal` is aborted. */
   follow(signal: AbortSignal, listener: () => void): void {
     this.listeners.add(listener);
@@ -52,7 +57,7 @@ export class Choice {
     const same = this.range?.from === range?.from && this.range?.to === range?.to;
     this.range = range;
     if (!same) {
-      this.remember();
+      this.rememberSoon();
       this.tell();
     }
   }

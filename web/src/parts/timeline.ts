@@ -155,13 +155,20 @@ export function timeline(
     pen.rect(left, axis, room(), height - axis);
     pen.clip();
     const gap = row >= 5 ? 1.5 : row >= 3 ? 0.7 : 0;
+    // Setting a colour takes as long as a bar.
+    let colour = '';
+    const paint = (next: string): void => {
+      if (next !== colour) {
+        pen.fillStyle = colour = next;
+      }
+    };
     for (let i = Math.floor(top); i < v && axis + (i - top) * row < height; ++i) {
       const each = rows[i]!;
       const y = axis + (i - top) * row;
       const mine = stays.of(each);
       const strong = lit.has(each);
       if (strong) {
-        pen.fillStyle = sunken;
+        paint(sunken);
         pen.fillRect(left, y, room(), row);
       }
       pen.globalAlpha = lit.size > 0 && !strong ? 0.45 : 1;
@@ -169,15 +176,15 @@ export function timeline(
         const [from, to] = mine[j]!;
         const start = x(from);
         const long = Math.max((to - from + 1) * scale - (scale >= 4 ? 1 : 0), 0.8);
-        pen.fillStyle = strong ? mark : kept;
+        paint(strong ? mark : kept);
         pen.fillRect(start, y, long, row - gap);
         if (scale >= 3 && (from > 1 || steps.item === 'item')) {
-          pen.fillStyle = fresh;
+          paint(fresh);
           pen.fillRect(start, y, Math.min(long, Math.max(2, scale * 0.35)), row - gap);
         }
         if (row >= 12 && long >= 22) {
           pen.globalAlpha = 1;
-          pen.fillStyle = inkOn(strong ? mark : kept);
+          paint(inkOn(strong ? mark : kept));
           pen.font = `10px ${font}`;
           pen.textAlign = 'center';
           pen.textBaseline = 'middle';

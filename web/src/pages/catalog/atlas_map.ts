@@ -143,7 +143,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     pen.rect(margin.left, margin.top, room().x, room().y);
     pen.clip();
     const highest = Math.min(13, scale.y - 3);
-    let size = 0;
+    let styled = '';
     pen.textAlign = 'center';
     pen.textBaseline = 'middle';
     for (let y = first.y; y <= last.y; ++y) {
@@ -165,28 +165,32 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
         const [at, down] = [left(x), top(y)];
         pen.fillRect(at, down, scale.x - gap, scale.y - gap);
         if (cell.b === null) {
-          pen.strokeStyle = faint;
+          pen.strokeStyle = highest >= 8.5 ? line : faint;
           pen.strokeRect(at + 0.5, down + 0.5, scale.x - gap - 1, scale.y - gap - 1);
         }
         if (highest >= 8.5 && passing) {
-          const digits =
-            cell.b === null
-              ? '?'
-              : written === 'b'
-                ? String(cell.b)
+          // Where no design is known the bound stands, in italics.
+          const bound = cell.b === null && written === 'b';
+          const fits = (digits: string): number =>
+            Math.min(highest, Math.floor(((scale.x - 4) / (digits.length * 0.64)) * 2) / 2);
+          let digits =
+            written === 'b'
+              ? String(cell.b ?? cell.lower)
+              : cell.gap === null
+                ? '?'
                 : cell.gap === 0
                   ? '='
                   : `+${cell.gap}`;
-          const fitting = Math.min(
-            highest,
-            Math.floor(((scale.x - 4) / (digits.length * 0.64)) * 2) / 2,
-          );
+          if (bound && fits(digits) < 8.5) {
+            digits = '?';
+          }
+          const fitting = fits(digits);
           if (fitting >= 8.5) {
-            if (fitting !== size) {
-              size = fitting;
-              pen.font = `${size}px ${font}`;
+            const style = `${bound ? 'italic ' : ''}${fitting}px ${font}`;
+            if (style !== styled) {
+              pen.font = styled = style;
             }
-            pen.fillStyle = inkOn(colour);
+            pen.fillStyle = bound ? faint : inkOn(colour);
             pen.fillText(digits, at + (scale.x - gap) / 2, down + (scale.y - gap) / 2 + 0.5);
           }
         }
@@ -355,7 +359,10 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     tip.hidden = cell === null || event === undefined;
     if (cell && event) {
       const bound = cell.gap === 0 ? 'minimum' : `bound ${number(cell.lower ?? 0)}`;
-      const known = cell.b === null ? 'no design known' : `${count(cell.b, 'block')}, ${bound}`;
+      const known =
+        cell.b === null
+          ? `no design known, at least ${count(cell.lower ?? 0, 'block')}`
+          : `${count(cell.b, 'block')}, ${bound}`;
       placeTip(tip, canvas, event, `v ${cell.v}  k ${cell.k}   ${known}`);
     }
     later();

@@ -50,7 +50,10 @@ export function paintOf(atlas: Atlas, measure: string): Paint {
   const open = token('--sunken');
   const none = (cell: AtlasCell): string | null =>
     cell.b === null ? open : cell.gap === 0 ? settled : null;
-  const always = [key(settled, 'proved minimum'), key(open, '? no design known')];
+  const minimum = key(settled, 'proved minimum');
+  const lacks =
+    atlas.cells().some(({ status }) => status === 'open') &&
+    key(open, 'no design known; in italics its bound');
   if (measure === 'construction') {
     const often = new Map<string, number>();
     for (const cell of atlas.cells()) {
@@ -78,7 +81,7 @@ export function paintOf(atlas: Atlas, measure: string): Paint {
     return {
       ink,
       of: (cell) => none(cell) ?? best,
-      legend: h('ul', { class: 'legend' }, always[0]!, key(best, 'best known'), always[1]!),
+      legend: h('ul', { class: 'legend' }, minimum, key(best, 'best known'), lacks),
     };
   }
   const value = (cell: AtlasCell): number =>
@@ -126,7 +129,7 @@ export function paintOf(atlas: Atlas, measure: string): Paint {
     legend: h(
       'ul',
       { class: 'legend' },
-      always[0]!,
+      minimum,
       values.length > 0 &&
         h(
           'li',
@@ -141,7 +144,7 @@ export function paintOf(atlas: Atlas, measure: string): Paint {
             h('span', {}, said(ends[2])),
           ),
         ),
-      always[1]!,
+      lacks,
     ),
   };
 }

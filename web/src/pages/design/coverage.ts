@@ -1,5 +1,5 @@
 // Which pairs have met: a square for each pair of elements, drawn on a canvas.
-import { token } from '../../lib/canvas';
+import { pixelOf, token } from '../../lib/canvas';
 import { fill, h } from '../../lib/dom';
 import type { Steps } from './steps';
 
@@ -34,6 +34,7 @@ export function coverage(steps: Steps): Coverage | null {
     return null;
   }
   const side = Math.max(1, Math.min(32, Math.floor(512 / v)));
+  const gap = side >= 5 ? 1 : 0;
   const canvas = h('canvas', {
     width: v * side,
     height: v * side,
@@ -62,27 +63,32 @@ export function coverage(steps: Steps): Coverage | null {
 
   function square(x: number, y: number, colour: string): void {
     pen.fillStyle = colour;
-    const gap = side >= 5 ? 1 : 0;
     pen.fillRect(x * side, y * side, side - gap, side - gap);
   }
 
+  /** A pixel a pair, which is enlarged: a square each would take longer than a frame may. */
+  const small = h('canvas', { width: v, height: v });
   function all(n: number): void {
-    pen.fillStyle = paint.line;
-    pen.fillRect(0, 0, canvas.width, canvas.height);
+    const top = small.getContext('2d')!;
+    const image = top.createImageData(v, v);
+    const pixels = new Uint32Array(image.data.buffer);
+    const [line, ground, anew, before] = [paint.line, paint.ground, paint.anew, paint.met].map(
+      pixelOf,
+    ) as [number, number, number, number];
+    first!.forEach((met, i) => {
+      pixels[i] = met === 0 || met > n ? ground : met === n ? anew : before;
+    });
     for (let x = 0; x < v; ++x) {
-      for (let y = 0; y < v; ++y) {
-        const met = first![x * v + y]!;
-        square(
-          x,
-          y,
-          x === y
-            ? paint.line
-            : met === 0 || met > n
-              ? paint.ground
-              : met === n
-                ? paint.anew
-                : paint.met,
-        );
+      pixels[x * v + x] = line;
+    }
+    top.putImageData(image, 0, 0);
+    pen.imageSmoothingEnabled = false;
+    pen.drawImage(small, 0, 0, canvas.width, canvas.height);
+    if (gap > 0) {
+      pen.fillStyle = paint.line;
+      for (let x = 1; x <= v; ++x) {
+        pen.fillRect(x * side - gap, 0, gap, canvas.height);
+        pen.fillRect(0, x * side - gap, canvas.width, gap);
       }
     }
   }

@@ -1,7 +1,7 @@
 // All pairs of elements as a matrix: below the diagonal when they first meet, above it how often
 // they are newly covered. Zoomed and panned; a pair is chosen by a click, and the blocks that are
 // chosen elsewhere stand out.
-import { clear, placeTip, resize, token } from '../../lib/canvas';
+import { clear, pixelOf, placeTip, resize, token } from '../../lib/canvas';
 import { inkOn, scale } from '../../lib/colours';
 import { h } from '../../lib/dom';
 import { number } from '../../lib/words';
@@ -16,8 +16,16 @@ export interface Matrix {
   often(): Map<number, number>;
 }
 
+/** A column and a row. */
+interface Place {
+  x: number;
+  y: number;
+}
+
 /** Of the names and, outside of them, of what they are. */
 const margin = 52;
+/** What is left of a pixel outside of the blocks that are chosen. */
+const faintly = 0x38ffffff;
 
 /** Null if there are too many elements to keep their pairs apart. */
 export function matrix(
@@ -42,13 +50,17 @@ export function matrix(
   });
   const tip = h('div', { class: 'atlas-tip', hidden: true });
   const element = h('div', { class: 'matrix' }, canvas, tip);
-  const pen = canvas.getContext('2d')!;
+  const screen = canvas.getContext('2d')!;
+  /** What does not change with what is pointed at, which is drawn over it. */
+  const still = document.createElement('canvas');
+  const pen = still.getContext('2d')!;
+  let stale = true;
   let rows: number[] = Array.from({ length: v }, (_, x) => x);
   let side = 0;
-  let cell = 8;
+  let cell = 0;
   const corner = { x: 0, y: 0 };
   let frame = 0;
-  let pointed: { x: number; y: number } | null = null;
+  let pointed: Place | null = null;
 
   const room = (): number => side - margin;
   const least = (): number => room() / v;
@@ -59,6 +71,10 @@ export function matrix(
     }
   }
   function later(): void {
+    stale = true;
+    soon();
+  }
+  function soon(): void {
     if (frame === 0) {
       frame = requestAnimationFrame(() => {
         frame = 0;
@@ -97,54 +113,40 @@ export function matrix(
   /** Squares: a pixel each, enlarged. They are coloured anew where what they depend on is new. */
   const small = document.createElement('canvas');
   small.width = small.height = v;
+  const top = small.getContext('2d')!;
+  const image = top.createImageData(v, v);
   let colouredFor: readonly unknown[] = [];
   function colourSmall(
-    colourOf: (i: number, j: number, when: number, n: number) => string,
+    shadeOf: (i: number, j: number, when: number, n: number) => number,
+    shades: readonly string[],
     range: { from: number; to: number } | null,
-    ground: string,
   ): void {
     const counts = times();
-    const top = small.getContext('2d')!;
-    const image = top.createImageData(v, v);
-    const known = new Map<string, number>();
-    const packed = (colour: string): number => {
-      let value = known.get(colour);
-      if (value === undefined) {
-        const [r, g, blue] = [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16)) as [
-          number,
-          number,
-          number,
-        ];
-        value = (blue << 16) | (g << 8) | r;
-        known.set(colour, value);
-      }
-      return value;
-    };
     const pixels = new Uint32Array(image.data.buffer);
-    const dim = 56 << 24;
+    const colours = shades.map(pixelOf);
+    const ground = pixelOf(token('--ground'));
     for (let i = 0; i < v; ++i) {
+      const y = rows[i]!;
       for (let j = 0; j < v; ++j) {
-        const [x, y] = [rows[j]!, rows[i]!];
+        const x = rows[j]!;
         const when = meet[x * v + y]!;
         const inside = !range || (when >= range.from && when <= range.to);
-        pixels[i * v + j] =
-          (packed(x === y ? ground : colourOf(i, j, when, counts[x * v + y]!)) |
-            (inside ? 0xff << 24 : dim)) >>>
-          0;
+        const colour = x === y ? ground : colours[shadeOf(i, j, when, counts[x * v + y]!)]!;
+        pixels[i * v + j] = inside ? colour : colour & faintly;
       }
     }
     top.putImageData(image, 0, 0);
   }
 
   function drawSmall(
-    colourOf: (i: number, j: number, when: number, n: number) => string,
+    shadeOf: (i: number, j: number, when: number, n: number) => number,
+    shades: readonly string[],
     range: { from: number; to: number } | null,
-    ground: string,
   ): void {
     const now = [rows, range?.from, range?.to, theme()];
     if (now.some((each, i) => each !== colouredFor[i])) {
       colouredFor = now;
-      colourSmall(colourOf, range, ground);
+      colourSmall(shadeOf, shades, range);
     }
     pen.imageSmoothingEnabled = false;
     pen.drawImage(
@@ -160,46 +162,78 @@ export function matrix(
     );
   }
 
+  /** Both squares of a pair. */
+  function outline(top: CanvasRenderingContext2D, { x, y }: Place, colour: string): void {
+    for (const [i, j] of [
+      [x, y],
+      [y, x],
+    ] as const) {
+      const [left, above] = [
+        margin + (i - corner.x) * cell - 1,
+        margin + (j - corner.y) * cell - 1,
+      ];
+      top.lineWidth = 4;
+      top.strokeStyle = token('--ground');
+      top.strokeRect(left, above, cell + 1, cell + 1);
+      top.lineWidth = 2;
+      top.strokeStyle = colour;
+      top.strokeRect(left, above, cell + 1, cell + 1);
+    }
+  }
+  function within(top: CanvasRenderingContext2D): void {
+    top.save();
+    top.beginPath();
+    top.rect(margin, margin, room(), room());
+    top.clip();
+  }
+
   function draw(): void {
     if (side === 0) {
       return;
     }
+    if (stale) {
+      stale = false;
+      drawStill();
+    }
+    clear(screen, side, side);
+    screen.drawImage(still, 0, 0, side, side);
+    if (pointed) {
+      within(screen);
+      outline(screen, pointed, token('--text'));
+      screen.restore();
+    }
+  }
+
+  function drawStill(): void {
     clear(pen, side, side);
     const colours = scale(theme());
     const counts = times();
     const range = chosen.range;
     const lit = chosen.elements;
-    const [sunken, faint, mark, text, ground, met, leave] = [
+    const [sunken, faint, mark, met, leave] = [
       '--sunken',
       '--faint',
       '--mark',
-      '--text',
-      '--ground',
       '--met',
       '--leave',
-    ].map(token) as [string, string, string, string, string, string, string];
+    ].map(token) as [string, string, string, string, string];
     const gap = 1;
-    pen.save();
-    pen.beginPath();
-    pen.rect(margin, margin, room(), room());
-    pen.clip();
+    within(pen);
     const last = {
       x: Math.min(v - 1, Math.ceil(corner.x + room() / cell)),
       y: Math.min(v - 1, Math.ceil(corner.y + room() / cell)),
     };
-    const colourOf = (i: number, j: number, when: number, n: number): string =>
+    // Colours by their places: a name for each square would take most of the time.
+    const all = [...colours, faint, sunken, met, mark, leave];
+    const many = colours.length;
+    const never = many + 4;
+    const shadeOf = (i: number, j: number, when: number, n: number): number =>
       when === 0
-        ? leave
+        ? never
         : j > i
-          ? n === 1
-            ? sunken
-            : n === 0
-              ? faint
-              : n === 2
-                ? met
-                : mark
-          : colours[Math.min(colours.length - 1, Math.floor(((when - 1) / b) * colours.length))]!;
-    drawSmall(colourOf, range, ground);
+          ? many + Math.min(3, n)
+          : Math.min(many - 1, Math.floor(((when - 1) / b) * many));
+    drawSmall(shadeOf, all, range);
     // Lines between squares, and numbers where they fit.
     if (cell >= 5) {
       for (let i = Math.floor(corner.y); i <= last.y; ++i) {
@@ -219,7 +253,7 @@ export function matrix(
         }
         const n = counts[x * v + y]!;
         const [px, py] = [margin + (j - corner.x) * cell, margin + (i - corner.y) * cell];
-        pen.fillStyle = inkOn(colourOf(i, j, when, n));
+        pen.fillStyle = inkOn(all[shadeOf(i, j, when, n)]!);
         pen.font = font;
         pen.textAlign = 'center';
         pen.textBaseline = 'middle';
@@ -240,31 +274,8 @@ export function matrix(
       pen.strokeRect(margin, margin + (i - corner.y) * cell - 0.5, room(), cell);
     };
     lit.forEach((x) => cross(rowOf(x), mark));
-    const pair = lit.length === 2 ? { x: rowOf(lit[0]!), y: rowOf(lit[1]!) } : null;
-    for (const each of [pair, pointed]) {
-      if (each) {
-        for (const [i, j] of [
-          [each.x, each.y],
-          [each.y, each.x],
-        ] as const) {
-          pen.lineWidth = 4;
-          pen.strokeStyle = ground;
-          pen.strokeRect(
-            margin + (i - corner.x) * cell - 1,
-            margin + (j - corner.y) * cell - 1,
-            cell + 1,
-            cell + 1,
-          );
-          pen.lineWidth = 2;
-          pen.strokeStyle = each === pair ? mark : text;
-          pen.strokeRect(
-            margin + (i - corner.x) * cell - 1,
-            margin + (j - corner.y) * cell - 1,
-            cell + 1,
-            cell + 1,
-          );
-        }
-      }
+    if (lit.length === 2) {
+      outline(pen, { x: rowOf(lit[0]!), y: rowOf(lit[1]!) }, mark);
     }
     pen.restore();
     pen.font = `12px ${token('--text-font')}`;
@@ -305,7 +316,7 @@ export function matrix(
     }
   }
 
-  function hit(event: { clientX: number; clientY: number }): { x: number; y: number } | null {
+  function hit(event: { clientX: number; clientY: number }): Place | null {
     const box = canvas.getBoundingClientRect();
     const x = Math.floor(corner.x + (event.clientX - box.left - margin) / cell);
     const y = Math.floor(corner.y + (event.clientY - box.top - margin) / cell);
@@ -357,7 +368,7 @@ export function matrix(
       const pair = `${steps.names[y]} and ${steps.names[x]}`;
       placeTip(tip, canvas, event, `${pair}: ${when === 0 ? 'never together' : met}`);
     }
-    later();
+    soon();
   });
   canvas.addEventListener('pointerup', (event) => {
     const here = down && moved <= 4 ? hit(event) : null;
@@ -371,7 +382,7 @@ export function matrix(
   canvas.addEventListener('pointerleave', () => {
     pointed = null;
     tip.hidden = true;
-    later();
+    soon();
   });
   canvas.addEventListener(
     'wheel',
@@ -429,10 +440,14 @@ export function matrix(
     }
     side = wide;
     resize(canvas, side, side);
+    resize(still, side, side);
     canvas.style.width = canvas.style.height = `${side}px`;
+    const begun = cell > 0;
     cell = 0;
     clamp();
-    draw();
+    // What stands beside it is drawn first: both in one frame take too long.
+    stale = true;
+    begun ? draw() : later();
   });
   sizes.observe(element);
   chosen.follow(signal, later);

@@ -58,6 +58,13 @@ export class Chosen extends Choice {
     );
   }
 
+  /** Browsers refuse links that change with each frame of a drag. */
+  private note = 0;
+  protected override rememberSoon(): void {
+    window.clearTimeout(this.note);
+    this.note = window.setTimeout(() => !this.view.signal.aborted && this.remember(), 150);
+  }
+
   /** In words: where an element is, when a pair meets. */
   words(steps: Steps, stays: Stays): string {
     const [x, y] = this.elements;

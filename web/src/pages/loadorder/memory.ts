@@ -167,23 +167,23 @@ export function memory(answer: Ordered, signal: AbortSignal): HTMLElement {
     {},
     h('h2', {}, 'What memory holds'),
     h(
-      'p',
-      { class: 'hint' },
-      `A row for each item, a bar for each time that it is ${hasLevels ? 'there' : 'in memory'}: `,
-      h('span', { class: 'key key-loaded' }),
-      ' loaded, ',
-      h('span', { class: 'key key-met' }),
-      ' held. Drag on the strip to choose steps',
-      h('span', { class: 'with-wheel' }, '; Ctrl + wheel or + and − zoom'),
-      '.',
-    ),
-    (workers.length > 1 || hasLevels) &&
+      'div',
+      { class: 'row' },
+      workers.length > 1 && field('Worker', whose),
+      hasLevels && field('Level', level),
       h(
-        'div',
-        { class: 'row' },
-        workers.length > 1 && field('Worker', whose),
-        hasLevels && field('Level', level),
+        'p',
+        { class: 'hint' },
+        `A row for each item, a bar for each time that it is ` +
+          `${hasLevels ? 'there' : 'in memory'}: `,
+        h('span', { class: 'key key-loaded' }),
+        ' loaded, ',
+        h('span', { class: 'key key-met' }),
+        ' held. Drag on the strip to choose steps',
+        h('span', { class: 'with-wheel' }, '; Ctrl + wheel or + and − zoom'),
+        '.',
       ),
+    ),
     answer.truncated &&
       h(
         'p',
