@@ -6,14 +6,14 @@ import { clear, placeTip, resize, stride } from '../../lib/canvas';
 import { announce, h } from '../../lib/dom';
 import { count, number } from '../../lib/words';
 import { inkOn } from '../../lib/colours';
+import { inCell, mayFit, say, smallest as smallestLetters, type Written } from './map_words';
 import { paintOf, type Paint } from './paint';
+import { Pixels } from './pixels';
 
 export interface Window {
   k: { from: number; to: number };
   v: { from: number; to: number };
 }
-
-export type Written = 'b' | 'gap';
 
 export interface AtlasMap {
   readonly element: HTMLElement;
@@ -51,17 +51,6 @@ const sides: Record<string, [number, number]> = {
   ArrowDown: [0, 1],
 };
 
-export function say(cell: AtlasCell): string {
-  const known =
-    cell.status === 'impossible'
-      ? 'no design exists'
-      : cell.b === null
-        ? `no design is known, at least ${count(cell.lower ?? 0, 'block')}`
-        : `${count(cell.b, 'block')}, ` +
-          `${cell.status === 'minimum' ? 'minimum' : `lower bound ${cell.lower}`}`;
-  return `v ${cell.v}, k ${cell.k}: ${known}`;
-}
-
 export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
   const canvas = h('canvas', {
     class: 'atlas-canvas',
@@ -75,7 +64,12 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
   });
   const tip = h('div', { class: 'atlas-tip', hidden: true });
   const element = h('div', { class: 'atlas' }, canvas, tip);
-  const pen = canvas.getContext('2d')!;
+  const screen = canvas.getContext('2d')!;
+  /** What does not change with what is pointed at, which is drawn over it. */
+  const still = document.createElement('canvas');
+  const pen = still.getContext('2d')!;
+  const pixels = new Pixels();
+  let stale = true;
   let atlas: Atlas | null = null;
   let paint: Paint | null = null;
   let written: Written = 'b';
@@ -116,6 +110,10 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
   }
 
   function later(): void {
+    stale = true;
+    soon();
+  }
+  function soon(): void {
     if (frame === 0) {
       frame = requestAnimationFrame(() => {
         frame = 0;
@@ -124,25 +122,80 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     }
   }
 
+  const left = (x: number): number => margin.left + (x - corner.x) * scale.x;
+  const top = (y: number): number => margin.top + (y - corner.y) * scale.y;
+  const gapNow = (): number => (scale.x >= 7 && scale.y >= 7 ? 1 : 0);
+  function within(on: CanvasRenderingContext2D): void {
+    on.save();
+    on.beginPath();
+    on.rect(margin.left, margin.top, room().x, room().y);
+    on.clip();
+  }
+  const isOutside = (cell: AtlasCell): boolean =>
+    limit !== null &&
+    (cell.v < limit.v.from || cell.v > limit.v.to || cell.k < limit.k.from || cell.k > limit.k.to);
+  const passing = (cell: AtlasCell): boolean => !isOutside(cell) && passes(cell);
+
   function draw(): void {
     if (!atlas || !paint || width === 0) {
       return;
     }
+    if (stale) {
+      stale = false;
+      drawStill(atlas, paint);
+    }
+    clear(screen, width, height);
+    screen.drawImage(still, 0, 0, width, height);
+    const { text, ground, accent } = paint.ink;
+    const gap = gapNow();
+    within(screen);
+    for (const [place, colour, wide] of [
+      [pointed, text, 1.5],
+      [chosen, accent, 3],
+    ] as const) {
+      if (place && atlas.has(place.v, place.k)) {
+        const [at, down] = [left(place.v - atlas.v.from), top(place.k - atlas.k.from)];
+        screen.lineWidth = wide + 2;
+        screen.strokeStyle = ground;
+        screen.strokeRect(at - 1, down - 1, scale.x - gap + 2, scale.y - gap + 2);
+        screen.lineWidth = wide;
+        screen.strokeStyle = colour;
+        screen.strokeRect(at - 1, down - 1, scale.x - gap + 2, scale.y - gap + 2);
+      }
+    }
+    screen.restore();
+  }
+
+  function drawStill(atlas: Atlas, paint: Paint): void {
     clear(pen, width, height);
-    const { text, faint, line, ground, accent, font } = paint.ink;
+    const { text, faint, line, font } = paint.ink;
     const first = { x: Math.floor(corner.x), y: Math.floor(corner.y) };
     const last = {
       x: Math.min(atlas.columns - 1, Math.ceil(corner.x + room().x / scale.x)),
       y: Math.min(atlas.rows - 1, Math.ceil(corner.y + room().y / scale.y)),
     };
-    const left = (x: number): number => margin.left + (x - corner.x) * scale.x;
-    const top = (y: number): number => margin.top + (y - corner.y) * scale.y;
-    const gap = scale.x >= 7 && scale.y >= 7 ? 1 : 0;
-    pen.save();
-    pen.beginPath();
-    pen.rect(margin.left, margin.top, room().x, room().y);
-    pen.clip();
+    const gap = gapNow();
+    within(pen);
+    pen.imageSmoothingEnabled = false;
+    pen.drawImage(
+      pixels.of(atlas, paint, passing, passes, limit),
+      corner.x,
+      corner.y,
+      room().x / scale.x,
+      room().y / scale.y,
+      margin.left,
+      margin.top,
+      room().x,
+      room().y,
+    );
+    for (let x = first.x; gap > 0 && x <= last.x; ++x) {
+      pen.clearRect(left(x + 1) - gap, margin.top, gap, room().y);
+    }
+    for (let y = first.y; gap > 0 && y <= last.y; ++y) {
+      pen.clearRect(margin.left, top(y + 1) - gap, room().x, gap);
+    }
     const highest = Math.min(13, scale.y - 3);
+    const numbers = highest >= smallestLetters && mayFit(scale.x);
     let styled = '';
     pen.textAlign = 'center';
     pen.textBaseline = 'middle';
@@ -152,64 +205,23 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
         if (cell.status === 'impossible') {
           continue;
         }
-        const colour = paint.of(cell);
-        const outside =
-          limit !== null &&
-          (cell.v < limit.v.from ||
-            cell.v > limit.v.to ||
-            cell.k < limit.k.from ||
-            cell.k > limit.k.to);
-        const passing = !outside && passes(cell);
-        pen.globalAlpha = passing ? 1 : 0.12;
-        pen.fillStyle = colour;
         const [at, down] = [left(x), top(y)];
-        pen.fillRect(at, down, scale.x - gap, scale.y - gap);
+        const sought = passing(cell);
         if (cell.b === null) {
-          pen.strokeStyle = highest >= 8.5 ? line : faint;
+          pen.globalAlpha = sought ? 1 : 0.12;
+          pen.strokeStyle = numbers ? line : faint;
           pen.strokeRect(at + 0.5, down + 0.5, scale.x - gap - 1, scale.y - gap - 1);
+          pen.globalAlpha = 1;
         }
-        if (highest >= 8.5 && passing) {
-          // Where no design is known the bound stands, in italics.
-          const bound = cell.b === null && written === 'b';
-          const fits = (digits: string): number =>
-            Math.min(highest, Math.floor(((scale.x - 4) / (digits.length * 0.64)) * 2) / 2);
-          let digits =
-            written === 'b'
-              ? String(cell.b ?? cell.lower)
-              : cell.gap === null
-                ? '?'
-                : cell.gap === 0
-                  ? '='
-                  : `+${cell.gap}`;
-          if (bound && fits(digits) < 8.5) {
-            digits = '?';
+        const inside = numbers && sought ? inCell(cell, written, scale.x, highest) : null;
+        if (inside) {
+          const style = `${inside.bound ? 'italic ' : ''}${inside.size}px ${font}`;
+          if (style !== styled) {
+            pen.font = styled = style;
           }
-          const fitting = fits(digits);
-          if (fitting >= 8.5) {
-            const style = `${bound ? 'italic ' : ''}${fitting}px ${font}`;
-            if (style !== styled) {
-              pen.font = styled = style;
-            }
-            pen.fillStyle = bound ? faint : inkOn(colour);
-            pen.fillText(digits, at + (scale.x - gap) / 2, down + (scale.y - gap) / 2 + 0.5);
-          }
+          pen.fillStyle = inside.bound ? faint : inkOn(paint.of(cell));
+          pen.fillText(inside.text, at + (scale.x - gap) / 2, down + (scale.y - gap) / 2 + 0.5);
         }
-      }
-    }
-    pen.globalAlpha = 1;
-    for (const [place, colour, wide] of [
-      [pointed, text, 1.5],
-      [chosen, accent, 3],
-    ] as const) {
-      if (place && atlas.has(place.v, place.k)) {
-        const [at, down] = [left(place.v - atlas.v.from), top(place.k - atlas.k.from)];
-        pen.lineWidth = wide + 2;
-        pen.strokeStyle = ground;
-        pen.strokeRect(at - 1, down - 1, scale.x - gap + 2, scale.y - gap + 2);
-        pen.lineWidth = wide;
-        pen.strokeStyle = colour;
-        pen.strokeRect(at - 1, down - 1, scale.x - gap + 2, scale.y - gap + 2);
-        pen.lineWidth = 1;
       }
     }
     pen.restore();
@@ -334,13 +346,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     chosen = { v: cell.v, k: cell.k };
     if (into && atlas) {
       // Into sight.
-      if (
-        limit &&
-        (cell.v < limit.v.from ||
-          cell.v > limit.v.to ||
-          cell.k < limit.k.from ||
-          cell.k > limit.k.to)
-      ) {
+      if (isOutside(cell)) {
         limit = null;
       }
       const [x, y] = [cell.v - atlas.v.from, cell.k - atlas.k.from];
@@ -365,7 +371,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
           : `${count(cell.b, 'block')}, ${bound}`;
       placeTip(tip, canvas, event, `v ${cell.v}  k ${cell.k}   ${known}`);
     }
-    later();
+    soon();
   }
 
   // ---- pointers ----
@@ -502,7 +508,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
       act[event.key]!();
     }
   });
-  canvas.addEventListener('focus', later);
+  canvas.addEventListener('focus', soon);
 
   function zoom(factor: number): void {
     const at =
@@ -528,6 +534,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     width = wide;
     height = high;
     resize(canvas, width, height);
+    resize(still, width, height);
     if (atlas) {
       const whole =
         before &&
@@ -536,6 +543,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
       lookAt(wanted ?? (whole ? {} : before) ?? {});
       wanted = null;
     }
+    stale = true;
     draw();
   });
   sizes.observe(element);
@@ -561,13 +569,14 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
         wanted = null;
       }
       clamp();
+      stale = true;
       draw();
     },
     look: lookAt,
     seen,
     mark(v, k) {
       chosen = { v, k };
-      later();
+      soon();
     },
     zoom,
     fit,
