@@ -5,6 +5,7 @@ import { inkOn } from '../lib/colours';
 import { clear, placeTip, resize, stride, token } from '../lib/canvas';
 import { h } from '../lib/dom';
 import { number } from '../lib/words';
+import { Bars } from './bars';
 import type { Choice, Stays } from './stays';
 
 export type Order = 'first' | 'stays' | 'given';
@@ -62,6 +63,7 @@ export function timeline(
   /** What does not change with what is pointed at, which is drawn over it. */
   const still = document.createElement('canvas');
   const pen = still.getContext('2d')!;
+  const bars = new Bars();
   let stale = true;
   const thin = strip.getContext('2d')!;
   let rows: number[] = [];
@@ -162,7 +164,34 @@ export function timeline(
         pen.fillStyle = colour = next;
       }
     };
-    for (let i = Math.floor(top); i < v && axis + (i - top) * row < height; ++i) {
+    const isThin = row < 3;
+    if (isThin) {
+      const ratio = devicePixelRatio || 1;
+      const wide = Math.round(room() * ratio);
+      const begin = Math.floor(top);
+      const shown = Math.min(v, Math.ceil(top + (height - axis) / row)) - begin;
+      const picture = bars.draw(wide, shown, (i, put) => {
+        const each = rows[begin + i]!;
+        const mine = stays.of(each);
+        const strong = lit.has(each);
+        const faint = lit.size > 0 && !strong;
+        if (strong) {
+          put(0, wide, sunken, false);
+        }
+        for (let j = stays.from(each, a); j < mine.length && mine[j]![0] <= z; ++j) {
+          const [from, to] = mine[j]!;
+          const start = (from - 1 - at) * scale * ratio;
+          const long = ((to - from + 1) * scale - (scale >= 4 ? 1 : 0)) * ratio;
+          put(start, long, strong ? mark : kept, faint);
+          if (scale >= 3 && (from > 1 || steps.item === 'item')) {
+            put(start, Math.min(long, Math.max(2, scale * 0.35) * ratio), fresh, faint);
+          }
+        }
+      });
+      pen.imageSmoothingEnabled = false;
+      pen.drawImage(picture, left, axis + (begin - top) * row, room(), shown * row);
+    }
+    for (let i = Math.floor(top); !isThin && i < v && axis + (i - top) * row < height; ++i) {
       const each = rows[i]!;
       const y = axis + (i - top) * row;
       const mine = stays.of(each);
