@@ -7,6 +7,7 @@
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
+#include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/scan/text_scanner.hpp"
 

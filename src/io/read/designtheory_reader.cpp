@@ -4,6 +4,7 @@
 #include <string>
 
 #include "changeover/io/formats.hpp"
+#include "core/printable.hpp"
 #include "io/read/point_blocks.hpp"
 #include "io/scan/xml_events.hpp"
 

@@ -4,6 +4,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/io/formats.hpp"
+#include "core/printable.hpp"
 #include "io/read/declared.hpp"
 #include "io/read/recipe_handler.hpp"
 #include "io/scan/json_events.hpp"

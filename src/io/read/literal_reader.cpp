@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "changeover/io/formats.hpp"
+#include "core/printable.hpp"
 #include "io/read/point_blocks.hpp"
 #include "io/scan/text_scanner.hpp"
 

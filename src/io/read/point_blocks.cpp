@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/read/declared.hpp"
 #include "io/scan/text_scanner.hpp"

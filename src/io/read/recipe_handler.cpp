@@ -7,6 +7,7 @@
 
 #include "changeover/core/parameters.hpp"
 #include "core/parsed.hpp"
+#include "core/printable.hpp"
 
 namespace changeover {
 

@@ -5,6 +5,7 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/io/formats.hpp"
+#include "core/printable.hpp"
 #include "io/read/declared.hpp"
 #include "io/scan/json_events.hpp"
 #include "io/scan/text_scanner.hpp"

@@ -65,7 +65,7 @@ std::optional<std::uint64_t> RequestDocument::take_number(const OptionRecord& re
   if (value && (*value < least || *value > most)) {
     fail(*node, record.key, fmt::format("write {} to {}", least, most));
   }
-  std::erase_if(object_.members, [&](const auto& member) { return member.first == record.key; });
+  std::erase_if(object_.members, [&](const auto& member) { return member.key == record.key; });
   return value;
 }
 
@@ -167,11 +167,11 @@ RequestList RequestDocument::list(const OptionRecord& record, const JsonNode& no
   }
   if (node.is_object()) {
     const auto& members = node.members;
-    const bool one = members.size() == 1 && members.front().second.is_text();
-    if (one && members.front().first == "file" && !members.front().second.text.empty()) {
-      list.file = members.front().second.text;
-    } else if (one && members.front().first == "text") {
-      list.text = members.front().second.text;
+    const bool one = members.size() == 1 && members.front().node.is_text();
+    if (one && members.front().key == "file" && !members.front().node.text.empty()) {
+      list.file = members.front().node.text;
+    } else if (one && members.front().key == "text") {
+      list.text = members.front().node.text;
     } else if (const JsonNode* const book = node.find("workbook");
                book != nullptr && book->is_text() && !is_document) {
       list.workbook = from_base64(book->text);

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
+
+#include "core/printable.hpp"
 
 namespace changeover {
 namespace {
@@ -182,8 +185,9 @@ class Builder final : public JsonHandler {
     JsonNode* place = &root_;
     if (!open_.empty()) {
       JsonNode& parent = *open_.back();
-      parent.members.emplace_back(parent.is_object() ? key_ : std::string(), std::move(node));
-      place = &parent.members.back().second;
+      parent.members.push_back(
+          {.key = parent.is_object() ? key_ : std::string(), .node = std::move(node)});
+      place = &parent.members.back().node;
     } else {
       root_ = std::move(node);
     }
@@ -207,8 +211,8 @@ class Builder final : public JsonHandler {
 }  // namespace
 
 const JsonNode* JsonNode::find(std::string_view key) const {
-  const auto found = std::ranges::find_if(members, [&](const auto& m) { return m.first == key; });
-  return found == members.end() ? nullptr : &found->second;
+  const auto found = std::ranges::find_if(members, [&](const auto& m) { return m.key == key; });
+  return found == members.end() ? nullptr : &found->node;
 }
 
 JsonNode json_tree(const JsonText& json) {

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "changeover/core/design.hpp"
@@ -72,13 +71,14 @@ void parse_json(const JsonText& json, JsonHandler& handler);
 
 // A small JSON document in memory, with places, and with numbers as written.
 
+struct JsonMember;
+
 struct JsonNode {
   JsonEvent::Type type = JsonEvent::Type::null;  ///< begin_object and begin_array for these
   std::string text;           ///< of a string, decoded; of a number or true and false as written
   std::uint64_t natural = 0;  ///< of a whole number
   std::size_t offset = 0;     ///< of its first byte
-  std::vector<std::pair<std::string, JsonNode>>
-      members;  ///< of an object; keys of an array are empty
+  std::vector<JsonMember> members;  ///< of an object; keys of an array are empty
 
   [[nodiscard]] bool is_object() const { return type == JsonEvent::Type::begin_object; }
   [[nodiscard]] bool is_array() const { return type == JsonEvent::Type::begin_array; }
@@ -89,6 +89,11 @@ struct JsonNode {
     return is_natural() || type == JsonEvent::Type::other_number;
   }
   [[nodiscard]] const JsonNode* find(std::string_view key) const;
+};
+
+struct JsonMember {
+  std::string key;
+  JsonNode node;
 };
 
 /// Parses JSON. @throws BadInput with line and column if it is not JSON, nests deeper than

@@ -8,6 +8,8 @@
 #include <new>
 #include <utility>
 
+#include "core/printable.hpp"
+
 namespace changeover {
 namespace {
 

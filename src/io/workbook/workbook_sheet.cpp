@@ -16,6 +16,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
 #include "core/parsed.hpp"
+#include "core/printable.hpp"
 #include "io/scan/row_reader.hpp"
 #include "io/scan/xml_events.hpp"
 #include "io/workbook/workbook_parts.hpp"
@@ -289,7 +290,7 @@ struct WorkbookSheet::State {
   bool ended = false;
 };
 
-WorkbookSheet::WorkbookSheet(std::string bytes, std::string file,
+WorkbookSheet::WorkbookSheet(std::string bytes, const std::string& file,
                              const std::optional<std::string>& sheet)
     : state_(std::make_unique<State>(std::move(bytes), file, sheet)) {}
 

@@ -53,7 +53,8 @@ class WorkbookSheet {
   /// visible one.
   /// @throws BadInput with one line that begins with `file` if it is no workbook that can be read,
   /// or there is no such sheet.
-  WorkbookSheet(std::string bytes, std::string file, const std::optional<std::string>& sheet = {});
+  WorkbookSheet(std::string bytes, const std::string& file,
+                const std::optional<std::string>& sheet = {});
   ~WorkbookSheet();
   WorkbookSheet(const WorkbookSheet&) = delete;
   WorkbookSheet& operator=(const WorkbookSheet&) = delete;

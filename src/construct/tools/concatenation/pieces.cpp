@@ -17,6 +17,7 @@
 #include "construct/tools/short_blocks.hpp"
 #include "construct/trusted_entry.hpp"
 #include "core/checked.hpp"
+#include "core/sorted.hpp"
 #include "core/words.hpp"
 
 namespace changeover {

@@ -241,10 +241,10 @@ void append(std::string& out, const JsonNode& node) {
     for (std::size_t i = 0; i < node.members.size(); ++i) {
       out += i == 0 ? "" : ",";
       if (node.is_object()) {
-        append_json_string(out, node.members[i].first);
+        append_json_string(out, node.members[i].key);
         out += ':';
       }
-      append(out, node.members[i].second);
+      append(out, node.members[i].node);
     }
     out += node.is_object() ? '}' : ']';
   } else if (node.is_text()) {
