@@ -27,7 +27,7 @@ namespace changeover::python {
 /// may be destroyed when call() is left, so it is one function of Python's C interface.
 template <typename Call>
 #ifdef __GLIBCXX__
-[[gnu::no_sanitize("undefined")]]  // The reference that is caught refers to nothing.
+__attribute__((no_sanitize("undefined")))  // The reference that is caught refers to nothing.
 #endif
 std::invoke_result_t<Call>
 unless_python_ends(Call&& call) {

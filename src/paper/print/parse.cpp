@@ -108,12 +108,10 @@ std::vector<Block> blocks_in(std::string_view text) {
 ParsedTable parse(const PrintedTable& table) {
   ParsedTable parsed;
   std::size_t first_column = 0;  // of the band that is being read
-  std::size_t rows = 0;          // of cells, in this band
   for (const std::string& line : lines_of(table.layout)) {
     const std::vector<std::string> tokens = words(line);
     if (tokens.front() == "--") {
       first_column = parsed.blocks.size();
-      rows = 0;
       continue;
     }
     if (tokens.front() == "U") {
@@ -139,7 +137,6 @@ ParsedTable parse(const PrintedTable& table) {
         block.cells.push_back(cell_in(tokens[i]));
       }
     }
-    rows += header ? 0 : 1;
   }
   for (std::size_t i = 0; i < parsed.unchanged.size(); ++i) {
     if (parsed.unchanged[i].caret) {

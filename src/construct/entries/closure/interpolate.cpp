@@ -36,7 +36,7 @@ class InterpolatedSource final : public BlockByBlock<InterpolatedSource> {
 
   bool make(std::span<Element> block) {
     if (current_.empty()) {
-      if (!read(current_)) {
+      if (!read_input(current_)) {
         return false;
       }
       first_ = current_;
@@ -70,7 +70,7 @@ class InterpolatedSource final : public BlockByBlock<InterpolatedSource> {
   }
 
  private:
-  bool read(Block& block) {
+  bool read_input(Block& block) {
     block.resize(static_cast<std::size_t>(parameters_.k));
     if (source_->next(block)) {
       return true;
@@ -84,7 +84,7 @@ class InterpolatedSource final : public BlockByBlock<InterpolatedSource> {
       return false;
     }
     Block next;
-    if (!read(next)) {
+    if (!read_input(next)) {
       if (parameters_.kind != Kind::circular) {
         return false;
       }
