@@ -32,8 +32,8 @@ bool has_our_words(const std::string& content) {
   return !content.empty() && lock_words.starts_with(content);
 }
 
-// While a lock is made, this thread puts off the signals that would end the process: a lock that is
-// not yet noted as unfinished would stay.
+// While a lock is made or given up, this thread puts off the signals that would end the process: a
+// lock that is not noted as unfinished would stay.
 class SignalsPutOff {
  public:
   SignalsPutOff() {
@@ -125,10 +125,12 @@ void FileLock::acquire(const std::string& path) {
 }
 
 FileLock::~FileLock() {
+  // Forgotten first: what has this name once it is removed is the lock of another process.
+  const SignalsPutOff put_off;
+  forget_unfinished(slot_);
   if (removes_ || has_our_words(content_of(descriptor_))) {
     ::unlink(lock_path_.c_str());
   }
-  forget_unfinished(slot_);
   ::close(descriptor_);
 }
 

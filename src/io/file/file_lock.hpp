@@ -4,8 +4,8 @@
 //
 // The file itself cannot carry the lock, for writing replaces it (io/output.hpp). The lock file
 // says what it is, and its owner removes it, also on a signal; one that a killed process left does
-// no harm, because the system drops the lock with the process. All names of a file, links included, have the same
-// lock.
+// no harm, because the system drops the lock with the process. All names of a file, links included,
+// have the same lock.
 #pragma once
 
 #include <string>
