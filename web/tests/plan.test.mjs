@@ -145,12 +145,14 @@ test('pairs that need not meet are left out', async (explorer) => {
 test('without the token the whole job is in the link, with what is done', async (explorer) => {
   const page = await withoutToken(explorer, '#/plan');
   await planNine(page);
-  await press(page, 1);
-  await press(page, 2);
-  await page.getByText('2 of 17 tests done; 22 of 117 spent.').waitFor();
   await page.getByText('The link of this page holds the whole job').waitFor();
+  for (const test of [1, 2]) {
+    const before = new URL(page.url()).hash;
+    await press(page, test);
+    await page.waitForFunction((hash) => location.hash !== hash, before);
+  }
+  await page.getByText('2 of 17 tests done; 22 of 117 spent.').waitFor();
   const set = (await setUps(page))[5];
-  await page.waitForTimeout(200);
   const fragment = new URL(page.url()).hash;
   await page.evaluate(() => localStorage.clear());
   const other = await explorer.open(fragment);

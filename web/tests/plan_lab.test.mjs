@@ -302,8 +302,8 @@ test('the failures say which pair is at fault, and which test tells most', async
       .getByRole('button', { name: failed ? /fail/ : /pass/ })
       .click();
     await page.getByRole('button', { name: 'What is at fault?' }).click();
+    await page.getByText('Weighing the results').waitFor({ state: 'detached' });
     await panel.waitFor();
-    await page.waitForTimeout(300);
   }
   await panel.getByText('At fault, proven: 2 with 5').waitFor();
   await look(page, 'plan-diagnosis');

@@ -43,7 +43,7 @@ async function render(view: View): Promise<void> {
     );
     page.keepBeside();
   } else if (given?.state.outcome) {
-    await page.keepAgain();
+    await page.keepHere();
   } else if ((view.params.has('s') || view.params.has('id')) && !given) {
     page.say(new Error(lost));
   }

@@ -1,6 +1,7 @@
 // A design as a file, in every format that the program writes.
 import type { Design } from '../lib/api';
 import { h } from '../lib/dom';
+import { addressOf } from '../lib/save';
 import { downloadAddress, type Asked } from '../lib/source';
 
 const formats: readonly (readonly [string, string, string])[] = [
@@ -63,9 +64,7 @@ function made(words: string, file: string, type: string, text: () => string): HT
       class: 'button plain',
       download: file,
       onclick: () => {
-        const address = URL.createObjectURL(new Blob([text()], { type }));
-        anchor.href = address;
-        setTimeout(() => URL.revokeObjectURL(address), 60_000);
+        anchor.href = addressOf(text(), type);
       },
     },
     words,

@@ -1,6 +1,7 @@
 // The program's own pictures of a design, as files to keep; and the tree of its recipe.
 import type { Design } from '../../lib/api';
 import { fill, h, picture } from '../../lib/dom';
+import { save } from '../../lib/save';
 import { draw, type Asked, type DrawQuery, type PictureName } from '../../lib/source';
 import { fileName } from '../../parts/downloads';
 import { problem } from '../../shell/router';
@@ -40,9 +41,7 @@ export function savePicture(
             signal,
           );
           if (text !== null) {
-            const url = URL.createObjectURL(new Blob([text], { type: 'image/svg+xml' }));
-            h('a', { href: url, download: fileName(design, `${name}.svg`) }).click();
-            setTimeout(() => URL.revokeObjectURL(url), 1000);
+            save(fileName(design, `${name}.svg`), text, 'image/svg+xml');
           }
         } catch (fault) {
           if (!signal.aborted) {

@@ -553,14 +553,14 @@ export class PlanPage {
     this.state.id = newId();
   }
 
-  async keepAgain(): Promise<void> {
-    await this.keepHere();
-  }
+  private turn = 0;
 
-  private async keepHere(): Promise<void> {
+  async keepHere(): Promise<void> {
+    const turn = ++this.turn;
     try {
       const { s, id, whole } = await keepState(this.state);
-      if (this.view.signal.aborted) {
+      // A link to a later state may be packed sooner.
+      if (this.view.signal.aborted || turn !== this.turn) {
         return;
       }
       this.view.go(this.run ? { run: this.run.id, s: null, id: null } : { s, id, run: null }, {
