@@ -359,14 +359,25 @@ class Dask(unittest.TestCase):
                               sink=lambda *_: client.close())
 
     def test_ctrl_c_ends_it(self):
-        timer = threading.Timer(1.0, lambda: os.kill(os.getpid(), signal.SIGINT))
+        some = threading.Event()
+
+        def ctrl_c():
+            some.wait()
+            os.kill(os.getpid(), signal.SIGINT)
+
+        def sink(i, j, result):
+            self.sink(i, j, result)
+            if len(self.sink.got) == 20:
+                some.set()
+
+        thread = threading.Thread(target=ctrl_c)
         with tempfile.TemporaryDirectory() as folder:
             journal = os.path.join(folder, "journal")
-            timer.start()
+            thread.start()
             with self.assertRaises(KeyboardInterrupt):
                 self.run_job(compute=lambda i, j, a, b: time.sleep(0.05) or compute(i, j, a, b),
-                             journal=journal)
-            timer.join()
+                             journal=journal, sink=sink)
+            thread.join()
             report = self.run_job(journal=journal)
         self.sink.check(self.every)
         self.assertGreater(report.resumed, 0)

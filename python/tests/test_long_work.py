@@ -15,6 +15,18 @@ from decimal import Decimal
 import changeover
 
 
+def ctrl_c_once_there_is_a_best():
+    """A progress function that presses Ctrl-C once, when it first hears of a best so far."""
+    pressed = []
+
+    def progress(said):
+        if not pressed and said["best"] is not None:
+            pressed.append(True)
+            threading.Thread(target=os.kill, args=(os.getpid(), signal.SIGINT)).start()
+
+    return progress
+
+
 @contextlib.contextmanager
 def ctrl_c_after(seconds):
     timer = threading.Timer(seconds, lambda: os.kill(os.getpid(), signal.SIGINT))
@@ -44,8 +56,7 @@ class Searches(unittest.TestCase):
         self.assertEqual(first.moves, second.moves)
 
     def test_ctrl_c_keeps_the_best(self):
-        with ctrl_c_after(0.3):
-            result = changeover.search(40, 5, time=600)
+        result = changeover.search(40, 5, time=600, progress=ctrl_c_once_there_is_a_best())
         self.assertTrue(result.interrupted)
         self.assertEqual(result.why_stopped, "interrupted")
         self.assertTrue(result.design.verdict.valid)
@@ -67,20 +78,19 @@ class Searches(unittest.TestCase):
         self.assertIn("phase", told[0])
 
     def test_other_threads_run_meanwhile(self):
-        ticks = []
-        done = threading.Event()
+        began = threading.Event()
 
-        def tick():
-            while not done.is_set():
-                ticks.append(1)
+        def tick_and_stop():
+            began.wait()
+            for _ in range(6):
                 time.sleep(0.01)
+            os.kill(os.getpid(), signal.SIGINT)
 
-        thread = threading.Thread(target=tick)
+        thread = threading.Thread(target=tick_and_stop)
         thread.start()
-        changeover.search(40, 5, time=0.6)
-        done.set()
+        result = changeover.search(40, 5, time=600, progress=lambda said: began.set())
         thread.join()
-        self.assertGreater(len(ticks), 5)
+        self.assertTrue(result.interrupted)  # by that thread, or the time would have been up
 
     def test_several_searches_at_once(self):
         results = [None] * 4
@@ -281,15 +291,7 @@ class Loads(unittest.TestCase):
             self.assertGreaterEqual(order.loads, order.lower_bound)
 
     def test_ctrl_c_keeps_the_order(self):
-        timers = []
-
-        def progress(_):  # The search has begun, so there is an order.
-            if not timers:
-                timers.append(threading.Timer(0.3, os.kill, [os.getpid(), signal.SIGINT]))
-                timers[0].start()
-
-        order = changeover.load_order(60, 8, time=600, progress=progress)
-        timers[0].join()
+        order = changeover.load_order(60, 8, time=600, progress=ctrl_c_once_there_is_a_best())
         self.assertEqual(sum(len(load) for _, load in order), order.loads)
 
     def test_the_executor_computes_each_pair_once(self):

@@ -57,7 +57,7 @@ TEST(SearchLimits, ASecondSearchWithTheSameCheckpointIsRefused) {
   const TemporaryFolder folder;
   const Outcome outcome =
       run("$changeover search 40 6 --time 10m --threads 1 --checkpoint state --quiet >/dev/null & "
-          "pid=$!; for i in $(seq 200); do [[ -s state ]] && break; sleep 0.1; done; "
+          "pid=$!; for i in $(seq 1200); do [[ -s state ]] && break; sleep 0.05; done; "
           "$changeover search 40 6 --time 1s --checkpoint state --quiet; code=$?; "
           "kill -9 $pid; wait $pid 2>/dev/null; [[ -e state.lock ]] || exit 99; "
           "$changeover search 40 6 --time 200ms --threads 1 --checkpoint state --quiet -o o.txt "
@@ -72,10 +72,12 @@ TEST(SearchLimits, ASecondSearchWithTheSameCheckpointIsRefused) {
 TEST(SearchLimits, AFolderOfTheCheckpointThatGoesAwayDoesNotTakeTheDesignAlong) {
   const TemporaryFolder folder;
   const Outcome outcome =
-      run("mkdir inner; $changeover search 40 6 --time 3s --threads 1 --checkpoint inner/state "
+      run("mkdir inner; $changeover search 40 6 --time 10m --threads 1 --checkpoint inner/state "
           "--quiet -f text -o found.txt & pid=$!; "
-          "for i in $(seq 200); do [[ -s inner/state ]] && break; sleep 0.1; done; rm -r inner; "
-          "wait $pid; code=$?; $changeover verify found.txt >/dev/null && exit $code",
+          "for i in $(seq 1200); do [[ -s inner/state ]] && break; sleep 0.05; done; "
+          // At once: nothing can be written to it while its files are removed one after another.
+          "mv inner gone; rm -r gone; kill -INT $pid; wait $pid; code=$?; "
+          "$changeover verify found.txt >/dev/null && exit $code",
           folder.path());
   EXPECT_EQ(outcome.code, 4) << outcome.err;
   EXPECT_EQ(count(outcome.err, "\n"), 1U) << outcome.err;

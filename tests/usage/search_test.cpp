@@ -78,8 +78,9 @@ TEST(Search, IsDeterministicWithOneThread) {
 TEST(Search, CtrlCKeepsTheBest) {
   const TemporaryFolder folder;
   const Outcome outcome =
-      run("timeout -s INT 2 $changeover search 60 7 --time 10m --threads 1 --json -o best.json; "
-          "echo \"code $?\"; $changeover verify best.json",
+      run("$changeover search 60 7 --time 10m --threads 1 --checkpoint state --json -o best.json & "
+          "pid=$!; for i in $(seq 1200); do [[ -s state ]] && break; sleep 0.05; done; "
+          "kill -INT $pid; wait $pid; echo \"code $?\"; $changeover verify best.json",
           folder.path());
   EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
 }
@@ -88,7 +89,7 @@ TEST(Search, ACheckpointSurvivesKill) {
   const TemporaryFolder folder;
   const Outcome outcome =
       run("$changeover search 40 6 --time 10m --threads 1 --checkpoint state --quiet >/dev/null & "
-          "pid=$!; for i in $(seq 100); do [[ -e state ]] && break; sleep 0.2; done; "
+          "pid=$!; for i in $(seq 1200); do [[ -e state ]] && break; sleep 0.05; done; "
           "kill -9 $pid; wait $pid 2>/dev/null; "
           "$changeover search 40 6 --time 1s --threads 1 --checkpoint state --json -o best.json "
           "--quiet; $changeover verify best.json",
