@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 #include <set>
 #include <utility>
 
@@ -24,15 +25,15 @@ constexpr std::size_t most_bench_defects = 10;
 Amount multiplied(Amount cost, Amount factor) {
   constexpr std::uint64_t one = 1'000'000;
   const Wide product = Wide{cost.millionths} * factor.millionths;
+  const auto said = [&] {
+    return fmt::format("a change cost of {} times {}", to_string(cost), to_string(factor));
+  };
   if (product % one != 0) {
-    throw BadInput(
-        fmt::format("a change cost of {} times {} has more than six decimals; change one of them",
-                    to_string(cost), to_string(factor)));
+    throw BadInput(said() + " has more than six decimals; change one of them");
   }
   constexpr Wide most = std::numeric_limits<std::int64_t>::max();
   if (product / one > most) {
-    throw ImpossibleParameters(fmt::format("a change cost of {} times {} is too large",
-                                           to_string(cost), to_string(factor)));
+    throw ImpossibleParameters(said() + " is too large");
   }
   return Amount{static_cast<std::uint64_t>(product / one)};
 }
@@ -106,11 +107,10 @@ Job whole_job_of_bench(const Job& job, const Bench& bench) {
   own.quantities.clear();
   own.at_once = bench.at_once.value_or(job.at_once);
   own.test_cost = bench.test_cost.value_or(job.test_cost);
-  for (Amount& cost : own.change_costs) {
-    cost = multiplied(cost, bench.change_factor);
-  }
-  for (Amount& cost : own.replace_costs) {
-    cost = multiplied(cost, bench.change_factor);
+  for (std::vector<Amount>* const costs : {&own.change_costs, &own.replace_costs}) {
+    for (Amount& cost : *costs) {
+      cost = multiplied(cost, bench.change_factor);
+    }
   }
   own.mounted = bench.mounted.value_or(job.mounted);
   own.start = bench.start.value_or(job.start);
@@ -131,11 +131,18 @@ Job whole_job_of_bench(const Job& job, const Bench& bench) {
 
 // The same without slots that are empty on this bench: a job of its own has no such slots.
 Job without_empty_slots(Job own) {
+  std::vector<bool> is_kept;  // by slot
+  std::ranges::transform(own.slots, std::back_inserter(is_kept),
+                         [](const Slot& slot) { return slot.least > 0; });
+  for (const std::uint32_t slot : own.slot_of) {
+    if (slot != no_slot) {
+      is_kept[slot] = true;
+    }
+  }
   std::vector<std::uint32_t> number(own.slots.size(), no_slot);
   std::vector<Slot> kept;
   for (std::uint32_t s = 0; s < own.slots.size(); ++s) {
-    const bool is_empty = !contains(own.slot_of, s);
-    if (!is_empty || own.slots[s].least > 0) {
+    if (is_kept[s]) {
       number[s] = static_cast<std::uint32_t>(kept.size());
       kept.push_back(own.slots[s]);
     }
@@ -256,26 +263,29 @@ std::vector<Bench> benches_alike(std::uint64_t number) {
 
 std::vector<bool> barred_parts(const Job& job, const Bench& bench) {
   std::vector<bool> barred(job.names.size(), false);
-  for (Element x = 0; x < job.parts(); ++x) {
-    const bool is_out = x < job.quantities.size() && job.quantities[x] == 0;
-    barred[x] = contains(bench.without, x) || (is_out && !contains(bench.own, x));
+  for (std::size_t x = 0; x < job.quantities.size(); ++x) {
+    barred[x] = job.quantities[x] == 0;
+  }
+  for (const Element x : bench.own) {
+    barred[x] = false;
+  }
+  for (const Element x : bench.without) {
+    barred[x] = true;
   }
   return barred;
 }
 
 std::vector<std::size_t> benches_with_most_parts(const Job& job, const std::vector<Bench>& benches,
                                                  std::size_t most) {
-  std::vector<std::size_t> working;
-  std::vector<std::ptrdiff_t> lacking;  // by bench
+  std::vector<std::pair<std::ptrdiff_t, std::size_t>> working;  // what each lacks, and its number
   for (std::size_t b = 0; b < benches.size(); ++b) {
-    lacking.push_back(std::ranges::count(barred_parts(job, benches[b]), true));
     if (!benches[b].down) {
-      working.push_back(b);
+      working.emplace_back(std::ranges::count(barred_parts(job, benches[b]), true), b);
     }
   }
-  std::ranges::stable_sort(working, {}, [&](std::size_t b) { return lacking[b]; });
+  std::ranges::sort(working);
   working.resize(std::min(working.size(), most));
-  return working;
+  return {std::views::values(working).begin(), std::views::values(working).end()};
 }
 
 Job job_of_bench(const Job& job, const Bench& bench) {

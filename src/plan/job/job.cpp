@@ -125,20 +125,20 @@ void find_impossible_slots(const Job& job, std::vector<std::string>& found) {
     const auto members = static_cast<std::uint64_t>(std::ranges::count(job.slot_of, s));
     const auto mounted = static_cast<std::uint64_t>(
         std::ranges::count_if(job.mounted, [&](Element x) { return job.slot_of[x] == s; }));
+    const std::string name = shown(slot.name);
     if (slot.least > slot.most) {
       found.push_back(fmt::format("slot {} has at least {} and at most {}; write the least first",
-                                  shown(slot.name), count_of(slot.least, "part"), slot.most));
+                                  name, count_of(slot.least, "part"), slot.most));
     } else if (members == 0) {
-      found.push_back(
-          fmt::format("no part is in slot {}; name it as the parts list does", shown(slot.name)));
+      found.push_back(fmt::format("no part is in slot {}; name it as the parts list does", name));
     } else if (slot.least > members) {
       found.push_back(fmt::format(
           "slot {} needs {} in every set-up, but only {} listed; let it need fewer, or list more",
-          shown(slot.name), count_of(slot.least, "part"), count_of(members, "is", "are")));
+          name, count_of(slot.least, "part"), count_of(members, "is", "are")));
     } else if (mounted > slot.most) {
       found.push_back(fmt::format("{} of slot {} {} mounted, but at most {} fit it; mount fewer",
-                                  count_of(mounted, "part"), shown(slot.name),
-                                  mounted == 1 ? "stays" : "stay", slot.most));
+                                  count_of(mounted, "part"), name, mounted == 1 ? "stays" : "stay",
+                                  slot.most));
     } else {
       needed += slot.least - std::min(slot.least, mounted);
     }
