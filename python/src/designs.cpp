@@ -18,6 +18,7 @@
 #include "changeover/io/output.hpp"
 #include "changeover/io/tables.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"
+#include "core/each.hpp"
 #include "gil.hpp"
 #include "long_work.hpp"
 #include "memory.hpp"
@@ -51,11 +52,8 @@ std::optional<Offer> best_of(const std::vector<Parameters>& asked,
 
 std::vector<Parameters> asked_for(std::uint64_t v, std::uint64_t k, std::uint64_t change,
                                   const std::optional<std::string>& kind, std::uint64_t strength) {
-  std::vector<Parameters> asked;
-  for (const Kind each : kinds_of(kind)) {
-    asked.push_back(parameters(v, k, change, each, strength));
-  }
-  return asked;
+  return each_of<Parameters>(
+      kinds_of(kind), [&](const Kind each) { return parameters(v, k, change, each, strength); });
 }
 
 std::optional<HeldDesign> design(std::uint64_t v, std::uint64_t k, std::uint64_t change,

@@ -4,6 +4,7 @@
 
 #include "bind.hpp"
 #include "changeover/core/error.hpp"
+#include "core/each.hpp"
 #include "io/write/json_writer.hpp"
 #include "long_work.hpp"
 
@@ -21,12 +22,9 @@ class Question {
     return kinds_of(asked_["kind"].cast<std::optional<std::string>>());
   }
   [[nodiscard]] std::vector<Parameters> of_each_kind() const {
-    std::vector<Parameters> all;
-    for (const Kind kind : kinds()) {
-      all.push_back(
-          parameters(number("v"), number("k"), number("change"), kind, number("strength")));
-    }
-    return all;
+    return each_of<Parameters>(kinds(), [&](const Kind kind) {
+      return parameters(number("v"), number("k"), number("change"), kind, number("strength"));
+    });
   }
 
  private:

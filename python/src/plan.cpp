@@ -4,6 +4,7 @@
 #include "changeover/io/input.hpp"
 #include "changeover/plan/diagnosis.hpp"
 #include "changeover/plan/job_request.hpp"
+#include "core/each.hpp"
 #include "core/printable.hpp"
 #include "io/write/json_writer.hpp"
 #include "long_work.hpp"
@@ -44,11 +45,7 @@ std::unique_ptr<Planned> plan(const std::string& document, std::optional<double>
 }
 
 std::vector<std::string> names(const Job& job, const Block& parts) {
-  std::vector<std::string> all;
-  for (const Element part : parts) {
-    all.push_back(job.names[part]);
-  }
-  return all;
+  return each_of<std::string>(parts, [&](const Element part) { return job.names[part]; });
 }
 
 // A fraction as (over, under).

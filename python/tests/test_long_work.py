@@ -38,6 +38,11 @@ def ctrl_c_after(seconds):
         timer.join()
 
 
+def run(program, *arguments):
+    return subprocess.run([sys.executable, "-c", program, *arguments], capture_output=True,
+                          text=True, timeout=60)
+
+
 class Searches(unittest.TestCase):
     def test_an_exact_search_proves_the_minimum(self):
         result = changeover.search(8, 4, 1, exact=True)
@@ -151,12 +156,7 @@ class Ends(unittest.TestCase):
                         "threading.Thread(target=go_on, daemon=True).start()\n"
                         "time.sleep(0.5)\n"
                     )
-                    ended = subprocess.run(
-                        [sys.executable, "-c", program, items],
-                        capture_output=True,
-                        text=True,
-                        timeout=60,
-                    )
+                    ended = run(program, items)
                     self.assertEqual((ended.returncode, ended.stderr), (0, ""))
 
     def test_what_shall_be_done_at_the_end_still_works(self):
@@ -168,9 +168,7 @@ class Ends(unittest.TestCase):
             "    raise SystemExit\n"
             "os.wait()\n"
         )
-        ended = subprocess.run(
-            [sys.executable, "-c", program], capture_output=True, text=True, timeout=60
-        )
+        ended = run(program)
         self.assertEqual((ended.returncode, ended.stderr, len(ended.stdout.split())), (0, "", 2))
 
     def test_a_thread_that_the_end_waits_for_still_works(self):
@@ -183,9 +181,7 @@ class Ends(unittest.TestCase):
             "atexit.register(work)\n"
             "import changeover\n"
         )
-        ended = subprocess.run(
-            [sys.executable, "-c", program], capture_output=True, text=True, timeout=60
-        )
+        ended = run(program)
         self.assertEqual((ended.returncode, ended.stderr, len(ended.stdout.split())), (0, "", 1))
 
     def test_a_progress_function_may_fork(self):
@@ -202,9 +198,7 @@ class Ends(unittest.TestCase):
                 "        print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))\n"
                 "print(changeover.plan(30, 5, test_cost=1, change_cost=5, time=0.5, progress=progress).complete)\n"
             )
-            ended = subprocess.run(
-                [sys.executable, "-c", program], capture_output=True, text=True, timeout=60
-            )
+            ended = run(program)
             self.assertEqual(ended.returncode, 0)
             self.assertEqual(ended.stdout.split(), ["6" if "exit" in end else "1", "True"])
             self.assertEqual("forked by a progress function" in ended.stderr, end == "return")

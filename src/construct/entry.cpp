@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "core/each.hpp"
 
 namespace changeover {
 namespace {
@@ -248,11 +249,8 @@ std::string first_elements(std::uint64_t count) {
   if (count > 6) {
     return fmt::format("0,…,{}", count - 1);
   }
-  std::string text;
-  for (std::uint64_t x = 0; x < count; ++x) {
-    text += fmt::format("{}{}", x == 0 ? "" : ",", x);
-  }
-  return text;
+  return joined(std::views::iota(std::uint64_t{0}, count), ",",
+                [](std::uint64_t x) { return std::to_string(x); });
 }
 
 std::vector<UnchangedSubset> known_expansion_set(const Recipe& input, const Registry& registry) {

@@ -11,6 +11,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "construct/trusted_entry.hpp"
+#include "core/each.hpp"
 
 namespace changeover {
 namespace {
@@ -85,12 +86,9 @@ const Construction& Registry::construction_of(const Recipe& recipe) const {
   if (const Construction* construction = find(recipe.construction)) {
     return *construction;
   }
-  std::string known;
-  for (const Construction* construction : constructions_) {
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", construction->name());
-  }
   throw BadInput(
-      fmt::format("no construction is named '{}'; there are: {}", recipe.construction, known));
+      fmt::format("no construction is named '{}'; there are: {}", recipe.construction,
+                  joined(constructions_, [](const Construction* each) { return each->name(); })));
 }
 
 std::vector<Offer> Registry::offers(const Parameters& p) const {

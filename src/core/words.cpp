@@ -18,4 +18,12 @@ std::string change_name(std::uint64_t m) {
   return m == 1 ? "single-change" : m == 2 ? "double-change" : fmt::format("{}-change", m);
 }
 
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) {
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return lower;
+}
+
 }  // namespace changeover

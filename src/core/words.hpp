@@ -41,4 +41,7 @@ template <typename Value>
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
+/// With A to Z as a to z, whatever the locale.
+[[nodiscard]] std::string lower_case(std::string_view text);
+
 }  // namespace changeover

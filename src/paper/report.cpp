@@ -6,6 +6,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/draw/draw.hpp"
+#include "core/each.hpp"
 #include "io/write/json_writer.hpp"
 #include "paper/checks/checks.hpp"
 
@@ -199,9 +200,7 @@ std::string render_markdown(const PaperReport& report) {
   for (const PaperItem& item : report.items) {
     std::string notes;
     if (item.findings.empty() && !item.comes_first && item.status != PaperStatus::vacuous) {
-      for (const std::string& note : item.notes) {
-        notes += (notes.empty() ? "" : "; ") + escaped(note);
-      }
+      notes = joined(item.notes, "; ", escaped);
     }
     out += fmt::format("| {} | {} | {} | {} | {} |\n", escaped(item.place), escaped(item.what),
                        item.follows.empty() ? std::string(to_string(item.status))

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/each.hpp"
+
 namespace changeover::cli {
 namespace {
 
@@ -54,11 +56,7 @@ std::string progress_line(const Progress& progress, std::size_t width) {
     part[time] += ", " + clock_time(*progress.left) + " left";
   }
   const auto length = [&] {
-    std::size_t sum = 0;
-    for (const std::string& text : part) {
-      sum += text.size();
-    }
-    return sum;
+    return sum_of<std::size_t>(part, [&](const std::string& text) { return text.size(); });
   };
   for (const Part least : {rate, steps, missing, bound}) {
     if (length() > width) {
@@ -68,10 +66,7 @@ std::string progress_line(const Progress& progress, std::size_t width) {
   if (const std::size_t all = length(); all > width) {
     part[phase].resize(part[phase].size() - std::min(part[phase].size(), all - width));
   }
-  std::string line;
-  for (const std::string& text : part) {
-    line += text;
-  }
+  std::string line = joined(part, "");
   line.resize(std::min(line.size(), width));
   return line;
 }

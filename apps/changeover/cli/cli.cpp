@@ -22,6 +22,7 @@
 #include "cli/spelling.hpp"
 #include "cli/status_line.hpp"
 #include "cli/terminal.hpp"
+#include "core/each.hpp"
 #include "core/printable.hpp"
 #include "io/request/request_words.hpp"
 #include "request/output.hpp"
@@ -163,16 +164,10 @@ std::string kind_of_argument(const std::string& name) {
   return std::ranges::find(words, name) == words.end() ? "file" : "text";
 }
 
-std::string joined(const std::vector<std::string>& words, const std::string& between) {
-  return fmt::format("{}", fmt::join(words, between));
-}
-
 // "--change", "-m", … of an option; nothing for a positional.
 std::vector<std::string> names_of(const CLI::Option& option) {
-  std::vector<std::string> names;
-  for (const std::string& name : option.get_snames()) {
-    names.push_back("-" + name);
-  }
+  std::vector<std::string> names = each_of<std::string>(
+      option.get_snames(), [&](const std::string& name) { return "-" + name; });
   for (const std::string& name : option.get_lnames()) {
     names.push_back("--" + name);
   }
@@ -486,10 +481,8 @@ int Program::run(int argc, char** argv) {
         text += each.name == group ? each.summary + "\n" : "";
       }
       text += "Usage: changeover " + group + " VERB …\n\nVerbs:\n";
-      std::size_t width = 0;
-      for (const std::string& member : members) {
-        width = std::max(width, member.size());
-      }
+      const std::size_t width = largest_of<std::size_t>(
+          members, [&](const std::string& member) { return member.size(); });
       for (const VerbDescription& verb : verbs()) {
         if (verb.group() == group) {
           text += fmt::format("  {:<{}}  {}\n", verb.name.substr(group.size() + 1), width,

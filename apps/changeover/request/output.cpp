@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -15,6 +14,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/io/output.hpp"
 #include "core/contains.hpp"
+#include "core/words.hpp"
 
 namespace changeover::cli {
 namespace {
@@ -74,9 +74,7 @@ const Ending* known_ending(const std::string& name) {
 // ending has (mktemp's "tmp.Qc5EWmNB1x"), is no ending.
 std::string ending_of(const std::string& path) {
   constexpr std::size_t longest = 9;
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::string ending = lower_case(std::filesystem::path(path).extension().string());
   return ending.size() > longest || ending.find_first_not_of(".0123456789") == std::string::npos
              ? ""
              : ending;

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "cli/cli.hpp"
+#include "core/each.hpp"
 #include "core/parsed.hpp"
 
 namespace changeover::cli {
@@ -89,11 +90,7 @@ Parameters ParameterRequest::of_kind(Kind one) const {
 }
 
 std::vector<Parameters> ParameterRequest::of_each_kind() const {
-  std::vector<Parameters> asked;
-  for (const Kind each : kinds_of(kind)) {
-    asked.push_back(of_kind(each));
-  }
-  return asked;
+  return each_of<Parameters>(kinds_of(kind), [&](const Kind each) { return of_kind(each); });
 }
 
 std::vector<Parameters> ParameterRequest::of_each_kind(const std::string& v_typed,

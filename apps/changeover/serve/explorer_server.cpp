@@ -10,6 +10,7 @@
 
 #include "answer/known/known_table.hpp"
 #include "changeover/run/control.hpp"
+#include "core/words.hpp"
 #include "serve/api/atlas.hpp"
 #include "serve/api/routes.hpp"
 #include "serve/jobs/search_jobs.hpp"

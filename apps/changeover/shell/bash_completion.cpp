@@ -4,28 +4,24 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/each.hpp"
 #include "shell/completion.hpp"
 
 namespace changeover::cli {
 namespace {
 
 std::string names_of(const std::vector<VerbDescription>& verbs) {
-  std::string names;
-  for (const VerbDescription& verb : verbs) {
-    names += (names.empty() ? "" : " ") +
-             (verb.group().empty() ? verb.name : verb.name.substr(verb.group().size() + 1));
-  }
-  return names;
+  return joined(verbs, " ", [](const VerbDescription& verb) {
+    return verb.group().empty() ? verb.name : verb.name.substr(verb.group().size() + 1);
+  });
 }
 
 bool wants_file(const OptionDescription& each) { return each.kind == "file"; }
 
 // What stands after an option that takes a value.
 std::string value_case(const VerbDescription& verb, const OptionDescription& each) {
-  std::string patterns;
-  for (const std::string& name : each.names) {
-    patterns += (patterns.empty() ? "" : "|") + verb.name + ":" + name;
-  }
+  const std::string patterns =
+      joined(each.names, "|", [&](const std::string& name) { return verb.name + ":" + name; });
   const std::string offered = !each.words.empty()
                                   ? fmt::format("-W \"{}\"", fmt::join(each.words, " "))
                               : wants_file(each)      ? "-f"

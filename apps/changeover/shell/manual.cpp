@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "changeover/core/version.hpp"
+#include "core/each.hpp"
 #include "shell/build_information.hpp"
 #include "shell/roff.hpp"
 
@@ -42,20 +43,13 @@ std::string shown_argument(const OptionDescription& each) {
 
 // "-f, --format WORD" and what it does.
 std::string entry_of(const OptionDescription& each) {
-  std::string names;
-  for (const std::string& name : each.names) {
-    names += (names.empty() ? "" : ", ") + (each.positional ? roff_italic(name) : roff_bold(name));
-  }
+  std::string names = joined(each.names, each.positional ? roff_italic : roff_bold);
   if (!each.positional && each.kind != "flag") {
     names += " " + roff_italic(each.kind == "words" ? "WORD" : each.value);
   }
   std::string text = fmt::format(".TP\n{}\n{}\n", names, sentence(each.help));
   if (!each.words.empty()) {
-    std::string words;
-    for (const std::string& word : each.words) {
-      words += (words.empty() ? "" : ", ") + roff_bold(word);
-    }
-    text += (each.words.size() > 1 ? "One of " : "It is ") + words + ".\n";
+    text += (each.words.size() > 1 ? "One of " : "It is ") + joined(each.words, roff_bold) + ".\n";
   }
   if (each.kind == "duration") {
     text += "A number with ms, s, m, h or d.\n";

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/each.hpp"
 #include "shell/completion.hpp"
 
 namespace changeover::cli {
@@ -40,13 +41,9 @@ std::string spec_of(const OptionDescription& each) {
     tail += value_of(each);
   }
   // A long option takes its value after = too, a short one in the same word.
-  std::string names;
-  for (const std::string& name : each.names) {
-    names += (names.empty() ? "" : ",") + name +
-             (!takes_value             ? ""
-              : name.starts_with("--") ? "="
-                                       : "+");
-  }
+  const std::string names = joined(each.names, ",", [&](const std::string& name) {
+    return name + (!takes_value ? "" : name.starts_with("--") ? "=" : "+");
+  });
   if (each.names.size() == 1) {
     return shell_quoted(names + tail);
   }

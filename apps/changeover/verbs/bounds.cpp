@@ -4,6 +4,7 @@
 #include "answer/answer.hpp"
 #include "answer/catalog/entry_words.hpp"
 #include "construct/known_documents.hpp"
+#include "core/each.hpp"
 #include "io/write/latex_prose.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
@@ -76,15 +77,11 @@ const KnownBounds& chosen(const std::vector<KnownBounds>& answers) {
 }
 
 Answer run(const BoundsRequest& request) {
-  std::vector<KnownBounds> answers;
-  for (const Parameters& p : request.asked.of_each_kind()) {
-    answers.push_back(known_bounds(p));
-  }
+  const std::vector<KnownBounds> answers = each_of<KnownBounds>(
+      request.asked.of_each_kind(), [&](const Parameters& p) { return known_bounds(p); });
   const bool is_latex = request.output.format() == "latex";
-  std::string all;
-  for (const KnownBounds& each : answers) {
-    all += is_latex ? latex(each) : text(each);
-  }
+  const std::string all = joined(
+      answers, "", [&](const KnownBounds& each) { return is_latex ? latex(each) : text(each); });
   return text_answer(request.output.json() ? bounds_json(chosen(answers)) + "\n" : all,
                      request.output);
 }

@@ -6,6 +6,7 @@
 #include "answer/design/show_design.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/output.hpp"
@@ -29,23 +30,16 @@ struct ExpandRequest {
 };
 
 std::string members(const Design& design, const ExpansionSet& set) {
-  std::string text;
-  for (const UnchangedSubset& subset : set) {
-    text += fmt::format("{}U_{} = {{", text.empty() ? "" : ", ", subset.position);
-    for (std::size_t i = 0; i < subset.elements.size(); ++i) {
-      text += (i == 0 ? "" : ",") + design.label(subset.elements[i]);
-    }
-    text += "}";
-  }
+  const std::string text = joined(set, [&](const UnchangedSubset& subset) {
+    return fmt::format("U_{} = {{{}}}", subset.position,
+                       joined(subset.elements, ",", [&](Element x) { return design.label(x); }));
+  });
   return text.empty() ? "none" : text;
 }
 
 std::size_t elements_in(const ExpansionSet& set) {
-  std::size_t count = 0;
-  for (const UnchangedSubset& subset : set) {
-    count += subset.elements.size();
-  }
-  return count;
+  return sum_of<std::size_t>(set,
+                             [&](const UnchangedSubset& subset) { return subset.elements.size(); });
 }
 
 void add_set(const Design& design, const ExpansionSet& set, JsonWriter& json) {

@@ -10,6 +10,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/io/output.hpp"
 #include "core/parsed.hpp"
+#include "core/words.hpp"
 #include "io/write/element_text.hpp"
 
 namespace changeover {
@@ -107,12 +108,8 @@ std::optional<DesignLabel> parse_design_label(std::string_view text) {
 }
 
 bool reads_as_label(std::string_view text) {
-  std::string plain;
-  for (const char c : text) {
-    if (c != ' ') {
-      plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-  }
+  std::string plain = lower_case(text);
+  std::erase(plain, ' ');
   const std::vector<std::string_view> words = parts(plain);
   const auto is_number = [](std::string_view word) {
     return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos;

@@ -11,6 +11,7 @@
 #include "changeover/core/error.hpp"
 #include "construct/tools/exact_cover.hpp"
 #include "core/checked.hpp"
+#include "core/each.hpp"
 #include "core/sorted.hpp"
 
 namespace changeover {
@@ -114,12 +115,7 @@ class Rows {
   [[nodiscard]] const ExactCover& cover() const { return cover_; }
 
   [[nodiscard]] std::vector<std::uint64_t> multiplicities() const {
-    std::vector<std::uint64_t> result;
-    result.reserve(places_.size());
-    for (const auto& places : places_) {
-      result.push_back(places.size());
-    }
-    return result;
+    return each_of<std::uint64_t>(places_, [&](const auto& places) { return places.size(); });
   }
 
   // What the rows stand for is handed to `visit`, one by one, until it returns false; whether it

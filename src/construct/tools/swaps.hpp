@@ -45,6 +45,21 @@ class SwapPlan {
   SwapPlan& operator=(const SwapPlan&) = default;
 };
 
+/// A plan with one leg.
+class ShortPlan : public SwapPlan {
+ public:
+  bool leg(std::uint64_t index, std::vector<Swap>& swaps) const final {
+    if (index == 0) {
+      add_all(swaps);
+    }
+    return index == 0;
+  }
+
+ protected:
+  /// Appends all swaps.
+  virtual void add_all(std::vector<Swap>& swaps) const = 0;
+};
+
 /// The blocks of a plan. O(k) a block, O(v) memory beside the leg's.
 class SwapSource final : public BlockByBlock<SwapSource> {
  public:

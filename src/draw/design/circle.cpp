@@ -5,6 +5,7 @@
 #include <array>
 
 #include "changeover/draw/draw.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "draw/design/frame.hpp"
 #include "draw/text/measure.hpp"
@@ -139,10 +140,9 @@ Picture draw_design_circle(const Drawing& drawing) {
       list.headline("o:d within cycle o, o-p:d from cycle o to cycle p");
     }
     if (pi.fixed > 0) {
-      std::string fixed;
-      for (std::uint64_t x = pi.moved(); x < pi.v(); ++x) {
-        fixed += (fixed.empty() ? "" : ", ") + drawing.name(static_cast<Element>(x));
-      }
+      const std::string fixed = joined(std::views::iota(pi.moved(), pi.v()), [&](std::uint64_t x) {
+        return drawing.name(static_cast<Element>(x));
+      });
       list.headline(fmt::format("{} {} (∞)", fixed,
                                 pi.fixed == 1 ? "stays where it is" : "stay where they are"));
     }

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <optional>
 #include <utility>
 
+#include "core/words.hpp"
 #include "io/read/declared.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
@@ -19,14 +19,6 @@ namespace changeover {
 namespace {
 
 Place place_of_field(const Field& field) { return {field.line, field.offset + 1}; }
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(), [](char c) {
-    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  });
-  return result;
-}
 
 // "element_3", "element 3", "Element3".
 bool is_element_column(std::string_view name) {
@@ -48,14 +40,14 @@ class Columns {
   bool learn(const Row& fields, const RowReader& rows) {
     bool names = false;
     for (const Field& field : fields) {
-      const std::string name = lower(field.text);
+      const std::string name = lower_case(field.text);
       names = names || name == "block" || is_element_column(name);
     }
     if (!names) {
       return false;
     }
     for (std::size_t i = 0; i < fields.size(); ++i) {
-      const std::string name = lower(fields[i].text);
+      const std::string name = lower_case(fields[i].text);
       if (is_element_column(name)) {
         elements_.push_back(i);
       }

@@ -5,6 +5,7 @@
 
 #include "changeover/io/formats.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 #include "io/read/point_blocks.hpp"
 #include "io/scan/text_scanner.hpp"
 
@@ -16,9 +17,7 @@ enum class Language : std::uint8_t { unknown, gap, sage };
 constexpr std::string_view third_argument =
     "a third argument, as for blocks developed under a group; write out all blocks";
 
-bool is_of_name(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c >= '0' && c <= '9');
-}
+bool is_of_name(char c) { return is_letter(c) || c == '_' || is_digit(c); }
 
 class LiteralReader {
  public:

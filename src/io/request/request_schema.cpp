@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/each.hpp"
 #include "io/write/json_writer.hpp"
 
 namespace changeover {
@@ -162,10 +163,8 @@ std::string request_schema(std::string_view format, std::string_view title,
           }
           break;
         case OptionRule::Says::only_with: {
-          std::string any;
-          for (const std::string_view other : rule.others) {
-            any += (any.empty() ? "" : ",") + given(other, records);
-          }
+          std::string any = joined(rule.others, ",",
+                                   [&](std::string_view other) { return given(other, records); });
           if (!rule.or_in_file_of.empty()) {
             any +=
                 fmt::format(R"(,{{"required":["{0}"],"properties":{{"{0}":{{"type":"object"}}}}}})",

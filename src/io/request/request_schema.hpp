@@ -6,17 +6,14 @@
 #include <vector>
 
 #include "changeover/io/request.hpp"
+#include "core/each.hpp"
 
 namespace changeover {
 
 /// The records of a table, in their order.
 template <typename Request>
 std::vector<OptionRecord> records_of(const RequestTable<Request>& table) {
-  std::vector<OptionRecord> records;
-  for (const auto& option : table.options) {
-    records.push_back(option.record);
-  }
-  return records;
+  return each_of<OptionRecord>(table.options, [&](const auto& option) { return option.record; });
 }
 
 /// A JSON Schema (draft 2020-12) of the documents of this format: types, words, and every rule

@@ -17,6 +17,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/io/request.hpp"
+#include "core/each.hpp"
 #include "io/request/request_document.hpp"
 
 namespace changeover {
@@ -94,11 +95,7 @@ template <typename Request, typename Words>
 void check_rules(const RequestTable<Request>& table, const Request& request, const Words& words) {
   const auto given = [&](std::string_view key) { return is_given(request, option_of(table, key)); };
   const auto named = [&](const std::vector<std::string_view>& keys) {
-    std::vector<std::string> all;
-    for (const std::string_view key : keys) {
-      all.push_back(words.key(key));
-    }
-    return all;
+    return each_of<std::string>(keys, [&](const std::string_view key) { return words.key(key); });
   };
   const auto those_given = [&](const std::vector<std::string_view>& keys) {
     std::vector<std::string_view> present;

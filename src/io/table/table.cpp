@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "changeover/io/tables.hpp"
+#include "core/each.hpp"
 #include "io/scan/row_reader.hpp"
 #include "io/write/csv_cell.hpp"
 #include "io/write/latex_prose.hpp"
@@ -311,18 +312,7 @@ std::string table_html(const Table& table) {
   return text + "</tbody>\n</table>\n" + (table.frame.empty() ? "" : "</div>\n");
 }
 
-std::string joined(const std::vector<std::string>& words, std::string_view between) {
-  return fmt::format("{}", fmt::join(words, between));
-}
-
-std::string list_line(const std::vector<std::string>& words) {
-  std::vector<std::string> fields;
-  fields.reserve(words.size());
-  for (const std::string& word : words) {
-    fields.push_back(quoted_field(word));
-  }
-  return joined(fields);
-}
+std::string list_line(const std::vector<std::string>& words) { return joined(words, quoted_field); }
 
 std::string markdown_text(std::string_view text) {
   std::string escaped;

@@ -126,12 +126,8 @@ struct Table {
 /// For the package booktabs; a table of more than 40 rows is a longtable (package longtable).
 [[nodiscard]] std::string table_latex(const Table& table);
 
-/// Words with commas between them.
-[[nodiscard]] std::string joined(const std::vector<std::string>& words,
-                                 std::string_view between = ", ");
-
-/// The same, each quoted where it must be so that row readers (io/scan/row_reader.hpp) find the
-/// words again.
+/// Words with commas between them, each quoted where it must be so that row readers
+/// (io/scan/row_reader.hpp) find the words again.
 [[nodiscard]] std::string list_line(const std::vector<std::string>& words);
 
 /// A text in Markdown, or in HTML: nothing in it is markup.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <deque>
 #include <filesystem>
@@ -17,6 +16,7 @@
 #include "changeover/io/input.hpp"
 #include "core/parsed.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 #include "io/scan/row_reader.hpp"
 #include "io/scan/xml_events.hpp"
 #include "io/workbook/workbook_parts.hpp"
@@ -30,13 +30,6 @@ constexpr std::string_view old_mark = "\xD0\xCF\x11\xE0";  // .xls, and .xlsx wi
 constexpr std::uint64_t most_sheet_bytes = std::uint64_t{1} << 29;
 constexpr std::uint64_t most_row_bytes = std::uint64_t{1} << 24;
 constexpr std::uint64_t most_text_bytes = std::uint64_t{1} << 30;
-
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char c) {
-    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  });
-  return text;
-}
 
 // The archive, once it is clear that it is one.
 ZipArchive open_archive(std::string bytes, const std::string& file) {
@@ -229,8 +222,8 @@ const WorkbookParts::Sheet& find_sheet(const WorkbookParts& parts, const std::st
                                        const std::optional<std::string>& wanted) {
   std::string names;
   for (const WorkbookParts::Sheet& sheet : parts.sheets) {
-    const bool found =
-        wanted ? lower(sheet.name) == lower(*wanted) : !sheet.hidden && !sheet.member.empty();
+    const bool found = wanted ? lower_case(sheet.name) == lower_case(*wanted)
+                              : !sheet.hidden && !sheet.member.empty();
     if (found && sheet.member.empty()) {
       throw BadInput(
           fmt::format("{}: the sheet {} has no cells; name another", file, shown(sheet.name)));

@@ -48,7 +48,7 @@ PaperItem check_cited_single_change(const PaperContext& context) {
               fmt::format("cited: all minimum SCCDs are constructed for k = {}",
                           fmt::join(context.paper.cited.single_k, ", ")),
               "designs");
-  if (!check.finds(context.registry, "pairs-single-change")) {
+  if (check.finds(context.registry, "pairs-single-change") == nullptr) {
     return std::move(check).finish();
   }
   for (const std::uint64_t k : context.paper.cited.single_k) {
@@ -91,7 +91,7 @@ PaperItem check_pairs_of_elements(const PaperContext& context) {
   Check check("Section 2.1",
               "cited: linear DCCD(5,2,10), and linear and circular DCCD(v,2,v(v-1)/2) for v >= 6",
               "designs");
-  if (!check.finds(context.registry, "pairs-double-change")) {
+  if (check.finds(context.registry, "pairs-double-change") == nullptr) {
     return std::move(check).finish();
   }
   for (std::uint64_t v = 5; v <= largest_v; ++v) {
@@ -149,7 +149,7 @@ PaperItem check_triples(const PaperContext& context) {
   Check check("Section 2.1",
               "cited: circular DCCD(v,3,b) for all v, minimum for v = 0, 1, 3, 5 (mod 6)",
               "designs");
-  if (!check.finds(context.registry, "triples-double-change")) {
+  if (check.finds(context.registry, "triples-double-change") == nullptr) {
     return std::move(check).finish();
   }
   std::size_t others = 0;
@@ -226,7 +226,7 @@ PaperItem check_prime_power(const PaperContext& context) {
       "cited: if 2k-3 is an odd prime power, a minimum linear DCCD(v,k,(2v-2)/3) needs v >= 3k-5",
       "parameters");
   check.of_a_statement();
-  if (!check.finds(context.registry, "small-v")) {
+  if (check.finds(context.registry, "small-v") == nullptr) {
     return std::move(check).finish();
   }
   std::vector<std::string> open;
@@ -412,7 +412,7 @@ PaperItem check_fours(const PaperContext& context) {
               fmt::format("cited: minimum DCCD(v,4,b) are constructed for v = {}, ..., {}",
                           cited.k4_from, cited.k4_to),
               "designs");
-  if (!check.finds(context.registry, "found")) {
+  if (check.finds(context.registry, "found") == nullptr) {
     return std::move(check).finish();
   }
   std::vector<std::uint64_t> minima;
@@ -441,7 +441,7 @@ PaperItem check_fours(const PaperContext& context) {
 PaperItem check_any_fours(const PaperContext& context) {
   constexpr std::uint64_t largest_v = 60;
   Check check("Section 2.1", "cited: circular DCCD(v,4,b), not necessarily minimum", "designs");
-  if (!check.finds(context.registry, "partial-expansion")) {
+  if (check.finds(context.registry, "partial-expansion") == nullptr) {
     return std::move(check).finish();
   }
   std::size_t minimum = 0;

@@ -24,7 +24,7 @@ template <typename LargestV>
 PaperItem check_all_minima(const PaperContext& context, std::string what, std::uint64_t change,
                            const LargestV& largest_v, const std::string& note) {
   Check check("Section 4", std::move(what), "designs");
-  if (!check.finds(context.registry, "small-v")) {
+  if (check.finds(context.registry, "small-v") == nullptr) {
     return std::move(check).finish();
   }
   for (std::uint64_t k = 2 + change - 1; k <= context.options.largest_k; ++k) {

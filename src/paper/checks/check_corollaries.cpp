@@ -20,7 +20,7 @@ std::vector<CyclicWithSet> designs_with_sets(const PaperContext& context) {
 PaperItem check_expansion_sets(const PaperContext& context,
                                const std::vector<CyclicWithSet>& designs) {
   Check check("Proposition 13", claim_at(context.paper, "Proposition 13"), "expansion sets");
-  if (!check.finds(context.registry, "cyclic-paper")) {
+  if (check.finds(context.registry, "cyclic-paper") == nullptr) {
     return std::move(check).finish();
   }
   std::uint64_t searched = 0;
@@ -78,7 +78,7 @@ PaperItem check_range(const PaperContext& context, const std::vector<CyclicWithS
 PaperItem check_order(const PaperContext& context, const std::vector<CyclicWithSet>& designs) {
   Check check("Corollary 14", "the proofs: the order of the expansion set, and when it is odd",
               "values");
-  if (!check.finds(context.registry, "cyclic-paper")) {
+  if (check.finds(context.registry, "cyclic-paper") == nullptr) {
     return std::move(check).finish();
   }
   for (const auto& [c, design, set] : designs) {
@@ -119,7 +119,7 @@ Design expanded(const CyclicWithSet& cyclic) {
 
 PaperItem check_formula(const PaperContext& context, const std::vector<CyclicWithSet>& designs) {
   Check check("Corollary 14", claim_at(context.paper, "Corollary 14"), "designs");
-  if (!check.finds(context.registry, "cyclic-paper")) {
+  if (check.finds(context.registry, "cyclic-paper") == nullptr) {
     return std::move(check).finish();
   }
   for (const CyclicWithSet& cyclic : designs) {
@@ -173,7 +173,7 @@ PaperItem check_triple(const PaperContext& context, const PrintedTriple& triple,
                        const std::vector<CyclicWithSet>& designs) {
   Check check("Corollary 15", fmt::format("a tight circular {}", in_words(triple)), "designs");
   check.of_a_statement();
-  if (!check.finds(context.registry, "cyclic-paper")) {
+  if (check.finds(context.registry, "cyclic-paper") == nullptr) {
     return std::move(check).finish();
   }
   const auto is_printed = [&](const PrintedTriple& other) {
@@ -244,9 +244,8 @@ PaperItem check_61_4(const PaperContext& context) {
               fmt::format("{} (Table 12)", claim_at(context.paper, "Proposition 16")),
               "comparisons");
   const Parameters p = circular(61, 4);
-  const Construction* construction = context.registry.find("cyclic-61-4");
+  const Construction* const construction = check.finds(context.registry, "cyclic-61-4");
   if (construction == nullptr) {
-    check.lacks("cyclic-61-4");
     return std::move(check).finish();
   }
   const BaseBlocks printed{p, base_blocks(context.paper.six_base_blocks, 4)};

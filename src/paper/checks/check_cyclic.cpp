@@ -8,6 +8,7 @@
 #include "changeover/core/developed.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/difference.hpp"
+#include "core/each.hpp"
 #include "paper/checks/checking.hpp"
 #include "paper/checks/checks.hpp"
 
@@ -100,11 +101,7 @@ PaperItem check_circle(const PrintedCircle& circle, const PrintedTable& table) {
 }
 
 std::string in_words(const std::vector<Block>& blocks) {
-  std::string words;
-  for (const Block& block : blocks) {
-    words += (words.empty() ? "" : ", ") + braces(sorted(block));
-  }
-  return words;
+  return joined(blocks, [&](const Block& block) { return braces(sorted(block)); });
 }
 
 bool same_blocks(const std::vector<Block>& a, const std::vector<Block>& b) {
@@ -119,9 +116,8 @@ Parameters cyclic_parameters(std::uint64_t c, std::uint64_t k) {
 PaperItem check_theorem(const PaperContext& context) {
   Check check("Theorem 10", fmt::format("{} (Table 9)", claim_at(context.paper, "Theorem 10")),
               "comparisons");
-  const Construction* construction = context.registry.find("cyclic-paper");
+  const Construction* const construction = check.finds(context.registry, "cyclic-paper");
   if (construction == nullptr) {
-    check.lacks("cyclic-paper");
     return std::move(check).finish();
   }
   std::uint64_t rows = 0;
@@ -305,9 +301,8 @@ PaperItem check_larger_c(const PaperContext& context) {
   Check check("Section 3.2", "\"we believe that this method will work ... for larger c\"",
               "designs");
   check.of_a_statement();
-  const Construction* construction = context.registry.find("cyclic");
+  const Construction* const construction = check.finds(context.registry, "cyclic");
   if (construction == nullptr) {
-    check.lacks("cyclic");
     return std::move(check).finish();
   }
   constexpr std::uint64_t largest_c = 60;

@@ -22,7 +22,7 @@ PaperItem check_family(const PaperContext& context, std::string_view place,
                        std::string_view construction, bool tight) {
   const PrintedFamily& family = family_at(context.paper, place);
   Check check(std::string(place), claim_at(context.paper, place), "designs");
-  if (!check.finds(context.registry, construction)) {
+  if (check.finds(context.registry, construction) == nullptr) {
     return std::move(check).finish();
   }
   std::uint64_t largest = 0;

@@ -43,9 +43,8 @@ PaperItem check_expanded_single_change(const PaperContext& context) {
   constexpr std::uint64_t largest_v = 30;
   Check check("Section 3.1", "cited: expansion sets make a SCCD(v+1,k,b) of a SCCD(v,k,b)",
               "designs");
-  const Construction* construction = context.registry.find("single-change-expansion");
+  const Construction* const construction = check.finds(context.registry, "single-change-expansion");
   if (construction == nullptr) {
-    check.lacks("single-change-expansion");
     return std::move(check).finish();
   }
   const PrintedDesign& printed = context.paper.single_recursion;

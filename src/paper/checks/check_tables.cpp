@@ -8,6 +8,7 @@
 #include "changeover/construct/expansion.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
+#include "core/each.hpp"
 #include "paper/checks/checking.hpp"
 #include "paper/checks/checks.hpp"
 
@@ -29,12 +30,10 @@ std::string in_braces(const Names& names) {
 }
 
 std::string with_marks(const PrintedBlock& block) {
-  std::vector<std::string> cells;
-  for (const PrintedCell& cell : block.cells) {
-    cells.push_back(
-        fmt::format("{}{}{}", cell.element, cell.introduced ? "^*" : "", cell.leaving ? "_*" : ""));
-  }
-  return braces(cells);
+  return braces(each_of<std::string>(block.cells, [](const PrintedCell& cell) {
+    return fmt::format("{}{}{}", cell.element, cell.introduced ? "^*" : "",
+                       cell.leaving ? "_*" : "");
+  }));
 }
 
 bool is_made_from(const Recipe& recipe, std::string_view construction) {
@@ -219,11 +218,8 @@ PaperItem check_kind(const PrintedTable& table) try {
     }
   }
   const auto listed = [](const std::vector<Kind>& kinds) {
-    std::string text;
-    for (const Kind kind : kinds) {
-      text += (text.empty() ? "" : " and ") + std::string(to_string(kind));
-    }
-    return text.empty() ? std::string("none") : text;
+    return kinds.empty() ? std::string("none")
+                         : joined(kinds, " and ", [](Kind kind) { return to_string(kind); });
   };
   check.expect(table.kinds.empty() ? !valid.empty() : table.kinds == valid,
                {fmt::format("called {}", listed(table.kinds)),
@@ -298,7 +294,7 @@ PaperItem check_least(const PaperContext& context, const PrintedTable& table) {
       table.place,
       fmt::format("{} blocks: the least that there can be, and built without the print", table.b),
       "bounds and designs");
-  if (!check.finds(context.registry, "printed")) {
+  if (check.finds(context.registry, "printed") == nullptr) {
     return std::move(check).finish();
   }
   for (const Kind kind : kinds_of(table)) {

@@ -11,6 +11,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "core/checked.hpp"
+#include "core/each.hpp"
 
 namespace changeover {
 namespace {
@@ -59,9 +60,9 @@ void Check::lacks(std::string_view construction) {
   note(fmt::format("the construction \"{}\" that it takes is not in this registry", construction));
 }
 
-bool Check::finds(const Registry& registry, std::string_view construction) {
-  const bool found = registry.find(construction) != nullptr;
-  if (!found) {
+const Construction* Check::finds(const Registry& registry, std::string_view construction) {
+  const Construction* const found = registry.find(construction);
+  if (found == nullptr) {
     lacks(construction);
   }
   return found;
@@ -92,10 +93,8 @@ std::string braces(std::span<const Element> block) {
 }
 
 std::string braces(std::span<const Element> block, const Design& design) {
-  std::vector<std::string> names;
-  for (const Element x : block) {
-    names.push_back(design.label(x));
-  }
+  const std::vector<std::string> names =
+      each_of<std::string>(block, [&](Element x) { return design.label(x); });
   return braces(names);
 }
 
@@ -184,11 +183,8 @@ std::vector<std::uint64_t> times_covered(const Design& design) {
 }
 
 std::string all_blocks(const Design& design) {
-  std::string text;
-  for (std::size_t i = 0; i < design.block_count(); ++i) {
-    text += (i == 0 ? "" : ", ") + braces(design.block(i));
-  }
-  return text;
+  return joined(std::views::iota(std::size_t{0}, design.block_count()),
+                [&](std::size_t i) { return braces(design.block(i)); });
 }
 
 std::optional<Design> construct(const Registry& registry, std::string_view construction,

@@ -62,8 +62,8 @@ class Check {
   /// Makes the item not checkable: a construction that it needs is not in the registry.
   void lacks(std::string_view construction);
 
-  /// Whether the registry has that construction; if not, says so as lacks() does.
-  bool finds(const Registry& registry, std::string_view construction);
+  /// That construction; nullptr, said as by lacks(), if the registry does not have it.
+  const Construction* finds(const Registry& registry, std::string_view construction);
 
   [[nodiscard]] PaperItem finish() &&;
 

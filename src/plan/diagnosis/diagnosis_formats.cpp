@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "changeover/plan/diagnosis.hpp"
+#include "core/each.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
@@ -30,11 +31,8 @@ std::string words_of(const Job& job, const Explanation& explanation) {
   if (explanation.size() == 1) {
     return kind_and_words(job, explanation.front());
   }
-  std::string words;
-  for (const Suspect& suspect : explanation) {
-    words += (words.empty() ? "" : ", and ") + in_words(suspect, job.names);
-  }
-  return words;
+  return joined(explanation, ", and ",
+                [&](const Suspect& suspect) { return in_words(suspect, job.names); });
 }
 
 // Parts first.
@@ -170,11 +168,9 @@ std::vector<std::string> what_is_suspect(const Job& job, const Diagnosis& found)
     add_explanations(job, found, lines);
   }
   if (!found.faults.empty()) {
-    std::vector<std::string> words;
-    for (const Suspect& fault : found.faults) {
-      words.push_back(in_words(fault, job.names));
-    }
-    lines.push_back("Proven to be at fault: " + joined(words));
+    lines.push_back("Proven to be at fault: " + joined(found.faults, [&](const Suspect& fault) {
+                      return in_words(fault, job.names);
+                    }));
   }
   return lines;
 }

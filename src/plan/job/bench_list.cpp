@@ -10,6 +10,7 @@
 
 #include "changeover/core/error.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 #include "io/request/request_rows.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
@@ -34,7 +35,7 @@ enum class BenchColumn : std::uint8_t {
 
 // Lower case, with underscores between words.
 std::string plain_heading(std::string_view text) {
-  std::string plain = lower(text);
+  std::string plain = lower_case(text);
   std::ranges::replace_if(
       plain, [](char c) { return c == ' ' || c == '-'; }, '_');
   return plain;
@@ -189,7 +190,7 @@ class BenchReader {
   }
 
   bool is_down(const Field& field) {
-    const std::string word = lower(field.text);
+    const std::string word = lower_case(field.text);
     constexpr std::array<std::string_view, 6> yes{"yes", "true", "1", "x", "down", "y"};
     constexpr std::array<std::string_view, 6> no{"no", "false", "0", "up", "n", "-"};
     if (std::ranges::find(yes, word) != yes.end()) {

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "changeover/plan/job.hpp"
@@ -11,6 +10,7 @@
 #include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "plan/job/choices.hpp"
+#include "plan/job/pair_numbers.hpp"
 #include "plan/job/setup_list.hpp"
 
 namespace changeover {
@@ -123,7 +123,7 @@ Job after_first(const Job& job) {
     met.add(job, setup);
   }
   PairSet pairs(job.parts());
-  job.needed.for_each(std::numeric_limits<std::uint64_t>::max(), [&](Element x, Element y) {
+  job.needed.for_each(all_of_them, [&](Element x, Element y) {
     if (!met.met(x, y)) {
       pairs.insert(x, y);
     }

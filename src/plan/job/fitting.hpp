@@ -7,10 +7,12 @@
 // The planners use this; run_sheet() (plan/run_plan.hpp), which checks plans, counts independently.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "changeover/plan/job.hpp"
@@ -39,6 +41,25 @@ class Fitting {
   /// cheap ones. Nullopt if that is impossible, or neither this nor simplest() finds a way. The set
   /// must have the mounted parts and no part twice; all else is checked. O(v) per choice.
   [[nodiscard]] std::optional<Block> completed(Block setup, std::span<const Element> liked) const;
+
+  /// The set with what its slots lack and then with those of `beside` for which there is room and
+  /// that may_join(setup, part). Nullopt as completed().
+  template <typename MayJoin>
+  [[nodiscard]] std::optional<Block> grown(Block setup, std::span<const Element> beside,
+                                           MayJoin&& may_join) const {
+    std::optional<Block> whole = has_slots() ? completed(std::move(setup), beside) : setup;
+    for (std::size_t i = 0; whole && i < beside.size() && whole->size() < job_->room(); ++i) {
+      const std::size_t where = slot(beside[i]);
+      const auto is_there = [&](Element x) { return slot(x) == where; };
+      const bool has_place = where == slots() || static_cast<std::uint64_t>(std::ranges::count_if(
+                                                     *whole, is_there)) < most(where);
+      if (has_place && std::ranges::find(*whole, beside[i]) == whole->end() &&
+          may_join(*whole, beside[i])) {
+        whole->push_back(beside[i]);
+      }
+    }
+    return whole;
+  }
 
   struct Found {
     std::optional<Block> setup;

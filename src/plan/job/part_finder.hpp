@@ -15,9 +15,9 @@
 #include "changeover/core/block.hpp"
 #include "changeover/plan/job.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
-#include "plan/job/parts/heading_words.hpp"
 #include "plan/model/model_names.hpp"
 
 namespace changeover {
@@ -51,7 +51,7 @@ class PartFinder {
     const std::vector<std::string>& names = *names_;
     for (std::size_t i = 0; i < names.size(); ++i) {
       by_name_.emplace(names[i], static_cast<Element>(i));
-      in_small_letters_.insert(lower(names[i]));
+      in_small_letters_.insert(lower_case(names[i]));
     }
   }
 
@@ -96,7 +96,7 @@ class PartFinder {
   [[nodiscard]] const std::string& name(Element part) const { return (*names_)[part]; }
   [[nodiscard]] bool is_name(const std::string& word) const { return by_name_.count(word) != 0; }
   [[nodiscard]] bool is_name_in_any_case(const std::string& word) const {
-    return in_small_letters_.count(lower(word)) != 0;
+    return in_small_letters_.count(lower_case(word)) != 0;
   }
   [[nodiscard]] std::size_t size() const { return names_->size(); }
   // Whether it may be the name of a part that no longer exists: not a number, and no name that
@@ -139,7 +139,7 @@ class PartFinder {
       return of_model_->complaint(word);
     }
     for (const std::string& name : *names_) {
-      if (lower(name) == lower(word)) {
+      if (lower_case(name) == lower_case(word)) {
         return fmt::format("there is no part {}; did you mean {}?", shown(word), shown(name));
       }
     }

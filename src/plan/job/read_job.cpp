@@ -10,7 +10,9 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "core/each.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
 #include "io/write/csv_cell.hpp"
@@ -97,9 +99,9 @@ SetupColumns parameter_columns(const Row& first, const PartFinder& finder) {
   }
   for (std::size_t i = 0; i < first.size(); ++i) {
     const bool taken = std::ranges::find(columns.slots, i) != columns.slots.end();
-    if (!taken && lower(first[i].text) == "result") {
+    if (!taken && lower_case(first[i].text) == "result") {
       columns.result = i;
-    } else if (!taken && lower(first[i].text) == "notes") {
+    } else if (!taken && lower_case(first[i].text) == "notes") {
       columns.notes = i;
     }
   }
@@ -132,11 +134,11 @@ SetupColumns setup_columns(const Row& first, const PartFinder& finder, bool is_g
       columns.list = i;
     } else if (place_in(first[i].text)) {
       columns.slots.push_back(i);
-    } else if (lower(first[i].text) == "result") {
+    } else if (lower_case(first[i].text) == "result") {
       columns.result = i;
-    } else if (lower(first[i].text) == "notes") {
+    } else if (lower_case(first[i].text) == "notes") {
       columns.notes = i;
-    } else if (lower(first[i].text) == "bench") {
+    } else if (lower_case(first[i].text) == "bench") {
       columns.bench = i;
     }
   }
@@ -147,10 +149,9 @@ SetupColumns setup_columns(const Row& first, const PartFinder& finder, bool is_g
 // The places of a row: for a model, each parameter is a place.
 std::vector<DonePlace> places_of(const SetupColumns& columns, const Row& header,
                                  const PartFinder& finder) {
-  std::vector<DonePlace> places;
-  for (const std::size_t p : columns.parameters) {
-    places.push_back({.number = p + 1, .slot = finder.model()->model().parameters[p].name});
-  }
+  std::vector<DonePlace> places = each_of<DonePlace>(columns.parameters, [&](const std::size_t p) {
+    return DonePlace{.number = p + 1, .slot = finder.model()->model().parameters[p].name};
+  });
   for (const std::size_t i : columns.slots) {
     if (columns.parameters.empty()) {
       places.push_back(*place_in(header[i].text));
@@ -163,7 +164,7 @@ std::vector<DonePlace> places_of(const SetupColumns& columns, const Row& header,
 void check_header(const Row& header, const RowReader& reader) {
   std::set<std::string> seen;
   for (const Field& field : header) {
-    if (!field.text.empty() && !seen.insert(lower(field.text)).second) {
+    if (!field.text.empty() && !seen.insert(lower_case(field.text)).second) {
       reader.fail(
           field, fmt::format("two columns are called {}; rename or remove one", shown(field.text)));
     }
@@ -379,11 +380,7 @@ Block parts_named(const std::vector<std::string>& words, const Job& job) {
 }
 
 std::string parts_text(const Block& parts, const std::vector<std::string>& names) {
-  std::string text;
-  for (const Element x : parts) {
-    text += (text.empty() ? "" : ", ") + quoted_field(names[x]);
-  }
-  return text;
+  return joined(parts, [&](const Element x) { return quoted_field(names[x]); });
 }
 
 }  // namespace changeover

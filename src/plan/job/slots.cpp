@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -215,7 +214,7 @@ PairSet cannot_meet(const Job& job) {
 
 void drop_needed(Job& job, const PairSet& pairs) {
   PairSet rest(job.parts());
-  job.needed.for_each(std::numeric_limits<std::uint64_t>::max(), [&](Element x, Element y) {
+  job.needed.for_each(all_of_them, [&](Element x, Element y) {
     if (!pairs.contains(x, y)) {
       rest.insert(x, y);
     }

@@ -72,16 +72,20 @@ std::size_t ModelBuilder::parameter(std::string_view name, std::size_t at) const
   return *found;
 }
 
+void ModelBuilder::check_text(std::string_view what, std::string_view text, std::size_t at) const {
+  if (text.size() > longest_model_name) {
+    text_.refuse(at, fmt::format("a name of more than {} bytes; shorten it", longest_model_name));
+  }
+  if (const auto defect = text_defect(text)) {
+    text_.refuse(at, fmt::format("the {} {}: {}", what, shown(text), *defect));
+  }
+}
+
 void ModelBuilder::add_parameter(std::string_view name, std::size_t at, bool of_texts) {
   if (name.empty()) {
     text_.refuse(at, "a parameter has no name; write one before its values");
   }
-  if (name.size() > longest_model_name) {
-    text_.refuse(at, fmt::format("a name of more than {} bytes; shorten it", longest_model_name));
-  }
-  if (const auto defect = text_defect(name)) {
-    text_.refuse(at, fmt::format("the name {}: {}", shown(name), *defect));
-  }
+  check_text("name", name, at);
   if (!by_name_.emplace(in_capitals(name), size()).second) {
     text_.refuse(at, fmt::format("a second parameter is called {}; rename one", shown(name)));
   }
@@ -97,12 +101,7 @@ void ModelBuilder::add_value(std::vector<std::string> names, bool negative, std:
                  fmt::format("more than {} values in all; plan for fewer at a time", max_parts));
   }
   for (const std::string& name : names) {
-    if (name.size() > longest_model_name) {
-      text_.refuse(at, fmt::format("a name of more than {} bytes; shorten it", longest_model_name));
-    }
-    if (const auto defect = text_defect(name)) {
-      text_.refuse(at, fmt::format("the value {}: {}", shown(name), *defect));
-    }
+    check_text("value", name, at);
     if (name.empty() && names.size() > 1) {
       text_.refuse(at,
                    fmt::format("a value of {} has an empty name beside |; write one on each side",
@@ -117,6 +116,13 @@ void ModelBuilder::add_values_of(std::size_t parameter, std::size_t at) {
   for (const ModelValue& value : values) {
     add_value(value.names, value.negative, at);
   }
+}
+
+void ModelBuilder::add_relation(ModelRelation relation) {
+  std::vector<std::size_t>& parameters = relation.parameters;
+  std::ranges::sort(parameters);
+  parameters.erase(std::ranges::unique(parameters).begin(), parameters.end());
+  model_.relations.push_back(std::move(relation));
 }
 
 void ModelBuilder::finish_parameters() {

@@ -59,7 +59,8 @@ class ModelBuilder {
   /// Ends the parameters. @throws BadInput if there are too few.
   void finish_parameters();
 
-  void add_relation(ModelRelation relation) { model_.relations.push_back(std::move(relation)); }
+  /// Its parameters may come in any order, and more than once.
+  void add_relation(ModelRelation relation);
   void add_constraint(ModelRule rule, std::size_t begin, std::size_t end);
   /// Counts conditions of rules. @throws BadInput beyond max_model_conditions.
   void count_condition(std::size_t at, std::size_t conditions = 1);
@@ -71,6 +72,9 @@ class ModelBuilder {
   [[nodiscard]] ModelText& text() { return text_; }
 
  private:
+  /// @throws BadInput if the name of that kind of thing is too long or has signs that it may not
+  void check_text(std::string_view what, std::string_view text, std::size_t at) const;
+
   ModelText& text_;
   Model model_;
   std::unordered_map<std::string, std::size_t> by_name_;

@@ -507,9 +507,6 @@ class ActsReader {
     for (const std::string_view word : words) {
       relation.parameters.push_back(model_.parameter(word, text_.at(word)));
     }
-    std::ranges::sort(relation.parameters);
-    const auto repeated = std::ranges::unique(relation.parameters);
-    relation.parameters.erase(repeated.begin(), repeated.end());
     model_.add_relation(std::move(relation));
   }
 

@@ -174,9 +174,6 @@ class PictReader {
     for (const std::string_view name : split_values(line.substr(1, close - 1), ',')) {
       relation.parameters.push_back(model_.parameter(name, text_.at(name)));
     }
-    std::ranges::sort(relation.parameters);
-    const auto repeated = std::ranges::unique(relation.parameters);
-    relation.parameters.erase(repeated.begin(), repeated.end());
     const std::string_view after = trimmed(line.substr(close + 1));
     if (!after.empty()) {
       if (after.front() != '@') {

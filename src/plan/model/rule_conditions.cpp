@@ -11,6 +11,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
+#include "core/each.hpp"
 #include "plan/model/model_text.hpp"
 
 namespace changeover {
@@ -363,12 +364,9 @@ std::vector<std::size_t> parameters_of(const RuleCondition& condition) {
 
 std::vector<RuleCondition> conditions_of(const Model& model) {
   RuleCompiler compiler(model);
-  std::vector<RuleCondition> conditions;
-  conditions.reserve(model.constraints.size());
-  for (const ModelConstraint& constraint : model.constraints) {
-    conditions.push_back(compiler.compiled(constraint));
-  }
-  return conditions;
+  return each_of<RuleCondition>(model.constraints, [&](const ModelConstraint& constraint) {
+    return compiler.compiled(constraint);
+  });
 }
 
 }  // namespace changeover

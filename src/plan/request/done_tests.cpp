@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "core/each.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "plan/job/bench_jobs.hpp"
@@ -86,10 +87,8 @@ std::size_t index_of(std::vector<DonePlace>& places, const DonePlace& place) {
 
 // Appends a list: places with the same headings are the same.
 void append(DoneList& list, DoneList more) {
-  std::vector<std::size_t> indices;
-  for (const DonePlace& place : more.places) {
-    indices.push_back(index_of(list.places, place));
-  }
+  std::vector<std::size_t> indices = each_of<std::size_t>(
+      more.places, [&](const DonePlace& place) { return index_of(list.places, place); });
   const auto in_their_places = [&](auto& rows) {
     for (auto& row : rows) {
       auto placed = row;
@@ -312,10 +311,8 @@ class DoneTaker {
   // Sets the start of the job, and of each bench, after the tests that were done.
   void go_on() {
     if (benches_->empty()) {
-      std::vector<Block> setups;
-      for (const DoneTest& test : answer_.done) {
-        setups.push_back(test.setup);
-      }
+      std::vector<Block> setups =
+          each_of<Block>(answer_.done, [&](const DoneTest& test) { return test.setup; });
       take_first_off(setups, job_->first);
       mark_tested(*job_, answer_.done, options_->failed);
       if (last_) {

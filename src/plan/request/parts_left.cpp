@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/each.hpp"
 #include "plan/job/pair_numbers.hpp"
 
 namespace changeover {
@@ -74,10 +75,7 @@ PairReasons PartsLeft::operator()(const PairReasons& reasons) const {
 
 std::string gone_note(const std::string& name, const std::vector<std::string>& gone) {
   constexpr std::size_t few = 10;
-  std::string names;
-  for (std::size_t i = 0; i < std::min(few, gone.size()); ++i) {
-    names += (i == 0 ? "" : ", ") + gone[i];
-  }
+  std::string names = joined(gone | std::views::take(few));
   if (gone.size() > few) {
     names += fmt::format(" and {} more", gone.size() - few);
   }

@@ -7,10 +7,10 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
+#include "core/words.hpp"
 #include "io/request/request_document.hpp"
 #include "io/scan/peeked_input.hpp"
 #include "io/scan/row_reader.hpp"
-#include "plan/job/parts/heading_words.hpp"
 
 namespace changeover {
 namespace {
@@ -43,7 +43,7 @@ class SharedBytes final : public Input {
 
 const SheetName* RunWorkbook::sheet(std::string_view wanted) const {
   const auto found = std::ranges::find_if(
-      sheets, [&](const SheetName& each) { return lower(each.name) == lower(wanted); });
+      sheets, [&](const SheetName& each) { return lower_case(each.name) == lower_case(wanted); });
   return found == sheets.end() ? nullptr : &*found;
 }
 
@@ -77,10 +77,10 @@ bool RunWorkbook::heads_steps_of_benches(const std::string& wanted) const {
 std::vector<std::string> RunWorkbook::run_sheets() const {
   std::vector<std::string> found;
   for (const SheetName& each : sheets) {
-    if (each.hidden || lower(each.name) == lower(done_sheet)) {
+    if (each.hidden || lower_case(each.name) == lower_case(done_sheet)) {
       continue;
     }
-    if (lower(each.name) == lower(steps_sheet)) {
+    if (lower_case(each.name) == lower_case(steps_sheet)) {
       found.push_back(each.name);
       continue;
     }
@@ -104,10 +104,11 @@ std::optional<RunWorkbook> run_workbook(const RequestList& list, const std::stri
     const auto input = open_input(list.file);
     constexpr std::size_t mark = 8;
     PeekedInput peeked(*input, mark);
-    if (peeked.beginning().empty() && lower(list.file).ends_with(".xlsx")) {
+    if (peeked.beginning().empty() && lower_case(list.file).ends_with(".xlsx")) {
       throw BadInput(list.file + ": the file is empty; save the workbook again");
     }
-    const bool is_cut = peeked.beginning().size() < mark && lower(list.file).ends_with(".xlsx");
+    const bool is_cut =
+        peeked.beginning().size() < mark && lower_case(list.file).ends_with(".xlsx");
     if (!begins_like_a_workbook(peeked.beginning()) && !is_cut) {
       return std::nullopt;
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "changeover/plan/model.hpp"
+#include "core/each.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/pair_numbers.hpp"
 
@@ -88,13 +89,10 @@ RequestList bench_rows(const std::vector<Bench>& benches, const Job& job) {
   };
   std::vector<ListRow> rows;
   for (const Bench& bench : benches) {
-    std::string slots;
-    for (const Slot& slot : bench.slots) {
-      const std::string limits =
-          fmt::format("{}={}..{}", slot.name, slot.least,
-                      slot.most == Slot{}.most ? "" : std::to_string(slot.most));
-      slots += (slots.empty() ? "" : ", ") + quoted_field(limits);
-    }
+    const std::string slots = joined(bench.slots, [](const Slot& slot) {
+      return quoted_field(fmt::format("{}={}..{}", slot.name, slot.least,
+                                      slot.most == Slot{}.most ? "" : std::to_string(slot.most)));
+    });
     rows.push_back(
         {{bench.name, bench.at_once ? std::to_string(*bench.at_once) : "", amount(bench.test_cost),
           bench.change_factor == Bench{}.change_factor ? "" : to_string(bench.change_factor), slots,

@@ -257,7 +257,7 @@ void begin_where_it_ends(JobRequest& question, const RunWorkbook& book,
 }
 
 bool is_one_of(const std::string& name, std::initializer_list<std::string_view> words) {
-  return std::ranges::find(words, lower(name)) != words.end();
+  return std::ranges::find(words, lower_case(name)) != words.end();
 }
 
 bool has_parts(const std::string& name) {
@@ -364,7 +364,7 @@ void take_changed_sheets(JobRequest& request, JobRequest& question, const RunWor
   add_lists_of_job(document, job, Money(job), question.benches);
   const auto section = [&](const SheetName& sheet) -> const TableSection* {
     const auto found = std::ranges::find_if(document.sections, [&](const TableSection& each) {
-      return lower(each.sheet) == lower(sheet.name);
+      return lower_case(each.sheet) == lower_case(sheet.name);
     });
     return found == document.sections.end() ? nullptr : &*found;
   };

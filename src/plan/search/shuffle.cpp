@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
+#include "plan/job/pair_numbers.hpp"
 #include "plan/job/prices.hpp"
 #include "plan/search/first_plan.hpp"
 #include "plan/search/interchangeable.hpp"
@@ -18,7 +18,7 @@ class Rows {
   explicit Rows(const PairSet& pairs)
       : words_((static_cast<std::size_t>(pairs.v()) + 63) / 64),
         bits_(words_ * static_cast<std::size_t>(pairs.v()), 0) {
-    pairs.for_each(std::numeric_limits<std::uint64_t>::max(), [&](Element x, Element y) {
+    pairs.for_each(all_of_them, [&](Element x, Element y) {
       bits_[x * words_ + y / 64] |= std::uint64_t{1} << (y % 64);
       bits_[y * words_ + x / 64] |= std::uint64_t{1} << (x % 64);
     });

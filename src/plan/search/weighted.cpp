@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/each.hpp"
 #include "plan/search/anneal/attempts.hpp"
 #include "plan/search/interchangeable.hpp"
 #include "plan/search/lists/lists_plan.hpp"
@@ -96,10 +97,7 @@ std::vector<Block> heavy_first(const Job& job, const std::vector<Block>& setups,
   Waiting waiting(job);
   std::vector<std::vector<Element>> classes = interchangeable_parts(job);
   std::erase_if(classes, [](const std::vector<Element>& members) { return members.size() < 2; });
-  std::uint64_t places = 0;
-  for (const Block& setup : setups) {
-    places += setup.size();
-  }
+  const std::uint64_t places = sum_of(setups, [&](const Block& setup) { return setup.size(); });
   constexpr std::uint64_t work = 200'000'000;
   constexpr std::uint64_t most = 200'000;
   constexpr std::uint64_t each = 4;  // approximately, for each part of each set-up

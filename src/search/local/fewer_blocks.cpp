@@ -10,7 +10,6 @@
 
 #include "changeover/construct/best_known.hpp"
 #include "changeover/core/error.hpp"
-#include "core/sorted.hpp"
 
 namespace changeover {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "core/each.hpp"
 
 namespace changeover {
 namespace {
@@ -74,10 +75,8 @@ class OneTrees {
   // Moves the multipliers towards a tree in which every vertex has two edges, by a step for a gap
   // of `gap` 1024ths. Returns false if the last tree is a cycle.
   bool adjust(std::int64_t gap) {
-    std::int64_t wrong = 0;
-    for (const std::int64_t degree : degrees_) {
-      wrong += (degree - 2) * (degree - 2);
-    }
+    const std::int64_t wrong = sum_of<std::int64_t>(
+        degrees_, [&](const std::int64_t degree) { return (degree - 2) * (degree - 2); });
     if (wrong == 0) {
       return false;
     }
@@ -157,10 +156,9 @@ std::uint64_t element_bound(std::span<const Block> blocks, const LeastChangeWant
       ++in_blocks[x];
     }
   }
-  std::uint64_t bound = 0;
-  for (const std::uint32_t count : in_blocks) {
-    bound += count > 0 && (wanted.kind == Kind::linear || count < blocks.size()) ? 1U : 0U;
-  }
+  std::uint64_t bound = sum_of(in_blocks, [&](const std::uint32_t count) {
+    return count > 0 && (wanted.kind == Kind::linear || count < blocks.size()) ? 1U : 0U;
+  });
   if (wanted.kind == Kind::linear && !wanted.first_counts) {
     bound -= largest;
   }

@@ -9,6 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "changeover/search/local_search.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "run/random.hpp"
 #include "search/order/ordering_bound.hpp"
@@ -238,11 +239,8 @@ class HamiltonByCuts {
       }
     }
     for (const auto& edges : edges_) {
-      std::vector<Literal> literals;
-      literals.reserve(edges.size());
-      for (const Edge& edge : edges) {
-        literals.push_back(edge.literal);
-      }
+      std::vector<Literal> literals =
+          each_of<Literal>(edges, [&](const Edge& edge) { return edge.literal; });
       require_exactly(solver_.cnf, literals, 2);
     }
   }

@@ -5,6 +5,7 @@
 #include "answer/dossier/dossier.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/io/tables.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "io/table/table.hpp"
 #include "io/write/latex_prose.hpp"
@@ -36,10 +37,8 @@ std::string title_of(const Dossier& dossier) {
 std::string lines_of(const Design& design) {
   std::string text;
   for (std::uint64_t i = 0; i < design.block_count(); ++i) {
-    std::string line;
-    for (const Element x : design.block(i)) {
-      line += (line.empty() ? "" : " ") + design.label(x);
-    }
+    const std::string line =
+        joined(design.block(i), " ", [&](const Element x) { return design.label(x); });
     text += line + "\n";
   }
   return text;
@@ -122,10 +121,8 @@ void say_how_to_check(const Dossier& dossier, Form& form) {
         "That no design has fewer blocks rests on proofs by a SAT solver. The first command makes "
         "formulas and proofs in DIMACS and DRAT. Any DRAT checker reads them; drat-trim prints "
         "s VERIFIED for each.");
-    std::string commands;
-    for (const std::string& command : dossier.proof_commands) {
-      commands += command + "\n";
-    }
+    const std::string commands = joined(dossier.proof_commands, "",
+                                        [&](const std::string& command) { return command + "\n"; });
     form.code(commands);
   }
   if (mentions(dossier, "docs/theorems.md")) {

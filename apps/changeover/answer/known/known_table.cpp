@@ -5,6 +5,7 @@
 #include "changeover/construct/best_known.hpp"
 #include "changeover/construct/registry.hpp"
 #include "cli/cli.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 
@@ -76,10 +77,9 @@ std::optional<Offer> best_offer(const std::vector<Parameters>& asked,
                                 const std::string& construction) {
   const Construction* const named = Registry::standard().find(construction);
   if (named == nullptr && !construction.empty()) {
-    std::string names;
-    for (const Construction* each : Registry::standard().constructions()) {
-      names += (names.empty() ? "" : ", ") + std::string(each->name());
-    }
+    const std::string names =
+        joined(Registry::standard().constructions(),
+               [&](const Construction* each) { return std::string(each->name()); });
     throw UsageError{
         fmt::format("no construction is called '{}'; there are {}", construction, names)};
   }
@@ -103,11 +103,9 @@ Answer decline(const std::vector<Parameters>& asked, const std::string& construc
                 : fmt::format("The construction {} does not serve {}.\n", construction, name(p));
     text += fmt::format("  at least {}: {}\n", count_of(bound.blocks, "block"), bound.reason);
     if (!construction.empty()) {
-      std::string others;
-      for (const Offer& offer : registry.offers(p)) {
-        others += fmt::format("{}{} ({})", others.empty() ? "" : ", ", offer.recipe.construction,
-                              count_of(offer.b, "block"));
-      }
+      const std::string others = joined(registry.offers(p), [&](const Offer& offer) {
+        return fmt::format("{} ({})", offer.recipe.construction, count_of(offer.b, "block"));
+      });
       if (!others.empty()) {
         text += "  served by: " + others + "\n";
         continue;
@@ -115,11 +113,11 @@ Answer decline(const std::vector<Parameters>& asked, const std::string& construc
     }
     constexpr std::size_t most_named = 6;
     constexpr std::uint64_t radius = 12;
-    std::string near;
-    for (const Offer& offer : registry.nearest(p, most_named, radius)) {
-      near += fmt::format("{}({},{}) with {}", near.empty() ? "" : ", ", offer.recipe.parameters.v,
-                          offer.recipe.parameters.k, count_of(offer.b, "block"));
-    }
+    const std::string near =
+        joined(registry.nearest(p, most_named, radius), [&](const Offer& offer) {
+          return fmt::format("({},{}) with {}", offer.recipe.parameters.v,
+                             offer.recipe.parameters.k, count_of(offer.b, "block"));
+        });
     text += near.empty() ? fmt::format("  nothing served within {} of v and k\n", radius)
                          : "  nearest served (v,k): " + near + "\n";
   }

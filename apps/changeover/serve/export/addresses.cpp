@@ -24,7 +24,7 @@ std::string site_address(const std::string& given) {
   const bool absolute = given.starts_with("https://") || given.starts_with("http://");
   const std::size_t host = given.find("//") + 2;
   const bool plain = std::ranges::all_of(given, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+    return is_letter(c) || is_digit(c) ||
            std::string_view(":/.-_~%").find(c) != std::string_view::npos;
   });
   if (!absolute || !plain || given.size() <= host || given[host] == '/') {

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "core/each.hpp"
+#include "core/words.hpp"
 
 namespace changeover::serve {
 
@@ -24,11 +26,7 @@ std::string make_token() {
     }
     got += more > 0 ? static_cast<std::size_t>(more) : 0;
   }
-  std::string token;
-  for (const unsigned char byte : bits) {
-    token += fmt::format("{:02x}", byte);
-  }
-  return token;
+  return joined(bits, "", [&](const unsigned char byte) { return fmt::format("{:02x}", byte); });
 }
 
 bool same_secret(std::string_view given, std::string_view secret) {

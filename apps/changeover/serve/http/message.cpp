@@ -4,7 +4,6 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/sha256.hpp"
@@ -85,12 +84,6 @@ Response refused(const Refusal& refusal) {
   response.body = std::make_shared<const std::string>(json.take() + "\n");
   response.headers = {{"Cache-Control", "no-store"}};
   return response;
-}
-
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 std::string refused_as_text(const Refusal& refusal) {

@@ -72,9 +72,6 @@ struct Response {
 /// statuses 400, 408, 413, 414 and 431.
 [[nodiscard]] std::string refused_as_text(const Refusal& refusal);
 
-/// With A to Z as a to z, for names of headers and hosts.
-[[nodiscard]] std::string lower_case(std::string text);
-
 /// What a page may load, as browsers are told: files of its own server, and the style between
 /// <style> and </style> of that page, by its hash.
 [[nodiscard]] std::string content_policy(std::string_view page = {});

@@ -8,6 +8,7 @@
 #include "changeover/core/error.hpp"
 #include "core/parsed.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 
 namespace changeover::serve {
 

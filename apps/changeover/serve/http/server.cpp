@@ -10,7 +10,6 @@
 #include <chrono>
 #include <cstdarg>
 #include <cstddef>
-#include <cstdio>
 #include <exception>
 #include <optional>
 #include <string_view>
@@ -18,6 +17,7 @@
 
 #include "changeover/core/error.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 #include "serve/http/exchange.hpp"
 #include "serve/http/microhttpd.hpp"
 

@@ -1,9 +1,9 @@
 // Jobs that run beside the server's answers, each on a thread of its own: begun up to a limit,
 // found by number, stopped, and the last that ended remembered.
 //
-//     JobList<Job> jobs(2, 50);                // at once; remembered
+//     JobList<Job> jobs("there is no job {}", 2, 50);                // at once; remembered
 //     const std::uint64_t id = jobs.start("searches that run", make, run);
-//     jobs.find(id);                           // nullptr if it is not remembered
+//     jobs.find(id);
 //     jobs.stop_all(900ms);
 //
 // A Job has `id`, `control` (std::unique_ptr<RunControl>), `thread` and `running()`; if it has
@@ -35,9 +35,10 @@ namespace changeover::serve {
 template <typename Job>
 class JobList {
  public:
-  JobList(unsigned at_once, std::size_t remembered,
+  /// `none` is what find() says where there is none; {} stands for its number.
+  JobList(std::string_view none, unsigned at_once, std::size_t remembered,
           std::size_t most_bytes = std::numeric_limits<std::size_t>::max())
-      : at_once_(at_once), remembered_(remembered), most_bytes_(most_bytes) {}
+      : none_(none), at_once_(at_once), remembered_(remembered), most_bytes_(most_bytes) {}
   /// Stops all and waits for them.
   ~JobList() {
     ask_all();
@@ -73,12 +74,19 @@ class JobList {
     return job->id;
   }
 
+  /// @throws Refusal 404 if it is not remembered
   [[nodiscard]] std::shared_ptr<Job> find(std::uint64_t id) {
     const std::scoped_lock lock(mutex_);
     forget_old(remembered_);
     const auto found = jobs_.find(id);
-    return found == jobs_.end() ? nullptr : found->second;
+    if (found == jobs_.end()) {
+      throw Refusal{404, fmt::format(fmt::runtime(none_), id)};
+    }
+    return found->second;
   }
+
+  /// Asks it to stop. @throws as find()
+  void stop(std::uint64_t id) { find(id)->control->stop(WhyStopped::interrupted); }
 
   /// All, latest first.
   [[nodiscard]] std::vector<std::shared_ptr<Job>> all() const {
@@ -141,6 +149,7 @@ class JobList {
     return 0;
   }
 
+  std::string_view none_;
   unsigned at_once_;
   std::size_t remembered_;
   std::size_t most_bytes_;

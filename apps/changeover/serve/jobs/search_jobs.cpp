@@ -192,7 +192,9 @@ SearchJobs::SearchJobs(Catalog& catalog, EventHub& events, const Settings& setti
     : catalog_(catalog),
       events_(events),
       settings_(settings),
-      jobs_(std::make_unique<JobList<Job>>(settings.at_once, most_remembered_searches)) {}
+      jobs_(std::make_unique<JobList<Job>>(
+          "there is no search {}; api/search lists those that there are", settings.at_once,
+          most_remembered_searches)) {}
 
 SearchJobs::~SearchJobs() = default;
 
@@ -394,23 +396,14 @@ void SearchJobs::publish(const Job& job) {
   events_.publish("search", std::to_string(job.id), json.take());
 }
 
-std::shared_ptr<SearchJobs::Job> SearchJobs::find(std::uint64_t id) const {
-  auto found = jobs_->find(id);
-  if (found == nullptr) {
-    throw Refusal{404,
-                  fmt::format("there is no search {}; api/search lists those that there are", id)};
-  }
-  return found;
-}
-
-void SearchJobs::stop(std::uint64_t id) { find(id)->control->stop(WhyStopped::interrupted); }
+void SearchJobs::stop(std::uint64_t id) { jobs_->stop(id); }
 
 bool SearchJobs::stop_all(std::chrono::duration<double> patience) {
   return jobs_->stop_all(patience);
 }
 
 std::shared_ptr<const Design> SearchJobs::design_of(std::uint64_t id) const {
-  const auto job = find(id);
+  const auto job = jobs_->find(id);
   const std::scoped_lock lock(job->mutex);
   if (!job->design) {
     throw Refusal{404, job->state == "running"
@@ -433,7 +426,7 @@ std::string SearchJobs::list_json() const {
 
 std::string SearchJobs::one_json(std::uint64_t id) const {
   JsonWriter json;
-  find(id)->write(json, true);
+  jobs_->find(id)->write(json, true);
   return json.take() + "\n";
 }
 

@@ -92,7 +92,6 @@ class SearchJobs {
  private:
   struct Job;
   struct Found;
-  [[nodiscard]] std::shared_ptr<Job> find(std::uint64_t id) const;
   void run(Job& job);
   void search(Job& job);
   static void finish(Job& job, Found found);

@@ -7,6 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
+#include "core/each.hpp"
 #include "io/request/request_document.hpp"
 #include "io/write/json_writer.hpp"
 #include "serve/api/request/query.hpp"
@@ -125,11 +126,8 @@ void require_few_names(const ParsedJob& asked, const PlanAnswer& answer, std::si
 }
 
 std::size_t bytes_of(const std::vector<Block>& setups) {
-  std::size_t bytes = 0;
-  for (const Block& setup : setups) {
-    bytes += sizeof(Block) + setup.size() * sizeof(Element);
-  }
-  return bytes;
+  return sum_of<std::size_t>(
+      setups, [&](const Block& setup) { return sizeof(Block) + setup.size() * sizeof(Element); });
 }
 
 // The parts as they are listed: a part without a cost has none.

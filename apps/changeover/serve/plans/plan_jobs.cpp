@@ -72,7 +72,8 @@ void PlanJobs::Job::write(JsonWriter& json, bool with_answer) const {
 PlanJobs::PlanJobs(EventHub& events, const Settings& settings)
     : events_(events),
       settings_(settings),
-      jobs_(std::make_unique<JobList<Job>>(settings.at_once, most_remembered,
+      jobs_(std::make_unique<JobList<Job>>("plan {} is not remembered any more; plan again",
+                                           settings.at_once, most_remembered,
                                            settings.remembered_bytes)) {}
 
 PlanJobs::~PlanJobs() = default;
@@ -152,22 +153,14 @@ void PlanJobs::publish(const Job& job) {
   events_.publish("plan", std::to_string(job.id), json.take());
 }
 
-std::shared_ptr<PlanJobs::Job> PlanJobs::find(std::uint64_t id) const {
-  auto found = jobs_->find(id);
-  if (found == nullptr) {
-    throw Refusal{404, fmt::format("plan {} is not remembered any more; plan again", id)};
-  }
-  return found;
-}
-
-void PlanJobs::stop(std::uint64_t id) { find(id)->control->stop(WhyStopped::interrupted); }
+void PlanJobs::stop(std::uint64_t id) { jobs_->stop(id); }
 
 bool PlanJobs::stop_all(std::chrono::duration<double> patience) {
   return jobs_->stop_all(patience);
 }
 
 Response PlanJobs::answer(std::uint64_t id) const {
-  const auto job = find(id);
+  const auto job = jobs_->find(id);
   const std::scoped_lock lock(job->mutex);
   if (job->ended) {
     return *job->ended;
@@ -183,7 +176,7 @@ Response PlanJobs::answer(std::uint64_t id) const {
 }
 
 std::string PlanJobs::file(std::uint64_t id, const std::string& format) const {
-  const auto job = find(id);
+  const auto job = jobs_->find(id);
   const std::scoped_lock lock(job->mutex);
   if (!job->answer) {
     throw Refusal{404, job->state == "running"

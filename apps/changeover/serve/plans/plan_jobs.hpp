@@ -60,7 +60,6 @@ class PlanJobs {
 
  private:
   struct Job;
-  [[nodiscard]] std::shared_ptr<Job> find(std::uint64_t id) const;
   void run(Job& job);
   void publish(const Job& job);
 

@@ -7,6 +7,7 @@
 #include "answer/design/recipe_tree.hpp"
 #include "changeover/catalog/entry.hpp"
 #include "changeover/construct/registry.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/catalog_request.hpp"
@@ -36,10 +37,7 @@ std::string text_of(const CatalogEntry& entry, bool is_shipped) {
   if (!entry.note.empty()) {
     text += fmt::format("  note: {}\n", entry.note);
   }
-  std::string cites;
-  for (const std::string& key : references_of(entry)) {
-    cites += (cites.empty() ? "" : ", ") + key;
-  }
+  const std::string cites = joined(references_of(entry));
   if (!cites.empty()) {
     text += fmt::format("  from: {}\n", cites);
   }
@@ -99,10 +97,9 @@ Answer run(const ShowRequest& request) {
     }
     return show_blocks(best == nullptr ? entries.front() : *best, request.output);
   }
-  std::string text;
-  for (const CatalogEntry& entry : entries) {
-    text += text_of(entry, catalog.is_shipped(entry.label()));
-  }
+  std::string text = joined(entries, "", [&](const CatalogEntry& entry) {
+    return text_of(entry, catalog.is_shipped(entry.label()));
+  });
   if (cells.size() <= 1) {
     text += (entries.size() == 1 ? "how it is made\n" : "how the first of them is made\n") +
             tree_text(entries.front().recipe);

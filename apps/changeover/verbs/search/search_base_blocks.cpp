@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/search_request.hpp"
@@ -32,11 +33,7 @@ Answer search(const BaseBlockSearch& request) {
   const BaseBlockResult result = search_base_blocks(p, request.options, running->control());
   running->finish();
 
-  std::vector<std::string> lines;
-  lines.reserve(result.attempts.size() + 2);
-  for (const ShapeAttempt& attempt : result.attempts) {
-    lines.push_back(line_of(attempt));
-  }
+  std::vector<std::string> lines = each_of<std::string>(result.attempts, line_of);
   if (result.attempts.empty() && result.why_stopped == WhyStopped::exhausted) {
     lines.push_back("no automorphism of this kind is possible for these parameters");
   }

@@ -21,7 +21,7 @@
 namespace changeover::closed_up_windows_entry {
 namespace {
 
-class ClosedUp final : public SwapPlan {
+class ClosedUp final : public ShortPlan {
  public:
   ClosedUp(std::uint64_t k, std::uint64_t r) : big_(k - 1), r_(r) {}
 
@@ -36,11 +36,8 @@ class ClosedUp final : public SwapPlan {
     return block;
   }
 
-  // All of it in one leg: it has fewer than 8k steps.
-  bool leg(std::uint64_t index, std::vector<Swap>& swaps) const override {
-    if (index > 0) {
-      return false;
-    }
+  // It has fewer than 8k steps.
+  void add_all(std::vector<Swap>& swaps) const override {
     const auto step = [&](std::uint64_t leaves, std::uint64_t enters) {
       swaps.push_back({.leaves = leaves - r_, .enters = enters - r_});
     };
@@ -74,7 +71,6 @@ class ClosedUp final : public SwapPlan {
       step(out, j + K);
     }
     end(step);
-    return true;
   }
 
  private:

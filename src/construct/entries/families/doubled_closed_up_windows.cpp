@@ -22,7 +22,7 @@ namespace {
 
 using Numbers = std::vector<std::uint64_t>;
 
-class Doubled final : public SwapPlan {
+class Doubled final : public ShortPlan {
  public:
   Doubled(std::uint64_t big, std::uint64_t r) : big_(big), r_(r) {}
 
@@ -42,11 +42,8 @@ class Doubled final : public SwapPlan {
     return block;
   }
 
-  // All of it in one leg: it has fewer than 8k swaps.
-  bool leg(std::uint64_t index, std::vector<Swap>& swaps) const override {
-    if (index > 0) {
-      return false;
-    }
+  // It has fewer than 8k swaps.
+  void add_all(std::vector<Swap>& swaps) const override {
     const auto step = [&](const Numbers& leave, const Numbers& enter) {
       exchange(copies(leave), copies(enter), swaps);
     };
@@ -97,7 +94,6 @@ class Doubled final : public SwapPlan {
       before = {j};
     }
     end(swaps);
-    return true;
   }
 
  private:

@@ -21,7 +21,7 @@
 namespace changeover::relayed_windows_entry {
 namespace {
 
-class Relay final : public SwapPlan {
+class Relay final : public ShortPlan {
  public:
   Relay(std::uint64_t k, std::uint64_t w) : big_(k - 1), w_(w), runners_(2 * k - w) {}
 
@@ -31,11 +31,8 @@ class Relay final : public SwapPlan {
     return block;
   }
 
-  // All of it in one leg: it has fewer than 5k steps.
-  bool leg(std::uint64_t index, std::vector<Swap>& swaps) const override {
-    if (index > 0) {
-      return false;
-    }
+  // It has fewer than 5k steps.
+  void add_all(std::vector<Swap>& swaps) const override {
     Course course{*this, swaps};
     course.visits();
     course.slide_to(big_ + 1 - w_);
@@ -50,7 +47,6 @@ class Relay final : public SwapPlan {
       course.carrier_for_runner(i);
     }
     swaps.pop_back();  // it leads back to the first block
-    return true;
   }
 
  private:

@@ -7,6 +7,7 @@
 
 #include "changeover/run/control.hpp"
 #include "construct/tools/concatenation/groups.hpp"
+#include "core/each.hpp"
 #include "core/sorted.hpp"
 #include "run/random.hpp"
 
@@ -166,10 +167,8 @@ class Packing {
 
   /// Increasing.
   [[nodiscard]] std::vector<Element> positions_of(const std::vector<std::uint32_t>& sets) const {
-    std::vector<Element> positions;
-    for (const std::uint32_t i : sets) {
-      positions.push_back(static_cast<Element>(sets_[i].position));
-    }
+    std::vector<Element> positions = each_of<Element>(
+        sets, [&](const std::uint32_t i) { return static_cast<Element>(sets_[i].position); });
     std::ranges::sort(positions);
     return positions;
   }
@@ -228,10 +227,8 @@ class Packing {
       if (!can_[i]) {
         continue;
       }
-      std::uint64_t sum = 0;
-      for (const Element y : any ? Block{} : sets_[i].elements) {
-        sum += left_[y];
-      }
+      const std::uint64_t sum =
+          sum_of(any ? Block{} : sets_[i].elements, [&](const Element y) { return left_[y]; });
       if (sum > least) {
         continue;
       }

@@ -51,7 +51,7 @@ std::string CostReader::without_sign(const Field& field) {
   const auto trimmed = [](std::string sign) {
     const std::size_t first = sign.find_first_not_of(' ');
     const std::size_t last = sign.find_last_not_of(' ');
-    return first == std::string::npos ? "" : lower(sign.substr(first, last - first + 1));
+    return first == std::string::npos ? "" : lower_case(sign.substr(first, last - first + 1));
   };
   const std::string before = trimmed(text.substr(0, begin));
   const std::string after = trimmed(text.substr(end));

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -61,70 +62,39 @@ constexpr auto words_of_parts = std::to_array<std::string_view>(
      "devices", "modules", "units",     "teile",      "bauteile", "proben",  "pièces"});
 
 // All words of the heading, so that "Stock code" and "Number of ports" are none.
-constexpr auto words_of_quantities = std::to_array<std::string_view>({"quantity",
-                                                                      "quantities",
-                                                                      "qty",
-                                                                      "qty pcs",
-                                                                      "count",
-                                                                      "stock",
-                                                                      "in stock",
-                                                                      "on stock",
-                                                                      "on hand",
-                                                                      "pieces",
-                                                                      "pcs",
-                                                                      "how many",
-                                                                      "how many parts",
-                                                                      "how many pieces",
-                                                                      "how many there are",
-                                                                      "how many are there",
-                                                                      "number of pieces",
-                                                                      "number of parts",
-                                                                      "number of units",
-                                                                      "no of pieces",
-                                                                      "no of units",
-                                                                      "stock qty",
-                                                                      "stock quantity",
-                                                                      "stock count",
-                                                                      "qty in stock",
-                                                                      "quantity in stock",
-                                                                      "units in stock",
-                                                                      "pieces in stock",
-                                                                      "qty on hand",
-                                                                      "quantity on hand",
-                                                                      "qty available",
-                                                                      "quantity available",
-                                                                      "anzahl",
-                                                                      "menge",
-                                                                      "stück",
-                                                                      "stückzahl",
-                                                                      "bestand",
-                                                                      "lagerbestand",
-                                                                      "wie viele",
-                                                                      "quantité",
-                                                                      "quantite",
-                                                                      "combien",
-                                                                      "cantidad",
-                                                                      "existencias",
-                                                                      "cuántos",
-                                                                      "quantità",
-                                                                      "quantita",
-                                                                      "giacenza",
-                                                                      "quantidade",
-                                                                      "aantal",
-                                                                      "voorraad",
-                                                                      "数量",
-                                                                      "수량",
-                                                                      "個数"});
+constexpr auto words_of_quantities = std::to_array<std::string_view>(
+    {"quantity", "quantities", "qty",      "count",       "stock",   "pieces",       "pcs",
+     "anzahl",   "menge",      "stück",    "stückzahl",   "bestand", "lagerbestand", "quantité",
+     "quantite", "combien",    "cantidad", "existencias", "cuántos", "quantità",     "quantita",
+     "giacenza", "quantidade", "aantal",   "voorraad",    "数量",    "수량",         "個数"});
+constexpr auto phrases_of_quantities = std::to_array<std::string_view>({"qty pcs",
+                                                                        "in stock",
+                                                                        "on stock",
+                                                                        "on hand",
+                                                                        "how many",
+                                                                        "how many parts",
+                                                                        "how many pieces",
+                                                                        "how many there are",
+                                                                        "how many are there",
+                                                                        "number of pieces",
+                                                                        "number of parts",
+                                                                        "number of units",
+                                                                        "no of pieces",
+                                                                        "no of units",
+                                                                        "stock qty",
+                                                                        "stock quantity",
+                                                                        "stock count",
+                                                                        "qty in stock",
+                                                                        "quantity in stock",
+                                                                        "units in stock",
+                                                                        "pieces in stock",
+                                                                        "qty on hand",
+                                                                        "quantity on hand",
+                                                                        "qty available",
+                                                                        "quantity available",
+                                                                        "wie viele"});
 
 }  // namespace
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(), [](char c) {
-    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  });
-  return result;
-}
 
 std::vector<std::string> heading_words(std::string_view text) {
   const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
@@ -145,7 +115,7 @@ std::vector<std::string> heading_words(std::string_view text) {
 }
 
 bool heads_parts(std::string_view text) {
-  return is_among(without_number(lower(text)), words_of_parts);
+  return is_among(without_number(lower_case(text)), words_of_parts);
 }
 
 bool heads_names(std::string_view text) {
@@ -167,7 +137,7 @@ bool heads_row_numbers(std::string_view text) {
   constexpr auto all =
       std::to_array<std::string_view>({"#", "no", "no.", "nr", "nr.", "n°", "№", "id", "index",
                                        "pos", "pos.", "line", "row", "lfd. nr.", "num", "number"});
-  return is_among(lower(text), all);
+  return is_among(lower_case(text), all);
 }
 
 bool heads_costs(std::string_view text) {
@@ -227,7 +197,7 @@ CostUnit unit_in_heading(std::string_view text) {
 }
 
 bool heads_slots(std::string_view text) {
-  const std::string word = lower(text);
+  const std::string word = lower_case(text);
   constexpr auto all = std::to_array<std::string_view>(
       {"slot", "slots", "slot type", "slot name", "slot kind", "type of slot"});
   return is_among(word, all);
@@ -238,28 +208,28 @@ bool heads_quantities(std::string_view text) {
   for (const std::string& word : heading_words(text)) {
     words += (words.empty() || word.empty() ? "" : " ") + word;
   }
-  return is_among(words, words_of_quantities);
+  return is_among(words, words_of_quantities) || is_among(words, phrases_of_quantities);
 }
 
 bool heads_least(std::string_view text) {
   constexpr auto all = std::to_array<std::string_view>(
       {"least", "at least", "min", "min.", "minimum", "from", "lower", "fewest", "mindestens",
        "von", "au moins", "de", "mínimo", "minimo"});
-  return is_among(lower(text), all);
+  return is_among(lower_case(text), all);
 }
 
 bool heads_most(std::string_view text) {
   constexpr auto all = std::to_array<std::string_view>({"most", "at most", "max", "max.", "maximum",
                                                         "to", "up to", "upper", "höchstens", "bis",
                                                         "au plus", "à", "máximo", "massimo"});
-  return is_among(lower(text), all);
+  return is_among(lower_case(text), all);
 }
 
 bool heads_weights(std::string_view text) {
   constexpr auto all = std::to_array<std::string_view>(
       {"weight", "weights", "priority", "prio", "worth", "importance", "value", "gewicht",
        "priorität", "wichtigkeit", "poids", "priorité", "peso", "prioridad"});
-  return is_among(lower(text), all);
+  return is_among(lower_case(text), all);
 }
 
 bool heads_reasons(std::string_view text) {
@@ -268,14 +238,14 @@ bool heads_reasons(std::string_view text) {
        "note",   "notes",  "remark",    "remarks",   "explanation", "cause",
        "warum",  "grund",  "bemerkung", "kommentar", "begründung",  "pourquoi",
        "raison", "motivo", "razón",     "remarque"});
-  return is_among(lower(text), all);
+  return is_among(lower_case(text), all);
 }
 
 bool heads_part_of_pair(std::string_view text) {
   constexpr auto others = std::to_array<std::string_view>(
       {"a", "b", "x", "y", "with", "not with", "and", "never with", "left", "right", "one", "other",
        "this", "that", "mit", "nicht mit", "und", "avec", "con"});
-  const std::string word = lower(text);
+  const std::string word = lower_case(text);
   return heads_parts(text) || is_among(word, others) || heads_names(without_number(word));
 }
 

@@ -42,7 +42,4 @@ namespace changeover {
 /// One of the two parts of a pair: as heads_parts(), or "A", "Part B", "with".
 [[nodiscard]] bool heads_part_of_pair(std::string_view text);
 
-/// Lower case, for ASCII letters only.
-[[nodiscard]] std::string lower(std::string_view text);
-
 }  // namespace changeover

@@ -263,7 +263,8 @@ class ColumnFinder {
     if (name == no_column) {
       return std::nullopt;
     }
-    const auto found = find([&](const std::string& head) { return lower(head) == lower(name); });
+    const auto found =
+        find([&](const std::string& head) { return lower_case(head) == lower_case(name); });
     if (!found) {
       std::string heads;
       for (const Field& field : header_) {

@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "changeover/plan/job.hpp"
+#include "core/each.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/parts/cost_reader.hpp"
@@ -138,7 +140,7 @@ class PartReader {
   void leave_out_total() {
     constexpr auto words = std::to_array<std::string_view>(
         {"total", "totals", "sum", "summe", "gesamt", "totale", "somme", "suma", "soma", "totaal"});
-    std::string name = list_.names.empty() ? "" : lower(list_.names.back());
+    std::string name = list_.names.empty() ? "" : lower_case(list_.names.back());
     name.resize(name.find_last_not_of(" :") + 1);
     const auto& costs = list_.change_costs;
     if (!columns_.header || costs.size() < 3 || std::ranges::find(words, name) == words.end() ||
@@ -168,11 +170,7 @@ class PartReader {
       add(fmt::format("the last row, {}, is a sum and no part", shown(total_)));
     }
     if (!none_left_.empty()) {
-      std::string names;
-      for (const std::string& name : none_left_) {
-        names += (names.empty() ? "" : ", ") + shown(name);
-      }
-      add(fmt::format("left out, since there is none: {}", names));
+      add(fmt::format("left out, since there is none: {}", joined(none_left_, shown)));
     }
     return text.empty() ? "" : fmt::format("{}: {}", input_->name(), text);
   }

@@ -15,38 +15,12 @@ namespace {
 std::optional<Block> with_pair(const Sequence& s, std::span<const Element> beside, Element x,
                                Element y) {
   const Job& job = s.job();
-  Block setup = job.mounted;
-  const auto holds = [&](Element z) {
-    return std::find(setup.begin(), setup.end(), z) != setup.end();
-  };
-  for (const Element z : {x, y}) {
-    if (!holds(z)) {
-      setup.push_back(z);
-    }
-  }
-  const Fitting& fitting = s.fitting();
-  if (fitting.has_slots()) {
-    const auto whole = fitting.completed(setup, beside);
-    if (!whole) {
-      return std::nullopt;
-    }
-    setup = *whole;
-  }
-  const auto has_place = [&](Element z) {
-    const std::size_t slot = fitting.slot(z);
-    return slot == fitting.slots() ||
-           static_cast<std::uint64_t>(std::count_if(setup.begin(), setup.end(), [&](Element other) {
-             return fitting.slot(other) == slot;
-           })) < fitting.most(slot);
-  };
-  for (const Element z : beside) {
-    if (setup.size() < job.room() && !holds(z) && has_place(z) &&
-        std::none_of(setup.begin(), setup.end(),
-                     [&](Element other) { return job.never.contains(other, z); })) {
-      setup.push_back(z);
-    }
-  }
-  return setup.size() <= job.at_once ? std::optional(setup) : std::nullopt;
+  auto setup =
+      s.fitting().grown(with_mounted(job, {x, y}), beside, [&](const Block& others, Element z) {
+        return std::ranges::none_of(others,
+                                    [&](Element other) { return job.never.contains(other, z); });
+      });
+  return setup && setup->size() <= job.at_once ? setup : std::nullopt;
 }
 
 // Inserts the cheapest set-up that covers the pair; returns false, with nothing inserted, if

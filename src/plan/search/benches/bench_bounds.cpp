@@ -11,6 +11,7 @@
 
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "core/contains.hpp"
 #include "core/least_number.hpp"
 #include "core/words.hpp"
 #include "plan/job/pair_numbers.hpp"
@@ -28,10 +29,6 @@ namespace changeover {
 namespace {
 
 __extension__ using Huge = unsigned __int128;
-
-bool has_part(const Block& block, Element x) {
-  return std::find(block.begin(), block.end(), x) != block.end();
-}
 
 // The first time from which a monotone condition holds.
 Amount earliest(const std::function<bool(std::uint64_t)>& holds) {
@@ -200,7 +197,7 @@ class BenchBounder {
       for (std::size_t w = 0; w < field_->size(); ++w) {
         std::uint64_t there = 0;
         for (std::size_t i = 0; i < question->parts.size(); ++i) {
-          const bool is_there = has_part(field_->rest(w).start, question->parts[i]);
+          const bool is_there = contains(field_->rest(w).start, question->parts[i]);
           question->at_start[i] += is_there ? 1U : 0U;
           there += is_there ? 1U : 0U;
         }
@@ -223,7 +220,7 @@ class BenchBounder {
     for (const Element m : easiest_.mounted) {
       std::uint64_t there = 0;
       for (std::size_t w = 0; w < field_->size(); ++w) {
-        there += has_part(field_->rest(w).start, m) ? 1U : 0U;
+        there += contains(field_->rest(w).start, m) ? 1U : 0U;
       }
       all += easiest_.change_costs[m] * (lists - std::min(lists, there));
       mounting = mounting - std::min(mounting, easiest_.change_costs[m]);
@@ -337,7 +334,7 @@ class BenchBounder {
   void bound_scarce() {
     for (Element x = 0; x < easiest_.parts(); ++x) {
       const std::uint64_t holders = field_->most_holders(x);
-      if (holders >= field_->size() || holders == 0 || has_part(easiest_.mounted, x)) {
+      if (holders >= field_->size() || holders == 0 || contains(easiest_.mounted, x)) {
         continue;
       }
       const Amount held = least_held(x);
@@ -368,7 +365,7 @@ class BenchBounder {
   [[nodiscard]] Amount least_held(Element x) const {
     std::vector<Amount> others;  // partners of the part, the cheapest first
     for (Element y = 0; y < easiest_.parts(); ++y) {
-      if (y != x && !has_part(easiest_.mounted, y) && easiest_.needed.contains(x, y)) {
+      if (y != x && !contains(easiest_.mounted, y) && easiest_.needed.contains(x, y)) {
         others.push_back(easiest_.change_costs[y]);
       }
     }
@@ -381,7 +378,7 @@ class BenchBounder {
     std::uint64_t at_start = 0;  // the most partners that are there before the first test
     for (std::size_t w = 0; w < field_->size(); ++w) {
       const Block& start = field_->rest(w).start;
-      if (has_part(start, x)) {
+      if (contains(start, x)) {
         ++starts;
         at_start = std::max<std::uint64_t>(at_start, start.size());
       }
@@ -420,11 +417,11 @@ class BenchBounder {
         }
         Amount pair = field_->spent(w) + own.test_cost;
         const auto put_in = [&](Element z) {
-          pair += has_part(own.start, z) ? Amount{} : own.change_costs[z];
+          pair += contains(own.start, z) ? Amount{} : own.change_costs[z];
         };
         std::for_each(own.mounted.begin(), own.mounted.end(), put_in);
         for (const Element z : {x, y}) {
-          if (!has_part(own.mounted, z)) {
+          if (!contains(own.mounted, z)) {
             put_in(z);
           }
         }
@@ -459,7 +456,7 @@ class BenchBounder {
     std::uint64_t inner = 0;
     field_->common().needed.for_each(all_of_them, [&](Element x, Element y) {
       const bool outside = std::any_of(jobs.begin(), jobs.end(), [&](const Job& own) {
-        return has_part(own.mounted, x) || has_part(own.mounted, y);
+        return contains(own.mounted, x) || contains(own.mounted, y);
       });
       inner += outside ? 0U : 1U;
     });
@@ -506,7 +503,7 @@ class BenchBounder {
       const Job own = at_prices(field_->rest(w), Price::least);
       Amount cheapest{std::numeric_limits<std::uint64_t>::max()};
       for (Element x = 0; x < own.parts(); ++x) {
-        cheapest = has_part(own.mounted, x) ? cheapest : std::min(cheapest, own.change_costs[x]);
+        cheapest = contains(own.mounted, x) ? cheapest : std::min(cheapest, own.change_costs[x]);
       }
       // A first set-up may be mounted already, and if all parts stay mounted none is put in.
       const bool changes = !has_start(w) && own.mounted.size() < own.parts();
@@ -546,7 +543,7 @@ class BenchBounder {
     const auto cost = cost_of_fullest(shared_parts(easiest_, n,
                                                    [&](Element x) {
                                                      return any_bench([&](std::size_t w) {
-                                                       return has_part(field_->rest(w).start, x);
+                                                       return contains(field_->rest(w).start, x);
                                                      });
                                                    }),
                                       field_->size(), *std::max_element(most.begin(), most.end()));

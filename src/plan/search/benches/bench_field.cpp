@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/checked.hpp"
+#include "core/contains.hpp"
 #include "plan/job/bench_jobs.hpp"
 #include "plan/search/benches/step_costs.hpp"
 
@@ -34,10 +35,6 @@ void take_off(Job& job, const std::vector<Block>& setups) {
   job.at_once = at_once;
   job.start = start;
   job.tests_done = done;
-}
-
-bool contains(const Block& block, Element x) {
-  return std::find(block.begin(), block.end(), x) != block.end();
 }
 
 }  // namespace

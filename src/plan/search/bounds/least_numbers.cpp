@@ -8,6 +8,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "plan/job/pair_numbers.hpp"
 
@@ -98,10 +99,8 @@ LeastNumber least_introductions(const JobNumbers& n, std::uint64_t once, std::ui
   LeastNumber least{0, "none is needed"};
   least.at_least(once, "each part once");
   const std::uint64_t v = n.parts.size();
-  std::uint64_t start = 0;
-  for (const Element x : n.parts) {
-    start += n.at_start[x] ? 1U : 0U;
-  }
+  const std::uint64_t start =
+      sum_of(n.parts, [&](const Element x) { return n.at_start[x] ? 1U : 0U; });
   if (n.pairs == choose_two(v) && n.room >= 2 && v > n.room && start <= n.room) {
     const Parameters p{.v = v, .k = n.room, .change = 1, .kind = Kind::linear};
     try {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "changeover/plan/job.hpp"
+#include "core/each.hpp"
 #include "plan/job/pair_numbers.hpp"
 #include "plan/search/bounds/dearest_parts.hpp"
 #include "plan/search/bounds/job_numbers.hpp"
@@ -56,10 +57,8 @@ class StepGroups {
   [[nodiscard]] std::uint64_t least_on(std::size_t x) const { return least_on_[x]; }
   /// The number of needed pairs between two groups, or within one.
   [[nodiscard]] std::uint64_t pairs(std::size_t a, std::size_t b) const {
-    std::uint64_t all = 0;
-    for (const std::size_t x : groups_[a].parts) {
-      all += degree(x, b);
-    }
+    const std::uint64_t all =
+        sum_of(groups_[a].parts, [&](const std::size_t x) { return degree(x, b); });
     return a == b ? all / 2 : all;
   }
   /// The most new pairs of a step of this kind.

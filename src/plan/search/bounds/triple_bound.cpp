@@ -7,6 +7,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "core/each.hpp"
 #include "core/least_number.hpp"
 #include "core/words.hpp"
 #include "plan/search/bounds/job_numbers.hpp"
@@ -83,10 +84,9 @@ std::uint64_t least_tests_of_triples(const Job& job, const TripleNumbers& n) {
   const std::size_t v = job.names.size();
   std::uint64_t places = 0;
   for (const Element x : n.parts) {
-    std::uint64_t met = 0;
-    for (const Element y : n.parts) {
-      met += x == y ? 0 : ceil_div(n.of[x * v + y], n.room - 2);
-    }
+    const std::uint64_t met = sum_of(n.parts, [&](const Element y) {
+      return x == y ? 0 : ceil_div(n.of[x * v + y], n.room - 2);
+    });
     places += ceil_div(met, n.room - 1);
   }
   return ceil_div(places, n.room);
@@ -133,10 +133,8 @@ std::uint64_t by_refining(const TripleNumbers& n) {
   if (n.triples != choose_three(n.parts.size()) || n.parts.size() <= n.room || n.start > n.room) {
     return 0;
   }
-  std::uint64_t start = 0;
-  for (const Element x : n.parts) {
-    start += n.at_start[x] ? 1U : 0U;
-  }
+  const std::uint64_t start =
+      sum_of(n.parts, [&](const Element x) { return n.at_start[x] ? 1U : 0U; });
   try {
     const std::uint64_t b =
         lower_bound(

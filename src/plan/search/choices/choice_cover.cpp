@@ -1,6 +1,5 @@
 // Reduces the set-ups of a model that test everything.
 #include <algorithm>
-#include <utility>
 
 #include "changeover/core/error.hpp"
 #include "plan/search/choices/choice_search.hpp"

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "core/each.hpp"
 #include "plan/search/choices/choice_search.hpp"
 
 namespace changeover {
@@ -111,10 +112,7 @@ class ChoiceGreedy {
   void improve(Block row) {
     const std::size_t hiding = hiding_slot(row);
     count_gains(row, hiding);
-    std::int64_t brings = 0;
-    for (const Element x : row) {
-      brings += gains_[x];
-    }
+    std::int64_t brings = sum_of<std::int64_t>(row, [&](const Element x) { return gains_[x]; });
     brings = hiding < row.size() ? gains_[row[hiding]]
                                  : brings / static_cast<std::int64_t>(choices_.tuple_size());
     compare(row, brings);

@@ -1,7 +1,6 @@
 #include "plan/search/choices/choice_lists.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "changeover/plan/model.hpp"
 #include "core/checked.hpp"

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "changeover/core/error.hpp"
+#include "core/contains.hpp"
 #include "plan/search/lists/lists_search.hpp"
 
 namespace changeover {
@@ -12,38 +13,19 @@ namespace {
 std::optional<Block> around(const Lists& lists, std::size_t bench, std::span<const Element> beside,
                             std::span<const Element> target) {
   const Job& job = lists.job(bench);
-  const Fitting& fitting = lists.fitting(bench);
   Block setup = job.mounted;
-  const auto holds = [&](Element z) {
-    return std::find(setup.begin(), setup.end(), z) != setup.end();
-  };
   for (const Element x : target) {
-    if (!holds(x)) {
+    if (!contains(setup, x)) {
       if (!lists.joins(setup, x)) {  // a permanently mounted part of this bench excludes it
         return std::nullopt;
       }
       setup.push_back(x);
     }
   }
-  if (fitting.has_slots()) {
-    const auto whole = fitting.completed(setup, beside);
-    if (!whole) {
-      return std::nullopt;
-    }
-    setup = *whole;
-  }
-  for (const Element z : beside) {
-    const std::size_t slot = fitting.slot(z);
-    const bool has_place =
-        slot == fitting.slots() ||
-        static_cast<std::uint64_t>(std::count_if(setup.begin(), setup.end(), [&](Element other) {
-          return fitting.slot(other) == slot;
-        })) < fitting.most(slot);
-    if (setup.size() < job.room() && !holds(z) && has_place && lists.joins(setup, z)) {
-      setup.push_back(z);
-    }
-  }
-  return setup.size() <= job.room() ? std::optional(setup) : std::nullopt;
+  auto whole = lists.fitting(bench).grown(
+      std::move(setup), beside,
+      [&](const Block& others, Element z) { return lists.joins(others, z); });
+  return whole && whole->size() <= job.room() ? whole : std::nullopt;
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // How long scarce parts are on two benches at a time, if no bench waits: what a search counts that
 // cannot ask the clock after every move.
 #include <algorithm>
-#include <bit>
 
 #include "core/bit_number.hpp"
 #include "plan/search/lists/lists.hpp"

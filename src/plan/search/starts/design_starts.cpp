@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "changeover/bounds/lower_bound.hpp"
@@ -9,7 +8,9 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "changeover/search/local_search.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
+#include "plan/job/pair_numbers.hpp"
 #include "plan/search/budget.hpp"
 #include "plan/search/starts/starts.hpp"
 #include "run/threads.hpp"
@@ -20,8 +21,7 @@ namespace {
 // Parts that have needed pairs and do not stay mounted.
 std::vector<Element> free_parts(const Job& job) {
   std::vector<bool> used(job.names.size());
-  job.needed.for_each(std::numeric_limits<std::uint64_t>::max(),
-                      [&](Element x, Element y) { used[x] = used[y] = true; });
+  job.needed.for_each(all_of_them, [&](Element x, Element y) { used[x] = used[y] = true; });
   for (const Element m : job.mounted) {
     used[m] = false;
   }
@@ -226,11 +226,8 @@ std::vector<Start> design_starts(const Job& job, std::uint64_t moves, RunControl
     in_parallel(for_searches.control(), found.size(),
                 [&](std::size_t i) { searches.improve_by_search(*found[i], moves); });
   }
-  std::vector<Start> starts;
-  for (std::optional<DesignStart>& each : found) {
-    starts.push_back(std::move(each->start));
-  }
-  return starts;
+  return each_of<Start>(found,
+                        [&](std::optional<DesignStart>& each) { return std::move(each->start); });
 }
 
 }  // namespace changeover

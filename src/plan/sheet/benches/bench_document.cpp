@@ -77,12 +77,6 @@ std::string sheet_name(const std::string& name, std::set<std::string>& taken) {
     clean += plain ? c : '_';
   }
   clean.resize(std::min(clean.size(), longest));
-  const auto lower_case = [](std::string text) {
-    std::ranges::transform(text, text.begin(), [](char c) {
-      return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return text;
-  };
   for (std::size_t number = 2; !taken.insert(lower_case(clean)).second; ++number) {
     const std::string end = fmt::format(" {}", number);
     clean.resize(std::min(clean.size(), longest - end.size()));

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cli/cli.hpp"
+#include "core/each.hpp"
 #include "core/parsed.hpp"
 #include "core/printable.hpp"
 #include "io/write/json_writer.hpp"
@@ -124,11 +125,8 @@ std::uint32_t strength_of(const Request& request) {
 Parameters cell_of(const Request& request) { return parameters_of(request, needed_kind(request)); }
 
 std::vector<Parameters> cells_of(const Request& request) {
-  std::vector<Parameters> cells;
-  for (const Kind kind : cli::kinds_of(kind_of(request))) {
-    cells.push_back(parameters_of(request, kind));
-  }
-  return cells;
+  return each_of<Parameters>(cli::kinds_of(kind_of(request)),
+                             [&](const Kind kind) { return parameters_of(request, kind); });
 }
 
 cli::Range range_of(const Request& request, std::string_view name, const cli::Range& usual) {
@@ -186,17 +184,6 @@ std::uint64_t JsonBody::needed_number(const std::string& name) {
     throw Refusal{422, name + " is missing"};
   }
   return *value;
-}
-
-std::optional<std::string> JsonBody::decimal(const std::string& name) {
-  const JsonNode* const value = find(name);
-  if (value == nullptr) {
-    return std::nullopt;
-  }
-  if (!value->is_text() && !value->is_number()) {
-    refuse_type(name, "an amount, as 12.50");
-  }
-  return value->text;
 }
 
 std::optional<double> JsonBody::seconds(const std::string& name) {

@@ -75,8 +75,6 @@ class JsonBody {
   /// A whole number that is not negative. @throws Refusal 422 if it is something else.
   [[nodiscard]] std::optional<std::uint64_t> number(const std::string& name);
   [[nodiscard]] std::uint64_t needed_number(const std::string& name);
-  /// An amount in decimal: a number or a string, as it is written.
-  [[nodiscard]] std::optional<std::string> decimal(const std::string& name);
   [[nodiscard]] std::optional<double> seconds(const std::string& name);
   [[nodiscard]] std::optional<bool> boolean(const std::string& name);
   [[nodiscard]] std::optional<std::string> text(const std::string& name);

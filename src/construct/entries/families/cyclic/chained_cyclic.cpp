@@ -14,7 +14,7 @@
 namespace changeover::chained_cyclic_entry {
 namespace {
 
-class Chained final : public SwapPlan {
+class Chained final : public ShortPlan {
  public:
   explicit Chained(std::uint64_t k) : big_(k - 1) {}
 
@@ -29,11 +29,8 @@ class Chained final : public SwapPlan {
     return block;
   }
 
-  // All of it in one leg: it has 8k−8 swaps.
-  bool leg(std::uint64_t index, std::vector<Swap>& swaps) const override {
-    if (index > 0) {
-      return false;
-    }
+  // It has 8k−8 swaps.
+  void add_all(std::vector<Swap>& swaps) const override {
     const std::uint64_t K = big_;
     const auto step = [&](std::uint64_t leaves, std::uint64_t enters) {
       swaps.push_back({.leaves = leaves % (4 * K + 1), .enters = enters % (4 * K + 1)});
@@ -54,7 +51,6 @@ class Chained final : public SwapPlan {
         step(K + s, s);
       }
     }
-    return true;
   }
 
  private:

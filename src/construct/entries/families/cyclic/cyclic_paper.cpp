@@ -12,6 +12,7 @@
 
 #include "changeover/construct/registry.hpp"
 #include "construct/entry.hpp"
+#include "core/each.hpp"
 
 namespace changeover::cyclic_paper_entry {
 namespace {
@@ -123,11 +124,10 @@ class CyclicPaper final : public Described<Family, description> {
 
   std::string explanation(const Parameters& p) const override {
     const std::uint64_t n = p.k - 2;
-    std::string blocks;
-    for (const Extra& extra : extras(count(p))) {
-      blocks += fmt::format("{}{{{},{},{}}}", blocks.empty() ? "" : ", ", first_elements(n),
-                            value(extra.first, n), value(extra.second, n));
-    }
+    const std::string blocks = joined(extras(count(p)), [&](const Extra& extra) {
+      return fmt::format("{{{},{},{}}}", first_elements(n), value(extra.first, n),
+                         value(extra.second, n));
+    });
     return fmt::format("Develop the base block{} {} over Z_{}.", count(p) == 1 ? "" : "s", blocks,
                        p.v);
   }

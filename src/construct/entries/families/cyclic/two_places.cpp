@@ -22,7 +22,7 @@
 namespace changeover::two_places_entry {
 namespace {
 
-class Places final : public SwapPlan {
+class Places final : public ShortPlan {
  public:
   Places(std::uint64_t k, std::uint64_t long_ones)
       : big_(k - 1), half_(2 * big_ + 1), role_(static_cast<std::size_t>(2 * half_)) {
@@ -51,14 +51,10 @@ class Places final : public SwapPlan {
     return block;
   }
 
-  // All of it in one leg: it has fewer than 5k steps.
-  bool leg(std::uint64_t index, std::vector<Swap>& swaps) const override {
-    if (index > 0) {
-      return false;
-    }
+  // It has fewer than 5k steps.
+  void add_all(std::vector<Swap>& swaps) const override {
     swaps.front().leaves = round(swaps);
     swaps.pop_back();  // it leads back to the first block
-    return true;
   }
 
  private:
