@@ -7,7 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "core/words.hpp"
 #include "loadorder/listed/quick_moves.hpp"
@@ -17,18 +16,6 @@
 
 namespace changeover {
 namespace {
-
-// The loads of an order one by one, each with what goes for it.
-std::vector<LoadMove> one_by_one(const LoadOrder& order) {
-  std::vector<LoadMove> moves;
-  const auto steps = order.stream();
-  for (Step step; steps->next(step);) {
-    for (std::size_t i = 0; i < step.load.size(); ++i) {
-      moves.push_back({step.load[i], i < step.evict.size() ? step.evict[i] : LoadMove::nothing});
-    }
-  }
-  return moves;
-}
 
 /// When the loads of an order load the same item again.
 class NextLoads {
@@ -318,18 +305,8 @@ std::vector<Move> best_moves(LoadOrderFacts& facts, bool searched,
 
 }  // namespace
 
-void check_rooms(std::uint64_t room, std::uint64_t fast_room) {
-  if (fast_room > room) {
-    throw BadInput(fmt::format(
-        "the accelerator has room for {} items, but memory only for {}; give less, or one level",
-        fast_room, room));
-  }
-}
-
 LoadOrder::Maker listed_levels(LoadOrderFacts& facts, const LoadOrderOptions& options) {
-  const auto lists = std::make_shared<StepLists>();
-  lists->add(best_moves(facts, true, options));
-  return [lists] { return lists->of(0); };
+  return in_memory(best_moves(facts, true, options));
 }
 
 std::vector<Move> listed_levels_of(const std::vector<ItemPair>& pairs, std::uint64_t room,

@@ -13,9 +13,6 @@
 
 namespace changeover {
 
-/// @throws BadInput if the accelerator has more room than memory
-void check_rooms(std::uint64_t room, std::uint64_t fast_room);
-
 /// How many loads a batch may have, the most promising numbers first.
 [[nodiscard]] std::vector<std::uint64_t> batches_to_try(std::uint64_t room,
                                                         std::uint64_t fast_room);

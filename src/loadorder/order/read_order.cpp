@@ -39,6 +39,11 @@ LoadOrderFacts facts_before(const WantedPairs& wanted, std::uint64_t room,
   facts.bound = load_lower_bound(wanted, room);
   if (fast_room) {
     facts.transfer_bound = load_lower_bound(wanted, *fast_room);
+    if (*fast_room > room) {
+      throw BadInput(fmt::format(
+          "the accelerator has room for {} items, but memory only for {}; give less, or one level",
+          *fast_room, room));
+    }
   }
   return facts;
 }

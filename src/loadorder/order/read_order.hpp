@@ -20,6 +20,7 @@ inline constexpr std::uint64_t most_loads_read = 200'000'000;
                                          const std::string& what, bool compute = true);
 
 /// What is known before there is an order: the pairs, both rooms and the bounds of one worker.
+/// @throws BadInput if the accelerator has more room than memory
 [[nodiscard]] LoadOrderFacts facts_before(const WantedPairs& wanted, std::uint64_t room,
                                           std::optional<std::uint64_t> fast_room = {});
 

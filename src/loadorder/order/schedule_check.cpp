@@ -8,6 +8,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/schedule.hpp"
 #include "changeover/run/control.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "loadorder/order/tracked.hpp"
 
@@ -304,11 +305,8 @@ class ScheduleCheck::State {
 
   // They fit, so their sum does.
   [[nodiscard]] std::uint64_t bytes_loaded(const Step& step) const {
-    std::uint64_t sum = 0;
-    for (const Element x : step.load) {
-      sum += x < rules_.items ? rules_.sizes->bytes[x] : 0;
-    }
-    return sum;
+    return sum_of(step.load,
+                  [&](const Element x) { return x < rules_.items ? rules_.sizes->bytes[x] : 0; });
   }
 
   // Stored items are in the order of the evicted ones.

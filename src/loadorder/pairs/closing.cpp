@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "changeover/loadorder/load_order.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "run/portable_math.hpp"
@@ -370,6 +371,17 @@ void Closing::improve(std::uint64_t work, Random& random, const std::function<bo
       looked();
     }
   }
+}
+
+std::vector<LoadMove> one_by_one(const LoadOrder& order) {
+  std::vector<LoadMove> moves;
+  const auto steps = order.stream();
+  for (Step step; steps->next(step);) {
+    for (std::size_t i = 0; i < step.load.size(); ++i) {
+      moves.push_back({step.load[i], i < step.evict.size() ? step.evict[i] : LoadMove::nothing});
+    }
+  }
+  return moves;
 }
 
 }  // namespace changeover

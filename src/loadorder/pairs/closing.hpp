@@ -35,6 +35,11 @@ struct LoadMove {
   Element evict = nothing;
 };
 
+class LoadOrder;
+
+/// The loads of an order one by one, each with what goes for it.
+[[nodiscard]] std::vector<LoadMove> one_by_one(const LoadOrder& order);
+
 class Closing {
  public:
   Closing(const PairGraph& graph, std::uint64_t room, const std::vector<Element>& order);

@@ -264,17 +264,6 @@ class ListSearch {
   bool goes_on_ = false;  // beyond the fixed work
 };
 
-// The loads of an order, each with the item evicted for it.
-Moves moves_of(LoadOrder& order) {
-  Moves moves;
-  for (Step step; order.next(step);) {
-    for (std::size_t i = 0; i < step.load.size(); ++i) {
-      moves.push_back({step.load[i], i < step.evict.size() ? step.evict[i] : LoadMove::nothing});
-    }
-  }
-  return moves;
-}
-
 // An order for all pairs is good if most pairs are listed.
 void consider_all_pairs(const PairGraph& graph, std::uint64_t room, const LoadOrderOptions& options,
                         ListedOrder& best) {
@@ -285,13 +274,13 @@ void consider_all_pairs(const PairGraph& graph, std::uint64_t room, const LoadOr
   LoadOrderOptions quick = options;
   quick.improve = nullptr;
   quick.read_first = false;  // It is read with the pairs of the list afterwards.
-  LoadOrder all = plan_all_pairs(items, room, quick);
+  const LoadOrder all = plan_all_pairs(items, room, quick);
   // One by one, what is loaded in the same step would meet what goes later in it: only more pairs
   // meet.
   if (all.facts().loads < best.moves.size()) {
     best.method = all.facts().method;
     best.explanation = "An order for all pairs. " + all.facts().explanation;
-    best.moves = moves_of(all);
+    best.moves = one_by_one(all);
   }
 }
 

@@ -6,6 +6,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
 #include "changeover/run/control.hpp"
+#include "core/words.hpp"
 #include "io/scan/row_reader.hpp"
 #include "loadorder/pairs/item_names.hpp"
 #include "loadorder/pairs/listed_rows.hpp"
@@ -68,10 +69,7 @@ std::optional<std::pair<Element, Element>> plain_pair(std::string_view line) {
 /// is mistyped is none.
 bool is_title(std::string_view word) {
   const auto is = [](std::string_view among) {
-    return [among](char c) {
-      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-             among.find(c) != std::string_view::npos;
-    };
+    return [among](char c) { return is_letter(c) || among.find(c) != std::string_view::npos; };
   };
   return std::ranges::count_if(word, is("")) >= 2 && std::ranges::all_of(word, is(" _.()[]"));
 }

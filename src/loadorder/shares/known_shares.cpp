@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "loadorder/shares/idle_workers.hpp"
 #include "loadorder/shares/planes.hpp"
@@ -56,13 +57,7 @@ Base parsed(std::string_view line) {
 }
 
 const std::vector<Base>& bases() {
-  static const std::vector<Base> all = [] {
-    std::vector<Base> read;
-    for (const char* const line : lines_of_table) {
-      read.push_back(parsed(line));
-    }
-    return read;
-  }();
+  static const std::vector<Base> all = each_of<Base>(lines_of_table, parsed);
   return all;
 }
 
@@ -88,10 +83,9 @@ GroupShares developed(const Base& base) {
   for (const GroupShare& share : base.shares) {
     for (std::uint64_t by = 0; by < base.groups; by += base.step) {
       const auto moved = [&](const std::vector<Element>& set) {
-        std::vector<Element> out;
-        for (const Element group : set) {
-          out.push_back(static_cast<Element>((group + by) % base.groups));
-        }
+        std::vector<Element> out = each_of<Element>(set, [&](const Element group) {
+          return static_cast<Element>((group + by) % base.groups);
+        });
         std::ranges::sort(out);
         return out;
       };

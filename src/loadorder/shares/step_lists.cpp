@@ -233,6 +233,12 @@ class AsOneOrder final : public StepSource {
 
 }  // namespace
 
+LoadOrder::Maker in_memory(const std::vector<Move>& moves) {
+  const auto lists = std::make_shared<StepLists>();
+  lists->add(moves);
+  return [lists] { return lists->of(0); };
+}
+
 std::unique_ptr<StepSource> one_after_another(std::shared_ptr<const WorkerSteps> steps,
                                               std::uint64_t workers) {
   return std::make_unique<AsOneOrder>(std::move(steps), workers);

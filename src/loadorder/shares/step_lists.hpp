@@ -60,6 +60,9 @@ class StepLists final : public WorkerSteps {
   std::vector<std::shared_ptr<const Lists>> workers_;
 };
 
+/// An order that makes these steps.
+[[nodiscard]] LoadOrder::Maker in_memory(const std::vector<Move>& moves);
+
 /// The steps of all workers, one after another, as one order: where the next worker begins, all of
 /// memory is evicted, even items that are loaded again.
 [[nodiscard]] std::unique_ptr<StepSource> one_after_another(

@@ -10,7 +10,6 @@
 #include "changeover/loadorder/workers.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
-#include "loadorder/listed/listed_levels.hpp"
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/order/in_rounds.hpp"
 #include "loadorder/order/read_order.hpp"
@@ -251,6 +250,7 @@ WorkerSplit sized_levels_once(const std::shared_ptr<const ItemSizes>& sizes,
 
 WorkerSplit levels_once(const WantedPairs& wanted, std::uint64_t room, std::uint64_t fast_room,
                         std::uint64_t workers, const LoadOrderOptions& options) {
+  const LoadOrderFacts levels = facts_before(wanted, room, fast_room);
   std::vector<WorkerSplit> candidates;
   if (wanted.graph() == nullptr) {
     candidates.push_back(SplitMaker::stretches(plan_two_levels(wanted, room, fast_room, options),
@@ -264,9 +264,8 @@ WorkerSplit levels_once(const WantedPairs& wanted, std::uint64_t room, std::uint
   }
   if (!wanted.are_all() && (workers > 1 || candidates.empty()) &&
       (wanted.graph() != nullptr || wanted.count() <= most_pairs_listed)) {
-    candidates.push_back(
-        SplitMaker::two_levels(split_some_pairs(wanted, room, workers, unread(options, workers)),
-                               facts_before(wanted, room, fast_room), options));
+    candidates.push_back(SplitMaker::two_levels(
+        split_some_pairs(wanted, room, workers, unread(options, workers)), levels, options));
   }
   return best_of_two_levels(std::move(candidates), options);
 }
@@ -295,7 +294,6 @@ WorkerSplit split_two_levels(std::shared_ptr<const ItemSizes> sizes, const Wante
 WorkerSplit split_two_levels(const WantedPairs& wanted, std::uint64_t room, std::uint64_t fast_room,
                              std::uint64_t workers, const LoadOrderOptions& options) {
   check_workers(workers);
-  check_rooms(room, fast_room);
   const auto split = [&](const LoadOrderOptions& its) {
     return levels_once(wanted, room, fast_room, workers, its);
   };

@@ -51,53 +51,42 @@ AnyLoads planned(const CheckedLoads& asked, const LoadRequest& request, LoadOrde
   options.pair_cost = asked.pair_cost();
   options.read_first = !request.verify_beside && !is_worker_by_itself(request);
   const WantedPairs& wanted = asked.wanted();
+  const auto& sizes = asked.sizes();
   const std::uint64_t room = asked.room();
-  if (request.fast_memory && request.disjoint) {
-    return plan_disjoint_levels(asked.sizes(), wanted, *request.workers, options);
-  }
-  if (asked.sizes() && request.disjoint) {
-    return plan_disjoint_order(asked.sizes(), wanted, *request.workers, options);
-  }
-  if (request.fast_memory) {
+  const std::uint64_t workers = request.workers.value_or(1);
+  // Each of these takes sizes and pairs, or pairs and rooms.
+  const auto levels = [&](const auto&... given) -> AnyLoads {
+    if (request.disjoint) {
+      return plan_disjoint_levels(given..., workers, options);
+    }
     if (request.workers) {
-      return split_two_levels(asked.sizes(), wanted, *request.workers, options);
+      return split_two_levels(given..., workers, options);
     }
-    return plan_two_levels(asked.sizes(), wanted, options);
-  }
-  if (asked.sizes() && request.workers) {
-    if (request.prefetch) {
-      return split_prefetch(asked.sizes(), wanted, *request.workers, options);
+    return plan_two_levels(given..., options);
+  };
+  const auto one_level = [&](const auto&... given) -> AnyLoads {
+    if (request.disjoint) {
+      return plan_disjoint_order(given..., workers, options);
     }
-    return split_sized_order(asked.sizes(), wanted, *request.workers, options);
-  }
-  if (asked.sizes()) {
-    if (request.prefetch) {
-      return plan_prefetch(asked.sizes(), wanted, options);
+    if (request.workers) {
+      return split_prefetch(given..., workers, options);
     }
-    return plan_sized_order(asked.sizes(), wanted, options);
-  }
-  if (request.disjoint && request.fast_room) {
-    return plan_disjoint_levels(wanted, room, *request.fast_room, *request.workers, options);
-  }
-  if (request.disjoint) {
-    return plan_disjoint_order(wanted, room, *request.workers, options);
+    return plan_prefetch(given..., options);
+  };
+  if (request.fast_memory) {
+    return levels(sizes, wanted);
   }
   if (request.fast_room) {
-    if (request.workers) {
-      return split_two_levels(wanted, room, *request.fast_room, *request.workers, options);
-    }
-    return plan_two_levels(wanted, room, *request.fast_room, options);
+    return levels(wanted, room, *request.fast_room);
   }
-  if (request.prefetch) {
-    if (request.workers) {
-      return split_prefetch(wanted, room, *request.workers, options);
-    }
-    return plan_prefetch(wanted, room, options);
+  if (request.disjoint || request.prefetch) {
+    return sizes ? one_level(sizes, wanted) : one_level(wanted, room);
   }
   if (request.workers) {
-    return split_load_order(wanted, room, *request.workers, options);
+    return sizes ? split_sized_order(sizes, wanted, workers, options)
+                 : split_load_order(wanted, room, workers, options);
   }
-  return plan_load_order(wanted, room, options);
+  return sizes ? plan_sized_order(sizes, wanted, options) : plan_load_order(wanted, room, options);
 }
 
 AnyLoads repeated(AnyLoads loads, std::uint64_t epochs) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "core/each.hpp"
 #include "io/scan/row_reader.hpp"
 #include "io/write/csv_cell.hpp"
 #include "io/write/json_writer.hpp"
@@ -29,12 +30,7 @@ void StepWriter::begin(const std::string& json, const std::string& text) {
     check_names_for_colmap();
     return;
   }
-  std::string names;
-  for (const Column column : columns_) {
-    names += names.empty() ? "" : ",";
-    names += name_of(column);
-  }
-  out_.write(json_ ? json + "\n" : csv_ ? names + "\n" : text + "\n");
+  out_.write((json_ ? json : csv_ ? joined(columns_, ",", name_of) : text) + "\n");
 }
 
 // COLMAP skips empty lines and those that begin with #, and splits the others at blanks.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/checked.hpp"
+#include "core/each.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
 
 namespace changeover {
@@ -23,11 +24,8 @@ std::vector<Element> items_as_they_come(const std::vector<Move>& moves) {
 }
 
 std::uint64_t largest_of(const ItemSizes& sizes, const Groups& groups) {
-  std::uint64_t most = 0;
-  for (const std::vector<Element>& group : groups) {
-    most = std::max(most, bytes_of(sizes, group));
-  }
-  return most;
+  return largest_of(groups,
+                    [&](const std::vector<Element>& group) { return bytes_of(sizes, group); });
 }
 
 namespace {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "core/words.hpp"
 #include "io/scan/row_reader.hpp"
 #include "loadorder/pairs/item_names.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
@@ -64,10 +65,7 @@ class SizeList {
 
   // Words such as "NaN", "-3" and "1e400" are wrong sizes, not names.
   static bool is_meant_as_size(std::string_view word) {
-    std::string small(word);
-    std::ranges::transform(small, small.begin(), [](char c) {
-      return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
+    const std::string small = lower_case(word);
     const auto first = small.find_first_not_of("+-.");
     const std::string_view unsigned_word =
         first == std::string::npos ? std::string_view() : std::string_view(small).substr(first);

@@ -9,6 +9,7 @@
 
 #include "changeover/loadorder/workers.hpp"
 #include "core/checked.hpp"
+#include "core/each.hpp"
 #include "core/least_number.hpp"
 #include "loadorder/shares/few_workers.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
@@ -98,10 +99,8 @@ LoadBound by_units(const ItemSizes& sizes, std::uint64_t bytes, std::uint64_t wo
   }
   constexpr std::uint64_t most_units = 1'000'000;
   unit = std::max(unit, ceil_div(bytes, most_units));
-  std::uint64_t units = 0;
-  for (const std::uint64_t size : sizes.bytes) {
-    units += size / unit;
-  }
+  const std::uint64_t units =
+      sum_of(sizes.bytes, [&](const std::uint64_t size) { return size / unit; });
   const std::uint64_t room = sizes.memory / unit;
   if (units <= room || room < 2) {
     return {};

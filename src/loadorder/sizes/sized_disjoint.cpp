@@ -6,7 +6,6 @@
 #include <tuple>
 #include <utility>
 
-#include "changeover/core/error.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"

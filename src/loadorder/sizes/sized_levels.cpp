@@ -6,7 +6,6 @@
 #include <numeric>
 #include <utility>
 
-#include "changeover/core/error.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
@@ -175,15 +174,11 @@ LoadOrder plan_two_levels(std::shared_ptr<const ItemSizes> sizes, const WantedPa
       [](const LevelWay& its, const LevelWay& others) { return its.cost < others.cost; });
   facts.method = std::move(best.method);
   facts.explanation = std::move(best.explanation);
-  const auto lists = std::make_shared<StepLists>();
-  lists->add(best.moves);
   const std::string memory =
       fmt::format("with {} and {} bytes of memory", sizes->memory, sizes->fast_memory);
-  return read_in_full(
-      std::move(facts), [lists] { return lists->of(0); }, memory,
-      [&](const auto& verdict) {
-        return levels_read(verdict, wanted.among(sizes->bytes.size()).count(), true);
-      });
+  return read_in_full(std::move(facts), in_memory(best.moves), memory, [&](const auto& verdict) {
+    return levels_read(verdict, wanted.among(sizes->bytes.size()).count(), true);
+  });
 }
 
 std::vector<Move> sized_levels_of(const std::vector<ItemPair>& pairs, const ItemSizes& sizes,

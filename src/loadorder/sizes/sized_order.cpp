@@ -9,6 +9,7 @@
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "loadorder/order/in_rounds.hpp"
 #include "loadorder/sizes/closing_search.hpp"
@@ -126,10 +127,7 @@ void consider_packed(const ItemSizes& sizes, const std::vector<Element>& items, 
   constexpr std::uint64_t most_room = 64;
   LoadOrderOptions quick;
   quick.closure_rules = false;
-  std::uint64_t largest = 0;
-  for (const Element x : items) {
-    largest = std::max(largest, sizes.bytes[x]);
-  }
+  const std::uint64_t largest = largest_of(items, [&](const Element x) { return sizes.bytes[x]; });
   for (std::uint64_t room = 2; room <= most_room && best.bytes > least; ++room) {
     if (sizes.memory / room < largest || (must_hurry() && !best.moves.empty())) {
       return;
@@ -269,10 +267,8 @@ std::vector<Element> needed_among(const WantedPairs& wanted, std::uint64_t items
 }
 
 std::uint64_t most_held(const ItemSizes& sizes, const WantedPairs& wanted) {
-  std::vector<std::uint64_t> all;
-  for (const Element x : needed_among(wanted, sizes.bytes.size())) {
-    all.push_back(sizes.bytes[x]);
-  }
+  std::vector<std::uint64_t> all = each_of<std::uint64_t>(
+      needed_among(wanted, sizes.bytes.size()), [&](const Element x) { return sizes.bytes[x]; });
   std::ranges::sort(all);
   std::uint64_t count = 0;
   for (std::uint64_t left = sizes.memory; count < all.size() && all[count] <= left; ++count) {
@@ -333,9 +329,7 @@ LoadOrder plan_with_spare(std::shared_ptr<const ItemSizes> sizes, const WantedPa
   }
   facts.method = best.method;
   facts.explanation = best.explanation;
-  const auto steps = std::make_shared<StepLists>();
-  steps->add(in_steps(best.moves));
-  LoadOrder::Maker maker = [steps] { return steps->of(0); };
+  LoadOrder::Maker maker = in_memory(in_steps(best.moves));
   const ScheduleVerdict verdict = check_schedule(*maker(), LoadOrder(facts, maker).rules());
   if (!verdict.valid() || verdict.bytes < least) {
     throw InternalError(

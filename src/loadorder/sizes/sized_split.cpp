@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "changeover/run/control.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/order/in_rounds.hpp"
@@ -47,11 +48,7 @@ struct ByteGroups {
   }
 
   [[nodiscard]] std::uint64_t bytes_of(const std::vector<Element>& groups) const {
-    std::uint64_t sum = 0;
-    for (const Element g : groups) {
-      sum += bytes[g];
-    }
-    return sum;
+    return sum_of(groups, [&](const Element g) { return bytes[g]; });
   }
 
   std::vector<std::vector<Element>> of;
@@ -184,10 +181,10 @@ class SizedSplit {
       }
       return items;
     };
-    std::vector<std::vector<Move>> moves;
-    for (const GroupShare& share : best->workers) {
-      moves.push_back(held_and_streamed(sizes_, items_of(share.held), items_of(share.streamed)));
-    }
+    const std::vector<std::vector<Move>> moves =
+        each_of<std::vector<Move>>(best->workers, [&](const GroupShare& share) {
+          return held_and_streamed(sizes_, items_of(share.held), items_of(share.streamed));
+        });
     candidates_.push_back(
         SplitMaker::lists(candidates_.front(), moves, best->method,
                           fmt::format("The {} groups, of bytes as even as can be, are {}",
@@ -326,14 +323,6 @@ class SizedSplit {
       const bool is_better = w < parts.size() && !pairs[w].empty() &&
                              parts[w].search->bytes() < split.facts().workers[w].bytes;
       moves.push_back(is_better ? parts[w].moves() : moves_of(*split.stream(w)));
-    }
-    return moves;
-  }
-
-  static std::vector<Move> moves_of(StepSource& steps) {
-    std::vector<Move> moves;
-    for (Step step; steps.next(step);) {
-      moves.push_back({step.evict, step.load});
     }
     return moves;
   }

@@ -196,23 +196,21 @@ double time_ahead(StepSource& steps, const ScheduleRules& rules) {
 LoadOrder start_loads_early(LoadOrder order) {
   LoadOrderFacts facts = order.facts();
   const ScheduleRules rules = order.rules(ComputeRules{});
-  std::shared_ptr<const StepLists> best;
+  LoadOrder::Maker best;
   double least = 0;
   for (const std::uint64_t spare : spares_to_try(rules)) {
     stop_if_asked();
-    auto steps = std::make_shared<StepLists>();
-    steps->add(loads_ahead(*order.stream(), facts.items, facts.room, spare, facts.sizes.get()));
-    StepWork work(steps->of(0), rules);
-    if (const double time = time_ahead(work, rules); best == nullptr || time < least) {
+    LoadOrder::Maker maker =
+        in_memory(loads_ahead(*order.stream(), facts.items, facts.room, spare, facts.sizes.get()));
+    StepWork work(maker(), rules);
+    if (const double time = time_ahead(work, rules); !best || time < least) {
       least = time;
-      best = std::move(steps);
+      best = std::move(maker);
     }
   }
-  const LoadOrder::Maker maker = [best] { return best->of(0); };
-  static_cast<ScheduleFacts&>(facts) =
-      read_order(maker, LoadOrder(facts, maker).rules(),
-                 fmt::format("{} items with early loads", facts.items));
-  return {std::move(facts), maker};
+  static_cast<ScheduleFacts&>(facts) = read_order(
+      best, LoadOrder(facts, best).rules(), fmt::format("{} items with early loads", facts.items));
+  return {std::move(facts), best};
 }
 
 }  // namespace changeover

@@ -62,12 +62,6 @@ LoadOrder::Maker with_groups(const LevelShape& shape) {
   };
 }
 
-LoadOrder::Maker in_lists(const std::vector<Move>& moves) {
-  const auto lists = std::make_shared<StepLists>();
-  lists->add(moves);
-  return [lists] { return lists->of(0); };
-}
-
 struct LevelOrder {
   std::uint64_t group_items = 0;  // 0 if items are not grouped
   LoadOrder::Maker maker;
@@ -103,7 +97,7 @@ LevelOrder without_groups(const LoadOrderFacts& facts, const WantedPairs& wanted
                           const LoadOrderOptions& options) {
   if (wanted.are_all()) {
     const LoadOrder alone = plan_load_order(wanted, *facts.fast_room);
-    return {0, in_lists(with_a_cache(moves_of(*alone.stream()), facts.room)),
+    return {0, in_memory(with_a_cache(moves_of(*alone.stream()), facts.room)),
             std::string(by_a_cache)};
   }
   LoadOrderFacts listed = facts;
@@ -115,7 +109,7 @@ LevelOrder without_groups(const LoadOrderFacts& facts, const WantedPairs& wanted
 LevelOrder in_a_hurry(const LoadOrderFacts& facts, const PairGraph& graph) {
   RunControl unlimited({});
   const RunScope scope(unlimited);
-  return {0, in_lists(levels_of(graph, facts, quick_moves(graph, *facts.fast_room), 0)),
+  return {0, in_memory(levels_of(graph, facts, quick_moves(graph, *facts.fast_room), 0)),
           std::string(by_a_cache)};
 }
 
@@ -132,7 +126,7 @@ void improve(LevelOrder& best, const LoadOrderFacts& facts, const WantedPairs& w
   const std::vector<Move> found =
       search_levels(*list.graph(), facts, start, seed, [&] { return control.stop_wanted(); });
   if (!found.empty()) {
-    best = {0, in_lists(found),
+    best = {0, in_memory(found),
             "Searched: what an item lacks on the accelerator is brought there while it stays; the "
             "sequence of the items is changed as long as both levels together move less."};
   }
@@ -188,7 +182,6 @@ LoadOrder plan_two_levels(const WantedPairs& wanted, std::uint64_t room, std::ui
                           const LoadOrderOptions& options) {
   const std::uint64_t items = wanted.items();
   LoadOrderFacts facts = facts_before(wanted, room, fast_room);
-  check_rooms(room, fast_room);
   if (wanted.graph() == nullptr && items > max_elements_in_memory) {
     throw ImpossibleParameters(
         fmt::format("{} items: two levels have at most {}; group items into larger ones", items,

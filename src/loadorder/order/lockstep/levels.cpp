@@ -6,11 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/control.hpp"
-#include "core/words.hpp"
-#include "loadorder/listed/listed_levels.hpp"
 #include "loadorder/order/in_rounds.hpp"
 #include "loadorder/order/levels/group_levels.hpp"
 #include "loadorder/order/lockstep/check_disjoint.hpp"
@@ -167,7 +164,6 @@ LoadOrder plan_disjoint_levels(const WantedPairs& wanted, std::uint64_t room,
                                std::uint64_t fast_room, std::uint64_t workers,
                                const LoadOrderOptions& options) {
   check_workers(workers);
-  check_rooms(room, fast_room);
   check_disjoint(wanted, room, workers);
   LoadOrderFacts facts = facts_before(wanted, room, fast_room);
   facts.lockstep = workers;

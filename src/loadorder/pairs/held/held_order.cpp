@@ -8,6 +8,7 @@
 
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 
 namespace changeover {
@@ -173,10 +174,7 @@ void count_loads(HeldShape& shape) {
   Walk walk(shape);
   for (Walk::Change change; walk.next(change, true);) {
     stop_if_asked();
-    std::uint64_t loads = 0;
-    for (const ItemRange& range : change.in) {
-      loads += range.size();
-    }
+    std::uint64_t loads = sum_of(change.in, [&](const ItemRange& range) { return range.size(); });
     shape.loads = checked_add(shape.loads, checked_multiply(loads, change.times));
     shape.steps += change.times;
   }
@@ -203,10 +201,8 @@ HeldShape shape_of(const ItemRange& held, std::uint64_t groups, bool balanced,
 }  // namespace
 
 std::string HeldShape::explain() const {
-  std::uint64_t most = 0;
-  for (const ItemRange& group : groups) {
-    most = std::max(most, group.size());
-  }
+  const std::uint64_t most =
+      largest_of(groups, [&](const ItemRange& group) { return group.size(); });
   return fmt::format(
       "{} of up to {}: each stays while those that it must meet pass, up and down in turn.",
       count_of(groups.size(), "group"), count_of(most, "item"));
