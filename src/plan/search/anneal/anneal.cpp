@@ -20,6 +20,8 @@ class Annealer {
     constrained_ = s_->fitting().has_slots() || s_->job().never.size() > 0;
     constexpr std::size_t long_list = 20'000;
     note_seldom_ = s_->size() * s_->job().room() > long_list;
+    constexpr std::size_t short_list = 500;
+    swaps_ = s_->fitting().has_slots() && s_->size() * s_->job().room() < short_list;
   }
 
   AnnealedPlan run(RunControl& control) {
@@ -133,6 +135,10 @@ class Annealer {
       insert();
       return;
     }
+    if (swaps_ && below(8) == 0) {
+      swap();
+      return;
+    }
     const std::size_t dice = below(128);
     if (dice < 74) {
       shift();
@@ -165,6 +171,30 @@ class Annealer {
     if (acceptable(rise)) {
       s_->replace(at, x, y, rise);
       record();
+    }
+  }
+
+  // Two set-ups exchange parts of one slot, so that either part is in as many as before: where
+  // every test is needed for the pairs of two slots, no change of one set-up alone keeps them.
+  void swap() {
+    const std::size_t i = below(s_->size());
+    const std::size_t j = below(s_->size());
+    const auto x = some_part(i, std::nullopt);
+    if (!x || s_->holds(j, *x)) {
+      return;
+    }
+    const auto y = replacement_for(j, *x, std::nullopt);
+    if (!y || s_->holds(i, *y) || !s_->may_join(i, *y, *x) || !s_->may_join(j, *x, *y)) {
+      return;
+    }
+    const auto both = [&](Element at_i, Element at_j) {
+      s_->replace(i, at_i, at_j, s_->rise_of_replace(i, at_i, at_j));
+      s_->replace(j, at_j, at_i, s_->rise_of_replace(j, at_j, at_i));
+    };
+    begin();
+    both(*x, *y);
+    if (!keep()) {
+      both(*y, *x);
     }
   }
 
@@ -534,6 +564,7 @@ class Annealer {
 
   bool note_seldom_ = false;
   bool constrained_ = false;  // by slots or forbidden pairs
+  bool swaps_ = false;        // in long lists of slots they find less than other moves do
   Standing before_;
   AnnealedPlan best_{.setups = {}, .cost = 0, .uncovered = none_met, .steps = 0};
   std::vector<Element> best_list_;

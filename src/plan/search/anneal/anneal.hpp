@@ -7,9 +7,9 @@
 // With a budget the penalty is fixed; otherwise it is measured (cooling.hpp). Most moves concern
 // one step: a part that it puts in comes one set-up earlier or later, in exchange for a part that
 // it takes out, which stays as long. Others put any part, or one of an uncovered pair, in the place
-// of another, in one set-up or in a stretch; mount or take out a part; remove a set-up, or insert
-// one similar to its neighbour; reverse or move a stretch. Deterministic: integers, and floating
-// point with + − × ÷ and comparisons only.
+// of another, in one set-up or in a stretch; exchange parts of a slot between two set-ups; mount
+// or take out a part; remove a set-up, or insert one similar to its neighbour; reverse or move a
+// stretch. Deterministic: integers, and floating point with + − × ÷ and comparisons only.
 #pragma once
 
 #include <chrono>

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "changeover/run/control.hpp"
 #include "core/words.hpp"
@@ -25,15 +27,60 @@ struct StepCost {
   std::optional<DearTimes> dear = {};
 };
 
+StepCost step_cost_of(const StepProgram& from) {
+  return {from.proved(), from.tests(), from.introductions(), from.dear_times()};
+}
+
+// One of the programs into which one was split: each list obeys one of them.
+struct StepBranch {
+  StepProgram program;
+  StepCost least;
+};
+
+// Parts come a whole number of times: the branch that proves least is split by a number that is
+// not whole, as long as that is quick. `best` is what all branches prove.
+void split_by_times(std::vector<StepBranch> open, StepCost& best) {
+  constexpr std::size_t most_branches = 128;
+  constexpr std::uint64_t most_numbers = std::uint64_t{1} << 23U;  // in all tables: 64 MiB
+  constexpr double more_than_needed = 1.2;
+  const auto weakest = [&] {
+    return std::min_element(open.begin(), open.end(), [](const StepBranch& a, const StepBranch& b) {
+      return a.least.cost < b.least.cost;
+    });
+  };
+  const auto solved = [](StepBranch branch, double enough) {
+    branch.program.solve(enough);
+    const StepCost least = step_cost_of(branch.program);
+    branch.least = least.cost > branch.least.cost ? least : branch.least;
+    return branch;
+  };
+  for (;;) {
+    const auto now = weakest();
+    best = now->least;
+    const auto broken = now->program.broken();
+    const bool full =
+        open.size() >= most_branches || (open.size() + 1) * now->program.numbers() > most_numbers;
+    if (!broken || full) {
+      return;
+    }
+    const double enough = now->program.in_program(best.cost) * more_than_needed + 1;
+    const auto below = static_cast<std::uint64_t>(std::floor(broken->times));
+    StepBranch more = *now;
+    more.program.come_at_least(broken->parts, below + 1);
+    StepBranch fewer = *now;
+    fewer.program.come_at_most(broken->parts, below);
+    *now = solved(std::move(more), enough);
+    open.push_back(solved(std::move(fewer), enough));
+  }
+}
+
 // For integer numbers of tests: the minimum is a convex function of their number.
 StepCost least_by_steps(StepProgram& program) {
-  const auto found = [](const StepProgram& from) {
-    return StepCost{from.proved(), from.tests(), from.introductions(), from.dear_times()};
-  };
   StepCost best{program.proved(), program.tests(), program.introductions()};
   try {
     program.solve();
-    best = found(program);
+    best = step_cost_of(program);
+    std::vector<StepBranch> open;
     const double tests = program.tests();
     const double below = std::floor(tests + some_of_a_test);
     if (tests - below > some_of_a_test) {
@@ -43,10 +90,15 @@ StepCost least_by_steps(StepProgram& program) {
       StepProgram fewer = std::move(program);
       fewer.tests_at_most(static_cast<std::uint64_t>(below));
       fewer.solve(fewer.in_program(more.proved()) * (1 + some_of_a_test) + some_of_a_test);
-      const StepCost with_more = found(more);
-      const StepCost with_fewer = found(fewer);
+      const StepCost with_more = step_cost_of(more);
+      const StepCost with_fewer = step_cost_of(fewer);
       best = with_fewer.cost < with_more.cost ? with_fewer : with_more;
+      open.push_back({std::move(more), with_more});
+      open.push_back({std::move(fewer), with_fewer});
+    } else {
+      open.push_back({std::move(program), best});
     }
+    split_by_times(std::move(open), best);
   } catch (const Stopped&) {
     // the bound so far is valid
   }

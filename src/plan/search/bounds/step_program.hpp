@@ -85,6 +85,18 @@ class StepProgram {
     }
     return all;
   }
+  /// Parts that come together, in the last table, a number of times that is not whole.
+  struct Broken {
+    std::vector<std::size_t> parts = {};
+    double times = 0;
+  };
+  /// The parts of a group, or else a single part; nullopt if all these numbers are whole, and where
+  /// there is one group.
+  [[nodiscard]] std::optional<Broken> broken() const;
+  void come_at_most(const std::vector<std::size_t>& parts, std::uint64_t times);
+  void come_at_least(const std::vector<std::size_t>& parts, std::uint64_t times);
+  /// The numbers in the table, as one pivot computes them.
+  [[nodiscard]] std::uint64_t numbers() const { return rows_.size() * (counted_.columns() + 1); }
   void tests_at_most(std::uint64_t tests) { add({{v_, -1}}, -static_cast<std::int64_t>(tests)); }
   void tests_at_least(std::uint64_t tests) { add({{v_, 1}}, static_cast<std::int64_t>(tests)); }
 

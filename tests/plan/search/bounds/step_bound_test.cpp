@@ -144,6 +144,29 @@ Job one_each_job(std::uint64_t seed) {
   return job;
 }
 
+// Jobs for which the linear program says less than it does with whole numbers of times: 118, 59.5,
+// 47.5, 57, 56, 104.5 and 73.5. The plans that a search finds cost no less.
+TEST(StepBound, LetsPartsComeAWholeNumberOfTimes) {
+  struct Raised {
+    std::uint64_t seed;
+    const char* bound;
+  };
+  for (const auto& [seed, bound] : std::initializer_list<Raised>{{111, "118.5"},
+                                                                 {114, "61"},
+                                                                 {117, "48"},
+                                                                 {135, "57.5"},
+                                                                 {187, "56.5"},
+                                                                 {315, "105.5"},
+                                                                 {399, "74"}}) {
+    const Job job = slotted_job(seed, 6 + seed % 4, 2 + seed % 3);
+    EXPECT_GE(by_steps(job), parse_amount(bound)) << seed;
+    RunControl control({.threads = 1});
+    const RunPlan plan =
+        make_run_plan(job, {.steps = 20'000, .design_moves = 0, .states = 0}, control);
+    EXPECT_LE(by_steps(job), plan.sheet.cost) << seed;
+  }
+}
+
 // (6) of the theorem counts the parts of several slots together.
 TEST(StepBound, IsNoMoreThanTheLeastWhereSlotsHaveOnePlace) {
   const Looked looked = look_through(150, one_each_job);
