@@ -10,6 +10,7 @@
 #include "core/each.hpp"
 #include "core/least_number.hpp"
 #include "core/words.hpp"
+#include "plan/job/pair_numbers.hpp"
 #include "plan/search/bounds/job_numbers.hpp"
 #include "plan/search/bounds/stays_cost.hpp"
 #include "plan/search/triple_plan.hpp"
