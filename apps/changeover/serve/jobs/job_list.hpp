@@ -1,14 +1,14 @@
 // Jobs that run beside the server's answers, each on a thread of its own: begun up to a limit,
 // found by number, stopped, and the last that ended remembered.
 //
-//     JobList<Job> jobs("there is no job {}", 2, 50);                // at once; remembered
+//     JobList<Job> jobs(2, 50);                // at once; remembered
 //     const std::uint64_t id = jobs.start("searches that run", make, run);
 //     jobs.find(id);
 //     jobs.stop_all(900ms);
 //
-// A Job has `id`, `control` (std::unique_ptr<RunControl>), `thread` and `running()`; if it has
-// `bytes()`, what ended is also forgotten, oldest first, when together it has more than so many.
-// The last that ended stays.
+// A Job has a static `missing_defect(id)`, which says that find() has none, `id`, `control`
+// (std::unique_ptr<RunControl>), `thread` and `running()`; if it has `bytes()`, what ended is also
+// forgotten, oldest first, when together it has more than so many. The last that ended stays.
 #pragma once
 
 #include <fmt/format.h>
@@ -35,10 +35,9 @@ namespace changeover::serve {
 template <typename Job>
 class JobList {
  public:
-  /// `none` is what find() says where there is none; {} stands for its number.
-  JobList(std::string_view none, unsigned at_once, std::size_t remembered,
+  JobList(unsigned at_once, std::size_t remembered,
           std::size_t most_bytes = std::numeric_limits<std::size_t>::max())
-      : none_(none), at_once_(at_once), remembered_(remembered), most_bytes_(most_bytes) {}
+      : at_once_(at_once), remembered_(remembered), most_bytes_(most_bytes) {}
   /// Stops all and waits for them.
   ~JobList() {
     ask_all();
@@ -80,7 +79,7 @@ class JobList {
     forget_old(remembered_);
     const auto found = jobs_.find(id);
     if (found == jobs_.end()) {
-      throw Refusal{404, fmt::format(fmt::runtime(none_), id)};
+      throw Refusal{404, Job::missing_defect(id)};
     }
     return found->second;
   }
@@ -149,7 +148,6 @@ class JobList {
     return 0;
   }
 
-  std::string_view none_;
   unsigned at_once_;
   std::size_t remembered_;
   std::size_t most_bytes_;

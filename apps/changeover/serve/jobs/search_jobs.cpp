@@ -51,6 +51,10 @@ std::string_view to_string(SearchWay way) {
 }
 
 struct SearchJobs::Job {
+  static std::string missing_defect(std::uint64_t id) {
+    return fmt::format("there is no search {}; api/search lists those that there are", id);
+  }
+
   std::uint64_t id = 0;
   SearchOrder order;
   std::unique_ptr<RunControl> control;
@@ -192,9 +196,7 @@ SearchJobs::SearchJobs(Catalog& catalog, EventHub& events, const Settings& setti
     : catalog_(catalog),
       events_(events),
       settings_(settings),
-      jobs_(std::make_unique<JobList<Job>>(
-          "there is no search {}; api/search lists those that there are", settings.at_once,
-          most_remembered_searches)) {}
+      jobs_(std::make_unique<JobList<Job>>(settings.at_once, most_remembered_searches)) {}
 
 SearchJobs::~SearchJobs() = default;
 

@@ -20,6 +20,10 @@ constexpr std::size_t most_remembered = 10;
 }  // namespace
 
 struct PlanJobs::Job {
+  static std::string missing_defect(std::uint64_t id) {
+    return fmt::format("plan {} is not remembered any more; plan again", id);
+  }
+
   std::uint64_t id = 0;
   OpenedRequest opened;
   ParsedJob asked;
@@ -72,8 +76,7 @@ void PlanJobs::Job::write(JsonWriter& json, bool with_answer) const {
 PlanJobs::PlanJobs(EventHub& events, const Settings& settings)
     : events_(events),
       settings_(settings),
-      jobs_(std::make_unique<JobList<Job>>("plan {} is not remembered any more; plan again",
-                                           settings.at_once, most_remembered,
+      jobs_(std::make_unique<JobList<Job>>(settings.at_once, most_remembered,
                                            settings.remembered_bytes)) {}
 
 PlanJobs::~PlanJobs() = default;

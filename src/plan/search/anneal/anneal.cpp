@@ -20,8 +20,10 @@ class Annealer {
     constrained_ = s_->fitting().has_slots() || s_->job().never.size() > 0;
     constexpr std::size_t long_list = 20'000;
     note_seldom_ = s_->size() * s_->job().room() > long_list;
-    constexpr std::size_t short_list = 500;
-    swaps_ = s_->fitting().has_slots() && s_->size() * s_->job().room() < short_list;
+    constexpr std::size_t shortest = 100;
+    constexpr std::size_t longest = 500;
+    const std::size_t places = s_->size() * s_->job().room();
+    swaps_ = s_->fitting().has_slots() && shortest <= places && places < longest;
   }
 
   AnnealedPlan run(RunControl& control) {
@@ -564,7 +566,7 @@ class Annealer {
 
   bool note_seldom_ = false;
   bool constrained_ = false;  // by slots or forbidden pairs
-  bool swaps_ = false;        // in long lists of slots they find less than other moves do
+  bool swaps_ = false;        // in other lists of slots they find less than other moves do
   Standing before_;
   AnnealedPlan best_{.setups = {}, .cost = 0, .uncovered = none_met, .steps = 0};
   std::vector<Element> best_list_;
