@@ -57,6 +57,7 @@ const Offers& offers_by_name() {
       ask({45, 7, 1, kind, 2});
       ask({46, 4, 2, kind, 2});
       ask({82, 6, 2, kind, 2});
+      ask({25, 4, 2, kind, 2});
       for (std::uint64_t v = 8; v <= 14; ++v) {  // absent-once covers more than pairs
         ask({v, v - 2, 2, kind, 3});
         ask({v, v - 1, 1, kind, 4});

@@ -7,7 +7,6 @@
 namespace changeover {
 namespace {
 
-// A list as it is written: "-3b" is the residue −3 of the orbit 1; blocks end with a comma.
 struct WrittenList {
   std::uint64_t g;
   std::uint64_t h;
@@ -30,24 +29,7 @@ constexpr WrittenList written_lists[] = {
 };
 
 StretchedList as_read(const WrittenList& list) {
-  StretchedList result{list.g, list.h, list.n, {{}}};
-  bool negative = false;
-  std::int64_t number = 0;
-  for (const char c : list.blocks) {
-    if (c == ',') {
-      result.blocks.emplace_back();
-    } else if (c == '-') {
-      negative = true;
-    } else if (c >= '0' && c <= '9') {
-      number = 10 * number + (c - '0');
-    } else if (c != ' ') {
-      result.blocks.back().push_back(
-          {negative ? -number : number, static_cast<std::uint64_t>(c - 'a')});
-      negative = false;
-      number = 0;
-    }
-  }
-  return result;
+  return {list.g, list.h, list.n, orbit_blocks(list.blocks)};
 }
 
 }  // namespace

@@ -6,15 +6,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "construct/tools/orbit_points.hpp"
+
 namespace changeover {
-
-/// An element of Z × {0, …, g−1}.
-struct OrbitPoint {
-  std::int64_t residue = 0;  ///< an integer; that it is taken modulo n comes later
-  std::uint64_t orbit = 0;
-
-  bool operator==(const OrbitPoint&) const = default;
-};
 
 /// Blocks B₀, …, B_{q−1} of k = gh+1 points. The first one, and the one before it, B_{q−1} with 1
 /// less in each residue, have A = {0, …, h−1} × {0, …, g−1} in common.
@@ -22,7 +16,7 @@ struct StretchedList {
   std::uint64_t g = 1;  ///< orbits
   std::uint64_t h = 1;  ///< residues of each of them in A
   std::uint64_t n = 1;  ///< the list is one for Z_n, and so for n+2h, n+4h, …
-  std::vector<std::vector<OrbitPoint>> blocks;
+  std::vector<OrbitBlock> blocks;
 
   [[nodiscard]] std::uint64_t k() const { return g * h + 1; }
 };
