@@ -169,7 +169,7 @@ class TournamentOrbits final : public Described<Family, description> {
     const TournamentList& list = blocks.list();
     return fmt::format(
         "Develop {} base blocks over {} orbits of Z_{}{}: {} that were found once for all n, and "
-        "{} in which opposite points of one orbit pass.",
+        "{} in which two opposite points of one orbit pass.",
         blocks.base_blocks(), list.orbits(), blocks.n(),
         list.fixed == 0 ? "" : " and a fixed point", list.blocks.size(),
         blocks.base_blocks() - list.blocks.size());

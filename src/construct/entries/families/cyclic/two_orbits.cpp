@@ -255,7 +255,7 @@ class TwoOrbitsEntry final : public Described<Family, description> {
     const TwoOrbits blocks = *two_orbits(p);
     return fmt::format(
         "Develop {} base blocks over two orbits of Z_{}. Each holds {{{}}} of both orbits and two "
-        "more elements, the last one the residue {} of both.",
+        "more elements, the last block the residue {} of both.",
         blocks.base_blocks(), blocks.n(), first_elements(blocks.h()), blocks.h());
   }
 };
