@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "changeover/construct/registry.hpp"
+#include "construct/entries/families/cyclic/orbit_family.hpp"
 #include "construct/entry.hpp"
 #include "construct/tools/cyclic.hpp"
 #include "construct/tools/stretched_lists.hpp"
@@ -120,14 +121,7 @@ class StretchedOrbits final : public Described<Family, description> {
   std::optional<OrbitBaseBlocks> orbit_base_blocks(const Recipe& recipe) const override {
     const Parameters& p = required(recipe);
     const Stretched blocks = *stretched_to(p);
-    if (blocks.base_blocks() > max_written_out_elements / p.k) {
-      return std::nullopt;
-    }
-    OrbitBaseBlocks result{{p, {}}, {blocks.n(), blocks.list().g, 0}};
-    for (std::uint64_t i = 0; i < blocks.base_blocks(); ++i) {
-      blocks.write(i, result.base.blocks.emplace_back(static_cast<std::size_t>(p.k)));
-    }
-    return result;
+    return written_base_blocks(p, blocks, {blocks.n(), blocks.list().g, 0});
   }
 
  protected:

@@ -1,9 +1,9 @@
 // Tight circular DCCD((2k−3)n + f, k), f = 0 or 1, n odd, developed over 2k−3 orbits of Z_n and f
 // fixed points from a list that was found once for all n [docs/theorems.md, Theorem 32].
 //
-// A regular tournament on the orbits: each beats k−2 others. While a point of each of those is kept,
-// the pairs centre ± x of the orbit pass, x large. They cover the differences ±2x within the orbit
-// and ± x to each that it beats. The list covers what is left: a finite number of small differences.
+// A regular tournament on the orbits: each beats k−2 others. While a point of each of those is
+// kept, the pairs centre ± x of the orbit pass, x large. They cover the differences ±2x within the
+// orbit and ± x to each that it beats. The list covers what is left: some small differences.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "changeover/construct/registry.hpp"
+#include "construct/entries/families/cyclic/orbit_family.hpp"
 #include "construct/entry.hpp"
 #include "construct/tools/cyclic.hpp"
 #include "construct/tools/tournament_lists.hpp"
@@ -141,14 +142,8 @@ class TournamentOrbits final : public Described<Family, description> {
   std::optional<OrbitBaseBlocks> orbit_base_blocks(const Recipe& recipe) const override {
     const Parameters& p = required(recipe);
     const Tournament blocks = *tournament(p);
-    if (blocks.base_blocks() > max_written_out_elements / p.k) {
-      return std::nullopt;
-    }
-    OrbitBaseBlocks result{{p, {}}, {blocks.n(), blocks.list().orbits(), blocks.list().fixed}};
-    for (std::uint64_t i = 0; i < blocks.base_blocks(); ++i) {
-      blocks.write(i, result.base.blocks.emplace_back(static_cast<std::size_t>(p.k)));
-    }
-    return result;
+    return written_base_blocks(p, blocks,
+                               {blocks.n(), blocks.list().orbits(), blocks.list().fixed});
   }
 
  protected:

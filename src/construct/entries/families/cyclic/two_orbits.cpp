@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "changeover/construct/registry.hpp"
+#include "construct/entries/families/cyclic/orbit_family.hpp"
 #include "construct/entry.hpp"
 #include "construct/tools/cyclic.hpp"
 
@@ -227,14 +228,7 @@ class TwoOrbitsEntry final : public Described<Family, description> {
   std::optional<OrbitBaseBlocks> orbit_base_blocks(const Recipe& recipe) const override {
     const Parameters& p = required(recipe);
     const TwoOrbits blocks = *two_orbits(p);
-    if (blocks.base_blocks() > max_written_out_elements / p.k) {
-      return std::nullopt;
-    }
-    OrbitBaseBlocks result{{p, {}}, {blocks.n(), 2, 0}};
-    for (std::uint64_t i = 0; i < blocks.base_blocks(); ++i) {
-      blocks.write(i, result.base.blocks.emplace_back(static_cast<std::size_t>(p.k)));
-    }
-    return result;
+    return written_base_blocks(p, blocks, {blocks.n(), 2, 0});
   }
 
  protected:
