@@ -1,0 +1,156 @@
+#include "construct/tools/leave/leave_factors.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace changeover {
+
+LeaveFactors::LeaveFactors(std::uint64_t w, const std::vector<std::uint64_t>& differences) : w_(w) {
+  for (const std::uint64_t d : differences) {
+    const std::uint64_t g = std::gcd(d, w);
+    cycles_.push_back({d, g, w / g, {}});
+  }
+}
+
+std::optional<LeaveFactors> LeaveFactors::of(std::uint64_t w,
+                                             const std::vector<std::uint64_t>& differences) {
+  LeaveFactors factors(w, differences);
+  const bool even = w % 2 == 0;
+  if (even) {
+    factors.classes_.push_back({Kind::rungs, 0, w / 2});
+  }
+  for (std::size_t i = 0; i < differences.size(); ++i) {
+    const Cycles& of = factors.cycles_[i];
+    if (!even) {
+      if (of.length < 5) {
+        return std::nullopt;
+      }
+      factors.classes_.push_back({Kind::odd_first, i, (w + of.cycles) / 2});
+      factors.classes_.push_back({Kind::odd_second, i, (w + 1) / 2});
+    } else if (of.length % 2 == 0) {
+      factors.classes_.push_back({Kind::even_first, i, w / 2});
+      factors.classes_.push_back({Kind::even_second, i, w / 2});
+    } else if (!factors.add_prism(i)) {
+      return std::nullopt;
+    }
+  }
+  if (!even) {
+    factors.order_odd();
+  }
+  return factors;
+}
+
+// Colours the prisms of cycles of an odd length and their translates by w/2. Their edges left over
+// take no element that has one.
+bool LeaveFactors::add_prism(std::size_t which) {
+  Cycles& of = cycles_[which];
+  const std::uint64_t half = w_ / 2;
+  const auto is_taken = [&](std::uint64_t x) {
+    return std::ranges::binary_search(no_rungs_, x % half);
+  };
+  for (std::uint64_t r = 0; r < of.cycles / 2; ++r) {
+    std::uint64_t start = r;
+    std::uint64_t tried = 0;
+    while (is_taken(start) || is_taken(start + w_ - of.difference)) {
+      start = (start + of.difference) % w_;
+      if (++tried == of.length) {
+        return false;
+      }
+    }
+    of.starts.push_back(start);
+    for (const std::uint64_t h : {std::uint64_t{0}, half}) {
+      left_over_.push_back(edge(of, start + h, of.length - 1));
+    }
+    for (const std::uint64_t x : {start, start + w_ - of.difference}) {
+      no_rungs_.insert(std::ranges::upper_bound(no_rungs_, x % half), x % half);
+    }
+  }
+  classes_.push_back({Kind::prism, which, half});
+  classes_.push_back({Kind::prism, which, half, true});
+  return true;
+}
+
+// The second class of a difference first, and another last.
+void LeaveFactors::order_odd() {
+  std::ranges::stable_partition(
+      classes_, [](const Class& c) { return c.kind == Kind::odd_second && c.which == 0; });
+  if (classes_.size() >= 4) {
+    std::ranges::stable_partition(
+        classes_, [](const Class& c) { return c.kind == Kind::odd_first || c.which != 1; });
+    classes_.back().reversed = true;
+  }
+}
+
+Element LeaveFactors::at(const Cycles& cycles, std::uint64_t start, std::uint64_t i) const {
+  return static_cast<Element>((start + i % cycles.length * cycles.difference) % w_);
+}
+
+LeaveFactors::Pair LeaveFactors::edge(const Cycles& cycles, std::uint64_t start,
+                                      std::uint64_t i) const {
+  return {at(cycles, start, i), at(cycles, start, i + 1)};
+}
+
+LeaveFactors::Pair LeaveFactors::rung_or_left_over(std::uint64_t j) const {
+  const std::uint64_t half = w_ / 2;
+  const std::uint64_t rungs = half - no_rungs_.size();
+  if (j >= rungs) {
+    return left_over_[static_cast<std::size_t>(j - rungs)];
+  }
+  for (const std::uint64_t x : no_rungs_) {
+    j += x <= j ? 1U : 0U;
+  }
+  return {static_cast<Element>(j), static_cast<Element>(j + half)};
+}
+
+LeaveFactors::Pair LeaveFactors::odd_second(const Cycles& cycles, std::uint64_t j) const {
+  const std::uint64_t g = cycles.cycles;
+  const std::uint64_t more = (g - 1) / 2;
+  if (j == 0) {
+    return {0, 1};
+  }
+  if (j >= 2 && j < 2 + more) {
+    const std::uint64_t x = 2 * (j - 1);
+    return {static_cast<Element>(x), static_cast<Element>(x + 1 == g ? 0 : x + 1)};
+  }
+  const std::uint64_t number = j == 1 ? 0 : j - 1 - more;
+  const std::uint64_t in_each = (cycles.length - 1) / 2;
+  return edge(cycles, number / in_each, 2 * (number % in_each) + 1);
+}
+
+// Of each cycle below, its edges, those of its translate, and the pair of both where one lacks.
+LeaveFactors::Pair LeaveFactors::prism(const Cycles& cycles, bool second, std::uint64_t j) const {
+  const std::uint64_t half = w_ / 2;
+  const std::uint64_t start = cycles.starts[static_cast<std::size_t>(j / cycles.length)];
+  const std::uint64_t in_each = (cycles.length - 1) / 2;
+  const std::uint64_t i = j % cycles.length;
+  if (i == cycles.length - 1) {
+    const Element x = second ? at(cycles, start, 0) : at(cycles, start, cycles.length - 1);
+    return {x, static_cast<Element>((x + half) % w_)};
+  }
+  return edge(cycles, start + (i < in_each ? 0 : half), 2 * (i % in_each) + (second ? 1 : 0));
+}
+
+LeaveFactors::Pair LeaveFactors::pair(std::size_t i, std::uint64_t j) const {
+  const Class& of = classes_[i];
+  if (of.kind == Kind::rungs) {
+    return rung_or_left_over(j);
+  }
+  const Cycles& cycles = cycles_[of.which];
+  switch (of.kind) {
+    case Kind::even_first:
+    case Kind::even_second: {
+      const std::uint64_t in_each = cycles.length / 2;
+      return edge(cycles, j / in_each, 2 * (j % in_each) + (of.kind == Kind::even_first ? 0 : 1));
+    }
+    case Kind::odd_first: {
+      const std::uint64_t in_each = (cycles.length + 1) / 2;
+      return edge(cycles, j / in_each, 2 * (j % in_each));
+    }
+    case Kind::odd_second:
+      return odd_second(cycles, of.reversed ? of.count - 1 - j : j);
+    default:
+      return prism(cycles, of.second, j);
+  }
+}
+
+}  // namespace changeover
