@@ -60,7 +60,6 @@ void Closing::reset() {
   closed_.clear();
   place_.assign(n, 0);
   log_.clear();
-  log_owner_.clear();
   moves_.clear();
   hurrying_ = false;
 }
@@ -147,10 +146,7 @@ void Closing::meet(Element x, std::uint64_t at_x, Element y) {
     closed_.push_back(y);
   }
   if (trying_) {
-    log_.push_back(at_x);
-    log_.push_back(static_cast<std::uint64_t>(at_y - partners_.begin()));
-    log_owner_.push_back(x);
-    log_owner_.push_back(y);
+    log_.push_back({at_x, static_cast<std::uint64_t>(at_y - partners_.begin()), x, y});
   } else {
     while (front_[y] < begin_[y + 1] && (partners_[front_[y]] & met) != 0) {
       ++front_[y];
@@ -239,13 +235,14 @@ std::uint64_t Closing::run(std::uint64_t limit, const std::function<bool()>& in_
 }
 
 void Closing::take_back(const Memory& before) {
-  work_ += log_.size() + memory_.size() + before.items.size();
-  for (std::size_t i = 0; i < log_.size(); ++i) {
-    partners_[log_[i]] &= ~met;
-    ++open_[log_owner_[i]];
+  work_ += 2 * log_.size() + memory_.size() + before.items.size();
+  for (const Met& pair : log_) {
+    partners_[pair.at_x] &= ~met;
+    partners_[pair.at_y] &= ~met;
+    ++open_[pair.x];
+    ++open_[pair.y];
   }
   log_.clear();
-  log_owner_.clear();
   for (const Element x : memory_) {
     place_[x] = 0;
   }

@@ -85,6 +85,14 @@ class Closing {
     std::size_t sight = 0;  // loads are counted up to here
   };
 
+  // A pair that has met, and its places in partners_.
+  struct Met {
+    std::uint64_t at_x = 0;
+    std::uint64_t at_y = 0;
+    Element x = 0;
+    Element y = 0;
+  };
+
   void reset();
   std::uint64_t close(Element x, std::uint64_t limit);
   void load(Element x);
@@ -110,8 +118,7 @@ class Closing {
   std::vector<std::uint32_t> place_;   // by item: place in memory_ plus one
   std::vector<Element> closed_;        // items in memory that no other item needs
   std::vector<std::uint32_t> needed_;  // by item in memory; 0 if not computed yet
-  std::vector<std::uint64_t> log_;     // pairs met in a trial, as places in partners_
-  std::vector<Element> log_owner_;
+  std::vector<Met> log_;               // pairs met in a trial
   std::vector<LoadMove> moves_;
   Element went_ = LoadMove::nothing;
   std::vector<Element> missing_;

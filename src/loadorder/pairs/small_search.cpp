@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <functional>
+#include <type_traits>
 #include <utility>
 
 #include "run/portable_math.hpp"
@@ -62,7 +63,13 @@ template <std::size_t Words>
 class Player {
  public:
   Player(const std::vector<std::vector<Element>>& partners, std::uint64_t room)
-      : partners_(partners), room_(room), place_(partners.size()), open_(partners.size()) {}
+      : partners_(partners), room_(room), place_(partners.size()), open_(partners.size()) {
+    const std::size_t n = partners.size();
+    at_.resize(n);
+    memory_.reserve(n);
+    closed_.reserve(n);
+    missing_.reserve(n);
+  }
 
   /// The number of loads of this order. Stops early if there are more than `limit`, which the
   /// result then exceeds. Stores the moves if `moves` is given.
@@ -94,7 +101,8 @@ class Player {
  private:
   static constexpr std::uint32_t nothing = Places<Words>::none;
 
-  struct Missing {
+  /// An open item in memory, and the place at which it is needed next.
+  struct Held {
     std::uint32_t needed;
     std::uint32_t item;
   };
@@ -107,13 +115,15 @@ class Player {
     open_[x].each([&](std::uint32_t y) {
       Places<Words> others = open_[y];
       others.erase(x);
-      // Items that are needed for this pair only pass first; items that are needed soon stay.
+      // Items that are needed for this pair only pass first; items that are needed soon stay. What
+      // is needed last comes first, and of those needed at once the first.
       const std::uint32_t next = others.first();
-      missing_.push_back({next == nothing ? nothing : std::min(y, next), y});
+      const std::uint32_t needed = next == nothing ? nothing : std::min(y, next);
+      missing_.push_back(std::uint64_t{~needed} << 32 | y);
     });
-    std::ranges::stable_sort(missing_, std::ranges::greater(), &Missing::needed);
+    std::ranges::sort(missing_);
     for (std::size_t i = 0; i < missing_.size() && loads_ <= limit; ++i) {
-      load(missing_[i].item, x);
+      load(static_cast<std::uint32_t>(missing_[i]), x);
     }
   }
 
@@ -129,11 +139,10 @@ class Player {
       return last;
     }
     std::uint32_t when = 0;
-    for (const std::uint32_t y : memory_) {
-      if (const std::uint32_t needed = std::min(y, open_[y].first());
-          y != keep && (last == nothing || needed > when)) {
-        when = needed;
-        last = y;
+    for (const Held& held : memory_) {
+      if (held.item != keep && (last == nothing || held.needed > when)) {
+        when = held.needed;
+        last = held.item;
       }
     }
     there_.erase(last);
@@ -142,8 +151,13 @@ class Player {
   }
 
   void forget(std::uint32_t y) {
-    *std::ranges::find(memory_, y) = memory_.back();
+    memory_[at_[y]] = memory_.back();
+    at_[memory_.back().item] = at_[y];
     memory_.pop_back();
+  }
+
+  [[nodiscard]] std::uint32_t needed(std::uint32_t y) const {
+    return std::min(y, open_[y].first());
   }
 
   void load(std::uint32_t x, std::uint32_t keep) {
@@ -158,13 +172,16 @@ class Player {
         there_.erase(y);
         forget(y);
         closed_.push_back(y);
+      } else if (Held& held = memory_[at_[y]]; held.needed == x) {
+        held.needed = needed(y);
       }
     });
     if (open_[x].empty()) {
       closed_.push_back(x);
     } else {
       there_.insert(x);
-      memory_.push_back(x);
+      at_[x] = static_cast<std::uint32_t>(memory_.size());
+      memory_.push_back({needed(x), x});
     }
   }
 
@@ -173,9 +190,10 @@ class Player {
   std::vector<std::uint32_t> place_;  // by item
   std::vector<Places<Words>> open_;   // by place: pairs that have not met
   Places<Words> there_;               // items in memory that are open
-  std::vector<std::uint32_t> memory_;
+  std::vector<Held> memory_;
+  std::vector<std::uint32_t> at_;  // by place, if it is in memory and open: where in memory_
   std::vector<std::uint32_t> closed_;
-  std::vector<Missing> missing_;
+  std::vector<std::uint64_t> missing_;  // ~needed, then the item
   const Order* order_ = nullptr;
   std::vector<LoadMove>* moves_ = nullptr;
   std::uint64_t loads_ = 0;
@@ -183,8 +201,8 @@ class Player {
 
 // Moves a run of items elsewhere, mostly near a partner of its first item, and sometimes reverses
 // it.
-Order changed(const Order& order, const std::vector<std::vector<Element>>& partners,
-              Random& random) {
+void change(const Order& order, const std::vector<std::vector<Element>>& partners, Random& random,
+            Order& other) {
   constexpr std::uint32_t longest = 8;
   const auto n = static_cast<std::uint32_t>(order.size());
   const std::uint32_t most = std::min(longest, n / 2);
@@ -200,7 +218,7 @@ Order changed(const Order& order, const std::vector<std::vector<Element>>& partn
       to = at - 3;
     }
   }
-  Order other = order;
+  other = order;
   const auto at = [&](std::uint32_t i) { return other.begin() + static_cast<std::ptrdiff_t>(i); };
   if (length > 1 && random.below(4) == 0) {
     std::reverse(at(from), at(from + length));
@@ -210,7 +228,6 @@ Order changed(const Order& order, const std::vector<std::vector<Element>>& partn
   } else {
     std::rotate(at(to), at(from), at(from + length));
   }
-  return other;
 }
 
 }  // namespace
@@ -255,6 +272,7 @@ SmallSearch::Found SmallSearch::anneal_words(Order order, std::uint64_t enough, 
   Order best_order = order;
   const std::uint64_t looks = work / work_of_look();
   double heat = hot;
+  Order other;
   for (std::uint64_t i = 0; i < looks && best > enough && order.size() > 2; ++i) {
     constexpr std::uint64_t looks_between = 64;
     if (i % looks_between == 0) {
@@ -263,13 +281,13 @@ SmallSearch::Found SmallSearch::anneal_words(Order order, std::uint64_t enough, 
       }
       heat = hot * power_of_two(octaves * static_cast<double>(i) / static_cast<double>(looks));
     }
-    Order other = changed(order, partners_, random);
+    change(order, partners_, random, other);
     const double u = (static_cast<double>(random.next32()) + 1) / 4294967296.0;
     const std::uint64_t limit = now + static_cast<std::uint64_t>(-heat * natural_log(u));
     const std::uint64_t loads = player.play(other, limit, nullptr);
     if (loads <= limit) {
       now = loads;
-      order = std::move(other);
+      order.swap(other);
       if (now < best) {
         best = now;
         best_order = order;
@@ -298,9 +316,15 @@ SmallSearch::Found SmallSearch::anneal(const std::vector<Element>& order, std::u
       ours.push_back(static_cast<Element>(found - names_.begin()));
     }
   }
-  return names_.size() <= most_items / 2
-             ? anneal_words<most_items / 128>(std::move(ours), enough, work, random, stop_wanted)
-             : anneal_words<most_items / 64>(std::move(ours), enough, work, random, stop_wanted);
+  const auto anneal = [&]<std::size_t Words>(std::integral_constant<std::size_t, Words>) {
+    return anneal_words<Words>(std::move(ours), enough, work, random, stop_wanted);
+  };
+  constexpr std::size_t most_words = most_items / 64;
+  return names_.size() <= most_items / 4
+             ? anneal(std::integral_constant<std::size_t, most_words / 4>())
+         : names_.size() <= most_items / 2
+             ? anneal(std::integral_constant<std::size_t, most_words / 2>())
+             : anneal(std::integral_constant<std::size_t, most_words>());
 }
 
 }  // namespace changeover
