@@ -4,7 +4,7 @@
     docs/tools/share_region.py build/release/changeover region.csv
 
 One run of the program for each number of items, room and workers: items 256, 1024, 4096; rooms P/32 … P in half octaves;
-4 to 64 workers. Prints a summary; the file has a row for each.
+4 to 64 workers (every fifth with a last argument 5). Prints a summary; the file has a row for each.
 """
 
 import concurrent.futures

@@ -95,6 +95,21 @@ void ItemGroups::put(const std::vector<Element>& of, std::vector<Element>& out) 
   }
 }
 
+void refine(GroupShares& shares, std::uint64_t parts) {
+  for (GroupShare& share : shares.workers) {
+    for (std::vector<Element>* const list : {&share.held, &share.streamed}) {
+      std::vector<Element> fine;
+      for (const Element group : *list) {
+        for (std::uint64_t i = 0; i < parts; ++i) {
+          fine.push_back(static_cast<Element>(group * parts + i));
+        }
+      }
+      *list = std::move(fine);
+    }
+  }
+  shares.groups *= parts;
+}
+
 ShareCost cost_of(const GroupShare& share, const ItemGroups& groups, std::uint64_t room) {
   const std::uint64_t held = groups.size(share.held);
   const std::uint64_t streamed = groups.size(share.streamed);

@@ -56,6 +56,9 @@ struct GroupShares {
   std::uint64_t plane_order = 0;
 };
 
+/// Splits each group into so many.
+void refine(GroupShares& shares, std::uint64_t parts);
+
 /// The cost of a share in a room: loads and steps; 0 steps if it does not fit.
 struct ShareCost {
   std::uint64_t loads = 0;

@@ -6,44 +6,21 @@
 #include <memory>
 #include <utility>
 
+#include "loadorder/shares/changing_shares.hpp"
 #include "loadorder/shares/owners/group_owners.hpp"
 #include "run/random.hpp"
 
 namespace changeover {
 namespace {
 
-// Splits each group into `parts`.
-void refine(GroupShares& shares, std::uint64_t parts) {
-  for (GroupShare& share : shares.workers) {
-    for (std::vector<Element>* const list : {&share.held, &share.streamed}) {
-      std::vector<Element> fine;
-      for (const Element group : *list) {
-        for (std::uint64_t i = 0; i < parts; ++i) {
-          fine.push_back(static_cast<Element>(group * parts + i));
-        }
-      }
-      *list = std::move(fine);
-    }
-  }
-  shares.groups *= parts;
-}
-
-std::uint64_t pairs_of_the_fullest(const GroupShares& shares, std::uint64_t items) {
-  constexpr double part = 1e-4;
-  const auto owners = owners_of(shares, items, part);
-  return *std::ranges::max_element(owners->pairs());
-}
-
 /// Shares of idle workers, changed group by group. The objective is the number of pairs that busy
 /// workers can give away, each at most what it has above the mean.
-class IdleShares {
+class IdleShares final : public ChangingShares {
  public:
   IdleShares(const GroupShares& busy, const ItemGroups& groups, std::uint64_t room,
              std::uint64_t makespan, std::uint64_t idle, Random& random)
-      : groups_(groups),
+      : ChangingShares(groups, room, makespan),
         owners_(owners_of(busy, groups.items, 1e-4)),
-        room_(room),
-        makespan_(makespan),
         random_(random),
         met_(static_cast<std::size_t>(groups.groups * groups.groups), 0),
         given_(busy.workers.size(), 0) {
@@ -67,49 +44,23 @@ class IdleShares {
   void improve(std::uint64_t moves) {
     double value = worth();
     for (std::uint64_t i = 0; i < moves; ++i) {
-      Share& share = shares_[random_.below(static_cast<std::uint32_t>(shares_.size()))];
-      const std::size_t a = random_.below(static_cast<std::uint32_t>(share.held + share.streamed));
+      const std::size_t of = random_.below(static_cast<std::uint32_t>(shares_.size()));
+      const Share& share = shares_[of];
+      const std::size_t a = random_.below(static_cast<std::uint32_t>(share.size()));
       const std::size_t b = random_.below(static_cast<std::uint32_t>(share.order.size()));
-      const std::size_t role_a = role(share, a);
-      if (role_a == role(share, b) || !fits(share, a, b)) {
+      if (!can_exchange(of, a, b)) {
         continue;
       }
-      exchange(share, a, b);
+      exchange(of, a, b);
       if (const double now = worth(); now >= value) {
         value = now;
       } else {
-        exchange(share, a, b);
+        exchange(of, a, b);
       }
     }
   }
 
-  [[nodiscard]] std::vector<GroupShare> result() const {
-    std::vector<GroupShare> all;
-    for (const Share& share : shares_) {
-      const auto middle = share.order.begin() + static_cast<std::ptrdiff_t>(share.held);
-      GroupShare one{{share.order.begin(), middle},
-                     {middle, middle + static_cast<std::ptrdiff_t>(share.streamed)}};
-      std::ranges::sort(one.held);
-      std::ranges::sort(one.streamed);
-      all.push_back(std::move(one));
-    }
-    return all;
-  }
-
  private:
-  /// Held groups come first, then streamed ones, then the rest.
-  struct Share {
-    std::vector<Element> order;
-    std::size_t held = 0;
-    std::size_t streamed = 0;
-    std::uint64_t held_items = 0;
-    std::uint64_t all_items = 0;
-  };
-
-  [[nodiscard]] static std::size_t role(const Share& share, std::size_t at) {
-    return at < share.held ? 0 : at < share.held + share.streamed ? 1 : 2;
-  }
-
   void begin_share() {
     Share share;
     share.order.resize(static_cast<std::size_t>(groups_.groups));
@@ -132,28 +83,10 @@ class IdleShares {
       }
       share.all_items += size;
     }
-    shares_.push_back(std::move(share));
-    Share& last = shares_.back();
-    for (std::size_t i = 0; i < last.held; ++i) {
-      for (std::size_t j = i; j < last.held + last.streamed; ++j) {
-        meet(last.order[i], last.order[j], 1);
-      }
-    }
+    add(std::move(share));
   }
 
-  [[nodiscard]] bool fits(const Share& share, std::size_t a, std::size_t b) const {
-    const auto size = [&](std::size_t at) { return groups_.size(share.order[at]); };
-    const auto after = [&](std::uint64_t before, std::size_t roles) {
-      std::uint64_t items = before;
-      items += (role(share, a) <= roles ? size(b) : 0) + (role(share, b) <= roles ? size(a) : 0);
-      return items - (role(share, a) <= roles ? size(a) : 0) -
-             (role(share, b) <= roles ? size(b) : 0);
-    };
-    return after(share.held_items, 0) + (share.streamed > 0 ? 1 : 0) <= room_ &&
-           after(share.all_items, 1) <= makespan_;
-  }
-
-  void meet(Element group, Element other, int by) {
+  void meet(std::size_t /*share*/, Element group, Element other, int by) override {
     const std::size_t at =
         static_cast<std::size_t>(std::max(group, other) * groups_.groups + std::min(group, other));
     const bool changes = by > 0 ? met_[at] == 0 : met_[at] == 1;
@@ -165,34 +98,6 @@ class IdleShares {
     }
   }
 
-  // Updates the counts of pairs that meet because of one position.
-  void place(Share& share, std::size_t at, std::size_t besides, int by) {
-    const std::size_t of = role(share, at);
-    const std::size_t end = of == 0 ? share.held + share.streamed : of == 1 ? share.held : 0;
-    for (std::size_t i = 0; i < end; ++i) {
-      if (i != besides && (i != at || of == 0)) {
-        meet(share.order[at], share.order[i], by);
-      }
-    }
-  }
-
-  void exchange(Share& share, std::size_t a, std::size_t b) {
-    const auto count = [&](bool adds) {
-      for (const std::size_t at : {a, b}) {
-        const std::uint64_t size = groups_.size(share.order[at]);
-        share.held_items += role(share, at) == 0 ? (adds ? size : 0 - size) : 0;
-        share.all_items += role(share, at) <= 1 ? (adds ? size : 0 - size) : 0;
-      }
-    };
-    count(false);
-    place(share, a, b, -1);
-    place(share, b, a, -1);
-    std::swap(share.order[a], share.order[b]);
-    place(share, a, b, 1);
-    place(share, b, a, 1);
-    count(true);
-  }
-
   [[nodiscard]] double worth() const {
     double sum = 0;
     for (std::size_t w = 0; w < given_.size(); ++w) {
@@ -201,17 +106,20 @@ class IdleShares {
     return sum;
   }
 
-  ItemGroups groups_;
   std::shared_ptr<const GroupOwners> owners_;
-  std::uint64_t room_, makespan_;
   Random& random_;
   std::vector<std::uint32_t> met_;  // by pair of groups: number of idle workers that have it
   std::vector<double> given_;       // by busy worker: pairs that idle workers have, too
   std::vector<double> needed_;
-  std::vector<Share> shares_;
 };
 
 }  // namespace
+
+std::uint64_t pairs_of_the_fullest(const GroupShares& shares, std::uint64_t items) {
+  constexpr double part = 1e-4;
+  const auto owners = owners_of(shares, items, part);
+  return *std::ranges::max_element(owners->pairs());
+}
 
 double unevenness(const GroupShares& shares, std::uint64_t items, std::uint64_t workers) {
   constexpr std::uint64_t most_groups = 600;

@@ -7,6 +7,9 @@
 
 namespace changeover {
 
+/// The pairs of the worker that has most of them.
+[[nodiscard]] std::uint64_t pairs_of_the_fullest(const GroupShares& shares, std::uint64_t items);
+
 /// The pairs of the busiest worker divided by the mean over so many workers.
 [[nodiscard]] double unevenness(const GroupShares& shares, std::uint64_t items,
                                 std::uint64_t workers);

@@ -9,7 +9,9 @@
 
 #include "core/each.hpp"
 #include "core/words.hpp"
+#include "loadorder/shares/even_shares.hpp"
 #include "loadorder/shares/idle_workers.hpp"
+#include "loadorder/shares/larger_groups.hpp"
 #include "loadorder/shares/planes.hpp"
 
 namespace changeover {
@@ -109,12 +111,16 @@ class Choice {
 
   /// Whether shares may be good enough.
   [[nodiscard]] bool is_hopeful(const ShareShape& shape) const {
-    // The average can be less than a whole number of items.
-    return shape.all * items_ / shape.groups <= most() &&
-           shape.held * (items_ / shape.groups) <= room_;
+    return mean_of(shape) <= most() && shape.held * (items_ / shape.groups) <= room_;
+  }
+
+  /// A makespan up to a thirtieth more than the least one is accepted if pairs are more even then.
+  [[nodiscard]] std::uint64_t most() const {
+    return std::min(than_ - 1, least_ + std::min(least_, than_) / 30);
   }
 
   void consider(GroupShares shares) {
+    shares = with_larger_spread(std::move(shares), items_, room_);
     const ItemGroups groups{items_, shares.groups};
     Candidate one;
     for (const GroupShare& share : shares.workers) {
@@ -133,6 +139,11 @@ class Choice {
     candidates_.push_back(std::move(one));
   }
 
+  /// The items of a share: no worker less busy than that is the busiest.
+  [[nodiscard]] std::uint64_t mean_of(const ShareShape& shape) const {
+    return shape.all * items_ / shape.groups;
+  }
+
   /// Sorted by makespan, then by loads.
   [[nodiscard]] std::vector<Candidate> take() {
     std::erase_if(candidates_, [&](const Candidate& one) { return one.makespan > most(); });
@@ -143,16 +154,17 @@ class Choice {
   }
 
  private:
-  // A makespan up to a thirtieth more than the least one is accepted if pairs are more even then.
-  [[nodiscard]] std::uint64_t most() const {
-    return std::min(than_ - 1, least_ + std::min(least_, than_) / 30);
-  }
-
   std::uint64_t items_, room_;
   std::uint64_t than_;
   std::uint64_t least_ = std::numeric_limits<std::uint64_t>::max() / 2;
   std::vector<Candidate> candidates_;
 };
+
+ShareShape shape_of(const GroupShares& shares) {
+  const GroupShare& first = shares.workers.front();
+  return {shares.workers.size(), shares.groups, first.held.size(),
+          first.held.size() + first.streamed.size()};
+}
 
 // Worker i holds group i and streams the next half of the groups.
 GroupShares halves(std::uint64_t workers) {
@@ -208,9 +220,18 @@ void each_group_shares(std::uint64_t workers, std::uint64_t items,
 std::optional<GroupShares> best_group_shares(std::uint64_t items, std::uint64_t room,
                                              std::uint64_t workers, std::uint64_t than) {
   Choice choice(items, room, than);
+  std::vector<GroupShares> hopeful;
   each_group_shares(
       workers, items, [&](const ShareShape& shape) { return choice.is_hopeful(shape); },
-      [&](GroupShares shares) { choice.consider(std::move(shares)); });
+      [&](GroupShares shares) { hopeful.push_back(std::move(shares)); });
+  // Those with the smallest shares first: most others are not looked at then.
+  std::ranges::stable_sort(
+      hopeful, {}, [&](const GroupShares& shares) { return choice.mean_of(shape_of(shares)); });
+  for (GroupShares& shares : hopeful) {
+    if (choice.is_hopeful(shape_of(shares))) {
+      choice.consider(std::move(shares));
+    }
+  }
   // Loads matter more than even pairs.
   constexpr std::size_t most_looks = 6;
   constexpr double even = 1.05;
@@ -225,6 +246,19 @@ std::optional<GroupShares> best_group_shares(std::uint64_t items, std::uint64_t 
     if (uneven > even) {
       shares = with_more_held(std::move(shares), items, room);
       uneven = unevenness(shares, items, workers);
+    }
+    // With as many loads, or else with the fewest more that are enough.
+    for (const std::uint64_t part : {0U, 120U, 60U, 30U}) {
+      if (uneven <= even || shares.workers.size() < workers) {
+        break;
+      }
+      const std::uint64_t makespan = one.makespan + (part > 0 ? one.makespan / part : 0);
+      GroupShares changed = with_even_pairs(shares, items, room, std::min(makespan, choice.most()));
+      const double now = unevenness(changed, items, workers);
+      if (now <= even || (part == 0 && now < uneven)) {
+        uneven = now;
+        shares = std::move(changed);
+      }
     }
     if (!best || (least > even && uneven < least - 0.01)) {
       least = uneven;
