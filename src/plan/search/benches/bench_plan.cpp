@@ -15,6 +15,7 @@
 #include "plan/search/benches/bench_bounds.hpp"
 #include "plan/search/benches/bench_field.hpp"
 #include "plan/search/benches/cut_list.hpp"
+#include "plan/search/benches/without_clock.hpp"
 #include "plan/search/budget.hpp"
 #include "plan/search/candidates.hpp"
 #include "plan/search/first_plan.hpp"
@@ -358,7 +359,7 @@ class BenchPlanner {
   void search_without_clock(ListsJob job, const std::vector<BenchLists>& starts,
                             const ListsSearch& search) {
     job.overlaps = true;
-    ShareOfTime part = part_of_the_time(0.5);
+    ShareOfTime part = part_of_the_time(share_without_clock(job, starts.front(), *control_));
     const FoundLists found = search_lists(job, starts, search, part.control());
     plan_.steps += found.steps;
     add("local search without waiting",
