@@ -7,31 +7,32 @@
 namespace changeover {
 namespace {
 
-// Pairs of 1, …, 2c whose differences are 1, …, c, each once: a Skolem sequence of order c = 4s.
-PositionPair skolem_pair(std::uint64_t c, std::uint64_t i) {
-  const std::uint64_t s = c / 4;
-  if (s == 1) {
-    constexpr std::array<PositionPair, 4> pairs{{{1, 2}, {3, 6}, {4, 8}, {5, 7}}};
-    return pairs[static_cast<std::size_t>(i)];
+// The i-th pair of 1, …, 2c−1 without c whose differences are 1, …, c−1, each once; c = 4r+4.
+PositionPair pair_without_middle(std::uint64_t c, std::uint64_t i) {
+  const std::uint64_t r = c / 4 - 1;
+  if (i < 2 * r + 1) {
+    return {4 * r + 5 + i, 8 * r + 7 - i};
   }
-  if (i < 2 * s) {
-    return {4 * s + i, 8 * s - i};
+  i -= 2 * r + 1;
+  if (i == 0) {
+    return {2 * r + 3, 6 * r + 6};
   }
-  i -= 2 * s;
-  if (i < s - 2) {
-    return {i + 1, 4 * s - i - 2};
+  if (i == 1) {
+    return {r + 1, r + 2};
   }
-  i -= s - 2;
-  if (i < s - 2) {
-    return {s + i + 2, 3 * s - i - 1};
+  if (i == 2) {
+    return {2 * r + 2, 4 * r + 3};
   }
-  const std::array<PositionPair, 4> others{
-      {{s - 1, 3 * s}, {s, s + 1}, {2 * s, 4 * s - 1}, {2 * s + 1, 6 * s}}};
-  return others[static_cast<std::size_t>(i - (s - 2))];
+  i -= 3;
+  if (i < r) {
+    return {i + 1, 4 * r + 2 - i};
+  }
+  i -= r;
+  return {r + 3 + i, 3 * r + 2 - i};
 }
 
-// Pairs of 1, …, 2c−1 without c−1 whose differences are 1, …, c−1, each once; c = 4r+3.
-PositionPair holed_pair(std::uint64_t c, std::uint64_t i) {
+// The same without c−1; c = 4r+3.
+PositionPair pair_without_one_before(std::uint64_t c, std::uint64_t i) {
   const std::uint64_t r = c / 4;
   if (r == 0) {
     return i == 0 ? PositionPair{1, 3} : PositionPair{4, 5};
@@ -40,116 +41,133 @@ PositionPair holed_pair(std::uint64_t c, std::uint64_t i) {
     return {4 * r + 3 + i, 8 * r + 5 - i};
   }
   i -= 2 * r + 1;
+  if (i == 0) {
+    return {2 * r + 3, 6 * r + 4};
+  }
+  if (i == 1) {
+    return {1, 2 * r + 2};
+  }
+  if (i == 2) {
+    return {r + 1, r + 2};
+  }
+  i -= 3;
   if (i < r - 1) {
     return {i + 2, 4 * r + 1 - i};
   }
   i -= r - 1;
-  if (i < r - 1) {
-    return {r + 3 + i, 3 * r + 2 - i};
-  }
-  const std::array<PositionPair, 3> others{
-      {{2 * r + 3, 6 * r + 4}, {1, 2 * r + 2}, {r + 1, r + 2}}};
-  return others[static_cast<std::size_t>(i - (r - 1))];
+  return {r + 3 + i, 3 * r + 2 - i};
+}
+
+std::uint64_t more_than_covered(const CyclicLeave::Shape& shape) {
+  const auto half = static_cast<std::uint64_t>(shape.half);
+  return 2 * shape.left + (shape.half == CyclicLeave::Half::covered ? 0 : half + 1);
 }
 
 }  // namespace
 
 bool CyclicLeave::serves(std::uint64_t k, const Shape& shape) {
-  return k >= 4 && shape.rounds >= 1 &&
-         (shape.rounds % 4 < 2 || !shape.even || 2 * shape.left + 2 >= k - 2);
+  if (k < 4 || shape.rounds < 1 || shape.rounds % 4 < 2) {
+    return k >= 4 && shape.rounds >= 1;
+  }
+  switch (shape.half) {
+    case Half::none:
+      return true;
+    case Half::left:
+      return 2 * shape.left + 2 >= k - 2;
+    default:
+      return shape.left >= 1;
+  }
 }
 
 CyclicLeave::CyclicLeave(std::uint64_t k, const Shape& shape)
     : n_(k - 2),
       step_(2 * k - 3),
-      c_(shape.rounds),
-      left_(shape.left),
-      w_(2 * (c_ * step_ + left_) + (shape.even ? 2 : 1)),
-      even_(shape.even) {}
+      w_(2 * shape.rounds * step_ + more_than_covered(shape)),
+      shape_(shape) {}
 
-// j of the base block with x_{−1}: how far the other element is beyond its place.
-std::uint64_t CyclicLeave::beyond() const { return even_ ? (2 * left_ + 2 - n_) / 2 : left_ + 1; }
-
-Element CyclicLeave::element(std::int64_t x) const {
-  return static_cast<Element>(x < 0 ? x + static_cast<std::int64_t>(w_) : x);
-}
-
-CyclicLeave::Indices CyclicLeave::indices(std::uint64_t i) const {
-  const auto c = static_cast<std::int64_t>(c_);
-  const auto from = [i](PositionPair pair, std::int64_t zero) {
-    return Indices{static_cast<std::int64_t>(pair.first) - zero,
-                   static_cast<std::int64_t>(pair.second) - zero};
-  };
-  switch (c_ % 4) {
-    case 0:
-      return from(skolem_pair(c_, i), c + 1);
-    case 1:  // With 0 left over, and −c.
-      return i == c_ - 1 ? Indices{-c, 0} : from(ordinary_pair(c_, i), c);
-    case 2:  // With −1 left over.
-      return from(ordinary_pair(c_, i), c);
-    default:
-      return from(holed_pair(c_, i), c);
+// j of the one base block that is not of a pair: how far its second element is beyond its place.
+std::uint64_t CyclicLeave::beyond() const {
+  const std::uint64_t left = shape_.left;
+  if (lacks_zero()) {
+    return shape_.half == Half::covered ? left : 0;
   }
+  return shape_.half == Half::left ? (2 * left + 2 - n_) / 2 : left + 1;
 }
 
-// The number of the pair that contains 0.
+// p and q of pair number i, 0 ≤ i < c−1: of −(c−1), …, c−1 without 0 if c ≡ 0 or 1, without −1 if
+// c ≡ 2 or 3 (mod 4).
+std::array<std::int64_t, 2> CyclicLeave::pair(std::uint64_t i) const {
+  const std::uint64_t c = shape_.rounds;
+  const PositionPair positions = c % 4 == 0   ? pair_without_middle(c, i)
+                                 : c % 4 == 3 ? pair_without_one_before(c, i)
+                                              : ordinary_pair(c, i);
+  const auto zero = static_cast<std::int64_t>(c);
+  return {static_cast<std::int64_t>(positions.first) - zero,
+          static_cast<std::int64_t>(positions.second) - zero};
+}
+
+// The number of the pair that contains 0, c−1 if none does.
 std::uint64_t CyclicLeave::linking() const {
-  switch (c_ % 4) {
-    case 0:
-      return c_ == 4 ? 3 : 1;
-    case 1:
-      return c_ - 1;
-    case 2:
-      return c_ == 2 ? 0 : c_ / 2 - 2;
-    default:
-      return c_ == 3 ? 0 : 0;
+  const std::uint64_t c = shape_.rounds;
+  if (lacks_zero()) {
+    return c - 1;
   }
+  return c % 4 == 3 || c == 2 ? 0 : c / 2 - 2;
 }
 
 std::array<Element, 2> CyclicLeave::points(std::uint64_t i) const {
+  const std::uint64_t last = shape_.rounds - 1;
   const std::uint64_t link = linking();
-  const std::uint64_t number = i == c_ - 1 ? link : i == link ? c_ - 1 : i;
+  const std::uint64_t number = i == last ? link : i == link ? last : i;
   const auto n = static_cast<std::int64_t>(n_);
   const auto step = static_cast<std::int64_t>(step_);
-  std::int64_t x = 0;
-  std::int64_t y = 0;
-  if (number < ordinary()) {
-    const Indices pair = indices(number);
-    x = pair.p * step + n;
-    y = pair.q * step + n;
+  std::array<std::int64_t, 2> x{};
+  if (number < last) {
+    const auto [p, q] = pair(number);
+    x = {p * step + n, q * step + n};
   } else {
-    x = (static_cast<std::int64_t>(c_) - 1) * step + 2 * n + static_cast<std::int64_t>(beyond());
-    y = n - step;
+    const std::int64_t before = static_cast<std::int64_t>(last) * step;
+    const auto j = static_cast<std::int64_t>(beyond());
+    x = lacks_zero() ? std::array{n, -(before + n + 1 + j)}
+                     : std::array{n - step, before + 2 * n + j};
   }
-  const Element one = element(x);
-  const Element two = element(y);
-  return {std::min(one, two), std::max(one, two)};
+  const auto element = [this](std::int64_t y) {
+    return static_cast<Element>(y < 0 ? y + static_cast<std::int64_t>(w_) : y);
+  };
+  return {std::min(element(x[0]), element(x[1])), std::max(element(x[0]), element(x[1]))};
 }
 
 std::vector<std::uint64_t> CyclicLeave::differences() const {
   std::vector<std::uint64_t> left;
-  const auto add = [&left](std::uint64_t from, std::uint64_t count) {
+  const std::uint64_t from = (shape_.rounds - 1) * step_ + n_ + 1;  // what the pairs leave
+  const auto add = [&left, from](std::uint64_t first, std::uint64_t count) {
     for (std::uint64_t i = 0; i < count; ++i) {
-      left.push_back(from + i);
+      left.push_back(from + first + i);
     }
   };
-  if (!holed()) {
-    add(c_ * step_ + 1, left_);
-    return left;
-  }
-  // Beside the n differences of the element beyond, and that of its base block's two elements.
-  const std::uint64_t from = (c_ - 1) * step_ + n_ + 1;
-  if (!even_) {
-    add(from, left_);
-    return left;
-  }
   const std::uint64_t j = beyond();
-  add(from, j);
-  const std::uint64_t after = from + j + n_;
-  const std::uint64_t between = n_ % 2;
-  add(after, between);
-  add(after + between + 1, left_ - j - between);
-  return left;
+  switch (shape_.half) {
+    case Half::none:
+    case Half::left:
+      if (lacks_zero()) {
+        add(n_ + 1, shape_.left);
+      } else if (shape_.half == Half::none) {
+        add(0, shape_.left);
+      } else {
+        add(0, j);
+        add(j + n_, n_ % 2);
+        add(j + n_ + n_ % 2 + 1, shape_.left - j - n_ % 2);
+      }
+      return left;
+    default:
+      if (lacks_zero()) {
+        add(0, shape_.left);
+      } else {
+        add(0, shape_.left - 1);
+        add(shape_.left, 1);
+      }
+      return left;
+  }
 }
 
 }  // namespace changeover

@@ -1,14 +1,19 @@
 // Base blocks that cover each difference of Z_w once but for a few, the *leave*: what the
 // construction held-factors begins with [docs/theorems.md, Theorem 33].
 //
-// With n = k−2 and N = 2k−3 there are c base blocks A ∪ {x, y}, A = {0, …, n−1}, over Z_w, w =
-// 2cN + 2δ + 1 or 2cN + 2δ + 2. Their new pairs have cN differences, each once. δ of 1, …, cN+δ are
-// left, and w/2 if w is even. For most base blocks x and y are x_p = pN+n and x_q, where the pairs
-// {p, q} have the differences 1, 2, …: a Skolem sequence, or one with a hole.
+// With n = k−2 and N = 2k−3 there are c base blocks A ∪ {x, y}, A = {0, …, n−1}, over Z_w. Their new
+// pairs have cN differences, each once. δ differences below w/2 are left, and of w/2:
 //
-//     CyclicLeave leave(4, {.rounds = 3, .left = 1, .even = false});   // Z_33
-//     leave.points(2);                                                 // {2, 12}
-//     leave.differences();                                             // {13}
+//     Half::none      w = 2cN + 2δ + 1, there is no w/2
+//     Half::left      w = 2cN + 2δ + 2, w/2 is left
+//     Half::covered   w = 2cN + 2δ, w/2 is covered, so pairs with that difference are covered twice
+//
+// For all base blocks but one x and y are x_p = pN+n and x_q, where the pairs {p, q} have the
+// differences 1, …, c−1.
+//
+//     CyclicLeave leave(4, {.rounds = 3, .left = 1, .half = CyclicLeave::Half::none});   // Z_33
+//     leave.points(2);                                                                   // {2, 12}
+//     leave.differences();                                                               // {13}
 #pragma once
 
 #include <array>
@@ -21,10 +26,11 @@ namespace changeover {
 
 class CyclicLeave {
  public:
+  enum class Half : std::uint8_t { none, left, covered };
   struct Shape {
     std::uint64_t rounds = 0;  ///< c
     std::uint64_t left = 0;    ///< δ
-    bool even = false;         ///< w
+    Half half = Half::none;
   };
 
   /// Whether there are base blocks of that shape for k ≥ 4 and c ≥ 1.
@@ -34,7 +40,8 @@ class CyclicLeave {
   CyclicLeave(std::uint64_t k, const Shape& shape);
 
   [[nodiscard]] std::uint64_t elements() const { return w_; }
-  [[nodiscard]] std::uint64_t base_blocks() const { return c_; }
+  [[nodiscard]] std::uint64_t base_blocks() const { return shape_.rounds; }
+  [[nodiscard]] Half half() const { return shape_.half; }
 
   /// The elements besides A of base block i, 0 ≤ i < c, the smaller first. The last base block
   /// contains n, so that A + 1 is kept on the way to the next round. O(1).
@@ -44,18 +51,13 @@ class CyclicLeave {
   [[nodiscard]] std::vector<std::uint64_t> differences() const;
 
  private:
-  struct Indices {
-    std::int64_t p = 0, q = 0;
-  };
-  [[nodiscard]] std::uint64_t ordinary() const { return holed() ? c_ - 1 : c_; }
-  [[nodiscard]] bool holed() const { return c_ % 4 >= 2; }
+  [[nodiscard]] bool lacks_zero() const { return shape_.rounds % 4 < 2; }
   [[nodiscard]] std::uint64_t beyond() const;
-  [[nodiscard]] Indices indices(std::uint64_t i) const;
+  [[nodiscard]] std::array<std::int64_t, 2> pair(std::uint64_t i) const;
   [[nodiscard]] std::uint64_t linking() const;
-  [[nodiscard]] Element element(std::int64_t x) const;
 
-  std::uint64_t n_, step_, c_, left_, w_;
-  bool even_;
+  std::uint64_t n_, step_, w_;
+  Shape shape_;
 };
 
 }  // namespace changeover

@@ -92,33 +92,40 @@ const std::vector<WrittenHeldList>& written_held_lists() {
 
 }  // namespace
 
-HeldList::HeldList(std::uint64_t k, std::uint64_t t) : n_(k - 2), t_(t) {
+HeldList::HeldList(std::uint64_t k, std::uint64_t t) : n_(k - 2), t_(t), first_groups_(t) {
+  const WrittenHeldList* rest = nullptr;
   for (const WrittenHeldList& each : written_held_lists()) {
-    if (each.k == k && each.t == t) {
-      found_ = short_blocks(each.blocks);
-      positions_ = each.positions;
-      size_ = found_.size();
-      return;
+    if (each.k == k && each.t <= t && (rest == nullptr || each.t > rest->t)) {
+      rest = &each;
     }
   }
+  if (rest != nullptr) {
+    found_ = short_blocks(rest->blocks);
+    first_groups_ = t - rest->t;
+  }
   // If the number of later elements is odd, one pair comes before the position.
-  for (std::uint64_t group = 0; group < t; ++group) {
-    positions_.push_back(size_ + later(group) % 2);
-    size_ += (later(group) + 1) / 2;
+  for (std::uint64_t group = 0; group < first_groups_; ++group) {
+    positions_.push_back(first_blocks_ + later(group) % 2);
+    first_blocks_ += (later(group) + 1) / 2;
+  }
+  for (std::size_t i = 0; rest != nullptr && i < rest->positions.size(); ++i) {
+    positions_.push_back(first_blocks_ + rest->positions[i]);
   }
 }
 
 // Beside a group pass pairs of the later elements, the first two of the next group last, for they
 // stay. If their number is odd, the last one comes first, with the first one.
 void HeldList::write(std::uint64_t i, std::span<Element> block) const {
-  if (!found_.empty()) {
-    std::ranges::copy(found_[static_cast<std::size_t>(i)], block.begin());
+  if (i >= first_blocks_) {
+    std::ranges::transform(
+        found_[static_cast<std::size_t>(i - first_blocks_)], block.begin(),
+        [this](Element x) { return static_cast<Element>(x + n_ * first_groups_); });
     return;
   }
   std::uint64_t group =
       static_cast<std::uint64_t>(std::ranges::upper_bound(positions_, i) - positions_.begin());
   // A block before its position belongs to the group of that position.
-  if (group == 0 || (group < t_ && i + 1 == position(group) && later(group) % 2 == 1)) {
+  if (group == 0 || (group < first_groups_ && i + 1 == position(group) && later(group) % 2 == 1)) {
     ++group;
   }
   --group;

@@ -13,28 +13,30 @@ LeaveFactors::LeaveFactors(std::uint64_t w, const std::vector<std::uint64_t>& di
 }
 
 std::optional<LeaveFactors> LeaveFactors::of(std::uint64_t w,
-                                             const std::vector<std::uint64_t>& differences) {
+                                             const std::vector<std::uint64_t>& differences,
+                                             bool half) {
   LeaveFactors factors(w, differences);
-  const bool even = w % 2 == 0;
-  if (even) {
+  if (half) {
     factors.classes_.push_back({Kind::rungs, 0, w / 2});
   }
   for (std::size_t i = 0; i < differences.size(); ++i) {
     const Cycles& of = factors.cycles_[i];
-    if (!even) {
+    if (of.length % 2 == 0) {
+      factors.classes_.push_back({Kind::even_first, i, w / 2});
+      factors.classes_.push_back({Kind::even_second, i, w / 2});
+    } else if (half) {
+      if (!factors.add_prism(i)) {
+        return std::nullopt;
+      }
+    } else {
       if (of.length < 5) {
         return std::nullopt;
       }
       factors.classes_.push_back({Kind::odd_first, i, (w + of.cycles) / 2});
-      factors.classes_.push_back({Kind::odd_second, i, (w + 1) / 2});
-    } else if (of.length % 2 == 0) {
-      factors.classes_.push_back({Kind::even_first, i, w / 2});
-      factors.classes_.push_back({Kind::even_second, i, w / 2});
-    } else if (!factors.add_prism(i)) {
-      return std::nullopt;
+      factors.classes_.push_back({Kind::odd_second, i, (w + of.cycles % 2) / 2});
     }
   }
-  if (!even) {
+  if (w % 2 == 1) {
     factors.order_odd();
   }
   return factors;

@@ -1,11 +1,11 @@
-// What a cyclic list leaves, a circulant graph, as classes of pairs: 1-factors if w is even, and
-// lists in which each element is at least once if w is odd [docs/theorems.md, Theorem 33].
+// What a cyclic list leaves, a circulant graph, as classes of pairs that hold each element
+// [docs/theorems.md, Theorem 33].
 //
 // A difference d makes g = gcd(d, w) cycles of L = w/g elements u_0, u_1 = u_0 + d, … If L is even,
-// every other edge of each is in one class. If L is odd, the edge {u_{L−1}, u_0} is in neither. For
-// even w such edges are a class of their own, with the pairs {x, x+w/2} for all other x: colours of
-// a prism. For odd w they come with the first class of d, where u_{L−1} lacks, and pairs of
-// elements 0, …, g−1, which lack in the second, come with that.
+// every other edge of each is in one class. If L is odd, the edge {u_{L−1}, u_0} is in neither. If
+// w/2 is left, too, such edges are a class of their own, with the pairs {x, x+w/2} for all other x:
+// colours of a prism, and all classes are 1-factors. Else they come with the first class of d,
+// which lacks u_{L−1}, and pairs of the elements 0, …, g−1, which the second lacks, with that.
 //
 // Two pairs of a class that follow each other are disjoint. Each pair is computed in O(δ).
 #pragma once
@@ -23,12 +23,14 @@ class LeaveFactors {
  public:
   using Pair = std::array<Element, 2>;
 
-  /// The pairs of Z_w with these differences, below w/2, and with w/2 too if w is even. nullopt if
-  /// w is odd and a cycle has three elements, or if there is no room for the edges left over.
-  [[nodiscard]] static std::optional<LeaveFactors> of(
-      std::uint64_t w, const std::vector<std::uint64_t>& differences);
+  /// The pairs of Z_w with these differences, below w/2, and with w/2 too if `half`; then w must be
+  /// even. nullopt if a cycle without w/2 has three elements, or if there is no room for the edges
+  /// left over.
+  [[nodiscard]] static std::optional<LeaveFactors> of(std::uint64_t w,
+                                                      const std::vector<std::uint64_t>& differences,
+                                                      bool half);
 
-  /// 2δ, or 2δ+1 if w is even.
+  /// 2δ, or 2δ+1 with w/2.
   [[nodiscard]] std::size_t size() const { return classes_.size(); }
   /// How many pairs class i has.
   [[nodiscard]] std::uint64_t count(std::size_t i) const { return classes_[i].count; }

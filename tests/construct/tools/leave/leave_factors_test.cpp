@@ -17,9 +17,9 @@ Pair sorted(Pair pair) {
   return pair;
 }
 
-std::set<Pair> edges(std::uint64_t w, std::vector<std::uint64_t> differences) {
+std::set<Pair> edges(std::uint64_t w, std::vector<std::uint64_t> differences, bool half) {
   std::set<Pair> all;
-  if (w % 2 == 0) {
+  if (half) {
     differences.push_back(w / 2);
   }
   for (const std::uint64_t d : differences) {
@@ -50,20 +50,23 @@ std::multiset<Pair> checked_pairs(std::uint64_t w, const LeaveFactors& factors) 
   return all;
 }
 
-void expect_classes(std::uint64_t w, const std::vector<std::uint64_t>& differences) {
-  const auto factors = LeaveFactors::of(w, differences);
+void expect_classes(std::uint64_t w, const std::vector<std::uint64_t>& differences, bool half) {
+  const auto factors = LeaveFactors::of(w, differences, half);
   if (!factors) {
     return;
   }
-  ASSERT_EQ(factors->size(), 2 * differences.size() + (w % 2 == 0 ? 1 : 0));
+  ASSERT_EQ(factors->size(), 2 * differences.size() + (half ? 1 : 0));
   const std::multiset<Pair> all = checked_pairs(w, *factors);
-  const std::set<Pair> wanted = edges(w, differences);
-  if (w % 2 == 0) {  // 1-factors, which are a partition
+  const std::set<Pair> wanted = edges(w, differences, half);
+  if (half) {  // 1-factors, which are a partition
     EXPECT_TRUE(std::ranges::equal(all, wanted));
     return;
   }
   for (const Pair& pair : wanted) {
     EXPECT_EQ(all.count(pair), 1U) << pair[0] << ' ' << pair[1];
+  }
+  if (w % 2 == 0) {
+    return;
   }
   EXPECT_EQ(factors->pair(0, 0), (Pair{0, 1}));
   if (differences.size() >= 2) {
@@ -77,14 +80,20 @@ void expect_classes(std::uint64_t w, const std::vector<std::uint64_t>& differenc
 TEST(LeaveFactors, AreOfAllLeavesWithFewDifferences) {
   std::uint64_t served = 0;
   for (std::uint64_t w = 10; w <= 48; ++w) {
-    const std::uint64_t least = w % 2 == 0 ? 1 : w / 4;  // not where 0, …, g−1 are neighbours
-    for (std::uint64_t a = least; 2 * a < w; ++a) {
-      expect_classes(w, {a});
-      for (std::uint64_t b = a + 1; 2 * b < w; ++b) {
-        served += LeaveFactors::of(w, {a, b}) ? 1U : 0U;
-        expect_classes(w, {a, b});
-        if (2 * b + 2 < w && (a + b) % 3 == 0) {
-          expect_classes(w, {a, b, b + 1});
+    for (const bool half : {false, true}) {
+      if (half && w % 2 == 1) {
+        continue;
+      }
+      // 0, …, g−1 must not be neighbours if they are paired.
+      const std::uint64_t least = half ? 1 : w / 4 + 1;
+      for (std::uint64_t a = least; 2 * a < w; ++a) {
+        expect_classes(w, {a}, half);
+        for (std::uint64_t b = a + 1; 2 * b < w; ++b) {
+          served += LeaveFactors::of(w, {a, b}, half) ? 1U : 0U;
+          expect_classes(w, {a, b}, half);
+          if (2 * b + 2 < w && (a + b) % 3 == 0) {
+            expect_classes(w, {a, b, b + 1}, half);
+          }
         }
       }
     }
@@ -93,9 +102,9 @@ TEST(LeaveFactors, AreOfAllLeavesWithFewDifferences) {
 }
 
 TEST(LeaveFactors, SayWhereThereIsNoRoom) {
-  EXPECT_FALSE(LeaveFactors::of(15, {5}));    // cycles of three, and w is odd
-  EXPECT_TRUE(LeaveFactors::of(24, {8}));     // prisms of triangles
-  EXPECT_FALSE(LeaveFactors::of(6, {2, 2}));  // no element is left for the second
+  EXPECT_FALSE(LeaveFactors::of(15, {5}, false));   // cycles of three, and w is odd
+  EXPECT_TRUE(LeaveFactors::of(24, {8}, true));     // prisms of triangles
+  EXPECT_FALSE(LeaveFactors::of(6, {2, 2}, true));  // no element is left for the second
 }
 
 }  // namespace

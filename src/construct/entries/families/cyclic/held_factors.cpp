@@ -1,5 +1,5 @@
 // Double-change designs whose waste does not grow with v: what a cyclic list of base blocks leaves
-// is split into 1-factors, and these pass beside new elements that are held [docs/theorems.md,
+// is split into classes of pairs, and these pass beside new elements that are held [docs/theorems.md,
 // Theorem 33].
 //
 // v = w + nt, n = k−2. First the cyclic list on w elements, then a short list on nt new ones; where
@@ -31,8 +31,9 @@ namespace {
 constexpr Description description{
     .name = "held-factors",
     .summary = "a cyclic list, and 1-factors of what it leaves beside groups of new elements",
-    .preconditions = "m = 2, 4 <= k <= 64, v odd if k is odd, v from some number on",
-    .guarantee = "the waste is bounded by a number that depends on k alone",
+    .preconditions = "m = 2, 4 <= k <= 64, v from some number on",
+    .guarantee =
+        "blocks over the counting or degree bound: at most a number that depends on k alone",
     .place = "docs/theorems.md, Theorem 33",
 };
 
@@ -44,21 +45,29 @@ struct Shape {
   LeaveFactors factors;
 };
 
-// t groups of n are held, and t tells the rest: w is odd if t is even.
+// t groups of n are held, and t tells the rest. If k is odd and v even each element must meet one
+// twice, so pairs with the difference w/2 are covered twice.
 std::optional<Shape> shape_with(const Parameters& p, std::uint64_t groups) {
-  const std::uint64_t n = p.k - 2;
-  const std::uint64_t round = 4 * p.k - 6;
-  const std::uint64_t left = groups / 2;
-  const std::uint64_t others = 1 + groups % 2 + 2 * left;  // of w, than 2cN
-  if (p.v < n * groups + others + round || (p.v - n * groups - others) % round != 0) {
+  using Half = CyclicLeave::Half;
+  const bool covers_half = p.k % 2 == 1 && p.v % 2 == 0;
+  if (covers_half && groups % 2 == 1) {
     return std::nullopt;
   }
-  const CyclicLeave::Shape shape{(p.v - n * groups - others) / round, left, groups % 2 == 1};
+  const std::uint64_t n = p.k - 2;
+  const std::uint64_t round = 4 * p.k - 6;
+  const std::uint64_t others = groups * (n + 1) + (covers_half ? 0 : 1);  // than 2cN
+  if (p.v < others + round || (p.v - others) % round != 0) {
+    return std::nullopt;
+  }
+  const CyclicLeave::Shape shape{(p.v - others) / round, groups / 2,
+                                 covers_half       ? Half::covered
+                                 : groups % 2 == 1 ? Half::left
+                                                   : Half::none};
   if (!CyclicLeave::serves(p.k, shape)) {
     return std::nullopt;
   }
   const CyclicLeave leave(p.k, shape);
-  auto factors = LeaveFactors::of(leave.elements(), leave.differences());
+  auto factors = LeaveFactors::of(leave.elements(), leave.differences(), shape.half == Half::left);
   return factors ? std::optional(Shape{groups, leave, *std::move(factors)}) : std::nullopt;
 }
 
@@ -66,7 +75,7 @@ std::optional<Shape> shape(const Parameters& p) {
   if (!asks_for_pairs(p, 2) || p.k < 4 || p.k > largest_k) {
     return std::nullopt;
   }
-  // t is determined modulo N for odd k, 2N for even k; the second may have base blocks.
+  // t is determined modulo N or 2N; not for the least are there always base blocks.
   const std::uint64_t most = 8 * p.k - 12;
   for (std::uint64_t groups = 1; groups < most; ++groups) {
     if (auto found = shape_with(p, groups)) {
@@ -142,7 +151,7 @@ class TwoLists final : public BlockByBlock<TwoLists> {
                ? passing(last, shape_.factors.count(static_cast<std::size_t>(last)) - 1)
                : short_block(held_.size() - 1);
   }
-  [[nodiscard]] bool has_gaps() const { return held_.is_one_after_another(); }
+  [[nodiscard]] std::uint64_t gaps() const { return held_.gaps(); }
 
  private:
   [[nodiscard]] Block cyclic_block(std::uint64_t which, std::uint64_t shift) const {
@@ -186,6 +195,15 @@ class TwoLists final : public BlockByBlock<TwoLists> {
   std::uint64_t group_ = 0;  // that passes next
   std::uint64_t pair_ = 0;
 };
+
+// "16, 17, 18", or "481, 482, …, 523" of more than six.
+std::string shortened(const std::vector<std::uint64_t>& numbers) {
+  constexpr std::size_t most_shown = 6;
+  if (numbers.size() <= most_shown) {
+    return fmt::format("{}", fmt::join(numbers, ", "));
+  }
+  return fmt::format("{}, {}, …, {}", numbers[0], numbers[1], numbers.back());
+}
 
 std::uint64_t missing(const Block& from, const Block& to) {
   return static_cast<std::uint64_t>(std::ranges::count_if(
@@ -276,19 +294,22 @@ class HeldFactors final : public Described<Family, description> {
     const std::uint64_t w = s.leave.elements();
     const std::uint64_t n = p.k - 2;
     std::vector<std::uint64_t> left = s.leave.differences();
-    if (w % 2 == 0) {
+    if (s.leave.half() == CyclicLeave::Half::left) {
       left.push_back(w / 2);
     }
     const std::string developed =
         explain_development(p.on(w), n, s.leave.base_blocks(), points_of(s.leave));
     const std::string beside =
-        s.groups == 1 ? fmt::format("These pass beside {} new elements that are held.", n)
-                      : fmt::format(
-                            "They are split into {} classes. Each passes beside a group of {} new "
-                            "elements, which is held in a short list on all {} of them.",
-                            s.groups, n, s.groups * n);
+        s.groups == 1
+            ? fmt::format("These pass beside {} new elements that are held.", n)
+            : fmt::format(
+                  "{} make {} classes, each of which holds every element. Each passes "
+                  "beside a group of {} new elements, which is held in a short list on all "
+                  "{} of them.",
+                  s.leave.half() == CyclicLeave::Half::left ? "They" : "They and a few more",
+                  s.groups, n, s.groups * n);
     return fmt::format("{} This leaves the pairs with the difference{} {}. {}", developed,
-                       left.size() == 1 ? "" : "s", fmt::join(left, ", "), beside);
+                       left.size() == 1 ? "" : "s", shortened(left), beside);
   }
 
   static std::uint64_t count(const Parameters& p, const Shape& s) {
@@ -301,9 +322,7 @@ class HeldFactors final : public Described<Family, description> {
     if (p.kind == Kind::circular) {
       b += between(lists.last_held(), lists.first_cyclic());
     }
-    if (lists.has_gaps()) {
-      b += (s.groups - 1) * (*distances.steps(p.k - 2) - 1);
-    }
+    b += lists.gaps() * (*distances.steps(p.k - 2) - 1);
     return b;
   }
 };

@@ -14,7 +14,7 @@
 
 namespace changeover {
 
-/// A tight circular m-change family of cv blocks; subclasses say which, and name the points.
+/// A circular m-change family of cv blocks; subclasses say which, and name the points.
 class IntervalFamily : public Family {
  public:
   // At position p = jc+i, 1 ≤ i < c, two blocks of a round meet in A+j; at p = jc, where
@@ -45,8 +45,8 @@ class IntervalFamily : public Family {
   }
 
  protected:
-  IntervalFamily(const Description& description, std::uint64_t change)
-      : Family(description), change_(change) {}
+  IntervalFamily(const Description& description, std::uint64_t change, bool tight = true)
+      : Family(description), change_(change), tight_(tight) {}
 
   /// c; 0 if p is not in the family.
   [[nodiscard]] virtual std::uint64_t base_block_count(const Parameters& p) const = 0;
@@ -62,7 +62,7 @@ class IntervalFamily : public Family {
     if (c == 0) {
       return std::nullopt;
     }
-    return Promise{c * p.v, true, true, has_interval_expansion_set(p.v, p.k - change_)};
+    return Promise{c * p.v, tight_, tight_, has_interval_expansion_set(p.v, p.k - change_)};
   }
 
   Recipe recipe_for(const Parameters& p) const final {
@@ -80,6 +80,7 @@ class IntervalFamily : public Family {
   }
 
   std::uint64_t change_;
+  bool tight_;
 };
 
 }  // namespace changeover

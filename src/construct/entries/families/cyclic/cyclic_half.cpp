@@ -1,0 +1,62 @@
+// Minimum circular DCCD(2c(2k−3), k) for odd k and c ≡ 0 or 1 (mod 4): base blocks whose new pairs
+// have each difference once, v/2 as well [docs/theorems.md, Theorem 33].
+//
+// If k is odd and v is even each element meets one more than there are. Here it is x + v/2 that x
+// meets twice, and nothing else comes twice.
+#include <algorithm>
+
+#include "construct/entries/families/cyclic/interval_family.hpp"
+#include "construct/tools/leave/cyclic_leave.hpp"
+
+namespace changeover::cyclic_half_entry {
+namespace {
+
+constexpr Description description{
+    .name = "cyclic-half",
+    .summary = "base blocks {0,...,k-3,x,y} over Z_v with each difference once, v/2 too, developed",
+    .preconditions = "circular, m = 2, k >= 5 odd, v = c(4k-6) with c = 0 or 1 modulo 4",
+    .guarantee =
+        "a minimum circular DCCD(c(4k-6),k,cv); an expansion set if k-2 | 2c and v <= 2^20",
+    .place = "docs/theorems.md, Theorem 33",
+};
+
+CyclicLeave leave_of(std::uint64_t c, std::uint64_t k) {
+  return {k, {.rounds = c, .left = 0, .half = CyclicLeave::Half::covered}};
+}
+
+class CyclicHalf final : public IntervalFamily {
+ public:
+  CyclicHalf() : IntervalFamily(description, 2, false) {}
+
+ protected:
+  std::uint64_t base_block_count(const Parameters& p) const override {
+    if (!asks_for_pairs(p, 2) || p.kind != Kind::circular || p.k < 5 || p.k % 2 == 0 ||
+        p.v % (4 * p.k - 6) != 0) {
+      return 0;
+    }
+    const std::uint64_t c = p.v / (4 * p.k - 6);
+    return c % 4 < 2 ? c : 0;
+  }
+
+  IntervalDevelopedSource::Points points_of(std::uint64_t c, std::uint64_t k) const override {
+    return [leave = leave_of(c, k)](std::uint64_t which, std::span<Element> points) {
+      std::ranges::copy(leave.points(which), points.begin());
+    };
+  }
+
+  IntervalBaseBlocks interval_blocks(std::uint64_t c, std::uint64_t k) const override {
+    const CyclicLeave leave = leave_of(c, k);
+    IntervalBaseBlocks base{{leave.elements(), k, 2, Kind::circular, 2}, 0, k - 2, {}};
+    for (std::uint64_t i = 0; i < c; ++i) {
+      const auto points = leave.points(i);
+      base.points.insert(base.points.end(), points.begin(), points.end());
+    }
+    return base;
+  }
+};
+
+}  // namespace
+
+const Construction& construction() { return only<CyclicHalf>(); }
+
+}  // namespace changeover::cyclic_half_entry
