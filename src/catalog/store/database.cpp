@@ -11,6 +11,7 @@
 
 #include "catalog/store/store.hpp"
 #include "changeover/core/error.hpp"
+#include "core/lines.hpp"
 #include "core/printable.hpp"
 
 namespace changeover {
@@ -277,12 +278,16 @@ void check_rows(const Shelf& shelf, Faults& faults) {
   }
 }
 
-// The faults that SQLite finds: an index that misses a row hides a design.
+// The faults that SQLite finds: an index that misses a row hides a design. Those of pages come as
+// lines of one row, below a headline that only says which file.
 void check_structure(const Database& database, Faults& faults) {
   for (Statement rows = database.prepare("PRAGMA integrity_check(20)"); rows.step();) {
-    if (rows.view(0) != "ok") {
-      faults.push_back({"your own catalog", fmt::format("{}: damaged ({}); restore a copy",
-                                                        database.name(), rows.view(0))});
+    for (Lines lines(rows.view(0)); lines.next();) {
+      if (lines.line() != "ok" && !lines.line().empty() && !lines.line().starts_with("***")) {
+        faults.push_back(
+            {"your own catalog", fmt::format("{}: damaged ({}); restore a copy", database.name(),
+                                             printable(lines.line()))});
+      }
     }
   }
 }

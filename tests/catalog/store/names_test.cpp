@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <fstream>
 #include <random>
 
 #include "../entries.hpp"
@@ -24,6 +25,7 @@ namespace {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::SizeIs;
 
 const Parameters cell{.v = 6, .k = 3, .change = 2, .kind = Kind::linear};
@@ -215,6 +217,22 @@ TEST(CatalogFaults, NameRowsThatContradictTheirLines) {
     EXPECT_EQ(faults[0].label, entry.label());
     EXPECT_THAT(faults[0].what, HasSubstr("damaged")) << change;
   }
+}
+
+// SQLite tells what is wrong with pages in several lines.
+TEST(CatalogFaults, OfPagesAreALineEach) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("mine.db");
+  Catalog({.user = path}).add(some_entry());
+  {
+    std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+    file.seekp(36);  // how many pages are free
+    file.write("\x01\x01\0\0", 4);
+  }
+  const auto faults = Catalog({.user = path}).faults();
+  ASSERT_THAT(faults, SizeIs(1));
+  EXPECT_THAT(faults[0].what, HasSubstr("damaged (Main freelist: "));
+  EXPECT_THAT(faults[0].what, Not(HasSubstr("\n")));
 }
 
 // An index that misses a row hides a design from its cell, and nothing else shows it.
