@@ -7,7 +7,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <utility>
 
 #include "changeover/core/error.hpp"
 #include "core/each.hpp"
@@ -38,8 +37,8 @@ bool same_secret(std::string_view given, std::string_view secret) {
   return difference == 0 && !secret.empty();
 }
 
-bool Guard::knows(std::string host) const {
-  return std::ranges::find(hosts_, lower_case(std::move(host))) != hosts_.end();
+bool Guard::knows(std::string_view host) const {
+  return std::ranges::find(hosts_, lower_case(host)) != hosts_.end();
 }
 
 void Guard::check(const Request& request, Action action) const {
@@ -49,7 +48,7 @@ void Guard::check(const Request& request, Action action) const {
       throw Refusal{400, fmt::format("the header {} is there twice", once)};
     }
   }
-  const std::string host(request.header("host"));
+  const std::string_view host = request.header("host");
   if (host.empty()) {
     throw Refusal{400, "the header Host is missing"};
   }
@@ -60,8 +59,7 @@ void Guard::check(const Request& request, Action action) const {
   }
   const std::string_view origin = request.header("origin");
   constexpr std::string_view scheme = "http://";
-  const bool own_page =
-      origin.starts_with(scheme) && knows(std::string(origin.substr(scheme.size())));
+  const bool own_page = origin.starts_with(scheme) && knows(origin.substr(scheme.size()));
   if (!origin.empty() && !own_page) {
     throw Refusal{403, "pages of other sites are not answered"};
   }

@@ -44,7 +44,7 @@ class Guard {
   void check(const Request& request, Action action) const;
 
  private:
-  [[nodiscard]] bool knows(std::string host) const;
+  [[nodiscard]] bool knows(std::string_view host) const;
 
   std::vector<std::string> hosts_;
   std::string token_;
