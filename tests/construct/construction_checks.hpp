@@ -101,6 +101,7 @@ struct Freedom {
   std::set<std::string> arguments{};  ///< of free choice
   bool any_v = false;
   bool any_kind = false;
+  bool any_input_kind = false;  ///< the input's construction has the same recipe for both
 };
 
 /// Spoils the recipe in one place at a time.
@@ -143,10 +144,12 @@ inline void expect_spoilt_recipes_refused(const Recipe& recipe, const Freedom& f
     spoil("no input", [](Recipe& r) { r.inputs.clear(); });
     spoil("unknown input", [](Recipe& r) { r.inputs[0].construction = "nonsense"; });
     spoil("input of other v", [](Recipe& r) { ++r.inputs[0].parameters.v; });
-    spoil("input of other kind", [](Recipe& r) {
-      Kind& kind = r.inputs[0].parameters.kind;
-      kind = kind == Kind::linear ? Kind::circular : Kind::linear;
-    });
+    if (!freedom.any_input_kind) {
+      spoil("input of other kind", [](Recipe& r) {
+        Kind& kind = r.inputs[0].parameters.kind;
+        kind = kind == Kind::linear ? Kind::circular : Kind::linear;
+      });
+    }
   }
 }
 
