@@ -13,7 +13,8 @@
 
 namespace changeover {
 
-/// The best list that is known, for k ≥ 4, t ≥ 1. Where none was found groups come one after
+/// A list for k ≥ 4, t ≥ 1. The lists stay as they are, for recipes name only k, v and the kind: a
+/// better one needs an argument of the recipe. Where none was found groups come one after
 /// another, held beside pairs of the later ones, until a list is known for those that are left;
 /// the blocks from one group to the next are left to be filled in. It has no blocks for t = 1.
 /// O(t) memory, or that of a list that was found.

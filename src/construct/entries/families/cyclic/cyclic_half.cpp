@@ -1,8 +1,8 @@
 // Minimum circular DCCD(2c(2k−3), k) for odd k and c ≡ 0 or 1 (mod 4): base blocks whose new pairs
-// have each difference once, v/2 as well [docs/theorems.md, Theorem 33].
+// have each difference once, v/2 as well, so that the pairs {x, x + v/2} are newly covered twice
+// [docs/theorems.md, Theorem 33].
 //
-// If k is odd and v is even each element meets one more than there are. Here it is x + v/2 that x
-// meets twice, and nothing else comes twice.
+// If k is odd and v is even each element has an excess of at least 1. Here it has no more.
 #include <algorithm>
 
 #include "construct/entries/families/cyclic/interval_family.hpp"
@@ -13,10 +13,10 @@ namespace {
 
 constexpr Description description{
     .name = "cyclic-half",
-    .summary = "base blocks {0,...,k-3,x,y} over Z_v with each difference once, v/2 too, developed",
-    .preconditions = "circular, m = 2, k >= 5 odd, v = c(4k-6) with c = 0 or 1 modulo 4",
-    .guarantee =
-        "a minimum circular DCCD(c(4k-6),k,cv); an expansion set if k-2 | 2c and v <= 2^20",
+    .summary =
+        "base blocks {0,...,k-3,x,y} over Z_v with each difference once and v/2 twice, developed",
+    .preconditions = "circular, m = 2, k >= 5 odd, v = c(4k-6), c >= 1, c = 0 or 1 modulo 4",
+    .guarantee = "a minimum circular DCCD(c(4k-6),k,cv); an expansion set if k-2 | c and v <= 2^20",
     .place = "docs/theorems.md, Theorem 33",
 };
 

@@ -31,9 +31,9 @@ namespace {
 constexpr Description description{
     .name = "held-factors",
     .summary = "a cyclic list, and 1-factors of what it leaves beside groups of new elements",
-    .preconditions = "m = 2, 4 <= k <= 64, v from some number on",
+    .preconditions = "m = 2, 4 <= k <= 64, v from about 5k^2 on, and some smaller ones",
     .guarantee =
-        "blocks over the counting or degree bound: at most a number that depends on k alone",
+        "over the counting or degree bound by at most a number of blocks that depends on k alone",
     .place = "docs/theorems.md, Theorem 33",
 };
 
@@ -196,13 +196,15 @@ class TwoLists final : public BlockByBlock<TwoLists> {
   std::uint64_t pair_ = 0;
 };
 
-// "16, 17, 18", or "481, 482, …, 523" of more than six.
-std::string shortened(const std::vector<std::uint64_t>& numbers) {
+// "the differences 16, 17, 19", or "8 differences from 83 to 98" of more than six.
+std::string differences(const std::vector<std::uint64_t>& numbers) {
   constexpr std::size_t most_shown = 6;
-  if (numbers.size() <= most_shown) {
-    return fmt::format("{}", fmt::join(numbers, ", "));
+  if (numbers.size() > most_shown) {
+    return fmt::format("{} differences from {} to {}", numbers.size(), numbers.front(),
+                       numbers.back());
   }
-  return fmt::format("{}, {}, …, {}", numbers[0], numbers[1], numbers.back());
+  return fmt::format("the difference{} {}", numbers.size() == 1 ? "" : "s",
+                     fmt::join(numbers, ", "));
 }
 
 std::uint64_t missing(const Block& from, const Block& to) {
@@ -299,17 +301,20 @@ class HeldFactors final : public Described<Family, description> {
     }
     const std::string developed =
         explain_development(p.on(w), n, s.leave.base_blocks(), points_of(s.leave));
+    std::uint64_t pairs = 0;
+    for (std::size_t i = 0; i < s.factors.size(); ++i) {
+      pairs = std::max(pairs, s.factors.count(i));
+    }
     const std::string beside =
         s.groups == 1
             ? fmt::format("These pass beside {} new elements that are held.", n)
             : fmt::format(
-                  "{} make {} classes, each of which holds every element. Each passes "
-                  "beside a group of {} new elements, which is held in a short list on all "
-                  "{} of them.",
-                  s.leave.half() == CyclicLeave::Half::left ? "They" : "They and a few more",
-                  s.groups, n, s.groups * n);
-    return fmt::format("{} This leaves the pairs with the difference{} {}. {}", developed,
-                       left.size() == 1 ? "" : "s", shortened(left), beside);
+                  "{} make {} classes, each of which holds every element of Z_{}. Each "
+                  "passes beside a group of {} new elements, which is held in a short list "
+                  "on all {} new elements.",
+                  2 * pairs == w ? "They" : "They and a few more", s.groups, w, n, s.groups * n);
+    return fmt::format("{} This leaves the pairs with {}. {}", developed, differences(left),
+                       beside);
   }
 
   static std::uint64_t count(const Parameters& p, const Shape& s) {
