@@ -3,10 +3,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <filesystem>
 #include <map>
-#include <thread>
 
 #include "catalog/store/filler.hpp"
 #include "catalog/store/schema.hpp"
@@ -15,21 +13,6 @@
 
 namespace changeover {
 namespace {
-
-// SQLite does not wait for another process here, as it does elsewhere; so this tries for 5 s.
-void write_ahead(const Database& database) {
-  for (int tries = 0;; ++tries) {
-    try {
-      database.run("PRAGMA journal_mode = WAL");
-      return;
-    } catch (const MissingResource&) {
-      if (tries == 100) {
-        throw;
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    }
-  }
-}
 
 bool may_write(const std::string& path) { return access(path.c_str(), W_OK) == 0; }
 
@@ -78,7 +61,7 @@ Shelf& Catalog::Store::to_write() {
   }
   const Database database = Database::open(user_path, Access::create);
   if (is_blank(database)) {
-    write_ahead(database);
+    database.write_ahead();
     Transaction transaction(database);
     if (is_blank(database)) {  // No other process was faster.
       make_tables(database);

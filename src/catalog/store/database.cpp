@@ -229,6 +229,21 @@ void Database::run(std::string_view sql) const {
   }
 }
 
+void Database::write_ahead() const {
+  constexpr int pause = 50;
+  for (int waited = 0;; waited += pause) {
+    const int code =
+        sqlite3_exec(database_.get(), "PRAGMA journal_mode = WAL", nullptr, nullptr, nullptr);
+    if (code == SQLITE_OK) {
+      return;
+    }
+    if ((code & 0xff) != SQLITE_BUSY || waited >= patience) {
+      refuse(database_.get(), code, name_);
+    }
+    sqlite3_sleep(pause);
+  }
+}
+
 std::uint64_t Database::integer(std::string_view sql) const {
   Statement query = prepare(sql);
   return query.step() ? query.integer(0) : 0;

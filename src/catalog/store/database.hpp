@@ -109,6 +109,11 @@ class Database {
     return {database_.get(), sql, name_};
   }
   void run(std::string_view sql) const;
+
+  /// Has the file a journal beside which it can be read. SQLite does not wait here for another
+  /// process that does the same, as it does elsewhere; this waits as long.
+  void write_ahead() const;
+
   [[nodiscard]] std::uint64_t integer(std::string_view sql) const;  ///< of a query with one row
 
   /// The bytes of the whole database.
