@@ -7,7 +7,7 @@
 # Then build, run test_loadorder and measure again with docs/tools/share_region.py.
 set -eu
 CDPATH='' cd -- "$(dirname "$0")/../.."
-table=src/loadorder/shares/share_table.inc
+table=src/loadorder/shares/groups/share_table.inc
 . docs/tools/compiled.sh
 compile find_shares -O2
 run find_shares "$@" < "$table" > "$work/table.inc"

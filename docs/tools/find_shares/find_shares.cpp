@@ -4,7 +4,7 @@
 //     find_shares < TABLE > NEW_TABLE            checks it, and leaves out what is of no use
 //     find_shares 20000 7 < TABLE > NEW_TABLE    20,000 tries, seed 7
 //
-// TABLE is src/loadorder/shares/share_table.inc (docs/tools/find_shares.sh compiles it and puts the
+// TABLE is src/loadorder/shares/groups/share_table.inc (docs/tools/find_shares.sh compiles it and puts the
 // new table in place.) A program of its own: it includes nothing of the library, which reads each
 // line of the table again.
 //

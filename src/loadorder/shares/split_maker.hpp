@@ -8,7 +8,7 @@
 
 #include "changeover/loadorder/workers.hpp"
 #include "loadorder/pairs/held/held_blocks.hpp"
-#include "loadorder/shares/group_shares.hpp"
+#include "loadorder/shares/groups/group_shares.hpp"
 #include "loadorder/shares/step_lists.hpp"
 
 namespace changeover {

@@ -15,7 +15,7 @@
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/pairs/held/held_blocks.hpp"
 #include "loadorder/shares/few_workers.hpp"
-#include "loadorder/shares/known_shares.hpp"
+#include "loadorder/shares/groups/known_shares.hpp"
 #include "loadorder/shares/owners/pair_table.hpp"
 #include "loadorder/shares/split_maker.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"

@@ -14,7 +14,7 @@
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/order/in_rounds.hpp"
 #include "loadorder/shares/few_workers.hpp"
-#include "loadorder/shares/known_shares.hpp"
+#include "loadorder/shares/groups/known_shares.hpp"
 #include "loadorder/shares/split_maker.hpp"
 #include "loadorder/sizes/closing_search.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"

@@ -164,7 +164,7 @@ class OneByOne final : public StepSource {
 };
 
 TEST(SmallSearch, IsNeverWorseThanItsStartAndLoadsWhatItSays) {
-  for (const std::uint64_t items : {5U, 64U, 127U, 128U, 129U, 256U}) {
+  for (const std::uint64_t items : {5U, 64U, 65U, 127U, 128U, 129U, 256U}) {
     auto pairs = random_pairs(items, static_cast<std::size_t>(2 * items) - 1, items);
     pairs.emplace_back(3, 3);
     const WantedPairs wanted = listed(items + 7, pairs);

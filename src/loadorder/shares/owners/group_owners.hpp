@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "changeover/loadorder/workers.hpp"
-#include "loadorder/shares/group_shares.hpp"
+#include "loadorder/shares/groups/group_shares.hpp"
 
 namespace changeover {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "changeover/loadorder/workers.hpp"
-#include "loadorder/shares/group_shares.hpp"
-#include "loadorder/shares/planes.hpp"
+#include "loadorder/shares/groups/group_shares.hpp"
+#include "loadorder/shares/groups/planes.hpp"
 
 namespace changeover {
 

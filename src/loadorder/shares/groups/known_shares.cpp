@@ -1,4 +1,4 @@
-#include "loadorder/shares/known_shares.hpp"
+#include "loadorder/shares/groups/known_shares.hpp"
 
 #include <fmt/format.h>
 
@@ -9,16 +9,16 @@
 
 #include "core/each.hpp"
 #include "core/words.hpp"
-#include "loadorder/shares/even_shares.hpp"
-#include "loadorder/shares/idle_workers.hpp"
-#include "loadorder/shares/larger_groups.hpp"
-#include "loadorder/shares/planes.hpp"
+#include "loadorder/shares/groups/even_shares.hpp"
+#include "loadorder/shares/groups/idle_workers.hpp"
+#include "loadorder/shares/groups/larger_groups.hpp"
+#include "loadorder/shares/groups/planes.hpp"
 
 namespace changeover {
 namespace {
 
 constexpr const char* lines_of_table[] = {
-#include "loadorder/shares/share_table.inc"
+#include "loadorder/shares/groups/share_table.inc"
 };
 
 /// A line of the table as text.

@@ -6,14 +6,14 @@
 #include <string>
 #include <utility>
 
-#include "../loadorder_support.hpp"
+#include "../../loadorder_support.hpp"
 #include "changeover/loadorder/workers.hpp"
-#include "loadorder/shares/even_shares.hpp"
-#include "loadorder/shares/group_shares.hpp"
-#include "loadorder/shares/idle_workers.hpp"
-#include "loadorder/shares/known_shares.hpp"
-#include "loadorder/shares/larger_groups.hpp"
-#include "loadorder/shares/planes.hpp"
+#include "loadorder/shares/groups/even_shares.hpp"
+#include "loadorder/shares/groups/group_shares.hpp"
+#include "loadorder/shares/groups/idle_workers.hpp"
+#include "loadorder/shares/groups/known_shares.hpp"
+#include "loadorder/shares/groups/larger_groups.hpp"
+#include "loadorder/shares/groups/planes.hpp"
 
 namespace changeover::test::changed_shares_test {
 namespace {

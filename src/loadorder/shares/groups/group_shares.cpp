@@ -1,4 +1,4 @@
-#include "loadorder/shares/group_shares.hpp"
+#include "loadorder/shares/groups/group_shares.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "loadorder/shares/planes.hpp"
+#include "loadorder/shares/groups/planes.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "loadorder/shares/group_shares.hpp"
+#include "loadorder/shares/groups/group_shares.hpp"
 
 namespace changeover {
 

@@ -1,4 +1,4 @@
-#include "loadorder/shares/idle_workers.hpp"
+#include "loadorder/shares/groups/idle_workers.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "loadorder/shares/changing_shares.hpp"
+#include "loadorder/shares/groups/changing_shares.hpp"
 #include "loadorder/shares/owners/group_owners.hpp"
 #include "run/random.hpp"
 
@@ -43,21 +43,12 @@ class IdleShares final : public ChangingShares {
 
   void improve(std::uint64_t moves) {
     double value = worth();
-    for (std::uint64_t i = 0; i < moves; ++i) {
-      const std::size_t of = random_.below(static_cast<std::uint32_t>(shares_.size()));
-      const Share& share = shares_[of];
-      const std::size_t a = random_.below(static_cast<std::uint32_t>(share.size()));
-      const std::size_t b = random_.below(static_cast<std::uint32_t>(share.order.size()));
-      if (!can_exchange(of, a, b)) {
-        continue;
-      }
-      exchange(of, a, b);
-      if (const double now = worth(); now >= value) {
-        value = now;
-      } else {
-        exchange(of, a, b);
-      }
-    }
+    try_exchanges(moves, random_, [&](std::uint64_t /*move*/) {
+      const double now = worth();
+      const bool keeps = now >= value;
+      value = keeps ? now : value;
+      return keeps;
+    });
   }
 
  private:

@@ -1,4 +1,4 @@
-#include "loadorder/shares/even_shares.hpp"
+#include "loadorder/shares/groups/even_shares.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -6,8 +6,8 @@
 
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
-#include "loadorder/shares/changing_shares.hpp"
-#include "loadorder/shares/idle_workers.hpp"
+#include "loadorder/shares/groups/changing_shares.hpp"
+#include "loadorder/shares/groups/idle_workers.hpp"
 #include "loadorder/shares/owners/group_owners.hpp"
 #include "run/random.hpp"
 
@@ -70,21 +70,13 @@ class EvenShares final : public ChangingShares {
   void improve(std::uint64_t moves) {
     const std::uint64_t cell = groups_.items * groups_.items / (groups_.groups * groups_.groups);
     const std::uint64_t heat = 2 * cell;
-    for (std::uint64_t i = 0; i < moves; ++i) {
-      const std::size_t of = random_.below(static_cast<std::uint32_t>(shares_.size()));
-      const Share& share = shares_[of];
-      const std::size_t a = random_.below(static_cast<std::uint32_t>(share.size()));
-      const std::size_t b = random_.below(static_cast<std::uint32_t>(share.order.size()));
-      if (!can_exchange(of, a, b)) {
-        continue;
-      }
-      const std::uint64_t before = stuck_;
-      exchange(of, a, b);
+    std::uint64_t stuck = stuck_;
+    try_exchanges(moves, random_, [&](std::uint64_t i) {
       const auto worse = static_cast<std::uint32_t>(heat * (moves - i) / moves);
-      if (missing_ > 0 || stuck_ > before + random_.below(worse + 1)) {
-        exchange(of, a, b);
-      }
-    }
+      const bool keeps = missing_ == 0 && stuck_ <= stuck + random_.below(worse + 1);
+      stuck = keeps ? stuck_ : stuck;
+      return keeps;
+    });
   }
 
  private:

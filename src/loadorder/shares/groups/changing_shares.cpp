@@ -1,4 +1,4 @@
-#include "loadorder/shares/changing_shares.hpp"
+#include "loadorder/shares/groups/changing_shares.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -15,7 +15,7 @@
 #include <optional>
 #include <vector>
 
-#include "loadorder/shares/group_shares.hpp"
+#include "loadorder/shares/groups/group_shares.hpp"
 
 namespace changeover {
 

@@ -19,7 +19,7 @@
 #include <span>
 #include <string_view>
 
-#include "loadorder/shares/group_shares.hpp"
+#include "loadorder/shares/groups/group_shares.hpp"
 
 namespace changeover {
 

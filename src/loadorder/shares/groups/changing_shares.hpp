@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "loadorder/shares/group_shares.hpp"
+#include "loadorder/shares/groups/group_shares.hpp"
+#include "run/random.hpp"
 
 namespace changeover {
 
@@ -38,10 +39,25 @@ class ChangingShares {
 
   /// Adds a share and tells what meets there.
   void add(Share share);
-  /// Whether two groups have different parts in a share, which still fits after their exchange.
-  [[nodiscard]] bool can_exchange(std::size_t share, std::size_t a, std::size_t b) const;
-  /// Doing it again takes it back.
-  void exchange(std::size_t share, std::size_t a, std::size_t b);
+
+  /// So many exchanges at random of two groups of a share that still fits then. Those stay that
+  /// `keeps` wants, which is asked after each, with its number.
+  template <typename Keeps>
+  void try_exchanges(std::uint64_t moves, Random& random, const Keeps& keeps) {
+    for (std::uint64_t i = 0; i < moves; ++i) {
+      const std::size_t of = random.below(static_cast<std::uint32_t>(shares_.size()));
+      const Share& share = shares_[of];
+      const std::size_t a = random.below(static_cast<std::uint32_t>(share.size()));
+      const std::size_t b = random.below(static_cast<std::uint32_t>(share.order.size()));
+      if (!can_exchange(of, a, b)) {
+        continue;
+      }
+      exchange(of, a, b);
+      if (!keeps(i)) {
+        exchange(of, a, b);
+      }
+    }
+  }
 
   // NOLINTBEGIN(misc-non-private-member-variables-in-classes): of searches, which are internal
   ItemGroups groups_;
@@ -50,6 +66,10 @@ class ChangingShares {
   // NOLINTEND(misc-non-private-member-variables-in-classes)
 
  private:
+  /// Whether two groups have different parts in a share, which still fits after their exchange.
+  [[nodiscard]] bool can_exchange(std::size_t share, std::size_t a, std::size_t b) const;
+  /// Doing it again takes it back.
+  void exchange(std::size_t share, std::size_t a, std::size_t b);
   void place(std::size_t share, std::size_t at, std::size_t besides, int by);
 };
 

@@ -1,4 +1,4 @@
-#include "loadorder/shares/group_shares.hpp"
+#include "loadorder/shares/groups/group_shares.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <set>
 #include <string>
 
-#include "../loadorder_support.hpp"
+#include "../../loadorder_support.hpp"
 #include "changeover/loadorder/workers.hpp"
-#include "loadorder/shares/idle_workers.hpp"
-#include "loadorder/shares/known_shares.hpp"
+#include "loadorder/shares/groups/idle_workers.hpp"
+#include "loadorder/shares/groups/known_shares.hpp"
 #include "loadorder/shares/owners/group_owners.hpp"
 
 namespace changeover::test::group_shares_test {

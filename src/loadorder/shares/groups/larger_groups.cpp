@@ -1,4 +1,4 @@
-#include "loadorder/shares/larger_groups.hpp"
+#include "loadorder/shares/groups/larger_groups.hpp"
 
 #include <algorithm>
 #include <cmath>
