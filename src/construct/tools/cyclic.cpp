@@ -99,33 +99,6 @@ PositionPair ordinary_3(std::uint64_t m, std::uint64_t i) {
   return {6 * m + 4, 8 * m + 6};
 }
 
-// The number of the pair that contains position c, the special one counted as number c−1.
-std::uint64_t link_pair(std::uint64_t c) {
-  const std::uint64_t m = c / 4;
-  switch (c % 4) {
-    case 0:
-      return 0;
-    case 1:
-      return c - 1;
-    case 2:
-      return m == 0 ? 0 : 2 * m - 1;
-    default:
-      return m == 0 ? c - 1 : 2 * m + 1;
-  }
-}
-
-// The only place that knows how large v may be.
-Parameters cyclic_parameters(std::uint64_t c, std::uint64_t step, std::uint64_t k,
-                             std::uint64_t change) {
-  std::uint64_t v = 0;
-  if (c < 1 || __builtin_mul_overflow(c, step, &v) ||
-      v >= std::numeric_limits<std::uint32_t>::max()) {
-    throw ImpossibleParameters(
-        fmt::format("c = {} and k = {}: c must be at least 1, and v below 2^32", c, k));
-  }
-  return {v + 1, k, change, Kind::circular, 2};
-}
-
 }  // namespace
 
 PositionPair ordinary_pair(std::uint64_t c, std::uint64_t i) {
@@ -155,6 +128,20 @@ PositionPair special_pair(std::uint64_t c) {
   }
 }
 
+std::uint64_t link_pair(std::uint64_t c) {
+  const std::uint64_t m = c / 4;
+  switch (c % 4) {
+    case 0:
+      return 0;
+    case 1:
+      return c - 1;
+    case 2:
+      return m == 0 ? 0 : 2 * m - 1;
+    default:
+      return m == 0 ? c - 1 : 2 * m + 1;
+  }
+}
+
 std::array<Element, 2> double_change_points(std::uint64_t c, std::uint64_t k, std::uint64_t i) {
   const std::uint64_t n = k - 2;
   const std::uint64_t step = 2 * k - 3;  // N
@@ -175,33 +162,8 @@ std::array<Element, 2> double_change_points(std::uint64_t c, std::uint64_t k, st
   return {std::min(x, y), std::max(x, y)};
 }
 
-IntervalBaseBlocks double_change_base_blocks(std::uint64_t c, std::uint64_t k) {
-  if (k < 3 || k > std::numeric_limits<std::uint32_t>::max()) {
-    throw ImpossibleParameters(fmt::format("k = {}: a cyclic DCCD needs 3 <= k < 2^32", k));
-  }
-  IntervalBaseBlocks base{cyclic_parameters(c, 4 * k - 6, k, 2), 0, k - 2, {}};
-  base.points.reserve(static_cast<std::size_t>(2 * c));
-  for (std::uint64_t i = 0; i < c; ++i) {
-    const std::array<Element, 2> points = double_change_points(c, k, i);
-    base.points.insert(base.points.end(), points.begin(), points.end());
-  }
-  return base;
-}
-
 Element single_change_point(std::uint64_t c, std::uint64_t k, std::uint64_t i) {
   return static_cast<Element>((i == c - 1 ? 1 : i + 2) * (k - 1));
-}
-
-IntervalBaseBlocks single_change_base_blocks(std::uint64_t c, std::uint64_t k) {
-  if (k < 2 || k > std::numeric_limits<std::uint32_t>::max()) {
-    throw ImpossibleParameters(fmt::format("k = {}: a cyclic SCCD needs 2 <= k < 2^32", k));
-  }
-  IntervalBaseBlocks base{cyclic_parameters(c, 2 * (k - 1), k, 1), 0, k - 1, {}};
-  base.points.reserve(static_cast<std::size_t>(c));
-  for (std::uint64_t i = 0; i < c; ++i) {
-    base.points.push_back(single_change_point(c, k, i));
-  }
-  return base;
 }
 
 bool has_interval_expansion_set(std::uint64_t v, std::uint64_t n) {

@@ -10,7 +10,7 @@
 //
 //     special_pair(6);                       // {5, 12}, 5 + 12 = 3·6 − 1
 //     ordinary_pair(6, 0);                   // {1, 2}; then {3, 6}, {4, 9}, {7, 11}, {8, 10}
-//     double_change_base_blocks(2, 4);       // {0,1} with {10,18} and {2,7} over Z_21
+//     double_change_points(2, 4, 0);         // {10, 18}; then {2, 7}, beside {0, 1} over Z_21
 //
 // Every pair has a closed form that depends on c modulo 4, so the i-th costs O(1).
 #pragma once
@@ -40,22 +40,17 @@ struct PositionPair {
 /// The special pair, for c ≥ 1; position c, that is p = 0, is its first if it is in it. O(1).
 [[nodiscard]] PositionPair special_pair(std::uint64_t c);
 
+/// The number of the pair with position c, the special one counted as number c−1. O(1).
+[[nodiscard]] std::uint64_t link_pair(std::uint64_t c);
+
 /// The two elements besides A of base block i, 0 ≤ i < c, the smaller first, in the order in which
 /// the base blocks are developed. v = c(4k−6)+1 must be below 2³². O(1).
 [[nodiscard]] std::array<Element, 2> double_change_points(std::uint64_t c, std::uint64_t k,
                                                           std::uint64_t i);
 
-/// The base blocks of the tight circular DCCD(c(4k−6)+1, k), with A as their interval. O(c).
-/// @throws ImpossibleParameters unless c ≥ 1, k ≥ 3 and v < 2³².
-[[nodiscard]] IntervalBaseBlocks double_change_base_blocks(std::uint64_t c, std::uint64_t k);
-
 /// The element besides {0, …, k−2} of base block i, 0 ≤ i < c: 2(k−1), 3(k−1), …, c(k−1), k−1.
 /// O(1).
 [[nodiscard]] Element single_change_point(std::uint64_t c, std::uint64_t k, std::uint64_t i);
-
-/// The base blocks of the tight circular SCCD(2c(k−1)+1, k) [ChafeeStevens2023]. O(c).
-/// @throws ImpossibleParameters unless c ≥ 1, k ≥ 2 and v < 2³².
-[[nodiscard]] IntervalBaseBlocks single_change_base_blocks(std::uint64_t c, std::uint64_t k);
 
 /// The largest v for which interval_expansion_set() is offered: its v numbers are all written down.
 inline constexpr std::uint64_t max_elements_of_interval_expansion = std::uint64_t{1} << 20;

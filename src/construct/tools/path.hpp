@@ -23,8 +23,16 @@
 #include <vector>
 
 #include "changeover/core/block.hpp"
+#include "core/contains.hpp"
 
 namespace changeover {
+
+/// How many elements of `to` are not in `from`: the distance of two blocks. O(k²).
+[[nodiscard]] inline std::uint64_t distance_between(std::span<const Element> from,
+                                                    std::span<const Element> to) {
+  return static_cast<std::uint64_t>(
+      std::ranges::count_if(to, [&](Element x) { return !contains(from, x); }));
+}
 
 /// From low to high, both included; empty if low > high.
 struct StepRange {

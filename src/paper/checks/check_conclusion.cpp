@@ -67,9 +67,10 @@ std::vector<PaperItem> check_conclusion(const PaperContext& context) {
           "Section 4",
           "asked: a recursion for expansion sets of even size; economical designs from tight "
           "ones; products of two designs; more designs with k > 4; triples",
-          "questions, not statements. Of what we know, in docs/theorems.md: Theorem 3 is a recursion "
-          "for either parity, Theorem 31 has tight designs for every even k, Theorem 33 designs "
-          "within a constant of the bound for every v; strength 3 and 4 are in docs/minima.md"),
+          "questions, not statements. Of what we know, in docs/theorems.md: Theorem 3 is a "
+          "recursion for either parity, Theorem 31 has tight designs for every even k, Theorem 33"
+          " designs within a constant of the bound for every v; strength 3 and 4 are in "
+          "docs/minima.md"),
   };
 }
 

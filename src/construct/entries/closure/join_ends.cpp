@@ -73,10 +73,7 @@ std::optional<Made> join_ends_recipe(const Recipe& input, const Design& design) 
   }
   const auto first = design.block(0);
   const auto last = design.block(design.block_count() - 1);
-  std::uint64_t distance = 0;
-  for (const Element x : first) {
-    distance += std::ranges::find(last, x) == last.end() ? 1U : 0U;
-  }
+  const std::uint64_t distance = distance_between(last, first);
   const auto steps = connecting_steps(distance, p.k, p.change, p.v);
   if (distance == 0 || !steps) {
     return std::nullopt;

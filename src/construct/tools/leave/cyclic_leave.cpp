@@ -58,9 +58,16 @@ PositionPair pair_without_one_before(std::uint64_t c, std::uint64_t i) {
   return {r + 3 + i, 3 * r + 2 - i};
 }
 
-std::uint64_t more_than_covered(const CyclicLeave::Shape& shape) {
-  const auto half = static_cast<std::uint64_t>(shape.half);
-  return 2 * shape.left + (shape.half == CyclicLeave::Half::covered ? 0 : half + 1);
+std::uint64_t elements_of(std::uint64_t k, const CyclicLeave::Shape& shape) {
+  const std::uint64_t covered = 2 * (shape.rounds * (2 * k - 3) + shape.left);
+  switch (shape.half) {
+    case CyclicLeave::Half::none:
+      return covered + 1;
+    case CyclicLeave::Half::left:
+      return covered + 2;
+    default:
+      return covered;
+  }
 }
 
 }  // namespace
@@ -80,10 +87,7 @@ bool CyclicLeave::serves(std::uint64_t k, const Shape& shape) {
 }
 
 CyclicLeave::CyclicLeave(std::uint64_t k, const Shape& shape)
-    : n_(k - 2),
-      step_(2 * k - 3),
-      w_(2 * shape.rounds * step_ + more_than_covered(shape)),
-      shape_(shape) {}
+    : n_(k - 2), step_(2 * k - 3), w_(elements_of(k, shape)), shape_(shape) {}
 
 // j of the one base block that is not of a pair: how far its second element is beyond its place.
 std::uint64_t CyclicLeave::beyond() const {
@@ -109,10 +113,13 @@ std::array<std::int64_t, 2> CyclicLeave::pair(std::uint64_t i) const {
 // The number of the pair that contains 0, c−1 if none does.
 std::uint64_t CyclicLeave::linking() const {
   const std::uint64_t c = shape_.rounds;
-  if (lacks_zero()) {
-    return c - 1;
-  }
-  return c % 4 == 3 || c == 2 ? 0 : c / 2 - 2;
+  return lacks_zero() ? c - 1 : c % 4 == 3 ? 0 : link_pair(c);
+}
+
+IntervalDevelopedSource::Points CyclicLeave::all_points() const {
+  return [leave = *this](std::uint64_t which, std::span<Element> points) {
+    std::ranges::copy(leave.points(which), points.begin());
+  };
 }
 
 std::array<Element, 2> CyclicLeave::points(std::uint64_t i) const {

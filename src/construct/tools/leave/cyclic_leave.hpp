@@ -1,8 +1,8 @@
 // Base blocks that cover each difference of Z_w once but for a few, the *leave*: what the
 // construction held-factors begins with [docs/theorems.md, Theorem 33].
 //
-// With n = k−2 and N = 2k−3 there are c base blocks A ∪ {x, y}, A = {0, …, n−1}, over Z_w. Their new
-// pairs have cN differences, each once. δ differences below w/2 are left, and of w/2:
+// With n = k−2 and N = 2k−3 there are c base blocks A ∪ {x, y}, A = {0, …, n−1}, over Z_w. Their
+// new pairs have cN differences, each once. δ differences below w/2 are left, and of w/2:
 //
 //     Half::none      w = 2cN + 2δ + 1, there is no w/2
 //     Half::left      w = 2cN + 2δ + 2, w/2 is left
@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "changeover/core/block.hpp"
+#include "changeover/core/developed.hpp"
 
 namespace changeover {
 
@@ -46,6 +47,9 @@ class CyclicLeave {
   /// The elements besides A of base block i, 0 ≤ i < c, the smaller first. The last base block
   /// contains n, so that A + 1 is kept on the way to the next round. O(1).
   [[nodiscard]] std::array<Element, 2> points(std::uint64_t i) const;
+
+  /// points() for IntervalDevelopedSource.
+  [[nodiscard]] IntervalDevelopedSource::Points all_points() const;
 
   /// The δ differences that are left, without w/2, increasing. O(δ).
   [[nodiscard]] std::vector<std::uint64_t> differences() const;

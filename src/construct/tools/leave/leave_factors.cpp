@@ -1,6 +1,7 @@
 #include "construct/tools/leave/leave_factors.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 namespace changeover {
@@ -22,8 +23,8 @@ std::optional<LeaveFactors> LeaveFactors::of(std::uint64_t w,
   for (std::size_t i = 0; i < differences.size(); ++i) {
     const Cycles& of = factors.cycles_[i];
     if (of.length % 2 == 0) {
-      factors.classes_.push_back({Kind::even_first, i, w / 2});
-      factors.classes_.push_back({Kind::even_second, i, w / 2});
+      factors.classes_.push_back({Kind::even, i, w / 2});
+      factors.classes_.push_back({Kind::even, i, w / 2, true});
     } else if (half) {
       if (!factors.add_prism(i)) {
         return std::nullopt;
@@ -32,8 +33,8 @@ std::optional<LeaveFactors> LeaveFactors::of(std::uint64_t w,
       if (of.length < 5) {
         return std::nullopt;
       }
-      factors.classes_.push_back({Kind::odd_first, i, (w + of.cycles) / 2});
-      factors.classes_.push_back({Kind::odd_second, i, (w + of.cycles % 2) / 2});
+      factors.classes_.push_back({Kind::odd, i, (w + of.cycles) / 2});
+      factors.classes_.push_back({Kind::odd, i, (w + of.cycles % 2) / 2, true});
     }
   }
   if (w % 2 == 1) {
@@ -72,13 +73,14 @@ bool LeaveFactors::add_prism(std::size_t which) {
   return true;
 }
 
-// The second class of a difference first, and another last.
+// The second class of the first difference first, that of the next one last.
 void LeaveFactors::order_odd() {
-  std::ranges::stable_partition(
-      classes_, [](const Class& c) { return c.kind == Kind::odd_second && c.which == 0; });
+  const auto is_second_of = [](std::size_t which) {
+    return [which](const Class& c) { return c.second && c.which == which; };
+  };
+  std::ranges::stable_partition(classes_, is_second_of(0));
   if (classes_.size() >= 4) {
-    std::ranges::stable_partition(
-        classes_, [](const Class& c) { return c.kind == Kind::odd_first || c.which != 1; });
+    std::ranges::stable_partition(classes_, std::not_fn(is_second_of(1)));
     classes_.back().reversed = true;
   }
 }
@@ -138,21 +140,14 @@ LeaveFactors::Pair LeaveFactors::pair(std::size_t i, std::uint64_t j) const {
     return rung_or_left_over(j);
   }
   const Cycles& cycles = cycles_[of.which];
-  switch (of.kind) {
-    case Kind::even_first:
-    case Kind::even_second: {
-      const std::uint64_t in_each = cycles.length / 2;
-      return edge(cycles, j / in_each, 2 * (j % in_each) + (of.kind == Kind::even_first ? 0 : 1));
-    }
-    case Kind::odd_first: {
-      const std::uint64_t in_each = (cycles.length + 1) / 2;
-      return edge(cycles, j / in_each, 2 * (j % in_each));
-    }
-    case Kind::odd_second:
-      return odd_second(cycles, of.reversed ? of.count - 1 - j : j);
-    default:
-      return prism(cycles, of.second, j);
+  if (of.kind == Kind::prism) {
+    return prism(cycles, of.second, j);
   }
+  if (of.kind == Kind::odd && of.second) {
+    return odd_second(cycles, of.reversed ? of.count - 1 - j : j);
+  }
+  const std::uint64_t in_each = (cycles.length + 1) / 2;
+  return edge(cycles, j / in_each, 2 * (j % in_each) + (of.second ? 1 : 0));
 }
 
 }  // namespace changeover

@@ -39,7 +39,7 @@ class LeaveFactors {
   [[nodiscard]] Pair pair(std::size_t i, std::uint64_t j) const;
 
  private:
-  enum class Kind : std::uint8_t { rungs, even_first, even_second, odd_first, odd_second, prism };
+  enum class Kind : std::uint8_t { rungs, even, odd, prism };
   struct Class {
     Kind kind = Kind::rungs;
     std::size_t which = 0;  // difference

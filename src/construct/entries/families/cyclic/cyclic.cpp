@@ -38,10 +38,6 @@ class Cyclic final : public IntervalFamily {
       std::ranges::copy(double_change_points(c, k, which), points.begin());
     };
   }
-
-  IntervalBaseBlocks interval_blocks(std::uint64_t c, std::uint64_t k) const override {
-    return double_change_base_blocks(c, k);
-  }
 };
 
 }  // namespace

@@ -3,8 +3,6 @@
 // [docs/theorems.md, Theorem 33].
 //
 // If k is odd and v is even each element has an excess of at least 1. Here it has no more.
-#include <algorithm>
-
 #include "construct/entries/families/cyclic/interval_family.hpp"
 #include "construct/tools/leave/cyclic_leave.hpp"
 
@@ -19,10 +17,6 @@ constexpr Description description{
     .guarantee = "a minimum circular DCCD(c(4k-6),k,cv); an expansion set if k-2 | c and v <= 2^20",
     .place = "docs/theorems.md, Theorem 33",
 };
-
-CyclicLeave leave_of(std::uint64_t c, std::uint64_t k) {
-  return {k, {.rounds = c, .left = 0, .half = CyclicLeave::Half::covered}};
-}
 
 class CyclicHalf final : public IntervalFamily {
  public:
@@ -39,19 +33,8 @@ class CyclicHalf final : public IntervalFamily {
   }
 
   IntervalDevelopedSource::Points points_of(std::uint64_t c, std::uint64_t k) const override {
-    return [leave = leave_of(c, k)](std::uint64_t which, std::span<Element> points) {
-      std::ranges::copy(leave.points(which), points.begin());
-    };
-  }
-
-  IntervalBaseBlocks interval_blocks(std::uint64_t c, std::uint64_t k) const override {
-    const CyclicLeave leave = leave_of(c, k);
-    IntervalBaseBlocks base{{leave.elements(), k, 2, Kind::circular, 2}, 0, k - 2, {}};
-    for (std::uint64_t i = 0; i < c; ++i) {
-      const auto points = leave.points(i);
-      base.points.insert(base.points.end(), points.begin(), points.end());
-    }
-    return base;
+    return CyclicLeave(k, {.rounds = c, .left = 0, .half = CyclicLeave::Half::covered})
+        .all_points();
   }
 };
 

@@ -37,10 +37,6 @@ class CyclicSingleChange final : public IntervalFamily {
       points.front() = single_change_point(c, k, which);
     };
   }
-
-  IntervalBaseBlocks interval_blocks(std::uint64_t c, std::uint64_t k) const override {
-    return single_change_base_blocks(c, k);
-  }
 };
 
 }  // namespace

@@ -89,17 +89,6 @@ class CyclicTripleChange final : public IntervalFamily {
       std::ranges::sort(points);
     };
   }
-
-  IntervalBaseBlocks interval_blocks(std::uint64_t c, std::uint64_t k) const override {
-    const Parameters p{6 * c * (k - 2) + 1, k, 3, Kind::circular, 2};
-    check(p);
-    IntervalBaseBlocks base{p, 0, k - 3, std::vector<Element>(3 * static_cast<std::size_t>(c))};
-    const auto points = points_of(c, k);
-    for (std::uint64_t i = 0; i < c; ++i) {
-      points(i, std::span(base.points).subspan(3 * static_cast<std::size_t>(i), 3));
-    }
-    return base;
-  }
 };
 
 }  // namespace

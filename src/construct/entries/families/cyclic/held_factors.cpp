@@ -1,11 +1,11 @@
 // Double-change designs whose waste does not grow with v: what a cyclic list of base blocks leaves
-// is split into classes of pairs, and these pass beside new elements that are held [docs/theorems.md,
-// Theorem 33].
+// is split into classes of pairs, and these pass beside new elements that are held
+// [docs/theorems.md, Theorem 33].
 //
 // v = w + nt, n = k−2. First the cyclic list on w elements, then a short list on nt new ones; where
-// the latter keeps a group of n, the pairs of a class pass beside it. Where two neighbours do not
-// differ in two elements a shortest way leads from the one to the other: between the two lists, and
-// back if the design is circular. The list is a stream in memory of the short list.
+// the latter keeps a group of n, the pairs of a class pass beside it. Shortest ways lead from the
+// one list to the other, over the gaps of the short one, and back if the design is circular. All
+// this is a stream in memory of the short list.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -85,39 +85,34 @@ std::optional<Shape> shape(const Parameters& p) {
   return std::nullopt;
 }
 
-IntervalDevelopedSource::Points points_of(const CyclicLeave& leave) {
-  return [leave](std::uint64_t which, std::span<Element> points) {
-    std::ranges::copy(leave.points(which), points.begin());
-  };
-}
-
-// The two lists, without the ways between them.
-class TwoLists final : public BlockByBlock<TwoLists> {
+// The cyclic list, and the held one without the ways over its gaps.
+class TwoLists {
  public:
   TwoLists(const Parameters& p, Shape s)
-      : parameters_(p.as(Kind::linear)),
+      : k_(p.k),
         shape_(std::move(s)),
         held_(p.k, shape_.groups),
         cyclic_(p.on(shape_.leave.elements()).as(Kind::circular), 0, p.k - 2,
-                shape_.leave.base_blocks(), points_of(shape_.leave)) {}
+                shape_.leave.base_blocks(), shape_.leave.all_points()) {}
 
-  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
-  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
+  /// The blocks of both, with the ways that circular designs take or linear ones.
+  [[nodiscard]] std::uint64_t count(const Distances& distances, Kind kind) const {
     std::uint64_t b = checked_multiply(shape_.leave.base_blocks(), shape_.leave.elements());
     for (std::size_t i = 0; i < shape_.factors.size(); ++i) {
       b = checked_add(b, shape_.factors.count(i));
     }
-    return checked_add(b, held_.size());
+    b = checked_add(b, held_.size());
+    const auto between = [&](std::uint64_t distance) { return *distances.steps(distance) - 1; };
+    b += between(distance_between(last_cyclic(), first_held()));
+    b += held_.gaps() * between(k_ - 2);
+    return kind == Kind::linear ? b : b + between(distance_between(last_held(), first_cyclic()));
   }
 
-  bool make(std::span<Element> block) {
-    if (cyclic_.next(block)) {
-      return true;
-    }
-    const bool passes = group_ < shape_.groups && held_.position(group_) == made_;
-    if (passes) {
-      write_held(group_, pair_, block);
-      if (++pair_ == shape_.factors.count(static_cast<std::size_t>(group_))) {
+  bool next_cyclic(std::span<Element> block) { return cyclic_.next(block); }
+  bool next_held(std::span<Element> block) {
+    if (group_ < shape_.groups && held_.position(group_) == made_) {
+      write_passing(group_, pair_, block);
+      if (++pair_ == shape_.factors.count(group_)) {
         ++group_;
         pair_ = 0;
       }
@@ -129,33 +124,39 @@ class TwoLists final : public BlockByBlock<TwoLists> {
     write_short(made_++, block);
     return true;
   }
-
-  bool rewind() override {
-    made_ = group_ = 0;
-    pair_ = 0;
-    return cyclic_.rewind();
+  void rewind() {
+    made_ = pair_ = 0;
+    group_ = 0;
+    cyclic_.rewind();
   }
-
-  // ---- The blocks at the ends of the two lists.
 
   [[nodiscard]] Block first_cyclic() const { return cyclic_block(0, 0); }
   [[nodiscard]] Block last_cyclic() const {
     return cyclic_block(shape_.leave.base_blocks() - 1, shape_.leave.elements() - 1);
   }
-  [[nodiscard]] Block first_held() const {
-    return held_.position(0) == 0 ? passing(0, 0) : short_block(0);
-  }
-  [[nodiscard]] Block last_held() const {
-    const std::uint64_t last = shape_.groups - 1;
-    return held_.position(last) == held_.size()
-               ? passing(last, shape_.factors.count(static_cast<std::size_t>(last)) - 1)
-               : short_block(held_.size() - 1);
-  }
-  [[nodiscard]] std::uint64_t gaps() const { return held_.gaps(); }
 
  private:
+  [[nodiscard]] Block first_held() const {
+    Block block(static_cast<std::size_t>(k_));
+    if (held_.position(0) == 0) {
+      write_passing(0, 0, block);
+    } else {
+      write_short(0, block);
+    }
+    return block;
+  }
+  [[nodiscard]] Block last_held() const {
+    Block block(static_cast<std::size_t>(k_));
+    const std::size_t last = shape_.factors.size() - 1;
+    if (held_.position(last) == held_.size()) {
+      write_passing(last, shape_.factors.count(last) - 1, block);
+    } else {
+      write_short(held_.size() - 1, block);
+    }
+    return block;
+  }
   [[nodiscard]] Block cyclic_block(std::uint64_t which, std::uint64_t shift) const {
-    Block block(static_cast<std::size_t>(parameters_.k - 2));
+    Block block(static_cast<std::size_t>(k_ - 2));
     std::iota(block.begin(), block.end(), 0);
     std::ranges::copy(shape_.leave.points(which), std::back_inserter(block));
     for (Element& x : block) {
@@ -163,22 +164,10 @@ class TwoLists final : public BlockByBlock<TwoLists> {
     }
     return block;
   }
-  [[nodiscard]] Block passing(std::uint64_t group, std::uint64_t pair) const {
-    Block block(static_cast<std::size_t>(parameters_.k));
-    write_held(group, pair, block);
-    return block;
-  }
-  [[nodiscard]] Block short_block(std::uint64_t number) const {
-    Block block(static_cast<std::size_t>(parameters_.k));
-    write_short(number, block);
-    return block;
-  }
-  void write_held(std::uint64_t group, std::uint64_t pair, std::span<Element> block) const {
-    const auto n = static_cast<std::ptrdiff_t>(parameters_.k - 2);
-    std::iota(block.begin(), block.begin() + n,
-              static_cast<Element>(shape_.leave.elements() + group * (parameters_.k - 2)));
-    std::ranges::copy(shape_.factors.pair(static_cast<std::size_t>(group), pair),
-                      block.begin() + n);
+  void write_passing(std::size_t group, std::uint64_t pair, std::span<Element> block) const {
+    const std::uint64_t first = shape_.leave.elements() + group * (k_ - 2);
+    std::iota(block.begin(), block.end() - 2, static_cast<Element>(first));
+    std::ranges::copy(shape_.factors.pair(group, pair), block.end() - 2);
   }
   void write_short(std::uint64_t number, std::span<Element> block) const {
     held_.write(number, block);
@@ -187,12 +176,12 @@ class TwoLists final : public BlockByBlock<TwoLists> {
     }
   }
 
-  Parameters parameters_;
+  std::uint64_t k_;
   Shape shape_;
   HeldList held_;
   IntervalDevelopedSource cyclic_;
-  std::uint64_t made_ = 0;   // of the short list
-  std::uint64_t group_ = 0;  // that passes next
+  std::uint64_t made_ = 0;  // of the short list
+  std::size_t group_ = 0;   // that passes next
   std::uint64_t pair_ = 0;
 };
 
@@ -207,88 +196,76 @@ std::string differences(const std::vector<std::uint64_t>& numbers) {
                      fmt::join(numbers, ", "));
 }
 
-std::uint64_t missing(const Block& from, const Block& to) {
-  return static_cast<std::uint64_t>(std::ranges::count_if(
-      to, [&](Element x) { return std::ranges::find(from, x) == from.end(); }));
-}
-
-// A list in which neighbours may differ in more than two elements, with shortest ways between them.
-class Joined final : public BlockByBlock<Joined> {
+// Both lists, and shortest ways to where a step would change more than two elements.
+class HeldFactorsSource final : public BlockByBlock<HeldFactorsSource> {
  public:
-  Joined(const Parameters& p, std::unique_ptr<TwoLists> lists, std::uint64_t b)
+  HeldFactorsSource(const Parameters& p, Shape shape)
       : parameters_(p),
-        lists_(std::move(lists)),
-        b_(b),
+        lists_(p, std::move(shape)),
         distances_(std::make_shared<const Distances>(p.k, p.change, p.v)),
-        here_(static_cast<std::size_t>(p.k)),
+        here_(lists_.last_cyclic()),
         next_(here_) {}
 
   [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
-  [[nodiscard]] std::optional<std::uint64_t> block_count() const override { return b_; }
+  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
+    return lists_.count(*distances_, parameters_.kind);
+  }
 
   bool make(std::span<Element> block) {
-    if (way_) {
-      if (way_->next(block)) {
-        return true;
-      }
-      way_.reset();
-      if (ended_) {
-        return false;
-      }
-      std::ranges::copy(next_, block.begin());
-      here_ = next_;
+    if (lists_.next_cyclic(block)) {
       return true;
     }
-    if (ended_) {
-      return false;
-    }
-    if (!lists_->next(next_)) {
-      ended_ = true;
-      if (parameters_.kind == Kind::linear) {
+    if (!way_) {
+      if (!ended_ && !lists_.next_held(next_)) {
+        ended_ = true;
+        next_ = lists_.first_cyclic();
+      }
+      if (ended_ && (parameters_.kind == Kind::linear || here_ == next_)) {
         return false;
       }
-      next_ = lists_->first_cyclic();
-      way_.emplace(distances_, here_, next_);
-      return make(block);
+      if (distance_between(here_, next_) != parameters_.change) {
+        way_.emplace(distances_, here_, next_);
+      }
     }
-    if (begun_ && missing(here_, next_) != parameters_.change) {
-      way_.emplace(distances_, here_, next_);
-      return make(block);
+    if (way_ && way_->next(block)) {
+      return true;
     }
-    begun_ = true;
-    std::ranges::copy(next_, block.begin());
+    way_.reset();
     here_ = next_;
-    return true;
+    std::ranges::copy(next_, block.begin());
+    return !ended_;
   }
 
   bool rewind() override {
+    lists_.rewind();
+    here_ = lists_.last_cyclic();
     way_.reset();
-    begun_ = ended_ = false;
-    return lists_->rewind();
+    ended_ = false;
+    return true;
   }
 
  private:
   Parameters parameters_;
-  std::unique_ptr<TwoLists> lists_;
-  std::uint64_t b_;
+  TwoLists lists_;
   std::shared_ptr<const Distances> distances_;
   Block here_;
   Block next_;
   std::optional<Way> way_;
-  bool begun_ = false;
-  bool ended_ = false;
+  bool ended_ = false;  // only the way back to the first block follows
 };
 
 class HeldFactors final : public Described<Family, description> {
   std::optional<Promise> promise(const Parameters& p) const override {
-    const auto s = shape(p);
-    return s ? std::optional(Promise{.b = count(p, *s)}) : std::nullopt;
+    auto s = shape(p);
+    if (!s) {
+      return std::nullopt;
+    }
+    const Distances distances(p.k, p.change, p.v);
+    return Promise{.b = TwoLists(p, *std::move(s)).count(distances, p.kind)};
   }
 
   std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
-    Shape s = *shape(p);
-    const std::uint64_t b = count(p, s);
-    return std::make_unique<Joined>(p, std::make_unique<TwoLists>(p, std::move(s)), b);
+    return std::make_unique<HeldFactorsSource>(p, *shape(p));
   }
 
   std::string explanation(const Parameters& p) const override {
@@ -300,7 +277,7 @@ class HeldFactors final : public Described<Family, description> {
       left.push_back(w / 2);
     }
     const std::string developed =
-        explain_development(p.on(w), n, s.leave.base_blocks(), points_of(s.leave));
+        explain_development(p.on(w), n, s.leave.base_blocks(), s.leave.all_points());
     std::uint64_t pairs = 0;
     for (std::size_t i = 0; i < s.factors.size(); ++i) {
       pairs = std::max(pairs, s.factors.count(i));
@@ -315,20 +292,6 @@ class HeldFactors final : public Described<Family, description> {
                   2 * pairs == w ? "They" : "They and a few more", s.groups, w, n, s.groups * n);
     return fmt::format("{} This leaves the pairs with {}. {}", developed, differences(left),
                        beside);
-  }
-
-  static std::uint64_t count(const Parameters& p, const Shape& s) {
-    const TwoLists lists(p, s);
-    const Distances distances(p.k, p.change, p.v);
-    const auto between = [&](const Block& from, const Block& to) {
-      return distances.steps(missing(from, to)).value() - 1;
-    };
-    std::uint64_t b = *lists.block_count() + between(lists.last_cyclic(), lists.first_held());
-    if (p.kind == Kind::circular) {
-      b += between(lists.last_held(), lists.first_cyclic());
-    }
-    b += lists.gaps() * (*distances.steps(p.k - 2) - 1);
-    return b;
   }
 };
 

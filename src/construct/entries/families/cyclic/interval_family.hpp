@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,11 +38,19 @@ class IntervalFamily : public Family {
   }
 
   std::optional<IntervalBaseBlocks> interval_base_blocks(const Recipe& recipe) const override {
-    const std::uint64_t c = base_block_count(required(recipe));
+    const Parameters& p = required(recipe);
+    const std::uint64_t c = base_block_count(p);
     if (c > max_listed_points / change_) {
       return std::nullopt;
     }
-    return interval_blocks(c, recipe.parameters.k);
+    const auto m = static_cast<std::size_t>(change_);
+    IntervalBaseBlocks base{p, 0, p.k - change_,
+                            std::vector<Element>(static_cast<std::size_t>(c) * m)};
+    const IntervalDevelopedSource::Points points = points_of(c, p.k);
+    for (std::size_t i = 0; i < c; ++i) {
+      points(i, std::span(base.points).subspan(i * m, m));
+    }
+    return base;
   }
 
  protected:
@@ -53,8 +62,6 @@ class IntervalFamily : public Family {
   /// The m points of each base block, which outlives this object.
   [[nodiscard]] virtual IntervalDevelopedSource::Points points_of(std::uint64_t c,
                                                                   std::uint64_t k) const = 0;
-  [[nodiscard]] virtual IntervalBaseBlocks interval_blocks(std::uint64_t c,
-                                                           std::uint64_t k) const = 0;
 
  private:
   std::optional<Promise> promise(const Parameters& p) const final {
