@@ -359,7 +359,8 @@ class BenchPlanner {
   void search_without_clock(ListsJob job, const std::vector<BenchLists>& starts,
                             const ListsSearch& search) {
     job.overlaps = true;
-    ShareOfTime part = part_of_the_time(share_without_clock(job, starts.front(), *control_));
+    ShareOfTime part = part_of_the_time(
+        share_without_clock(places_of(job, starts.front()), control_->time_left()));
     const FoundLists found = search_lists(job, starts, search, part.control());
     plan_.steps += found.steps;
     add("local search without waiting",

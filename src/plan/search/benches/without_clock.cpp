@@ -4,21 +4,23 @@
 
 namespace changeover {
 
-double share_without_clock(const ListsJob& job, const BenchLists& lists,
-                           const RunControl& control) {
+std::uint64_t places_of(const ListsJob& job, const BenchLists& lists) {
+  std::uint64_t places = 0;
+  for (std::size_t bench = 0; bench < lists.size(); ++bench) {
+    places += lists[bench].size() * job.jobs[bench]->room();
+  }
+  return places;
+}
+
+double share_without_clock(std::uint64_t places,
+                           std::optional<std::chrono::duration<double>> left) {
   constexpr double least = 0.1;
   constexpr double most = 0.5;
   constexpr double a_place = 0.0004;  // seconds
-  const auto left = control.time_left();
   if (!left || left->count() <= 0) {
     return most;
   }
-  double places = 0;
-  for (std::size_t bench = 0; bench < lists.size(); ++bench) {
-    places +=
-        static_cast<double>(lists[bench].size()) * static_cast<double>(job.jobs[bench]->room());
-  }
-  return std::clamp(a_place * places / left->count(), least, most);
+  return std::clamp(a_place * static_cast<double>(places) / left->count(), least, most);
 }
 
 }  // namespace changeover

@@ -1,15 +1,21 @@
 // How much time the search for lists without the clock gets.
 #pragma once
 
-#include "changeover/run/control.hpp"
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
 #include "plan/search/lists/lists.hpp"
 
 namespace changeover {
 
-/// The share of the time that is left: as long as it takes to part benches that want the same
-/// scarce parts. Then the search with the clock does more; but where time is short, it needs half
-/// of it for lists as long as these.
-[[nodiscard]] double share_without_clock(const ListsJob& job, const BenchLists& lists,
-                                         const RunControl& control);
+/// How many parts are in all tests of the lists at most.
+[[nodiscard]] std::uint64_t places_of(const ListsJob& job, const BenchLists& lists);
+
+/// The share of the time that is left, for lists of so many places together: as long as it takes to
+/// part benches that want the same scarce parts, a tenth. Then the search with the clock does more;
+/// but where time is short it needs up to half, and half if there is no limit.
+[[nodiscard]] double share_without_clock(std::uint64_t places,
+                                         std::optional<std::chrono::duration<double>> left);
 
 }  // namespace changeover
