@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <iterator>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "changeover/bounds/lower_bound.hpp"
@@ -122,6 +124,22 @@ class Drawing {
     taken_[block] = true;
   }
 
+  // A part and what is locked in a block that has its place; nullopt if that is too much.
+  std::optional<Block> with_locked(std::size_t block, Block part) const {
+    const Place& place = *std::ranges::find(places_, block, &Place::block);
+    std::ranges::copy(place.locked, std::back_inserter(part));
+    return part.size() <= p_.k ? std::optional(std::move(part)) : std::nullopt;
+  }
+
+  // Another start for a block that has its place, or a place for it.
+  void put(std::size_t block, Block whole) {
+    if (taken_[block]) {
+      std::ranges::find(places_, block, &Place::block)->whole = std::move(whole);
+    } else {
+      add(block, std::move(whole), {});
+    }
+  }
+
   bool place_fixed() {
     taken_.assign(blocks_, false);
     if (!wanted_.first.empty()) {
@@ -170,9 +188,13 @@ class Drawing {
     const std::size_t steps = circular ? blocks_ : blocks_ - 1;
     const std::size_t wanted_gap = ceil_div(p_.k, p_.change) + 1;
     const std::size_t gap = std::max<std::size_t>(2, std::min(wanted_gap, steps / count));
-    const std::size_t at_start = wanted_.first.empty() ? 0 : gap - 1;
-    const std::size_t at_end = wanted_.last.empty() ? 0 : gap - 1;
-    const std::size_t room = at_start + at_end + gap * count - (circular ? 0 : gap - 1);
+    std::size_t at_start = wanted_.first.empty() ? 0 : gap - 1;
+    std::size_t at_end = wanted_.last.empty() ? 0 : gap - 1;
+    const std::size_t for_parts = gap * count - (circular ? 0 : gap - 1);
+    if (at_start + at_end + for_parts > steps) {
+      at_start = at_end = 0;  // Parts may be in the first and the last block.
+    }
+    const std::size_t room = at_start + at_end + for_parts;
     if (room > steps) {
       return false;
     }
@@ -183,17 +205,21 @@ class Drawing {
     }
     std::ranges::sort(places);
     std::optional<std::size_t> previous;
+    Block end;  // the second block of the previous part
     for (std::size_t j = 0; j < count; ++j) {
       const std::size_t step = (turned + places[j] + gap * j) % steps;
       const std::size_t next = (step + 1) % blocks_;
-      if (taken_[step] || taken_[next]) {
+      const Block part = sorted(std::span(rest).subspan(j * part_size_, part_size_));
+      const std::optional<Block> with_first = taken_[step] ? with_locked(step, part) : part;
+      const std::optional<Block> with_last = taken_[next] ? with_locked(next, part) : part;
+      if (!with_first || !with_last) {
         return false;
       }
-      const Block part = sorted(std::span(rest).subspan(j * part_size_, part_size_));
       const Block before =
-          previous == step ? filled_after(part, places_.back().whole) : filled(part, {});
-      add(step, before, {});
-      add(next, filled(part, difference(before, part)), {});
+          previous == step ? filled_after(*with_first, end) : filled(*with_first, {});
+      put(step, before);
+      end = filled(*with_last, difference(before, part));
+      put(next, end);
       parts_.push_back({part, static_cast<std::uint32_t>(step)});
       previous = next + 1;
     }

@@ -80,20 +80,31 @@ TEST(LockedSearch, FindsPartsThatStandClose) {
   expect_as_wanted(searched({12, 4, 2, Kind::linear, 2}, but_two, 15), but_two);
 }
 
+// The only part is in the block with the first set, or in that with the last one.
+TEST(LockedSearch, FindsPartsInTheBlocksAtTheEnds) {
+  const Wanted ends{.first = {0, 1}, .last = {4, 5}, .expansion_set = true};
+  expect_as_wanted(searched({6, 4, 2, Kind::linear, 2}, ends, 3), ends);
+  const Wanted single{.first = {0, 1, 2}, .last = {2, 3, 4}, .expansion_set = true};
+  expect_as_wanted(searched({8, 4, 1, Kind::linear, 2}, single, 9), single);
+}
+
 // Too few blocks for all the parts, or places that do not fit: nothing is found, and nothing is lost.
 TEST(LockedSearch, NeverLosesWhatIsWanted) {
   for (std::uint64_t v = 6; v <= 14; ++v) {
     for (const Kind kind : {Kind::linear, Kind::circular}) {
       for (const std::uint64_t change : {1U, 2U}) {
         const Parameters p{v, 4, change, kind, 2};
-        const Wanted wanted{.expansion_set = true};
-        if (!wanted_defect(p, wanted).empty()) {
-          continue;
-        }
-        SCOPED_TRACE(name(p));
-        const LockedResult found = searched(p, wanted, lower_bound(p).blocks, 300'000);
-        if (found.design) {
-          expect_as_wanted(found, wanted);
+        for (const Wanted& wanted :
+             {Wanted{.expansion_set = true}, Wanted{.first = {0, 1}, .expansion_set = true},
+              Wanted{.first = {0, 1}, .last = {2, 3}, .expansion_set = true}}) {
+          if (!wanted_defect(p, wanted).empty()) {
+            continue;
+          }
+          SCOPED_TRACE(name(p));
+          const LockedResult found = searched(p, wanted, lower_bound(p).blocks, 100'000);
+          if (found.design) {
+            expect_as_wanted(found, wanted);
+          }
         }
       }
     }
