@@ -136,7 +136,7 @@ BaseBlockAnnealing base_blocks_by_annealing(const Parameters& p, const BaseBlock
   for (int run = 0; result.moves < moves; ++run) {
     // Every second run is twice as long: base blocks are few, so several runs are better than one
     // long one.
-    length *= run > 0 && run % 2 == 0 ? 2 : 1;
+    length *= run > 0 && run % 2 == 0 ? 2U : 1U;
     const std::vector<Block> begin = random_base_blocks(p, shape, random);
     if (begin.empty() || control.stop_wanted()) {
       break;
