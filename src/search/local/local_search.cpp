@@ -79,7 +79,6 @@ class Improver {
         go_on(*std::move(checkpoint));
       }
     }
-    started_from_ = blocks_of_best();
     take_known();
     if (options_.start) {
       auto start = verified(*options_.start);
@@ -87,9 +86,8 @@ class Improver {
         throw BadInput(fmt::format("the design to start from is not a {}; repair it first",
                                    name(parameters_)));
       }
-      take(*std::move(start), "the design to start from");
+      start_from(*std::move(start), "the design to start from");
     }
-    started_from_ = blocks_of_best();
     if (!best_) {
       Random random(seed_);
       Design list(parameters_);
@@ -121,8 +119,14 @@ class Improver {
     moves_ = moves_before_ = checkpoint.moves;
     arms_.restore(checkpoint.arms);
     if (checkpoint.best) {
-      take(*std::move(checkpoint.best), checkpoint.how);
+      start_from(*std::move(checkpoint.best), checkpoint.how);
     }
+  }
+
+  // What is known beforehand counts as that even if the search is stopped before all of it is.
+  void start_from(VerifiedDesign design, const std::string& how) {
+    take(std::move(design), how);
+    started_from_ = blocks_of_best();
   }
 
   // Without memory for the best recipe, the design of the checkpoint is enough.
@@ -131,10 +135,10 @@ class Improver {
       // Finding the best recipe may take longer than the remaining time; the offers of
       // constructions are available at once.
       if (const auto offer = Registry::standard().best(parameters_)) {
-        take(built_design(*offer), "best recipe");
+        start_from(built_design(*offer), "best recipe");
       }
       if (auto known = best_known_design(parameters_)) {
-        take(*std::move(known), "best recipe");
+        start_from(*std::move(known), "best recipe");
       }
     } catch (const MissingResource&) {
       if (!best_) {

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "changeover/bounds/lower_bound.hpp"
@@ -101,6 +103,21 @@ TEST(Improve, StopsWhenTold) {
   EXPECT_EQ(found.why_stopped, WhyStopped::interrupted);
   // On a machine that is busy the grace may be over before there is a design to start from.
   EXPECT_TRUE(!found.design || verify(*found.design).valid());
+}
+
+// Known designs are so large here that the grace ends before, between or after the two that are
+// built: what was built is where the search started, and nothing that it found.
+TEST(Improve, StoppedAmongKnownDesignsFindsNothing) {
+  const std::atomic<bool> interrupted = true;
+  for (const auto [v, k] : {std::pair{4200U, 600U}, {5000U, 700U}, {5600U, 800U}}) {
+    const ImproveResult found =
+        search({.v = v, .k = k, .change = 2}, {}, {.interrupted = &interrupted});
+    EXPECT_EQ(found.moves, 0U);
+    ASSERT_EQ(found.started_from.has_value(), found.design.has_value()) << v;
+    if (found.design) {
+      EXPECT_EQ(found.started_from, found.design->block_count()) << v;
+    }
+  }
 }
 
 TEST(Improve, SeveralThreadsAndSharesFindValidDesigns) {
