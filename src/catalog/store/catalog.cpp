@@ -208,8 +208,8 @@ std::vector<Improvement> Catalog::history(const Parameters& p) const {
       const Credit& credit = entry.credit;
       std::string how = credit.command.empty() ? entry.recipe.construction : credit.command;
       if (!entry.cites.empty()) {
-        const std::string from = fmt::format("[{}]", fmt::join(entry.cites, ", "));
-        how = credit.command.empty() ? from : from + "; " + how;
+        std::string from = fmt::format("[{}]", fmt::join(entry.cites, ", "));
+        how = credit.command.empty() ? std::move(from) : fmt::format("{}; {}", from, how);
       }
       for (const std::string& more : {entry.note, credit.who, credit.program}) {
         how += more.empty() ? "" : "; " + more;

@@ -243,6 +243,31 @@ TEST(Catalog, HistoryIsOfImprovements) {
                                  "2026-03-01 5 by hand; C"));
 }
 
+// Where a design is from comes before how it was made; without either, what constructs it.
+TEST(Catalog, HistoryNamesWhatIsCited) {
+  const TemporaryFolder folder;
+  std::mt19937 random(5);
+  Catalog catalog({.user = folder.file("mine.db")});
+  const auto put = [&](std::uint64_t b, std::vector<std::string> cites, std::string command,
+                       std::string note) {
+    CatalogEntry entry = random_entry(cell, b, random);
+    entry.cites = std::move(cites);
+    entry.note = std::move(note);
+    entry.credit = {.who = "A", .date = "2026-01-01", .program = "", .command = std::move(command)};
+    catalog.add(entry);
+    return entry.recipe.construction;
+  };
+  const std::string made_by = put(9, {}, "", "");
+  put(8, {"One2020"}, "", "table 3");
+  put(7, {"One2020", "Two2021"}, "by hand", "");
+  std::vector<std::string> steps;
+  for (const Improvement& step : catalog.history(cell)) {
+    steps.push_back(step.how);
+  }
+  EXPECT_THAT(steps, ElementsAre(made_by + "; A", "[One2020]; table 3; A",
+                                 "[One2020, Two2021]; by hand; A"));
+}
+
 // What a filter lets through, entry by entry.
 std::vector<std::string> by_hand(const Stock& stock, const CatalogFilter& f) {
   std::vector<std::string> labels;
