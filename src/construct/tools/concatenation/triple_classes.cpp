@@ -155,6 +155,9 @@ std::vector<Block> triple_class(std::uint64_t q, std::uint64_t g, std::uint64_t 
   const bool square = q == 3 && !squares(g).empty();
   const bool lines = q == 3 && !square && Slopes::known(g, 3);
   const std::uint64_t times = square || lines ? g : inflation(q, g);
+  if (times == 0) {
+    return {};
+  }
   // Triples of groups, or of the smaller design, each of whose elements becomes `times`.
   const std::vector<Block> triples = square || lines
                                          ? std::vector<Block>{{0, 1, 2}}

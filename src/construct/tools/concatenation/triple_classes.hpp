@@ -24,7 +24,8 @@ namespace changeover {
 /// table of written ones.
 [[nodiscard]] std::uint64_t triple_class_count(std::uint64_t q, std::uint64_t g);
 
-/// Class `index` < triple_class_count(q, g). Element j < g of group i < q is i·g + j. O(qg).
+/// Class `index` < triple_class_count(q, g). Element j < g of group i < q is i·g + j. No triples
+/// if no classes are known. O(qg).
 [[nodiscard]] std::vector<Block> triple_class(std::uint64_t q, std::uint64_t g,
                                               std::uint64_t index);
 

@@ -89,6 +89,8 @@ TEST(Groups, TriplesOfMoreThanThreeGroups) {
         EXPECT_EQ(2 * classes, g * (q - 1));
         check_classes({q, g}, 3, classes, false);
         ++known;
+      } else {
+        EXPECT_TRUE(group_class({q, g}, 3, 0).empty());
       }
     }
   }
@@ -96,6 +98,7 @@ TEST(Groups, TriplesOfMoreThanThreeGroups) {
   for (const std::uint64_t huge : {UINT64_MAX, UINT64_MAX / 3, std::uint64_t{1} << 40}) {
     EXPECT_EQ(class_count({4, huge}, 3), 0U);
     EXPECT_EQ(class_count({huge, 6}, 3), 0U);
+    EXPECT_TRUE(group_class({huge, 6}, 3, 0).empty());
   }
 }
 
