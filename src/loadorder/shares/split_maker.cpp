@@ -145,9 +145,10 @@ void SplitMaker::take_steps(WorkerSplit& split, std::shared_ptr<const WorkerStep
     whole.steps += worker.steps;
   }
   split.steps_ = steps;
-  split.order_ = LoadOrder(std::move(whole), [steps, workers = facts.workers.size()] {
-    return one_after_another(steps, workers);
-  });
+  split.order_ =
+      LoadOrder(std::move(whole), [steps = std::move(steps), workers = facts.workers.size()] {
+        return one_after_another(steps, workers);
+      });
   weigh(split);
 }
 
@@ -402,6 +403,7 @@ WorkerSplit SplitMaker::two_levels(WorkerSplit split, const LoadOrderFacts& leve
   constexpr std::size_t most_searched = 4;  // workers, some seconds each
   own_orders(split, [&](const std::vector<std::vector<ItemPair>>& pairs) {
     std::vector<std::vector<Move>> moves;
+    moves.reserve(pairs.size());
     for (const std::vector<ItemPair>& of_worker : pairs) {
       moves.push_back(levels.sizes
                           ? sized_levels_of(of_worker, *levels.sizes, options)
@@ -466,6 +468,7 @@ void SplitMaker::verify(WorkerSplit& split, const LoadOrderOptions& options) {
   ScheduleVerdict verdict = check_schedule(*steps, rules, how);
   verdict.worker_pairs.resize(facts.workers.size(), 0);
   std::vector<std::uint64_t> said;
+  said.reserve(facts.workers.size());
   for (const WorkerFacts& worker : facts.workers) {
     said.push_back(worker.pairs);
   }

@@ -178,6 +178,7 @@ bool is_less_busy(const WorkerSplit& split, const WorkerSplit& other) {
 WorkerSplit best_of_two_levels(std::vector<WorkerSplit> candidates,
                                const LoadOrderOptions& options) {
   std::vector<double> costs;
+  costs.reserve(candidates.size());
   for (const WorkerSplit& split : candidates) {
     costs.push_back(candidates.size() > 1 ? busiest_cost(split) : 0);
   }

@@ -164,7 +164,8 @@ GroupShares with_even_pairs(GroupShares shares, std::uint64_t items, std::uint64
   for (const GroupShare& share : shares.workers) {
     at_workers += share.held.size() + share.streamed.size();
   }
-  const std::uint64_t moves = most_looks / rounds / (4 * ceil_div(at_workers, workers));
+  const std::uint64_t at_each = std::max<std::uint64_t>(1, ceil_div(at_workers, workers));
+  const std::uint64_t moves = most_looks / rounds / (4 * at_each);
   Random random(1);
   EvenShares search(shares, groups, room, makespan, random);
   for (int round = 0; round < rounds && 50 * best_pairs > 51 * mean; ++round) {

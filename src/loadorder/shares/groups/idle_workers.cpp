@@ -163,7 +163,7 @@ GroupShares with_idle_workers(GroupShares shares, std::uint64_t items, std::uint
   return best;
 }
 
-GroupShares with_more_held(GroupShares shares, std::uint64_t items, std::uint64_t room) {
+GroupShares with_more_held(const GroupShares& shares, std::uint64_t items, std::uint64_t room) {
   constexpr std::uint64_t most_groups = 240;
   constexpr std::uint64_t most_parts = 4;
   std::uint64_t best_pairs = pairs_of_the_fullest(shares, items);

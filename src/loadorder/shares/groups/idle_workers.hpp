@@ -24,7 +24,7 @@ namespace changeover {
 /// The same shares, perhaps of smaller groups, which hold of the streamed groups what fits beside
 /// the held ones: these meet each other, too, so pairs can be more even for the same loads. Returns
 /// the shares unchanged if that does not help.
-[[nodiscard]] GroupShares with_more_held(GroupShares shares, std::uint64_t items,
+[[nodiscard]] GroupShares with_more_held(const GroupShares& shares, std::uint64_t items,
                                          std::uint64_t room);
 
 }  // namespace changeover

@@ -244,7 +244,7 @@ std::optional<GroupShares> best_group_shares(std::uint64_t items, std::uint64_t 
         with_idle_workers(std::move(one.shares), items, room, workers, one.makespan);
     double uneven = unevenness(shares, items, workers);
     if (uneven > even) {
-      shares = with_more_held(std::move(shares), items, room);
+      shares = with_more_held(shares, items, room);
       uneven = unevenness(shares, items, workers);
     }
     // With as many loads, or else with the fewest more that are enough.

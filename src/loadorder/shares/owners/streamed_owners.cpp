@@ -42,6 +42,7 @@ StreamedOwners::StreamedOwners(const LoadOrder& order, std::vector<WorkerFacts> 
 
 std::vector<std::uint64_t> StreamedOwners::pairs() const {
   std::vector<std::uint64_t> pairs;
+  pairs.reserve(workers_.size());
   for (const WorkerFacts& worker : workers_) {
     pairs.push_back(worker.steps == 0 ? 0
                                       : pairs_.met_after(worker.first_step + worker.steps - 1) -
