@@ -15,6 +15,7 @@ BenchLists cut_list(const Job& job, const std::vector<Block>& setups, std::size_
     going_on.push_back(cost.millionths);
     most += going_on.back();
   }
+  at_start_of_list.reserve(setups.size());
   for (const Block& setup : setups) {
     at_start_of_list.push_back(step_costs(job, {setup}).front().millionths);
   }

@@ -174,6 +174,7 @@ SharedParts shared_parts(const Job& job, const JobNumbers& n,
   }
   for (std::uint32_t s = 0; s < job.slots.size(); ++s) {
     std::vector<bool> in_slot;
+    in_slot.reserve(v);
     for (const Element x : n.parts) {
       in_slot.push_back(n.slot_of[x] == s);
     }

@@ -42,6 +42,7 @@ void StepProgram::set_costs(const Job& job) {
   }
   unit_ = std::max(1.0, static_cast<double>(*std::max_element(exact.begin(), exact.end())));
   std::vector<double> costs;
+  costs.reserve(exact.size());
   for (const std::uint64_t cost : exact) {
     costs.push_back(static_cast<double>(cost) / unit_);
   }

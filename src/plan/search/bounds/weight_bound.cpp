@@ -131,12 +131,13 @@ Amount most_weight_within(const Job& job, Amount budget) {
     }
   });
   std::sort(weights.begin(), weights.end(), std::greater<>());
-  std::uint64_t number = weights.size();
-  try {
-    number = most_pairs_within(job, budget);
-  } catch (const Stopped&) {
-    // then all of them
-  }
+  const std::uint64_t number = [&]() -> std::uint64_t {
+    try {
+      return most_pairs_within(job, budget);
+    } catch (const Stopped&) {
+      return weights.size();
+    }
+  }();
   for (std::uint64_t i = 0; i < std::min<std::uint64_t>(number, weights.size()); ++i) {
     most += Amount{weights[static_cast<std::size_t>(i)]};
   }
