@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <ranges>
 #include <string>
@@ -26,6 +27,9 @@ concept OfEach =
 template <typename Value, typename Range, OfEach<Range> Of>
 [[nodiscard]] std::vector<Value> each_of(Range&& range, Of&& of) {
   std::vector<Value> all;
+  if constexpr (std::ranges::sized_range<Range>) {
+    all.reserve(static_cast<std::size_t>(std::ranges::size(range)));
+  }
   for (auto&& each : range) {
     all.push_back(of(each));
   }
