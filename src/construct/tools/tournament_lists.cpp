@@ -9,7 +9,6 @@ namespace {
 
 struct WrittenTournament {
   std::uint64_t k;
-  std::uint64_t fixed;
   std::uint64_t least;
   std::int64_t shift;
   std::string_view blocks;
@@ -21,7 +20,6 @@ struct WrittenTournament {
 const std::vector<WrittenTournament>& written_tournaments() {
   static const std::vector<WrittenTournament> lists = {
       {4,
-       0,
        5,
        -2,
        "-2a 0a 2b 2c, -2a 2b 1c 0d, -2a -4d 0d 0e, -2a -3d -1d 0e, -1c 1c -1d 0e, 0b 1c -1d 1e, "
@@ -37,8 +35,8 @@ const std::vector<TournamentList>& tournament_lists() {
   static const std::vector<TournamentList> lists = [] {
     std::vector<TournamentList> all;
     std::ranges::transform(written_tournaments(), std::back_inserter(all), [](const auto& list) {
-      return TournamentList{
-          list.k, list.fixed, list.least, list.shift, orbit_blocks(list.blocks), list.passages};
+      return TournamentList{list.k, list.least, list.shift, orbit_blocks(list.blocks),
+                            list.passages};
     });
     return all;
   }();

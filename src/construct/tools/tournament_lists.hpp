@@ -18,11 +18,10 @@ struct Passage {
   std::int64_t from = 1;
 };
 
-/// Blocks of k points of the orbits 0, …, 2k−4 and of the fixed points 2k−3, …; the last block less
-/// `shift` in each residue comes before the first.
+/// Blocks of k points of the orbits 0, …, 2k−4; the last block less `shift` in each residue comes
+/// before the first.
 struct TournamentList {
   std::uint64_t k = 0;
-  std::uint64_t fixed = 0;
   std::uint64_t least = 1;  ///< least odd n that it serves
   std::int64_t shift = 1;   ///< ± a power of 2
   std::vector<OrbitBlock> blocks;
@@ -31,8 +30,8 @@ struct TournamentList {
   [[nodiscard]] std::uint64_t orbits() const { return 2 * k - 3; }
 };
 
-/// All that are known; no two with the same k and number of fixed points. The order and the lists
-/// stay as they are, for recipes name only what they make.
+/// All that are known; no two with the same k. The order and the lists stay as they are, for
+/// recipes name only what they make.
 [[nodiscard]] const std::vector<TournamentList>& tournament_lists();
 
 }  // namespace changeover

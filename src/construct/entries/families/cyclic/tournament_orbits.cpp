@@ -1,5 +1,5 @@
-// Tight circular DCCD((2k−3)n + f, k), f = 0 or 1, n odd, developed over 2k−3 orbits of Z_n and f
-// fixed points from a list that was found once for all n [docs/theorems.md, Theorem 32].
+// Tight circular DCCD((2k−3)n, k), n odd, developed over 2k−3 orbits of Z_n from a list that was
+// found once for all n [docs/theorems.md, Theorem 32, without its fixed point].
 //
 // A regular tournament on the orbits: each beats k−2 others. While a point of each of those is
 // kept, the pairs centre ± x of the orbit pass, x large. They cover the differences ±2x within the
@@ -78,7 +78,7 @@ class Tournament {
     const auto& blocks = list_->blocks;
     OrbitBlock before = i == 0 ? blocks.back() : blocks[i - 1];
     for (OrbitPoint& point : before) {
-      point.residue -= i == 0 && point.orbit < list_->orbits() ? list_->shift : 0;
+      point.residue -= i == 0 ? list_->shift : 0;
     }
     OrbitBlock kept;
     std::ranges::copy_if(blocks[i], std::back_inserter(kept), [&](const OrbitPoint& point) {
@@ -98,9 +98,6 @@ class Tournament {
 
   // Residues are multiplied by the inverse of the shift, so that a round later they are 1 more.
   [[nodiscard]] Element element(const OrbitPoint& point, std::uint64_t power) const {
-    if (point.orbit >= list_->orbits()) {
-      return static_cast<Element>(list_->orbits() * n_ + point.orbit - list_->orbits());
-    }
     const auto n = static_cast<std::int64_t>(n_);
     const std::int64_t residue = (point.residue % n + n) % n;
     return static_cast<Element>(point.orbit * n_ +
@@ -119,8 +116,8 @@ std::optional<Tournament> tournament(const Parameters& p) {
     return std::nullopt;
   }
   for (const TournamentList& list : tournament_lists()) {
-    if (list.k == p.k && p.v >= list.fixed && (p.v - list.fixed) % list.orbits() == 0) {
-      const std::uint64_t n = (p.v - list.fixed) / list.orbits();
+    if (list.k == p.k && p.v % list.orbits() == 0) {
+      const std::uint64_t n = p.v / list.orbits();
       if (n % 2 == 1 && n >= list.least) {
         return Tournament(list, n);
       }
@@ -142,8 +139,7 @@ class TournamentOrbits final : public Described<Family, description> {
   std::optional<OrbitBaseBlocks> orbit_base_blocks(const Recipe& recipe) const override {
     const Parameters& p = required(recipe);
     const Tournament blocks = *tournament(p);
-    return written_base_blocks(p, blocks,
-                               {blocks.n(), blocks.list().orbits(), blocks.list().fixed});
+    return written_base_blocks(p, blocks, {blocks.n(), blocks.list().orbits(), 0});
   }
 
  protected:
@@ -163,10 +159,9 @@ class TournamentOrbits final : public Described<Family, description> {
     const Tournament blocks = *tournament(p);
     const TournamentList& list = blocks.list();
     return fmt::format(
-        "Develop {} base blocks over {} orbits of Z_{}{}: {} that were found once for all n, and "
+        "Develop {} base blocks over {} orbits of Z_{}: {} that were found once for all n, and "
         "{} in which two opposite points of one orbit pass.",
-        blocks.base_blocks(), list.orbits(), blocks.n(),
-        list.fixed == 0 ? "" : " and a fixed point", list.blocks.size(),
+        blocks.base_blocks(), list.orbits(), blocks.n(), list.blocks.size(),
         blocks.base_blocks() - list.blocks.size());
   }
 };
