@@ -402,6 +402,64 @@ TEST(ChoiceBoundSlow, OfThreeValuesInFewTests) {
   }
 }
 
+// What steps in which several parameters change do to pairs, (7) of choice_plan.hpp: no more than
+// all rows of signs and of three values, looked through, and lists of four values.
+TEST(ChoiceBound, OfEqualParametersInEachStep) {
+  std::size_t attained = 0;
+  for (std::size_t k = 2; k <= 5; ++k) {
+    std::optional<std::uint64_t> before;
+    for (std::uint32_t tests = 1; tests <= (k < 5 ? 7U : 6U); ++tests) {
+      const std::optional<std::uint64_t> least = least_stays_of_equal(k, 2, tests);
+      EXPECT_EQ(least, least_stays_of_equal(k, 2, tests, before)) << k << ' ' << tests;
+      EXPECT_TRUE(!before || least <= before) << k << ' ' << tests;
+      if (const auto stays = RowsOfSigns(k, tests).least()) {
+        ASSERT_TRUE(least) << k << ' ' << tests;
+        EXPECT_LE(*least, *stays) << k << ' ' << tests;
+        attained += *least == *stays ? 1U : 0U;
+      }
+      before = least;
+    }
+  }
+  for (std::size_t k = 2; k <= 4; ++k) {
+    for (std::uint32_t tests = 9; tests <= (k < 4 ? 10U : 9U); ++tests) {
+      const std::size_t stays = RowsOfThree(tests, tests).least_stays(k, 1);
+      const std::uint64_t least = least_stays_of_equal(k, 3, tests).value();
+      EXPECT_LE(least, stays) << k << ' ' << tests;
+      attained += least == stays ? 1U : 0U;
+    }
+  }
+  EXPECT_GE(attained, 3U);
+  EXPECT_FALSE(least_stays_of_equal(3, 4, 15));  // 16 pairs, one a test
+  EXPECT_EQ(least_stays_of_equal(3, 4, 16), 33U);
+  // With dear and cheap parameters, another number of values beside, and with a start.
+  for (const std::uint64_t test : {1U, 3U, 10U}) {
+    const Model model = test::model_of(model_text({4, 4, 4, 4, 3, 2}));
+    Job job = job_of(model, Amount{test * 1'000'000}, Amount{1'000'000});
+    RunControl control({.threads = 1});
+    EXPECT_TRUE(make_run_plan(job, {.steps = 200'000}, control).sheet.does_the_job());
+    std::fill_n(job.change_costs.begin(), 4, Amount{7'000'000});
+    job.start = {0, 5};
+    RunControl again({.threads = 1});
+    const RunPlan plan = make_run_plan(job, {.steps = 200'000}, again);
+    EXPECT_LE(plan.bound.cost, plan.sheet.cost) << test;
+  }
+}
+
+// Parameters of three values that few tests bound are in no other set: plans of these models are
+// cheaper than if they were counted twice.
+TEST(ChoiceBound, CountsAParameterOnce) {
+  for (const std::vector<std::uint32_t>& sizes :
+       {std::vector<std::uint32_t>{3, 3, 3, 4, 2}, {3, 3, 3, 3, 3, 3, 4, 2}, {4, 4, 4, 3, 2}}) {
+    for (const std::uint64_t test : {0U, 1U}) {
+      const Job job =
+          job_of(test::model_of(model_text(sizes)), Amount{test * 1'000'000}, Amount{1'000'000});
+      RunControl control({.threads = 1});
+      const RunPlan plan = make_run_plan(job, {.steps = 300'000}, control);
+      EXPECT_LE(plan.bound.cost, plan.sheet.cost) << model_text(sizes) << test;
+    }
+  }
+}
+
 // One parameter after the other, a part of its way each time: with rules, too.
 TEST(ChoiceBound, SweepsChangeLittle) {
   std::vector<std::uint32_t> sizes(24, 2);

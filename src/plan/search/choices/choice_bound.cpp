@@ -316,12 +316,44 @@ std::uint64_t most_of_six_stays(std::uint64_t tests, std::uint64_t enough) {
   return most;
 }
 
-// (6): what tests and the changes of parameters with two or three values cost at least, beyond
-// `there`.
+// (7): parameters with g ≥ 4 values each.
+class EqualSet {
+ public:
+  // `at_least`: what (4) and (5) say of them, beyond one stay for each value.
+  EqualSet(std::uint64_t parameters, std::uint64_t values, Amount price, Amount at_least)
+      : parameters_(parameters), values_(values), price_(price), at_least_(at_least) {}
+
+  // In so many tests; called for one number after the other. Nothing if these are too few.
+  [[nodiscard]] std::optional<Amount> beyond(std::uint64_t tests) {
+    stays_ = least_stays_of_equal(parameters_, values_, tests, stays_);
+    if (!stays_) {
+      return std::nullopt;
+    }
+    const std::uint64_t once = parameters_ * values_;
+    return std::max(at_least_, price_ * (*stays_ - std::min(*stays_, once)));
+  }
+  // In any number of tests.
+  [[nodiscard]] Amount at_least() const { return at_least_; }
+
+ private:
+  std::uint64_t parameters_;
+  std::uint64_t values_;
+  Amount price_;
+  Amount at_least_;
+  std::optional<std::uint64_t> stays_;
+};
+
+// (6) and (7): what tests and the changes of these parameters cost at least, beyond `there`.
 Amount of_few_values(const Job& job, const OftenSet& twos, const OftenSet& threes,
-                     std::uint64_t least_tests) {
+                     std::vector<EqualSet> others, std::uint64_t least_tests) {
   std::optional<Amount> least;
-  for (std::uint64_t tests = std::max<std::uint64_t>(4, least_tests);; ++tests) {
+  Amount in_any;  // of the others, in however many tests
+  for (const EqualSet& each : others) {
+    in_any += each.at_least();
+  }
+  constexpr std::uint64_t most_looks = 2000;
+  std::uint64_t looks = 0;
+  for (std::uint64_t tests = std::max<std::uint64_t>(4, least_tests);; ++tests, ++looks) {
     const std::uint64_t all = tests + (job.start.empty() ? 0 : 1);
     const std::uint64_t three = 1 + (all - 1) / 2;  // they and one with two stays
     const std::uint64_t four = three + (all - 2) * (all - 2) / 4;
@@ -329,11 +361,19 @@ Amount of_few_values(const Job& job, const OftenSet& twos, const OftenSet& three
     const Amount by_twos = twos.of_dearest(1) + twos.of_dearest(three) + twos.of_dearest(four);
     const Amount by_threes =
         std::max(threes.of_dearest(six) + threes.of_dearest(1) * 2, threes.of_dearest(1) * 4);
-    const Amount cost =
+    const Amount few =
         job.test_cost * tests + twos.changes_but(by_twos) + threes.changes_but(by_threes);
-    least = least ? std::min(*least, cost) : cost;
-    if (three >= twos.number() && six >= threes.number()) {
-      return *least;
+    const bool is_last = three >= twos.number() && six >= threes.number();
+    if (is_last && (others.empty() || looks >= most_looks || (least && few + in_any >= *least))) {
+      return least ? std::min(*least, few + in_any) : few + in_any;  // more tests cost no less
+    }
+    std::optional<Amount> cost = few;
+    for (EqualSet& each : others) {
+      const std::optional<Amount> more = each.beyond(all);
+      cost = cost && more ? std::optional(*cost + *more) : std::nullopt;
+    }
+    if (cost) {
+      least = least ? std::min(*least, *cost) : *cost;
     }
   }
 }
@@ -392,20 +432,52 @@ LeastChanges least_choice_changes(const Job& job, const ChoiceNumbers& n,
   };
   const std::vector<bool> twos = clique_of(2, 2);
   const std::vector<bool> just_threes = clique_of(3, 3);
-  if (number_in(twos) + number_in(just_threes) == 0) {
-    return least;
-  }
+  // What (4) and (5) say of the others. Those that are counted elsewhere are in none of their sets.
+  const auto more_without = [&](const std::vector<bool>& counted) {
+    std::vector<std::vector<std::uint64_t>> others = wanted;
+    std::vector<bool> other_threes(n.slots);
+    for (std::size_t p = 0; p < n.slots; ++p) {
+      other_threes[p] = threes[p] && !counted[p];
+      for (std::size_t q = 0; q < n.slots; ++q) {
+        others[p][q] = counted[p] || counted[q] ? 0 : wanted[p][q];
+      }
+    }
+    return Amount{least_more(others, there, lowest, other_threes)};
+  };
+  const auto with_few = [&](const std::vector<bool>& counted, std::vector<EqualSet> others) {
+    return once_each + more_without(counted) +
+           of_few_values(job, OftenSet(twos, there, lowest, stays_of_two),
+                         OftenSet(just_threes, there, lowest, stays_of_three), std::move(others),
+                         least_tests);
+  };
+  std::vector<bool> counted(n.slots, false);
   for (std::size_t p = 0; p < n.slots; ++p) {
-    for (std::size_t q = 0; q < n.slots; ++q) {
-      const bool counted = twos[p] || twos[q] || just_threes[p] || just_threes[q];
-      wanted[p][q] = counted ? 0 : wanted[p][q];
+    counted[p] = twos[p] || just_threes[p];
+  }
+  if (number_in(counted) > 0) {
+    least.with_tests = std::max(least.with_tests, with_few(counted, {}));
+  }
+  std::vector<EqualSet> others;
+  constexpr std::uint64_t most_values = 40;
+  for (const std::uint64_t values : std::set<std::uint64_t>(there.begin(), there.end())) {
+    if (values < 4 || values > most_values || job.test_cost == Amount{}) {
+      continue;
+    }
+    const std::vector<bool> equal = clique_of(values, 3);
+    std::vector<bool> not_equal(n.slots, true);
+    std::uint64_t price = std::numeric_limits<std::uint64_t>::max();
+    for (std::size_t p = 0; p < n.slots; ++p) {
+      not_equal[p] = !equal[p];
+      counted[p] = counted[p] || equal[p];
+      price = equal[p] ? std::min(price, lowest[p]) : price;
+    }
+    if (number_in(equal) > 0) {
+      others.emplace_back(number_in(equal), values, Amount{price}, more_without(not_equal));
     }
   }
-  least.with_tests = std::max(
-      least.with_tests,
-      once_each + Amount{least_more(wanted, there, lowest, threes)} +
-          of_few_values(job, OftenSet(twos, there, lowest, stays_of_two),
-                        OftenSet(just_threes, there, lowest, stays_of_three), least_tests));
+  if (!others.empty()) {
+    least.with_tests = std::max(least.with_tests, with_few(counted, std::move(others)));
+  }
   return least;
 }
 

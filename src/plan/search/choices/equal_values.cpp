@@ -92,6 +92,34 @@ std::uint64_t least_tests_of_equal(std::uint64_t k, std::uint64_t g) {
   return tests;
 }
 
+std::optional<std::uint64_t> least_stays_of_equal(std::uint64_t k, std::uint64_t g,
+                                                  std::uint64_t tests,
+                                                  std::optional<std::uint64_t> above) {
+  const std::uint64_t steps = tests - 1;
+  const auto is_enough = [&](std::uint64_t stays) {
+    const std::uint64_t changes = stays - k;
+    std::uint64_t both = 0;  // two parameters change in the same step
+    if (steps > 0) {
+      const std::uint64_t more = changes % steps;
+      both = more * choose_two(changes / steps + 1) + (steps - more) * choose_two(changes / steps);
+    }
+    return (k - 1) * stays >= (g * g + 1) * choose_two(k) + both;
+  };
+  if (above) {
+    std::uint64_t stays = *above;
+    while (stays > k && is_enough(stays - 1)) {
+      --stays;
+    }
+    return stays;
+  }
+  for (std::uint64_t stays = k; stays <= k * tests; ++stays) {
+    if (is_enough(stays)) {
+      return stays;
+    }
+  }
+  return std::nullopt;
+}
+
 std::span<const FewestTests> published_fewest_tests() {
   static constexpr FewestTests all[] = {{11, 3, 15}, {7, 4, 21}, {5, 6, 39}};
   return all;
