@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "changeover/plan/model.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "plan_jobs.hpp"
 #include "plan_peer.hpp"
@@ -95,6 +96,80 @@ void plan_within_slots(benchmark::State& state) {
   }
 }
 
+// Models without rules: numbers of values, each with how many parameters have so many; a test cost.
+struct BareModel {
+  const char* name;
+  std::vector<std::array<int, 2>> parameters;
+  const char* test_cost;
+};
+
+const std::vector<BareModel>& bare_models() {
+  static const std::vector<BareModel> all{
+      {"3^12", {{3, 12}}, "1"},
+      {"3^12", {{3, 12}}, "5"},
+      {"3^13", {{3, 13}}, "5"},
+      {"3^40", {{3, 40}}, "5"},
+      {"2^40", {{2, 40}}, "5"},
+      {"4^20", {{4, 20}}, "2"},
+      {"4^5 3^10 2^15", {{4, 5}, {3, 10}, {2, 15}}, "1"},
+      {"4^1 3^39 2^35", {{4, 1}, {3, 39}, {2, 35}}, "5"},
+      {"4^15 3^17 2^29", {{4, 15}, {3, 17}, {2, 29}}, "5"},
+      {"5^6 4^6 3^6", {{5, 6}, {4, 6}, {3, 6}}, "3"},
+      {"10^4 2^20", {{10, 4}, {2, 20}}, "2"},
+      {"6^3 5^5 3^8 2^8", {{6, 3}, {5, 5}, {3, 8}, {2, 8}}, "10"},
+  };
+  return all;
+}
+
+Job job_of(const BareModel& model) {
+  std::string text;
+  int parameter = 0;
+  for (const auto& [values, times] : model.parameters) {
+    for (int i = 0; i < times; ++i, ++parameter) {
+      text += "P" + std::to_string(parameter) + ":";
+      for (int value = 0; value < values; ++value) {
+        text += (value == 0 ? " v" : ", v") + std::to_string(value);
+      }
+      text += '\n';
+    }
+  }
+  return job_of(read_model(*input_from_text(text, model.name)), parse_amount(model.test_cost),
+                parse_amount("1"));
+}
+
+// Models, each change at 1, against what no plan can undercut: as with --time.
+void plan_of_models(benchmark::State& state) {
+  const BareModel& model = bare_models().at(static_cast<std::size_t>(state.range(0)));
+  const Job job = job_of(model);
+  const char* const given = std::getenv("CHANGEOVER_BENCH_SECONDS");
+  const double seconds = given == nullptr ? 10.0 : std::atof(given);
+  for (auto _ : state) {
+    clock_of_processor = true;
+    RunControl control({.time = std::chrono::duration<double>(seconds),
+                        .threads = 1,
+                        .seed = static_cast<std::uint64_t>(state.range(1))});
+    const RunPlan plan = make_run_plan(job, {.until_stopped = true}, control);
+    clock_of_processor = false;
+    if (!plan.sheet.does_the_job()) {
+      state.SkipWithError("the list does not do the job");
+      return;
+    }
+    state.SetLabel(std::string(model.name) + ", a test " + model.test_cost);
+    state.counters["tests"] = static_cast<double>(plan.sheet.steps.size());
+    state.counters["bound"] = in_units(plan.bound.cost);
+    state.counters["cost"] = in_units(plan.sheet.cost);
+    state.counters["over_%"] =
+        100.0 * (in_units(plan.sheet.cost) / in_units(plan.bound.cost) - 1.0);
+  }
+}
+
+// Each model with seed 1.
+void models(benchmark::internal::Benchmark* bench) {
+  for (std::size_t i = 0; i < bare_models().size(); ++i) {
+    bench->Args({static_cast<std::int64_t>(i), 1});
+  }
+}
+
 // Parts, room, test cost, seed of both searches.
 void jobs(benchmark::internal::Benchmark* bench) {
   for (const auto& [parts, room, test] : {std::array<std::int64_t, 3>{20, 4, 5},
@@ -115,6 +190,13 @@ void jobs(benchmark::internal::Benchmark* bench) {
 BENCHMARK(plan_within_slots)
     ->ArgName("seed")
     ->DenseRange(1, 24)
+    ->Iterations(1)
+    ->UseRealTime()
+    ->Unit(benchmark::kSecond);
+
+BENCHMARK(plan_of_models)
+    ->ArgNames({"model", "seed"})
+    ->Apply(models)
     ->Iterations(1)
     ->UseRealTime()
     ->Unit(benchmark::kSecond);

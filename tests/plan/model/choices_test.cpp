@@ -163,12 +163,18 @@ TEST(Choices, ListsCountAsTheRefereeDoes) {
       const auto missing = static_cast<std::int64_t>(list.missing());
       std::optional<Rise> rise;
       switch (below(5)) {
-        case 0:
-          list.insert(below(list.size() + 1), tests[below(tests.size())]);
+        case 0: {
+          const std::size_t at = below(list.size() + 1);
+          const Block& row = tests[below(tests.size())];
+          rise = list.rise_of_insert(at, row);
+          list.insert(at, row);
           break;
+        }
         case 1:
           if (list.size() > 1) {
-            list.erase(below(list.size()));
+            const std::size_t at = below(list.size());
+            rise = list.rise_of_erase(at);
+            list.erase(at);
           }
           break;
         case 2: {

@@ -72,6 +72,12 @@ class ChoiceAnnealer {
       hot_ = options_.fixed_tests->hot * a_change;
       cold_ = options_.fixed_tests->cold * a_change;
     }
+    constexpr double dear = 3;  // lists with few tests are rigid: more heat, and tuples weigh more
+    if (!options_.budget && !options_.fixed_tests &&
+        static_cast<double>(choices_.weights().test) >= dear * a_change) {
+      penalty_ *= 1.5;
+      hot_ *= 2;
+    }
     hot_ = std::max(hot_, 2 * cold_);
     octaves_ = natural_log(hot_ / cold_) / natural_log(2.0);
     most_rows_ = options_.fixed_tests ? list_.size() : 2 * list_.size() + 8;
@@ -83,9 +89,9 @@ class ChoiceAnnealer {
     const double allowed =
         std::max(0.0, 0.9 - part) * 0.02 * static_cast<double>(choices_.needed());
     if (!options_.budget && part > 0.3 && static_cast<double>(list_.missing()) > allowed) {
-      penalty_ *= 1.0 + 30.0 * static_cast<double>(between_looks) /
-                            static_cast<double>(std::max<std::uint64_t>(options_.steps, 1));
+      penalty_ *= 1.0 + 30.0 * (part - part_);
     }
+    part_ = part;
   }
 
   void tell() {
@@ -301,12 +307,8 @@ class ChoiceAnnealer {
 
   void try_erase() {
     const std::size_t at = any(list_.size());
-    const std::int64_t cost = list_.cost();
-    const std::size_t missing = list_.missing();
-    const Block row(list_.row(at).begin(), list_.row(at).end());
-    list_.erase(at);
-    if (!settles(cost, missing)) {
-      list_.insert(at, row);
+    if (accepts(list_.rise_of_erase(at))) {
+      list_.erase(at);
     }
   }
 
@@ -322,11 +324,8 @@ class ChoiceAnnealer {
     if (choices_.allows(row, x)) {
       row[slot] = x;
     }
-    const std::int64_t cost = list_.cost();
-    const std::size_t missing = list_.missing();
-    list_.insert(at + 1, row);
-    if (!settles(cost, missing)) {
-      list_.erase(at + 1);
+    if (accepts(list_.rise_of_insert(at + 1, row))) {
+      list_.insert(at + 1, row);
     }
   }
 
@@ -382,6 +381,7 @@ class ChoiceAnnealer {
   double cold_ = 0;
   double octaves_ = 0;  // from hot to cold
   double temperature_ = 1;
+  double part_ = 0;  // of the schedule that is over
   std::size_t most_rows_ = 0;
   std::uint64_t done_ = 0;
   std::uint64_t kept_at_ = 0;

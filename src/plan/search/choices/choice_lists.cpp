@@ -131,24 +131,23 @@ template <typename Visit>
 void ChoiceList::for_tuples_of(const Element* row, std::size_t slot, Element x,
                                std::uint32_t hiding, Visit&& visit) const {
   if (!choices_->triples()) {
-    const std::size_t with = choices_->pair(x, 0);
+    const auto visit_pair = [&](Element y) {
+      visit(Both{choices_->pair(x, y), choices_->pair(y, x)});
+    };
     if (hiding != nowhere && hiding != slot) {
-      visit(with + row[hiding]);
+      visit_pair(row[hiding]);
       return;
     }
-    for (std::size_t s = 0; s < slot; ++s) {
-      visit(with + row[s]);
-    }
-    for (std::size_t s = slot + 1; s < width_; ++s) {
-      visit(with + row[s]);
-    }
+    std::for_each(row, row + slot, visit_pair);
+    std::for_each(row + slot + 1, row + width_, visit_pair);
     return;
   }
   const bool others = hiding != nowhere && hiding != slot;
   for (std::size_t s = 0; s < width_; ++s) {
     for (std::size_t t = 0; t < s; ++t) {
       if (s != slot && t != slot && (!others || s == hiding || t == hiding)) {
-        visit(choices_->triple(x, row[s], row[t]));
+        const std::size_t triple = choices_->triple(x, row[s], row[t]);
+        visit(Both{triple, triple});
       }
     }
   }
@@ -164,25 +163,22 @@ void ChoiceList::for_tuples(const Element* row, std::uint32_t hiding, Visit&& vi
   for (std::size_t s = 0; s < width_; ++s) {
     for (std::size_t t = 0; t < s; ++t) {
       if (!choices_->triples()) {
-        visit(choices_->pair(row[s], row[t]));
+        visit(Both{choices_->pair(row[s], row[t]), choices_->pair(row[t], row[s])});
         continue;
       }
       for (std::size_t u = 0; u < t; ++u) {
-        visit(choices_->triple(row[s], row[t], row[u]));
+        const std::size_t triple = choices_->triple(row[s], row[t], row[u]);
+        visit(Both{triple, triple});
       }
     }
   }
 }
 
-void ChoiceList::met(std::size_t tuple) {
-  std::size_t twin = tuple;
-  if (!choices_->triples()) {
-    const std::size_t v = choices_->parts();
-    twin = tuple % v * v + tuple / v;
-    ++count_[twin];
-  }
-  if (twin == tuple ? ++count_[tuple] == 1 : (count_[tuple] = count_[twin]) == 1) {
-    const std::size_t low = std::min(tuple, twin);  // it has the lower part first
+void ChoiceList::met(Both tuple) {
+  const std::uint32_t count = ++count_[tuple.tuple];
+  count_[tuple.twin] = count;
+  if (count == 1) {
+    const std::size_t low = std::min(tuple.tuple, tuple.twin);  // it has the lower part first
     const std::size_t last = missing_.back();
     missing_[where_[low]] = last;
     where_[last] = where_[low];
@@ -190,22 +186,18 @@ void ChoiceList::met(std::size_t tuple) {
   }
 }
 
-void ChoiceList::lost(std::size_t tuple) {
-  std::size_t twin = tuple;
-  if (!choices_->triples()) {
-    const std::size_t v = choices_->parts();
-    twin = tuple % v * v + tuple / v;
-    --count_[twin];
-  }
-  if (twin == tuple ? --count_[tuple] == 0 : (count_[tuple] = count_[twin]) == 0) {
-    const std::size_t low = std::min(tuple, twin);
+void ChoiceList::lost(Both tuple) {
+  const std::uint32_t count = --count_[tuple.tuple];
+  count_[tuple.twin] = count;
+  if (count == 0) {
+    const std::size_t low = std::min(tuple.tuple, tuple.twin);
     where_[low] = static_cast<std::uint32_t>(missing_.size());
     missing_.push_back(low);
   }
 }
 
 void ChoiceList::count_row(const Element* row, std::uint32_t hiding, bool comes) {
-  for_tuples(row, hiding, [&](std::size_t tuple) { comes ? met(tuple) : lost(tuple); });
+  for_tuples(row, hiding, [&](Both tuple) { comes ? met(tuple) : lost(tuple); });
 }
 
 std::int64_t ChoiceList::step_cost(const Element* before, const Element* row) const {
@@ -229,8 +221,8 @@ Rise ChoiceList::rise_of_set(Cell cell, Element x) const {
   const Element* const here = cells(cell.at);
   const Element old = here[cell.slot];
   Rise rise{.cost = cost_around(cell, x) - cost_around(cell, old)};
-  const auto goes = [&](std::size_t tuple) { rise.uncovered += count_[tuple] == 1 ? 1 : 0; };
-  const auto comes = [&](std::size_t tuple) { rise.uncovered -= count_[tuple] == 0 ? 1 : 0; };
+  const auto goes = [&](Both pair) { rise.uncovered += count_[pair.tuple] == 1 ? 1 : 0; };
+  const auto comes = [&](Both pair) { rise.uncovered -= count_[pair.tuple] == 0 ? 1 : 0; };
   const std::uint32_t hiding = hiding_[order_[cell.at]];
   const bool before_here = hiding == cell.slot;
   const bool after_here = choices_->hides(x);
@@ -260,9 +252,9 @@ void ChoiceList::set(Cell cell, Element x) {
   cost_ += cost_around(cell, x) - cost_around(cell, old);
   const std::uint32_t hiding = hiding_[number];
   if ((hiding == cell.slot) == choices_->hides(x)) {
-    for_tuples_of(here, cell.slot, old, hiding, [&](std::size_t tuple) { lost(tuple); });
+    for_tuples_of(here, cell.slot, old, hiding, [&](Both tuple) { lost(tuple); });
     here[cell.slot] = x;
-    for_tuples_of(here, cell.slot, x, hiding, [&](std::size_t tuple) { met(tuple); });
+    for_tuples_of(here, cell.slot, x, hiding, [&](Both tuple) { met(tuple); });
     return;
   }
   count_row(here, hiding, false);
@@ -274,8 +266,40 @@ void ChoiceList::set(Cell cell, Element x) {
 std::size_t ChoiceList::tested_only_by(std::size_t at) const {
   std::size_t only = 0;
   for_tuples(cells(at), hiding_[order_[at]],
-             [&](std::size_t tuple) { only += count_[tuple] == 1 ? 1U : 0U; });
+             [&](Both pair) { only += count_[pair.tuple] == 1 ? 1U : 0U; });
   return only;
+}
+
+std::int64_t ChoiceList::cost_of_insert(std::size_t at, const Element* row) const {
+  const Element* const previous = before(at);
+  std::int64_t cost =
+      step_cost(previous, row) + static_cast<std::int64_t>(choices_->weights().test);
+  if (at < size()) {
+    cost += step_cost(row, cells(at)) - step_cost(previous, cells(at));
+  }
+  return cost;
+}
+
+std::int64_t ChoiceList::saved_by_erase(std::size_t at) const {
+  const Element* const here = cells(at);
+  const Element* const previous = before(at);
+  std::int64_t cost =
+      step_cost(previous, here) + static_cast<std::int64_t>(choices_->weights().test);
+  if (at + 1 < size()) {
+    cost += step_cost(here, cells(at + 1)) - step_cost(previous, cells(at + 1));
+  }
+  return cost;
+}
+
+Rise ChoiceList::rise_of_insert(std::size_t at, std::span<const Element> row) const {
+  Rise rise{.cost = cost_of_insert(at, row.data())};
+  for_tuples(row.data(), hiding_in(row.data()),
+             [&](Both pair) { rise.uncovered -= count_[pair.tuple] == 0 ? 1 : 0; });
+  return rise;
+}
+
+Rise ChoiceList::rise_of_erase(std::size_t at) const {
+  return {-saved_by_erase(at), static_cast<std::int64_t>(tested_only_by(at))};
 }
 
 void ChoiceList::insert(std::size_t at, std::span<const Element> row) {
@@ -290,24 +314,15 @@ void ChoiceList::insert(std::size_t at, std::span<const Element> row) {
   }
   std::ranges::copy(kept, cells_.begin() + static_cast<std::ptrdiff_t>(number * width_));
   const Element* const here = cells_.data() + number * width_;
-  const Element* const previous = before(at);
-  if (at < size()) {
-    cost_ += step_cost(here, cells(at)) - step_cost(previous, cells(at));
-  }
-  cost_ += step_cost(previous, here) + static_cast<std::int64_t>(choices_->weights().test);
+  cost_ += cost_of_insert(at, here);
   order_.insert(order_.begin() + static_cast<std::ptrdiff_t>(at), number);
   hiding_[number] = hiding_in(here);
   count_row(here, hiding_[number], true);
 }
 
 void ChoiceList::erase(std::size_t at) {
-  const Element* const here = cells(at);
-  const Element* const previous = before(at);
-  if (at + 1 < size()) {
-    cost_ += step_cost(previous, cells(at + 1)) - step_cost(here, cells(at + 1));
-  }
-  cost_ -= step_cost(previous, here) + static_cast<std::int64_t>(choices_->weights().test);
-  count_row(here, hiding_[order_[at]], false);
+  cost_ -= saved_by_erase(at);
+  count_row(cells(at), hiding_[order_[at]], false);
   free_.push_back(order_[at]);
   order_.erase(order_.begin() + static_cast<std::ptrdiff_t>(at));
 }

@@ -112,6 +112,9 @@ class ChoiceList {
   void set(Cell cell, Element x);
   /// The number of tuples that only this row tests.
   [[nodiscard]] std::size_t tested_only_by(std::size_t at) const;
+  /// The change of cost and of missing tuples by insert() and by erase().
+  [[nodiscard]] Rise rise_of_insert(std::size_t at, std::span<const Element> row) const;
+  [[nodiscard]] Rise rise_of_erase(std::size_t at) const;
   /// Inserts a row before place `at`.
   void insert(std::size_t at, std::span<const Element> row);
   void erase(std::size_t at);
@@ -127,6 +130,12 @@ class ChoiceList {
 
  private:
   static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
+
+  // A pair in both orders; of a triple, the same index twice.
+  struct Both {
+    std::size_t tuple = 0;
+    std::size_t twin = 0;
+  };
 
   [[nodiscard]] const Element* cells(std::size_t at) const {
     return cells_.data() + order_[at] * width_;
@@ -144,8 +153,12 @@ class ChoiceList {
   template <typename Visit>
   void for_tuples_of(const Element* row, std::size_t slot, Element x, std::uint32_t hiding,
                      Visit&& visit) const;
-  void met(std::size_t tuple);
-  void lost(std::size_t tuple);
+  // What the step before place `at` costs more if this row is inserted there.
+  [[nodiscard]] std::int64_t cost_of_insert(std::size_t at, const Element* row) const;
+  [[nodiscard]] std::int64_t saved_by_erase(std::size_t at) const;
+  // A tuple, and the same pair the other way round.
+  void met(Both tuple);
+  void lost(Both tuple);
   void count_row(const Element* row, std::uint32_t hiding, bool comes);
   [[nodiscard]] std::int64_t cost_around(Cell cell, Element x) const;
 

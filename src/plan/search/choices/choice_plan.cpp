@@ -242,9 +242,10 @@ class ChoicePlanner {
     return setups;
   }
 
-  [[nodiscard]] std::optional<std::chrono::duration<double>> time_for(std::size_t attempt) const {
+  [[nodiscard]] std::optional<std::chrono::duration<double>> time_for(std::size_t attempt,
+                                                                      std::size_t attempts) const {
     constexpr double share = 0.95;  // the rest is for what the clock does not see
-    return time_of_attempt(control_, attempt, options_.attempts, share);
+    return time_of_attempt(control_, attempt, attempts, share);
   }
 
   // The temperatures of attempts: hot ones forget where they started.
@@ -252,21 +253,31 @@ class ChoicePlanner {
   static constexpr std::array<FixedTests, 4> fixed_styles{
       {{1.3, 0.6, 0.06}, {15, 1.5, 0.15}, {4, 0.8, 0.15}, {8, 0.6, 0.1}}};
 
+  // Searches of one round. Where a clock ends it, no more than run side by side: one that cools
+  // slowly finds better lists than several that share the time.
+  [[nodiscard]] std::size_t attempts_of_a_round() const {
+    const std::size_t most = options_.attempts;
+    return !few_tests() && options_.until_stopped && control_.time_left()
+               ? std::min<std::size_t>(most, control_.threads())
+               : most;
+  }
+
   void anneal(RunPlan& plan, std::uint64_t steps, unsigned round) {
     const Candidate from = best(plan);
     const std::vector<Block> few = shortest(plan);
-    std::vector<AnnealedChoices> found(options_.attempts);
-    in_parallel(control_, options_.attempts, [&](std::size_t i) {
-      const bool from_few = !few_tests() && i % 4 == 2;
+    const std::size_t attempts = attempts_of_a_round();
+    std::vector<AnnealedChoices> found(attempts);
+    in_parallel(control_, attempts, [&](std::size_t i) {
+      const bool from_few = !few_tests() && (i + round) % 4 == 2;
       found[i] =
           annealed(from_few ? few : from.setups,
                    {.steps = steps,
                     .hot = heats[(i + round) % heats.size()],
-                    .time = time_for(i),
+                    .time = time_for(i, attempts),
                     .fixed_tests =
                         few_tests() ? std::optional(fixed_styles[(i + round) % fixed_styles.size()])
                                     : std::nullopt,
-                    .phase = fmt::format("local search {} of {}", i + 1, options_.attempts)},
+                    .phase = fmt::format("local search {} of {}", i + 1, attempts)},
                    7'000'000 + std::uint64_t{round} * options_.attempts + i);
     });
     const AnnealedChoices* cheapest = nullptr;
@@ -304,7 +315,7 @@ class ChoicePlanner {
             within.front().setups,
             {.steps = steps,
              .hot = heats[i % heats.size()],
-             .time = time_for(i),
+             .time = time_for(i, options_.attempts),
              .budget = static_cast<std::int64_t>(budget.millionths / choices_->weights().unit),
              .phase =
                  fmt::format("local search {} of {} within the budget", i + 1, options_.attempts)},
