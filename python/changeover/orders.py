@@ -115,6 +115,10 @@ def _made_again(kind: Any, state: bytes, checksum: int) -> Any:
 class _Loads(Made):
     """Shared by both kinds."""
 
+    items: int = fact()
+    room: int = fact("Of items with sizes the most that fit.")
+    method: str = fact()
+    certificate: str = fact("How it was verified, one line.")
     fast_room: Optional[int] = fact("Of two levels: the most items on the accelerator.")
     transfers: Optional[int] = fact("To the accelerator, of all workers together.")
     transfer_bound: Optional[int] = fact("No order transfers fewer items.")
@@ -153,14 +157,10 @@ class LoadOrder(_Loads):
     """Steps (evict, load), lists of item numbers; after the last one every pair has been in memory
     together."""
 
-    items: int = fact()
-    room: int = fact("Of items with sizes the most that fit.")
     loads: int = fact("All loads, the first ones included.")
     steps: int = fact()
     lower_bound: int = fact("No order has fewer loads.")
     reason: str = fact("Of the bound.")
-    method: str = fact()
-    certificate: str = fact("How it was verified, one line.")
     epoch_loads: Optional[List[int]] = fact("Of each epoch, if there are several.")
     bytes: Optional[int] = fact("That are loaded, if items have sizes.")
     bytes_bound: Optional[int] = fact("No order loads fewer.")
@@ -218,15 +218,11 @@ class WorkerLoads(_Loads):
     """A load order for several workers: steps (evict, load) for each; after the last one every pair
     has been together in the memory of some worker."""
 
-    items: int = fact()
-    room: int = fact("Of items with sizes the most that fit.")
     loads: int = fact("Of all workers together.")
     worker_loads: List[int] = fact("Of each worker.")
     makespan: int = fact("The loads of the worker that has most.")
     makespan_bound: int = fact("However it is split, some worker has so many.")
     reason: str = fact("Of that bound.")
-    method: str = fact()
-    certificate: str = fact("How it was verified, one line.")
     worker_pairs: Optional[List[int]] = fact(
         "The pairs that each worker computes; the mean is the fewest that the fullest can have.")
     worker_costs: Optional[List[float]] = fact("What they cost, if pairs have costs.")
