@@ -19,8 +19,8 @@
 #include "loadorder/pairs/listed_rows.hpp"
 
 struct changeover_loadorder {
-  explicit changeover_loadorder(changeover::LoadOrder given) : plan(std::move(given)) { begin(); }
-  changeover_loadorder(changeover::WorkerSplit given, bool shows_pairs)
+  changeover_loadorder(std::variant<changeover::LoadOrder, changeover::WorkerSplit> given,
+                       bool shows_pairs)
       : plan(std::move(given)), with_pairs(shows_pairs) {
     begin();
   }
@@ -36,7 +36,15 @@ struct changeover_loadorder {
       }
     } else {
       const auto& order = std::get<changeover::LoadOrder>(plan);
-      reader = from == 1 ? order.stream() : order.stream_from(from);
+      if (facts().lockstep == 0) {
+        reader = from == 1 ? order.stream() : order.stream_from(from);
+      } else if (with_pairs) {
+        const changeover::ScheduleRules rules = order.rules(changeover::ComputeRules{});
+        reader = std::make_unique<changeover::OfWorker>(
+            std::make_unique<changeover::StepWork>(order.stream(), rules), worker);
+      } else {
+        reader = order.stream(worker);
+      }
     }
   }
 
@@ -170,6 +178,21 @@ changeover::WantedPairs wanted_by(const changeover_loadorder_options& asked, std
                                 : WantedPairs(items);
 }
 
+// @throws BadInput if disjoint workers are asked for something that they cannot have
+void check_disjoint_options(const changeover_loadorder_options& asked) {
+  using changeover::BadInput;
+  if (asked.workers == 0) {
+    throw BadInput("disjoint is for workers; give both");
+  }
+  const char* const other = asked.first_holder != 0      ? "first_holder"
+                            : asked.pair_cost != nullptr ? "pair_cost"
+                            : asked.unread != 0          ? "unread"
+                                                         : nullptr;
+  if (other != nullptr) {
+    throw BadInput(std::string(other) + " has no meaning with disjoint; leave it out");
+  }
+}
+
 changeover_loadorder* opened(std::uint64_t items, std::uint64_t room,
                              const changeover_loadorder_options& asked) {
   using namespace changeover;
@@ -177,6 +200,9 @@ changeover_loadorder* opened(std::uint64_t items, std::uint64_t room,
     return asked.cancelled != nullptr && asked.cancelled(asked.data) != 0;
   }});
   const RunScope scope(control);
+  if (asked.disjoint != 0) {
+    check_disjoint_options(asked);
+  }
   const WantedPairs wanted = wanted_by(asked, items);
   LoadOrderOptions options;
   options.balance = asked.first_holder == 0;
@@ -196,12 +222,16 @@ changeover_loadorder* opened(std::uint64_t items, std::uint64_t room,
       search();
     };
   }
-  if (asked.workers > 1 || asked.with_pairs != 0) {
-    const std::uint64_t workers = std::max<std::uint64_t>(1, asked.workers);
-    return new changeover_loadorder(split_load_order(wanted, room, workers, options),
-                                    asked.with_pairs != 0);
+  const bool with_pairs = asked.with_pairs != 0;
+  if (asked.disjoint != 0) {
+    return new changeover_loadorder(plan_disjoint_order(wanted, room, asked.workers, options),
+                                    with_pairs);
   }
-  return new changeover_loadorder(plan_load_order(wanted, room, options));
+  if (asked.workers > 1 || with_pairs) {
+    const std::uint64_t workers = std::max<std::uint64_t>(1, asked.workers);
+    return new changeover_loadorder(split_load_order(wanted, room, workers, options), with_pairs);
+  }
+  return new changeover_loadorder(plan_load_order(wanted, room, options), false);
 }
 
 }  // namespace
@@ -279,7 +309,7 @@ int changeover_loadorder_take_worker(changeover_loadorder* order, uint64_t worke
 
 int changeover_loadorder_seek(changeover_loadorder* order, uint64_t number) {
   return go_to(order, [&] {
-    if (order->split() != nullptr) {
+    if (order->split() != nullptr || order->facts().lockstep > 0) {
       throw changeover::BadInput(
           "steps of several workers, and with pairs, are read from the first");
     }
@@ -308,7 +338,7 @@ uint64_t changeover_loadorder_steps(const changeover_loadorder* order) {
     return 0;
   }
   if (order->split() == nullptr) {
-    return order->facts().steps;
+    return order->facts().steps * std::max<uint64_t>(1, order->facts().lockstep);
   }
   uint64_t steps = 0;
   for (const changeover::WorkerFacts& worker : order->split()->facts().workers) {
@@ -323,7 +353,7 @@ uint64_t changeover_loadorder_lower_bound(const changeover_loadorder* order) {
 
 uint64_t changeover_loadorder_workers(const changeover_loadorder* order) {
   return order == nullptr            ? 0
-         : order->split() == nullptr ? 1
+         : order->split() == nullptr ? std::max<uint64_t>(1, order->facts().lockstep)
                                      : order->split()->facts().workers.size();
 }
 
@@ -331,9 +361,10 @@ uint64_t changeover_loadorder_worker_loads(const changeover_loadorder* order, ui
   if (worker >= changeover_loadorder_workers(order)) {
     return 0;
   }
-  return order->split() == nullptr
-             ? order->facts().loads
-             : order->split()->facts().workers[static_cast<std::size_t>(worker)].loads;
+  const auto index = static_cast<std::size_t>(worker);
+  return order->split() != nullptr      ? order->split()->facts().workers[index].loads
+         : order->facts().lockstep == 0 ? order->facts().loads
+                                        : order->facts().worker_loads[index];
 }
 
 uint64_t changeover_loadorder_worker_pairs(const changeover_loadorder* order, uint64_t worker) {
@@ -344,9 +375,10 @@ uint64_t changeover_loadorder_worker_pairs(const changeover_loadorder* order, ui
 }
 
 uint64_t changeover_loadorder_makespan_bound(const changeover_loadorder* order) {
-  return order == nullptr            ? 0
-         : order->split() == nullptr ? order->facts().bound.loads
-                                     : order->split()->facts().makespan_bound.loads;
+  return order == nullptr               ? 0
+         : order->split() != nullptr    ? order->split()->facts().makespan_bound.loads
+         : order->facts().lockstep == 0 ? order->facts().bound.loads
+                                        : order->facts().makespan_bound.loads;
 }
 
 const char* changeover_loadorder_error(const changeover_loadorder* order) {

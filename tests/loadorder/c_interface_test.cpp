@@ -158,6 +158,125 @@ TEST(COptions, WorkersComputeEachPairOnceInWhateverOrderTheyAreTaken) {
   }
 }
 
+// Reads the steps of all workers side by side: no two ever hold one item, and every pair is
+// computed once.
+void play_together(std::uint64_t items, std::uint64_t room, std::uint64_t workers) {
+  changeover_loadorder_options options = some_options();
+  options.workers = workers;
+  options.disjoint = 1;
+  options.with_pairs = 1;
+  std::vector<changeover_loadorder*> orders;
+  for (std::uint64_t w = 0; w < workers; ++w) {
+    orders.push_back(changeover_loadorder_open_with(items, room, &options, nullptr, 0));
+    ASSERT_NE(orders.back(), nullptr);
+    ASSERT_EQ(changeover_loadorder_workers(orders.back()), workers);
+    ASSERT_EQ(changeover_loadorder_take_worker(orders.back(), w), CHANGEOVER_LOADORDER_END);
+  }
+  const std::uint64_t steps = changeover_loadorder_steps(orders.front());
+  EXPECT_EQ(steps % workers, 0U);
+  std::vector<std::set<std::uint32_t>> memory(workers);
+  std::vector<std::uint64_t> loads(workers);
+  Pairs pairs;
+  for (std::uint64_t number = 1; number <= steps / workers; ++number) {
+    std::vector<changeover_loadorder_step> all(workers);
+    for (std::size_t w = 0; w < workers; ++w) {
+      ASSERT_EQ(changeover_loadorder_next(orders[w], &all[w]), CHANGEOVER_LOADORDER_STEP);
+      ASSERT_EQ(all[w].number, number);
+      for (std::size_t i = 0; i < all[w].evict_count; ++i) {
+        ASSERT_EQ(memory[w].erase(all[w].evict[i]), 1U);
+      }
+    }
+    std::set<std::uint32_t> held;
+    std::size_t held_by_each = 0;
+    for (std::size_t w = 0; w < workers; ++w) {
+      memory[w].insert(all[w].load, all[w].load + all[w].load_count);
+      loads[w] += all[w].load_count;
+      ASSERT_LE(memory[w].size(), room);
+      held.insert(memory[w].begin(), memory[w].end());
+      held_by_each += memory[w].size();
+    }
+    ASSERT_EQ(held.size(), held_by_each) << "step " << number;
+    for (std::size_t w = 0; w < workers; ++w) {
+      std::size_t count = 0;
+      const std::uint32_t* const computed = changeover_loadorder_pairs(orders[w], &count);
+      for (std::size_t i = 0; i < count; ++i) {
+        ASSERT_TRUE(memory[w].contains(computed[2 * i]) && memory[w].contains(computed[2 * i + 1]));
+        ASSERT_TRUE(pairs.emplace(computed[2 * i], computed[2 * i + 1]).second);
+      }
+    }
+  }
+  EXPECT_EQ(pairs.size(), items * (items - 1) / 2);
+  std::uint64_t together = 0;
+  for (std::size_t w = 0; w < workers; ++w) {
+    changeover_loadorder_step step;
+    EXPECT_EQ(changeover_loadorder_next(orders[w], &step), CHANGEOVER_LOADORDER_END);
+    EXPECT_EQ(loads[w], changeover_loadorder_worker_loads(orders[w], w));
+    EXPECT_GE(changeover_loadorder_loads(orders[w]), changeover_loadorder_lower_bound(orders[w]));
+    together += loads[w];
+  }
+  EXPECT_EQ(together, changeover_loadorder_loads(orders.front()));
+  EXPECT_GE(*std::ranges::max_element(loads), changeover_loadorder_makespan_bound(orders.front()));
+  for (changeover_loadorder* const order : orders) {
+    changeover_loadorder_close(order);
+  }
+}
+
+TEST(COptions, DisjointWorkersNeverHoldOneItemTwice) {
+  play_together(30, 6, 3);
+  play_together(24, 8, 2);
+  play_together(10, 4, 1);
+}
+
+TEST(COptions, DisjointWorkersShowLoadsWithoutPairsAndBeginAtTheirFirstStep) {
+  changeover_loadorder_options options = some_options();
+  options.workers = 2;
+  options.disjoint = 1;
+  changeover_loadorder* order = changeover_loadorder_open_with(20, 5, &options, nullptr, 0);
+  ASSERT_NE(order, nullptr);
+  for (const std::uint64_t worker : {1U, 0U}) {
+    Pairs pairs;
+    std::uint64_t loads = 0;
+    play(order, worker, 5, pairs, loads);
+    EXPECT_EQ(loads, changeover_loadorder_worker_loads(order, worker));
+    EXPECT_TRUE(pairs.empty());
+  }
+  EXPECT_EQ(changeover_loadorder_seek(order, 2), CHANGEOVER_LOADORDER_ERROR);
+  EXPECT_NE(std::string(changeover_loadorder_error(order)).find("from the first"),
+            std::string::npos);
+  EXPECT_EQ(changeover_loadorder_take_worker(order, 2), CHANGEOVER_LOADORDER_ERROR);
+  changeover_loadorder_close(order);
+}
+
+TEST(COptions, DisjointWorkersAreRefusedWhatTheyCannotHave) {
+  changeover_loadorder_options options = some_options();
+  options.disjoint = 1;
+  char error[CHANGEOVER_LOADORDER_ERROR_SIZE];
+  const auto refused = [&](std::uint64_t room) {
+    EXPECT_EQ(changeover_loadorder_open_with(20, room, &options, error, sizeof error), nullptr);
+    return std::string(error);
+  };
+  EXPECT_EQ(refused(5), "disjoint is for workers; give both");
+  options.workers = 3;
+  EXPECT_EQ(refused(8),
+            "3 workers with room for 8 each would hold more than all 20 items; give room for 6 or "
+            "less, or fewer workers");
+  options.unread = 1;
+  EXPECT_EQ(refused(5), "unread has no meaning with disjoint; leave it out");
+  options.pair_cost = [](std::uint32_t, std::uint32_t, void*) { return 1.0; };
+  EXPECT_EQ(refused(5), "pair_cost has no meaning with disjoint; leave it out");
+  options.first_holder = 1;
+  EXPECT_EQ(refused(5), "first_holder has no meaning with disjoint; leave it out");
+  // A program that does not know of disjoint workers.
+  options = some_options();
+  options.workers = 3;
+  options.disjoint = 1;
+  options.size = offsetof(changeover_loadorder_options, disjoint);
+  changeover_loadorder* order =
+      changeover_loadorder_open_with(20, 8, &options, error, sizeof error);
+  ASSERT_NE(order, nullptr);
+  changeover_loadorder_close(order);
+}
+
 TEST(COptions, OnlyTheListedPairsAreComputed) {
   const std::vector<std::uint32_t> list{0, 1, 5, 2, 3, 9, 9, 0};
   changeover_loadorder_options options = some_options();

@@ -96,6 +96,10 @@ typedef struct changeover_loadorder_options {
   const uint32_t* group_items;
   const size_t* group_sizes;
   size_t group_count;
+  /* The workers step together and never hold one item twice, so that items may change. In each
+   * step all workers evict, wait for each other, load, and compute. Not with first_holder,
+   * pair_cost or unread. */
+  int disjoint;
 } changeover_loadorder_options;
 
 /* The same with options, or NULL for none. An order for several workers starts with worker 0. */
@@ -121,7 +125,8 @@ int changeover_loadorder_next(changeover_loadorder* order, changeover_loadorder_
 /* Returns to the first step: CHANGEOVER_LOADORDER_END, or _ERROR. */
 int changeover_loadorder_rewind(changeover_loadorder* order);
 
-/* The total loads of the order, its steps, and the proven minimum of loads of any order. */
+/* The total loads of the order, its steps, which are those of all workers (disjoint ones have the
+ * same number each), and the proven minimum of loads of any order. */
 uint64_t changeover_loadorder_loads(const changeover_loadorder* order);
 uint64_t changeover_loadorder_steps(const changeover_loadorder* order);
 uint64_t changeover_loadorder_lower_bound(const changeover_loadorder* order);
