@@ -69,9 +69,8 @@ std::string bounds_json(const KnownBounds& answer) {
 
 std::string table_json(const Cells& cells, CellKeys keys) {
   JsonWriter json;
-  json.begin_array();
-  for (const KnownCell* cell : cells) {
-    json.begin_object().cell(cell->parameters).key("b");
+  json.objects(cells, [&](const KnownCell* cell) {
+    json.cell(cell->parameters).key("b");
     cell->best ? json.value(cell->best->b) : json.null();
     json.key("lower_bound");
     cell->impossible ? json.null() : json.value(cell->bound.blocks);
@@ -83,9 +82,7 @@ std::string table_json(const Cells& cells, CellKeys keys) {
     if (keys == CellKeys::with_reason) {
       json.key("reason").value(cell->impossible ? *cell->impossible : cell->bound.reason);
     }
-    json.end_object();
-  }
-  json.end_array();
+  });
   return json.take();
 }
 
@@ -110,13 +107,11 @@ std::string atlas_json(const CellRange& range, const Cells& cells, std::uint32_t
   }
   JsonWriter json;
   begin_atlas(json, range, strength);
-  json.key("constructions").begin_array();
   std::uint64_t next = 0;
-  for (auto& [name, number] : numbers) {
-    number = next++;
-    json.value(name);
-  }
-  json.end_array();
+  json.list("constructions", numbers, [&](auto& each) {
+    each.second = next++;
+    json.value(each.first);
+  });
   json.list("b", cells,
             [&](const KnownCell* cell) { cell->best ? json.value(cell->best->b) : json.null(); });
   json.list("lower_bound", cells, [&](const KnownCell* cell) {
@@ -177,16 +172,12 @@ void write_tree(const Recipe& recipe, JsonWriter& json, const WriteVerdict& verd
 
 std::string constructions_json() {
   JsonWriter json;
-  json.begin_array();
-  for (const Construction* each : Registry::standard().constructions()) {
-    json.begin_object().key("name").value(each->name()).key("summary").value(each->summary());
-    json.key("preconditions")
-        .value(each->preconditions())
-        .key("guarantee")
-        .value(each->guarantee());
-    json.key("citation").value(each->citation().to_string()).end_object();
-  }
-  json.end_array();
+  json.objects(Registry::standard().constructions(), [&](const Construction* each) {
+    json.key("name").value(each->name()).key("summary").value(each->summary());
+    json.key("preconditions").value(each->preconditions());
+    json.key("guarantee").value(each->guarantee());
+    json.key("citation").value(each->citation().to_string());
+  });
   return json.take();
 }
 

@@ -183,11 +183,7 @@ std::string json(const Classified& answer) {
     json.key("group_order").value(each.group_order).key("rotations").value(each.rotations);
     json.key("own_reversal").value(each.reflections).key("fixed").value(each.fixed);
     json.key("tight").value(each.tight).key("economical").value(each.economical);
-    json.key("blocks").begin_array();
-    for (std::size_t i = 0; i < each.representative.block_count(); ++i) {
-      json.value(each.representative.block(i));
-    }
-    json.end_array();
+    json.key("blocks").value(each.representative.blocks());
   });
   json.end_object();
   return json.take() + "\n";

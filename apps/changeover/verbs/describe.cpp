@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <ranges>
+
 #include "answer/answer.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/loadorder/load_request.hpp"
@@ -33,12 +35,8 @@ std::string as_text(const Program& program) {
 }
 
 void write_options(JsonWriter& json, const VerbDescription& verb, bool positional) {
-  json.begin_array();
-  for (const OptionDescription& each : verb.options) {
-    if (each.positional != positional) {
-      continue;
-    }
-    json.begin_object();
+  const auto asked = [&](const OptionDescription& each) { return each.positional == positional; };
+  json.objects(verb.options | std::views::filter(asked), [&](const OptionDescription& each) {
     if (positional) {
       json.key("name").value(each.names.front()).key("required").value(each.required);
     } else {
@@ -48,18 +46,14 @@ void write_options(JsonWriter& json, const VerbDescription& verb, bool positiona
     if (!each.words.empty()) {
       json.key("words").value(each.words);
     }
-    json.key("help").value(each.help).end_object();
-  }
-  json.end_array();
+    json.key("help").value(each.help);
+  });
 }
 
 void write_codes(JsonWriter& json, const std::vector<ExitCodeDescription>& codes) {
-  json.begin_array();
-  for (const ExitCodeDescription& each : codes) {
-    json.begin_object().key("code").value(each.code).key("meaning").value(each.meaning);
-    json.end_object();
-  }
-  json.end_array();
+  json.objects(codes, [&](const ExitCodeDescription& each) {
+    json.key("code").value(each.code).key("meaning").value(each.meaning);
+  });
 }
 
 std::string as_json(const Program& program) {

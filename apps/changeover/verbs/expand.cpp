@@ -43,19 +43,12 @@ std::size_t elements_in(const ExpansionSet& set) {
 }
 
 void add_set(const Design& design, const ExpansionSet& set, JsonWriter& json) {
-  json.begin_array();
-  for (const UnchangedSubset& subset : set) {
-    json.begin_object().key("position").value(subset.position);
+  json.objects(set, [&](const UnchangedSubset& subset) {
+    json.key("position").value(subset.position);
     json.list("elements", subset.elements, [&](const Element x) {
-      if (design.labels().empty()) {
-        json.value(x);
-      } else {
-        json.value(design.label(x));
-      }
+      design.labels().empty() ? json.value(x) : json.value(design.label(x));
     });
-    json.end_object();
-  }
-  json.end_array();
+  });
 }
 
 std::string no_more(const ExpansionSearch& search) {

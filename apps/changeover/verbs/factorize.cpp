@@ -71,11 +71,9 @@ std::string as_json(const FactorizeRequest& request, const Factors& factors) {
   json.begin_object().key("order").value(*request.order);
   json.key("kind").value(request.near ? "near" : request.kind);
   json.list("factors", factors.edges, [&](const Edges& edges) {
-    json.begin_array();
-    for (const auto& [a, b] : edges) {
-      json.begin_array().value(a).value(b).end_array();
-    }
-    json.end_array();
+    json.list(edges, [&](const auto& edge) {
+      json.begin_array().value(edge.first).value(edge.second).end_array();
+    });
   });
   if (request.near) {
     json.key("isolated").value(factors.isolated);

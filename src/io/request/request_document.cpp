@@ -233,8 +233,7 @@ void write_list(JsonWriter& json, const OptionRecord& record, const RequestList&
     json.value(*list.number);
     return;
   }
-  json.begin_array();
-  for (const ListRow& row : *list.rows) {
+  json.list(*list.rows, [&](const ListRow& row) {
     switch (record.shape) {
       case RowShape::parts:
       case RowShape::slots:
@@ -266,8 +265,7 @@ void write_list(JsonWriter& json, const OptionRecord& record, const RequestList&
       default:
         json.value(row.fields);
     }
-  }
-  json.end_array();
+  });
 }
 
 std::unique_ptr<Input> open(const RequestList& list, const OptionRecord& record,

@@ -140,11 +140,7 @@ void write_element(JsonWriter& json, Element x, const std::vector<std::string>& 
 }
 
 void write_elements(JsonWriter& json, const Block& block, const std::vector<std::string>& labels) {
-  json.begin_array();
-  for (const Element x : block) {
-    write_element(json, x, labels);
-  }
-  json.end_array();
+  json.list(block, [&](Element x) { write_element(json, x, labels); });
 }
 
 }  // namespace
@@ -219,15 +215,14 @@ std::string verdict_to_json(const Verdict& verdict, const std::vector<std::strin
   verdict.parameters.strength == 2 ? json.value(verdict.degree_identity) : json.null();
   json.key("unchanged_subsets").value(verdict.unchanged_subsets).key("never_unchanged");
   write_elements(json, verdict.never_unchanged, labels);
-  json.key("elements").begin_array();
-  for (std::size_t x = 0; x < verdict.elements.size(); ++x) {
-    const ElementCount& count = verdict.elements[x];
-    json.begin_object().key("element");
-    write_element(json, static_cast<Element>(x), labels);
+  Element x = 0;
+  json.objects("elements", verdict.elements, [&](const ElementCount& count) {
+    json.key("element");
+    write_element(json, x++, labels);
     json.key("introductions").value(count.introductions).key("blocks").value(count.blocks);
-    json.key("covered").value(count.covered).key("excess").value(count.excess).end_object();
-  }
-  json.end_array().end_object();
+    json.key("covered").value(count.covered).key("excess").value(count.excess);
+  });
+  json.end_object();
   return json.take();
 }
 

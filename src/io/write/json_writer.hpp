@@ -70,24 +70,34 @@ class JsonWriter {
     return end_array();
   }
 
-  /// A key with an array, for which write(member) writes a value for each member of a range.
+  /// An array, for which write(member) writes a value for each member of a range.
   template <std::ranges::input_range Range, typename Write>
-  JsonWriter& list(std::string_view name, Range&& range, Write&& write) {
-    key(name).begin_array();
+  JsonWriter& list(Range&& range, Write&& write) {
+    begin_array();
     for (auto&& member : range) {
       write(member);
     }
     return end_array();
   }
 
-  /// The same with an array of objects, of each of which write(member) writes the keys.
+  /// An array of objects, of each of which write(member) writes the keys.
   template <std::ranges::input_range Range, typename Write>
-  JsonWriter& objects(std::string_view name, Range&& range, Write&& write) {
-    return list(name, range, [&](auto&& member) {
+  JsonWriter& objects(Range&& range, Write&& write) {
+    return list(range, [&](auto&& member) {
       begin_object();
       write(member);
       end_object();
     });
+  }
+
+  /// A key with such an array.
+  template <std::ranges::input_range Range, typename Write>
+  JsonWriter& list(std::string_view name, Range&& range, Write&& write) {
+    return key(name).list(range, write);
+  }
+  template <std::ranges::input_range Range, typename Write>
+  JsonWriter& objects(std::string_view name, Range&& range, Write&& write) {
+    return key(name).objects(range, write);
   }
 
   /// Appends text that is JSON already.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <ranges>
 
 #include "changeover/plan/diagnosis.hpp"
 #include "core/each.hpp"
@@ -278,19 +279,12 @@ void write(JsonWriter& json, const Job& job, const Suspect& suspect) {
 }
 
 void write(JsonWriter& json, const Job& job, const std::vector<Suspect>& suspects) {
-  json.begin_array();
-  for (const Suspect& suspect : suspects) {
-    write(json, job, suspect);
-  }
-  json.end_array();
+  json.list(suspects, [&](const Suspect& suspect) { write(json, job, suspect); });
 }
 
 void write(JsonWriter& json, const Job& job, const std::vector<Explanation>& explanations) {
-  json.begin_array();
-  for (std::size_t i = 0; i < std::min(explanations.size(), most_in_json); ++i) {
-    write(json, job, explanations[i]);
-  }
-  json.end_array();
+  json.list(explanations | std::views::take(most_in_json),
+            [&](const Explanation& each) { write(json, job, each); });
 }
 
 void write_left(JsonWriter& json, const Job& job, const std::vector<Explanation>& explanations) {
@@ -309,16 +303,13 @@ void write_next(JsonWriter& json, const Job& job, const Diagnosis& found) {
   json.begin_object().key("set_up").value(names_of(job, next.setup));
   json.key("take_out").value(names_of(job, next.take_out));
   json.key("put_in").value(names_of(job, next.put_in));
-  json.key("places");
   const PlacedSheets places = placed(on_bench.job, {&on_bench.sheet});
-  json.begin_array();
-  for (std::size_t i = 0; i < places.places.size(); ++i) {
-    json.begin_object().key("number").value(places.places[i].number).key("part");
-    const auto& part = places.sheets.front().steps.front()[i];
-    part ? json.value(job.names[*part]) : json.null();
-    json.end_object();
-  }
-  json.end_array();
+  auto part = places.sheets.front().steps.front().begin();
+  json.objects("places", places.places, [&](const MountedPlace& place) {
+    json.key("number").value(place.number).key("part");
+    *part ? json.value(job.names[**part]) : json.null();
+    ++part;
+  });
   json.key("cost").raw(Money(job)(next.cost)).key("proves");
   next.proves ? write(json, job, *next.proves) : void(json.null());
   json.key("why").value(why_next(job, found)).key("if_it_fails");

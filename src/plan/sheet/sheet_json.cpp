@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <ranges>
 
 #include "changeover/plan/job.hpp"
 #include "io/write/json_writer.hpp"
@@ -48,33 +49,28 @@ std::string json_of(const SheetDocument& document) {
   const Money money(job, document.budget);
   JsonWriter json;
   json.begin_object().key("format").value("changeover-plan/1").key("title").value(document.title);
-  json.key("parts").begin_array();
-  for (std::size_t i = 0; i < job.names.size(); ++i) {
-    json.begin_object().key("name").value(job.names[i]);
+  json.objects("parts", std::views::iota(std::size_t{0}, job.names.size()), [&](std::size_t i) {
+    json.key("name").value(job.names[i]);
     json.key("change_cost").raw(money(job.change_costs[i]));
     if (!job.slots.empty()) {
       json.key("slot");
       job.slot_of[i] == no_slot ? json.null() : json.value(job.slots[job.slot_of[i]].name);
     }
-    json.end_object();
-  }
-  json.end_array().key("at_once").value(job.at_once);
+  });
+  json.key("at_once").value(job.at_once);
   json.objects("slots", job.slots, [&](const Slot& slot) {
     json.key("name").value(slot.name).key("least").value(slot.least);
     json.key("most").value(std::min(slot.most, job.at_once));
   });
   json.key("test_cost").raw(money(job.test_cost));
   if (job.replaces()) {
-    json.key("replace_costs").begin_array();
-    for (Element out = 0; out < job.parts(); ++out) {
-      json.begin_array();
-      for (Element in = 0; in < job.parts(); ++in) {
+    const auto parts = std::views::iota(Element{0}, static_cast<Element>(job.parts()));
+    json.list("replace_costs", parts, [&](Element out) {
+      json.list(parts, [&](Element in) {
         in == out || !job.may_replace(out, in) ? json.null()
                                                : json.raw(money(job.replace_cost(out, in)));
-      }
-      json.end_array();
-    }
-    json.end_array();
+      });
+    });
   }
   json.key("mounted").value(names_of(job, job.mounted));
   json.key("start").value(names_of(job, job.start));
@@ -104,12 +100,10 @@ std::string json_of(const SheetDocument& document) {
     json.key("objective").value(plan.objective == PlanObjective::tests ? "tests" : "cost");
     json.key("proved_fewest_tests").value(plan.proved_fewest());
   }
-  json.key("steps").begin_array();
-  std::uint64_t number = job.tests_done;
-  for (const RunStep& step : sheet.steps) {
-    json.begin_object().key("step").value(++number);
+  std::size_t at = 0;
+  json.objects("steps", sheet.steps, [&](const RunStep& step) {
+    json.key("step").value(job.tests_done + at + 1);
     if (shown) {
-      const std::size_t at = number - job.tests_done - 1;
       json.key("values").begin_object();
       for (std::size_t p = 0; p < job.model->parameters.size(); ++p) {
         json.key(job.model->parameters[p].name).value(shown->value(at, p));
@@ -117,7 +111,7 @@ std::string json_of(const SheetDocument& document) {
       json.end_object();
     }
     write_changes(json, job, step);
-    places.write(json, 0, static_cast<std::size_t>(number - job.tests_done - 1));
+    places.write(json, 0, at++);
     json.list("new_pairs", step.new_pairs, [&](const auto& pair) {
       json.value(names_of(job, {pair.first, pair.second}));
     });
@@ -132,11 +126,9 @@ std::string json_of(const SheetDocument& document) {
     if (!job.weights.empty()) {
       json.key("weight_so_far").raw(to_string(step.weight_so_far));
     }
-    json.end_object();
-  }
-  json.end_array().list("candidates", plan.candidates, [&](const Candidate& candidate) {
-    write_candidate(json, money, candidate);
   });
+  json.list("candidates", plan.candidates,
+            [&](const Candidate& candidate) { write_candidate(json, money, candidate); });
   json.key("notes").value(document.notes).end_object();
   return json.take() + "\n";
 }

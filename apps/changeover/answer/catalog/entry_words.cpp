@@ -176,16 +176,15 @@ Completeness completeness(const Catalog& catalog, const CatalogFilter& filter) {
 
 std::string completeness_json(const Completeness& found) {
   JsonWriter json;
-  json.begin_array();
-  for (const auto& [key, tally] : found) {
+  json.objects(found, [&](const auto& cells) {
+    const auto& [key, tally] = cells;
     const auto& [strength, change, kind, k] = key;
-    json.begin_object().key("strength").value(std::uint64_t{strength}).key("change").value(change);
+    json.key("strength").value(std::uint64_t{strength}).key("change").value(change);
     json.key("kind").value(to_string(kind)).key("k").value(k).key("v_from").value(tally.v_from);
     json.key("v_to").value(tally.v_to).key("cells").value(tally.cells);
     json.key("minimum").value(tally.minimum).key("mean_ratio").value(tally.mean_ratio());
-    json.end_object();
-  }
-  return json.end_array().take();
+  });
+  return json.take();
 }
 
 std::string today() {

@@ -144,15 +144,7 @@ std::string dossier_json(const Dossier& dossier) {
     json.key("citation").value(step.citation);
   });
   json.key("recipe").raw(dossier.recipe).key("blocks");
-  if (dossier.design) {
-    json.begin_array();
-    for (std::uint64_t i = 0; i < dossier.design->block_count(); ++i) {
-      json.value(dossier.design->block(i));
-    }
-    json.end_array();
-  } else {
-    json.null();
-  }
+  dossier.design ? json.value(dossier.design->blocks()) : json.null();
   json.key("check").begin_array().value(dossier.write_command).value("checkdesign design.txt");
   for (const std::string& command : dossier.proof_commands) {
     json.value(command);

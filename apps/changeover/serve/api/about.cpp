@@ -31,12 +31,12 @@ Response about(const Explorer& explorer) {
   json.key("limits").begin_object().key("body_bytes").value(limits.body_bytes);
   json.key("seconds").value(limits.seconds.count()).key("memory").value(limits.memory_bytes);
   json.key("searches").value(limits.searches).end_object();
-  json.key("write").value(explorer.may_write).key("files").begin_array();
-  for (std::size_t i = 0; i < explorer.files.size(); ++i) {
-    json.begin_object().key("index").value(i + 1).key("name").value(explorer.files[i].name);
-    json.end_object();
-  }
-  json.end_array().key("static").value(false).end_object();
+  json.key("write").value(explorer.may_write);
+  std::uint64_t index = 0;
+  json.objects("files", explorer.files, [&](const GivenFile& file) {
+    json.key("index").value(++index).key("name").value(file.name);
+  });
+  json.key("static").value(false).end_object();
   return json_response(json.take() + "\n");
 }
 
@@ -85,16 +85,14 @@ void write_example(JsonWriter& json, const std::optional<Parameters>& p) {
 std::string constructions_json() {
   const auto examples = examples_of_constructions();
   JsonWriter json;
-  json.begin_array();
-  for (const Construction* each : Registry::standard().constructions()) {
-    json.begin_object().key("name").value(each->name()).key("summary").value(each->summary());
+  json.objects(Registry::standard().constructions(), [&](const Construction* each) {
+    json.key("name").value(each->name()).key("summary").value(each->summary());
     json.key("citation").value(each->citation().to_string());
     json.key("serves").value(each->preconditions()).key("gives").value(each->guarantee());
     const auto found = examples.find(each->name());
     write_example(json, found == examples.end() ? std::nullopt : std::optional(found->second));
-    json.end_object();
-  }
-  return json.end_array().take() + "\n";
+  });
+  return json.take() + "\n";
 }
 
 std::vector<Theorem> theorems_of(std::string_view text) {
@@ -128,9 +126,8 @@ std::vector<Theorem> theorems_of(std::string_view text) {
 std::string theorems_json() {
   const auto examples = examples_of_constructions();
   JsonWriter json;
-  json.begin_array();
-  for (const Theorem& theorem : theorems_of(theorems_text())) {
-    json.begin_object().key("number").value(theorem.number).key("title").value(theorem.title);
+  json.objects(theorems_of(theorems_text()), [&](const Theorem& theorem) {
+    json.key("number").value(theorem.number).key("title").value(theorem.title);
     json.key("statement").value(theorem.statement).key("proof").value(theorem.proof);
     // Of a construction that says it is from this theorem.
     std::optional<Parameters> example;
@@ -143,9 +140,8 @@ std::string theorems_json() {
       }
     }
     write_example(json, example);
-    json.end_object();
-  }
-  return json.end_array().take() + "\n";
+  });
+  return json.take() + "\n";
 }
 
 void add_about(Router& router, Explorer& explorer) {

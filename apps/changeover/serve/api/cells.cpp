@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 
 #include "answer/catalog/entry_words.hpp"
 #include "answer/design/recipe_tree.hpp"
@@ -101,27 +102,21 @@ std::string cell_json(const Catalog& catalog, const Parameters& p, Offers how) {
   write_best(json, known);
   const std::vector<CatalogEntry> entries = catalog.cell(p);
   json.list("designs", entries, [&](const CatalogEntry& entry) { cli::write_entry(json, entry); });
-  json.key("offers").begin_array();
   constexpr std::size_t most_offers = 20;
   const std::vector<Offer> offers =
       known.impossible ? std::vector<Offer>() : Registry::standard().offers(p);
-  for (std::size_t i = 0; i < std::min(offers.size(), most_offers); ++i) {
-    json.begin_object().key("construction").value(offers[i].recipe.construction);
-    json.key("b").value(offers[i].b);
+  json.objects("offers", offers | std::views::take(most_offers), [&](const Offer& offer) {
+    json.key("construction").value(offer.recipe.construction).key("b").value(offer.b);
     if (how == Offers::with_recipes) {
-      json.key("recipe").raw(recipe_to_json(offers[i].recipe));
+      json.key("recipe").raw(recipe_to_json(offer.recipe));
     }
-    json.end_object();
-  }
-  json.end_array().key("history").begin_array();
-  for (const Improvement& step : catalog.history(p)) {
+  });
+  json.objects("history", catalog.history(p), [&](const Improvement& step) {
     const auto entry = std::ranges::find(entries, step.label, &CatalogEntry::label);
-    json.begin_object().key("date").value(step.date).key("b").value(step.b);
-    json.key("label").value(step.label);
+    json.key("date").value(step.date).key("b").value(step.b).key("label").value(step.label);
     json.key("credit").value(entry == entries.end() ? "" : entry->credit.who);
-    json.key("how").value(step.how).end_object();
-  }
-  json.end_array();
+    json.key("how").value(step.how);
+  });
   write_classified(json, known);
   return json.key("impossible").value(known.impossible).end_object().take();
 }

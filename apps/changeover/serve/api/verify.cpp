@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ranges>
 
 #include "answer/design/judgement.hpp"
 #include "changeover/io/formats.hpp"
@@ -23,17 +24,15 @@ constexpr std::size_t most_uncovered = 200;
 constexpr std::size_t most_shown_blocks = 200'000;
 
 void write_defects(JsonWriter& json, const Verdict& verdict) {
-  json.key("bad_steps").begin_array();
-  for (std::size_t i = 0; i < std::min(verdict.bad_step_examples.size(), most_bad_steps); ++i) {
-    const BadStep& step = verdict.bad_step_examples[i];
-    json.begin_object().key("block").value(step.to);
+  const auto shown = verdict.bad_step_examples | std::views::take(most_bad_steps);
+  json.objects("bad_steps", shown, [&](const BadStep& step) {
+    json.key("block").value(step.to);
     json.key("why").value(fmt::format("from block {} to block {}{}: {} changed, not {}", step.from,
                                       step.to, step.to < step.from ? " (the circle closes)" : "",
                                       count_of(step.changes, "element"),
                                       verdict.parameters.change));
-    json.end_object();
-  }
-  json.end_array().key("uncovered_pairs").value(verdict.uncovered_examples);
+  });
+  json.key("uncovered_pairs").value(verdict.uncovered_examples);
 }
 
 }  // namespace

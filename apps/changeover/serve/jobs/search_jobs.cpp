@@ -419,11 +419,8 @@ Kept SearchJobs::keep(std::uint64_t id) { return keep_in_catalog(catalog_, *desi
 
 std::string SearchJobs::list_json() const {
   JsonWriter json;
-  json.begin_array();
-  for (const auto& job : jobs_->all()) {
-    job->write(json, false);
-  }
-  return json.end_array().take() + "\n";
+  json.list(jobs_->all(), [&](const auto& job) { job->write(json, false); });
+  return json.take() + "\n";
 }
 
 std::string SearchJobs::one_json(std::uint64_t id) const {

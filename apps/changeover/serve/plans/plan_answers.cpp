@@ -203,12 +203,10 @@ std::string_view word_of(TestResult result) {
 void write_done(JsonWriter& json, const DoneRecord& record) {
   json.key("done").begin_object();
   json.objects("places", record.places, [&](const DonePlace& place) {
-    json.key("number").value(place.number).key("slot");
-    place.slot.empty() ? json.null() : json.value(place.slot);
+    json.key("number").value(place.number).key("slot").value_or_null(place.slot);
   });
   json.objects("tests", record.tests, [&](const DoneRecord::Test& test) {
-    json.key("bench");
-    test.bench.empty() ? json.null() : json.value(test.bench);
+    json.key("bench").value_or_null(test.bench);
     json.key("places").value(test.parts).key("result").value(test.result);
     json.key("verdict").value(word_of(result_of(test.result)));
     json.key("notes").value(test.notes);

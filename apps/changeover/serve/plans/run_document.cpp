@@ -156,13 +156,12 @@ std::string run_json(const KeptRun& run) {
   JsonWriter json;
   json.begin_object().key("format").value(run_format);
   write_head(json, run);
-  json.key("sheet").raw(run.sheet).key("results").begin_array();
-  for (const RunResult& each : run.results) {
-    json.begin_object().key("test").value(each.test).key("result").value(each.result);
+  json.key("sheet").raw(run.sheet);
+  json.objects("results", run.results, [&](const RunResult& each) {
+    json.key("test").value(each.test).key("result").value(each.result);
     json.key("notes").value(each.notes).key("by").value(each.by).key("at").value(each.at);
-    json.end_object();
-  }
-  return json.end_array().end_object().take() + "\n";
+  });
+  return json.end_object().take() + "\n";
 }
 
 KeptRun run_in(const std::string& text, const std::string& id) {

@@ -274,13 +274,11 @@ std::string RunStore::list_json() const {
   std::ranges::stable_sort(sorted, std::ranges::greater(),
                            [](const Listed* each) { return each->run->changed; });
   JsonWriter json;
-  json.begin_array();
-  for (const Listed* const each : sorted) {
-    json.begin_object();
+  json.objects(sorted, [&](const Listed* each) {
     write_head(json, *each->run);
-    json.key("done").value(each->done).end_object();
-  }
-  return json.end_array().take() + "\n";
+    json.key("done").value(each->done);
+  });
+  return json.take() + "\n";
 }
 
 void RunStore::publish(const KeptRun& run, bool removed) {

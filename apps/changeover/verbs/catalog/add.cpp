@@ -154,9 +154,8 @@ Answer run(const AddRequest& request) {
   const std::vector<Added> added = entries.empty() ? std::vector<Added>() : catalog.add(entries);
   std::string text;
   JsonWriter json;
-  json.begin_array();
   std::size_t next = 0;
-  for (Arrival& arrival : arrivals) {
+  json.list(arrivals, [&](Arrival& arrival) {
     if (arrival.outcome.empty()) {
       const Added what = added[next++];
       arrival.outcome = what == Added::already_there ? "already there"
@@ -169,8 +168,7 @@ Answer run(const AddRequest& request) {
     }
     text += text_of(arrival);
     write_json(json, arrival);
-  }
-  json.end_array();
+  });
   Answer answer = text_answer(request.output.json() ? json.take() + "\n" : text, request.output);
   if (!entries.empty()) {
     answer.done_before = catalog_was_changed;

@@ -27,8 +27,7 @@ Answer run(const DiffRequest& request) {
   std::string text;
   std::map<std::string_view, std::uint64_t> counts;
   JsonWriter json;
-  json.begin_array();
-  for (const CellChange& change : compare_cells(before, after)) {
+  json.objects(compare_cells(before, after), [&](const CellChange& change) {
     const std::string cell = cell_label(change.parameters);
     const std::string_view kind = change.kind();
     ++counts[kind];
@@ -36,10 +35,9 @@ Answer run(const DiffRequest& request) {
             : change.after == 0
                 ? fmt::format("gone    {}  {}\n", cell, change.before)
                 : fmt::format("{:<7} {}  {} -> {}\n", kind, cell, change.before, change.after);
-    json.begin_object().key("cell").value(cell).key("change").value(kind);
-    json.key("before").value(change.before).key("after").value(change.after).end_object();
-  }
-  json.end_array();
+    json.key("cell").value(cell).key("change").value(kind);
+    json.key("before").value(change.before).key("after").value(change.after);
+  });
   text += fmt::format("{} better, {} worse, {} new, {} gone\n", counts["better"], counts["worse"],
                       counts["new"], counts["gone"]);
   return text_answer(request.output.json() ? json.take() + "\n" : text, request.output);

@@ -32,17 +32,15 @@ Answer run(const HistoryRequest& request) {
   const std::vector<Improvement> steps = catalog.history(*p);
   std::string text = name(*p) + "\n";
   JsonWriter json;
-  json.begin_array();
-  for (const Improvement& step : steps) {
+  json.objects(steps, [&](const Improvement& step) {
     text += fmt::format("  {}  {:>6}  {}  {}\n", step.date.empty() ? "-         " : step.date,
                         step.b, step.label, step.how);
-    json.begin_object().key("date").value(step.date).key("b").value(step.b);
-    json.key("label").value(step.label).key("how").value(step.how).end_object();
-  }
+    json.key("date").value(step.date).key("b").value(step.b);
+    json.key("label").value(step.label).key("how").value(step.how);
+  });
   if (steps.empty()) {
     text += "  nothing is known in the catalog\n";
   }
-  json.end_array();
   return text_answer(request.output.json() ? json.take() + "\n" : text, request.output);
 }
 

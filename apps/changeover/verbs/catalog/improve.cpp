@@ -45,15 +45,12 @@ Answer run_improve(const ImproveRequest& request) {
   running->finish();
   std::string text;
   JsonWriter json;
-  json.begin_array();
-  for (const CatalogFind& find : finds) {
+  json.objects(finds, [&](const CatalogFind& find) {
     text += fmt::format("better: {}  {} -> {}  {}; {}\n", cell_label(find.parameters), find.before,
                         find.b, find.label, find.how);
-    json.begin_object().key("cell").value(cell_label(find.parameters)).key("before");
-    json.value(find.before).key("b").value(find.b).key("label").value(find.label);
-    json.key("how").value(find.how).end_object();
-  }
-  json.end_array();
+    json.key("cell").value(cell_label(find.parameters)).key("before").value(find.before);
+    json.key("b").value(find.b).key("label").value(find.label).key("how").value(find.how);
+  });
   text += fmt::format("{} better, all in the catalog\n", count_of(finds.size(), "design"));
   const int code = finds.empty() ? exit_code::limit_reached : exit_code::found;
   Answer answer =

@@ -79,11 +79,7 @@ Answer run(const ShowRequest& request) {
   const std::string format = request.output.format();
   if (format == "json") {
     JsonWriter json;
-    json.begin_array();
-    for (const CatalogEntry& entry : entries) {
-      write_entry(json, entry);
-    }
-    json.end_array();
+    json.list(entries, [&](const CatalogEntry& entry) { write_entry(json, entry); });
     return text_answer(json.take() + "\n", request.output);
   }
   if (format != "summary") {

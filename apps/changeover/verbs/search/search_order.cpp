@@ -25,15 +25,10 @@ Answer show_list(const Design& arranged, const Ordered& ordered, const SearchReq
     for (const auto& [name, number] : ordered.numbers) {
       json.key(name).value(number);
     }
-    json.key("blocks").begin_array();
-    for (const Block& block : arranged.blocks()) {
-      json.begin_array();
-      for (const Element x : block) {
-        json.value(arranged.label(x));
-      }
-      json.end_array();
-    }
-    return text_answer(json.end_array().end_object().take() + "\n", request.output, code);
+    json.list("blocks", arranged.blocks(), [&](const Block& block) {
+      json.list(block, [&](Element x) { json.value(arranged.label(x)); });
+    });
+    return text_answer(json.end_object().take() + "\n", request.output, code);
   }
   std::string text;
   for (const std::string& line : ordered.lines) {

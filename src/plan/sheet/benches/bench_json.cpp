@@ -1,4 +1,6 @@
 // Writes the sheets of several benches as JSON.
+#include <ranges>
+
 #include "io/write/json_writer.hpp"
 #include "plan/sheet/benches/bench_words.hpp"
 #include "plan/sheet/places_json.hpp"
@@ -25,11 +27,9 @@ void write_bench_steps(JsonWriter& json, const BenchDocument& document, std::siz
                        const PlacesInJson& places) {
   const Job& job = *document.job;
   const BenchPlan& plan = *document.plan;
-  json.key("steps").begin_array();
-  std::uint64_t number = plan.benches[bench].tests_done;
-  for (std::size_t i = 0; i < plan.sheets[bench].steps.size(); ++i) {
-    const RunStep& step = plan.sheets[bench].steps[i];
-    json.begin_object().key("step").value(++number);
+  std::size_t i = 0;
+  json.objects("steps", plan.sheets[bench].steps, [&](const RunStep& step) {
+    json.key("step").value(plan.benches[bench].tests_done + i + 1);
     write_changes(json, job, step);
     places.write(json, bench, i);
     json.key("new_" + what_meets(job)).value(new_here(job, step));
@@ -40,9 +40,8 @@ void write_bench_steps(JsonWriter& json, const BenchDocument& document, std::siz
     if (const Block& again = plan.schedule[bench][i].again; !again.empty()) {
       json.key("again").value(names_of(job, again));
     }
-    json.end_object();
-  }
-  json.end_array();
+    ++i;
+  });
 }
 
 void write_bench(JsonWriter& json, const BenchDocument& document, std::size_t bench,
@@ -124,11 +123,10 @@ std::string json_of(const BenchDocument& document) {
   }
   const PlacesInJson places(each, sheets, job);
   places.write_all(json);
-  json.key("sheets").begin_array();
-  for (std::size_t bench = 0; bench < plan.sheets.size(); ++bench) {
+  json.list("sheets", std::views::iota(std::size_t{0}, plan.sheets.size()), [&](std::size_t bench) {
     write_bench(json, document, bench, money, calendar, places);
-  }
-  json.end_array().objects("candidates", plan.candidates, [&](const BenchCandidate& c) {
+  });
+  json.objects("candidates", plan.candidates, [&](const BenchCandidate& c) {
     json.key("name").value(c.name).key("how").value(c.how);
     json.key("tests").value(c.tests).key("changes").value(c.changes);
     json.key("cost").raw(money(c.cost)).key("makespan").raw(money(c.makespan));
