@@ -86,9 +86,8 @@ const Construction& Registry::construction_of(const Recipe& recipe) const {
   if (const Construction* construction = find(recipe.construction)) {
     return *construction;
   }
-  throw BadInput(
-      fmt::format("no construction is named '{}'; there are: {}", recipe.construction,
-                  joined(constructions_, [](const Construction* each) { return each->name(); })));
+  throw BadInput(fmt::format("no construction is named '{}'; there are: {}", recipe.construction,
+                             joined(constructions_, &Construction::name)));
 }
 
 std::vector<Offer> Registry::offers(const Parameters& p) const {

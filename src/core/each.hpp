@@ -1,18 +1,19 @@
 // What is said of each of several things: as a list, added up, the largest, or in words.
 //
 //     each_of<std::string>(parts, [&](Element x) { return job.names[x]; })
-//     sum_of(groups, [](const ItemRange& group) { return group.size(); })
+//     sum_of(groups, &ItemRange::size)
 //     largest_of(inputs, depth)                       // 0 if there is none
 //     joined(words)                                   // one, two, three
 //     joined(factors, " and ", in_words)              // the words of each
 //
-// `of` is called once for each, in their order.
+// `of` is a function, or a member, of each; it is called once for each, in their order.
 #pragma once
 
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <ranges>
 #include <string>
 #include <string_view>
@@ -31,7 +32,7 @@ template <typename Value, typename Range, OfEach<Range> Of>
     all.reserve(static_cast<std::size_t>(std::ranges::size(range)));
   }
   for (auto&& each : range) {
-    all.push_back(of(each));
+    all.push_back(std::invoke(of, each));
   }
   return all;
 }
@@ -40,7 +41,7 @@ template <typename Sum = std::uint64_t, typename Range, OfEach<Range> Of>
 [[nodiscard]] Sum sum_of(Range&& range, Of&& of) {
   Sum sum{};
   for (auto&& each : range) {
-    sum += of(each);
+    sum += std::invoke(of, each);
   }
   return sum;
 }
@@ -49,7 +50,7 @@ template <typename Value = std::uint64_t, typename Range, OfEach<Range> Of>
 [[nodiscard]] Value largest_of(Range&& range, Of&& of) {
   Value largest{};
   for (auto&& each : range) {
-    largest = std::max<Value>(largest, of(each));
+    largest = std::max<Value>(largest, std::invoke(of, each));
   }
   return largest;
 }
@@ -60,7 +61,7 @@ template <typename Range, OfEach<Range> Of>
   bool first = true;
   for (auto&& each : range) {
     text += first ? std::string_view() : between;
-    text += of(each);
+    text += std::invoke(of, each);
     first = false;
   }
   return text;

@@ -1,5 +1,6 @@
 // changeover manual [VERB]: manual pages.
 #include "shell/manual.hpp"
+#include "core/each.hpp"
 
 #include <fmt/format.h>
 
@@ -42,10 +43,7 @@ Answer run(const ManualRequest& request) {
   }
   const auto found = std::ranges::find(pages, name, &ManualPage::name);
   if (found == pages.end()) {
-    std::vector<std::string> known;
-    for (const ManualPage& page : pages) {
-      known.push_back(page.name);
-    }
+    const std::vector<std::string> known = each_of<std::string>(pages, &ManualPage::name);
     throw UsageError{"there is no page " + name + did_you_mean(name, known)};
   }
   return text_answer(found->text, request.output);

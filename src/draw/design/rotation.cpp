@@ -29,12 +29,8 @@ class Search {
     for (const Element x : design_.block(to)) {
       seen_[x] = stamp_;
     }
-    for (const Element x : design_.block(from)) {
-      if (seen_[pi.image(x, shift)] != stamp_) {
-        return false;
-      }
-    }
-    return true;
+    return std::ranges::none_of(
+        design_.block(from), [&](const Element x) { return seen_[pi.image(x, shift)] != stamp_; });
   }
 
   const Design& design_;

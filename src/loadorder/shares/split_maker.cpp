@@ -11,6 +11,7 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "loadorder/listed/listed_levels.hpp"
 #include "loadorder/order/read_order.hpp"
@@ -140,10 +141,7 @@ void SplitMaker::take_steps(WorkerSplit& split, std::shared_ptr<const WorkerStep
   whole.items = facts.items;
   whole.room = facts.room;
   whole.loads = facts.loads;
-  whole.steps = 0;
-  for (const WorkerFacts& worker : facts.workers) {
-    whole.steps += worker.steps;
-  }
+  whole.steps = sum_of(facts.workers, &WorkerFacts::steps);
   split.steps_ = steps;
   split.order_ =
       LoadOrder(std::move(whole), [steps = std::move(steps), workers = facts.workers.size()] {
@@ -402,15 +400,11 @@ WorkerSplit SplitMaker::two_levels(WorkerSplit split, const LoadOrderFacts& leve
                                    const LoadOrderOptions& options) {
   constexpr std::size_t most_searched = 4;  // workers, some seconds each
   own_orders(split, [&](const std::vector<std::vector<ItemPair>>& pairs) {
-    std::vector<std::vector<Move>> moves;
-    moves.reserve(pairs.size());
-    for (const std::vector<ItemPair>& of_worker : pairs) {
-      moves.push_back(levels.sizes
-                          ? sized_levels_of(of_worker, *levels.sizes, options)
+    return each_of<std::vector<Move>>(pairs, [&](const std::vector<ItemPair>& of_worker) {
+      return levels.sizes ? sized_levels_of(of_worker, *levels.sizes, options)
                           : listed_levels_of(of_worker, split.facts().room, *levels.fast_room,
-                                             pairs.size() <= most_searched, options));
-    }
-    return moves;
+                                             pairs.size() <= most_searched, options);
+    });
   });
   LoadOrderFacts whole = split.order_.facts();
   whole.fast_room = levels.fast_room;
@@ -467,11 +461,8 @@ void SplitMaker::verify(WorkerSplit& split, const LoadOrderOptions& options) {
   }
   ScheduleVerdict verdict = check_schedule(*steps, rules, how);
   verdict.worker_pairs.resize(facts.workers.size(), 0);
-  std::vector<std::uint64_t> said;
-  said.reserve(facts.workers.size());
-  for (const WorkerFacts& worker : facts.workers) {
-    said.push_back(worker.pairs);
-  }
+  const std::vector<std::uint64_t> said =
+      each_of<std::uint64_t>(facts.workers, &WorkerFacts::pairs);
   // Pairs that met first are the computed ones if they belong to the first worker that has them.
   const bool are_shown = facts.pairs_are_known && (computes || split.owners_ == nullptr);
   verdict.worker_bytes.resize(facts.workers.size(), 0);
@@ -506,10 +497,8 @@ std::string SplitMaker::certify(const GroupShares& shares) {
   constexpr std::uint64_t each = 2;
   const std::uint64_t items = each * shares.groups;
   GroupShares few = shares;
-  std::uint64_t room = 0;
-  for (const GroupShare& share : shares.workers) {
-    room = std::max<std::uint64_t>(room, each * share.held.size() + 1);
-  }
+  const std::uint64_t room = largest_of(
+      shares.workers, [&](const GroupShare& share) { return each * share.held.size() + 1; });
   const WorkerSplit split = SplitMaker::shares(std::move(few), items, room, shares.workers.size());
   const ScheduleVerdict verdict = check_schedule(*split.stream(), split.rules());
   if (!verdict.valid()) {

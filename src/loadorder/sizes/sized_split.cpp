@@ -156,10 +156,8 @@ class SizedSplit {
           for (const GroupShare& share : shares.workers) {
             const std::uint64_t held = groups.bytes_of(share.held);
             const std::uint64_t streamed = groups.bytes_of(share.streamed);
-            std::uint64_t largest = 0;
-            for (const Element g : share.streamed) {
-              largest = std::max(largest, groups.largest[g]);
-            }
+            const std::uint64_t largest =
+                largest_of(share.streamed, [&](const Element g) { return groups.largest[g]; });
             if (held > sizes_.memory || std::min(streamed, largest) > sizes_.memory - held) {
               return;
             }

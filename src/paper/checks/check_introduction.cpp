@@ -9,6 +9,7 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "core/checked.hpp"
+#include "core/each.hpp"
 #include "paper/checks/checking.hpp"
 #include "paper/checks/checks.hpp"
 #include "paper/checks/enumeration.hpp"
@@ -40,10 +41,7 @@ PaperItem check_recursion_formulas(const Paper& paper) {
   constexpr std::uint64_t blocks_before = 17;  // any number
   for (std::uint32_t subsets = 3; subsets <= 25; subsets += 2) {
     const OneFactorization factors = one_factorization(subsets + 1);
-    std::uint64_t edges = 0;
-    for (const OneFactor& factor : factors.factors) {
-      edges += factor.size();
-    }
+    const std::uint64_t edges = sum_of(factors.factors, &OneFactor::size);
     for (std::uint64_t k = 3; k <= 20; ++k) {
       const std::uint64_t v = subsets * (k - 2);
       const Values values{{'v', v}, {'k', k}, {'b', blocks_before}};

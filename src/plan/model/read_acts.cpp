@@ -5,6 +5,7 @@
 #include <charconv>
 #include <utility>
 
+#include "core/each.hpp"
 #include "core/lines.hpp"
 #include "core/printable.hpp"
 #include "plan/model/model_builder.hpp"
@@ -232,11 +233,8 @@ class ActsRule {
   }
 
   [[nodiscard]] static std::size_t conditions_in(const ModelRule& rule) {
-    std::size_t all = 1;
-    for (const ModelRule& part : rule.of) {
-      all += conditions_in(part);
-    }
-    return all;
+    return 1 +
+           sum_of<std::size_t>(rule.of, [&](const ModelRule& part) { return conditions_in(part); });
   }
 
   // A number as written.

@@ -311,8 +311,7 @@ class DoneTaker {
   // Sets the start of the job, and of each bench, after the tests that were done.
   void go_on() {
     if (benches_->empty()) {
-      std::vector<Block> setups =
-          each_of<Block>(answer_.done, [&](const DoneTest& test) { return test.setup; });
+      std::vector<Block> setups = each_of<Block>(answer_.done, &DoneTest::setup);
       take_first_off(setups, job_->first);
       mark_tested(*job_, answer_.done, options_->failed);
       if (last_) {
@@ -331,10 +330,8 @@ class DoneTaker {
       if (on_bench_[b].empty()) {
         continue;
       }
-      std::vector<Block> setups;
-      for (const std::size_t test : on_bench_[b]) {
-        setups.push_back(list_.setups[test]);
-      }
+      const std::vector<Block> setups =
+          each_of<Block>(on_bench_[b], [&](const std::size_t test) { return list_.setups[test]; });
       bench.tests_done = setups.size();
       std::vector<Block> first = bench.first.value_or(job_->first);
       take_first_off(setups, first);

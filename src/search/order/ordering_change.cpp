@@ -239,8 +239,7 @@ class HamiltonByCuts {
       }
     }
     for (const auto& edges : edges_) {
-      std::vector<Literal> literals =
-          each_of<Literal>(edges, [&](const Edge& edge) { return edge.literal; });
+      std::vector<Literal> literals = each_of<Literal>(edges, &Edge::literal);
       require_exactly(solver_.cnf, literals, 2);
     }
   }

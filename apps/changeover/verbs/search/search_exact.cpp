@@ -15,6 +15,7 @@
 #include "changeover/run/control.hpp"
 #include "changeover/search/exact.hpp"
 #include "cli/team.hpp"
+#include "core/each.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
@@ -41,10 +42,7 @@ std::string line_of(const Decision& step) {
   if (step.outcome == Outcome::found) {
     line += "found";
   } else if (step.excluded()) {
-    std::uint64_t total = 0;
-    for (const CheckedPart& part : step.parts) {
-      total += part.proof_bytes;
-    }
+    const std::uint64_t total = sum_of(step.parts, &CheckedPart::proof_bytes);
     line +=
         "none; " + (step.parts.size() == 1 ? fmt::format("DRAT proof of {}, checked", bytes(total))
                                            : fmt::format("{} DRAT proofs of {} together, checked",

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/checked.hpp"
+#include "core/each.hpp"
 
 namespace changeover {
 namespace {
@@ -80,13 +81,7 @@ class BlockedSteps final : public StepSource {
 
 }  // namespace
 
-std::uint64_t HeldBlocks::makespan() const {
-  std::uint64_t most = 0;
-  for (const HeldShape& shape : shapes) {
-    most = std::max(most, shape.loads);
-  }
-  return most;
-}
+std::uint64_t HeldBlocks::makespan() const { return largest_of(shapes, &HeldShape::loads); }
 
 std::optional<HeldBlocks> best_held_blocks(const WantedPairs& between, std::uint64_t room,
                                            std::uint64_t workers) {

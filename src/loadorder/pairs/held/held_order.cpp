@@ -174,7 +174,7 @@ void count_loads(HeldShape& shape) {
   Walk walk(shape);
   for (Walk::Change change; walk.next(change, true);) {
     stop_if_asked();
-    std::uint64_t loads = sum_of(change.in, [&](const ItemRange& range) { return range.size(); });
+    std::uint64_t loads = sum_of(change.in, &ItemRange::size);
     shape.loads = checked_add(shape.loads, checked_multiply(loads, change.times));
     shape.steps += change.times;
   }
@@ -201,8 +201,7 @@ HeldShape shape_of(const ItemRange& held, std::uint64_t groups, bool balanced,
 }  // namespace
 
 std::string HeldShape::explain() const {
-  const std::uint64_t most =
-      largest_of(groups, [&](const ItemRange& group) { return group.size(); });
+  const std::uint64_t most = largest_of(groups, &ItemRange::size);
   return fmt::format(
       "{} of up to {}: each stays while those that it must meet pass, up and down in turn.",
       count_of(groups.size(), "group"), count_of(most, "item"));

@@ -9,6 +9,7 @@
 #include "changeover/plan/benches.hpp"
 #include "core/checked.hpp"
 #include "core/contains.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 
 namespace changeover {
@@ -110,10 +111,7 @@ class BenchReferee {
       fault(number, "it is down, and has tests");
     }
     const Job own = question_of(left_, bench);
-    std::vector<Block> setups;
-    for (const BenchStep& step : steps) {
-      setups.push_back(step.setup);
-    }
+    const std::vector<Block> setups = each_of<Block>(steps, &BenchStep::setup);
     RunSheet sheet = run_sheet(own, setups);
     for (const std::string& what : sheet.faults) {
       const bool needs_none = bench.down && steps.empty();  // not even the first ones
