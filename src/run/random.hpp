@@ -12,6 +12,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <utility>
 
 namespace changeover {
 
@@ -71,5 +72,13 @@ class Random {
  private:
   State state_{};
 };
+
+/// Puts the members of a vector in a random order.
+template <typename List>
+constexpr void shuffle(List& list, Random& random) {
+  for (std::size_t i = list.size(); i > 1; --i) {
+    std::swap(list[i - 1], list[random.below(static_cast<std::uint32_t>(i))]);
+  }
+}
 
 }  // namespace changeover

@@ -10,12 +10,6 @@
 namespace changeover {
 namespace {
 
-void shuffle_pairs(std::vector<ItemPair>& pairs, Random& random) {
-  for (std::size_t i = pairs.size(); i > 1; --i) {
-    std::swap(pairs[i - 1], pairs[random.below(static_cast<std::uint32_t>(i))]);
-  }
-}
-
 std::size_t workers_in_lockstep(const ScheduleRules& rules) {
   return static_cast<std::size_t>(std::max<std::uint64_t>(1, rules.lockstep));
 }
@@ -140,8 +134,8 @@ class ShuffledSteps final : public StepSource {
     if (!steps_->next(step)) {
       return false;
     }
-    shuffle_pairs(step.compute, random_);
-    shuffle_pairs(step.overlap, random_);
+    shuffle(step.compute, random_);
+    shuffle(step.overlap, random_);
     return true;
   }
 

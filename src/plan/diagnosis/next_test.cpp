@@ -219,7 +219,7 @@ class Splitter {
     for (bool better = true; better;) {
       better = false;
       Block order = parts_;
-      shuffle(order);
+      shuffle(order, random_);
       for (const Element x : order) {
         Block other = chosen;
         if (contains(other, x)) {
@@ -239,16 +239,10 @@ class Splitter {
 
   Block some_parts() {
     Block order = parts_;
-    shuffle(order);
+    shuffle(order, random_);
     const std::size_t most = std::min<std::size_t>(order.size(), evidence_->job().room());
     order.resize(1 + random_.below(static_cast<std::uint32_t>(most)));
     return order;
-  }
-
-  void shuffle(Block& parts) {
-    for (std::size_t i = parts.size(); i > 1; --i) {
-      std::swap(parts[i - 1], parts[random_.below(static_cast<std::uint32_t>(i))]);
-    }
   }
 
   const Evidence* evidence_;

@@ -176,9 +176,7 @@ class Drawing {
       return true;
     }
     Block rest = in_parts(p_, wanted_);
-    for (std::size_t i = rest.size(); i > 1; --i) {
-      std::swap(rest[i - 1], rest[below(i)]);
-    }
+    shuffle(rest, random_);
     const std::size_t count = rest.size() / part_size_;
     if (count == 0) {
       return true;
