@@ -6,9 +6,9 @@
 //     jobs.find(id);
 //     jobs.stop_all(900ms);
 //
-// A Job has a static `missing_defect(id)`, which says that find() has none, `id`, `control`
-// (std::unique_ptr<RunControl>), `thread` and `running()`; if it has `bytes()`, what ended is also
-// forgotten, oldest first, when together it has more than so many. The last that ended stays.
+// A Job is a ListedJob with a static `missing_defect(id)`, which says that find() has none; if it
+// has `bytes()`, what ended is also forgotten, oldest first, when together it has more than so many.
+// The last that ended stays.
 #pragma once
 
 #include <fmt/format.h>
@@ -23,6 +23,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <string_view>
 #include <thread>
 #include <vector>
@@ -31,6 +32,22 @@
 #include "serve/http/message.hpp"
 
 namespace changeover::serve {
+
+/// What all jobs have.
+struct ListedJob {
+  std::uint64_t id = 0;
+  std::unique_ptr<RunControl> control;
+  std::thread thread;
+
+  mutable std::mutex mutex;  // of all below, and of what the job itself has
+  std::string state = "running";
+  double seconds = 0;
+
+  [[nodiscard]] bool running() const {
+    const std::scoped_lock lock(mutex);
+    return state == "running";
+  }
+};
 
 template <typename Job>
 class JobList {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -50,23 +49,16 @@ std::string_view to_string(SearchWay way) {
   return names[static_cast<std::size_t>(way)];
 }
 
-struct SearchJobs::Job {
+struct SearchJobs::Job : ListedJob {
   static std::string missing_defect(std::uint64_t id) {
     return fmt::format("there is no search {}; api/search lists those that there are", id);
   }
 
-  std::uint64_t id = 0;
   SearchOrder order;
-  std::unique_ptr<RunControl> control;
-  std::thread thread;
-
-  mutable std::mutex mutex;  // of all below
-  std::string state = "running";
   std::optional<std::uint64_t> best = {};
   std::optional<std::uint64_t> lower_bound = {};
   std::optional<std::uint64_t> start_best = {};
   std::optional<std::uint64_t> restarts = {};
-  double seconds = 0;
   std::uint64_t moves = 0;
   std::string unit = "moves";
   std::string message = "searching";
@@ -74,10 +66,6 @@ struct SearchJobs::Job {
   std::vector<DecidedBlocks> decisions = {};
   std::shared_ptr<const Design> design = {};
 
-  [[nodiscard]] bool running() const {
-    const std::scoped_lock lock(mutex);
-    return state == "running";
-  }
   void tell(const Progress& progress);
   void begin_deciding(std::uint64_t blocks);
   void end_deciding(const Decision& decision);

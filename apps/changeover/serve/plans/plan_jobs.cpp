@@ -4,7 +4,6 @@
 
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "changeover/run/control.hpp"
@@ -19,33 +18,22 @@ constexpr std::size_t most_remembered = 10;
 
 }  // namespace
 
-struct PlanJobs::Job {
+struct PlanJobs::Job : ListedJob {
   static std::string missing_defect(std::uint64_t id) {
     return fmt::format("plan {} is not remembered any more; plan again", id);
   }
 
-  std::uint64_t id = 0;
   OpenedRequest opened;
   ParsedJob asked;
   double limit = 0;
-  std::unique_ptr<RunControl> control;
-  std::thread thread;
-
-  mutable std::mutex mutex;  // of all below
-  std::string state = "running";
   std::string message = {};  // why there is no answer, or that it may not be the best
   std::string phase = "reading the job";
-  double seconds = 0;
   std::optional<PlanNews> best = {};
   std::optional<PlanAnswer> answer = {};
   std::size_t answer_bytes = 0;
   std::optional<std::string> answer_json = {};
   std::optional<Response> ended = {};  // once it was asked for; it holds the answer then
 
-  [[nodiscard]] bool running() const {
-    const std::scoped_lock lock(mutex);
-    return state == "running";
-  }
   [[nodiscard]] std::size_t bytes() const {
     const std::scoped_lock lock(mutex);
     return answer_bytes;
