@@ -8,7 +8,6 @@
 #include <memory>
 #include <numeric>
 #include <optional>
-#include <variant>
 #include <vector>
 
 #include "bind.hpp"
@@ -125,18 +124,8 @@ struct Loads {
   std::shared_ptr<const LoadsAnswer> answer;
   std::shared_ptr<const Check> check = nullptr;  // if steps are verified beside
 
-  [[nodiscard]] const LoadOrder* one() const {
-    if (const auto* const plan = std::get_if<PrefetchPlan>(&answer->loads())) {
-      return &plan->order;
-    }
-    return std::get_if<LoadOrder>(&answer->loads());
-  }
-  [[nodiscard]] const WorkerSplit& split() const {
-    if (const auto* const plan = std::get_if<PrefetchSplit>(&answer->loads())) {
-      return plan->order;
-    }
-    return std::get<WorkerSplit>(answer->loads());
-  }
+  [[nodiscard]] const LoadOrder* one() const { return answer->order(); }
+  [[nodiscard]] const WorkerSplit& split() const { return *answer->split(); }
   /// Of the order for one worker, or of workers in lockstep, with the room for what is on its way.
   [[nodiscard]] std::uint64_t room() const { return answer->room(); }
   [[nodiscard]] std::string in_format(const std::string& format) const {

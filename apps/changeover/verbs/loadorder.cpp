@@ -104,7 +104,7 @@ Answer run(const LoadOrderRequest& typed) {
   const auto loads = std::make_shared<const LoadsAnswer>(asked, request, options);
   if (request.from_step) {
     try {
-      static_cast<void>(std::get<LoadOrder>(loads->loads()).stream_from(*request.from_step));
+      static_cast<void>(loads->order()->stream_from(*request.from_step));
     } catch (const BadInput& fault) {
       throw BadInput(fmt::format("--from-step {}: {}", *request.from_step, fault.what()));
     }

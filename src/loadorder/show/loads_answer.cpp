@@ -175,51 +175,47 @@ std::unique_ptr<StepSource> with_work(const WorkerSplit& split, const ScheduleRu
                           : std::move(steps);
 }
 
-template <typename Order>
-std::unique_ptr<StepSource> with_work(const Prefetched<Order>& plan, const ScheduleRules& rules,
-                                      std::optional<std::uint64_t> worker) {
-  return with_work(plan.order, rules, worker);
-}
-
-std::uint64_t workers_in(const LoadOrder& order) { return order.facts().lockstep; }
-std::uint64_t workers_in(const WorkerSplit& split) { return split.facts().workers.size(); }
-
-template <typename Order>
-const Order& order_in(const Order& order) {
-  return order;
-}
-template <typename Order>
-const Order& order_in(const Prefetched<Order>& plan) {
-  return plan.order;
-}
-
 }  // namespace
 
+const LoadOrder* LoadsAnswer::order() const {
+  const auto* const plan = std::get_if<PrefetchPlan>(&loads_);
+  return plan != nullptr ? &plan->order : std::get_if<LoadOrder>(&loads_);
+}
+
+const WorkerSplit* LoadsAnswer::split() const {
+  const auto* const plan = std::get_if<PrefetchSplit>(&loads_);
+  return plan != nullptr ? &plan->order : std::get_if<WorkerSplit>(&loads_);
+}
+
+std::optional<std::uint64_t> LoadsAnswer::spare() const {
+  const auto* const plan = std::get_if<PrefetchPlan>(&loads_);
+  const auto* const shares = std::get_if<PrefetchSplit>(&loads_);
+  return plan != nullptr     ? std::optional(plan->spare)
+         : shares != nullptr ? std::optional(shares->spare)
+                             : std::nullopt;
+}
+
+ScheduleRules LoadsAnswer::rules(const std::optional<ComputeRules>& compute) const {
+  return split() != nullptr ? split()->rules(compute) : order()->rules(compute);
+}
+
 ScheduleRules LoadsAnswer::rules() const {
-  ScheduleRules rules = std::visit(
-      [&](const auto& loads) {
-        return order_in(loads).rules(shows_work() ? std::optional<ComputeRules>(how_.compute)
-                                                  : std::nullopt);
-      },
-      loads_);
-  rules.room = room_;
-  rules.store = how_.write_back;
-  rules.overlap =
-      std::holds_alternative<PrefetchPlan>(loads_) || std::holds_alternative<PrefetchSplit>(loads_);
-  return rules;
+  ScheduleRules all = rules(shows_work() ? std::optional(how_.compute) : std::nullopt);
+  all.room = room_;
+  all.store = how_.write_back;
+  all.overlap = spare().has_value();
+  return all;
 }
 
 LoadBound LoadsAnswer::bound() const {
-  return std::visit(
-      [&](const auto& loads) {
-        const ScheduleRules all = order_in(loads).rules();
-        return bound_of_loads(all, room_, workers_in(order_in(loads)));
-      },
-      loads_);
+  return bound_of_loads(
+      rules(std::nullopt), room_,
+      split() != nullptr ? split()->facts().workers.size() : order()->facts().lockstep);
 }
 
 std::unique_ptr<StepSource> LoadsAnswer::steps(std::optional<std::uint64_t> worker) const {
-  return std::visit([&](const auto& loads) { return with_work(loads, rules(), worker); }, loads_);
+  return split() != nullptr ? with_work(*split(), rules(), worker)
+                            : with_work(*order(), rules(), worker);
 }
 
 std::string LoadsAnswer::fault() const {

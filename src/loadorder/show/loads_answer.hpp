@@ -28,7 +28,11 @@ class LoadsAnswer {
   LoadsAnswer(const CheckedLoads& asked, const LoadRequest& request,
               const LoadOrderOptions& options);
 
-  [[nodiscard]] const AnyLoads& loads() const { return loads_; }
+  /// The order, or null if it is one for workers one after another, which is split().
+  [[nodiscard]] const LoadOrder* order() const;
+  [[nodiscard]] const WorkerSplit* split() const;
+  /// With prefetch: how many places of the room are for what is on its way.
+  [[nodiscard]] std::optional<std::uint64_t> spare() const;
   [[nodiscard]] std::uint64_t room() const { return room_; }
 
   /// Whether LoadOrderOptions::time_in_all left out something that is tried without a search.
@@ -43,8 +47,7 @@ class LoadsAnswer {
 
   /// Whether a step shows more than evictions and loads.
   [[nodiscard]] bool shows_work() const {
-    return how_.new_pairs || how_.write_back || std::holds_alternative<PrefetchPlan>(loads_) ||
-           std::holds_alternative<PrefetchSplit>(loads_);
+    return how_.new_pairs || how_.write_back || spare().has_value();
   }
 
   /// The steps that are written, of all workers or of one, with pairs and stores if these are
@@ -61,6 +64,7 @@ class LoadsAnswer {
   [[nodiscard]] std::string head() const;
 
  private:
+  [[nodiscard]] ScheduleRules rules(const std::optional<ComputeRules>& compute) const;
   [[nodiscard]] ScheduleRules rules() const;
 
   std::uint64_t room_;

@@ -12,6 +12,7 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "core/checked.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 #include "loadorder/show/bytes_moved.hpp"
@@ -251,10 +252,8 @@ class ScheduleText {
     std::string spread;
     if (how_.compute.spread && checked_.steps > 0) {
       const std::uint64_t steps_of_all = facts_.steps * std::max<std::uint64_t>(1, facts_.lockstep);
-      json.key("pairs_per_step").begin_object().key("max").value(checked_.most_in_a_step);
-      json.key("mean").value(static_cast<double>(checked_.computed) /
-                             static_cast<double>(steps_of_all));
-      json.end_object();
+      say_most(json, "pairs_per_step", checked_.most_in_a_step,
+               static_cast<double>(checked_.computed) / static_cast<double>(steps_of_all));
       spread = fmt::format("pairs are spread over steps: at most {} in one, at least {}\n",
                            checked_.most_in_a_step, ceil_div(checked_.computed, steps_of_all));
     }
@@ -537,20 +536,14 @@ ScheduleText schedule_text_of(const WorkerSplit& split, std::uint64_t room, cons
   whole.transfers = facts.transfers;
   whole.epochs = facts.epochs;
   whole.epoch_loads = facts.epoch_loads;
-  whole.steps = 0;
-  for (const WorkerFacts& worker : facts.workers) {
-    whole.steps += worker.steps;
-  }
+  whole.steps = sum_of(facts.workers, &WorkerFacts::steps);
   whole.explanation = facts.explanation;
   whole.certificate = facts.certificate;
   whole.makespan_bound =
       room == facts.room || facts.epochs > 1
           ? facts.makespan_bound
           : makespan_lower_bound(whole.wanted.among(whole.items), room, facts.workers.size());
-  whole.worker_loads.clear();
-  for (const WorkerFacts& worker : facts.workers) {
-    whole.worker_loads.push_back(worker.loads);
-  }
+  whole.worker_loads = each_of<std::uint64_t>(facts.workers, &WorkerFacts::loads);
   // Without owners, the steps of earlier workers are needed to know what one worker computes.
   const bool alone = how.worker_by_itself && (split.owners() != nullptr || !how.new_pairs);
   ScheduleText said(

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 #include <vector>
 
 #include "core/checked.hpp"
@@ -55,23 +56,13 @@ WorkerWords::WorkerWords(const LoadOrderFacts& facts, const SplitFacts* split)
 
 void WorkerWords::say(JsonWriter& json) const {
   if (all_ > 0 || most_ > 0) {
-    json.key("pairs_per_worker")
-        .begin_object()
-        .key("max")
-        .value(most_)
-        .key("mean")
-        .value(static_cast<double>(all_) / static_cast<double>(workers_))
-        .end_object();
+    say_most(json, "pairs_per_worker", most_,
+             static_cast<double>(all_) / static_cast<double>(workers_));
     json.key("pairs_per_worker_bound").value(ceil_div(all_, workers_));
   }
   if (split_ != nullptr && split_->has_costs) {
-    json.key("cost_per_worker")
-        .begin_object()
-        .key("max")
-        .value(split_->most_cost)
-        .key("mean")
-        .value(split_->all_costs / static_cast<double>(workers_))
-        .end_object();
+    say_most(json, "cost_per_worker", split_->most_cost,
+             split_->all_costs / static_cast<double>(workers_));
   }
 }
 
@@ -137,8 +128,7 @@ void WorkerWords::say_each(JsonWriter& json) const {
     json.key("worker_bytes").value(of_all(facts_.worker_bytes, workers_));
   }
   if (split_ != nullptr && facts_.sizes) {
-    json.list("worker_bytes", split_->workers,
-              [&](const WorkerFacts& worker) { json.value(worker.bytes); });
+    json.key("worker_bytes").value(split_->workers | std::views::transform(&WorkerFacts::bytes));
   }
   if (most_ == 0) {
     return;
@@ -147,11 +137,9 @@ void WorkerWords::say_each(JsonWriter& json) const {
     json.key("worker_pairs").value(of_all(facts_.worker_pairs, workers_));
     return;
   }
-  json.list("worker_pairs", split_->workers,
-            [&](const WorkerFacts& worker) { json.value(worker.pairs); });
+  json.key("worker_pairs").value(split_->workers | std::views::transform(&WorkerFacts::pairs));
   if (split_->has_costs) {
-    json.list("worker_costs", split_->workers,
-              [&](const WorkerFacts& worker) { json.value(worker.cost); });
+    json.key("worker_costs").value(split_->workers | std::views::transform(&WorkerFacts::cost));
   }
 }
 

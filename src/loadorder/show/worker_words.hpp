@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "changeover/loadorder/workers.hpp"
 #include "io/write/json_writer.hpp"
@@ -15,6 +16,12 @@ namespace changeover {
 
 /// The loads of each of several epochs, as a line; empty for one.
 [[nodiscard]] std::string epochs_in_words(const LoadOrderFacts& facts);
+
+/// Writes a key with the most of something and the mean.
+template <typename Number>
+void say_most(JsonWriter& json, std::string_view key, Number most, double mean) {
+  json.key(key).begin_object().key("max").value(most).key("mean").value(mean).end_object();
+}
 
 /// Writes the key "time_is_up", and returns the line that says the same.
 [[nodiscard]] std::string say_that_time_is_up(JsonWriter& json);

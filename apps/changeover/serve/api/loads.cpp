@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <functional>
-#include <memory>
 #include <optional>
+#include <ranges>
 #include <utility>
-#include <variant>
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
@@ -14,6 +13,7 @@
 #include "changeover/loadorder/load_request.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/control.hpp"
+#include "core/each.hpp"
 #include "io/request/request_document.hpp"
 #include "io/write/json_writer.hpp"
 #include "loadorder/show/bytes_moved.hpp"
@@ -229,62 +229,17 @@ class FirstLines final : public Sink {
   std::string text_;
 };
 
-// What is planned, whichever way: one order, or that of workers; of the room `spare` is for what is
-// loading.
-struct PlannedLoads {
-  const LoadOrder* order = nullptr;
-  const WorkerSplit* split = nullptr;
-  std::optional<std::uint64_t> spare = {};
-
-  [[nodiscard]] const LoadOrderFacts& facts() const {
-    return split != nullptr ? split->order().facts() : order->facts();
-  }
-  /// How many workers step together; 0: none do.
-  [[nodiscard]] std::uint64_t lockstep() const {
-    return split != nullptr ? 0 : order->facts().lockstep;
-  }
-  [[nodiscard]] std::uint64_t loads() const {
-    return split != nullptr ? split->facts().loads : order->facts().loads;
-  }
-  [[nodiscard]] std::unique_ptr<StepSource> stream() const {
-    return split != nullptr ? split->stream() : order->stream();
-  }
-  [[nodiscard]] std::uint64_t steps() const {
-    std::uint64_t steps =
-        split != nullptr ? 0 : order->facts().steps * std::max<std::uint64_t>(1, lockstep());
-    for (std::size_t i = 0; split != nullptr && i < split->facts().workers.size(); ++i) {
-      steps += split->facts().workers[i].steps;
-    }
-    return steps;
-  }
-};
-
-PlannedLoads planned_loads(const AnyLoads& loads) {
-  if (const auto* const split = std::get_if<WorkerSplit>(&loads)) {
-    return {.split = split};
-  }
-  if (const auto* const plan = std::get_if<PrefetchPlan>(&loads)) {
-    return {.order = &plan->order, .spare = plan->spare};
-  }
-  if (const auto* const plan = std::get_if<PrefetchSplit>(&loads)) {
-    return {.split = &plan->order, .spare = plan->spare};
-  }
-  return {.order = &std::get<LoadOrder>(loads)};
-}
-
 using Memories = std::vector<Account::Memory>;
 
 void write_workers(JsonWriter& json, const WorkerSplit& split, const Memories& workers) {
   const SplitFacts& facts = split.facts();
   json.key("makespan").value(facts.makespan);
   json.key("makespan_bound").value(facts.makespan_bound.loads);
-  json.list("worker_loads", facts.workers,
-            [&](const WorkerFacts& worker) { json.value(worker.loads); });
+  json.key("worker_loads").value(facts.workers | std::views::transform(&WorkerFacts::loads));
   if (split.order().facts().sizes != nullptr) {
     json.key("makespan_bytes").value(facts.makespan_bytes);
     json.key("makespan_bytes_bound").value(facts.makespan_bytes_bound.loads);
-    json.list("worker_bytes", facts.workers,
-              [&](const WorkerFacts& worker) { json.value(worker.bytes); });
+    json.key("worker_bytes").value(facts.workers | std::views::transform(&WorkerFacts::bytes));
   }
   json.key("worker_pairs").begin_array();
   for (std::size_t i = 0; i < facts.workers.size(); ++i) {
@@ -327,17 +282,20 @@ Response load_order(const Explorer& explorer, const Request& request) {
   }
   const LoadsAnswer answer(asked, question.request, options);
   stop_if_asked();  // The client may have gone.
-  const PlannedLoads planned = planned_loads(answer.loads());
-  const LoadOrderFacts& facts = planned.facts();
-  const std::uint64_t loads = planned.loads();
-  const std::uint64_t steps = planned.steps();
+  const WorkerSplit* const split = answer.split();
+  const LoadOrder& order = split != nullptr ? split->order() : *answer.order();
+  const LoadOrderFacts& facts = order.facts();
+  const std::uint64_t loads = split != nullptr ? split->facts().loads : facts.loads;
+  const std::uint64_t steps = split != nullptr
+                                  ? sum_of(split->facts().workers, &WorkerFacts::steps)
+                                  : facts.steps * std::max<std::uint64_t>(1, facts.lockstep);
   const LoadBound bound = answer.bound();
   FirstLines lines(most_steps + 1);
   answer.write("jsonl", lines);
-  ScheduleRules rules = planned.split != nullptr ? planned.split->rules() : planned.order->rules();
+  ScheduleRules rules = split != nullptr ? split->rules() : order.rules();
   rules.room = asked.room();
   Account account(asked, steps, rules, question.request.epochs.value_or(1) > 1);
-  const auto stream = planned.stream();
+  const auto stream = split != nullptr ? split->stream() : order.stream();
   for (Step step; stream->next(step);) {
     account.read(step);
   }
@@ -346,7 +304,7 @@ Response load_order(const Explorer& explorer, const Request& request) {
   json.begin_object().key("order").raw(lines.head()).key("loads").value(loads);
   json.key("lower_bound").value(bound.loads).key("reason").value(bound.reason);
   json.key("method").value(facts.method).key("explanation");
-  json.value(planned.split != nullptr ? planned.split->facts().explanation : facts.explanation);
+  json.value(split != nullptr ? split->facts().explanation : facts.explanation);
   const bool has_sizes = asked.sizes() != nullptr;
   const auto bytes_of = [&](std::uint64_t count) {
     return bytes_moved(count, question.bytes_per_item, "bytes_per_item", "loads");
@@ -358,14 +316,13 @@ Response load_order(const Explorer& explorer, const Request& request) {
   json.key("sample_every").value(account.every());
   json.key("memory").value(account.held()).key("pairs_done").value(account.done());
   json.key("pairs").value(account.pairs());
-  if (planned.split != nullptr) {
-    write_workers(json, *planned.split, account.workers());
-  }
-  if (planned.lockstep() > 0) {
+  if (split != nullptr) {
+    write_workers(json, *split, account.workers());
+  } else if (facts.lockstep > 0) {
     write_lockstep(json, facts, account.workers());
   }
-  if (planned.spare) {
-    json.key("spare").value(*planned.spare);
+  if (answer.spare()) {
+    json.key("spare").value(*answer.spare());
   }
   json.key("time_is_up").value(limit.why_stopped() == WhyStopped::time_limit);
   json.key("verified").value(true).end_object();
