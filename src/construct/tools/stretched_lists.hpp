@@ -2,7 +2,6 @@
 // stretched-orbits develops [docs/theorems.md, Theorem 30].
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

@@ -1,5 +1,4 @@
 // Pictures as SVG.
-#include <algorithm>
 
 #include "changeover/draw/picture.hpp"
 #include "core/printable.hpp"

@@ -4,7 +4,6 @@
 //     JobRequest request = read_request(job_table(), document);
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <string_view>

@@ -102,8 +102,6 @@ class CostList {
 
 }  // namespace
 
-bool is_cost(const Field& field) { return number_in<double>(field).has_value(); }
-
 double cost_in(const RowReader& rows, const Field& field) {
   const auto cost = number_in<double>(field);
   if (!cost || !std::isfinite(*cost) || *cost < 0) {

@@ -10,9 +10,6 @@
 
 namespace changeover {
 
-/// Whether it is a number at all.
-[[nodiscard]] bool is_cost(const Field& field);
-
 /// @throws BadInput with its place for what is no number, below 0 or too large
 [[nodiscard]] double cost_in(const RowReader& rows, const Field& field);
 

@@ -1,7 +1,6 @@
 // Reads the parameters of a PICT model.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <utility>
 

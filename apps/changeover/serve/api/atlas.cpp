@@ -1,7 +1,5 @@
 #include "serve/api/atlas.hpp"
 
-#include <algorithm>
-
 #include "changeover/catalog/catalog.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"

@@ -1,7 +1,6 @@
 // Designs: to look at, to take away, to cite.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 
 #include "answer/catalog/entry_words.hpp"

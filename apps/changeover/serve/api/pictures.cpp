@@ -1,7 +1,5 @@
 // Designs and tables as pictures.
 
-#include <algorithm>
-
 #include "answer/known/known_table.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/draw/draw.hpp"

@@ -115,12 +115,4 @@ std::string Router::allowed_here(const std::string& path) const {
   return methods;
 }
 
-std::vector<const Route*> Router::routes() const {
-  std::vector<const Route*> all;
-  for (const auto& [key, route] : routes_) {
-    all.push_back(&route);
-  }
-  return all;
-}
-
 }  // namespace changeover::serve

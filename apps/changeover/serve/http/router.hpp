@@ -53,8 +53,6 @@ class Router {
   /// What a path takes, as in the header Allow; empty if there is no such path.
   [[nodiscard]] std::string allowed(const std::string& path) const;
 
-  [[nodiscard]] std::vector<const Route*> routes() const;
-
  private:
   [[nodiscard]] std::string allowed_here(const std::string& path) const;
   [[nodiscard]] bool is_elsewhere(const std::string& path) const;

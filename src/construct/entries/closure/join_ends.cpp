@@ -6,7 +6,6 @@
 // is more if d < m, and in some narrow cases (construct/tools/path.hpp).
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
