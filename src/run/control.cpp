@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "changeover/core/error.hpp"
@@ -38,25 +39,10 @@ std::optional<RunControl::Clock::time_point> end_after(
 }  // namespace
 
 std::string_view to_string(WhyStopped why) {
-  switch (why) {
-    case WhyStopped::running:
-      return "running";
-    case WhyStopped::found:
-      return "found";
-    case WhyStopped::exhausted:
-      return "exhausted";
-    case WhyStopped::time_limit:
-      return "time limit";
-    case WhyStopped::step_limit:
-      return "step limit";
-    case WhyStopped::interrupted:
-      return "interrupted";
-    case WhyStopped::elsewhere:
-      return "found elsewhere";
-    case WhyStopped::fault:
-      return "a fault";
-  }
-  return "";
+  constexpr std::array<std::string_view, 8> words{"running",         "found",      "exhausted",
+                                                  "time limit",      "step limit", "interrupted",
+                                                  "found elsewhere", "a fault"};
+  return words[static_cast<std::size_t>(why)];
 }
 
 RunControl::RunControl(Settings settings)

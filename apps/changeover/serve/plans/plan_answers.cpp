@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <set>
 #include <utility>
 
@@ -183,21 +184,8 @@ ParsedJob checked_for_reading(OpenedRequest& opened, bool has_limits) {
 
 // In the words of the pages.
 std::string_view word_of(TestResult result) {
-  switch (result) {
-    case TestResult::none:
-      return "";
-    case TestResult::done:
-      return "done";
-    case TestResult::pass:
-      return "pass";
-    case TestResult::fail:
-      return "fail";
-    case TestResult::not_run:
-      return "not run";
-    case TestResult::unread:
-      return "other";
-  }
-  return "";
+  constexpr std::array<std::string_view, 6> words{"", "pass", "fail", "done", "not run", "other"};
+  return words[static_cast<std::size_t>(result)];
 }
 
 void write_done(JsonWriter& json, const DoneRecord& record) {
