@@ -132,6 +132,13 @@ Table table_of(std::vector<std::pair<std::string, ColumnStyle>> heads,
   return table;
 }
 
+Table kept_with(Table table, const std::shared_ptr<const void>& owner) {
+  for (TableColumn& column : table.columns) {
+    column.cell = [owner, cell = std::move(column.cell)](std::size_t row) { return cell(row); };
+  }
+  return table;
+}
+
 std::vector<const TableColumn*> columns_in(const Table& table, TableFormats format) {
   std::vector<const TableColumn*> columns;
   for (const TableColumn& column : table.columns) {

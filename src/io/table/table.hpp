@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -101,6 +102,9 @@ struct Table {
 /// A table of texts that are there already, by row.
 [[nodiscard]] Table table_of(std::vector<std::pair<std::string, ColumnStyle>> heads,
                              std::vector<std::vector<std::string>> rows);
+
+/// The table with an owner of the data that its cells refer to.
+[[nodiscard]] Table kept_with(Table table, const std::shared_ptr<const void>& owner);
 
 /// The columns that a format shows.
 [[nodiscard]] std::vector<const TableColumn*> columns_in(const Table& table, TableFormats format);

@@ -262,14 +262,6 @@ struct NextSheet {
   }
 };
 
-// A table that owns the data that it refers to.
-Table kept_with(Table table, const std::shared_ptr<const NextSheet>& owner) {
-  for (TableColumn& column : table.columns) {
-    column.cell = [owner, cell = std::move(column.cell)](std::size_t row) { return cell(row); };
-  }
-  return table;
-}
-
 void write(JsonWriter& json, const Job& job, const Suspect& suspect) {
   json.begin_array().value(job.names[suspect.one]);
   if (suspect.other) {

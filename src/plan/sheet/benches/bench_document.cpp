@@ -85,14 +85,6 @@ std::string sheet_name(const std::string& name, std::set<std::string>& taken) {
   return clean;
 }
 
-// A table that holds on to the jobs that it refers to.
-Table kept_with(Table table, const std::shared_ptr<const std::vector<Job>>& jobs) {
-  for (TableColumn& column : table.columns) {
-    column.cell = [cell = std::move(column.cell), jobs](std::size_t row) { return cell(row); };
-  }
-  return table;
-}
-
 }  // namespace
 
 std::vector<Job> jobs_on_sheets(const BenchDocument& document) {
