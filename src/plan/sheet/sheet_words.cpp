@@ -1,5 +1,6 @@
 #include "plan/sheet/sheet_words.hpp"
 #include "changeover/plan/model.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "plan/sheet/clock.hpp"
 
@@ -35,17 +36,9 @@ std::uint64_t changes_in_random_order(const Job& job, const RunSheet& sheet) {
 // How much of the weight is met, or how soon.
 std::string weight_line(const Job& job, const RunPlan& plan, const Money& money) {
   const RunSheet& sheet = plan.sheet;
-  const std::string met =
-      fmt::format("weight of the pairs tested: {} of {}", to_string(sheet.weight_tested),
-                  to_string(sheet.weight_needed));
-  if (plan.most_weight && *plan.most_weight >= sheet.weight_needed) {
-    return met + "; no bound is known";
-  }
+  const std::string met = weight_words(sheet.weight_tested, sheet.weight_needed, plan.most_weight);
   if (plan.most_weight) {
-    return met + (sheet.weight_tested == *plan.most_weight
-                      ? "; no plan within the budget tests more"
-                      : fmt::format("; no plan within the budget tests more than {}",
-                                    to_string(*plan.most_weight)));
+    return met;
   }
   const auto reached = [&](double share) {
     for (std::size_t i = 0; i < sheet.steps.size(); ++i) {
@@ -95,6 +88,16 @@ std::string failed_line(const Job& job) {
                                       : (one ? "is needed again" : "are needed again"));
 }
 
+std::string weight_words(Amount tested, Amount needed, std::optional<Amount> most) {
+  return fmt::format(
+      "weight of the pairs tested: {} of {}{}", to_string(tested), to_string(needed),
+      !most             ? ""
+      : *most >= needed ? "; no bound is known"
+      : *most == tested
+          ? "; no plan within the budget tests more"
+          : fmt::format("; no plan within the budget tests more than {}", to_string(*most)));
+}
+
 std::string per_cent_above(Amount a, Amount b) {
   return fmt::format("{:.1f} %", 100.0 * static_cast<double>((a - b).millionths) /
                                      static_cast<double>(b.millionths));
@@ -136,11 +139,7 @@ std::string cost_words(const Job& job, const Money& money, Amount cost) {
 }
 
 std::vector<std::string> names_of(const Job& job, const Block& parts) {
-  std::vector<std::string> names;
-  for (const Element x : parts) {
-    names.push_back(job.names[x]);
-  }
-  return names;
+  return each_of<std::string>(parts, [&](Element x) { return job.names[x]; });
 }
 
 std::vector<std::string> put_in_words(const Job& job, const RunStep& step) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,10 @@ class Money {
 
 /// A line on what met only in tests that did not pass.
 [[nodiscard]] std::string failed_line(const Job& job);
+
+/// "weight of the pairs tested: 3 of 5", and how much more a plan within the budget can test, if
+/// `most` says it.
+[[nodiscard]] std::string weight_words(Amount tested, Amount needed, std::optional<Amount> most);
 
 /// The excess of a over b: "0.9 %".
 [[nodiscard]] std::string per_cent_above(Amount a, Amount b);

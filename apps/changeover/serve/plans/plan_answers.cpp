@@ -11,6 +11,7 @@
 #include "core/each.hpp"
 #include "io/request/request_document.hpp"
 #include "io/write/json_writer.hpp"
+#include "plan/sheet/sheet_words.hpp"
 #include "serve/api/request/query.hpp"
 
 namespace changeover::serve {
@@ -33,14 +34,6 @@ void take_usual_costs(JobRequest& request) {
   const std::string usual = "1";
   request.test_cost = request.test_cost.empty() ? usual : request.test_cost;
   request.change_cost = request.change_cost.empty() ? usual : request.change_cost;
-}
-
-std::vector<std::string> names_of(const Job& job, const Block& parts) {
-  std::vector<std::string> names;
-  for (const Element part : parts) {
-    names.push_back(job.names[part]);
-  }
-  return names;
 }
 
 void write_tests(JsonWriter& json, const Job& job, const std::vector<DoneTest>& done,

@@ -232,14 +232,8 @@ std::vector<std::string> bench_summary(const BenchDocument& document) {
                                 money(plan.complete->cost)));
   }
   if (!job.weights.empty()) {
-    lines.push_back(fmt::format(
-        "weight of the pairs tested: {} of {}{}", to_string(plan.weight_tested),
-        to_string(plan.weight_needed),
-        !plan.most_weight || *plan.most_weight >= plan.weight_needed ? "; no bound is known"
-        : *plan.most_weight == plan.weight_tested ? "; no plan within the budget tests more"
-                                                  : fmt::format("; no plan within the budget tests "
-                                                                "more than {}",
-                                                                to_string(*plan.most_weight))));
+    lines.push_back(weight_words(plan.weight_tested, plan.weight_needed,
+                                 plan.most_weight.value_or(plan.weight_needed)));
   }
   if (plan.bound.cost.millionths > 0) {
     lines.push_back(makespan_line(document, calendar, money));
