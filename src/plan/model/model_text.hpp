@@ -4,11 +4,15 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace changeover {
 
 /// The text without surrounding blanks, tabs and line ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// What is between separators, each trimmed; one empty text of an empty one.
+[[nodiscard]] std::vector<std::string_view> split_values(std::string_view text, char separator);
 
 /// The text with a to z replaced by A to Z.
 [[nodiscard]] std::string in_capitals(std::string_view text);

@@ -363,18 +363,6 @@ class ActsRule {
   unsigned terms_ = 0;
 };
 
-std::vector<std::string_view> split_list(std::string_view text) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const std::size_t end = text.find(',');
-    parts.push_back(trimmed(text.substr(0, end)));
-    if (end == std::string_view::npos) {
-      return parts;
-    }
-    text.remove_prefix(end + 1);
-  }
-}
-
 class ActsReader {
  public:
   explicit ActsReader(ModelText& text) : text_(text), model_(text) {}
@@ -463,7 +451,7 @@ class ActsReader {
           at, fmt::format("the type {} is not supported; write int, enum or boolean", shown(type)));
     }
     model_.add_parameter(name, at, is_one_of(of_texts));
-    for (const std::string_view value : split_list(line.substr(colon + 1))) {
+    for (const std::string_view value : split_values(line.substr(colon + 1), ',')) {
       const std::size_t place = text_.at(value);
       if (value.empty()) {
         text_.refuse(place, fmt::format("a value of {} has no name; write one between the commas",
@@ -491,7 +479,8 @@ class ActsReader {
       text_.refuse(at, "this is not a relation; write it as R1 : (OS, Browser, 2)");
     }
     ModelRelation relation{.place = text_.place(at), .parameters = {}};
-    std::vector<std::string_view> words = split_list(line.substr(open + 1, close - open - 1));
+    std::vector<std::string_view> words =
+        split_values(line.substr(open + 1, close - open - 1), ',');
     if (const std::string_view after = trimmed(line.substr(close + 1)); !after.empty()) {
       words.push_back(after);
     }

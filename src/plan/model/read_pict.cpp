@@ -13,18 +13,6 @@
 namespace changeover {
 namespace {
 
-std::vector<std::string_view> split_values(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const std::size_t end = text.find(separator);
-    parts.push_back(trimmed(text.substr(0, end)));
-    if (end == std::string_view::npos) {
-      return parts;
-    }
-    text.remove_prefix(end + 1);
-  }
-}
-
 bool has_word(std::string_view line, std::string_view word) {
   return in_capitals(line).find(word) != std::string::npos;
 }
