@@ -109,7 +109,7 @@ TEST(Improve, StopsWhenTold) {
 // built: what was built is where the search started, and nothing that it found.
 TEST(Improve, StoppedAmongKnownDesignsFindsNothing) {
   const std::atomic<bool> interrupted = true;
-  for (const auto [v, k] : {std::pair{4200U, 600U}, {5000U, 700U}, {5600U, 800U}}) {
+  for (const auto& [v, k] : {std::pair{4200U, 600U}, {5000U, 700U}, {5600U, 800U}}) {
     const ImproveResult found =
         search({.v = v, .k = k, .change = 2}, {}, {.interrupted = &interrupted});
     EXPECT_EQ(found.moves, 0U);
