@@ -15,7 +15,6 @@
 #include "plan/search/benches/bench_bounds.hpp"
 #include "plan/search/benches/bench_field.hpp"
 #include "plan/search/benches/cut_list.hpp"
-#include "plan/search/benches/without_clock.hpp"
 #include "plan/search/budget.hpp"
 #include "plan/search/candidates.hpp"
 #include "plan/search/first_plan.hpp"
@@ -359,8 +358,7 @@ class BenchPlanner {
   void search_without_clock(ListsJob job, const std::vector<BenchLists>& starts,
                             const ListsSearch& search) {
     job.overlaps = true;
-    ShareOfTime part = part_of_the_time(
-        share_without_clock(places_of(job, starts.front()), control_->time_left()));
+    ShareOfTime part = part_of_the_time(0.5);
     const FoundLists found = search_lists(job, starts, search, part.control());
     plan_.steps += found.steps;
     add("local search without waiting",
