@@ -98,7 +98,8 @@ typedef struct changeover_loadorder_options {
   size_t group_count;
   /* The workers step together and never hold one item twice, so that items may change. In each
    * step all workers evict, wait for each other, load, and compute. Not with first_holder,
-   * pair_cost or unread. */
+   * pair_cost or unread. Workers that open an order each need the same one: give no `seconds`
+   * then, as a timed search may end with another order each time. */
   int disjoint;
 } changeover_loadorder_options;
 
@@ -138,7 +139,8 @@ uint64_t changeover_loadorder_worker_loads(const changeover_loadorder* order, ui
 uint64_t changeover_loadorder_worker_pairs(const changeover_loadorder* order, uint64_t worker);
 uint64_t changeover_loadorder_makespan_bound(const changeover_loadorder* order);
 
-/* The last error of this order in one line, "" if there was none; valid as long as the order. */
+/* The last error of this order in one line, "" if there was none; valid until the next call with the
+ * order. */
 const char* changeover_loadorder_error(const changeover_loadorder* order);
 
 /* Frees the order; NULL is allowed. */

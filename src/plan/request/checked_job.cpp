@@ -459,7 +459,10 @@ class JobMaker {
       apart += drop_impossible_triples(job_, benches_);
       if (job_.triples.empty()) {
         throw BadInput(
-            job_.parts() < of_triples
+            job_.model != nullptr
+                ? "no values of three parameters can be in one test; give three parameters or more, "
+                  "or loosen the rules"
+            : job_.parts() < of_triples
                 ? "a triple needs three parts; list three or more"
                 : "no three parts can be in one set-up; loosen the slots, forbidden pairs or "
                   "what stays mounted");

@@ -172,7 +172,11 @@ class Improver {
       throw InternalError(fmt::format("a {} is not what was searched: {}",
                                       name(design.parameters()), name(parameters_)));
     }
-    if (best_ && design.block_count() >= best_->block_count()) {
+    // The best recipe comes back from a checkpoint without its recipe.
+    const bool has_recipe_again =
+        best_ && how == how_ && design.design().recipe && !best_->design().recipe;
+    const std::uint64_t most = blocks_of_best().value_or(~std::uint64_t{0});
+    if (design.block_count() > most || (design.block_count() == most && !has_recipe_again)) {
       return false;
     }
     best_ = std::move(design);

@@ -372,6 +372,19 @@ TEST_F(Checkpoints, ThatCannotBeWrittenFromTheBeginningIsRefused) {
                MissingResource);
 }
 
+// A checkpoint keeps blocks only, but what was known before is so in a later run, too.
+TEST_F(Checkpoints, TheBestRecipeComesBackAsThat) {
+  const Parameters p{.v = 30, .k = 6};
+  for (int run = 0; run < 2; ++run) {
+    RunControl control({.seed = 1});
+    const ImproveResult result = improve(p, {.moves = 1000, .checkpoint = path()}, control);
+    ASSERT_TRUE(result.design);
+    EXPECT_EQ(result.how, "best recipe");
+    EXPECT_TRUE(result.design->design().recipe) << run;
+    EXPECT_EQ(result.started_from, result.design->block_count());
+  }
+}
+
 TEST_F(Checkpoints, GoesOnWhereTheSearchWas) {
   const Parameters p{.v = 47, .k = 9, .change = 1};
   RunControl first({.seed = 6});
