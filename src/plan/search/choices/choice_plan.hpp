@@ -47,15 +47,16 @@ namespace changeover {
 ///      allows. By (5) one of these may have two less, or two one less each; or one has three
 ///      stays, and all others have seven. The cheapest number of tests is taken; other parameters
 ///      change as (4) and (5) say.
-///  (7) *In each step.* k parameters have g values each, all pairs of which must meet. Let them
-///      have I stays in all in N tests, what stands at the start being one more, and let x_i of
-///      them change in step i; the x_i are I − k together. Cut the list where p or q changes: these
-///      are c_p + c_q − 1 pieces, one fewer for each step in which both do, and at least g². For
-///      all two parameters together, (k−1)·I − C(k,2) − Σ C(x_i, 2) ≥ g²·C(k,2). The sum over the
-///      steps is least if the N−1 numbers x_i differ by one at most. So I is at least the least
-///      number for which this holds. Each number g ≥ 4 of values is a set of its own, at its lowest
-///      price; in (6) each of these sets costs at least that, or what (4) and (5) say of it, beyond
-///      one stay for each value.
+///  (7) *In each step.* k parameters have g values each, or more, of which g must meet all those g
+///      of the others. Let parameter p have c_p stays in N tests, all of them I; the start is one
+///      more test here, though it tests nothing, and a parameter with no value there is given its
+///      first one. Let x_i parameters change in step i; the x_i are I − k together. Cut the list
+///      where p or q changes: these are c_p + c_q − 1 pieces, one fewer for each step in which both
+///      do, and at least g². For all two parameters together, (k−1)·I − C(k,2) − Σ C(x_i, 2) ≥
+///      g²·C(k,2). The sum over the steps is least if the N−1 numbers x_i differ by one at most. So
+///      I is at least the least number for which this holds. Each number g ≥ 4 of values is a set
+///      of its own, of three parameters or more, at its lowest price; in (6) each of these sets
+///      costs at least that, or what (4) and (5) say of it, beyond one stay for each value.
 void improve_choice_bound(const Job& job, CostBound& bound, std::string& known);
 
 }  // namespace changeover
