@@ -139,8 +139,8 @@ uint64_t changeover_loadorder_worker_loads(const changeover_loadorder* order, ui
 uint64_t changeover_loadorder_worker_pairs(const changeover_loadorder* order, uint64_t worker);
 uint64_t changeover_loadorder_makespan_bound(const changeover_loadorder* order);
 
-/* The last error of this order in one line, "" if there was none; valid until the next call with the
- * order. */
+/* The last error of this order in one line, "" if there was none; valid until the next call with
+ * the order. */
 const char* changeover_loadorder_error(const changeover_loadorder* order);
 
 /* Frees the order; NULL is allowed. */

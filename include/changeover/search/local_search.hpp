@@ -96,9 +96,9 @@ struct ImproveResult {
 // hold all elements except some of the first or of the last block. The search draws places for such
 // subsets and locks their cells in the blocks beside them; the other cells are annealed as above. A
 // subset that a third block holds may move there. If all fails, the search draws other places. Not
-// drawn: subsets at two steps that follow each other, and given blocks (`contained`) beside a subset
-// or in the first or the last block where these have required elements. So only a design that is
-// found means something.
+// drawn: subsets at two steps that follow each other, and given blocks (`contained`) beside a
+// subset or in the first or the last block where these have required elements. So only a design
+// that is found means something.
 //
 // Time: the rate of moves, about 10 million per second and core at (20,5).
 

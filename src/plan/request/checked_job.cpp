@@ -9,6 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
 #include "changeover/plan/model.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "io/request/request_document.hpp"
 #include "plan/job/bench_jobs.hpp"
@@ -403,10 +404,7 @@ class JobMaker {
   }
 
   [[nodiscard]] std::vector<std::string> names_in(const Block& parts) const {
-    std::vector<std::string> names;
-    std::ranges::transform(parts, std::back_inserter(names),
-                           [&](Element x) { return job_.names[x]; });
-    return names;
+    return each_of<std::string>(parts, [&](Element x) { return job_.names[x]; });
   }
 
   // Forbidden pairs and other constraints.
@@ -460,8 +458,7 @@ class JobMaker {
       if (job_.triples.empty()) {
         throw BadInput(
             job_.model != nullptr
-                ? "no values of three parameters can be in one test; give three parameters or more, "
-                  "or loosen the rules"
+                ? "no values of three parameters fit in one test; give three, or loosen the rules"
             : job_.parts() < of_triples
                 ? "a triple needs three parts; list three or more"
                 : "no three parts can be in one set-up; loosen the slots, forbidden pairs or "

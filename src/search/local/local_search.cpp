@@ -132,8 +132,7 @@ class Improver {
   // Without memory for the best recipe, the design of the checkpoint is enough.
   void take_known() {
     try {
-      // Finding the best recipe may take longer than the remaining time; the offers of
-      // constructions are available at once.
+      // The offers of constructions are there at once; finding the best recipe may take too long.
       if (const auto offer = Registry::standard().best(parameters_)) {
         start_from(built_design(*offer), "best recipe");
       }
@@ -173,10 +172,9 @@ class Improver {
                                       name(design.parameters()), name(parameters_)));
     }
     // The best recipe comes back from a checkpoint without its recipe.
-    const bool has_recipe_again =
+    const bool has_it_again =
         best_ && how == how_ && design.design().recipe && !best_->design().recipe;
-    const std::uint64_t most = blocks_of_best().value_or(~std::uint64_t{0});
-    if (design.block_count() > most || (design.block_count() == most && !has_recipe_again)) {
+    if (best_ && design.block_count() + (has_it_again ? 0 : 1) > best_->block_count()) {
       return false;
     }
     best_ = std::move(design);
