@@ -42,7 +42,7 @@ std::string_view to_string(WhyStopped why) {
   constexpr std::array<std::string_view, 8> words{"running",         "found",      "exhausted",
                                                   "time limit",      "step limit", "interrupted",
                                                   "found elsewhere", "a fault"};
-  return words[static_cast<std::size_t>(why)];
+  return words.at(static_cast<std::size_t>(why));
 }
 
 RunControl::RunControl(Settings settings)

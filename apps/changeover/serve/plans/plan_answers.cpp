@@ -178,7 +178,7 @@ ParsedJob checked_for_reading(OpenedRequest& opened, bool has_limits) {
 // In the words of the pages.
 std::string_view word_of(TestResult result) {
   constexpr std::array<std::string_view, 6> words{"", "pass", "fail", "done", "not run", "other"};
-  return words[static_cast<std::size_t>(result)];
+  return words.at(static_cast<std::size_t>(result));
 }
 
 void write_done(JsonWriter& json, const DoneRecord& record) {
