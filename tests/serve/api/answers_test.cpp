@@ -184,7 +184,7 @@ TEST_F(Answers, ConstructionsAndTheoremsHaveExamples) {
   }
   EXPECT_GT(examples, 20U);
   const auto theorems = json("/api/theorems");
-  ASSERT_EQ(theorems.size(), 33U);
+  ASSERT_EQ(theorems.size(), 34U);
   for (std::size_t i = 0; i < theorems.size(); ++i) {
     EXPECT_EQ(theorems[i]["number"], std::to_string(i + 1));
     EXPECT_FALSE(theorems[i]["title"].get<std::string>().empty());

@@ -1,16 +1,10 @@
 // Double-change designs whose waste does not grow with v: what a cyclic list of base blocks leaves
 // is split into classes of pairs, and these pass beside new elements that are held
 // [docs/theorems.md, Theorem 33].
-//
-// v = w + nt, n = k−2. First the cyclic list on w elements, then a short list on nt new ones; where
-// the latter keeps a group of n, the pairs of a class pass beside it. Shortest ways lead from the
-// one list to the other, over the gaps of the short one, and back if the design is circular. All
-// this is a stream in memory of the short list.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,10 +14,8 @@
 #include "construct/entry.hpp"
 #include "construct/tools/cyclic.hpp"
 #include "construct/tools/leave/cyclic_leave.hpp"
-#include "construct/tools/leave/held_lists.hpp"
+#include "construct/tools/leave/held_classes.hpp"
 #include "construct/tools/leave/leave_factors.hpp"
-#include "construct/tools/path.hpp"
-#include "core/checked.hpp"
 
 namespace changeover::held_factors_entry {
 namespace {
@@ -85,104 +77,26 @@ std::optional<Shape> shape(const Parameters& p) {
   return std::nullopt;
 }
 
-// The cyclic list, and the held one without the ways over its gaps.
-class TwoLists {
+// For HeldClasses.
+class CyclicFactors final : public HeldClasses {
  public:
-  TwoLists(const Parameters& p, Shape s)
-      : k_(p.k),
-        shape_(std::move(s)),
-        held_(p.k, shape_.groups),
-        cyclic_(p.on(shape_.leave.elements()).as(Kind::circular), 0, p.k - 2,
-                shape_.leave.base_blocks(), shape_.leave.all_points()) {}
+  explicit CyclicFactors(Shape shape) : shape_(std::move(shape)) {}
 
-  /// The blocks of both, with the ways that circular designs take or linear ones.
-  [[nodiscard]] std::uint64_t count(const Distances& distances, Kind kind) const {
-    std::uint64_t b = checked_multiply(shape_.leave.base_blocks(), shape_.leave.elements());
-    for (std::size_t i = 0; i < shape_.factors.size(); ++i) {
-      b = checked_add(b, shape_.factors.count(i));
-    }
-    b = checked_add(b, held_.size());
-    const auto between = [&](std::uint64_t distance) { return *distances.steps(distance) - 1; };
-    b += between(distance_between(last_cyclic(), first_held()));
-    b += held_.gaps() * between(k_ - 2);
-    return kind == Kind::linear ? b : b + between(distance_between(last_held(), first_cyclic()));
+  [[nodiscard]] std::uint64_t elements() const override { return shape_.leave.elements(); }
+  [[nodiscard]] std::uint64_t base_blocks() const override { return shape_.leave.base_blocks(); }
+  [[nodiscard]] IntervalDevelopedSource::Points points() const override {
+    return shape_.leave.all_points();
   }
-
-  bool next_cyclic(std::span<Element> block) { return cyclic_.next(block); }
-  bool next_held(std::span<Element> block) {
-    if (group_ < shape_.groups && held_.position(group_) == made_) {
-      write_passing(group_, pair_, block);
-      if (++pair_ == shape_.factors.count(group_)) {
-        ++group_;
-        pair_ = 0;
-      }
-      return true;
-    }
-    if (made_ == held_.size()) {
-      return false;
-    }
-    write_short(made_++, block);
-    return true;
+  [[nodiscard]] std::uint64_t groups() const override { return shape_.groups; }
+  [[nodiscard]] std::uint64_t count(std::uint64_t i) const override {
+    return shape_.factors.count(static_cast<std::size_t>(i));
   }
-  void rewind() {
-    made_ = pair_ = 0;
-    group_ = 0;
-    cyclic_.rewind();
-  }
-
-  [[nodiscard]] Block first_cyclic() const { return cyclic_block(0, 0); }
-  [[nodiscard]] Block last_cyclic() const {
-    return cyclic_block(shape_.leave.base_blocks() - 1, shape_.leave.elements() - 1);
+  void write(std::uint64_t i, std::uint64_t j, std::span<Element> set) const override {
+    std::ranges::copy(shape_.factors.pair(static_cast<std::size_t>(i), j), set.begin());
   }
 
  private:
-  [[nodiscard]] Block first_held() const {
-    Block block(static_cast<std::size_t>(k_));
-    if (held_.position(0) == 0) {
-      write_passing(0, 0, block);
-    } else {
-      write_short(0, block);
-    }
-    return block;
-  }
-  [[nodiscard]] Block last_held() const {
-    Block block(static_cast<std::size_t>(k_));
-    const std::size_t last = shape_.factors.size() - 1;
-    if (held_.position(last) == held_.size()) {
-      write_passing(last, shape_.factors.count(last) - 1, block);
-    } else {
-      write_short(held_.size() - 1, block);
-    }
-    return block;
-  }
-  [[nodiscard]] Block cyclic_block(std::uint64_t which, std::uint64_t shift) const {
-    Block block(static_cast<std::size_t>(k_ - 2));
-    std::iota(block.begin(), block.end(), 0);
-    std::ranges::copy(shape_.leave.points(which), std::back_inserter(block));
-    for (Element& x : block) {
-      x = static_cast<Element>((x + shift) % shape_.leave.elements());
-    }
-    return block;
-  }
-  void write_passing(std::size_t group, std::uint64_t pair, std::span<Element> block) const {
-    const std::uint64_t first = shape_.leave.elements() + group * (k_ - 2);
-    std::iota(block.begin(), block.end() - 2, static_cast<Element>(first));
-    std::ranges::copy(shape_.factors.pair(group, pair), block.end() - 2);
-  }
-  void write_short(std::uint64_t number, std::span<Element> block) const {
-    held_.write(number, block);
-    for (Element& x : block) {
-      x += static_cast<Element>(shape_.leave.elements());
-    }
-  }
-
-  std::uint64_t k_;
   Shape shape_;
-  HeldList held_;
-  IntervalDevelopedSource cyclic_;
-  std::uint64_t made_ = 0;  // of the short list
-  std::size_t group_ = 0;   // that passes next
-  std::uint64_t pair_ = 0;
 };
 
 // "the differences 16, 17, 19", or "8 differences from 83 to 98" of more than six.
@@ -196,76 +110,18 @@ std::string differences(const std::vector<std::uint64_t>& numbers) {
                      fmt::join(numbers, ", "));
 }
 
-// Both lists, and shortest ways to where a step would change more than two elements.
-class HeldFactorsSource final : public BlockByBlock<HeldFactorsSource> {
- public:
-  HeldFactorsSource(const Parameters& p, Shape shape)
-      : parameters_(p),
-        lists_(p, std::move(shape)),
-        distances_(std::make_shared<const Distances>(p.k, p.change, p.v)),
-        here_(lists_.last_cyclic()),
-        next_(here_) {}
-
-  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
-  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
-    return lists_.count(*distances_, parameters_.kind);
-  }
-
-  bool make(std::span<Element> block) {
-    if (lists_.next_cyclic(block)) {
-      return true;
-    }
-    if (!way_) {
-      if (!ended_ && !lists_.next_held(next_)) {
-        ended_ = true;
-        next_ = lists_.first_cyclic();
-      }
-      if (ended_ && (parameters_.kind == Kind::linear || here_ == next_)) {
-        return false;
-      }
-      if (distance_between(here_, next_) != parameters_.change) {
-        way_.emplace(distances_, here_, next_);
-      }
-    }
-    if (way_ && way_->next(block)) {
-      return true;
-    }
-    way_.reset();
-    here_ = next_;
-    std::ranges::copy(next_, block.begin());
-    return !ended_;
-  }
-
-  bool rewind() override {
-    lists_.rewind();
-    here_ = lists_.last_cyclic();
-    way_.reset();
-    ended_ = false;
-    return true;
-  }
-
- private:
-  Parameters parameters_;
-  TwoLists lists_;
-  std::shared_ptr<const Distances> distances_;
-  Block here_;
-  Block next_;
-  std::optional<Way> way_;
-  bool ended_ = false;  // only the way back to the first block follows
-};
-
 class HeldFactors final : public Described<Family, description> {
   std::optional<Promise> promise(const Parameters& p) const override {
     auto s = shape(p);
     if (!s) {
       return std::nullopt;
     }
-    const Distances distances(p.k, p.change, p.v);
-    return Promise{.b = TwoLists(p, *std::move(s)).count(distances, p.kind)};
+    return Promise{.b =
+                       held_classes_count(p, std::make_shared<const CyclicFactors>(*std::move(s)))};
   }
 
   std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
-    return std::make_unique<HeldFactorsSource>(p, *shape(p));
+    return held_classes_source(p, std::make_shared<const CyclicFactors>(*shape(p)));
   }
 
   std::string explanation(const Parameters& p) const override {
