@@ -18,6 +18,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/io/tables.hpp"
+#include "core/each.hpp"
 #include "core/parsed.hpp"
 #include "core/printable.hpp"
 #include "io/table/table_document.hpp"

@@ -10,6 +10,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
+#include "core/each.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/request/request_document.hpp"

@@ -10,6 +10,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/model.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "io/request/request_rows.hpp"
 #include "plan/job/pair_numbers.hpp"

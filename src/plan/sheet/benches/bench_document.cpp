@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "plan/sheet/benches/bench_words.hpp"
 #include "plan/sheet/places.hpp"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/each.hpp"
 #include "core/words.hpp"
 
 namespace changeover {
