@@ -1,7 +1,6 @@
 #include "loadorder/run/reader.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cstdlib>
 #include <new>
 
@@ -100,8 +99,9 @@ void Reader::request(Element item) {
     allocate(slot,
              capacity_);  // the bytes of the item before are kept elsewhere, unchanged
   } else {
-    std::atomic_thread_fence(
-        std::memory_order_acquire);  // they were read before they were released
+    // They were read before they were released: giving up one share takes in what others did before
+    // they gave up theirs.
+    std::shared_ptr<const std::byte>(slot.buffer).reset();
   }
   free_.pop_back();
   slot.item = item;

@@ -6,12 +6,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <mutex>
+#include <thread>
+#include <vector>
 
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/workers.hpp"
@@ -383,6 +387,40 @@ TEST(AllPairs, KeepsToItsMemory) {
                      items, order, [](const PairWork&) {}, options),
                  BadInput,
                  "room for 7 items takes 448 bytes, but 447 are allowed; plan for room 6");
+}
+
+TEST(AllPairs, LeavesBytesThatOthersKeepAsTheyAre) {
+  CallbackItems items(30, 64, [](Element item, std::span<std::byte> buffer) -> std::size_t {
+    std::memset(buffer.data(), static_cast<int>(item), 64);
+    return 64;
+  });
+  const auto whole = [](const ItemView& view) {
+    return std::ranges::all_of(view.bytes,
+                               [&](std::byte b) { return b == static_cast<std::byte>(view.item); });
+  };
+  std::vector<std::pair<ItemView, std::shared_ptr<const std::byte>>> held;
+  std::vector<std::jthread> readers;  // nothing but the share tells the executor of their end
+  std::atomic<bool> wrong = false;
+  const LoadOrder order = plan_load_order(30, 4);
+  const AllPairsReport report = all_pairs(items, order, [&](const PairWork& work) {
+    if (work.step % 5 == 0) {
+      held.emplace_back(work.second, work.second.keep());
+    } else if (work.step % 5 == 1 && readers.size() < 50) {
+      readers.emplace_back([&, view = work.second, share = work.second.keep()]() mutable {
+        if (!whole(view)) {
+          wrong = true;
+        }
+        share.reset();
+      });
+    }
+  });
+  readers.clear();
+  EXPECT_FALSE(wrong);
+  EXPECT_EQ(report.loads, order.facts().loads);
+  EXPECT_GT(held.size(), 4U * 10U);  // far more than there is room for
+  for (const auto& [view, share] : held) {
+    EXPECT_TRUE(whole(view)) << view.item;
+  }
 }
 
 TEST(AllPairs, RefusesOrdersThatAreNoneOrForOtherItems) {
