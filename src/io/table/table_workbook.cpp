@@ -211,12 +211,11 @@ class SheetWriter {
     constexpr lxw_col_t last = 6;
     constexpr std::size_t letters_a_line = 90;
     constexpr double height = 15;
+    const std::size_t lines = 1 + display_width(words) / letters_a_line;
     ++row_;
     check(worksheet_merge_range(sheet_, row_, 0, row_, last, with_escapes(words).c_str(),
                                 book_->wrapped));
-    check(worksheet_set_row(sheet_, row_,
-                            height * static_cast<double>(1 + display_width(words) / letters_a_line),
-                            nullptr));
+    check(worksheet_set_row(sheet_, row_, height * static_cast<double>(lines), nullptr));
   }
 
   void table(const Table& table) {
@@ -345,6 +344,7 @@ class SheetWriter {
     Choices said = choices;  // the library asks for characters that it may write to
     // Of char* or const char*, as the version of the library has it.
     std::vector<std::remove_pointer_t<decltype(lxw_data_validation::value_list)>> list;
+    list.reserve(said.words.size() + 1);
     for (std::string& word : said.words) {
       list.push_back(word.data());
     }

@@ -105,7 +105,7 @@ std::string date_text(double days, bool from_1904) {
   const auto seconds = static_cast<std::int64_t>(std::llround(days * seconds_a_day));
   const std::int64_t day = seconds / seconds_a_day;
   const std::int64_t rest = seconds % seconds_a_day;
-  const std::string time = fmt::format("{:02}:{:02}:{:02}", rest / 3600, rest / 60 % 60, rest % 60);
+  std::string time = fmt::format("{:02}:{:02}:{:02}", rest / 3600, rest / 60 % 60, rest % 60);
   if (day == 0 && !from_1904) {
     return time;
   }

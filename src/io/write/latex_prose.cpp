@@ -109,7 +109,7 @@ class Prose {
         where = "[{" + latex_prose(words) + "}]";
       }
       after_math_ = false;
-      result_ += "\\cite" + where + "{" + key + "}";
+      result_.append("\\cite").append(where).append("{").append(key).append("}");
       rest_.remove_prefix(end + 1);
       before_ = ']';
       return true;
