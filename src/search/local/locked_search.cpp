@@ -367,6 +367,7 @@ class LockedSearch {
     }
     const RunGrace to_the_end(control_);
     std::vector<std::size_t> positions;
+    positions.reserve(parts_of_it.size());
     for (const LockedPart& part : parts_of_it) {
       positions.push_back(part.block + 1);
     }

@@ -26,7 +26,7 @@ class Descent {
         k_(static_cast<std::uint32_t>(p.k)),
         c_(static_cast<std::uint32_t>(shape.base_blocks)),
         m_(p.change),
-        pi_(shape),
+        pi_(static_cast<const Automorphism&>(shape)),
         random_(random),
         blocks_(c_),
         member_(std::size_t{c_} * v_, 0) {
