@@ -285,9 +285,11 @@ std::vector<Move> best_moves(LoadOrderFacts& facts, bool searched,
   };
   bool has_time = true;
   for (const std::uint64_t size : batches_to_try(facts.room, fast_room)) {
-    if (has_time && (work += graph.pairs()) <= most_work) {
-      has_time = consider_batch(size, false);
+    work += graph.pairs();
+    if (!has_time || work > most_work) {
+      break;
     }
+    has_time = consider_batch(size, false);
   }
   if (has_time && best_batch > 0 && searched) {
     static_cast<void>(consider_batch(best_batch, true));

@@ -19,7 +19,7 @@ std::vector<LoadMove> quick_moves(const PairGraph& graph, std::uint64_t room) {
   for (Element x = 0; x < graph.items(); ++x) {
     least += graph.is_needed(x) ? 1U : 0U;
   }
-  each_start(graph, room, [&](const std::string&, std::vector<Element> start) {
+  each_start(graph, room, [&](const std::string&, const std::vector<Element>& start) {
     stop_if_asked();
     Closing closing(graph, room, start);
     const std::uint64_t limit = found ? best.size() - 1 : Closing::no_limit;
@@ -35,7 +35,7 @@ std::vector<LoadMove> quick_moves(const PairGraph& graph, std::uint64_t room) {
 std::vector<std::vector<LoadMove>> several_orders(const PairGraph& graph, std::uint64_t room) {
   std::vector<std::vector<LoadMove>> orders;
   std::uint64_t limit = Closing::no_limit;
-  each_start(graph, room, [&](const std::string&, std::vector<Element> start) {
+  each_start(graph, room, [&](const std::string&, const std::vector<Element>& start) {
     stop_if_asked();
     Closing closing(graph, room, start);
     if (const std::uint64_t loads = closing.run(limit); loads <= limit) {

@@ -75,8 +75,8 @@ void consider_constructions(Candidate& best, std::uint64_t items, std::uint64_t 
 }
 
 LoadOrder::Maker maker_of(std::shared_ptr<const Design> design) {
-  return [design] {
-    return std::make_unique<BlockSteps>(std::make_unique<DesignSource>(*design), design);
+  return [held = std::move(design)] {
+    return std::make_unique<BlockSteps>(std::make_unique<DesignSource>(*held), held);
   };
 }
 
@@ -192,7 +192,7 @@ LoadOrder load_order_of(std::shared_ptr<const Design> design, std::string method
   facts.steps = design->block_count();
   facts.method = std::move(method);
   facts.explanation = std::move(explanation);
-  LoadOrder::Maker maker = maker_of(design);
+  LoadOrder::Maker maker = maker_of(std::move(design));
   Step step;
   for (const auto reader = maker(); reader->next(step);) {
     facts.loads += step.load.size();

@@ -54,7 +54,7 @@ LoadOrder read_in_full(LoadOrderFacts facts, LoadOrder::Maker maker, const std::
       facts.wanted.are_all() ? count_of(facts.items, "item") : facts.wanted.describe();
   const std::string what = fmt::format("{} {}", pairs, memory);
   const ScheduleVerdict verdict = read_order(maker, LoadOrder(facts, maker).rules(), what);
-  static_cast<ScheduleFacts&>(facts) = verdict;
+  static_cast<ScheduleFacts&>(facts) = static_cast<const ScheduleFacts&>(verdict);
   if (facts.bytes < facts.byte_bound.loads || facts.span_bytes < facts.makespan_byte_bound.loads ||
       facts.transfer_bytes < facts.transfer_byte_bound.loads) {
     throw InternalError(fmt::format("the order of {} moves fewer bytes than its bound", what));

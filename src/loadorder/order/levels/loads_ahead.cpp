@@ -208,8 +208,8 @@ LoadOrder start_loads_early(LoadOrder order) {
       best = std::move(maker);
     }
   }
-  static_cast<ScheduleFacts&>(facts) = read_order(
-      best, LoadOrder(facts, best).rules(), fmt::format("{} items with early loads", facts.items));
+  static_cast<ScheduleFacts&>(facts) = static_cast<ScheduleFacts&&>(read_order(
+      best, LoadOrder(facts, best).rules(), fmt::format("{} items with early loads", facts.items)));
   return {std::move(facts), best};
 }
 

@@ -235,7 +235,7 @@ class Growth {
     }
     const Element out = *std::ranges::min_element(
         memory_[w], [&](Element a, Element b) { return open_pairs_[a] < open_pairs_[b]; });
-    if (in && (must || (open_pairs_[out] == 0 && 2 * open_pairs_[*in] >= room_))) {
+    if (in && (must || (open_pairs_[out] == 0 && std::size_t{2} * open_pairs_[*in] >= room_))) {
       change(w, out, *in);
     }
   }
