@@ -22,6 +22,13 @@
 
 namespace changeover::test {
 
+/// How long a client waits for more, in milliseconds.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr int usual_patience = 600'000;  // the table of all cells takes minutes
+#else
+inline constexpr int usual_patience = 60'000;
+#endif
+
 struct Reply {
   int status = 0;                              ///< 0: none came
   std::map<std::string, std::string> headers;  ///< names in lower case
@@ -88,7 +95,7 @@ class Connection {
   }
 
   /// More bytes into text(); false at the end.
-  bool read_more(int patience = 60'000) {
+  bool read_more(int patience = usual_patience) {
     pollfd ready{.fd = socket_, .events = POLLIN, .revents = 0};
     std::array<char, 65'536> room{};
     if (::poll(&ready, 1, patience) != 1) {
