@@ -273,7 +273,7 @@ struct Verb::State {
       for (const std::string& name : names) {
         if (given(name) && misplaced()) {
           const std::string& what = app->get_option(name)->get_option_text();
-          throw UsageError{name + (what.empty() ? "" : " " + what) + " " + reason};
+          throw UsageError{fmt::format("{}{}{} {}", name, what.empty() ? "" : " ", what, reason)};
         }
       }
     });
@@ -338,9 +338,9 @@ void Verb::option(const std::string& flags, std::string& value, const std::strin
   state_->text(state_->app->add_option(flags, value, help), what);
 }
 
-void Verb::option(const std::string& flags, std::function<void(const std::string&)> take,
+void Verb::option(const std::string& flags, const std::function<void(const std::string&)>& take,
                   const std::string& what, const std::string& help) {
-  CLI::Option* option = state_->app->add_option_function<std::string>(flags, std::move(take), help);
+  CLI::Option* option = state_->app->add_option_function<std::string>(flags, take, help);
   state_->text(option, what);
 }
 

@@ -68,7 +68,7 @@ class Verb {
   void option(const std::string& flags, std::string& value, const std::string& what,
               const std::string& help);
   /// A text that `take` keeps; it throws nothing.
-  void option(const std::string& flags, std::function<void(const std::string&)> take,
+  void option(const std::string& flags, const std::function<void(const std::string&)>& take,
               const std::string& what, const std::string& help);
   /// One of some words.
   void choice(const std::string& flags, std::string& value, const std::vector<std::string>& words,

@@ -94,6 +94,7 @@ void add_request_options(Verb& verb, Request& request, const RequestTable<Reques
   }
   const auto spelled_all = [&](const std::vector<std::string_view>& keys) {
     std::vector<std::string> all;
+    all.reserve(keys.size());
     for (const std::string_view key : keys) {
       all.push_back(spelled(option_of(table, key).record, Door::command_line));
     }

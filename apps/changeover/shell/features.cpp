@@ -89,7 +89,7 @@ std::string features_text(const Features& features) {
                             features.mpi ? "with" : "without"));
   std::string_view what = "libraries";
   for (const auto& [name, number] : features.libraries) {
-    line(what, name + " " + number);
+    line(what, fmt::format("{} {}", name, number));
     what = "";
   }
   line("catalog", fmt::format("{}, tables of version {}", count_of(features.designs, "design"),

@@ -94,6 +94,7 @@ void open_browser(const std::string& address, const sigset_t& signals) {
 
 std::vector<serve::GivenFile> read_files(const std::vector<std::string>& paths) {
   std::vector<serve::GivenFile> files;
+  files.reserve(paths.size());
   for (const std::string& path : paths) {
     files.push_back({printable(path), read_design(path)});
   }

@@ -122,7 +122,7 @@ Answer show_design(std::shared_ptr<BlockSource> source, Exhibit exhibit,
       }
     }
   }
-  const auto write = [source, exhibit = std::move(exhibit), format,
+  const auto write = [source = std::move(source), exhibit = std::move(exhibit), format,
                       begun = false](OutputFile& out) mutable {
     if (begun && !source->rewind()) {
       throw InternalError("a design that cannot be read twice");
@@ -156,7 +156,8 @@ bool can_be_judged_while_written(const OutputRequest& output) {
 
 Answer show_design_while_judging(std::shared_ptr<BlockSource> source, const Offer& promise,
                                  const Exhibit& exhibit, const OutputRequest& output) {
-  const auto write = [source, promise, exhibit, format = output.format()](OutputFile& out) {
+  const auto write = [source = std::move(source), promise, exhibit,
+                      format = output.format()](OutputFile& out) {
     JudgedWhileRead judged(*source, promise);
     const auto verdict = [&] { return std::optional(judged.judgement().verdict); };
     if (format == "json") {

@@ -56,7 +56,7 @@ std::string own_bibtex(const Dossier& dossier) {
 
 }  // namespace
 
-Dossier dossier_of(ChosenDesign chosen, const std::optional<CatalogEntry>& entry) {
+Dossier dossier_of(const ChosenDesign& chosen, const std::optional<CatalogEntry>& entry) {
   const Registry& registry = Registry::standard();
   const Recipe& recipe = chosen.offer.recipe;
   Dossier dossier;

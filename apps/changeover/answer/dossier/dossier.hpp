@@ -55,7 +55,8 @@ inline constexpr std::uint64_t most_listed_elements = 6'000;
 
 /// @param entry of the catalog, if the design is there.
 /// @throws as Registry::build() and judge(). Reads the design three times at most.
-[[nodiscard]] Dossier dossier_of(ChosenDesign chosen, const std::optional<CatalogEntry>& entry);
+[[nodiscard]] Dossier dossier_of(const ChosenDesign& chosen,
+                                 const std::optional<CatalogEntry>& entry);
 
 [[nodiscard]] std::string dossier_latex(const Dossier& dossier);
 [[nodiscard]] std::string dossier_markdown(const Dossier& dossier);

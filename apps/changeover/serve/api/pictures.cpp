@@ -51,7 +51,7 @@ std::string of_parameters(std::string message) {
   return message;
 }
 
-Response drawn(const Request& request, const Design& design, DrawOptions options) {
+Response drawn(const Request& request, const Design& design, const DrawOptions& options) {
   if (const auto defect = range_defect(options)) {
     throw Refusal{400, of_parameters(*defect)};
   }

@@ -133,6 +133,7 @@ class Site {
     std::ranges::sort(named_cells_);
     write("cells", named_cells_);
     std::vector<std::string> designs;
+    designs.reserve(written_.size());
     for (const std::string& label : written_) {
       designs.push_back(address_of_design(address_, label));
     }

@@ -340,7 +340,8 @@ void Server::State::take(Exchange& exchange, const char* bytes, std::size_t coun
     return;
   }
   exchange.held += count;
-  if ((held += count) > settings.most_bytes) {
+  const std::size_t held_by_all = held += count;
+  if (held_by_all > settings.most_bytes) {
     exchange.response = refused({503, "too much is being sent to the server at once; try again"});
     exchange.request.body = {};
     return;
@@ -406,7 +407,8 @@ void Server::State::hold(Exchange& exchange) {
     return;
   }
   exchange.untaken = bytes->size();
-  if ((untaken += exchange.untaken) > settings.most_untaken) {
+  const std::size_t untaken_by_all = untaken += exchange.untaken;
+  if (untaken_by_all > settings.most_untaken) {
     untaken -= std::exchange(exchange.untaken, 0);
     response = refused({503, "too many answers wait to be taken; try again"});
   }

@@ -104,6 +104,7 @@ void write_json(JsonWriter& json, const Arrival& arrival) {
 
 Answer run(const AddRequest& request) {
   std::vector<InputFile> inputs;
+  inputs.reserve(request.paths.size());
   for (const std::string& path : request.paths) {
     inputs.emplace_back("the design", path);
   }

@@ -27,7 +27,7 @@ void share_best(ImproveResult& result, const Parameters& p) {
   for (const std::string& said : team.exchange(own)) {
     std::string_view rest = said;
     const auto line = [&rest] {
-      const std::string text(rest.substr(0, rest.find('\n')));
+      std::string text(rest.substr(0, rest.find('\n')));
       rest.remove_prefix(text.size() + 1);
       return text;
     };

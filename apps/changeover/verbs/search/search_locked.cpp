@@ -35,6 +35,7 @@ std::vector<std::string> said_of(const LockedResult& result, const Wanted& wante
       count_of(result.attempts, "attempt"), to_string(result.why_stopped))};
   if (wanted.expansion_set) {
     std::vector<std::size_t> positions;
+    positions.reserve(result.parts.size());
     for (const UnchangedSubset& part : result.parts) {
       positions.push_back(part.position);
     }

@@ -33,7 +33,7 @@ void refuse_if_long(const Parameters& p, std::uint64_t b) {
 }
 
 // A design that is held in memory, as something that was chosen.
-Selection held(const Explorer& explorer, std::shared_ptr<const Design> design) {
+Selection held(const Explorer& explorer, const std::shared_ptr<const Design>& design) {
   struct Owned {
     std::shared_ptr<const Design> design;
     DesignSource source;
