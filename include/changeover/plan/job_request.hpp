@@ -35,11 +35,11 @@ namespace changeover {
 struct JobRequest {
   RequestList model = {};
   std::optional<std::uint64_t> items = {};
-  bool items_are_parts =
-      false;  ///< the document gives the number as "parts"; messages then do, too
   RequestList parts = {};
   bool header = false;
   bool no_header = false;
+  bool items_are_parts =
+      false;  ///< the document gives the number of items as "parts"; messages then do, too
   std::string cost_column = {};
   std::optional<std::uint64_t> at_once = {};
   std::string test_cost = {};

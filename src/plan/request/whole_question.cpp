@@ -23,6 +23,7 @@ RequestList part_rows(const PartList& list, const Job& job) {
 
 RequestList slot_rows(const std::vector<Slot>& slots) {
   std::vector<ListRow> rows;
+  rows.reserve(slots.size());
   for (const Slot& slot : slots) {
     rows.push_back({{slot.name, std::to_string(slot.least),
                      slot.most == Slot{}.most ? "" : std::to_string(slot.most)}});

@@ -21,8 +21,8 @@ std::optional<std::chrono::duration<double>> time_of_attempt(const RunControl& c
     return std::nullopt;
   }
   const std::size_t threads = std::max<std::size_t>(1, control.threads());
-  const auto rounds = static_cast<double>((attempts - attempt + threads - 1) / threads);
-  return *left * (share / rounds);
+  const std::size_t rounds = (attempts - attempt + threads - 1) / threads;
+  return *left * (share / static_cast<double>(rounds));
 }
 
 bool Rounds::go_on(bool better, const Limits& limits) {

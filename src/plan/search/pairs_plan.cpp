@@ -288,7 +288,7 @@ RunPlan plan_for_pairs(const Job& job, const PlanOptions& options, RunControl& c
         Attempts attempts(job, plan.bound, control);
         const std::uint64_t steps =
             options.steps == 0 ? attempts.suitable_steps(*plan.complete) : options.steps;
-        const Start found = attempts.within(budget, best, steps, options.attempts);
+        Start found = attempts.within(budget, best, steps, options.attempts);
         plan.steps += attempts.steps();
         return found;
       }});

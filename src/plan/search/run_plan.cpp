@@ -30,6 +30,7 @@ std::vector<Start> at_mean_prices(const Job& job, const PlanOptions& options, Ru
   ShareOfTime part(control, share);
   const RunPlan plan = plan_of_valid_job(at_prices(job, Price::mean), once, part.control());
   std::vector<Start> starts;
+  starts.reserve(plan.candidates.size());
   for (const Candidate& candidate : plan.candidates) {
     starts.push_back({candidate.name + " at mean prices", candidate.how, candidate.setups});
   }

@@ -36,7 +36,7 @@ std::uint64_t changes_in_random_order(const Job& job, const RunSheet& sheet) {
 // How much of the weight is met, or how soon.
 std::string weight_line(const Job& job, const RunPlan& plan, const Money& money) {
   const RunSheet& sheet = plan.sheet;
-  const std::string met = weight_words(sheet.weight_tested, sheet.weight_needed, plan.most_weight);
+  std::string met = weight_words(sheet.weight_tested, sheet.weight_needed, plan.most_weight);
   if (plan.most_weight) {
     return met;
   }

@@ -48,7 +48,7 @@ std::string CostReader::without_sign(const Field& field) {
   while (end < text.size() && (is_of_number(text[end]) || text[end] == '+' || text[end] == '-')) {
     ++end;
   }
-  const auto trimmed = [](std::string sign) {
+  const auto trimmed = [](const std::string& sign) {
     const std::size_t first = sign.find_first_not_of(' ');
     const std::size_t last = sign.find_last_not_of(' ');
     return first == std::string::npos ? "" : lower_case(sign.substr(first, last - first + 1));

@@ -225,7 +225,7 @@ class ChoicePlanner {
     return std::ranges::min_element(plan.candidates, {}, &Candidate::tests)->setups;
   }
 
-  AnnealedChoices annealed(const std::vector<Block>& from, ChoiceAnnealing annealing,
+  AnnealedChoices annealed(const std::vector<Block>& from, const ChoiceAnnealing& annealing,
                            std::uint64_t stream) {
     Random random(control_.seed(), stream);
     AnnealedChoices found = anneal_choices(*choices_, ChoiceList(*choices_, in_order(from)),

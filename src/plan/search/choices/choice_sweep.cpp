@@ -141,6 +141,7 @@ std::optional<std::vector<Block>> swept(const ChoiceJob& choices, Random& random
     row.push_back(values[p][0]);
   }
   std::vector<EqualSlots> kinds;
+  kinds.reserve(by_size.size());
   for (auto& [size, kind] : by_size) {
     kinds.push_back({size, std::move(kind.slots), way_through_all(size, random)});
   }

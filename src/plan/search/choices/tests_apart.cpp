@@ -125,6 +125,7 @@ class ApartSearch {
       by_parameters[key].push_back(i);
     }
     std::vector<const std::vector<std::size_t>*> groups;
+    groups.reserve(by_parameters.size());
     for (const auto& [key, group] : by_parameters) {
       groups.push_back(&group);
     }

@@ -13,7 +13,8 @@ Lists::Rise Lists::rise_of_replace(Spot where, Element out, Element in) const {
   // A part that is there and in the next set-up need not be put in for that.
   const auto look_at = [&](Element x, int sign) {
     const auto weight = static_cast<std::int64_t>(own.weights.change[x]);
-    const int times = (bit(earlier, x) ? 0 : 1) - (later != nullptr && bit(*later, x) ? 1 : 0);
+    const std::int64_t times =
+        (bit(earlier, x) ? 0 : 1) - (later != nullptr && bit(*later, x) ? 1 : 0);
     rise.work += sign * times * weight;
     for (const Element z : places_[order[where.at]].elements) {
       if (z == out) {

@@ -20,6 +20,7 @@ Table compared_benches(const BenchDocument& document, const Money& money) {
   const Job& job = *document.job;
   const bool all = !document.plan->complete;
   std::vector<std::vector<std::string>> rows;
+  rows.reserve(document.plan->candidates.size());
   for (const BenchCandidate& c : document.plan->candidates) {
     rows.push_back({c.name, std::to_string(c.tests), std::to_string(c.changes), money(c.makespan),
                     money(c.cost),
@@ -91,6 +92,7 @@ std::string sheet_name(const std::string& name, std::set<std::string>& taken) {
 std::vector<Job> jobs_on_sheets(const BenchDocument& document) {
   const BenchPlan& plan = *document.plan;
   std::vector<Job> jobs;
+  jobs.reserve(plan.benches.size());
   for (const Bench& bench : plan.benches) {
     jobs.push_back(shown_job(*document.job, bench));
   }
