@@ -1,5 +1,8 @@
 // Faults of the library as exceptions of changeover/errors.py, told apart as in
 // changeover/core/error.hpp.
+#include <exception>
+#include <utility>
+
 #include "bind.hpp"
 #include "changeover/core/error.hpp"
 
@@ -13,7 +16,7 @@ void register_errors() {
     };
     try {
       if (fault) {
-        std::rethrow_exception(fault);
+        std::rethrow_exception(std::move(fault));
       }
     } catch (const BadInput& error) {
       raise("BadInput", error);

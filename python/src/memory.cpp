@@ -72,7 +72,7 @@ PyObject* type_of_exporters() {
 
 py::object exporter_of(PyObject* type, std::shared_ptr<const void> owner, const void* bytes,
                        Py_ssize_t count, Py_ssize_t k) {
-  const auto made =
+  auto made =
       made_by_python([&] { return PyType_GenericAlloc(reinterpret_cast<PyTypeObject*>(type), 0); });
   Exporter& exporter = exporter_of(made);
   new (&exporter.owner) std::shared_ptr<const void>(std::move(owner));

@@ -63,6 +63,7 @@ py::dict ratios(const Planned& self, std::optional<double> time, std::uint64_t t
   py::list ranges;
   for (const WhatIf::Range& range : answer.ranges) {
     std::vector<std::vector<std::string>> setups;
+    setups.reserve(range.plan.setups.size());
     for (const Block& setup : range.plan.setups) {
       setups.push_back(names(self.job(), setup));
     }
@@ -80,6 +81,7 @@ std::string diagnosis_of(const Planned& self,
   return stoppable([&] {
     Job job = self.job();
     std::vector<TestedSetup> tested;
+    tested.reserve(results.size());
     for (const auto& [setup, failed] : results) {
       tested.push_back({parts_named(setup, job), failed});
     }
