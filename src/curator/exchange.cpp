@@ -83,7 +83,7 @@ std::string refusal(CatalogEntry& entry, const ForeignLimits& limits) {
   RunControl control(here, limits.time_each);
   const RunScope scope(control);
   try {
-    if (const std::string defect = entry_defect(entry); !defect.empty()) {
+    if (std::string defect = entry_defect(entry); !defect.empty()) {
       return defect;
     }
   } catch (const Stopped&) {

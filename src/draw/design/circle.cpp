@@ -58,7 +58,7 @@ std::vector<std::string> lines_of(const std::vector<std::string>& words, double 
   std::vector<std::string> lines = {""};
   for (const std::string& word : words) {
     std::string& line = lines.back();
-    const std::string longer = line.empty() ? word : line + " " + word;
+    const std::string longer = line.empty() ? word : fmt::format("{} {}", line, word);
     if (!line.empty() && text_width(longer, font) > width) {
       lines.push_back(word);
     } else {

@@ -101,6 +101,7 @@ Table compared(const SheetDocument& document) {
   const Job& job = *document.job;
   const Money money(job, document.budget);
   std::vector<std::vector<std::string>> rows;
+  rows.reserve(document.plan->candidates.size());
   for (const Candidate& c : document.plan->candidates) {
     rows.push_back({c.name, std::to_string(c.tests()), std::to_string(c.changes), money(c.cost),
                     std::to_string(tested_by(job, c)), difference(document, c), c.how});
@@ -166,6 +167,7 @@ Table parts(const Job& job, const Money& money) {
 // The limits of slots, in the format of read_slots().
 Table slot_limits(const Job& job) {
   std::vector<std::vector<std::string>> rows;
+  rows.reserve(job.slots.size());
   for (const Slot& slot : job.slots) {
     rows.push_back({slot.name, std::to_string(slot.least),
                     slot.most == Slot{}.most ? "" : std::to_string(slot.most)});
