@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -174,7 +175,7 @@ struct LeastChanges {
 
 // Of a parameter with so many values, but for few: (6).
 constexpr std::uint64_t stays_of_two = 5;
-constexpr std::uint64_t stays_of_three = 7;
+constexpr std::uint64_t stays_of_three = 8;
 
 // (5): what the parameters of a clique may save together if each but `exceptions` of them, one or
 // two, has `often` stays, and what those have fewer only two can have.
@@ -302,14 +303,27 @@ class OftenSet {
   Amount changes_;
 };
 
-// (6): how many parameters with three values can have six stays or fewer in so many tests; any
-// number from `enough` on if there can be as many.
-std::uint64_t most_of_six_stays(std::uint64_t tests, std::uint64_t enough) {
-  constexpr std::uint64_t looked_through = 16;
-  std::uint64_t most = (std::min(tests, looked_through) - 1) / 3;
-  for (std::uint64_t n = looked_through + 1; n <= tests && most < enough; ++n) {
+// (6): how many parameters with three values can have so few stays, by Theorem 27.
+struct FewStays {
+  std::uint64_t stays = 0;
+  std::span<const std::uint64_t> looked_through;  // by tests, from 9 on: so many are possible
+};
+
+constexpr std::uint64_t least_for_threes = 9;
+constexpr std::array<std::uint64_t, 9> with_six_stays{2, 3, 3, 3, 4, 4, 4, 5, 5};
+constexpr std::array<std::uint64_t, 5> with_seven_stays{4, 4, 4, 5, 5};
+constexpr FewStays six_stays{6, with_six_stays};
+constexpr FewStays seven_stays{7, with_seven_stays};
+
+// In so many tests; any number from `enough` on if there can be as many.
+std::uint64_t most_of(const FewStays& few, std::uint64_t tests, std::uint64_t enough) {
+  const std::uint64_t last = least_for_threes + few.looked_through.size() - 1;
+  std::uint64_t most =
+      few.looked_through[std::clamp(tests, least_for_threes, last) - least_for_threes];
+  const std::uint64_t changes = few.stays - 1;
+  for (std::uint64_t n = last + 1; n <= tests && most < enough; ++n) {
     const std::uint64_t before = most;
-    while (most < enough && most + 1 - 5 * (most + 1) / (n - 1) <= before) {
+    while (most < enough && most + 1 - changes * (most + 1) / (n - 1) <= before) {
       ++most;
     }
   }
@@ -357,9 +371,11 @@ Amount of_few_values(const Job& job, const OftenSet& twos, const OftenSet& three
     const std::uint64_t all = tests + (job.start.empty() ? 0 : 1);
     const std::uint64_t three = 1 + (all - 1) / 2;  // they and one with two stays
     const std::uint64_t four = three + (all - 2) * (all - 2) / 4;
-    const std::uint64_t six = most_of_six_stays(all, threes.number());
+    const std::uint64_t six = most_of(six_stays, all, threes.number());
+    const std::uint64_t seven = most_of(seven_stays, all, threes.number());
     const Amount by_twos = twos.of_dearest(1) + twos.of_dearest(three) + twos.of_dearest(four);
     const Amount by_threes =
+        threes.of_dearest(seven) +
         std::max(threes.of_dearest(six) + threes.of_dearest(1) * 2, threes.of_dearest(1) * 4);
     const Amount few =
         job.test_cost * tests + twos.changes_but(by_twos) + threes.changes_but(by_threes);

@@ -43,10 +43,10 @@ namespace changeover {
 ///      each, or one of them two less; if it is d ≥ 3 less, each other one is set 4 + d times.
 ///  (6) *In few tests.* Of parameters with two values each has five stays, but one that has two,
 ///      and so many with three and four as Theorem 25 allows in so many tests. Of three or more
-///      parameters with three values each has seven stays, but so many that have six as Theorem 27
-///      allows. By (5) one of these may have two less, or two one less each; or one has three
-///      stays, and all others have seven. The cheapest number of tests is taken; other parameters
-///      change as (4) and (5) say.
+///      parameters with three values each has eight stays, but so many that have seven, and six,
+///      as Theorem 27 allows. By (5) one of these may have two less, or two one less each; or one
+///      has three stays, and all others have seven or more. The cheapest number of tests is taken;
+///      other parameters change as (4) and (5) say.
 ///  (7) *In each step.* k parameters have g values each, or more, of which g must meet all those g
 ///      of the others. Let parameter p have c_p stays in N tests, all of them I; the start is one
 ///      more test here, though it tests nothing, and a parameter with no value there is given its
