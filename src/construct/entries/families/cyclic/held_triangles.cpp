@@ -19,7 +19,7 @@ constexpr Description description{
         "a cyclic list, and classes of triangles that it leaves beside groups of new elements",
     .preconditions =
         "m = 3, 4 <= k <= 64, v = 6c(k-2)+(k-1)t+1 with t = 1, 4, 7 or 10, one less with t = 3, 6 "
-        "or 9, 2 <= c <= 12 as known",
+        "or 9, c <= 13 as known",
     .guarantee =
         "over the counting bound by at most a number of blocks that depends on k alone, c more if "
         "t is 3, 6 or 9",

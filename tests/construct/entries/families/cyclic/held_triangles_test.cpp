@@ -42,10 +42,21 @@ TEST(HeldTriangles, WithOneClassWasteOnlyOnTheWays) {
         const std::uint64_t w = p.v - (k - 3);
         const std::uint64_t way = (k + 1) / 3 - 1;
         EXPECT_EQ(offer->b, c * w + w / 3 + (kind == Kind::linear ? way : 2 * way)) << name(p);
-        if (k == 4) {
-          EXPECT_EQ(offer->b, lower_bound(p).blocks) << name(p);
-        }
       }
+    }
+  }
+}
+
+// 1-rotational Steiner systems S(2, 4, 12c+4), in an order.
+TEST(HeldTriangles, OfFourElementsAreTight) {
+  for (const Kind kind : kinds) {
+    for (const std::uint64_t c : {1U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 10U, 11U, 12U, 13U}) {
+      const Parameters p = parameters(12 * c + 4, 4, kind);
+      const auto offer = offer_of("held-triangles", p);
+      ASSERT_TRUE(offer) << name(p);
+      EXPECT_EQ(offer->b, p.v * (p.v - 1) / 12);
+      EXPECT_EQ(offer->b, lower_bound(p).blocks) << name(p);
+      expect_as_promised(*offer);
     }
   }
 }
