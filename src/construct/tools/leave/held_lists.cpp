@@ -170,8 +170,8 @@ bool HeldList::is_seam(std::uint64_t i) const {
 }
 
 // Beside a group pass m-sets of the later elements, the first ones last, for if they are of the
-// next group they stay. What is left over comes first of all, with the first one if m = 2, else
-// with others.
+// next group they stay. What is left over comes first of all, after the first one if m = 2, else
+// before others. The order within a block matters: ways begin with the elements as they stand.
 void HeldList::write(std::uint64_t i, std::span<Element> block) const {
   if (i >= first_blocks_) {
     std::ranges::transform(
@@ -188,9 +188,14 @@ void HeldList::write(std::uint64_t i, std::span<Element> block) const {
   const auto held = block.begin() + static_cast<std::ptrdiff_t>(n_);
   std::iota(block.begin(), held, static_cast<Element>(group * n_));
   if (left_over > 0 && number == 0) {
-    const auto end = block.begin() + static_cast<std::ptrdiff_t>(n_ + left_over);
-    std::iota(held, end, static_cast<Element>(t_ * n_ - left_over));
-    std::iota(end, block.end(), static_cast<Element>(m_ == 2 ? next : t_ * n_));
+    if (m_ == 2) {
+      *held = static_cast<Element>(next);
+      *(held + 1) = static_cast<Element>(t_ * n_ - 1);
+    } else {
+      const auto others = held + static_cast<std::ptrdiff_t>(left_over);
+      std::iota(held, others, static_cast<Element>(t_ * n_ - left_over));
+      std::iota(others, block.end(), static_cast<Element>(t_ * n_));
+    }
     return;
   }
   const std::uint64_t of_sets = number + (left_over > 0 ? 0 : 1);

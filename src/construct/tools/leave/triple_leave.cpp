@@ -1,7 +1,9 @@
 #include "construct/tools/leave/triple_leave.hpp"
 
 #include <algorithm>
+#include <iterator>
 
+#include "construct/tools/leave/held_lists.hpp"
 #include "construct/tools/leave/triple_leave_tables.hpp"
 
 namespace changeover {
@@ -18,6 +20,15 @@ TripleLeave::Triple elements_at(std::span<const FormalPlace, 3> places, std::uin
   return {element_at(places[0], N, w), element_at(places[1], N, w), element_at(places[2], N, w)};
 }
 
+std::array<std::uint64_t, 3> differences_of(const TripleLeave::Triple& triple, std::uint64_t w) {
+  const auto difference = [w](std::uint64_t x, std::uint64_t y) {
+    const std::uint64_t d = (x + w - y) % w;
+    return std::min(d, w - d);
+  };
+  return {difference(triple[0], triple[1]), difference(triple[0], triple[2]),
+          difference(triple[1], triple[2])};
+}
+
 }  // namespace
 
 std::shared_ptr<const TripleLeave> TripleLeave::any_of(std::uint64_t k, std::uint64_t v,
@@ -26,26 +37,24 @@ std::shared_ptr<const TripleLeave> TripleLeave::any_of(std::uint64_t k, std::uin
     return nullptr;
   }
   const std::uint64_t N = k - 2;
+  std::shared_ptr<const TripleLeave> best;
+  std::uint64_t least = 0;  // blocks, without the ways
   for (const FormalLeave& known : formal_leaves()) {
-    const std::uint64_t t = known.left;
-    const std::uint64_t w = 6 * known.rounds() * N + 2 * t + (known.doubled ? 0 : 1);
-    if ((t > 0) != leaves || w + (k - 3) * t != v || !known.serves(N)) {
+    const std::uint64_t w = known.elements(N);
+    if ((known.left > 0) != leaves || w + (k - 3) * known.left != v || !known.serves(N)) {
       continue;
     }
-    const std::shared_ptr<TripleLeave> leave(new TripleLeave(w, t));
-    for (std::size_t i = 0; i < known.points.size(); i += 3) {
-      leave->base_.push_back(elements_at(std::span(known.points).subspan(i).first<3>(), N, w));
+    const std::shared_ptr<TripleLeave> leave(new TripleLeave(w, known.left));
+    if (!leave->make(known, N)) {
+      continue;
     }
-    for (std::size_t i = 0; i < known.triangles.size(); i += 2) {
-      const Element d = element_at(known.triangles[i], N, w);
-      const Element e = element_at(known.triangles[i + 1], N, w);
-      leave->triangles_.push_back({0, d, static_cast<Element>((std::uint64_t{d} + e) % w)});
-    }
-    if (leave->order_for_link()) {
-      return leave;
+    const std::uint64_t blocks = leave->sets() + (leaves ? HeldList(k, 3, leave->t_).size() : 0);
+    if (!best || blocks < least) {
+      best = leave;
+      least = blocks;
     }
   }
-  return nullptr;
+  return best;
 }
 
 std::shared_ptr<const TripleLeave> TripleLeave::of(std::uint64_t k, std::uint64_t v) {
@@ -54,6 +63,28 @@ std::shared_ptr<const TripleLeave> TripleLeave::of(std::uint64_t k, std::uint64_
 
 std::shared_ptr<const TripleLeave> TripleLeave::without_leave(std::uint64_t k, std::uint64_t v) {
   return any_of(k, v, false);
+}
+
+// Differences that come twice are whatever they are. False if for this N they are among those that
+// are left, or if they spoil the link.
+bool TripleLeave::make(const FormalLeave& known, std::uint64_t N) {
+  for (std::size_t i = 0; i < known.points.size(); i += 3) {
+    base_.push_back(elements_at(std::span(known.points).subspan(i).first<3>(), N, w_));
+  }
+  for (std::size_t i = 0; i < known.triangles.size(); i += 2) {
+    const Element d = element_at(known.triangles[i], N, w_);
+    const Element e = element_at(known.triangles[i + 1], N, w_);
+    triangles_.push_back({0, d, static_cast<Element>((std::uint64_t{d} + e) % w_)});
+  }
+  const std::vector<std::uint64_t> left = differences();
+  return std::ranges::none_of(base_,
+                              [&](const Triple& triple) {
+                                return std::ranges::any_of(
+                                    differences_of(triple, w_), [&](std::uint64_t d) {
+                                      return std::ranges::binary_search(left, d);
+                                    });
+                              }) &&
+         order_for_link();
 }
 
 // The last base block holds A + 1. A translate by 1 of the first one has no other element in common
@@ -100,14 +131,11 @@ void TripleLeave::write(std::uint64_t i, std::uint64_t j, std::span<Element> set
 
 std::vector<std::uint64_t> TripleLeave::differences() const {
   std::vector<std::uint64_t> left;
-  const auto add = [&](std::uint64_t d) { left.push_back(std::min(d, w_ - d)); };
   if (t_ % 3 == 1) {
-    add(w_ / 3);
+    left.push_back(w_ / 3);
   }
   for (const Triple& triangle : triangles_) {
-    add(triangle[1]);
-    add(triangle[2]);
-    add((triangle[2] + w_ - triangle[1]) % w_);
+    std::ranges::copy(differences_of(triangle, w_), std::back_inserter(left));
   }
   std::ranges::sort(left);
   return left;

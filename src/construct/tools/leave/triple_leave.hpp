@@ -3,10 +3,10 @@
 // Theorem 34].
 //
 // With N = k−2 there are c base blocks {0, …, N−2} ∪ {x, y, z} over Z_w. Their new pairs have 3cN
-// differences, each once, and t are left:
+// differences, j more than if each came once; t differences are left:
 //
-//     odd      w = 6cN + 2t + 1
-//     doubled  w = 6cN + 2t, where w/2 is covered, so pairs with that difference are covered twice
+//     odd      w = 6cN + 2t − 2j + 1
+//     doubled  w = 6cN + 2t − 2j, where w/2 is covered, so pairs with that difference come twice
 //
 // If t ≡ 1 (mod 3), w/3 is one of those left. The others are the differences of triangles {0, d, e}
 // whose three elements are different modulo 3, and w ≡ 0 (mod 3). So there are t classes of w/3
@@ -28,14 +28,16 @@
 
 namespace changeover {
 
+struct FormalLeave;
+
 class TripleLeave final : public HeldClasses {
  public:
   using Triple = std::array<Element, 3>;
 
-  /// With v = w + (k−3)t and t ≥ 1, the least t for which base blocks are known; null if there are none. O(c) for each of
+  /// With v = w + (k−3)t and t ≥ 1, those known with the fewest blocks; null if there are none. O(c) for each of
   /// those known.
   [[nodiscard]] static std::shared_ptr<const TripleLeave> of(std::uint64_t k, std::uint64_t v);
-  /// Doubled, t = 0 and w = v.
+  /// With t = 0 and w = v.
   [[nodiscard]] static std::shared_ptr<const TripleLeave> without_leave(std::uint64_t k,
                                                                         std::uint64_t v);
 
@@ -55,6 +57,8 @@ class TripleLeave final : public HeldClasses {
  private:
   TripleLeave(std::uint64_t w, std::uint64_t t) : w_(w), t_(t) {}
   static std::shared_ptr<const TripleLeave> any_of(std::uint64_t k, std::uint64_t v, bool leaves);
+  [[nodiscard]] std::uint64_t sets() const { return base_.size() * w_ + t_ * (w_ / 3); }
+  bool make(const FormalLeave& known, std::uint64_t N);
   bool order_for_link();
 
   std::uint64_t w_, t_;

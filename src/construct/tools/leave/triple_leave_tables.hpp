@@ -16,7 +16,8 @@ struct FormalPlace {
 struct FormalLeave {
   enum class For : std::uint8_t { all, class_modulo_3, one };
 
-  std::uint64_t left = 0;  ///< t
+  std::uint64_t left = 0;   ///< t
+  std::uint64_t twice = 0;  ///< j
   bool doubled = false;
   For which = For::all;
   std::uint64_t number = 0;            ///< N modulo 3, or N
@@ -24,12 +25,16 @@ struct FormalLeave {
   std::vector<FormalPlace> triangles;  ///< d and e for each triangle {0, d, d+e} that is left
 
   [[nodiscard]] std::uint64_t rounds() const { return points.size() / 3; }
+  [[nodiscard]] std::uint64_t elements(std::uint64_t N) const {
+    return 6 * rounds() * N + 2 * left - 2 * twice + (doubled ? 0 : 1);
+  }
   [[nodiscard]] bool serves(std::uint64_t N) const {
     return which == For::all || (which == For::one ? N : N % 3) == number;
   }
 };
 
-/// By t, increasing.
+/// Entries stay: recipes name only k, v and the kind, so one that is better where there is one
+/// already needs an argument of the recipe.
 [[nodiscard]] const std::vector<FormalLeave>& formal_leaves();
 
 }  // namespace changeover

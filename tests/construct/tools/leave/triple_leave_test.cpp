@@ -6,6 +6,7 @@
 #include <memory>
 #include <numeric>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "construct/tools/leave/triple_leave_tables.hpp"
@@ -102,31 +103,43 @@ void expect_classes(const TripleLeave& leave) {
 }
 
 std::shared_ptr<const TripleLeave> leave_of(const FormalLeave& known, std::uint64_t N) {
-  const std::uint64_t t = known.left;
-  const std::uint64_t w = 6 * known.rounds() * N + 2 * t + (known.doubled ? 0 : 1);
-  return t == 0 ? TripleLeave::without_leave(N + 2, w) : TripleLeave::of(N + 2, w + (N - 1) * t);
+  const std::uint64_t w = known.elements(N);
+  return known.left == 0 ? TripleLeave::without_leave(N + 2, w)
+                         : TripleLeave::of(N + 2, w + (N - 1) * known.left);
 }
 
-TEST(TripleLeave, CoversEachDifferenceOnceButThoseLeft) {
+void expect_each_difference(const TripleLeave& leave, std::uint64_t N) {
+  const std::vector<std::uint64_t> left = leave.differences();
+  ASSERT_EQ(left.size(), leave.groups());
+  ASSERT_TRUE(std::ranges::is_sorted(left));
+  const std::vector<std::uint64_t> covered = new_differences(leave, N);
+  ASSERT_EQ(covered.size(), 3 * N * leave.base_blocks());
+  std::set<std::uint64_t> all(covered.begin(), covered.end());
+  for (const std::uint64_t d : left) {
+    EXPECT_TRUE(all.insert(d).second) << d;
+  }
+  EXPECT_EQ(all.size(), leave.elements() / 2);
+  EXPECT_EQ(*all.begin(), 1U);
+  EXPECT_EQ(*all.rbegin(), leave.elements() / 2);
+  EXPECT_FALSE(leave.is_doubled() && std::ranges::binary_search(left, leave.elements() / 2));
+}
+
+TEST(TripleLeave, CoversEachDifferenceButThoseLeft) {
   for (const FormalLeave& known : formal_leaves()) {
     for (std::uint64_t N = 2; N <= 40; ++N) {
       if (!known.serves(N)) {
         continue;
       }
+      SCOPED_TRACE(std::to_string(known.rounds()) + " " + std::to_string(known.left) + " " +
+                   std::to_string(known.twice) + " " + std::to_string(N));
       const auto leave = leave_of(known, N);
-      ASSERT_TRUE(leave) << known.rounds() << ' ' << known.left << ' ' << N;
-      EXPECT_LE(leave->groups(), known.left);
-      std::vector<std::uint64_t> all = new_differences(*leave, N);
-      const std::vector<std::uint64_t> left = leave->differences();
-      ASSERT_EQ(left.size(), leave->groups());
-      all.insert(all.end(), left.begin(), left.end());
-      std::ranges::sort(all);
-      ASSERT_EQ(all.size(), leave->elements() / 2);
-      for (std::size_t i = 0; i < all.size(); ++i) {
-        ASSERT_EQ(all[i], i + 1) << known.rounds() << ' ' << known.left << ' ' << N;
+      if (known.twice > 0 && N < 8 && !leave) {
+        continue;  // What comes twice is among what is left, for this N.
       }
+      ASSERT_TRUE(leave);
+      expect_each_difference(*leave, N);
       expect_steps_of_three(*leave, N);
-      if (known.left > 0 && N <= 12) {
+      if (leave->groups() > 0 && N <= 12) {
         expect_classes(*leave);
       }
     }
@@ -143,9 +156,8 @@ TEST(TripleLeave, IsAsItsSummarySays) {
 
 TEST(TripleLeave, ServesNothingElse) {
   EXPECT_FALSE(TripleLeave::of(3, 20));
-  EXPECT_FALSE(TripleLeave::of(5, 76));
-  EXPECT_FALSE(TripleLeave::of(5, 72));             // t = 0
-  EXPECT_FALSE(TripleLeave::without_leave(5, 77));  // odd
+  EXPECT_FALSE(TripleLeave::of(5, 75));
+  EXPECT_FALSE(TripleLeave::without_leave(5, 77));
   EXPECT_TRUE(TripleLeave::without_leave(5, 72));
   EXPECT_FALSE(TripleLeave::of(1'000'000, 77));
 }

@@ -33,8 +33,8 @@ class Cyclic final : public IntervalFamily {
     return (p.v - 1) / (4 * p.k - 6);
   }
 
-  IntervalDevelopedSource::Points points_of(std::uint64_t c, std::uint64_t k) const override {
-    return [c, k](std::uint64_t which, std::span<Element> points) {
+  IntervalDevelopedSource::Points points_of(std::uint64_t c, const Parameters& p) const override {
+    return [c, k = p.k](std::uint64_t which, std::span<Element> points) {
       std::ranges::copy(double_change_points(c, k, which), points.begin());
     };
   }

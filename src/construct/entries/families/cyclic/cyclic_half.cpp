@@ -32,8 +32,8 @@ class CyclicHalf final : public IntervalFamily {
     return c % 4 < 2 ? c : 0;
   }
 
-  IntervalDevelopedSource::Points points_of(std::uint64_t c, std::uint64_t k) const override {
-    return CyclicLeave(k, {.rounds = c, .left = 0, .half = CyclicLeave::Half::covered})
+  IntervalDevelopedSource::Points points_of(std::uint64_t c, const Parameters& p) const override {
+    return CyclicLeave(p.k, {.rounds = c, .left = 0, .half = CyclicLeave::Half::covered})
         .all_points();
   }
 };

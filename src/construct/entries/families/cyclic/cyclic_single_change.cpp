@@ -32,8 +32,8 @@ class CyclicSingleChange final : public IntervalFamily {
     return (p.v - 1) / (2 * (p.k - 1));
   }
 
-  IntervalDevelopedSource::Points points_of(std::uint64_t c, std::uint64_t k) const override {
-    return [c, k](std::uint64_t which, std::span<Element> points) {
+  IntervalDevelopedSource::Points points_of(std::uint64_t c, const Parameters& p) const override {
+    return [c, k = p.k](std::uint64_t which, std::span<Element> points) {
       points.front() = single_change_point(c, k, which);
     };
   }

@@ -104,11 +104,12 @@ class CyclicTripleChange final : public IntervalFamily {
     return triples_for(c) == nullptr ? 0 : c;
   }
 
-  IntervalDevelopedSource::Points points_of(std::uint64_t c, std::uint64_t k) const override {
-    return [triples = triples_for(c), v = 6 * c * (k - 2) + 1, k, c](std::uint64_t which,
-                                                                     std::span<Element> points) {
+  IntervalDevelopedSource::Points points_of(std::uint64_t c, const Parameters& p) const override {
+    return [triples = triples_for(c), v = p.v, k = p.k, c](std::uint64_t which,
+                                                           std::span<Element> points) {
       const std::span triple(triples->points.begin() + 3 * static_cast<std::ptrdiff_t>(which), 3);
-      std::ranges::transform(triple, points.begin(), [&](int p) { return point(v, k, c, p); });
+      std::ranges::transform(triple, points.begin(),
+                             [&](int place) { return point(v, k, c, place); });
       std::ranges::sort(points);
     };
   }

@@ -18,11 +18,11 @@ constexpr Description description{
     .summary =
         "a cyclic list, and classes of triangles that it leaves beside groups of new elements",
     .preconditions =
-        "m = 3, 4 <= k <= 64, v = 6c(k-2)+(k-1)t+1 with t = 1, 4, 7 or 10, one less with t = 3, 6 "
-        "or 9, c <= 13 as known",
+        "m = 3, 4 <= k <= 64, v = 6c(k-2)+(k-1)t-2j+1, or one less, with t <= 10, j <= 2 and "
+        "c <= 13 as known",
     .guarantee =
-        "over the counting bound by at most a number of blocks that depends on k alone, c more if "
-        "t is 3, 6 or 9",
+        "over the counting bound by at most a number of blocks that depends on k alone if j = 0 "
+        "and w = v-(k-3)t is odd, else by about 2cj, or 2cj+c, more",
     .place = "docs/theorems.md, Theorem 34",
 };
 

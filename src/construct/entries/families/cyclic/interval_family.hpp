@@ -46,7 +46,7 @@ class IntervalFamily : public Family {
     const auto m = static_cast<std::size_t>(change_);
     IntervalBaseBlocks base{p, 0, p.k - change_,
                             std::vector<Element>(static_cast<std::size_t>(c) * m)};
-    const IntervalDevelopedSource::Points points = points_of(c, p.k);
+    const IntervalDevelopedSource::Points points = points_of(c, p);
     for (std::size_t i = 0; i < c; ++i) {
       points(i, std::span(base.points).subspan(i * m, m));
     }
@@ -61,7 +61,7 @@ class IntervalFamily : public Family {
   [[nodiscard]] virtual std::uint64_t base_block_count(const Parameters& p) const = 0;
   /// The m points of each base block, which outlives this object.
   [[nodiscard]] virtual IntervalDevelopedSource::Points points_of(std::uint64_t c,
-                                                                  std::uint64_t k) const = 0;
+                                                                  const Parameters& p) const = 0;
 
  private:
   std::optional<Promise> promise(const Parameters& p) const final {
@@ -78,12 +78,12 @@ class IntervalFamily : public Family {
 
   std::unique_ptr<BlockSource> blocks(const Parameters& p) const final {
     const std::uint64_t c = base_block_count(p);
-    return std::make_unique<IntervalDevelopedSource>(p, 0, p.k - change_, c, points_of(c, p.k));
+    return std::make_unique<IntervalDevelopedSource>(p, 0, p.k - change_, c, points_of(c, p));
   }
 
   std::string explanation(const Parameters& p) const final {
     const std::uint64_t c = base_block_count(p);
-    return explain_development(p, p.k - change_, c, points_of(c, p.k));
+    return explain_development(p, p.k - change_, c, points_of(c, p));
   }
 
   std::uint64_t change_;
