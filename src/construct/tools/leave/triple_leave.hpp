@@ -34,8 +34,8 @@ class TripleLeave final : public HeldClasses {
  public:
   using Triple = std::array<Element, 3>;
 
-  /// With v = w + (k−3)t and t ≥ 1, those known with the fewest blocks; null if there are none. O(c) for each of
-  /// those known.
+  /// With v = w + (k−3)t and t ≥ 1, those known with the fewest blocks; null if there are none.
+  /// O(c) for each of those known.
   [[nodiscard]] static std::shared_ptr<const TripleLeave> of(std::uint64_t k, std::uint64_t v);
   /// With t = 0 and w = v.
   [[nodiscard]] static std::shared_ptr<const TripleLeave> without_leave(std::uint64_t k,

@@ -18,7 +18,7 @@ struct WrittenLeave {
   std::string_view triangles;
 };
 
-// Found by exact cover: of 3c intervals of N−1 differences and 3c+t single ones in a line, each
+// Found by exact cover: of 3c intervals of N−1 differences and 3c+t−j single ones in a line, each
 // interval gives two points, aN + s and its reflection, and triples of points have single ones as
 // differences.
 const std::vector<WrittenLeave>& written_leaves() {

@@ -125,6 +125,7 @@ void expect_each_difference(const TripleLeave& leave, std::uint64_t N) {
 }
 
 TEST(TripleLeave, CoversEachDifferenceButThoseLeft) {
+  std::size_t failing = 0;
   for (const FormalLeave& known : formal_leaves()) {
     for (std::uint64_t N = 2; N <= 40; ++N) {
       if (!known.serves(N)) {
@@ -133,8 +134,9 @@ TEST(TripleLeave, CoversEachDifferenceButThoseLeft) {
       SCOPED_TRACE(std::to_string(known.rounds()) + " " + std::to_string(known.left) + " " +
                    std::to_string(known.twice) + " " + std::to_string(N));
       const auto leave = leave_of(known, N);
-      if (known.twice > 0 && N < 8 && !leave) {
-        continue;  // What comes twice is among what is left, for this N.
+      if (known.twice > 0 && N == 2 && !leave) {
+        ++failing;  // What comes twice is left, too, or spoils the link.
+        continue;
       }
       ASSERT_TRUE(leave);
       expect_each_difference(*leave, N);
@@ -144,6 +146,7 @@ TEST(TripleLeave, CoversEachDifferenceButThoseLeft) {
       }
     }
   }
+  EXPECT_EQ(failing, 2U);  // Another one that fails has its v from a further list.
 }
 
 TEST(TripleLeave, IsAsItsSummarySays) {

@@ -12,8 +12,10 @@ constexpr Description description{
     .summary =
         "base blocks {0,...,k-4,x,y,z} over Z_v with each difference, few of them twice, developed",
     .preconditions =
-        "circular, m = 3, k >= 4, v = 6c(k-2) or 6c(k-2)-1 or 6c(k-2)-3 with c <= 13 as known",
-    .guarantee = "cv blocks, at most (2j+1)c more than the counting bound; j = 0, 1, 2",
+        "circular, m = 3, k >= 4, v = 6c(k-2), 6c(k-2)-1 or 6c(k-2)-3 with c <= 13 as known",
+    .guarantee =
+        "cv blocks: c, 2c-1 or 4c-1 more than the counting bound; minimum for the first two if k = 1 "
+        "modulo 3",
     .place = "docs/theorems.md, Theorem 34",
 };
 

@@ -1,5 +1,5 @@
-// 3-change designs near the bound: what a cyclic list of base blocks leaves is split into classes of
-// triangles, and these pass beside new elements that are held [docs/theorems.md, Theorem 34].
+// 3-change designs near the bound: what a cyclic list of base blocks leaves is split into classes
+// of triangles, and these pass beside new elements that are held [docs/theorems.md, Theorem 34].
 #include <fmt/format.h>
 
 #include <memory>
@@ -53,8 +53,12 @@ class HeldTriangles final : public Described<Family, description> {
     const std::uint64_t t = leave->groups();
     const std::string developed =
         explain_development(p.on(w), n, leave->base_blocks(), leave->points());
-    const std::string twice =
+    std::string twice =
         leave->is_doubled() ? fmt::format(" Pairs with the difference {} come twice.", w / 2) : "";
+    if (const std::uint64_t surplus = 3 * leave->base_blocks() * (p.k - 2) + t - w / 2) {
+      twice += surplus == 1 ? " One of their differences repeats another."
+                            : fmt::format(" {} of their differences repeat others.", surplus);
+    }
     const std::string beside =
         t == 1
             ? fmt::format(

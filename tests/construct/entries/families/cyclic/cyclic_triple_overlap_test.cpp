@@ -51,6 +51,9 @@ TEST(CyclicTripleOverlap, OfTwoBaseBlocksCoversOneDifferenceTwice) {
     ASSERT_TRUE(offer) << name(p);
     const std::uint64_t pairs = p.v * (p.v - 1) / 2;
     EXPECT_EQ(offer->b, (pairs + 3 * k - 7) / (3 * k - 6) + 3) << name(p);
+    if (k % 3 == 1) {
+      EXPECT_EQ(offer->b, lower_bound(p).blocks) << name(p);
+    }
     expect_as_promised(*offer);
     const Verdict verdict = verify(*standard().build(offer->recipe));
     EXPECT_EQ(verdict.excess, static_cast<std::int64_t>(p.v));

@@ -91,6 +91,11 @@ TEST(HeldTriangles, ExplainThemselves) {
               ::testing::EndsWith("over Z_75. This leaves the pairs with the difference 25. They "
                                   "are those of 25 triangles that hold every element of Z_75. "
                                   "These pass beside 2 new elements that are held."));
+  EXPECT_THAT(
+      text(parameters(103, 10, Kind::circular)),
+      ::testing::HasSubstr("over Z_96. Pairs with the difference 48 come twice. One of their "
+                           "differences repeats another. This leaves the pairs with the "
+                           "difference 32. "));
 }
 
 }  // namespace
