@@ -112,7 +112,7 @@ attack() { # the verb and its words
   local name text changed=no now
   attacks=$((attacks + 1))
   if [[ $1 != serve && ("$* " == *" --time 100ms "* || " $* " != *' --time '*) ]]; then
-    run 10 "$CHANGEOVER" "$@"
+    run 30 "$CHANGEOVER" "$@"
   else # A server never ends, others may have been given much time: they are asked to stop.
     { timeout --preserve-status -s INT -k $((8 * slower)) 2 "$CHANGEOVER" "$@" >"$out" 2>"$err" \
       </dev/null; } 2>/dev/null
