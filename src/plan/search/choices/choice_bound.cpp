@@ -323,7 +323,7 @@ std::uint64_t most_of(const FewStays& few, std::uint64_t tests, std::uint64_t en
   const std::uint64_t changes = few.stays - 1;
   for (std::uint64_t n = last + 1; n <= tests && most < enough; ++n) {
     const std::uint64_t before = most;
-    while (most < enough && most + 1 - changes * (most + 1) / (n - 1) <= before) {
+    while (most < enough && (most + 1 - before) * (n - 1) <= changes * (most + 1)) {
       ++most;
     }
   }
