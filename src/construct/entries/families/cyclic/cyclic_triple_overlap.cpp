@@ -10,7 +10,8 @@ namespace {
 constexpr Description description{
     .name = "cyclic-triple-overlap",
     .summary =
-        "base blocks {0,...,k-4,x,y,z} over Z_v with each difference, few of them twice, developed",
+        "base blocks {0,...,k-4,x,y,z} over Z_v with each difference, few of them twice, "
+        "developed",
     .preconditions =
         "circular, m = 3, k >= 4, v = 6c(k-2), 6c(k-2)-1 or 6c(k-2)-3 with c <= 13 as known",
     .guarantee =
