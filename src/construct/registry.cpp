@@ -11,7 +11,6 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "construct/trusted_entry.hpp"
-#include "core/each.hpp"
 
 namespace changeover {
 namespace {
@@ -86,8 +85,8 @@ const Construction& Registry::construction_of(const Recipe& recipe) const {
   if (const Construction* construction = find(recipe.construction)) {
     return *construction;
   }
-  throw BadInput(fmt::format("no construction is named '{}'; there are: {}", recipe.construction,
-                             joined(constructions_, &Construction::name)));
+  throw BadInput(fmt::format("no construction is named '{}'; changeover constructions lists them",
+                             recipe.construction));
 }
 
 std::vector<Offer> Registry::offers(const Parameters& p) const {

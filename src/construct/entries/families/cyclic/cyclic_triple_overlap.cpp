@@ -9,14 +9,11 @@ namespace {
 
 constexpr Description description{
     .name = "cyclic-triple-overlap",
-    .summary =
-        "base blocks {0,...,k-4,x,y,z} over Z_v with each difference, few of them twice, "
-        "developed",
+    .summary = "base blocks {0,...,k-4,x,y,z} over Z_v, developed; few differences come twice",
     .preconditions =
-        "circular, m = 3, k >= 4, v = 6c(k-2), 6c(k-2)-1 or 6c(k-2)-3 with c <= 13 as known",
+        "circular, m = 3, k >= 4, v = 6c(k-2), 6c(k-2)-1 or 6c(k-2)-3, c <= 13 as known",
     .guarantee =
-        "cv blocks: c, 2c-1 or 4c-1 more than the counting bound; minimum for the first two if k = 1 "
-        "modulo 3",
+        "c, 2c-1 or 4c-1 blocks over the counting bound; minimum for the first two if 3 | k-1",
     .place = "docs/theorems.md, Theorem 34",
 };
 

@@ -17,12 +17,9 @@ constexpr Description description{
     .name = "held-triangles",
     .summary =
         "a cyclic list, and classes of triangles that it leaves beside groups of new elements",
-    .preconditions =
-        "m = 3, 4 <= k <= 64, v = 6c(k-2)+(k-1)t-2j+1, or one less, with t <= 10, j <= 2 and "
-        "c <= 13 as known",
+    .preconditions = "m = 3, 4 <= k <= 64, v = 6c(k-2)+(k-1)t-2j+1 or one less, c <= 13 as known",
     .guarantee =
-        "over the counting bound by at most a number of blocks that depends on k alone if j = 0 "
-        "and w = v-(k-3)t is odd, else by about 2cj, or 2cj+c, more",
+        "over the counting bound by a number of k alone, and about 2cj, c more for even v-(k-3)t",
     .place = "docs/theorems.md, Theorem 34",
 };
 
