@@ -92,7 +92,7 @@ TEST(Found, IsOfferedOnlyBeforeConstructionsWithMoreBlocks) {
     EXPECT_TRUE(is_news || chosen->recipe.construction != "found") << name(offer.recipe.parameters);
     news += is_news ? 1U : 0U;
   }
-  EXPECT_GE(news * 4, collection().size() * 3);
+  EXPECT_GE(news * 3, collection().size() * 2);
 }
 
 TEST(Found, ARecipeNamesADesignByItsLabel) {
