@@ -76,6 +76,7 @@ struct SearchFind {
   std::vector<std::string> lines;  ///< how it was found, shown below its title
   std::optional<Bound> proved =
       {};  ///< the lower bound that the lines prove, if that is what they are for
+  std::vector<std::uint64_t> positions = {};  ///< of unchanged subsets to mark
 };
 
 /// What is known of a find: verified again, block by block. A bound that is no better than what the
@@ -85,6 +86,10 @@ struct SearchFind {
 
 /// Shows a find in the format that was asked for, judged.
 [[nodiscard]] Answer show_find(const SearchFind& find, const SearchRequest& request, int code);
+
+/// The answer that there is none with the blocks that were asked for, or none at all, and why.
+[[nodiscard]] Answer none_for(const SearchRequest& request, const Parameters& p,
+                              const std::string& reason);
 
 /// That there is none with the blocks that were asked for, or none at all, if that is known; else
 /// `bound` is set to the lower bound, or to nothing if the search was stopped before that.

@@ -39,6 +39,7 @@
 #include <string>
 #include <vector>
 
+#include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
@@ -95,10 +96,9 @@ struct ImproveResult {
 // Concatenation, rings and expansion need more than few blocks: disjoint unchanged subsets that
 // hold all elements except some of the first or of the last block. The search draws places for such
 // subsets and locks their cells in the blocks beside them; the other cells are annealed as above. A
-// subset that a third block holds may move there. If all fails, the search draws other places. Not
-// drawn: subsets at two steps that follow each other, and given blocks (`contained`) beside a
-// subset or in the first or the last block where these have required elements. So only a design
-// that is found means something.
+// subset that a third block holds may move there. If all fails, the search draws other places. Given
+// blocks (`contained`) are drawn beside a subset, and in the first or the last block where these
+// have required elements, hardly ever. So only a design that is found means something.
 //
 // Time: the rate of moves, about 10 million per second and core at (20,5).
 
@@ -115,6 +115,11 @@ struct Wanted {
 /// One line on why no design with these parameters can have the properties, or why they make no
 /// sense; else empty. O(vk).
 [[nodiscard]] std::string wanted_defect(const Parameters& p, const Wanted& wanted);
+
+/// The largest lower bound that is known for designs with the properties: that of p, the number of
+/// given blocks, or the steps that a partition takes. wanted_defect() must find none. O(vk), and
+/// lower_bound().
+[[nodiscard]] Bound wanted_bound(const Parameters& p, const Wanted& wanted);
 
 /// The unchanged subsets that partition the elements not in `first` or `last`, in order of
 /// position; nullopt if `design` lacks a required property. `positions` are the places of the

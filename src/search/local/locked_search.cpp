@@ -17,7 +17,7 @@
 #include "run/grace.hpp"
 #include "run/threads.hpp"
 #include "search/local/local_search_arms.hpp"
-#include "search/local/random_list.hpp"
+#include "search/local/locked_draft.hpp"
 
 namespace changeover {
 namespace {
@@ -35,253 +35,6 @@ bool has_twice(const Block& block) {
   return std::ranges::adjacent_find(in_order) != in_order.end();
 }
 
-// All elements that must be in parts.
-Block in_parts(const Parameters& p, const Wanted& wanted) {
-  std::vector<bool> out(static_cast<std::size_t>(p.v));
-  for (const Block* block : {&wanted.first, &wanted.last}) {
-    for (const Element x : *block) {
-      out[x] = true;
-    }
-  }
-  Block rest;
-  for (Element x = 0; x < p.v; ++x) {
-    if (!out[x]) {
-      rest.push_back(x);
-    }
-  }
-  return rest;
-}
-
-/// A list to start from, and what is locked in it.
-struct Draft {
-  Design list;
-  std::vector<LockedCell> locked;
-  std::vector<LockedPart> parts;
-};
-
-/// Draws places for the required properties, and blocks that have them.
-class Drawing {
- public:
-  Drawing(const Parameters& p, const Wanted& wanted, std::size_t blocks, Random& random)
-      : p_(p),
-        wanted_(wanted),
-        blocks_(blocks),
-        part_size_(static_cast<std::size_t>(p.k - p.change)),
-        random_(random) {}
-
-  // nullopt if these places do not fit.
-  std::optional<Draft> drawn() {
-    if (!place_fixed() || !place_parts()) {
-      return std::nullopt;
-    }
-    if (places_.empty()) {
-      return free_list();
-    }
-    std::ranges::sort(places_, {}, &Place::block);
-    return joined();
-  }
-
- private:
-  struct Place {
-    std::size_t block;
-    Block whole;   // the block at this place at the start
-    Block locked;  // the elements of it that stay for ever
-  };
-
-  std::optional<Draft> free_list() {
-    auto list = random_list(p_, blocks_, random_);
-    return list ? std::optional(Draft{*std::move(list), {}, {}}) : std::nullopt;
-  }
-
-  // A random block that contains `elements` and none of `without`.
-  Block filled(Block elements, const Block& without) {
-    while (elements.size() < p_.k) {
-      const Element x = random_.below(static_cast<std::uint32_t>(p_.v));
-      if (std::ranges::find(elements, x) == elements.end() &&
-          std::ranges::find(without, x) == without.end()) {
-        elements.push_back(x);
-      }
-    }
-    return sorted(elements);
-  }
-
-  // The same after a block from which m elements change.
-  Block filled_after(Block elements, const Block& before) {
-    Block stays = difference(before, elements);
-    std::size_t needed = part_size_ - std::min(part_size_, before.size() - stays.size());
-    if (elements.size() + needed > p_.k) {
-      return filled(std::move(elements), {});  // It cannot be.
-    }
-    for (std::size_t i = 0; needed > 0; ++i, --needed) {
-      std::swap(stays[i], stays[i + below(stays.size() - i)]);
-      elements.push_back(stays[i]);
-    }
-    return filled(std::move(elements), before);
-  }
-
-  void add(std::size_t block, Block whole, Block locked) {
-    places_.push_back({block, std::move(whole), std::move(locked)});
-    taken_[block] = true;
-  }
-
-  // A part and what is locked in a block that has its place; nullopt if that is too much.
-  std::optional<Block> with_locked(std::size_t block, Block part) const {
-    const Place& place = *std::ranges::find(places_, block, &Place::block);
-    std::ranges::copy(place.locked, std::back_inserter(part));
-    return part.size() <= p_.k ? std::optional(std::move(part)) : std::nullopt;
-  }
-
-  // Another start for a block that has its place, or a place for it.
-  void put(std::size_t block, Block whole) {
-    if (taken_[block]) {
-      std::ranges::find(places_, block, &Place::block)->whole = std::move(whole);
-    } else {
-      add(block, std::move(whole), {});
-    }
-  }
-
-  bool place_fixed() {
-    taken_.assign(blocks_, false);
-    if (!wanted_.first.empty()) {
-      add(0, filled(wanted_.first, {}), wanted_.first);
-    }
-    if (!wanted_.last.empty()) {
-      if (taken_[blocks_ - 1]) {
-        return false;
-      }
-      add(blocks_ - 1, filled(wanted_.last, {}), wanted_.last);
-    }
-    const std::size_t size = wanted_.contained.size();
-    if (size == 0) {
-      return true;
-    }
-    if (size > blocks_) {
-      return false;
-    }
-    const std::size_t from = below(blocks_ - size + 1);
-    for (std::size_t i = 0; i < size; ++i) {
-      if (taken_[from + i]) {
-        return false;
-      }
-      add(from + i, wanted_.contained[i], wanted_.contained[i]);
-    }
-    return true;
-  }
-
-  std::size_t below(std::size_t limit) { return random_.below(static_cast<std::uint32_t>(limit)); }
-
-  // Parts at random places, with room between them to change all elements where possible.
-  bool place_parts() {
-    if (!wanted_.expansion_set) {
-      return true;
-    }
-    Block rest = in_parts(p_, wanted_);
-    shuffle(rest, random_);
-    const std::size_t count = rest.size() / part_size_;
-    if (count == 0) {
-      return true;
-    }
-    // Any places with room between them to change all elements, if there is that much room.
-    const bool circular = p_.kind == Kind::circular;
-    const std::size_t steps = circular ? blocks_ : blocks_ - 1;
-    const std::size_t wanted_gap = ceil_div(p_.k, p_.change) + 1;
-    const std::size_t gap = std::max<std::size_t>(2, std::min(wanted_gap, steps / count));
-    std::size_t at_start = wanted_.first.empty() ? 0 : gap - 1;
-    std::size_t at_end = wanted_.last.empty() ? 0 : gap - 1;
-    const std::size_t for_parts = gap * count - (circular ? 0 : gap - 1);
-    if (at_start + at_end + for_parts > steps) {
-      at_start = at_end = 0;  // Parts may be in the first and the last block.
-    }
-    const std::size_t room = at_start + at_end + for_parts;
-    if (room > steps) {
-      return false;
-    }
-    const std::size_t turned = circular ? below(steps) : at_start;
-    std::vector<std::size_t> places;
-    for (std::size_t j = 0; j < count; ++j) {
-      places.push_back(below(steps - room + 1));
-    }
-    std::ranges::sort(places);
-    std::optional<std::size_t> previous;
-    Block end;  // the second block of the previous part
-    for (std::size_t j = 0; j < count; ++j) {
-      const std::size_t step = (turned + places[j] + gap * j) % steps;
-      const std::size_t next = (step + 1) % blocks_;
-      const Block part = sorted(std::span(rest).subspan(j * part_size_, part_size_));
-      const std::optional<Block> with_first = taken_[step] ? with_locked(step, part) : part;
-      const std::optional<Block> with_last = taken_[next] ? with_locked(next, part) : part;
-      if (!with_first || !with_last) {
-        return false;
-      }
-      const Block before =
-          previous == step ? filled_after(*with_first, end) : filled(*with_first, {});
-      put(step, before);
-      end = filled(*with_last, difference(before, part));
-      put(next, end);
-      parts_.push_back({part, static_cast<std::uint32_t>(step)});
-      previous = next + 1;
-    }
-    return true;
-  }
-
-  std::optional<Draft> joined() {
-    Draft draft{Design(p_), {}, parts_};
-    std::vector<Block> list(blocks_);
-    for (const Place& place : places_) {
-      list[place.block] = place.whole;
-      for (const Element x : place.locked) {
-        draft.locked.push_back({static_cast<std::uint32_t>(place.block), x});
-      }
-    }
-    for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
-      if (!walk(list, places_[i].block, places_[i + 1].block)) {
-        return std::nullopt;
-      }
-    }
-    const std::size_t first = places_.front().block;
-    const std::size_t last = places_.back().block;
-    if (p_.kind == Kind::circular) {
-      if (!walk(list, last, first + blocks_)) {
-        return std::nullopt;
-      }
-    } else {
-      for (std::size_t i = last; i + 1 < blocks_; ++i) {
-        list[i + 1] = random_step(list[i], p_, random_);
-      }
-      for (std::size_t i = first; i > 0; --i) {
-        list[i - 1] = random_step(list[i], p_, random_);
-      }
-    }
-    for (const Block& block : list) {
-      draft.list.append(block);
-    }
-    return draft;
-  }
-
-  bool walk(std::vector<Block>& list, std::size_t from, std::size_t to) {
-    const Block& end = list[to % blocks_];
-    if (to == from + 1) {
-      return difference(end, list[from]).size() == p_.change;
-    }
-    const auto way = random_walk(list[from], end, to - from, p_, random_);
-    if (!way) {
-      return false;
-    }
-    for (std::size_t i = 0; i < way->size(); ++i) {
-      list[(from + 1 + i) % blocks_] = (*way)[i];
-    }
-    return true;
-  }
-
-  const Parameters& p_;
-  const Wanted& wanted_;
-  std::size_t blocks_, part_size_;
-  Random& random_;
-  std::vector<bool> taken_;  // by block
-  std::vector<Place> places_;
-  std::vector<LockedPart> parts_;
-};
-
 class LockedSearch {
  public:
   LockedSearch(const Parameters& p, const Wanted& wanted, const LockedOptions& options,
@@ -290,7 +43,7 @@ class LockedSearch {
         wanted_(wanted),
         options_(options),
         control_(control),
-        bound_(std::max<std::uint64_t>(lower_bound(p).blocks, wanted.contained.size())),
+        bound_(wanted_bound(p, wanted).blocks),
         goal_(std::max(bound_, options.blocks.value_or(0))),
         aim_(usual_aim()) {}
 
@@ -339,7 +92,7 @@ class LockedSearch {
     control_.require_memory(annealing_bytes(p_, aim), "local search for the " + name(p_));
     std::optional<Draft> draft;
     for (int i = 0; i < most_drawings && !draft && !control_.stop_wanted(); ++i) {
-      draft = Drawing(p_, wanted_, static_cast<std::size_t>(aim), random).drawn();
+      draft = draw_draft(p_, wanted_, static_cast<std::size_t>(aim), random);
     }
     Annealed annealed;
     if (draft) {
@@ -466,6 +219,26 @@ std::string wanted_defect(const Parameters& p, const Wanted& wanted) {
     }
   }
   return "";
+}
+
+Bound wanted_bound(const Parameters& p, const Wanted& wanted) {
+  Bound bound = lower_bound(p);
+  const auto at_least = [&bound](std::uint64_t blocks, std::string reason) {
+    if (blocks > bound.blocks) {
+      bound = {.blocks = blocks, .name = "required", .reason = std::move(reason)};
+    }
+  };
+  const std::uint64_t given = wanted.contained.size();
+  at_least(given,
+           fmt::format("{} given", given == 1 ? "1 block is" : count_of(given, "block") + " are"));
+  if (wanted.expansion_set && p.k > p.change) {
+    const std::uint64_t parts = in_parts(p, wanted).size() / (p.k - p.change);
+    const std::uint64_t needed = p.kind == Kind::circular ? parts : parts + 1;
+    at_least(needed, fmt::format("{} of {} in a partition take as many steps, so {}",
+                                 count_of(parts, "unchanged subset"), p.k - p.change,
+                                 count_of(needed, "block")));
+  }
+  return bound;
 }
 
 std::optional<std::vector<UnchangedSubset>> parts_as_wanted(

@@ -1,6 +1,7 @@
 // Local search with locked cells.
 #include "changeover/search/local_search.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -8,6 +9,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/error.hpp"
 #include "naive_verdict.hpp"
+#include "search/local/locked_draft.hpp"
 #include "search/local/random_list.hpp"
 #include "search/local/segment_pairs.hpp"
 
@@ -78,6 +80,68 @@ TEST(LockedSearch, FindsPartsThatStandClose) {
   expect_as_wanted(searched({8, 4, 2, Kind::circular, 2}, all, 8), all);
   const Wanted but_two{.last = {0, 1}, .expansion_set = true};
   expect_as_wanted(searched({12, 4, 2, Kind::linear, 2}, but_two, 15), but_two);
+}
+
+// Parts at steps that follow each other share a block: 2(k−m) ≤ k elements.
+TEST(LockedSearch, FindsPartsAtNeighbouringSteps) {
+  const Wanted all{.expansion_set = true};
+  expect_as_wanted(searched({9, 6, 3, Kind::circular, 2}, all, 3, 100'000), all);
+  expect_as_wanted(searched({10, 6, 4, Kind::circular, 2}, all, 5, 1'000'000), all);
+  expect_as_wanted(searched({12, 6, 3, Kind::linear, 2}, all, 6, 20'000'000), all);
+  const Wanted but_three{.first = {0, 1, 2}, .expansion_set = true};
+  expect_as_wanted(searched({9, 6, 3, Kind::linear, 2}, but_three, 3, 100'000), but_three);
+}
+
+// Drafts take every step and have what is required, whatever is drawn.
+TEST(LockedSearch, EveryDraftHasWhatIsWanted) {
+  Random random(5);
+  std::size_t drawn = 0;
+  for (std::uint64_t k = 3; k <= 6; ++k) {
+    for (std::uint64_t change = 1; change < k; ++change) {
+      for (std::uint64_t v = k + change; v <= 2 * k + 6; ++v) {
+        for (const Kind kind : {Kind::linear, Kind::circular}) {
+          const Parameters p{v, k, change, kind, 2};
+          const bool linear = kind == Kind::linear;
+          for (const Wanted& wanted :
+               {Wanted{.expansion_set = true}, Wanted{.first = linear ? Block{1, 0} : Block{},
+                                               .last = linear ? Block{2, 1} : Block{},
+                                               .expansion_set = true}}) {
+            if (!wanted_defect(p, wanted).empty()) {
+              continue;
+            }
+            const std::uint64_t least = wanted_bound(p, wanted).blocks;
+            for (std::uint64_t b = least; b < least + 6; ++b) {
+              SCOPED_TRACE(fmt::format("{}, {} blocks", name(p), b));
+              const auto draft = draw_draft(p, wanted, static_cast<std::size_t>(b), random);
+              if (!draft) {
+                continue;
+              }
+              ++drawn;
+              EXPECT_EQ(naive_verdict(draft->list).bad_steps, 0U);
+              std::vector<std::size_t> positions;
+              for (const LockedPart& part : draft->parts) {
+                positions.push_back(part.block + 1);
+              }
+              EXPECT_TRUE(parts_as_wanted(draft->list, wanted, positions));
+            }
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(drawn, 300U);
+}
+
+// A partition takes a step for each part.
+TEST(LockedSearch, KnowsHowManyBlocksAPartitionTakes) {
+  const Wanted all{.expansion_set = true};
+  EXPECT_EQ(wanted_bound({9, 6, 3, Kind::linear, 2}, all).blocks, 4U);
+  EXPECT_EQ(wanted_bound({9, 6, 3, Kind::circular, 2}, all).blocks, 3U);
+  EXPECT_EQ(wanted_bound({12, 4, 1, Kind::linear, 2}, all),
+            lower_bound({12, 4, 1, Kind::linear, 2}));
+  const LockedResult found = searched({9, 6, 3, Kind::linear, 2}, all, 4, 1'000'000);
+  EXPECT_EQ(found.lower_bound, 4U);
+  expect_as_wanted(found, all);
 }
 
 // The only part is in the block with the first set, or in that with the last one.

@@ -41,18 +41,19 @@ Judgement judge(const SearchFind& find) {
   return judgement;
 }
 
+Answer none_for(const SearchRequest& request, const Parameters& p, const std::string& reason) {
+  return no_design(
+      request.output, exit_code::proved_none,
+      fmt::format("No {} {}: {}.", name(p),
+                  request.blocks ? fmt::format("with {}", count_of(*request.blocks, "block"))
+                                 : std::string("exists"),
+                  reason));
+}
+
 std::optional<Answer> proved_none(const SearchRequest& request, const Parameters& p,
                                   RunControl& control, std::optional<Bound>& bound) {
-  const auto none = [&](const std::string& reason) {
-    return no_design(
-        request.output, exit_code::proved_none,
-        fmt::format("No {} {}: {}.", name(p),
-                    request.blocks ? fmt::format("with {}", count_of(*request.blocks, "block"))
-                                   : std::string("exists"),
-                    reason));
-  };
   if (const auto reason = impossibility(p)) {
-    return none(*reason);
+    return none_for(request, p, *reason);
   }
   try {
     const RunGrace grace(control, usual_grace);
@@ -61,7 +62,7 @@ std::optional<Answer> proved_none(const SearchRequest& request, const Parameters
     bound.reset();
   }
   return bound && request.blocks && *request.blocks < bound->blocks
-             ? std::optional(none(bound->reason))
+             ? std::optional(none_for(request, p, bound->reason))
              : std::nullopt;
 }
 
@@ -70,6 +71,7 @@ Answer show_find(const SearchFind& find, const SearchRequest& request, int code)
   exhibit.judgement = judge(find);
   exhibit.header = {find.design.labels(), find.design.recipe};
   exhibit.leaving = request.leaving;
+  exhibit.positions = find.positions;
   exhibit.title =
       fmt::format("{}, {}: {}", name(find.design.parameters()),
                   count_of(find.design.block_count(), "block"), quality(exhibit.judgement));

@@ -5,6 +5,7 @@
 
 #include "changeover/io/input.hpp"
 #include "changeover/search/local_search.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "request/search_request.hpp"
 
@@ -29,16 +30,16 @@ std::string way_of(const Wanted& wanted) {
 
 namespace {
 
+std::vector<std::uint64_t> positions_of(const std::vector<UnchangedSubset>& parts) {
+  return each_of<std::uint64_t>(parts, &UnchangedSubset::position);
+}
+
 std::vector<std::string> said_of(const LockedResult& result, const Wanted& wanted) {
   std::vector<std::string> lines{fmt::format(
       "{} in {:.1f} s, {}; stopped: {}", count_of(result.moves, "move"), result.elapsed.count(),
       count_of(result.attempts, "attempt"), to_string(result.why_stopped))};
   if (wanted.expansion_set) {
-    std::vector<std::size_t> positions;
-    positions.reserve(result.parts.size());
-    for (const UnchangedSubset& part : result.parts) {
-      positions.push_back(part.position);
-    }
+    const std::vector<std::uint64_t> positions = positions_of(result.parts);
     const bool all = wanted.first.empty() && wanted.last.empty();
     lines.push_back(fmt::format("the unchanged subsets at {} {} partition {} elements",
                                 positions.size() == 1 ? "position" : "positions",
@@ -64,6 +65,12 @@ Answer search(const LockedSearch& request) {
   if (auto none = proved_none(request, p, running->control(), bound)) {
     return final_answer(running, *std::move(none));
   }
+  if (request.blocks && wanted_defect(p, wanted).empty()) {
+    const Bound needed = wanted_bound(p, wanted);
+    if (*request.blocks < needed.blocks) {
+      return final_answer(running, none_for(request, p, needed.reason));
+    }
+  }
   LockedResult result =
       search_locked(p, wanted, {.blocks = request.blocks, .moves = {}}, running->control());
   running->finish();
@@ -76,6 +83,7 @@ Answer search(const LockedSearch& request) {
   const bool reached = !request.blocks || result.design->block_count() <= *request.blocks;
   std::vector<std::string> lines = said_of(result, wanted);
   SearchFind find{(*std::move(result.design)).take(), std::move(lines)};
+  find.positions = positions_of(result.parts);
   find.design.recipe = literal_recipe(find.design, provenance(request, p, way_of(wanted)));
   return final_answer(
       running, show_find(find, request, reached ? exit_code::found : exit_code::limit_reached));
