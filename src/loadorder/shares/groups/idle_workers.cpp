@@ -166,6 +166,9 @@ GroupShares with_idle_workers(GroupShares shares, std::uint64_t items, std::uint
 GroupShares with_more_held(const GroupShares& shares, std::uint64_t items, std::uint64_t room) {
   constexpr std::uint64_t most_groups = 240;
   constexpr std::uint64_t most_parts = 4;
+  if (shares.groups > std::min(most_groups, items)) {
+    return shares;
+  }
   std::uint64_t best_pairs = pairs_of_the_fullest(shares, items);
   GroupShares best = shares;
   for (std::uint64_t parts = 1; parts <= most_parts; ++parts) {
