@@ -450,10 +450,10 @@ def load_order(
     steps that have it, balanced over the steps, by seed.
 
     sizes, instead of room: the bytes of the items, in turn or as a mapping from item to bytes, each
-    a number or as in "4M";
-    `memory` bytes are held at a time, by each worker. fast_room, or with sizes fast_memory in bytes:
-    so much of it is on an accelerator, where pairs must be together. verify_beside: return before the steps are
-    verified; verified() waits for that. Raises BadInput, ImpossibleParameters.
+    a number or as in "4M"; `memory` bytes are held at a time, by each worker. fast_room, or with
+    sizes fast_memory in bytes: so much of it is on an accelerator, where pairs must be together.
+    verify_beside: return before the steps are verified; verified() waits for that. Raises BadInput,
+    ImpossibleParameters.
     """
     if sum(each is not None for each in (pairs, groups, against, done_items)) > 1:
         raise BadInput("give one of pairs, groups, against and done_items")

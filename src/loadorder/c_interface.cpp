@@ -368,10 +368,17 @@ uint64_t changeover_loadorder_worker_loads(const changeover_loadorder* order, ui
 }
 
 uint64_t changeover_loadorder_worker_pairs(const changeover_loadorder* order, uint64_t worker) {
-  if (worker >= changeover_loadorder_workers(order) || order->split() == nullptr) {
+  if (worker >= changeover_loadorder_workers(order)) {
     return 0;
   }
-  return order->split()->facts().workers[static_cast<std::size_t>(worker)].pairs;
+  const auto index = static_cast<std::size_t>(worker);
+  if (order->split() != nullptr) {
+    return order->split()->facts().workers[index].pairs;
+  }
+  const changeover::LoadOrderFacts& facts = order->facts();
+  return facts.lockstep == 0                 ? facts.wanted.among(facts.items).count()
+         : index < facts.worker_pairs.size() ? facts.worker_pairs[index]
+                                             : 0;
 }
 
 uint64_t changeover_loadorder_makespan_bound(const changeover_loadorder* order) {

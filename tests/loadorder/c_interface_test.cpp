@@ -176,6 +176,7 @@ void play_together(std::uint64_t items, std::uint64_t room, std::uint64_t worker
   EXPECT_EQ(steps % workers, 0U);
   std::vector<std::set<std::uint32_t>> memory(workers);
   std::vector<std::uint64_t> loads(workers);
+  std::vector<std::uint64_t> computed_by(workers);
   Pairs pairs;
   for (std::uint64_t number = 1; number <= steps / workers; ++number) {
     std::vector<changeover_loadorder_step> all(workers);
@@ -199,6 +200,7 @@ void play_together(std::uint64_t items, std::uint64_t room, std::uint64_t worker
     for (std::size_t w = 0; w < workers; ++w) {
       std::size_t count = 0;
       const std::uint32_t* const computed = changeover_loadorder_pairs(orders[w], &count);
+      computed_by[w] += count;
       for (std::size_t i = 0; i < count; ++i) {
         ASSERT_TRUE(memory[w].contains(computed[2 * i]) && memory[w].contains(computed[2 * i + 1]));
         ASSERT_TRUE(pairs.emplace(computed[2 * i], computed[2 * i + 1]).second);
@@ -211,6 +213,7 @@ void play_together(std::uint64_t items, std::uint64_t room, std::uint64_t worker
     changeover_loadorder_step step;
     EXPECT_EQ(changeover_loadorder_next(orders[w], &step), CHANGEOVER_LOADORDER_END);
     EXPECT_EQ(loads[w], changeover_loadorder_worker_loads(orders[w], w));
+    EXPECT_EQ(computed_by[w], changeover_loadorder_worker_pairs(orders[w], w));
     EXPECT_GE(changeover_loadorder_loads(orders[w]), changeover_loadorder_lower_bound(orders[w]));
     together += loads[w];
   }

@@ -87,17 +87,20 @@ std::string WorkerWords::in_lockstep(const std::string& what, const std::string&
   const std::string loads = count_of(facts_.loads, "load");
   if (facts_.sizes) {
     return fmt::format(
-        "{} with {} bytes of memory{}, no item at two of them: {} bytes in {} and {}, {}\n"
-        "the busiest worker has {} bytes; the slowest of each step add up to {}, {}\n",
-        who, facts_.sizes->memory, epochs, facts_.bytes, loads, count_of(steps, "step"),
-        over(facts_.bytes, facts_.byte_bound), facts_.makespan_bytes(), facts_.span_bytes,
-        over(facts_.span_bytes, facts_.makespan_byte_bound));
+               "{} with {} bytes of memory{}, no item at two of them: {} bytes in {} and {}, {}\n"
+               "the busiest worker has {} bytes; the slowest of each step add up to {}, {}\n",
+               who, facts_.sizes->memory, epochs, facts_.bytes, loads, count_of(steps, "step"),
+               over(facts_.bytes, facts_.byte_bound), facts_.makespan_bytes(), facts_.span_bytes,
+               over(facts_.span_bytes, facts_.makespan_byte_bound)) +
+           text();
   }
   return fmt::format(
-      "{} with room for {}{}, no item at two of them: {} in {}, {}\n"
-      "the busiest worker has {}; the slowest of each step add up to {}, {}\n",
-      who, facts_.room, epochs, loads, count_of(steps, "step"), over(facts_.loads, bound),
-      count_of(facts_.makespan(), "load"), facts_.span, over(facts_.span, facts_.makespan_bound));
+             "{} with room for {}{}, no item at two of them: {} in {}, {}\n"
+             "the busiest worker has {}; the slowest of each step add up to {}, {}\n",
+             who, facts_.room, epochs, loads, count_of(steps, "step"), over(facts_.loads, bound),
+             count_of(facts_.makespan(), "load"), facts_.span,
+             over(facts_.span, facts_.makespan_bound)) +
+         text();
 }
 
 std::string WorkerWords::busiest() const {
