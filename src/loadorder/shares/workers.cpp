@@ -8,8 +8,11 @@
 #include "bounds/counting_bound.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/workers.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
+#include "loadorder/listed/neighbourhoods.hpp"
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/order/in_rounds.hpp"
 #include "loadorder/order/read_order.hpp"
@@ -105,7 +108,34 @@ WorkerSplit split_all_pairs(std::uint64_t items, std::uint64_t room, std::uint64
   return split;
 }
 
-// Of some: stretches, blocks of two sets, or what is left of a split of all pairs.
+bool has_less_to_load(const WorkerSplit& split, const WorkerSplit& other) {
+  return std::pair(split.facts().makespan, split.facts().loads) <
+         std::pair(other.facts().makespan, other.facts().loads);
+}
+
+// Of listed pairs, each worker a part of them with an order of its own.
+std::optional<WorkerSplit> split_by_neighbourhoods(const WorkerSplit& like,
+                                                   const LoadOrderOptions& options) {
+  const PairGraph& graph = *like.order().facts().wanted.graph();
+  const SplitFacts& facts = like.facts();
+  const auto parts = neighbourhoods(graph, facts.workers.size(), options.pair_cost);
+  if (parts.empty()) {
+    return std::nullopt;
+  }
+  const std::vector<std::vector<Move>> moves =
+      each_of<std::vector<Move>>(parts, [&](const std::vector<ItemPair>& pairs) {
+        stop_if_asked();
+        return pairs.empty() ? std::vector<Move>()
+                             : one_step_each(quick_moves(pairs, items_of(pairs), facts.room));
+      });
+  return SplitMaker::lists(
+      like, moves, "neighbourhoods",
+      "The pairs are in parts, one for each worker, that grow from item to item: next is the item "
+      "that lacks the fewest partners, and what all parts have left over is exchanged.");
+}
+
+// Of some: stretches, neighbourhoods of listed pairs, blocks of two sets, or what is left of a
+// split of all pairs.
 WorkerSplit split_some_pairs(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers,
                              const LoadOrderOptions& options) {
   std::vector<WorkerSplit> candidates;
@@ -120,6 +150,11 @@ WorkerSplit split_some_pairs(const WantedPairs& wanted, std::uint64_t room, std:
       candidates.push_back(SplitMaker::blocks(std::move(*blocks), candidates.front()));
     }
   }
+  if (wanted.graph() != nullptr && workers > 1) {
+    if (auto split = split_by_neighbourhoods(candidates.front(), options)) {
+      candidates.push_back(std::move(*split));
+    }
+  }
   if (workers > 1 && wanted.items() <= max_elements_in_memory) {
     // A split for all pairs brings the wanted ones together, too.
     LoadOrderOptions quick = options;
@@ -131,22 +166,14 @@ WorkerSplit split_some_pairs(const WantedPairs& wanted, std::uint64_t room, std:
   }
   // Leaving out needless loads may make the second best split the best one.
   const auto makespan = [](const WorkerSplit& split) { return split.facts().makespan; };
-  const auto less = [&](const WorkerSplit& a, const WorkerSplit& b) {
-    return makespan(a) < makespan(b);
-  };
-  const std::uint64_t least = makespan(*std::ranges::min_element(candidates, less));
+  const std::uint64_t least = makespan(*std::ranges::min_element(candidates, has_less_to_load));
   std::erase_if(candidates, [&](const WorkerSplit& split) { return makespan(split) > 2 * least; });
   for (WorkerSplit& split : candidates) {
     SplitMaker::give_pairs(split, options);
   }
-  WorkerSplit split = std::move(*std::ranges::min_element(candidates, less));
+  WorkerSplit split = std::move(*std::ranges::min_element(candidates, has_less_to_load));
   SplitMaker::verify(split, options);
   return split;
-}
-
-bool has_less_to_load(const WorkerSplit& split, const WorkerSplit& other) {
-  return std::pair(split.facts().makespan, split.facts().loads) <
-         std::pair(other.facts().makespan, other.facts().loads);
 }
 
 constexpr std::uint64_t most_pairs_listed = 1'000'000;  // of two sets, or of new items
