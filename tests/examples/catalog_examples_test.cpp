@@ -10,7 +10,8 @@ class CatalogExamples : public InAFolder {};
 CatalogEntry example_entry() {
   return entry_from_line(
       R"({"label":"4.3.1.linear.3.fdc879cf","b":3,"lower_bound":3,"reason":"counting","recipe":)"
-      R"({"construction":"literal","v":4,"k":3,"change":1,"kind":"linear","blocks":[[0,1,2],[0,1,3],[0,2,3]]},)"
+      R"({"construction":"literal","v":4,"k":3,"change":1,"kind":"linear",)"
+      R"("arguments":{},"inputs":[],"blocks":[[0,1,2],[0,1,3],[0,2,3]]},)"
       R"("sha256":"fdc879cf58d819b2f1550061bf579ec55c0ec7cd10f723344cd6bba2b4e4cf12"})",
       "mine.jsonl", 1, {});
 }

@@ -53,7 +53,8 @@ bool words_are_printable(const Recipe& recipe) {
 // The object of one line, key by key.
 class LineHandler final : public JsonHandler {
  public:
-  explicit LineHandler(const JsonText& json) : json_(json), recipe_(json) {}
+  explicit LineHandler(const JsonText& json)
+      : json_(json), recipe_(json, RecipeHandler::Needs::all_keys) {}
 
   void on(const JsonEvent& event) override {
     switch (where_) {

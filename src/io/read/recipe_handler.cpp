@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <span>
+#include <string_view>
 
 #include "changeover/core/parameters.hpp"
 #include "core/parsed.hpp"
@@ -13,15 +16,21 @@ namespace changeover {
 
 using Type = JsonEvent::Type;
 
+namespace {
+
+// The first five are always needed, the first seven in a complete recipe.
+constexpr std::array<std::string_view, 10> keys_of_recipe = {
+    "construction", "v",      "k",        "change", "kind",
+    "arguments",    "inputs", "strength", "blocks", "provenance"};
+constexpr std::size_t always_needed = 5;
+constexpr std::size_t complete = 7;
+
+}  // namespace
+
+RecipeHandler::RecipeHandler(const JsonText& json, Needs needs)
+    : json_(&json), needed_keys_(needs == Needs::all_keys ? complete : always_needed) {}
+
 void RecipeHandler::on(const JsonEvent& event) {
-  if (skipped_ > 0) {
-    if (event.type == Type::begin_array || event.type == Type::begin_object) {
-      ++skipped_;
-    } else if (event.type == Type::end_array || event.type == Type::end_object) {
-      --skipped_;
-    }
-    return;
-  }
   if (frames_.empty()) {
     if (event.type != Type::begin_object) {
       json_->fail_expecting(event, "a recipe, {…}");
@@ -89,6 +98,11 @@ void RecipeHandler::on(const JsonEvent& event) {
 
 void RecipeHandler::on_key(Frame& frame, const JsonEvent& event) {
   frame.key = event.text;
+  if (std::ranges::find(keys_of_recipe, frame.key) == keys_of_recipe.end()) {
+    json_->fail(event.offset,
+                fmt::format("unknown key {} in the recipe; remove it, or use a newer program",
+                            shown(frame.key)));
+  }
   if (std::ranges::find(frame.seen, frame.key) != frame.seen.end()) {
     json_->fail(event.offset, fmt::format("{} is given twice; give it once", shown(frame.key)));
   }
@@ -144,8 +158,6 @@ void RecipeHandler::on_value(Frame& frame, const JsonEvent& event) {
     begin(Type::begin_array, Where::inputs);
   } else if (key == "blocks") {
     begin(Type::begin_array, Where::blocks);
-  } else if (event.type == Type::begin_array || event.type == Type::begin_object) {
-    skipped_ = 1;
   }
 }
 
@@ -168,7 +180,7 @@ void RecipeHandler::on_argument(Frame& frame, const JsonEvent& event) {
 void RecipeHandler::finish_frame(const JsonEvent& event) {
   Frame frame = std::move(frames_.back());
   frames_.pop_back();
-  for (const std::string_view needed : {"construction", "v", "k", "change", "kind"}) {
+  for (const std::string_view needed : std::span(keys_of_recipe).first(needed_keys_)) {
     if (std::ranges::find(frame.seen, needed) == frame.seen.end()) {
       json_->fail(event.offset, fmt::format("the recipe lacks {}; add it", needed));
     }

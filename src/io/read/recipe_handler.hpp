@@ -13,7 +13,10 @@ namespace changeover {
 /// Takes the events of one recipe, from its begin_object to its end_object.
 class RecipeHandler final : public JsonHandler {
  public:
-  explicit RecipeHandler(const JsonText& json) : json_(&json) {}
+  /// Without `all_keys` missing arguments and inputs are empty.
+  enum class Needs : std::uint8_t { some_keys, all_keys };
+
+  explicit RecipeHandler(const JsonText& json, Needs needs = Needs::some_keys);
 
   void on(const JsonEvent& event) override;
 
@@ -37,10 +40,10 @@ class RecipeHandler final : public JsonHandler {
   void finish_frame(const JsonEvent& event);
 
   const JsonText* json_;
+  std::size_t needed_keys_;
   std::vector<Frame> frames_;  // the recipe and, below it, the input that is being read, …
   Recipe result_;
   bool started_ = false;
-  std::size_t skipped_ = 0;
 };
 
 }  // namespace changeover

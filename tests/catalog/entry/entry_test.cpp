@@ -135,6 +135,13 @@ TEST(Entry, WhatIsNoEntry) {
   Fields fields = good_fields();
   fields.emplace_back("colour", "\"red\"");
   EXPECT_THAT(refusal(line_of_fields(fields)), HasSubstr("unknown key 'colour'; remove it"));
+  const std::string parts = R"("construction":"fix","v":4,"k":3,"change":1,"kind":"linear")";
+  for (const auto& [rest, said] :
+       {std::pair{"", "the recipe lacks arguments; add it"},
+        {R"(,"arguments":{})", "the recipe lacks inputs; add it"},
+        {R"(,"arguments":{},"input":[])", "unknown key 'input' in the recipe; remove it"}}) {
+    EXPECT_THAT(refusal(with("recipe", "{" + parts + rest + "}")), HasSubstr(said)) << rest;
+  }
   fields.back() = {"format", "\"changeover-catalog/1\""};
   EXPECT_THAT(refusal(line_of_fields(fields)), HasSubstr("only the first line"));
 }
@@ -165,7 +172,7 @@ TEST(Entry, HostileLines) {
     EXPECT_NE(
         refusal(with(
             "recipe",
-            R"({"construction":"literal","v":4,"k":3,"change":1,"kind":"linear","blocks":[[0,1,2]],"provenance":)" +
+            R"({"construction":"literal","v":4,"k":3,"change":1,"kind":"linear","arguments":{},"inputs":[],"blocks":[[0,1,2]],"provenance":)" +
                 text + "}")),
         "")
         << text;

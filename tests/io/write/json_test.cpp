@@ -205,6 +205,10 @@ TEST(JsonTest, RecipesAreReadBackAndTheirFaultsPlaced) {
             "<recipe>:2:5: expected a number up to 4294967295 for v, found a number; correct it");
   EXPECT_EQ(message_of([] { (void)recipe_from_json("{\"arguments\":{\"c\":1.5}}", "g"); }),
             "g:1:19: argument 'c' = '1.5' is not a whole number of 64 bits; correct the recipe");
+  EXPECT_EQ(message_of([] { (void)recipe_from_json("{\"input\":[]}", "g"); }),
+            "g:1:2: unknown key 'input' in the recipe; remove it, or use a newer program");
+  EXPECT_EQ(message_of([] { (void)recipe_from_json("{\"inputs\":[{\"x\":[{}]}]}", "g"); }),
+            "g:1:13: unknown key 'x' in the recipe; remove it, or use a newer program");
   EXPECT_NE(message_of([] { (void)recipe_from_json("[]"); }), "");
   EXPECT_NE(message_of([] { (void)recipe_from_json(""); }), "");
   const Recipe minimal =
