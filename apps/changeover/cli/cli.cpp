@@ -19,6 +19,7 @@
 #include "changeover/io/input.hpp"
 #include "changeover/io/output.hpp"
 #include "changeover/run/control.hpp"
+#include "cli/ending.hpp"
 #include "cli/spelling.hpp"
 #include "cli/status_line.hpp"
 #include "cli/terminal.hpp"
@@ -451,7 +452,7 @@ int Program::run(int argc, char** argv) {
     status_line().say(help);
     return exit_code::usage;
   }
-  remove_unfinished_outputs_on_signals();
+  end_on_signals();
   if (std::string(argv[1]) == "--version") {
     const bool json = argc == 3 && std::string(argv[2]) == "--json";
     if (argc > 2 && !json) {

@@ -14,6 +14,7 @@
 
 #include "answer/progress_line.hpp"
 #include "changeover/run/control.hpp"
+#include "cli/ending.hpp"
 #include "cli/status_line.hpp"
 #include "cli/team.hpp"
 
@@ -37,9 +38,7 @@ void ask_to_stop(int signal) {
   if (!interrupted.exchange(true)) {
     first_asked = now;
   } else if (now - first_asked > at_once) {
-    remove_unfinished_outputs();
-    ::signal(signal, SIG_DFL);
-    ::raise(signal);
+    end_by_signal(signal);
   }
 }
 

@@ -39,7 +39,7 @@ class SignalsPutOff {
   SignalsPutOff() {
     sigset_t signals;
     ::sigemptyset(&signals);
-    for (const int each : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
       ::sigaddset(&signals, each);
     }
     ::pthread_sigmask(SIG_BLOCK, &signals, &before_);
