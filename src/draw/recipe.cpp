@@ -14,7 +14,7 @@ namespace {
 constexpr double line_font = 12, small_line_font = 11;
 constexpr double padding = 10;
 constexpr double most_room = 560;  // of a line in a node
-constexpr double between = 24, below = 36;
+constexpr double between = 24, between_levels = 36;
 constexpr double node_height = 68;
 
 struct DrawnNode {
@@ -70,8 +70,8 @@ void add(Picture& picture, const DrawnNode& node, double left, double top) {
   double x = middle - inputs / 2;
   for (const DrawnNode& input : node.inputs) {
     const double to = x + input.width / 2;
-    const double bend = top + node_height + below / 2;
-    picture.add({.shape = Path{.parts = {{{to, top + node_height + below},
+    const double bend = top + node_height + between_levels / 2;
+    picture.add({.shape = Path{.parts = {{{to, top + node_height + between_levels},
                                           {to, bend},
                                           {middle, bend},
                                           {middle, top + node_height}}}},
@@ -85,7 +85,7 @@ void add(Picture& picture, const DrawnNode& node, double left, double top) {
                                           {middle + 5, top + node_height + 8}}},
                                .closed = true},
                  .style = {.fill = Paint(Paint::Role::soft)}});
-    add(picture, input, x, top + node_height + below);
+    add(picture, input, x, top + node_height + between_levels);
     x += input.width + between;
   }
   Group group;
@@ -123,7 +123,7 @@ Picture draw_recipe(const Recipe& recipe, const Registry& registry, const std::s
   Picture content;
   content.width = root.width;
   const auto levels = static_cast<double>(depth(root));
-  content.height = levels * node_height + (levels - 1) * below;
+  content.height = levels * node_height + (levels - 1) * between_levels;
   content.description =
       "The constructions that make the design, the last one on top; an arrow leads from a design "
       "to what is made of it.";

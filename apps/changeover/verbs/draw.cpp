@@ -339,7 +339,7 @@ void add_draw(Program& program) {
   verb.choice("--theme", request.theme, {"light", "dark"}, "the ground (default light)");
   request.catalog.add_to(verb);
   request.output.add_to(verb, {"svg", "tikz", "pdf", "png"});
-  verb.require([&request = request] { require_meaning(request); });
+  verb.require([&asked = request] { require_meaning(asked); });
   verb.examples({"changeover draw mine.json -o mine.svg             blocks as columns",
                  "changeover draw 20 5 --picture stays -o stays.pdf",
                  "changeover draw 61.4.2.circular --picture circle -o circle.tex",

@@ -124,9 +124,9 @@ void add_loadorder(Program& program) {
   request.file.add_to(verb, load_table().format);
   request.run.add_to(verb, "0s", request.output);
   request.output.add_to(verb, {"text", "jsonl", "csv", "marius", "colmap"});
-  verb.require([&request = request] {
-    if (!request.run.memory.empty() && request.run.time.empty() && request.file.path.empty() &&
-        !request.load.sizes.is_given()) {
+  verb.require([&asked = request] {
+    if (!asked.run.memory.empty() && asked.run.time.empty() && asked.file.path.empty() &&
+        !asked.load.sizes.is_given()) {
       throw UsageError{"--memory SIZE is for --time or --sizes; give both"};
     }
   });

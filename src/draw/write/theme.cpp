@@ -119,34 +119,34 @@ Paint Paint::upon(Paint below) {
 }
 
 std::string Paint::hex(Theme theme) const {
-  const Palette& colours = palette(theme);
+  const Palette& shades = palette(theme);
   std::string colour;
   switch (role_) {
     case Role::none:
       return "";
     case Role::ground:
-      colour = colours.ground;
+      colour = shades.ground;
       break;
     case Role::ink:
-      colour = colours.ink;
+      colour = shades.ink;
       break;
     case Role::soft:
-      colour = colours.soft;
+      colour = shades.soft;
       break;
     case Role::hairline:
-      colour = colours.hairline;
+      colour = shades.hairline;
       break;
     case Role::accent:
-      colour = colours.accent;
+      colour = shades.accent;
       break;
     case Role::alarm:
-      colour = colours.alarm;
+      colour = shades.alarm;
       break;
     case Role::series:
-      colour = colours.series[index_];
+      colour = shades.series[index_];
       break;
     case Role::ramp:
-      colour = on_ramp(colours, index_ / steps_of_a_ramp);
+      colour = on_ramp(shades, index_ / steps_of_a_ramp);
       break;
   }
   if (upon_) {

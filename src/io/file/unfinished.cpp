@@ -24,7 +24,7 @@ static_assert(std::atomic<int>::is_always_lock_free, "a signal handler reads it"
 
 // Static memory, never freed.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a signal handler needs it
-std::array<Slot, 16> slots;
+std::array<Slot, 16> unfinished_slots;
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a signal handler needs it
 std::atomic_flag ending = ATOMIC_FLAG_INIT;
 
@@ -34,11 +34,11 @@ int note_unfinished(const std::string& path) {
   if (path.size() >= PATH_MAX) {
     return -1;
   }
-  for (std::size_t i = 0; i < slots.size(); ++i) {
+  for (std::size_t i = 0; i < unfinished_slots.size(); ++i) {
     int expected = free_slot;
-    if (slots[i].state.compare_exchange_strong(expected, claimed)) {
-      std::memcpy(slots[i].path.data(), path.c_str(), path.size() + 1);
-      slots[i].state.store(active);
+    if (unfinished_slots[i].state.compare_exchange_strong(expected, claimed)) {
+      std::memcpy(unfinished_slots[i].path.data(), path.c_str(), path.size() + 1);
+      unfinished_slots[i].state.store(active);
       return static_cast<int>(i);
     }
   }
@@ -47,12 +47,12 @@ int note_unfinished(const std::string& path) {
 
 void forget_unfinished(int slot) noexcept {
   if (slot >= 0) {
-    slots[static_cast<std::size_t>(slot)].state.store(free_slot);
+    unfinished_slots[static_cast<std::size_t>(slot)].state.store(free_slot);
   }
 }
 
 void remove_unfinished_outputs() noexcept {
-  for (Slot& slot : slots) {
+  for (Slot& slot : unfinished_slots) {
     if (slot.state.load() == active) {
       ::unlink(slot.path.data());
     }

@@ -234,8 +234,8 @@ class SizedSplit {
   }
 
   // Parts of one set that fit stay while the other set passes, forth and back.
-  [[nodiscard]] std::vector<Move> moves_of_block(std::vector<Element> some,
-                                                 std::vector<Element> with) const {
+  [[nodiscard]] std::vector<Move> moves_of_block(const std::vector<Element>& some,
+                                                 const std::vector<Element>& with) const {
     std::vector<ItemPair> pairs;
     for (const Element x : some) {
       for (const Element y : with) {

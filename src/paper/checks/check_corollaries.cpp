@@ -26,8 +26,8 @@ PaperItem check_expansion_sets(const PaperContext& context,
   std::uint64_t searched = 0;
   for (const auto& [c, design, set] : designs) {
     const auto defect = expansion_set_defect(design, set);
-    check.expect(!defect.has_value(), [&, c = c, &design = design] {
-      return PaperFinding{fmt::format("an expansion set for c = {}, k = {}", c, design.k()),
+    check.expect(!defect.has_value(), [&, parameter = c, &made = design] {
+      return PaperFinding{fmt::format("an expansion set for c = {}, k = {}", parameter, made.k()),
                           "the subsets of the proof are none", *defect};
     });
     if (design.v() <= 64) {
@@ -60,13 +60,13 @@ PaperItem check_range(const PaperContext& context, const std::vector<CyclicWithS
       }
     }
     const auto defect = expansion_set_defect(design, set);
-    check.expect(!defect || told, [&, &design = design] {
+    check.expect(!defect || told, [&, &made = design] {
       return PaperFinding{
           fmt::format("0 <= j < v/(k-2) - {}", context.paper.range_short_by), "0 <= i < v/(k-2)",
           fmt::format(
               "v/(k-2) subsets of k-2 elements are needed, and the index is called i; the {} "
               "subsets in the printed range of the {} leave k-2 elements out: {}",
-              set.size(), name(design.parameters()), *defect)};
+              set.size(), name(made.parameters()), *defect)};
     });
     told = told || defect;
   }

@@ -232,14 +232,14 @@ PaperItem check_introductions(const Paper& paper, const std::vector<DesignWithSe
     const std::size_t count = std::min(before.blocks.size(), after.blocks.size());
     for (std::size_t i = 0; i < count; ++i) {
       const bool same = before.introduced[i] == after.introduced[i];
-      check.expect(same || different > 0, [&, &design = design] {
+      check.expect(same || different > 0, [&, &made = design] {
         const std::uint64_t number = after.number[i];
         const bool in_print = number <= printed.block_count() && larger.v() == printed.v() &&
                               sorted(printed.block(number - 1)) == after.blocks[i];
         return PaperFinding{
             fmt::format("B_{} introduces {} in the linear {}, and so it does when it is expanded",
                         before.number[i], braces(before.introduced[i]),
-                        dccd(design.v(), design.k(), design.block_count())),
+                        dccd(made.v(), made.k(), made.block_count())),
             fmt::format("in the {} that comes of it block {} = {} introduces {}{}",
                         dccd(larger.v(), larger.k(), larger.block_count()), number,
                         braces(after.blocks[i]), braces(after.introduced[i]),
@@ -249,13 +249,13 @@ PaperItem check_introductions(const Paper& paper, const std::vector<DesignWithSe
       });
       different += same ? 0U : 1U;
     }
-    at_the_front += std::ranges::any_of(set,
-                                        [&, &design = design](const UnchangedSubset& subset) {
-                                          return design.parameters().kind == Kind::linear &&
-                                                 subset.position == 0;
-                                        })
-                        ? 1U
-                        : 0U;
+    at_the_front +=
+        std::ranges::any_of(set,
+                            [&, &made = design](const UnchangedSubset& subset) {
+                              return made.parameters().kind == Kind::linear && subset.position == 0;
+                            })
+            ? 1U
+            : 0U;
     check.expect(before.blocks == after.blocks,
                  {"the blocks that were there are there", "not all", "compared"}, 0);
   }

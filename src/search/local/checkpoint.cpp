@@ -24,7 +24,7 @@ namespace changeover {
 namespace {
 
 constexpr std::string_view first_line = "changeover-checkpoint 1";
-constexpr std::size_t most_bytes = std::size_t{1} << 30;
+constexpr std::size_t most_bytes_of_a_checkpoint = std::size_t{1} << 30;
 constexpr std::size_t most_arms = 100'000;
 constexpr std::size_t longest_how = 1000;
 
@@ -160,7 +160,8 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, const Paramet
   if (!std::filesystem::is_regular_file(status)) {
     throw BadInput(fmt::format("{}: a checkpoint must be a regular file; name another one", path));
   }
-  const std::string text = read_to_end(*open_input(path), most_bytes, "name another file");
+  const std::string text =
+      read_to_end(*open_input(path), most_bytes_of_a_checkpoint, "name another file");
   if (!text.starts_with("changeover-checkpoint ")) {
     throw BadInput(fmt::format("{}: this is not a checkpoint; name another file", path));
   }

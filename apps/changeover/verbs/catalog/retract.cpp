@@ -92,10 +92,10 @@ void add_catalog_alias(Program& program) {
   verb.positional("WORD", request.word, "what is to lead there");
   verb.positional("LABEL", request.label, "of the design", false);
   verb.flag("--remove", request.remove, "take WORD out, whatever it leads to");
-  verb.require([&request = request] {
-    if (request.remove != request.label.empty()) {
-      throw UsageError{request.remove ? "--remove takes WORD alone; leave LABEL out"
-                                      : "LABEL is missing; name the design that WORD leads to"};
+  verb.require([&asked = request] {
+    if (asked.remove != asked.label.empty()) {
+      throw UsageError{asked.remove ? "--remove takes WORD alone; leave LABEL out"
+                                    : "LABEL is missing; name the design that WORD leads to"};
     }
   });
   request.catalog.add_to(verb);

@@ -144,9 +144,7 @@ void add_catalog_verify(Program& program) {
   request.filter.add_to(verb, FilterRequest::Unless::best_is_asked_for);
   verb.option("--resume", request.resume, "FILE", "keep there what is done, and go on from it");
   request.catalog.add_to(verb);
-  verb.require([&request = request] {
-    check_kept(request.output.path, {"--resume", request.resume});
-  });
+  verb.require([&asked = request] { check_kept(asked.output.path, {"--resume", asked.resume}); });
   request.output.add_to(verb, {"text", "json"});
   request.run.add_limits_to(verb, "", request.output);
   verb.examples({"changeover catalog verify --threads 2 --resume done.txt",

@@ -43,7 +43,7 @@ struct Written {
 };
 
 // Found by annealing.
-constexpr Written written[] = {
+constexpr Written classes_in_writing[] = {
     {9, 1, 1, 1, "206183745401856723671248503521780643"},
     {15, 1, 7, 1, "2540a98b3d6ec17"},
     {21, 1, 5, 1, "iec8a4g3k6b102hfj5d79ed0ka736j5g9chfb4i281"},
@@ -82,8 +82,8 @@ constexpr Written written[] = {
 
 const Written* written_for(std::uint64_t q, std::uint64_t g) {
   const auto* found = std::ranges::find_if(
-      written, [&](const Written& each) { return each.q == q && each.g == g; });
-  return found == std::end(written) ? nullptr : found;
+      classes_in_writing, [&](const Written& each) { return each.q == q && each.g == g; });
+  return found == std::end(classes_in_writing) ? nullptr : found;
 }
 
 std::uint64_t point_of(char c) {
@@ -131,7 +131,7 @@ std::uint64_t inflation(std::uint64_t q, std::uint64_t g) {
   if (written_for(q, g) != nullptr) {
     return 1;
   }
-  for (const Written& each : written) {
+  for (const Written& each : classes_in_writing) {
     if (each.q == q && g % each.g == 0 && Slopes::known(g / each.g, 3)) {
       return g / each.g;
     }
