@@ -188,7 +188,7 @@ KnownDesigns::Ptr KnownDesigns::built(const Parameters& p, const GroupCandidate&
   Offer offer{concatenate_groups_recipe(p, candidate.how, candidate.base->offer.recipe,
                                         recipe_of(candidate.closed), recipe_of(candidate.open)),
               candidate.b, false, false, false};
-  const Ptr made = known(std::move(offer), false);
+  Ptr made = known(std::move(offer), false);
   if (made->depth >= deepest_chain) {
     return nullptr;
   }

@@ -177,7 +177,7 @@ LoadBound by_weight(const SizeWeights& w, std::uint64_t most, std::uint64_t high
 LoadBound sized_makespan_bound(const ItemSizes& sizes, const WantedPairs& wanted,
                                std::uint64_t workers) {
   check_workers(workers);
-  const LoadBound alone = sized_lower_bound(sizes, wanted);
+  LoadBound alone = sized_lower_bound(sizes, wanted);
   if (workers == 1) {
     return alone;
   }

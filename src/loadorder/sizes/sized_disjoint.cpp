@@ -170,10 +170,10 @@ Best best_of(const std::shared_ptr<const ItemSizes>& sizes, const WantedPairs& w
 }
 
 // What is known before there is an order.
-LoadOrderFacts facts_before(const std::shared_ptr<const ItemSizes>& sizes,
-                            const WantedPairs& wanted, std::uint64_t workers) {
-  LoadOrderFacts facts = facts_before(sizes, wanted);
-  facts.makespan_byte_bound = sized_makespan_bound(*sizes, wanted, workers);
+LoadOrderFacts facts_before(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
+                            std::uint64_t workers) {
+  LoadOrderFacts facts = facts_before(std::move(sizes), wanted);
+  facts.makespan_byte_bound = sized_makespan_bound(*facts.sizes, wanted, workers);
   facts.lockstep = workers;
   facts.makespan_bound = makespan_lower_bound(wanted.among(facts.items), facts.room, workers);
   return facts;
@@ -198,8 +198,8 @@ LoadOrder read_disjoint(LoadOrderFacts facts, const LoadOrder::Maker& maker) {
 
 LoadOrder plan_disjoint_order(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
                               std::uint64_t workers, const LoadOrderOptions& options) {
-  LoadOrderFacts facts = facts_before(sizes, wanted, workers);
-  const Best best = best_of(sizes, wanted, workers, options);
+  LoadOrderFacts facts = facts_before(std::move(sizes), wanted, workers);
+  const Best best = best_of(facts.sizes, wanted, workers, options);
   if (best.lists.lists == nullptr) {
     refuse_large_items(facts.items);
   }

@@ -295,13 +295,14 @@ LoadOrder plan_sized_order(std::shared_ptr<const ItemSizes> sizes, const WantedP
 
 LoadOrder plan_with_spare(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
                           std::uint64_t spare, const LoadOrderOptions& options) {
-  LoadOrderFacts facts = facts_before(sizes, wanted);
+  LoadOrderFacts facts = facts_before(std::move(sizes), wanted);
+  const ItemSizes& given = *facts.sizes;
   const std::vector<Element> items = needed_among(wanted, facts.items);
   const std::uint64_t least = facts.byte_bound.loads;
-  ItemSizes used = *sizes;
+  ItemSizes used = given;
   used.memory -= spare;
   SizedOffer best;
-  if (bytes_of(*sizes, items) <= sizes->memory) {
+  if (bytes_of(given, items) <= given.memory) {
     best.method = "one-step";
     best.explanation = "All items fit.";
     for (const Element x : items) {
@@ -335,7 +336,7 @@ LoadOrder plan_with_spare(std::shared_ptr<const ItemSizes> sizes, const WantedPa
     throw InternalError(
         fmt::format("the load order by sizes is wrong: {}{}", verdict.fault, verdict.example));
   }
-  static_cast<ScheduleFacts&>(facts) = verdict;
+  static_cast<ScheduleFacts&>(facts) = static_cast<const ScheduleFacts&>(verdict);
   facts.every_step_read = true;
   facts.certificate =
       fmt::format("every step read, {} met, at most {} bytes in memory",

@@ -175,7 +175,7 @@ void check_epochs(std::uint64_t epochs) {
   }
 }
 
-std::unique_ptr<StepSource> back_and_forth(LoadOrder::Maker maker, std::uint64_t epochs,
+std::unique_ptr<StepSource> back_and_forth(const LoadOrder::Maker& maker, std::uint64_t epochs,
                                            std::uint64_t lockstep) {
   return std::make_unique<BackAndForth>(maker, epochs, lockstep);
 }
@@ -279,8 +279,8 @@ LoadOrder repeat_order(LoadOrder order, std::uint64_t epochs) {
     facts.certificate += ", and read back and forth";
   } else {
     const ScheduleRules rules = LoadOrder(facts, maker).rules();
-    static_cast<ScheduleFacts&>(facts) = read_order(
-        maker, rules, fmt::format("{} epochs of {} items", epochs, facts.items), lockstep > 0);
+    static_cast<ScheduleFacts&>(facts) = static_cast<ScheduleFacts&&>(read_order(
+        maker, rules, fmt::format("{} epochs of {} items", epochs, facts.items), lockstep > 0));
     facts.certificate = in_each_epoch(facts.certificate, epochs);
   }
   if (facts.steps != steps || facts.loads < facts.bound.loads) {

@@ -19,7 +19,7 @@ inline constexpr std::uint64_t most_moves_kept = 400'000'000;
 /// Repeats the steps of `maker` `epochs` times, for workers in lockstep if there are any. Step
 /// numbers continue. @throws ImpossibleParameters while reading, if there are too many steps to be
 /// stored
-[[nodiscard]] std::unique_ptr<StepSource> back_and_forth(LoadOrder::Maker maker,
+[[nodiscard]] std::unique_ptr<StepSource> back_and_forth(const LoadOrder::Maker& maker,
                                                          std::uint64_t epochs,
                                                          std::uint64_t lockstep);
 

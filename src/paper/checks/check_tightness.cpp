@@ -60,7 +60,7 @@ std::string with_its_blocks(const Economical& found) {
 // does.
 constexpr const char* cause = "Theorem 1";
 
-constexpr std::string_view reason =
+constexpr std::string_view reason_of_theorem_1 =
     "pairs of elements that are in every block are never covered in the paper's sense, and others "
     "are covered in their place; it holds where at most one element is in every block";
 
@@ -79,7 +79,7 @@ PaperItem check_for_all(std::string what, const std::vector<Economical>& designs
     check.expect(right || wrong > 0,
                  {fmt::format("true of the {} with {} blocks", name(found.design.parameters()),
                               found.design.block_count()),
-                  with_its_blocks(found), std::string(reason)});
+                  with_its_blocks(found), std::string(reason_of_theorem_1)});
     if (!right) {
       ++wrong;
       with_fixed += verify(found.design).fixed.size() >= 2 ? 1U : 0U;

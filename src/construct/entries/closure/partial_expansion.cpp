@@ -290,7 +290,8 @@ class PartialExpander final : public Described<Rule, description> {
   }
 
   // What an input makes with a cover of that size.
-  std::optional<Offer> with(const Parameters& p, Offer input, const IntervalCoverSize& size) const {
+  std::optional<Offer> with(const Parameters& p, const Offer& input,
+                            const IntervalCoverSize& size) const {
     const Parameters& smaller = input.recipe.parameters;
     const std::uint64_t w = p.v - smaller.v;
     std::uint64_t b = 0;
@@ -306,13 +307,13 @@ class PartialExpander final : public Described<Rule, description> {
   }
 
   std::optional<Offer> of_family(const Parameters& p, Family family,
-                                 std::optional<Offer> input) const {
+                                 const std::optional<Offer>& input) const {
     if (!input) {
       return std::nullopt;
     }
     const Parameters& smaller = input->recipe.parameters;
     const auto size = cover_size(family, smaller, input->b, p.v - smaller.v);
-    return size ? with(p, *std::move(input), *size) : std::nullopt;
+    return size ? with(p, *input, *size) : std::nullopt;
   }
 
   // For w odd, m = 2: first w − 1 elements, then one.
@@ -329,7 +330,7 @@ class PartialExpander final : public Described<Rule, description> {
       return std::nullopt;
     }
     std::optional<Offer> first = with(p.on(p.v - 1), *input, *interval_cover_size(smaller, c, w));
-    return first ? with(p, *std::move(first), {*count, true}) : std::nullopt;
+    return first ? with(p, *first, {*count, true}) : std::nullopt;
   }
 
   // In closed form if it is known, else by search.
