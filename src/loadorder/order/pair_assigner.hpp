@@ -44,6 +44,7 @@ class PairAssigner {
                std::size_t lockstep = 0, bool accelerator = false,
                std::shared_ptr<const PairOwners> owners = nullptr,
                std::shared_ptr<const ItemSizes> sizes = nullptr)
+      // NOLINTNEXTLINE(clang-analyzer-core.NullDereference): it is asked before
       : room_(sizes != nullptr ? sizes->memory : room),
         sizes_(std::move(sizes)),
         come_(accelerator ? &Step::fast_load : &Step::load),

@@ -214,6 +214,7 @@ LoadBound LoadsAnswer::bound() const {
 }
 
 std::unique_ptr<StepSource> LoadsAnswer::steps(std::optional<std::uint64_t> worker) const {
+  // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): the caller owns it
   return split() != nullptr ? with_work(*split(), rules(), worker)
                             : with_work(*order(), rules(), worker);
 }
