@@ -111,7 +111,7 @@ for question in "${questions[@]}"; do
     ((took <= patience * 1000)) || fault "$tried: still running $patience s after that"
     # Verbs that have nothing to hand out are ended by the signal itself, and say so.
     if ((took <= patience * 1000)) && ! documented "$code"; then
-      [[ $limit == ask && $code == 130 && $said == *'changeover: stopped by Ctrl-C before the end'* ]] ||
+      [[ $limit == ask && $code == 130 && $said == *'stopped by Ctrl-C before the end'* ]] ||
         fault "$tried: exit code $code ${said:0:200}"
     fi
     # A question that is not understood is no attack.

@@ -169,12 +169,11 @@ TEST(Entry, HostileLines) {
     }
     EXPECT_NE(refusal(with("cites", "[" + text + "]")), "") << text;
     EXPECT_NE(refusal(with("credit", "{\"who\":" + text + "}")), "") << text;
-    EXPECT_NE(
-        refusal(with(
-            "recipe",
-            R"({"construction":"literal","v":4,"k":3,"change":1,"kind":"linear","arguments":{},"inputs":[],"blocks":[[0,1,2]],"provenance":)" +
-                text + "}")),
-        "")
+    EXPECT_NE(refusal(with("recipe",
+                           R"({"construction":"literal","v":4,"k":3,"change":1,"kind":"linear",)"
+                           R"("arguments":{},"inputs":[],"blocks":[[0,1,2]],"provenance":)" +
+                               text + "}")),
+              "")
         << text;
   }
   std::string many = "[\"a\"";
