@@ -66,6 +66,38 @@ test('contents stay, proofs unfold, works are listed', async (explorer) => {
   await work.close();
 });
 
+test('a way through the contents ends where the part begins, and it stays there', async (explorer) => {
+  const page = await explorer.open('#/theorems');
+  const contents = page.getByRole('navigation', { name: 'Contents' });
+  const top = (number) =>
+    page.locator(`#theorem-${number}`).evaluate((it) => it.getBoundingClientRect().top);
+  for (const number of [12, 29]) {
+    await contents.getByRole('link', { name: new RegExp(`^${number} `) }).click();
+    // What is above is laid out after the jump, and pictures come.
+    await page.waitForLoadState('networkidle');
+    await page.waitForTimeout(800);
+    assert.ok(Math.abs(await top(number)) < 30, `Theorem ${number} is at ${await top(number)}`);
+  }
+  // The reader goes on from there.
+  await page.mouse.move(640, 400);
+  await page.mouse.wheel(0, 500);
+  await page.waitForFunction(
+    () => document.querySelector('#theorem-29').getBoundingClientRect().top < -300,
+  );
+});
+
+test('statements come first, and proofs are folded', async (explorer) => {
+  const page = await explorer.open('#/theorems');
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll('article .prose')].every((prose) => prose.childElementCount > 0),
+  );
+  const unfolded = await page
+    .locator('article.statement:not(:has(details.proof))')
+    .evaluateAll((all) => all.map((each) => each.id));
+  // The items of Theorem 23 are statements with a reason each.
+  assert.deepEqual(unfolded, ['theorem-23']);
+});
+
 test('constructions are found by words', async (explorer) => {
   const page = await explorer.open('#/theorems');
   await page.getByLabel('Find a construction').fill('single-change cyclic');

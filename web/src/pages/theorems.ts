@@ -151,6 +151,24 @@ function piecewise(tasks: (() => void)[], first: number, signal: AbortSignal): {
   return { rest };
 }
 
+/**
+ * Scrolls to a part and keeps it there while what is above gets its height: statements are laid out
+ * as they come near, and then the part moves. At once, for on a way through them the end would
+ * move, too. Ends when the reader does anything.
+ */
+function land(part: HTMLElement, signal: AbortSignal): void {
+  const mine = new AbortController();
+  const align = (): void => part.scrollIntoView({ block: 'start', behavior: 'instant' });
+  const heights = new ResizeObserver(align);
+  mine.signal.addEventListener('abort', () => heights.disconnect());
+  signal.addEventListener('abort', () => mine.abort(), { signal: mine.signal });
+  for (const act of ['wheel', 'touchstart', 'pointerdown', 'keydown']) {
+    window.addEventListener(act, () => mine.abort(), { passive: true, signal: mine.signal });
+  }
+  align();
+  heights.observe(part.closest('.page')!);
+}
+
 /** Marks in the contents which part is read, and keeps that entry in sight. */
 function followReading(root: HTMLElement, contents: HTMLElement, signal: AbortSignal): void {
   const entries = new Map(
@@ -356,13 +374,8 @@ export const theorems: Page = {
               );
               statements.rest(); // What is above has its height then.
               const target = document.getElementById(id);
-              // At once: on a way through statements that are drawn as they pass, the end would
-              // move.
-              target?.scrollIntoView({ block: 'start', behavior: 'instant' });
+              target && land(target, view.signal);
               target?.focus({ preventScroll: true });
-              requestAnimationFrame(() =>
-                target?.scrollIntoView({ block: 'start', behavior: 'instant' }),
-              );
             },
           },
           words,
@@ -462,7 +475,7 @@ export const theorems: Page = {
     followReading(view.root, contents, view.signal);
     const chosen = view.root.querySelector<HTMLElement>('.chosen');
     if (chosen) {
-      chosen.scrollIntoView({ block: 'start', behavior: 'instant' });
+      land(chosen, view.signal);
       chosen.focus({ preventScroll: true });
     }
   },
