@@ -99,6 +99,17 @@ test('what the server refuses is said', async (explorer) => {
   assert.ok((await page.locator('.problem, .note').first().textContent()).length > 20);
 });
 
+test('around a cell without a design are lower bounds, in italics', async (explorer) => {
+  const page = await explorer.open('#/cell?v=30&k=6&change=2&kind=circular&strength=3');
+  const own = page.locator('.around-table a[aria-current]');
+  await own.waitFor();
+  const bound = await page.locator('.bounds tbody tr td').first().textContent();
+  assert.match(bound, /^\d+$/);
+  assert.equal(await own.textContent(), bound);
+  assert.equal(await own.evaluate((it) => getComputedStyle(it).fontStyle), 'italic');
+  await page.getByText('In italics: no design is known').waitFor();
+});
+
 test('downloads are files of the server', async (explorer) => {
   const page = await explorer.open('#/cell?v=9&k=4');
   const waiting = page.waitForEvent('download');

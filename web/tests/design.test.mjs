@@ -151,6 +151,14 @@ test('a design that is developed shows its symmetry', async (explorer) => {
   const waiting = page.waitForEvent('download');
   await page.getByRole('button', { name: 'Save as SVG' }).click();
   assert.match((await waiting).suggestedFilename(), /^61\.4\.2\.circular\.366\..*circle\.svg$/);
+  // On a phone, too, the names can be read.
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll('.circle-picture text')].every(
+      (text) => Number(text.getAttribute('font-size')) * text.getScreenCTM().a >= 8,
+    ),
+  );
+  assert.equal(await page.locator('.circle-picture text').count(), 61);
 });
 
 test('ten thousand blocks are drawn, zoomed and panned without a pause', async (explorer) => {

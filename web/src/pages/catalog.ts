@@ -105,7 +105,7 @@ export const catalog: Page = {
               ? 'none'
               : `${number(cell.gap)} (b / bound ${ratio(cell.b!, cell.lower!)})`,
         ],
-        ['made by', cell.construction ?? '–'],
+        ['made by', cell.construction === 'found' ? 'a search' : (cell.construction ?? '–')],
         ...(cell.order !== null
           ? ([
               [
@@ -202,15 +202,9 @@ export const catalog: Page = {
         const wanted = selection();
         const next = await atlasOf(wanted);
         if (sift.needsGroups() && !next.knowsGroups) {
-          fill(
-            said,
-            h(
-              'p',
-              { class: 'note', role: 'status' },
-              'Counting symmetries of all designs in this selection … this takes a few ' +
-                'seconds, once.',
-            ),
-          );
+          const waits =
+            'Counting symmetries of all designs in this selection: a few seconds, once.';
+          atlas ? sift.wait(waits) : fill(said, h('p', { class: 'note', role: 'status' }, waits));
           await addGroups(next, view.signal);
         }
         if (view.signal.aborted || mine !== asked) {
@@ -249,6 +243,7 @@ export const catalog: Page = {
         announce(count(listed.length, 'cell'));
       } catch (fault) {
         if (!view.signal.aborted) {
+          sift.wait('');
           fill(said, problem(fault));
         }
       }

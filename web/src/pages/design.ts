@@ -17,7 +17,7 @@ import { facts } from './design/facts';
 import { arrayView } from './design/array';
 import { circleView } from './design/circle';
 import { matrix } from './design/matrix';
-import { matrixKey } from './design/matrix_key';
+import { blockScale, matrixKey } from './design/matrix_key';
 import { recipePicture, savePicture } from './design/pictures';
 import { openPlayer } from './design/player';
 import { Chosen } from './design/selection';
@@ -289,8 +289,8 @@ export const design: Page = {
               'A row for each element, a bar for each stay. Drag on the strip to choose ' +
                 'blocks, drag below to pan',
               h('span', { class: 'with-wheel' }, '; Ctrl + wheel or + and − zoom'),
-              '. Beside it a square for each pair, its colour says when it first meets; pairs ' +
-                'that first meet in the blocks in sight are lit.',
+              '. A square for each pair has the colour of the block in which the pair first ' +
+                'meets; pairs that first meet in the blocks in sight are lit.',
             ),
             h(
               'div',
@@ -306,7 +306,12 @@ export const design: Page = {
               ),
               save('stays', () => ({ ...range(), order }), signal),
             ),
-            h('div', { class: pairs ? 'stays-and-pairs' : '' }, line.element, pairs?.element),
+            h(
+              'div',
+              { class: pairs ? 'stays-and-pairs' : '' },
+              line.element,
+              pairs && h('div', {}, pairs.element, blockScale(steps.b, signal)),
+            ),
           );
         },
       },

@@ -228,7 +228,7 @@ export const home: Page = {
               'run sheet with the fewest changes.',
           ],
           link('plan'),
-          'Plan tests',
+          frozen ? 'How to plan tests' : 'Plan tests',
         ),
         door(
           'Load data',
@@ -239,7 +239,7 @@ export const home: Page = {
               'order with the fewest loads.',
           ],
           link('loadorder'),
-          'Order loads',
+          frozen ? 'How to order loads' : 'Order loads',
         ),
         door(
           'Study designs',

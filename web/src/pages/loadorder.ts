@@ -172,11 +172,7 @@ async function render(view: View): Promise<void> {
         '64 items, room for 16',
       ),
       ', ',
-      h(
-        'a',
-        { href: link('loadorder', { items: 64, room: 16, fast: 4 }) },
-        '4 of these on an accelerator',
-      ),
+      h('a', { href: link('loadorder', { items: 64, room: 16, fast: 4 }) }, '4 on an accelerator'),
       ' or ',
       h(
         'a',

@@ -6,8 +6,8 @@ import { pixelOf } from '../lib/canvas';
  */
 export type Put = (from: number, long: number, colour: string, faint: boolean) => void;
 
-/** What is left of a faint colour: 0.45 of it. */
-const faintly = 0x73ffffff;
+/** What is left of a faint colour: 0.6 of it. */
+const faintly = 0x99ffffff;
 
 /** A picture with a row of pixels for each row of bars. */
 export class Bars {

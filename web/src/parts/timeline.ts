@@ -200,7 +200,7 @@ export function timeline(
         paint(sunken);
         pen.fillRect(left, y, room(), row);
       }
-      pen.globalAlpha = lit.size > 0 && !strong ? 0.45 : 1;
+      pen.globalAlpha = lit.size > 0 && !strong ? 0.6 : 1;
       for (let j = stays.from(each, a); j < mine.length && mine[j]![0] <= z; ++j) {
         const [from, to] = mine[j]!;
         const start = x(from);
@@ -218,7 +218,7 @@ export function timeline(
           pen.textAlign = 'center';
           pen.textBaseline = 'middle';
           pen.fillText(steps.names[each]!, start + long / 2 + 2, y + (row - gap) / 2);
-          pen.globalAlpha = lit.size > 0 && !strong ? 0.45 : 1;
+          pen.globalAlpha = lit.size > 0 && !strong ? 0.6 : 1;
         }
       }
     }

@@ -462,6 +462,10 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     if (!atlas || event.ctrlKey || event.metaKey || event.altKey) {
       return;
     }
+    // What the pointer rests on is not what the keys choose.
+    pointed = null;
+    tip.hidden = true;
+    soon();
     const step = sides[event.key];
     if (step) {
       event.preventDefault();

@@ -14,6 +14,8 @@ export interface Filters {
   passes(): (cell: AtlasCell) => boolean;
   /** Whether groups must be known to tell. */
   needsGroups(): boolean;
+  /** What is waited for. */
+  wait(words: string): void;
   /** What is left, in a sentence. */
   say(left: number, all: number): void;
   offer(constructions: readonly string[]): void;
@@ -127,6 +129,7 @@ export function filters(view: View, changed: () => void): Filters {
         (onlyGroup === '' || (cell.order !== null && cell.order !== '1'));
     },
     needsGroups: () => get('group') !== '',
+    wait: (words) => fill(said, words),
     say(left, all) {
       clear.hidden = !any();
       fill(

@@ -26,6 +26,12 @@ export async function neighbourhood(cell: Cell, signal: AbortSignal): Promise<HT
   const place = h('div', { class: 'around' });
   function draw(): void {
     const paint = paintOf(atlas, 'ratio');
+    const open = ks.some((k) =>
+      vs.some((v) => {
+        const { status, b, lower } = atlas.cell(v, k)!;
+        return status !== 'impossible' && b === null && lower !== null;
+      }),
+    );
     place.replaceChildren(
       h(
         'table',
@@ -55,7 +61,7 @@ export async function neighbourhood(cell: Cell, signal: AbortSignal): Promise<HT
                   return h('td', {}, '');
                 }
                 const here = v === cell.v && k === cell.k;
-                const words = each.b === null ? '?' : String(each.b);
+                const words = String(each.b ?? each.lower ?? '?');
                 const square = h(
                   'a',
                   {
@@ -67,7 +73,12 @@ export async function neighbourhood(cell: Cell, signal: AbortSignal): Promise<HT
                     }),
                     'aria-label':
                       `v = ${v}, k = ${k}: ` +
-                      `${each.b === null ? 'no design known' : count(each.b, 'block')}`,
+                      (each.b !== null
+                        ? count(each.b, 'block')
+                        : each.lower === null
+                          ? 'no design known'
+                          : `no design known, at least ${count(each.lower, 'block')}`),
+                    class: each.b === null ? 'bound' : null,
                     'aria-current': here ? 'true' : null,
                     title: `v = ${v}, k = ${k}`,
                   },
@@ -82,6 +93,13 @@ export async function neighbourhood(cell: Cell, signal: AbortSignal): Promise<HT
           ),
         ),
       ),
+      open
+        ? h(
+            'p',
+            { class: 'hint' },
+            'In italics: no design is known; it would have at least so many blocks.',
+          )
+        : '',
     );
   }
   draw();

@@ -83,7 +83,10 @@ export function circlePicture(
   const inSome = new Set(drawn.flatMap((index) => blocks[index]!));
   const pixel = 600 / wide;
   const r = Math.min(Math.max(14, 13 * pixel), 0.45 * leastDistance(symmetry, at));
-  const named = 0.93 * r >= 8.5 * pixel || wide >= 600;
+  // No smaller than can be read, if it is not too wide for its circle then.
+  const size = wide >= 600 ? 0.93 * r : Math.max(0.93 * r, 8.5 * pixel);
+  const longest = Math.max(...at.map((_, x) => names(x).length));
+  const named = size <= 0.93 * r || 0.6 * size * longest <= 2 * r;
   const outside = Math.max(0, r + 2 * pixel - 28);
   at.forEach((place, x) => {
     marks.push(
@@ -100,8 +103,8 @@ export function circlePicture(
                 'text',
                 {
                   x: place.x.toFixed(1),
-                  y: (place.y + 0.33 * r).toFixed(1),
-                  'font-size': (0.93 * r).toFixed(1),
+                  y: (place.y + 0.355 * size).toFixed(1),
+                  'font-size': size.toFixed(1),
                 },
                 names(x),
               ),
@@ -158,6 +161,16 @@ export function circleView(
           .join(', ');
   const fixed = map.reduce((sum, y, x) => sum + (x === y ? 1 : 0), 0);
 
+  let wide = 0;
+  const sizes = new ResizeObserver(() => {
+    if (place.clientWidth !== wide) {
+      wide = place.clientWidth;
+      draw();
+    }
+  });
+  sizes.observe(place);
+  signal.addEventListener('abort', () => sizes.disconnect());
+
   function draw(): void {
     const base = which === 'all' ? Array.from({ length: shift }, (_, i) => i) : [Number(which)];
     const drawn = base.map((i) => i + turn * shift);
@@ -169,6 +182,7 @@ export function circleView(
         (x) => chosen.name(x),
         drawn,
         chosen.elements,
+        Math.min(600, wide || 600),
       ) as unknown as Node,
     );
     const [first, last] = [number(drawn[0]! + 1), number(drawn.at(-1)! + 1)];

@@ -13,15 +13,8 @@ const kinds: readonly (readonly [string, string])[] = [
   ['more', 'more often'],
 ];
 
-export function matrixKey(b: number, pairs: Matrix, signal: AbortSignal): HTMLElement {
-  const often = pairs.often();
-  const sums = [
-    often.get(0) ?? 0,
-    often.get(1) ?? 0,
-    often.get(2) ?? 0,
-    [...often].reduce((sum, [n, of]) => sum + (n > 2 ? of : 0), 0),
-  ];
-  const most = Math.max(0, ...often.keys());
+/** The colours of the blocks, from the first to the last. */
+export function blockScale(b: number, signal: AbortSignal): HTMLElement {
   const bar = h('div', { class: 'matrix-scale' });
   const paint = (): void =>
     fill(
@@ -32,12 +25,24 @@ export function matrixKey(b: number, pairs: Matrix, signal: AbortSignal): HTMLEl
     );
   paint();
   document.addEventListener('themechange', paint, { signal });
+  return bar;
+}
+
+export function matrixKey(b: number, pairs: Matrix, signal: AbortSignal): HTMLElement {
+  const often = pairs.often();
+  const sums = [
+    often.get(0) ?? 0,
+    often.get(1) ?? 0,
+    often.get(2) ?? 0,
+    [...often].reduce((sum, [n, of]) => sum + (n > 2 ? of : 0), 0),
+  ];
+  const most = Math.max(0, ...often.keys());
   return h(
     'div',
     { class: 'matrix-key' },
     h('h2', {}, 'Below the diagonal'),
     h('p', {}, 'The block in which the pair first meets.'),
-    bar,
+    blockScale(b, signal),
     h('h2', {}, 'Above the diagonal'),
     h('p', {}, 'How often the pair is newly covered. Once is enough: each further time is excess.'),
     h(

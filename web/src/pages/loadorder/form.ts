@@ -261,7 +261,7 @@ export async function loadForm(params: URLSearchParams, submitted: () => void): 
       { class: 'row top' },
       field('Items', items, 'partitions, images, …'),
       field('Room', room, 'items in memory at once'),
-      field('Accelerator', fast, 'so many of these on it'),
+      field('Accelerator', fast, 'items on it at once'),
       field('Bytes per item', each, 'optional'),
       field('Workers', workers, 'each with this room'),
       field('Search', time, 'for fewer loads'),

@@ -3,6 +3,7 @@
 import type { SearchJob } from '../../lib/api';
 import { fill, h, scroll } from '../../lib/dom';
 import { number } from '../../lib/words';
+import { shortName } from '../../parts/recipe';
 import { found, seconds, stateWords, wayWords } from './words';
 
 export interface JobList {
@@ -46,8 +47,7 @@ export function jobList(chosen: (id: string) => void): JobList {
     const open = h(
       'button',
       { type: 'button', class: 'as-link', onclick: () => chosen(String(job.id)) },
-      `(${number(job.v)}, ${job.k}), m = ${job.change}, ` +
-        `${job.kind}${job.strength > 2 ? `, t = ${job.strength}` : ''}`,
+      `${shortName(job)}${job.strength > 2 ? `, t = ${job.strength}` : ''}`,
     );
     const [state, best, bound, time] = [
       h('td'),

@@ -176,7 +176,13 @@ export function repairOffer(
     'section',
     { class: 'repair' },
     h('h2', {}, 'Repair'),
-    h('p', {}, ask, ' ', h('span', { class: 'hint' }, 'changes as few blocks as it can')),
+    h(
+      'p',
+      {},
+      ask,
+      ' ',
+      h('span', { class: 'hint' }, 'with as many blocks as now, or a few more if none is found'),
+    ),
     place,
   );
 }
