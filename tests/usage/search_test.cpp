@@ -57,16 +57,17 @@ TEST(Search, WhatItFindsCanBeStoredAndVerified) {
 TEST(Search, WithLockedCellsSaysWhatCannotBe) {
   const TemporaryFolder folder;
   const std::string search = "$changeover search --linear -m 1 --quiet ";
-  expect({{"$changeover search 9 6 -m 3 --linear --expansion-set --blocks 3 --quiet", 20,
-           "3 unchanged subsets of 3 in a partition take as many steps, so 4 blocks"},
-          {"$changeover search 9 6 -m 3 --circular --expansion-set --blocks 3 --quiet", 10,
-           "  ^   ^   ^"},
-          {search + "12 4 --first 0,1 --blocks 3", 20,
-           "No linear SCCD(12,4) with 3 blocks: the first block covers"},
-          {search + "12 4 --first 0,1 --blocks 99999999 --time 60s", 10, "12,4), 2"},
-          {search + "65535 400 --first 0", 3, "from k+1 = 401 to 4096, not 65535"},
-          {search + "4000 3 --first 0 --memory 1G", 4, "more than the 1.0 GB allowed"}},
-         folder);
+  expect(
+      {{"$changeover search 9 6 -m 3 --linear --expansion-set --blocks 3 --quiet", 20,
+        "with 3 blocks has what is wanted: 3 unchanged subsets of 3 in a partition take as many steps, so 4 blocks"},
+       {"$changeover search 9 6 -m 3 --circular --expansion-set --blocks 3 --quiet", 10,
+        "  ^   ^   ^"},
+       {search + "12 4 --first 0,1 --blocks 3", 20,
+        "No linear SCCD(12,4) with 3 blocks: the first block covers"},
+       {search + "12 4 --first 0,1 --blocks 99999999 --time 60s", 10, "12,4), 2"},
+       {search + "65535 400 --first 0", 3, "from k+1 = 401 to 4096, not 65535"},
+       {search + "4000 3 --first 0 --memory 1G", 4, "more than the 1.0 GB allowed"}},
+      folder);
 }
 
 TEST(Search, IsDeterministicWithOneThread) {

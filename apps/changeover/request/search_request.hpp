@@ -88,8 +88,9 @@ struct SearchFind {
 [[nodiscard]] Answer show_find(const SearchFind& find, const SearchRequest& request, int code);
 
 /// The answer that there is none with the blocks that were asked for, or none at all, and why.
+/// `what` is asked for besides, with a space before it.
 [[nodiscard]] Answer none_for(const SearchRequest& request, const Parameters& p,
-                              const std::string& reason);
+                              const std::string& reason, const std::string& what = {});
 
 /// That there is none with the blocks that were asked for, or none at all, if that is known; else
 /// `bound` is set to the lower bound, or to nothing if the search was stopped before that.

@@ -94,11 +94,12 @@ struct ImproveResult {
 //     found.parts.size();           // 3: unchanged subsets that hold the nine other elements
 //
 // Concatenation, rings and expansion need more than few blocks: disjoint unchanged subsets that
-// hold all elements except some of the first or of the last block. The search draws places for such
+// hold all elements except some of the first or of the last block. The search begins with the best
+// of the known designs that have them, its elements renumbered. Then it draws places for such
 // subsets and locks their cells in the blocks beside them; the other cells are annealed as above. A
-// subset that a third block holds may move there. If all fails, the search draws other places. Given
-// blocks (`contained`) are drawn beside a subset, and in the first or the last block where these
-// have required elements, hardly ever. So only a design that is found means something.
+// subset that a third block holds may move there. If all fails, the search draws other places.
+// Given blocks (`contained`) are drawn beside a subset, and in the first or the last block where
+// these have required elements, hardly ever. So only a design that is found means something.
 //
 // Time: the rate of moves, about 10 million per second and core at (20,5).
 
@@ -131,12 +132,15 @@ struct LockedOptions {
   std::optional<std::uint64_t>
       blocks{};  ///< the number that is enough, and the most; nullopt: as few as possible
   std::optional<std::uint64_t> moves{};  ///< limit for the moves, over all threads
+  /// Begins with the best of the known designs that have the properties, if any has.
+  bool from_known = true;
 };
 
 struct LockedResult {
   std::optional<VerifiedDesign> design;
   std::vector<UnchangedSubset> parts;  ///< of the design, with expansion_set
   std::uint64_t lower_bound = 0;
+  bool known = false;          ///< the design was known before, renumbered
   std::uint64_t moves = 0;     ///< proposed, over all threads
   std::uint64_t attempts = 0;  ///< annealing runs
   std::chrono::duration<double> elapsed{};

@@ -5,17 +5,21 @@
 #include <algorithm>
 #include <atomic>
 #include <iterator>
+#include <limits>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/error.hpp"
 #include "core/checked.hpp"
+#include "core/each.hpp"
 #include "core/sorted.hpp"
 #include "core/words.hpp"
 #include "run/grace.hpp"
 #include "run/threads.hpp"
+#include "search/local/known_as_wanted.hpp"
 #include "search/local/local_search_arms.hpp"
 #include "search/local/locked_draft.hpp"
 
@@ -23,6 +27,7 @@ namespace changeover {
 namespace {
 
 constexpr std::uint64_t largest_locked_v = 4096;
+constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t first_locked_moves = std::uint64_t{1} << 22;
 // Few temperatures, where lists that miss one pair are entered most often: (16,5,29) and (20,5,46).
 constexpr double hot = 0.28;
@@ -33,6 +38,14 @@ constexpr int most_drawings = 200;  // of places, before an attempt has failed
 bool has_twice(const Block& block) {
   const Block in_order = sorted(block);
   return std::ranges::adjacent_find(in_order) != in_order.end();
+}
+
+std::size_t different(const std::vector<Block>& blocks) {
+  std::set<Block> all;
+  for (const Block& block : blocks) {
+    all.insert(sorted(block));
+  }
+  return all.size();
 }
 
 class LockedSearch {
@@ -48,6 +61,9 @@ class LockedSearch {
         aim_(usual_aim()) {}
 
   LockedResult run() {
+    if (options_.from_known) {
+      take_known();
+    }
     run_together(control_, control_.threads(), [this](unsigned) { work(); });
     result_.lower_bound = bound_;
     result_.moves = moves_;
@@ -61,6 +77,20 @@ class LockedSearch {
   [[nodiscard]] std::uint64_t usual_aim() const {
     const std::uint64_t usual = bound_ + std::max<std::uint64_t>(2, bound_ / 8);
     return options_.blocks ? std::min(goal_, usual) : usual;
+  }
+
+  void take_known() {
+    try {
+      const RunScope scope(control_);
+      std::optional<AsWanted> known = known_as_wanted(p_, wanted_);
+      const std::uint64_t most = options_.blocks.value_or(unlimited);
+      if (known && known->design.block_count() <= most) {
+        take(std::move(known->design), known->positions);
+        result_.known = true;
+      }
+    } catch (const Stopped&) {
+      return;  // The search ends at once.
+    }
   }
 
   void work() {
@@ -108,23 +138,23 @@ class LockedSearch {
     }
     const std::scoped_lock lock(mutex_);
     if (annealed.design) {
-      take(*std::move(annealed.design), annealed.parts);
+      take(*std::move(annealed.design), positions_of(annealed.parts));
     } else if (aim == aim_ && !annealed.outcome.stopped) {
       failed();
     }
   }
 
-  void take(Design design, const std::vector<LockedPart>& parts_of_it) {
+  static std::vector<std::size_t> positions_of(const std::vector<LockedPart>& parts) {
+    auto positions = each_of<std::size_t>(parts, [](const auto& part) { return part.block + 1; });
+    std::ranges::sort(positions);
+    return positions;
+  }
+
+  void take(Design design, const std::vector<std::size_t>& positions) {
     if (best_blocks_ > 0 && design.block_count() >= best_blocks_) {
       return;
     }
     const RunGrace to_the_end(control_);
-    std::vector<std::size_t> positions;
-    positions.reserve(parts_of_it.size());
-    for (const LockedPart& part : parts_of_it) {
-      positions.push_back(part.block + 1);
-    }
-    std::ranges::sort(positions);
     auto parts = parts_as_wanted(design, wanted_, positions);
     if (!parts) {
       throw InternalError("a search with locked cells lost what was wanted");
@@ -132,6 +162,7 @@ class LockedSearch {
     best_blocks_ = design.block_count();
     result_.design = surely_verified(std::move(design), fmt::format("a {}", name(p_)));
     result_.parts = *std::move(parts);
+    result_.known = false;
     if (best_blocks_ <= goal_) {
       control_.stop(WhyStopped::found);
       return;
@@ -228,7 +259,9 @@ Bound wanted_bound(const Parameters& p, const Wanted& wanted) {
       bound = {.blocks = blocks, .name = "required", .reason = std::move(reason)};
     }
   };
-  const std::uint64_t given = wanted.contained.size();
+  // A circular list may come round to the blocks that it began with.
+  const std::uint64_t given =
+      p.kind == Kind::linear ? wanted.contained.size() : different(wanted.contained);
   at_least(given,
            fmt::format("{} given", given == 1 ? "1 block is" : count_of(given, "block") + " are"));
   if (wanted.expansion_set && p.k > p.change) {

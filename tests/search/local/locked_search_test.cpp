@@ -5,10 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <tuple>
 
 #include "changeover/bounds/lower_bound.hpp"
+#include "changeover/construct/best_known.hpp"
+#include "changeover/construct/expansion.hpp"
 #include "changeover/core/error.hpp"
 #include "naive_verdict.hpp"
+#include "search/local/known_as_wanted.hpp"
 #include "search/local/locked_draft.hpp"
 #include "search/local/random_list.hpp"
 #include "search/local/segment_pairs.hpp"
@@ -19,7 +23,7 @@ namespace {
 LockedResult searched(const Parameters& p, const Wanted& wanted, std::uint64_t blocks,
                       std::uint64_t moves = 200'000'000) {
   RunControl control({.threads = 1, .seed = 3});
-  return search_locked(p, wanted, {.blocks = blocks, .moves = moves}, control);
+  return search_locked(p, wanted, {.blocks = blocks, .moves = moves, .from_known = false}, control);
 }
 
 // The parts by the definition, from the blocks alone.
@@ -142,6 +146,68 @@ TEST(LockedSearch, KnowsHowManyBlocksAPartitionTakes) {
   const LockedResult found = searched({9, 6, 3, Kind::linear, 2}, all, 4, 1'000'000);
   EXPECT_EQ(found.lower_bound, 4U);
   expect_as_wanted(found, all);
+}
+
+LockedResult from_known(const Parameters& p, const Wanted& wanted, std::uint64_t blocks) {
+  RunControl control({.threads = 1});
+  return search_locked(p, wanted, {.blocks = blocks, .moves = 1'000'000}, control);
+}
+
+// Known designs are renumbered, and reversed where the last block has what the first shall have.
+TEST(LockedSearch, BeginsWithADesignThatIsKnown) {
+  const Wanted four{.first = {7, 3, 19, 11}, .expansion_set = true};
+  const Wanted all{.expansion_set = true};
+  const Wanted ends{.first = {7, 9, 11}, .last = {9, 3}};
+  for (const auto& [p, wanted, blocks] :
+       {std::tuple(Parameters{20, 5, 1, Kind::linear, 2}, four, 46),
+        {Parameters{20, 5, 1, Kind::linear, 2}, Wanted{.last = four.first, .expansion_set = true},
+         46},
+        {Parameters{15, 5, 2, Kind::circular, 2}, all, 15},
+        {Parameters{12, 4, 1, Kind::linear, 2}, ends, 21}}) {
+    SCOPED_TRACE(name(p));
+    const LockedResult found = from_known(p, wanted, static_cast<std::uint64_t>(blocks));
+    EXPECT_TRUE(found.known);
+    EXPECT_EQ(found.moves, 0U);
+    EXPECT_EQ(found.design->block_count(), static_cast<std::size_t>(blocks));
+    expect_as_wanted(found, wanted);
+  }
+  // More blocks than are enough, or no blocks to be kept.
+  EXPECT_FALSE(from_known({20, 5, 1, Kind::linear, 2}, four, 45).design);
+  EXPECT_FALSE(
+      from_known({11, 4, 2, Kind::linear, 2}, {.contained = {{0, 1, 2, 3}, {0, 1, 4, 5}}}, 40)
+          .known);
+}
+
+// Blocks that are given may be in a circular list more than once.
+TEST(LockedSearch, GivenBlocksBoundTheirDifferentOnes) {
+  const Wanted round{.contained = {{0, 1, 2, 3}, {2, 3, 4, 5}, {0, 1, 4, 5}, {0, 1, 2, 3}}};
+  EXPECT_EQ(wanted_bound({6, 4, 2, Kind::circular, 2}, round).blocks, 3U);
+  EXPECT_EQ(wanted_bound({6, 4, 2, Kind::linear, 2}, round).blocks, 4U);
+}
+
+// In circular designs the parts are an expansion set, which another search looks for.
+TEST(LockedSearch, AKnownDesignIsAsWantedIfItHasAnExpansionSet) {
+  std::size_t with = 0;
+  std::size_t without = 0;
+  for (std::uint64_t k = 3; k <= 6; ++k) {
+    for (std::uint64_t change = 1; change <= 3 && change < k; ++change) {
+      for (std::uint64_t v = k + change; v <= 16; ++v) {
+        const auto known = best_known_design({v, k, change, Kind::circular, 2});
+        ASSERT_TRUE(known);
+        SCOPED_TRACE(name(known->parameters()));
+        const ExpansionSearch sets = find_expansion_sets(*known);
+        const auto found = as_wanted(*known, {.expansion_set = true});
+        ASSERT_EQ(found.has_value(), !sets.sets.empty());
+        ++(found ? with : without);
+        if (found) {
+          EXPECT_TRUE(naive_verdict(found->design).valid);
+          EXPECT_TRUE(parts_as_wanted(found->design, {.expansion_set = true}, found->positions));
+        }
+      }
+    }
+  }
+  EXPECT_GT(with, 20U);
+  EXPECT_GT(without, 20U);
 }
 
 // The only part is in the block with the first set, or in that with the last one.

@@ -41,13 +41,14 @@ Judgement judge(const SearchFind& find) {
   return judgement;
 }
 
-Answer none_for(const SearchRequest& request, const Parameters& p, const std::string& reason) {
+Answer none_for(const SearchRequest& request, const Parameters& p, const std::string& reason,
+                const std::string& what) {
   return no_design(
       request.output, exit_code::proved_none,
-      fmt::format("No {} {}: {}.", name(p),
+      fmt::format("No {} {}{}: {}.", name(p),
                   request.blocks ? fmt::format("with {}", count_of(*request.blocks, "block"))
                                  : std::string("exists"),
-                  reason));
+                  what, reason));
 }
 
 std::optional<Answer> proved_none(const SearchRequest& request, const Parameters& p,

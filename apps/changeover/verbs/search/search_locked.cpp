@@ -38,7 +38,10 @@ std::vector<std::string> said_of(const LockedResult& result, const Wanted& wante
   std::vector<std::string> lines{fmt::format(
       "{} in {:.1f} s, {}; stopped: {}", count_of(result.moves, "move"), result.elapsed.count(),
       count_of(result.attempts, "attempt"), to_string(result.why_stopped))};
-  if (wanted.expansion_set) {
+  if (result.known) {
+    lines.emplace_back("a known design has the properties, with its elements renumbered");
+  }
+  if (!result.parts.empty()) {
     const std::vector<std::uint64_t> positions = positions_of(result.parts);
     const bool all = wanted.first.empty() && wanted.last.empty();
     lines.push_back(fmt::format("the unchanged subsets at {} {} partition {} elements",
@@ -68,7 +71,7 @@ Answer search(const LockedSearch& request) {
   if (request.blocks && wanted_defect(p, wanted).empty()) {
     const Bound needed = wanted_bound(p, wanted);
     if (*request.blocks < needed.blocks) {
-      return final_answer(running, none_for(request, p, needed.reason));
+      return final_answer(running, none_for(request, p, needed.reason, " has what is wanted"));
     }
   }
   LockedResult result =
