@@ -16,7 +16,7 @@ const std::vector<Signal> signals = {{"INT", "Ctrl-C", 130},
                                      {"QUIT", "SIGQUIT", 131}};
 
 std::string line_of_end(const Signal& signal) {
-  return "changeover: stopped by " + signal.said + " before the end; no unfinished file is left\n";
+  return "changeover: stopped by " + signal.said + " before the end\n";
 }
 
 // Starts `command`, sends the signal once `ready` holds, and ends with the code of the command.

@@ -1,5 +1,6 @@
 #include "cli/ending.hpp"
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -33,8 +34,12 @@ std::string_view name_of_signal(int signal) {
   }
 }
 
-// There is nothing that a failure could be told to.
+// A failure could be told to nothing. A full pipe without a reader would block.
 void put_on_stderr(std::string_view bytes) noexcept {
+  pollfd out{.fd = STDERR_FILENO, .events = POLLOUT, .revents = 0};
+  if (::poll(&out, 1, 0) != 1 || (out.revents & POLLOUT) == 0) {
+    return;
+  }
   static_cast<void>(!::write(STDERR_FILENO, bytes.data(), bytes.size()));
 }
 
@@ -50,7 +55,7 @@ void end_by_signal(int signal) noexcept {
   }
   put_on_stderr("changeover: stopped by ");
   put_on_stderr(name_of_signal(signal));
-  put_on_stderr(" before the end; no unfinished file is left\n");
+  put_on_stderr(" before the end\n");
   ::signal(signal, SIG_DFL);
   ::raise(signal);  // once the handler ends
 }

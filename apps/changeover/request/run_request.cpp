@@ -142,7 +142,7 @@ RunControl::Settings RunRequest::settings() const {
 struct Running::State {
   std::unique_ptr<RunControl> control;
   std::optional<RunScope> scope;
-  static constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
+  static constexpr std::array<int, 4> signals{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
   std::array<struct sigaction, signals.size()> old_actions{};
 };
 
