@@ -38,6 +38,13 @@ def _not_pickled(self: Any, _protocol: Any = 2) -> Any:
     raise TypeError(f"{'an' if name[0] in 'AEIO' else 'a'} {name} cannot be pickled or copied")
 
 
+def frozen(value: Any) -> Any:
+    """The same for equal values, and hashable."""
+    if isinstance(value, dict):
+        return frozenset((key, frozen(each)) for key, each in value.items())
+    return tuple(map(frozen, value)) if isinstance(value, (list, tuple)) else value
+
+
 class Made(metaclass=_Closed):
     """What functions return: it is not made by hand, and has either facts, or what the compiled
     module keeps of it."""
@@ -51,10 +58,30 @@ class Made(metaclass=_Closed):
         raise TypeError(
             f"{cls.__name__} is what functions of changeover return, and is not made by hand")
 
+    def _said(self) -> Any:
+        """What two of them are equal in."""
+        return self._facts
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Made) or type(other) is not type(self):
+            return NotImplemented
+        return self is other or bool(self._said() == other._said())
+
+    def __hash__(self) -> int:
+        return hash((type(self).__name__, frozen(self._said())))
+
+    def _kept(self) -> Any:
+        """What pickles have of what the compiled module keeps."""
+        return self._core if self._core is None or isinstance(self._core, str) else (
+            _not_pickled(self))
+
+    @classmethod
+    def _core_again(cls, kept: Any, _facts: dict[str, Any]) -> Any:
+        """That again, of what a pickle has."""
+        return kept
+
     def __reduce_ex__(self, _protocol: Any = 2) -> Any:
-        if self._core is not None and not isinstance(self._core, str):
-            return _not_pickled(self)
-        state = pickle.dumps((self._facts, self._core), 4)
+        state = pickle.dumps((self._facts, self._kept()), 4)
         return _made_again, (type(self), state, zlib.crc32(state))
 
     __reduce__ = __reduce_ex__
@@ -107,13 +134,13 @@ def _made_again(kind: Any, *state: Any) -> Any:
         raise BadInput(f"another version of changeover pickled this {kind.__name__}; make it anew")
     if zlib.crc32(state[0]) != state[1]:
         raise BadInput(f"this pickle of a {kind.__name__} is damaged; make it anew")
-    facts, core = pickle.loads(state[0])
+    facts, kept = pickle.loads(state[0])
     for name in (*kind._hidden, *(name for owner in kind.__mro__ for name, each in
                                   vars(owner).items() if isinstance(each, _Fact))):
         if name not in facts:
             raise BadInput(f"another version of changeover pickled this {kind.__name__}, which has "
                            f"no {name}; make it anew")
-    return made(kind, facts, core)
+    return made(kind, facts, kind._core_again(kept, facts))
 
 
 def _own(value: Any) -> Any:

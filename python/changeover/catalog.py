@@ -8,6 +8,7 @@ from typing import Any, Dict, List, Optional
 from . import _core
 from ._made import Kind, Made, check_calls, fact, made
 from .designs import Design, design_of
+from .errors import BadInput
 
 __all__ = ["add", "cell", "entries", "find"]
 
@@ -29,6 +30,16 @@ class Entry(Made):
     cites: List[str] = fact()
     note: str = fact()
     retracted: str = fact("Why it is no longer vouched for; empty if it is.")
+
+    def _kept(self) -> Any:
+        return self._core.line()
+
+    @classmethod
+    def _core_again(cls, kept: Any, facts: Dict[str, Any]) -> Any:
+        core = _core.Entry.of_line(kept)
+        if core.facts() != facts:
+            raise BadInput("another version of changeover pickled this Entry; find it anew")
+        return core
 
     @property
     def recipe(self) -> Dict[str, Any]:

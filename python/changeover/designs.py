@@ -6,6 +6,7 @@ import copyreg
 import importlib
 import json
 import operator
+import zlib
 from array import array
 from typing import (
     Any, Dict, Iterator, List, Literal, Optional, SupportsIndex, Tuple, Union, overload,
@@ -70,12 +71,26 @@ class Blocks(_core.Memory):
     def __hash__(self) -> int:
         return hash((self.shape, self._view().tobytes()))
 
+    def __reduce_ex__(self, _protocol: Any = 2) -> Any:
+        state = self._view().tobytes()
+        return _blocks_again, (state, self.shape[1], zlib.crc32(state))
+
+    __reduce__ = __reduce_ex__
+
     def _view(self) -> memoryview:
         exporter: Any = self
         return memoryview(exporter)
 
     def __repr__(self) -> str:
         return "<{} of {} elements>".format(count_of(self.shape[0], "block"), self.shape[1])
+
+
+def _blocks_again(state: bytes, k: int, checksum: int) -> Blocks:
+    """What pickle has of blocks. Raises BadInput for what is damaged."""
+    if zlib.crc32(state) != checksum:
+        raise BadInput("this pickle of Blocks is damaged; make it anew")
+    blocks: Blocks = _core.blocks_of_bytes(Blocks, state, k)
+    return blocks
 
 
 class Verdict(Made):
@@ -102,6 +117,10 @@ class Verdict(Made):
     fixed: List[int] = fact("Elements that are in every block.")
     introductions: List[int] = fact("i_x: by element, in how many blocks it is introduced.")
     memberships: List[int] = fact("r_x: by element, how many blocks contain it.")
+
+    def _said(self) -> Any:
+        # These are counted for blocks that were given or read, and not for those that were made.
+        return {**self._facts, "unchanged_subsets": None}
 
     def as_dict(self) -> Dict[str, Any]:
         """Everything that the verifier found, as `changeover verify --json` has it under
@@ -348,6 +367,14 @@ class Stream(Made):
     v: int = fact()
     k: int = fact()
     kind: str = fact()
+
+    def _kept(self) -> Any:
+        raise TypeError("a Stream cannot be pickled or copied: it is read once; "
+                        "call changeover.stream() again")
+
+    # Each has its own place among the blocks.
+    __eq__ = object.__eq__
+    __hash__ = object.__hash__
 
     def __iter__(self) -> Stream:
         return self

@@ -19,7 +19,7 @@ from typing import (
 from . import _core
 from ._given import (
     attempt, file_name, is_text, leads_from_keys, listed, rows_of, share_of, words_of)
-from ._made import Made, Progress, check_calls, count_of, fact, in_a_line, made
+from ._made import Made, Progress, check_calls, count_of, fact, frozen, in_a_line, made
 from ._notebook import shown, table
 from .errors import BadInput, InternalError
 
@@ -46,6 +46,9 @@ class WorkStep(NamedTuple):
     epoch: int
     fast_evict: List[int] = []
     fast_load: List[int] = []
+
+    def __hash__(self) -> int:
+        return hash(frozen(tuple(self)))
 
 
 class _Recorded:
@@ -143,6 +146,11 @@ class _Loads(Made):
         empty line between steps. Raises BadInput if a pair would be there twice."""
         text: str = self._core.in_format("colmap")
         return text
+
+    def _said(self) -> Any:
+        facts = dict(self._facts)
+        *asked, text = facts.pop("_asked")
+        return facts, asked, text if text is None else self.to_json()
 
     def __reduce_ex__(self, _protocol: Any = 2) -> Any:
         facts = dict(self._facts)

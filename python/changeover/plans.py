@@ -75,6 +75,22 @@ class _Sheets(Made):
         "What else is to be said of the job, a line each: results that are not understood, pairs "
         "that cannot meet.")
 
+    def _kept(self) -> Any:
+        return self._core.state()
+
+    @classmethod
+    def _core_again(cls, kept: Any, facts: Dict[str, Any]) -> Any:
+        """Counted anew: the request and the set-ups must give what the pickle says."""
+        try:
+            core = _core.Planned.again(kept)
+        except (BadInput, RuntimeError, TypeError) as fault:
+            raise BadInput(f"another version of changeover pickled this {cls.__name__}, which "
+                           f"does not fit this one: {fault}; make it anew")
+        if _facts(core) != facts:
+            raise BadInput(f"another version of changeover pickled this {cls.__name__}, and "
+                           "counted it otherwise; make it anew")
+        return core
+
     def _rows(self) -> List[Dict[str, Any]]:
         """The tests, in the order in which they are made."""
         raise NotImplementedError

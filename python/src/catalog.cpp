@@ -82,6 +82,9 @@ void bind_catalog(py::module_& module) {
       .def("facts", &facts_of_entry)
       .def("recipe", [](const CatalogEntry& self) { return recipe_to_json(self.recipe); })
       .def("design", &built)
+      .def("line", [](const CatalogEntry& self) { return line_of(self, {}); })
+      .def_static("of_line",
+                  [](const std::string& line) { return entry_from_line(line, "pickle", 1, {}); })
       .def_static("find", [](const std::string& label) { return standard_catalog().find(label); })
       .def_static(
           "cell",

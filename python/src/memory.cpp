@@ -1,6 +1,8 @@
 #include "memory.hpp"
 
+#include <cstring>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "bind.hpp"
@@ -96,6 +98,17 @@ py::tuple row(const py::object& blocks, Py_ssize_t index) {
   return tuple_of({row_of(exporter, index), static_cast<std::size_t>(exporter.shape[1])});
 }
 
+// Of such a type, a copy of rows of k numbers.
+py::object copied(const py::object& type, const py::bytes& bytes, std::size_t k) {
+  const auto text = static_cast<std::string_view>(bytes);
+  if (k == 0 || text.size() % (k * sizeof(Element)) != 0) {
+    throw py::value_error("these are no rows of that many numbers");
+  }
+  const auto copy = std::make_shared<std::vector<Element>>(text.size() / sizeof(Element));
+  std::memcpy(copy->data(), text.data(), text.size());
+  return blocks_of(type, copy, copy->data(), copy->size() / k, k);
+}
+
 // Of the same type.
 py::object part(const py::object& blocks, Py_ssize_t first, Py_ssize_t length, Py_ssize_t step) {
   const py::type type = py::type::of(blocks);
@@ -153,6 +166,7 @@ void end_view(const py::object& view) {
 void bind_memory(py::module_& module) {
   module.attr("Memory") = py::reinterpret_borrow<py::object>(type_of_exporters());
   const py::object memory = module.attr("Memory");
+  module.def("blocks_of_bytes", &copied);
   memory.attr("row") = py::cpp_function(&row, py::name("row"), py::is_method(memory));
   memory.attr("part") = py::cpp_function(&part, py::name("part"), py::is_method(memory));
 }

@@ -10,32 +10,22 @@
 #include "long_work.hpp"
 #include "plan/job/bench_list.hpp"
 #include "plan/job/parts/heading_words.hpp"
+#include "plan_state.hpp"
 
 namespace changeover::python {
 namespace {
 
-struct Planned {
-  JobRequest request;
-  ParsedJob asked;
-  PlanAnswer answer;
-  bool interrupted = false;
-
-  [[nodiscard]] const Job& job() const { return *asked.job; }
-};
-
 std::unique_ptr<Planned> plan(const std::string& document, std::optional<double> time,
                               std::uint64_t threads, std::uint64_t seed, py::object progress) {
-  constexpr double more_seconds = 3;  // for rules of a model, as the command line has them
   auto planned = std::make_unique<Planned>();
-  planned->asked = stoppable(
-      [&] {
-        JobRequest request = job_request(document);
-        request.seconds = time;
-        const OpenedRequest opened = open_workbook(std::move(request));
-        planned->request = opened.request;
-        return checked_job(opened, Door::document);
-      },
-      time ? std::optional(*time + more_seconds) : std::nullopt);
+  const OpenedRequest opened = stoppable([&] {
+    JobRequest request = job_request(document);
+    request.seconds = time;
+    return open_workbook(std::move(request));
+  });
+  planned->request = opened.request;
+  planned->asked = checked_in_time(opened);
+  planned->whole = without_files(planned->request);
   LongWork work(limits(time, threads, seed, std::move(progress)));
   work.run([&](RunControl& control) {
     planned->answer = answer_to(planned->request, planned->asked, control);
@@ -161,9 +151,18 @@ std::string read_as(const std::string& what, const std::string& text) {
 
 }  // namespace
 
+ParsedJob checked_in_time(const OpenedRequest& opened) {
+  constexpr double more_seconds = 3;  // for rules of a model, as the command line has them
+  const std::optional<double> time = opened.request.seconds;
+  return stoppable([&] { return checked_job(opened, Door::document); },
+                   time ? std::optional(*time + more_seconds) : std::nullopt);
+}
+
 void bind_plan(py::module_& module) {
   py::class_<Planned>(module, "Planned")
       .def_static("of", &plan)
+      .def_static("again", &planned_again)
+      .def("state", &state_of)
       .def_readonly("interrupted", &Planned::interrupted)
       .def_property_readonly("complete",
                              [](const Planned& self) {

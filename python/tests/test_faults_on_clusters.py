@@ -396,6 +396,7 @@ class Journals(unittest.TestCase):
             if before is not None:
                 sys.modules["ray"] = before
         self.assertEqual((report.resumed, report.pairs), (14, 1))
+        self.assertEqual({pickle.loads(pickle.dumps(report))}, {report})
         self.assertEqual([each.filename for each in said], [__file__])
 
 
@@ -481,6 +482,7 @@ class Searches(unittest.TestCase):
         self.assertTrue(find.design.verdict.valid)
         self.assertLess(find.b, find.before)
         self.assertIsNone(find.label)
+        self.assertEqual({pickle.loads(pickle.dumps(find))}, {find})
         self.assertEqual([each.filename for each in said], [__file__])
         self.assertIn("and not in the catalog: ", str(said[0].message))
 
