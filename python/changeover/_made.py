@@ -120,6 +120,11 @@ def name_of(v: int, k: int, change: int, kind: str, strength: int = 2, **_: Any)
     return f"{kind} {short}({v},{k})" + ("" if strength == 2 else f", t = {strength}")
 
 
+def linear_unless_said(kind: Optional[Kind]) -> Kind:
+    """The kind of what is searched for, as on the command line."""
+    return "linear" if kind is None else kind
+
+
 def count_of(number: int, one: str, many: str = "") -> str:
     """A number and the word for what it counts: "1 block", "2 blocks"."""
     return f"{number} {one if number == 1 else many or one + 's'}"

@@ -66,9 +66,14 @@ def find(label: str) -> Optional[Entry]:
     return entry
 
 
-def cell(v: int, k: int, change: int = 2, kind: Kind = "linear", strength: int = 2) -> List[Entry]:
-    """All entries of a cell, fewest blocks first, retracted ones too."""
-    return [_entry(core) for core in _core.Entry.cell(v, k, change, kind, strength)]
+def cell(
+    v: int, k: int, change: int = 2, kind: Optional[Kind] = None, strength: int = 2
+) -> List[Entry]:
+    """All entries of a cell, of both kinds if none is named, fewest blocks first, retracted ones
+    too."""
+    found = [_entry(core) for each in (["circular", "linear"] if kind is None else [kind])
+             for core in _core.Entry.cell(v, k, change, each, strength)]
+    return sorted(found, key=lambda entry: entry.b)
 
 
 def entries(

@@ -165,7 +165,7 @@ def _verdict(core: Any) -> Verdict:
 
 class Design(Made):
     """Blocks with their verdict: changeover.design() makes one, and Design(blocks, ...) is one of
-    yours."""
+    yours: what is not said is as in verify()."""
 
     v: int = fact("Number of elements.")
     k: int = fact("Elements in a block.")
@@ -180,7 +180,7 @@ class Design(Made):
 
     def __init__(
         self, blocks: Any, v: Optional[int] = None, change: Optional[int] = None,
-        kind: Kind = "linear", strength: int = 2,
+        kind: Optional[Kind] = None, strength: int = 2,
     ) -> None:
         self._take(_core_of(blocks, v, change, kind, strength))
 
@@ -500,8 +500,8 @@ def verify(
 
     blocks: a Design, an array of shape (b, k) of whole numbers, or lists of numbers or names. If v
     is not said, what occurs is the whole set; if change is not said, the first two blocks say it;
-    kind is 'linear' unless said. Raises BadInput for blocks of different sizes, repeated elements,
-    or elements that are not below v. O(bk).
+    kind is that of a Design, and 'linear' for other blocks, unless said. Raises BadInput for blocks
+    of different sizes, repeated elements, or elements that are not below v. O(bk).
     """
     return _verdict(_core_of(blocks, v, change, kind, strength))
 

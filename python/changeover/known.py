@@ -29,6 +29,11 @@ class Bound(Made):
 class Bounds(Made):
     """What is known of the least number of blocks."""
 
+    v: int = fact()
+    k: int = fact()
+    change: int = fact()
+    kind: str = fact("'linear' or 'circular'.")
+    strength: int = fact()
     lower_bound: Optional[int] = fact("The largest lower bound; None if no design exists.")
     reason: str = fact("Of the bound, or why no design exists; one line.")
     best_known: Optional[int] = fact("Blocks of the best design that is known, or None.")
@@ -101,10 +106,13 @@ def _in_a_word(cell: Optional[Cell]) -> str:
     return f"{cell.b}=" if cell.status == "minimum" else str(cell.b)
 
 
-def bounds(v: int, k: int, change: int = 2, kind: Kind = "linear", strength: int = 2) -> Bounds:
+def bounds(
+    v: int, k: int, change: int = 2, kind: Optional[Kind] = None, strength: int = 2
+) -> Bounds:
     """Lower bounds on the number of blocks with their reasons, and the best design that is known.
 
-    Raises ImpossibleParameters if no such blocks can be written down.
+    kind 'linear' or 'circular', or None: that of design(), which has fewer blocks known, circular
+    if both have as many. Raises ImpossibleParameters if no such blocks can be written down.
     """
     facts = known("bounds", v=v, k=k, change=change, kind=kind, strength=strength)
     facts["all"] = [made(Bound, {**each, "blocks": each.pop("lower_bound")})

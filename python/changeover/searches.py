@@ -6,7 +6,7 @@ from typing import Any, Dict, List, Optional, Tuple
 
 from . import _core
 from ._given import share_of
-from ._made import Kind, Made, Progress, check_calls, count_of, fact, made
+from ._made import Kind, Made, Progress, check_calls, count_of, fact, linear_unless_said, made
 from .designs import Design, design_of
 
 
@@ -48,12 +48,12 @@ class Classification(Made):
 
 
 def search(
-    v: int, k: int, change: int = 2, kind: Kind = "linear", strength: int = 2, *,
+    v: int, k: int, change: int = 2, kind: Optional[Kind] = None, strength: int = 2, *,
     time: Optional[float] = 60.0, threads: int = 1, seed: int = 1, target: Optional[int] = None,
     start: Optional[Design] = None, exact: bool = False, progress: Progress = None,
 ) -> SearchResult:
     """Looks for a design with fewer blocks than any that is known, for `time` seconds (None: until
-    it is the lower bound) with `threads` threads.
+    it is the lower bound) with `threads` threads. kind is 'linear' unless said.
 
     exact=True walks up from the lower bound and proves each number of blocks impossible, with
     checked proofs, until there is a design: the minimum. progress is called now and then with a
@@ -62,27 +62,28 @@ def search(
     search that no clock ends depends on the seed alone.
     """
     facts = _core.search(
-        v, k, change, kind, strength, time, threads, seed, target, start and start._core, exact,
-        progress)
+        v, k, change, linear_unless_said(kind), strength, time, threads, seed, target,
+        start and start._core, exact, progress)
     core = facts["design"]
     found = core and design_of(core)
     return made(SearchResult, {**facts, "design": found, "b": found and found.b})
 
 
 def classify(
-    v: int, k: int, b: int, change: int = 2, kind: Kind = "linear", *, reversal: bool = False,
-    keep: int = 100, time: Optional[float] = None, threads: int = 1, progress: Progress = None,
-    share: Optional[Tuple[int, int]] = None,
+    v: int, k: int, b: int, change: int = 2, kind: Optional[Kind] = None, *,
+    reversal: bool = False, keep: int = 100, time: Optional[float] = None, threads: int = 1,
+    progress: Progress = None, share: Optional[Tuple[int, int]] = None,
 ) -> Classification:
     """All designs with exactly b blocks up to names of elements and rotation, and reversal if asked
-    for.
+    for. kind is 'linear' unless said.
 
     share: (part, parts), from (0, n) to (n - 1, n): only that part of the search. Every class is
     found by one part, so the counts of all parts add up.
     Raises ImpossibleParameters above 64 elements or 4096 blocks. Exponential in b.
     """
     facts = _core.classify(
-        v, k, b, change, kind, reversal, keep, time, threads, progress, share_of(share))
+        v, k, b, change, linear_unless_said(kind), reversal, keep, time, threads, progress,
+        share_of(share))
     orders = {int(order): count for order, count in facts["group_orders"]}
     designs = [design_of(core) for core in facts["designs"]]
     return made(Classification, {**facts, "group_orders": orders, "designs": designs})

@@ -64,7 +64,8 @@ std::string known(const std::string& about, const py::kwargs& words) {
   const std::vector<Parameters> cells = asked.of_each_kind();
   return stoppable([&]() -> std::string {
     if (about == "bounds") {
-      return bounds_json(known_bounds(cells.front()));
+      return bounds_json(best_of(
+          each_of<KnownBounds>(cells, [](const Parameters& p) { return known_bounds(p); })));
     }
     const auto offer = best_offer(Registry::standard(), cells);
     if (!offer) {

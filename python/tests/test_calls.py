@@ -11,6 +11,53 @@ from decimal import Decimal
 from fractions import Fraction
 
 import changeover
+import changeover.cluster
+
+
+class Kinds(unittest.TestCase):
+    def test_every_function_has_the_same_default(self):
+        calls = [getattr(module, name)
+                 for module in (changeover, changeover.catalog, changeover.cluster)
+                 for name in module.__all__
+                 if inspect.isfunction(getattr(module, name)) or name == "Design"]
+        found = [inspect.signature(call).parameters["kind"] for call in calls
+                 if "kind" in inspect.signature(call).parameters]
+        self.assertGreater(len(found), 12)
+        for each in found:
+            self.assertIsNone(each.default)
+
+    def test_what_is_looked_up_is_of_both_kinds(self):
+        kinds = set()
+        for v in range(6, 20):
+            best, bounds = changeover.design(v, 4), changeover.bounds(v, 4)
+            self.assertEqual((bounds.kind, bounds.best_known), (best.kind, best.b))
+            self.assertEqual(bounds, changeover.bounds(v, 4, kind=best.kind))
+            tree = changeover.explain(v, 4)
+            self.assertEqual((tree["kind"], tree["b"]), (best.kind, best.b))
+            self.assertEqual(next(changeover.stream(v, 4)), best.blocks)
+            kinds.add(best.kind)
+        self.assertEqual(kinds, {"linear", "circular"})
+        self.assertEqual({cell.kind for cell in changeover.table(4, 9)}, {"linear", "circular"})
+        both = changeover.catalog.cell(20, 5)
+        self.assertEqual([entry.b for entry in both], sorted(entry.b for entry in both))
+        of_each = [changeover.catalog.cell(20, 5, kind=kind) for kind in ("circular", "linear")]
+        self.assertTrue(all(of_each))
+        self.assertEqual({entry.label for entry in both},
+                         {entry.label for each in of_each for entry in each})
+
+    def test_what_is_searched_for_or_given_is_linear(self):
+        self.assertEqual(changeover.search(9, 4, change=1, time=1).design.kind, "linear")
+        self.assertEqual(changeover.classify(6, 3, 7, 1), changeover.classify(6, 3, 7, 1, "linear"))
+        self.assertNotEqual(changeover.classify(6, 3, 7, 1).complete and
+                            changeover.classify(6, 3, 7, 1).classes,
+                            changeover.classify(6, 3, 7, 1, "circular").classes)
+        blocks = [[0, 1, 2], [1, 2, 3], [2, 3, 0], [3, 0, 1]]
+        self.assertEqual((changeover.Design(blocks).kind, changeover.verify(blocks).kind),
+                         ("linear", "linear"))
+        circular = changeover.Design(blocks, kind="circular")
+        self.assertEqual((changeover.Design(circular).kind, changeover.verify(circular).kind),
+                         ("circular", "circular"))
+        self.assertEqual(changeover.verify(circular, kind="linear").kind, "linear")
 
 
 class Calls(unittest.TestCase):

@@ -50,6 +50,16 @@ void begin_known(JsonWriter& json, const KnownBounds& known) {
   json.key("reason").value(known.impossible ? *known.impossible : known.bounds.front().reason);
 }
 
+const KnownBounds& best_of(const std::vector<KnownBounds>& kinds) {
+  const KnownBounds* best = &kinds.front();
+  for (const KnownBounds& kind : kinds) {
+    if (kind.best && (!best->best || kind.best->b < best->best->b)) {
+      best = &kind;
+    }
+  }
+  return *best;
+}
+
 std::string bounds_json(const KnownBounds& answer) {
   JsonWriter json;
   begin_known(json, answer);

@@ -31,6 +31,10 @@ struct KnownBounds {
 /// @throws ImpossibleParameters as check().
 [[nodiscard]] KnownBounds known_bounds(const Parameters& p);
 
+/// That of the kind that a single answer is about: the one with the fewest blocks known, the first
+/// among equals.
+[[nodiscard]] const KnownBounds& best_of(const std::vector<KnownBounds>& kinds);
+
 /// "63 reported [Bean2026], blocks not held here".
 [[nodiscard]] std::string reported_words(const Reported& reported);
 

@@ -64,25 +64,13 @@ std::string latex(const KnownBounds& answer) {
   return text + "\\end{itemize}\n";
 }
 
-// The kind that a single answer is about: the one with the fewest blocks known, circular among
-// equals.
-const KnownBounds& chosen(const std::vector<KnownBounds>& answers) {
-  const KnownBounds* best = &answers.front();
-  for (const KnownBounds& answer : answers) {
-    if (answer.best && (!best->best || answer.best->b < best->best->b)) {
-      best = &answer;
-    }
-  }
-  return *best;
-}
-
 Answer run(const BoundsRequest& request) {
   const std::vector<KnownBounds> answers = each_of<KnownBounds>(
       request.asked.of_each_kind(), [&](const Parameters& p) { return known_bounds(p); });
   const bool is_latex = request.output.format() == "latex";
   const std::string all = joined(
       answers, "", [&](const KnownBounds& each) { return is_latex ? latex(each) : text(each); });
-  return text_answer(request.output.json() ? bounds_json(chosen(answers)) + "\n" : all,
+  return text_answer(request.output.json() ? bounds_json(best_of(answers)) + "\n" : all,
                      request.output);
 }
 

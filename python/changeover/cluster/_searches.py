@@ -11,7 +11,8 @@ import warnings
 from typing import Any, Callable, Dict, Iterable, List, Optional, Tuple, Union
 
 from .. import _core, catalog
-from .._made import Kind, Made, Progress, check_calls, fact, made
+from .._made import (
+    Kind, Made, Progress, check_calls, fact, linear_unless_said, made)
 from ..designs import Design, design, design_of
 from ..errors import BadInput, Error
 from ..known import bounds
@@ -230,12 +231,12 @@ _now = time.monotonic
 
 
 def search(
-    client: Any, v: int, k: int, change: int = 2, kind: Kind = "linear", strength: int = 2, *,
+    client: Any, v: int, k: int, change: int = 2, kind: Optional[Kind] = None, strength: int = 2, *,
     time: Optional[float] = 600.0, each: float = 60.0, seed: int = 1, target: Optional[int] = None,
     start: Optional[Design] = None, exact: bool = False, cubes: Optional[int] = None,
     threads: Optional[int] = None, workers: Optional[int] = None, progress: Progress = None,
 ) -> SearchResult:
-    """changeover.search() on the workers of a cluster.
+    """changeover.search() on the workers of a cluster; kind is 'linear' unless said.
 
     Without exact, each part is a seed and improves the best design so far for `each` seconds.
     exact=True goes up from the lower bound: the question whether there is a design with b blocks is
@@ -250,7 +251,7 @@ def search(
     _limits(1e9 if time is None else time, each)
     if cubes is not None and not 2 <= cubes <= _most_cubes:
         raise BadInput(f"cubes is a number from 2 to {_most_cubes}")
-    cell: Cell = (v, k, change, kind, strength)
+    cell: Cell = (v, k, change, linear_unless_said(kind), strength)
     end = _now() + (1e9 if time is None else time)
     if exact:
         if target is not None:
@@ -284,19 +285,19 @@ def search(
 
 
 def classify(
-    client: Any, v: int, k: int, b: int, change: int = 2, kind: Kind = "linear", *,
+    client: Any, v: int, k: int, b: int, change: int = 2, kind: Optional[Kind] = None, *,
     reversal: bool = False, keep: int = 100, time: Optional[float] = None, each: float = 60.0,
     threads: Optional[int] = None, workers: Optional[int] = None, progress: Progress = None,
 ) -> Classification:
-    """changeover.classify() on the workers of a cluster, which take shares of the search tree. A
-    share that takes longer than `each` seconds is ended and divided into four, which may take twice
-    as long, and so on; a lost worker loses at most one share.
+    """changeover.classify() on the workers of a cluster, which take shares of the search tree.
+    kind is 'linear' unless said. A share that takes longer than `each` seconds is ended and divided
+    into four, which may take twice as long, and so on; a lost worker loses at most one share.
 
     The counts of shares add up, as each class is found in exactly one. The kept designs are
     verified here and checked to be different: up to `keep` of them, the smallest of those received.
     """
     _limits(1e9 if time is None else time, each)
-    cell: Cell = (v, k, change, kind, 2)
+    cell: Cell = (v, k, change, linear_unless_said(kind), 2)
     tree = Tree(cell, b, reversal, keep, each, _now() + (1e9 if time is None else time))
     answer = run_bag(client, _classify_part, tree.begin, tree.finish, tell_of(progress), threads,
                      tree.progress, workers)
