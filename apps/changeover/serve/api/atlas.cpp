@@ -1,11 +1,18 @@
 #include "serve/api/atlas.hpp"
 
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
 #include "changeover/catalog/catalog.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"
 #include "changeover/run/control.hpp"
 #include "construct/known_documents.hpp"
 #include "io/write/json_writer.hpp"
+#include "run/threads.hpp"
 #include "serve/api/about.hpp"
 #include "serve/api/cells.hpp"
 #include "serve/api/request/query.hpp"
@@ -30,6 +37,16 @@ KnownCell known_cell(const Parameters& p) {
     cell.best = std::move(known.best);
   }
   return cell;
+}
+
+// The order of the group of a cell's best design, in decimal.
+std::optional<std::string> group_order(const KnownCell& cell) {
+  // Beyond, a design is too long to be looked through for each of many cells.
+  constexpr std::uint64_t most_numbers = 2'000'000;
+  if (!cell.best || cell.best->b > most_numbers / cell.parameters.k) {
+    return std::nullopt;
+  }
+  return automorphisms(Registry::standard().build_design(cell.best->recipe)).order;
 }
 
 AtlasQuestion atlas_question_of(const Request& request) {
@@ -112,19 +129,16 @@ std::deque<KnownCell> cells_of_strength(const AtlasQuestion& asked) {
 }
 
 std::string groups_json(const AtlasQuestion& asked, const Cells& cells) {
-  // Beyond, a design is too long to be looked through for each of many cells.
-  constexpr std::uint64_t most_numbers = 2'000'000;
+  std::vector<std::optional<std::string>> orders(cells.size());
+  RunControl all_cores(*RunScope::current(), std::max(1U, std::thread::hardware_concurrency()));
+  in_parallel(all_cores, cells.size(), [&](std::size_t i) {
+    stop_if_asked();
+    orders[i] = group_order(*cells[i]);
+  });
+  stop_if_asked();
   JsonWriter json;
   begin_atlas(json, asked.cells(), asked.strength);
-  json.list("order", cells, [&](const KnownCell* cell) {
-    stop_if_asked();
-    if (!cell->best || cell->best->b > most_numbers / cell->parameters.k) {
-      json.null();
-      return;
-    }
-    const Design design = Registry::standard().build_design(cell->best->recipe);
-    json.value(automorphisms(design).order);
-  });
+  json.list("order", orders, [&](const auto& order) { json.value(order); });
   return json.end_object().take();
 }
 
