@@ -1,10 +1,11 @@
 // The same pages as files, behind any file server, in a folder of it.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { createReadStream, mkdtempSync, rmSync, statSync } from 'node:fs';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { createReadStream, mkdtempSync, readFileSync, rmSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { extname, join } from 'node:path';
+import { gunzipSync } from 'node:zlib';
 import { look, program, settled } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
 import { served, test } from './support/tests.mjs';
@@ -97,6 +98,44 @@ test('the window of the map, groups and permanent addresses', async (explorer) =
   assert.ok((await page.locator('table.cells tbody tr').count()) > 0);
   await page.goto(`${page.url().replace(/[?#].*/, '')}?cell=20.5.2.linear`);
   await page.getByRole('heading', { name: /^Linear.*20 elements in blocks of 5/ }).waitFor();
+});
+
+test('cells of files are those of the program', async (explorer) => {
+  const page = await explorer.open('#/cell?v=20&k=5');
+  await page.locator('.known').waitFor();
+  const data = (name) => JSON.parse(gunzipSync(readFileSync(join(folder, 'site/data', name))));
+  const ask = (...words) =>
+    spawnSync(program, words, {
+      encoding: 'utf8',
+      env: { ...process.env, CHANGEOVER_CATALOG: '' },
+    }).stdout; // "[]", with exit code 4, if there is no design
+  const forms = data('citations.json.gz');
+  let designs = 0;
+  for (const kind of ['circular', 'linear']) {
+    for (const [v, cell] of Object.entries(data(`cell/2.${kind}.5.json.gz`))) {
+      const known = JSON.parse(ask('catalog', 'show', v, '5', `--${kind}`, '--json'));
+      assert.equal(cell.designs.length, known.length);
+      known.forEach((design, i) => {
+        const beside = { v: cell.v, k: cell.k, change: cell.change, kind: cell.kind };
+        const { reason, lower_bound } = cell;
+        assert.deepEqual({ ...beside, reason, lower_bound, ...cell.designs[i] }, design);
+        const filled = forms[cell.cite[i]].replace(/<(\w+)>/g, (_, word) => design[word]);
+        assert.equal(filled, ask('catalog', 'cite', design.label));
+        ++designs;
+      });
+      if (cell.best) {
+        const made = JSON.parse(ask('explain', v, '5', `--${kind}`, '--json'));
+        assert.deepEqual({ recipe: cell.best.recipe, tree: cell.tree }, made);
+      }
+    }
+  }
+  assert.ok(designs > 20, `${designs} designs`);
+  // And so the page has them.
+  await page.getByRole('button', { name: /^Cite/ }).first().click();
+  const shown = page.locator('.bibtex pre').first();
+  await shown.waitFor();
+  const label = /catalog label ([\w.]+)/.exec(await shown.textContent())[1];
+  assert.equal((await shown.textContent()).trim(), ask('catalog', 'cite', label).trim());
 });
 
 test('every design is the one whose label it has', async (explorer) => {

@@ -147,7 +147,17 @@ export function forgetAtlases(): void {
   atlases.clear();
 }
 
-type KeptCell = CellDetail & { explain?: Explanation | null; cite?: Record<string, string> };
+/** A design of the catalog, as a cell has it. */
+type Entry = CellDetail['designs'][number];
+
+/** A cell of a static copy: its designs do not say again what it says. */
+type KeptCell = Omit<CellDetail, 'designs'> & {
+  designs: (Omit<Entry, 'v' | 'k' | 'change' | 'kind' | 'lower_bound' | 'reason'> &
+    Partial<Entry>)[];
+  tree: Explanation['tree'] | null;
+  /** Of each design the number of the form of its citation. */
+  cite: number[];
+};
 
 /** Where a static copy has the cells of a block size, and where their designs. */
 function shelf(cell: Cell): string {
@@ -194,7 +204,16 @@ async function keptCell(cell: Cell): Promise<KeptCell> {
 }
 
 export async function cellDetail(cell: Cell, signal: AbortSignal): Promise<CellDetail> {
-  return isCopy() ? keptCell(cell) : get('cell', parameters(cell), signal);
+  return isCopy() ? wholeCell(await keptCell(cell)) : get('cell', parameters(cell), signal);
+}
+
+function wholeCell(kept: KeptCell): CellDetail {
+  const { v, k, change, kind, strength, reason } = kept;
+  const said = {
+    ...{ v, k, change, kind, reason, lower_bound: kept.lower_bound ?? 0 },
+    ...(strength === 2 ? {} : { strength }),
+  };
+  return { ...kept, designs: kept.designs.map((design) => ({ ...said, ...design })) };
 }
 
 export async function designOf(asked: Asked, signal: AbortSignal): Promise<Design> {
@@ -264,7 +283,8 @@ export async function explain(asked: Asked, signal: AbortSignal): Promise<Explan
   if (!isCopy()) {
     return get('explain', isCell(asked) ? parameters(asked) : asked, signal);
   }
-  return (await keptCell(isCell(asked) ? asked : cellOf(asked.label))).explain ?? null;
+  const { best, tree } = await keptCell(isCell(asked) ? asked : cellOf(asked.label));
+  return best && tree ? { recipe: best.recipe, tree } : null;
 }
 
 /** Pictures of designs are drawn by a server only; null in a static copy. */
@@ -289,11 +309,20 @@ export async function cite(label: string | null, signal: AbortSignal): Promise<s
   if (label === null) {
     throw new ApiError(notCopied, 404);
   }
-  const text = (await keptCell(cellOf(label))).cite?.[label];
-  if (!text) {
+  const kept = await keptCell(cellOf(label));
+  const { designs } = wholeCell(kept);
+  const place = designs.findIndex((design) => design.label === label);
+  if (place < 0) {
     throw new ApiError(notCopied, 404);
   }
-  return text;
+  const never = new AbortController().signal;
+  const forms = await onShelf('citations', () => zipped<string[]>('citations.json', never));
+  return filled(forms[kept.cite[place]!]!, designs[place]!);
+}
+
+/** A form with what a design says in its open places. */
+function filled(form: string, design: Entry): string {
+  return form.replace(/<(label|hash|kind|v|k|b)>/g, (_, name: 'label') => String(design[name]));
 }
 
 export async function completeness(signal: AbortSignal): Promise<Completeness[]> {

@@ -59,12 +59,9 @@ std::string misc(const std::string& key, const std::string& author, const std::s
   return text + fmt::format("  note   = {{{}}}\n}}\n", bibtex_text(note));
 }
 
-}  // namespace
-
-void write_entry(JsonWriter& json, const CatalogEntry& entry) {
-  json.begin_object().key("label").value(entry.label()).parameters(entry.parameters);
-  json.key("b").value(entry.b).key("lower_bound").value(entry.lower_bound);
-  json.key("reason").value(entry.reason).key("status").value(entry.status());
+// The rest of an entry, to its end.
+void write_sources(JsonWriter& json, const CatalogEntry& entry) {
+  json.key("status").value(entry.status());
   json.key("construction").value(entry.recipe.construction);
   json.key("credit").begin_object();
   json.key("who").value(entry.credit.who).key("date").value(entry.credit.date);
@@ -78,6 +75,26 @@ void write_entry(JsonWriter& json, const CatalogEntry& entry) {
     json.key("retracted").value(entry.retracted);
   }
   json.key("hash").value(to_hex(entry.checksum)).end_object();
+}
+
+}  // namespace
+
+void write_entry(JsonWriter& json, const CatalogEntry& entry) {
+  json.begin_object().key("label").value(entry.label()).parameters(entry.parameters);
+  json.key("b").value(entry.b).key("lower_bound").value(entry.lower_bound);
+  json.key("reason").value(entry.reason);
+  write_sources(json, entry);
+}
+
+void write_entry_beside(JsonWriter& json, const CatalogEntry& entry, const Bound& of_cell) {
+  json.begin_object().key("label").value(entry.label()).key("b").value(entry.b);
+  if (entry.lower_bound != of_cell.blocks) {
+    json.key("lower_bound").value(entry.lower_bound);
+  }
+  if (entry.reason != of_cell.reason) {
+    json.key("reason").value(entry.reason);
+  }
+  write_sources(json, entry);
 }
 
 std::string credit_words(const Credit& credit) {

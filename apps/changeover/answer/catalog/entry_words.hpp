@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "changeover/bounds/lower_bound.hpp"
 #include "changeover/catalog/catalog.hpp"
 #include "io/write/json_writer.hpp"
 
@@ -15,6 +16,10 @@ namespace changeover::cli {
 /// {"label","v","k","change","kind",["strength",]"b","lower_bound","reason","status",
 /// "construction","credit","cites","hash",…}.
 void write_entry(JsonWriter& json, const CatalogEntry& entry);
+
+/// The same beside its cell: without parameters, and without its bound and the reason if these are
+/// that of the cell.
+void write_entry_beside(JsonWriter& json, const CatalogEntry& entry, const Bound& of_cell);
 
 /// "changeover search 20 5 …; The Changeover developers; changeover 1.0.0; 2026-11-22".
 [[nodiscard]] std::string credit_words(const Credit& credit);

@@ -75,14 +75,19 @@ std::string tree_text(const Recipe& recipe) {
   return text;
 }
 
-std::string explanation_json(const Recipe& recipe) {
+std::string tree_json(const Recipe& recipe) {
   JsonWriter json;
-  json.begin_object().key("recipe").raw(recipe_to_json(recipe)).key("tree");
   write_tree(recipe, json, [](const Recipe& node, JsonWriter& to) {
     const auto judgement = judgement_of(node);
     judgement ? to.raw(verdict_to_json(judgement->verdict)) : to.null();
   });
-  return json.end_object().take();
+  return json.take();
+}
+
+std::string explanation_json(const Recipe& recipe) {
+  JsonWriter json;
+  json.begin_object().key("recipe").raw(recipe_to_json(recipe));
+  return json.key("tree").raw(tree_json(recipe)).end_object().take();
 }
 
 }  // namespace changeover::cli

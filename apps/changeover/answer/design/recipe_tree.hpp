@@ -23,6 +23,9 @@ struct RecipeStep {
 
 [[nodiscard]] std::string tree_text(const Recipe& recipe);
 
+/// The tree with verdicts, as that document has it.
+[[nodiscard]] std::string tree_json(const Recipe& recipe);
+
 /// The document of `explain --json`: {"recipe":…,"tree":…}.
 [[nodiscard]] std::string explanation_json(const Recipe& recipe);
 

@@ -89,7 +89,7 @@ bool is_quick_table(const Request& request) {
          (range.k.to - range.k.from + 1) * (range.v.to - range.v.from + 1) <= quick_cells;
 }
 
-std::string cell_json(const Catalog& catalog, const Parameters& p, Offers how) {
+std::string cell_json(const Catalog& catalog, const Parameters& p, CellWords words) {
   const KnownBounds known = known_bounds(p);
   JsonWriter json;
   begin_known(json, known);
@@ -101,13 +101,17 @@ std::string cell_json(const Catalog& catalog, const Parameters& p, Offers how) {
   });
   write_best(json, known);
   const std::vector<CatalogEntry> entries = catalog.cell(p);
-  json.list("designs", entries, [&](const CatalogEntry& entry) { cli::write_entry(json, entry); });
+  json.list("designs", entries, [&](const CatalogEntry& entry) {
+    words == CellWords::all || known.bounds.empty()
+        ? cli::write_entry(json, entry)
+        : cli::write_entry_beside(json, entry, known.bounds.front());
+  });
   constexpr std::size_t most_offers = 20;
   const std::vector<Offer> offers =
       known.impossible ? std::vector<Offer>() : Registry::standard().offers(p);
   json.objects("offers", offers | std::views::take(most_offers), [&](const Offer& offer) {
     json.key("construction").value(offer.recipe.construction).key("b").value(offer.b);
-    if (how == Offers::with_recipes) {
+    if (words == CellWords::all) {
       json.key("recipe").raw(recipe_to_json(offer.recipe));
     }
   });

@@ -21,8 +21,11 @@ namespace changeover::serve {
 
 /// Bounds, the best design, what the catalog has, what constructions offer, how the cell became
 /// better.
-enum class Offers : std::uint8_t { with_recipes, by_name };
+enum class CellWords : std::uint8_t {
+  all,
+  fewest  ///< no recipes of offers, and of designs not what the cell says already
+};
 [[nodiscard]] std::string cell_json(const Catalog& catalog, const Parameters& p,
-                                    Offers how = Offers::with_recipes);
+                                    CellWords words = CellWords::all);
 
 }  // namespace changeover::serve

@@ -19,12 +19,14 @@
 #include "changeover/core/error.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/run/control.hpp"
+#include "core/each.hpp"
 #include "io/write/json_writer.hpp"
 #include "run/threads.hpp"
 #include "serve/api/about.hpp"
 #include "serve/api/atlas.hpp"
 #include "serve/api/cells.hpp"
 #include "serve/export/addresses.hpp"
+#include "serve/export/citations.hpp"
 #include "serve/export/packed_designs.hpp"
 #include "serve/export/workshop.hpp"
 
@@ -69,9 +71,10 @@ std::string packed(std::string_view text) {
   return gzip(text, smallest);
 }
 
-// A cell without a recipe for each offer: the page names constructions only.
+// A cell without a recipe for each offer: the page names constructions only. What its designs have
+// in common with it is not said again.
 std::string shelved_cell(const Catalog& catalog, const Parameters& p) {
-  return cell_json(catalog, p, Offers::by_name);
+  return cell_json(catalog, p, CellWords::fewest);
 }
 
 class Site {
@@ -144,6 +147,10 @@ class Site {
     workshop_.write("feed.xml", feed(address_, catalog_));
   }
 
+  void write_citations() {
+    workshop_.write("data/citations.json.gz", packed(citations_.json() + "\n"));
+  }
+
   [[nodiscard]] std::uint64_t cells() const { return cells_; }
   [[nodiscard]] std::uint64_t designs() const { return written_.size(); }
 
@@ -163,12 +170,14 @@ class Site {
       return p.k > p.v || p.change > p.k;
     });
     std::vector<std::string> documents(cells.size());
+    std::vector<std::vector<CatalogEntry>> entries(cells.size());
     std::map<std::uint64_t, PackedDesigns> designs;
     for (const KnownCell* const cell : cells) {
       designs[cell->parameters.k];
     }
     in_parallel(control_, cells.size(), [&](std::size_t i) {
-      documents[i] = document_of(*cells[i], designs.at(cells[i]->parameters.k));
+      entries[i] = catalog_.cell(cells[i]->parameters);
+      documents[i] = document_of(*cells[i], entries[i], designs.at(cells[i]->parameters.k));
       report_progress({.phase = "writing the site", .steps = ++cells_, .unit = "cells"});
     });
     stop_if_asked();
@@ -176,7 +185,10 @@ class Site {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const Parameters& p = cells[i]->parameters;
       std::string& shelf = shelves[p.k];
-      shelf += fmt::format("{}\"{}\":{}", shelf.empty() ? "{" : ",\n", p.v, documents[i]);
+      shelf += fmt::format("{}\"{}\":{},\"cite\":[{}]}}", shelf.empty() ? "{" : ",\n", p.v,
+                           documents[i], joined(entries[i], ",", [&](const CatalogEntry& entry) {
+                             return std::to_string(citations_.number(entry, cli::bibtex_of(entry)));
+                           }));
       named_cells_.push_back(address_of_cell(address_, p));
     }
     for (const auto& [k, shelf] : shelves) {
@@ -185,18 +197,14 @@ class Site {
     }
   }
 
-  // With how it is made, and BibTeX of its designs by their labels.
-  std::string document_of(const KnownCell& cell, PackedDesigns& designs) {
-    const Parameters& p = cell.parameters;
-    std::string document = shelved_cell(catalog_, p);
+  // With how it is made; not yet at its end.
+  std::string document_of(const KnownCell& cell, const std::vector<CatalogEntry>& entries,
+                          PackedDesigns& designs) {
+    std::string document = shelved_cell(catalog_, cell.parameters);
     document.pop_back();
-    document += ",\"explain\":" +
-                (cell.best ? cli::explanation_json(cell.best->recipe) : std::string("null"));
-    JsonWriter cites;
-    cites.begin_object();
-    for (const CatalogEntry& entry : catalog_.cell(p)) {
+    document += ",\"tree\":" + (cell.best ? cli::tree_json(cell.best->recipe) : "null");
+    for (const CatalogEntry& entry : entries) {
       const std::string label = entry.label();
-      cites.key(label).value(cli::bibtex_of(entry));
       if (entry.retracted.empty() && is_new(label)) {
         stop_if_asked();
         const cli::ChosenDesign chosen = cli::built(entry);
@@ -205,7 +213,7 @@ class Site {
         designs.add(label, design, chosen.exhibit.judgement.verdict);
       }
     }
-    return document + ",\"cite\":" + cites.end_object().take() + "}";
+    return document;
   }
 
   bool is_new(const std::string& label) {
@@ -220,6 +228,7 @@ class Site {
   RunControl& control_;
   std::atomic<std::uint64_t> cells_ = 0;
   std::vector<std::string> named_cells_;
+  CitationForms citations_;
   std::mutex mutex_;
   std::set<std::string> written_;
 };
@@ -256,6 +265,7 @@ SiteSummary export_site(const std::string& folder, const SiteRange& range,
       site.write_strength(change, strength);
     }
   }
+  site.write_citations();
   if (!address.empty()) {
     site.write_addresses();
   }
