@@ -889,17 +889,24 @@ def check_explorer(server):
         for file in data.glob(f"{address}/*.gz"):
             look("get", address, json.loads(gzip.decompress(file.read_bytes())), str(file))
     labels = set()
+    forms = json.loads(gzip.decompress((data / "citations.json.gz").read_bytes()))
     for file in data.glob("cell/*.gz"):
         for cell in json.loads(gzip.decompress(file.read_bytes())).values():
-            cites, explained = cell.pop("cite"), cell.pop("explain")
+            numbers, tree = cell.pop("cite"), cell.pop("tree")
+            shared = ("v", "k", "change", "kind", "strength", "lower_bound", "reason")
+            of_cell = {key: cell[key] for key in shared if key in cell}
+            cell["designs"] = [{**of_cell, **design} for design in cell["designs"]]
             look("get", "cell", cell, str(file))
-            if explained:
+            if tree:
+                explained = {"recipe": cell["best"]["recipe"], "tree": tree}
                 look("get", "explain", explained, str(file))
             labels |= {entry["label"] for entry in cell["designs"] if "retracted" not in entry}
-            if any(not text.startswith("@misc{") for text in cites.values()) or set(cites) != {
-                entry["label"] for entry in cell["designs"]
-            }:
-                fault(f"{file}: what to cite is not that of its designs")
+            if len(numbers) != len(cell["designs"]):
+                fault(f"{file}: not every design is cited")
+            for number, design in zip(numbers, cell["designs"]):
+                cited = re.sub(r"<(\w+)>", lambda word: str(design[word[1]]), forms[number])
+                if cited != server.text(f"{server.address}api/cite?label={design['label']}"):
+                    fault(f"{file}: what to cite is not that of {design['label']}")
     unpacked = {
         design["label"]: design
         for file in data.glob("design/*.gz")
