@@ -21,8 +21,8 @@ struct AsWanted {
 /// properties; nullopt if none is found. Blocks that must be contained are not looked for.
 ///
 /// An exact cover: an element is in an unchanged subset, or it is renumbered to be one of those
-/// wanted in the first or the last block. A limit of nodes ends it; so does the scope of this thread
-/// (run/control.hpp).
+/// wanted in the first or the last block. A limit of nodes ends it; so does the scope of this
+/// thread (run/control.hpp).
 [[nodiscard]] std::optional<AsWanted> as_wanted(const Design& design, const Wanted& wanted);
 
 /// The one with the fewest blocks of the designs that are known to this program: the best one, the
