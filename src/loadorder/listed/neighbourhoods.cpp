@@ -20,7 +20,8 @@ class LookLimit {
   explicit LookLimit(std::uint64_t most) : left_(most) {}
   void spend(std::uint64_t looks) {
     left_ -= std::min(left_, looks);
-    if ((since_ += looks) >= often) {
+    since_ += looks;
+    if (since_ >= often) {
       since_ = 0;
       stop_if_asked();
     }
@@ -319,7 +320,10 @@ class PairExchange {
     if (found == at_[x].end()) {
       at_[x].push_back({part, 1});
       ++items_[part];
-    } else if ((found->pairs += static_cast<std::uint32_t>(by)) == 0) {
+      return;
+    }
+    found->pairs += static_cast<std::uint32_t>(by);
+    if (found->pairs == 0) {
       *found = at_[x].back();
       at_[x].pop_back();
       --items_[part];
