@@ -66,14 +66,14 @@ class Blocks(_core.Memory):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Blocks):
             return NotImplemented
-        return self._view() == other._view()
+        return self.shape == other.shape and self._view() == other._view()
 
     def __hash__(self) -> int:
         return hash((self.shape, self._view().tobytes()))
 
     def __reduce_ex__(self, _protocol: Any = 2) -> Any:
         state = self._view().tobytes()
-        return _blocks_again, (state, self.shape[1], zlib.crc32(state))
+        return _blocks_again, (state, self.shape[1], zlib.crc32(state, self.shape[1]))
 
     __reduce__ = __reduce_ex__
 
@@ -87,7 +87,8 @@ class Blocks(_core.Memory):
 
 def _blocks_again(state: bytes, k: int, checksum: int) -> Blocks:
     """What pickle has of blocks. Raises BadInput for what is damaged."""
-    if zlib.crc32(state) != checksum:
+    is_row = isinstance(k, int) and 0 < k < 2**32
+    if not is_row or zlib.crc32(state, k) != checksum:
         raise BadInput("this pickle of Blocks is damaged; make it anew")
     blocks: Blocks = _core.blocks_of_bytes(Blocks, state, k)
     return blocks

@@ -107,11 +107,13 @@ def _made_again(kind: Any, state: bytes, checksum: int) -> Any:
     if core is None:
         core, again = _core.Loads.planned(
             json.dumps({**asked, "verify_beside": False}), ends, None, 1, seed, None)
-        if again != facts:
+        # One that is verified beside the work is read at once when it is made again.
+        if {**again, "certificate": ""} != {**facts, "certificate": ""}:
             raise BadInput(
                 "another version of changeover pickled this load order, and made another "
                 "one; make it anew"
             )
+        facts = again
     return made(kind, {**facts, "_asked": (asked, ends, seed, text)}, core)
 
 

@@ -108,6 +108,9 @@ class Check {
 // Pairs as the bytes of their items, one after the other.
 std::shared_ptr<const PairGraph> pairs_in(std::optional<std::uint64_t> items,
                                           std::string_view bytes) {
+  if (bytes.size() % (2 * sizeof(Element)) != 0) {
+    throw BadInput("the numbers of the pairs are no whole pairs");
+  }
   std::vector<Element> numbers(bytes.size() / sizeof(Element));
   std::memcpy(numbers.data(), bytes.data(), bytes.size());
   std::vector<ItemPair> listed;

@@ -1,6 +1,7 @@
 #include "memory.hpp"
 
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -101,10 +102,12 @@ py::tuple row(const py::object& blocks, Py_ssize_t index) {
 // Of such a type, a copy of rows of k numbers.
 py::object copied(const py::object& type, const py::bytes& bytes, std::size_t k) {
   const auto text = static_cast<std::string_view>(bytes);
-  if (k == 0 || text.size() % (k * sizeof(Element)) != 0) {
+  const std::size_t count = text.size() / sizeof(Element);
+  if (k == 0 || k > std::numeric_limits<Element>::max() || text.size() % sizeof(Element) != 0 ||
+      count % k != 0) {
     throw py::value_error("these are no rows of that many numbers");
   }
-  const auto copy = std::make_shared<std::vector<Element>>(text.size() / sizeof(Element));
+  const auto copy = std::make_shared<std::vector<Element>>(count);
   std::memcpy(copy->data(), text.data(), text.size());
   return blocks_of(type, copy, copy->data(), copy->size() / k, k);
 }

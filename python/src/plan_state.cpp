@@ -1,5 +1,6 @@
 #include "plan_state.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -137,8 +138,11 @@ BenchPlan plan_of(const Job& job, const std::vector<Bench>& benches, const Bench
                most_weight, steps, shortage] = state;
   BenchSchedule schedule;
   for (const std::vector<StepState>& bench : steps_of_benches) {
-    schedule.push_back(each_of<BenchStep>(bench, [](const StepState& step) {
+    schedule.push_back(each_of<BenchStep>(bench, [&](const StepState& step) {
       const auto& [setup, begin, again] = step;
+      if (std::ranges::any_of(again, [&](Element x) { return x >= job.names.size(); })) {
+        throw BadInput("a part that is put in again is none of the job");
+      }
       return BenchStep{.setup = setup, .begin = {begin}, .again = again};
     }));
   }

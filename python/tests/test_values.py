@@ -150,6 +150,8 @@ class Values(unittest.TestCase):
             self.assertEqual(len({copy.deepcopy(one), one}), 1)
 
     def test_different_ones_are_told_apart(self):
+        of_four, of_five = changeover.design(9, 4).blocks[:0], changeover.design(8, 5).blocks[:0]
+        self.assertNotEqual(of_four, of_five)
         for kind, objects in self.made.items():
             for i, one in enumerate(objects):
                 for other in objects[:i]:
@@ -253,7 +255,38 @@ class Values(unittest.TestCase):
         ):
             again({**facts, "b": 3}, kept)
         with self.assertRaisesRegex(ValueError, "^these are no rows of that many numbers$"):
-            DESIGN.blocks.__reduce_ex__(4)[0](b"12345", 1, zlib.crc32(b"12345"))
+            DESIGN.blocks.__reduce_ex__(4)[0](b"12345", 1, zlib.crc32(b"12345", 1))
+        rebuild, (state, k, checksum) = DESIGN.blocks.__reduce_ex__(4)
+        for wrong in (0, -1, k - 1, 2 * k, 2**32, 2**62, 2**63, None, "4"):
+            for text in (state, b""):
+                with self.assertRaisesRegex(changeover.BadInput, "^this pickle of Blocks is damag"):
+                    rebuild(text, wrong, checksum)
+
+    def test_numbers_that_are_none_of_the_job_are_refused(self):
+        one = plan(**BENCHES["different ones"])
+        rebuild, (kind, state, _) = one.__reduce_ex__(4)
+        facts, kept = pickle.loads(state)
+        place, bench = next((i, bench) for i, bench in enumerate(kept[5][0]) if bench)
+        (setup, begin, _), *later = bench
+        for again in ([8], [77777]):
+            benches = [*kept[5][0]]
+            benches[place] = [(setup, begin, again), *later]
+            text = pickle.dumps((facts, (*kept[:5], (benches, *kept[5][1:]))), 4)
+            with self.assertRaisesRegex(changeover.BadInput, "put in again is none of the job"):
+                rebuild(kind, text, zlib.crc32(text))
+
+        rebuild, (kind, state, _) = loads(pairs=[(1, 2), (2, 3)]).__reduce_ex__(4)
+        facts, asked, ends, *rest = pickle.loads(state)
+        for wrong in (b"a", ends + b"a", ends[:-1], ends[:-4]):
+            text = pickle.dumps((facts, asked, wrong, *rest), 4)
+            with self.assertRaisesRegex(changeover.BadInput, "are no whole pairs"):
+                rebuild(kind, text, zlib.crc32(text))
+
+    def test_an_order_that_is_verified_beside_the_work(self):
+        one = loads(verify_beside=True)
+        for other in (pickle.loads(pickle.dumps(one)), copy.copy(one)):
+            self.assertEqual(list(other), list(loads()))
+            self.assertTrue(other.verified())
 
     def test_what_cannot_be_pickled_says_so(self):
         stream = changeover.stream(61, 4)
