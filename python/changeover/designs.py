@@ -87,8 +87,8 @@ class Blocks(_core.Memory):
 
 def _blocks_again(state: bytes, k: int, checksum: int) -> Blocks:
     """What pickle has of blocks. Raises BadInput for what is damaged."""
-    is_row = isinstance(k, int) and 0 < k < 2**32
-    if not is_row or zlib.crc32(state, k) != checksum:
+    fits = isinstance(k, int) and 0 < k < 2**32
+    if not fits or zlib.crc32(state, k) != checksum:
         raise BadInput("this pickle of Blocks is damaged; make it anew")
     blocks: Blocks = _core.blocks_of_bytes(Blocks, state, k)
     return blocks

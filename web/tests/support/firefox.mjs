@@ -11,7 +11,7 @@ const program =
   process.env.FIREFOX ??
   ['/usr/bin/firefox-esr', '/usr/bin/firefox'].find((path) => existsSync(path));
 
-// It opens its socket at a free port, and asks nobody on the network.
+// It opens its socket at a free port, and asks for nothing on the network.
 const preferences = {
   'marionette.port': 0,
   'browser.shell.checkDefaultBrowser': false,
