@@ -64,7 +64,7 @@ class LockedSearch {
     if (options_.from_known) {
       take_known();
     }
-    run_together(control_, control_.threads(), [this](unsigned) { work(); });
+    run_together(control_, threads_that_fit(), [this](unsigned) { work(); });
     result_.lower_bound = bound_;
     result_.moves = moves_;
     result_.elapsed = control_.elapsed();
@@ -73,6 +73,14 @@ class LockedSearch {
   }
 
  private:
+  // Each thread anneals a list of its own.
+  [[nodiscard]] unsigned threads_that_fit() const {
+    const auto limit = control_.settings().memory_bytes;
+    const std::uint64_t each = std::max<std::uint64_t>(1, annealing_bytes(p_, aim_));
+    return static_cast<unsigned>(std::clamp<std::uint64_t>(
+        limit.value_or(unlimited) / each, 1, std::max(1U, control_.threads())));
+  }
+
   // Slightly above the bound, and at most the number that is enough.
   [[nodiscard]] std::uint64_t usual_aim() const {
     const std::uint64_t usual = bound_ + std::max<std::uint64_t>(2, bound_ / 8);
