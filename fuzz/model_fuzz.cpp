@@ -77,7 +77,7 @@ const Target target("model", [](const std::string& bytes) {
     accepts([&] {
       const DoneList done = read_done(*input_from_text(parts[2]), job);
       Job left = job;
-      std::vector<Block> whole = done.setups;
+      std::vector<Block> whole = done.setups();
       std::erase_if(whole, [](const Block& setup) { return setup.empty(); });
       mark_done(left, whole);
       must(left.needed.size() <= job.needed.size(), "tests that were made add no pairs");

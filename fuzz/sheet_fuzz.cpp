@@ -48,11 +48,11 @@ void plan_again(const Job& job, RunControl& control) {
 
 void diagnosed(const Job& job, const DoneList& done) {
   std::vector<TestedSetup> tests;
-  for (std::size_t i = 0; i < done.setups.size(); ++i) {
-    const TestResult result = result_of(done.results[i]);
-    if ((result == TestResult::pass || result == TestResult::fail) && !done.lacks[i] &&
-        !done.setups[i].empty()) {
-      tests.push_back({done.setups[i], result == TestResult::fail});
+  for (const DoneRow& row : done.rows) {
+    const TestResult result = result_of(row.result);
+    if ((result == TestResult::pass || result == TestResult::fail) && !row.lacks &&
+        !row.setup.empty()) {
+      tests.push_back({row.setup, result == TestResult::fail});
     }
   }
   const Diagnosis found = diagnose(job, tests);
@@ -92,7 +92,7 @@ const Target target("sheet", [](const std::string& bytes) {
     const RunScope scope(control);
     try {
       diagnosed(job, done);
-      std::vector<Block> whole = done.setups;
+      std::vector<Block> whole = done.setups();
       std::erase_if(whole, [](const Block& setup) { return setup.empty(); });
       mark_done(job, whole);
       plan_again(job, control);

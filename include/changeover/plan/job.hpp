@@ -450,26 +450,28 @@ struct DonePlace {
   std::string slot = {};     ///< "disk"; "" if the header has no slot
 };
 
-/// The set-ups of a list of tests that were done, possibly a run sheet of a parts list that has
-/// changed since.
+/// A set-up of a list of tests that were done.
+struct DoneRow {
+  Block setup;
+  std::string result = {};  ///< as written; "" for none
+  std::string unread = {};  ///< the place of the result if it is not understood, else ""
+  std::string notes = {};
+  std::string bench = {};  ///< as written; "" for none
+  std::uint64_t line = 0;
+  bool lacks = false;                                 ///< whether some of its parts are gone
+  std::vector<std::optional<Element>> in_place = {};  ///< by place; nullopt: none, or it is gone
+  std::vector<std::string> written = {};  ///< the same as written, including parts that are gone
+};
+
+/// A list of tests that were done, possibly a run sheet of a parts list that has changed since.
 struct DoneList {
-  std::vector<Block> setups;
-  std::vector<std::string> results;  ///< by set-up, as written; "" for none
-  std::vector<std::string>
-      gone;                 ///< names on a run sheet that no part has any more, without repetition
-  std::vector<bool> lacks;  ///< by set-up: whether some of its parts are gone
-  std::vector<std::uint64_t> lines;  ///< by set-up: its line
+  std::vector<DoneRow> rows;
   std::vector<DonePlace> places;  ///< of a run sheet with a column for each place; otherwise empty
-  std::vector<std::vector<std::optional<Element>>>
-      in_place;  ///< by set-up, by place: the part there; nullopt for one that is gone
-  std::vector<std::vector<std::string>>
-      written;                     ///< the same as written, including parts that are gone
-  std::vector<std::string> notes;  ///< by set-up: its column notes
   std::vector<std::string>
-      unread;  ///< by set-up: the place of its result if that is unread, else ""
-  std::vector<std::string> benches;  ///< by set-up: its bench, as written; "" for none
+      gone;  ///< names on a run sheet that no part has any more, without repetition
 
   [[nodiscard]] bool has_results() const;
+  [[nodiscard]] std::vector<Block> setups() const;
 };
 
 /// Tests that were done, as they are kept on a sheet.

@@ -71,17 +71,16 @@ namespace {
 void complete_values(const Job& job, const std::string& name, DoneList& list) {
   ChoiceSolver solver(job);
   Block before = job.start;
-  for (std::size_t i = 0; i < list.setups.size(); ++i) {
-    Block& setup = list.setups[i];
-    if (setup.size() < job.slots.size()) {
-      auto completed = solver.completed(setup, before);
+  for (DoneRow& row : list.rows) {
+    if (row.setup.size() < job.slots.size()) {
+      auto completed = solver.completed(row.setup, before);
       if (!completed) {
-        fail(name, {list.lines[i], 1},
+        fail(name, {row.line, 1},
              "no test of the model has all of these values; change one, or leave it open");
       }
-      setup = *std::move(completed);
+      row.setup = *std::move(completed);
     }
-    before = setup;
+    before = row.setup;
   }
 }
 
@@ -93,7 +92,7 @@ DoneList read_first_list(Input& input, const PartNames& names, std::uint64_t at_
   if (gone != nullptr) {
     *gone = list.gone;
   }
-  if (list.setups.empty()) {
+  if (list.rows.empty()) {
     fail(input.name(), {}, "no set-up is listed; write one set-up per line");
   }
   return list;
@@ -104,12 +103,12 @@ std::vector<Block> read_first(Input& input, const Job& job) {
   if (job.model != nullptr) {
     complete_values(job, input.name(), list);
   }
-  for (std::size_t i = 0; i < list.setups.size(); ++i) {
-    if (const auto defect = setup_defect(job, list.setups[i])) {
-      fail(input.name(), {list.lines[i], 1}, *defect);
+  for (const DoneRow& row : list.rows) {
+    if (const auto defect = setup_defect(job, row.setup)) {
+      fail(input.name(), {row.line, 1}, *defect);
     }
   }
-  return std::move(list.setups);
+  return list.setups();
 }
 
 Job after_first(const Job& job) {

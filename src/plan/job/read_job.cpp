@@ -203,138 +203,182 @@ void name_value(const PartFinder& finder, std::size_t parameter, const std::stri
   }
 }
 
+class SetupReader {
+ public:
+  SetupReader(Input& input, const PartNames& names, std::uint64_t at_once, bool forgiving)
+      : reader_(input),
+        finder_(names, numbers_in(reader_)),
+        at_once_(at_once),
+        forgiving_(forgiving),
+        names_only_(forgiving && finder_.has_number_as_name()) {}
+
+  DoneList read() {
+    for (bool first = true; auto row = reader_.next(); first = false) {
+      finder_.restore_blanks(*row);
+      if (!first || !is_header(*row)) {
+        take(*std::move(row));
+      }
+    }
+    return std::move(list_);
+  }
+
+ private:
+  // Whether the first row is a header, which is then kept.
+  bool is_header(const Row& row) {
+    if (reader_.is_given() && row.front().line != 0) {
+      return false;
+    }
+    columns_ = setup_columns(row, finder_, reader_.is_given());
+    if (columns_.header) {
+      header_ = row;
+      check_header(header_, reader_);
+      list_.places = places_of(columns_, header_, finder_);
+    }
+    return columns_.header;
+  }
+
+  void take(Row row) {
+    if (columns_.header) {
+      check_shape(row, header_, columns_, reader_);
+    }
+    const std::size_t place = row.front().offset;
+    DoneRow done{.setup = {}, .line = row.front().line};
+    take_beside(row, done);
+    // Without any parts, also removed ones.
+    bool is_empty = false;
+    if (!columns_.header) {
+      take_all(row, done);
+    } else if (!columns_.slots.empty()) {
+      is_empty = take_slots(row, done);
+    } else if (columns_.list && *columns_.list < row.size()) {
+      is_empty = take_field(row[*columns_.list], done);
+    } else {
+      is_empty = true;
+    }
+    if (is_empty) {
+      reader_.fail(place, "a row without a set-up; remove it or complete it");
+    }
+    if (done.setup.size() > at_once_) {
+      reader_.fail(place, fmt::format("{} parts, but only {} fit at once; remove some",
+                                      done.setup.size(), at_once_));
+    }
+    list_.rows.push_back(std::move(done));
+  }
+
+  // The columns beside the set-up.
+  void take_beside(const Row& row, DoneRow& done) const {
+    const auto text_in = [&](const std::optional<std::size_t>& column) {
+      return column && *column < row.size() ? text_of(row[*column].text) : std::string();
+    };
+    done.notes = text_in(columns_.notes);
+    done.bench = text_in(columns_.bench);
+    done.result = text_in(columns_.result);
+    if (result_of(done.result) == TestResult::unread) {
+      done.unread = reader_.place(row[*columns_.result]);
+    }
+  }
+
+  // A row without a header: all fields are parts.
+  void take_all(Row& row, DoneRow& done) {
+    const bool separated = row.size() > 1;
+    split_at_blanks(row, finder_, reader_);
+    if (forgiving_ && separated && finder_.some_gone(row, reader_, &list_.gone)) {
+      std::erase_if(row, [&](const Field& field) { return finder_.may_be_gone(field.text); });
+      done.lacks = true;
+    }
+    done.setup = find_parts(
+        finder_, row, [&](const std::string& word) { return finder_.find(word); },
+        [&](const Field& field, const std::string& what) { reader_.fail(field, what); });
+  }
+
+  // A part in each column of a slot. Returns whether all are empty.
+  bool take_slots(Row& row, DoneRow& done) {
+    Row slots;
+    for (std::size_t c = 0; c < columns_.slots.size() && columns_.slots[c] < row.size(); ++c) {
+      slots.push_back(std::move(row[columns_.slots[c]]));
+      if (c < columns_.parameters.size()) {
+        name_value(finder_, columns_.parameters[c], text_of(slots.back().text), slots.back());
+      }
+    }
+    for (const Field& slot : slots) {
+      done.in_place.push_back(slot.text.empty() ? std::nullopt : find_cell(slot.text));
+      done.written.push_back(text_of(slot.text));
+    }
+    return take_cells(std::move(slots), done, [&](const Field& field, const std::string& what) {
+      reader_.fail(field, what);
+    });
+  }
+
+  // All parts in one field. Returns whether there are none.
+  bool take_field(const Field& field, DoneRow& done) {
+    const auto fail = [&](const Field&, const std::string& what) { reader_.fail(field, what); };
+    Row parts;
+    try {
+      parts = split_row(field.text);
+    } catch (const BadInput& fault) {
+      fail(field, fault.what());
+    }
+    return take_cells(std::move(parts), done, fail);
+  }
+
+  template <class Fail>
+  bool take_cells(Row cells, DoneRow& done, Fail&& fail) {
+    const bool is_empty = std::ranges::all_of(cells, [](const Field& f) { return f.text.empty(); });
+    done.lacks = std::erase_if(cells, [&](const Field& cell) { return is_gone(cell); }) > 0;
+    done.setup = find_parts(
+        finder_, cells, [&](const std::string& cell) { return find_cell(cell); }, fail);
+    return is_empty;
+  }
+
+  // Whether a cell names a part that is gone, which is then listed.
+  bool is_gone(const Field& cell) {
+    const std::string name = text_of(cell.text);
+    if (!forgiving_ || name.empty() || find_cell(cell.text)) {
+      return false;
+    }
+    if (gone_.count(name) == 0) {
+      if (finder_.is_name_in_any_case(name)) {
+        return false;
+      }
+      gone_.insert(name);
+      list_.gone.push_back(name);
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::optional<Element> find_cell(const std::string& cell) const {
+    return finder_.find_cell(cell, text_of(cell), names_only_);
+  }
+
+  // A text may have the apostrophe of csv_cell(); a workbook cell is taken as it is.
+  [[nodiscard]] std::string text_of(const std::string& cell) const {
+    return reader_.is_workbook() ? cell : std::string(csv_text(cell));
+  }
+
+  RowReader reader_;
+  PartFinder finder_;
+  std::uint64_t at_once_;
+  bool forgiving_;
+  bool names_only_;
+  SetupColumns columns_;
+  Row header_;
+  std::unordered_set<std::string> gone_;
+  DoneList list_;
+};
+
 }  // namespace
 
 DoneList read_list(Input& input, const PartNames& names, std::uint64_t at_once, bool forgiving) {
-  RowReader reader(input);
-  PartFinder finder(names, numbers_in(reader));
-  DoneList list;
-  std::vector<Block>& setups = list.setups;
-  const bool names_only = forgiving && finder.has_number_as_name();
-  SetupColumns columns;
-  Row header;
-  std::unordered_set<std::string> gone;
-  bool first = true;
-  const auto find = [&](const std::string& word) { return finder.find(word); };
-  // A text may have the apostrophe of csv_cell(); a workbook cell is taken as it is.
-  const auto text_of = [&](const std::string& cell) {
-    return reader.is_workbook() ? cell : std::string(csv_text(cell));
-  };
-  const auto find_cell = [&](const std::string& cell) {
-    return finder.find_cell(cell, text_of(cell), names_only);
-  };
-  const auto leave_out_gone = [&](Row& parts) {
-    const std::size_t left_out = std::erase_if(parts, [&](const Field& field) {
-      const std::string name = text_of(field.text);
-      if (!forgiving || name.empty() || find_cell(field.text)) {
-        return false;
-      }
-      if (gone.count(name) == 0) {
-        if (finder.is_name_in_any_case(name)) {
-          return false;
-        }
-        gone.insert(name);
-        list.gone.push_back(name);
-      }
-      return true;
-    });
-    list.lacks.back() = left_out > 0;
-  };
-  const auto fail = [&](const Field& field, const std::string& what) { reader.fail(field, what); };
-  while (auto next = reader.next()) {
-    Row& row = *next;
-    finder.restore_blanks(row);
-    if (std::exchange(first, false) && (!reader.is_given() || row.front().line == 0)) {
-      columns = setup_columns(row, finder, reader.is_given());
-      if (columns.header) {
-        header = row;
-        check_header(header, reader);
-        list.places = places_of(columns, header, finder);
-        continue;
-      }
-    }
-    if (columns.header) {
-      check_shape(row, header, columns, reader);
-    }
-    const std::size_t place = row.front().offset;
-    bool is_empty = false;  // without any parts, also removed ones
-    list.results.emplace_back();
-    list.lacks.push_back(false);
-    list.lines.push_back(row.front().line);
-    list.unread.emplace_back();
-    list.in_place.emplace_back();
-    list.written.emplace_back();
-    list.notes.emplace_back(columns.notes && *columns.notes < row.size()
-                                ? text_of(row[*columns.notes].text)
-                                : std::string());
-    const bool on_a_bench = columns.bench && *columns.bench < row.size();
-    list.benches.push_back(on_a_bench ? text_of(row[*columns.bench].text) : "");
-    if (columns.result && *columns.result < row.size()) {
-      const Field& result = row[*columns.result];
-      list.results.back() = text_of(result.text);
-      if (result_of(list.results.back()) == TestResult::unread) {
-        list.unread.back() = reader.place(result);
-      }
-    }
-    if (!columns.header) {
-      const bool separated = row.size() > 1;
-      split_at_blanks(row, finder, reader);
-      if (forgiving && separated && finder.some_gone(row, reader, &list.gone)) {
-        std::erase_if(row, [&](const Field& field) { return finder.may_be_gone(field.text); });
-        list.lacks.back() = true;
-      }
-      setups.push_back(find_parts(finder, row, find, fail));
-    } else if (!columns.slots.empty()) {
-      Row slots;
-      for (std::size_t c = 0; c < columns.slots.size(); ++c) {
-        if (columns.slots[c] < row.size()) {
-          slots.push_back(std::move(row[columns.slots[c]]));
-          if (c < columns.parameters.size()) {
-            name_value(finder, columns.parameters[c], text_of(slots.back().text), slots.back());
-          }
-        }
-      }
-      is_empty = std::ranges::all_of(slots, [](const Field& f) { return f.text.empty(); });
-      for (const Field& slot : slots) {
-        list.in_place.back().push_back(slot.text.empty() ? std::nullopt : find_cell(slot.text));
-        list.written.back().push_back(text_of(slot.text));
-      }
-      leave_out_gone(slots);
-      setups.push_back(find_parts(finder, slots, find_cell, fail));
-    } else if (columns.list && *columns.list < row.size()) {  // the parts in one field
-      const Field& field = row[*columns.list];
-      const auto fail_in_list = [&](const Field&, const std::string& what) { fail(field, what); };
-      Row parts;
-      try {
-        parts = split_row(field.text);
-      } catch (const BadInput& fault) {
-        fail(field, fault.what());
-      }
-      is_empty = std::ranges::all_of(parts, [](const Field& f) { return f.text.empty(); });
-      leave_out_gone(parts);
-      setups.push_back(find_parts(finder, parts, find_cell, fail_in_list));
-    } else {
-      setups.emplace_back();
-      is_empty = true;
-    }
-    if (columns.header && is_empty) {
-      reader.fail(place, "a row without a set-up; remove it or complete it");
-    }
-    if (setups.back().size() > at_once) {
-      reader.fail(place, fmt::format("{} parts, but only {} fit at once; remove some",
-                                     setups.back().size(), at_once));
-    }
-  }
-  return list;
+  return SetupReader(input, names, at_once, forgiving).read();
 }
 
 std::vector<Block> read_setups(Input& input, const std::vector<std::string>& names,
                                std::uint64_t at_once) {
-  return read_list(input, names, at_once, false).setups;
+  return read_list(input, names, at_once, false).setups();
 }
 
 std::vector<Block> read_setups(Input& input, const Job& job) {
-  return read_list(input, job, job.at_once, false).setups;
+  return read_list(input, job, job.at_once, false).setups();
 }
 
 DoneList read_done(Input& input, const std::vector<std::string>& names, std::uint64_t at_once) {
@@ -346,8 +390,10 @@ DoneList read_done(Input& input, const Job& job) {
 }
 
 bool DoneList::has_results() const {
-  return std::ranges::any_of(results, [](const std::string& result) { return !result.empty(); });
+  return std::ranges::any_of(rows, [](const DoneRow& row) { return !row.result.empty(); });
 }
+
+std::vector<Block> DoneList::setups() const { return each_of<Block>(rows, &DoneRow::setup); }
 
 Block parse_parts(std::string_view text, const std::vector<std::string>& names) {
   const PartFinder finder(names);

@@ -60,13 +60,13 @@ void take_first(Input& input, const OldListOptions& options, Job& job,
   }
   const DoneList list =
       read_first_list(input, *options.names, most_at_once(job, benches), options.gone);
-  for (std::size_t i = 0; i < list.setups.size(); ++i) {
-    const Place place{list.lines[i], 1};
-    const Block setup = (*options.left)(list.setups[i]);
-    if (setup.empty() && (list.lacks[i] || !list.setups[i].empty())) {
+  for (const DoneRow& row : list.rows) {
+    const Place place{row.line, 1};
+    const Block setup = (*options.left)(row.setup);
+    if (setup.empty() && (row.lacks || !row.setup.empty())) {
       continue;
     }
-    const std::string& name = list.benches[i];
+    const std::string& name = row.bench;
     const auto bench = find_bench(benches, name);
     if (!name.empty() && !bench) {
       fail(input.name(), place,

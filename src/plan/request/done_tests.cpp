@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <utility>
 
@@ -62,11 +61,11 @@ void drop_first(const std::vector<Block>& done, std::vector<Block>& first) {
 
 // Renumbers the parts of the set-ups in a list.
 void leave_out(const PartsLeft& left, DoneList& list) {
-  for (std::size_t i = 0; i < list.setups.size(); ++i) {
-    Block setup = left(list.setups[i]);
-    list.lacks[i] = list.lacks[i] || setup.size() < list.setups[i].size();
-    list.setups[i] = std::move(setup);
-    for (std::optional<Element>& part : list.in_place[i]) {
+  for (DoneRow& row : list.rows) {
+    Block setup = left(row.setup);
+    row.lacks = row.lacks || setup.size() < row.setup.size();
+    row.setup = std::move(setup);
+    for (std::optional<Element>& part : row.in_place) {
       const Block one = part ? left(Block{*part}) : Block();
       part = one.empty() ? std::nullopt : std::optional(one.front());
     }
@@ -85,56 +84,43 @@ std::size_t index_of(std::vector<DonePlace>& places, const DonePlace& place) {
   return index;
 }
 
+// What a row has by place, moved to other places.
+template <class T>
+std::vector<T> moved(std::vector<T> parts, const std::vector<std::size_t>& to, std::size_t places) {
+  std::vector<T> all(places);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    all[to[i]] = std::move(parts[i]);
+  }
+  return all;
+}
+
 // Appends a list: places with the same headings are the same.
 void append(DoneList& list, DoneList more) {
-  std::vector<std::size_t> indices = each_of<std::size_t>(
+  const auto to = each_of<std::size_t>(
       more.places, [&](const DonePlace& place) { return index_of(list.places, place); });
-  const auto in_their_places = [&](auto& rows) {
-    for (auto& row : rows) {
-      auto placed = row;
-      placed.assign(list.places.size(), {});
-      for (std::size_t i = 0; i < row.size(); ++i) {
-        placed[indices[i]] = std::move(row[i]);
-      }
-      row = std::move(placed);
-    }
-  };
-  in_their_places(more.in_place);
-  in_their_places(more.written);
-  for (auto& row : list.in_place) {
-    row.resize(list.places.size());
+  for (DoneRow& row : list.rows) {
+    row.in_place.resize(list.places.size());
+    row.written.resize(list.places.size());
   }
-  for (auto& row : list.written) {
-    row.resize(list.places.size());
+  for (DoneRow& row : more.rows) {
+    row.in_place = moved(std::move(row.in_place), to, list.places.size());
+    row.written = moved(std::move(row.written), to, list.places.size());
+    list.rows.push_back(std::move(row));
   }
-  const auto add = [](auto& all, auto& others) {
-    all.insert(all.end(), std::make_move_iterator(others.begin()),
-               std::make_move_iterator(others.end()));
-  };
-  add(list.setups, more.setups);
-  add(list.results, more.results);
   for (std::string& name : more.gone) {
     if (std::ranges::find(list.gone, name) == list.gone.end()) {
       list.gone.push_back(std::move(name));
     }
   }
-  list.lacks.insert(list.lacks.end(), more.lacks.begin(), more.lacks.end());
-  add(list.lines, more.lines);
-  add(list.unread, more.unread);
-  add(list.benches, more.benches);
-  add(list.in_place, more.in_place);
-  add(list.written, more.written);
-  add(list.notes, more.notes);
 }
 
 // Keeps a test for the sheet of those that were done; without places, in the order in which its
 // parts are written.
-void record_test(DoneRecord& record, const DoneList& list, std::size_t test, const Job& job,
-                 const std::string& bench) {
-  std::vector<DonePlace> places = list.places;
-  std::vector<std::string> parts = list.written[test];
+void record_test(DoneRecord& record, std::vector<DonePlace> places, const DoneRow& test,
+                 const Job& job, const std::string& bench) {
+  std::vector<std::string> parts = test.written;
   if (places.empty()) {
-    for (const Element x : list.setups[test]) {
+    for (const Element x : test.setup) {
       places.push_back({.number = places.size() + 1});
       parts.push_back(job.names[x]);
     }
@@ -145,8 +131,8 @@ void record_test(DoneRecord& record, const DoneList& list, std::size_t test, con
     kept.parts.resize(std::max(kept.parts.size(), index + 1));
     kept.parts[index] = parts[i];
   }
-  kept.result = list.results[test].empty() ? "done" : list.results[test];
-  kept.notes = list.notes[test];
+  kept.result = test.result.empty() ? "done" : test.result;
+  kept.notes = test.notes;
   kept.bench = bench;
 }
 
@@ -158,7 +144,7 @@ std::vector<MountedPlace> places_after(const DoneList& list, std::size_t test, c
   std::vector<MountedPlace> places;
   for (std::size_t i = 0; i < list.places.size(); ++i) {
     const DonePlace& column = list.places[i];
-    const auto& part = list.in_place[test].at(i);
+    const auto& part = list.rows[test].in_place.at(i);
     const auto named = std::ranges::find(job.slots, column.slot, &Slot::name);
     const bool is_known = column.slot.empty() ? job.slots.empty() || slots_are_named || part
                                               : named != job.slots.end() || part;
@@ -197,7 +183,7 @@ class DoneTaker {
     name_ = inputs.back()->name();
     answer_.done_from = name_;
     read(inputs);
-    for (std::size_t i = 0; i < list_.setups.size(); ++i) {
+    for (std::size_t i = 0; i < list_.rows.size(); ++i) {
       add(i);
     }
     say_notes();
@@ -213,7 +199,7 @@ class DoneTaker {
                         : read_done(*input, *options_->names, most_at_once(*job_, *benches_)));
     }
     leave_out(*options_->left, list_);
-    all_ = list_.setups.size();
+    all_ = list_.rows.size();
     has_results_ = list_.has_results();
     if (options_->first.value_or(0) > all_) {
       throw BadOption(fmt::format("{} {}: {} has {}", words_->done_first, *options_->first, name_,
@@ -241,36 +227,35 @@ class DoneTaker {
   }
 
   void add(std::size_t i) {
-    const DoneList& list = list_;
-    const Block& setup = list.setups[i];
-    const TestResult result = result_of(list.results[i]);
+    const DoneRow& row = list_.rows[i];
+    const TestResult result = result_of(row.result);
     const bool counts =
         options_->first ? i < *options_->first : !has_results_ || result != TestResult::none;
-    const auto bench = bench_of(list.benches[i]);
+    const auto bench = bench_of(row.bench);
     if (!counts || result == TestResult::not_run) {
       not_run_ += counts ? 1U : 0U;
       if (bench) {
-        (*benches_)[*bench].rest.push_back(setup);
+        (*benches_)[*bench].rest.push_back(row.setup);
       } else if (benches_->empty()) {
-        answer_.rest.push_back(setup);
+        answer_.rest.push_back(row.setup);
       }
       return;
     }
-    answer_.done.push_back({setup, result});
-    record_test(answer_.record, list, i, *job_,
-                bench ? name_of(*benches_, *bench) : list.benches[i]);
+    answer_.done.push_back({row.setup, result});
+    record_test(answer_.record, list_.places, row, *job_,
+                bench ? name_of(*benches_, *bench) : row.bench);
     last_ = i;
     if (bench) {
       on_bench_[*bench].push_back(i);
     } else {
       ++on_none_;
     }
-    if (result == TestResult::fail && list.lacks[i]) {
+    if (result == TestResult::fail && row.lacks) {
       ++failed_with_gone_;  // a removed part may be at fault
     } else if (result == TestResult::pass || result == TestResult::fail) {
-      answer_.results.push_back({setup, result == TestResult::fail});
+      answer_.results.push_back({row.setup, result == TestResult::fail});
     } else if (result == TestResult::unread && answer_.unread++ < unread_shown) {
-      answer_.first_unread.push_back({list.unread[i], list.results[i]});
+      answer_.first_unread.push_back({row.unread, row.result});
     }
   }
 
@@ -330,8 +315,8 @@ class DoneTaker {
       if (on_bench_[b].empty()) {
         continue;
       }
-      const std::vector<Block> setups =
-          each_of<Block>(on_bench_[b], [&](const std::size_t test) { return list_.setups[test]; });
+      const std::vector<Block> setups = each_of<Block>(
+          on_bench_[b], [&](const std::size_t test) { return list_.rows[test].setup; });
       bench.tests_done = setups.size();
       std::vector<Block> first = bench.first.value_or(job_->first);
       take_first_off(setups, first);

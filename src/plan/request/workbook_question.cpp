@@ -159,8 +159,8 @@ void note_lost_sheets(const RunWorkbook& book, const Written& written,
   }
   std::vector<bool> named(benches.size(), false);
   for (const DoneList& list : written.lists) {
-    for (const std::string& word : list.benches) {
-      if (const auto bench = find_bench(benches, word)) {
+    for (const DoneRow& row : list.rows) {
+      if (const auto bench = find_bench(benches, row.bench)) {
         named[*bench] = true;
       }
     }
@@ -185,10 +185,10 @@ void take_off_budget(JobRequest& question, const std::string& name, const Writte
   std::vector<std::vector<Block>> done(std::max<std::size_t>(1, benches.size()));
   std::uint64_t tests = 0;
   for (const DoneList& list : written.lists) {
-    for (std::size_t i = 0; i < list.setups.size(); ++i) {
-      const TestResult result = result_of(list.results[i]);
+    for (const DoneRow& row : list.rows) {
+      const TestResult result = result_of(row.result);
       if (result != TestResult::none && result != TestResult::not_run) {
-        done[find_bench(benches, list.benches[i]).value_or(0)].push_back(list.setups[i]);
+        done[find_bench(benches, row.bench).value_or(0)].push_back(row.setup);
         ++tests;
       }
     }

@@ -3,6 +3,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
+#include "core/each.hpp"
 #include "run_program.hpp"
 #include "zip_files.hpp"
 
@@ -97,8 +98,8 @@ TEST(WorkbookJob, RowsOfARunSheetMayEndBeforeTheirLastColumn) {
                       "</row>" + "<row>" + text_cell("A") + "</row><row>" + text_cell("B") +
                       text_cell("A") + text_cell("fail") + text_cell("leaks\nbadly") + "</row>"),
                 {"A", "B"});
-  EXPECT_THAT(list.setups, ElementsAre(Block{0}, Block{1, 0}));
-  EXPECT_THAT(list.results, ElementsAre("", "fail"));
+  EXPECT_THAT(list.setups(), ElementsAre(Block{0}, Block{1, 0}));
+  EXPECT_THAT(each_of<std::string>(list.rows, &DoneRow::result), ElementsAre("", "fail"));
 }
 
 TEST(WorkbookJob, OneSheetOfSeveral) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "changeover/plan/run_plan.hpp"
+#include "core/each.hpp"
 #include "message_of.hpp"
 #include "random_models.hpp"
 
@@ -113,8 +114,8 @@ TEST(ModelSheets, SeedsHaveColumnsInAnyOrderAndOthersBesides) {
   const DoneList done =
       read_done(*input_from_text("OS,Log,result\nArch,On,pass\nDebian,Off,fail\n", "d.csv"), job);
   EXPECT_THAT(done.gone, ElementsAre("OS: Arch"));
-  EXPECT_THAT(done.results, ElementsAre("pass", "fail"));
-  EXPECT_TRUE(done.lacks[0]);
+  EXPECT_THAT(each_of<std::string>(done.rows, &DoneRow::result), ElementsAre("pass", "fail"));
+  EXPECT_TRUE(done.rows[0].lacks);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
+#include "core/each.hpp"
 #include "message_of.hpp"
 #include "random_jobs.hpp"
 
@@ -69,9 +70,9 @@ TEST(ReadDone, PartsThatAreGoneAreNamedOnce) {
   };
   const DoneList list =
       read("1,,,Pump,Fan,1,1,1,pass\n2,,,Fan,Motor,1,1,1,\n3,,,Fan,Hose,1,1,1,x\n");
-  EXPECT_THAT(list.setups, ElementsAre(Block{0}, Block{1}, Block{}));
+  EXPECT_THAT(list.setups(), ElementsAre(Block{0}, Block{1}, Block{}));
   EXPECT_THAT(list.gone, ElementsAre("Fan", "Hose"));
-  EXPECT_THAT(list.results, ElementsAre("pass", "", "x"));
+  EXPECT_THAT(each_of<std::string>(list.rows, &DoneRow::result), ElementsAre("pass", "", "x"));
   EXPECT_TRUE(list.has_results());
   EXPECT_THROW((void)read("1,,,pump,Motor,1,1,1,\n"), BadInput)
       << "a slip, not a part that is gone";
@@ -98,18 +99,19 @@ TEST(ReadDone, ADamagedSheetIsRefusedWhereItIsDamaged) {
 TEST(ReadDone, NoNumberBecomesAnotherPart) {
   const std::string sheet = "step,take_out,put_in,slot_1,slot_2\n1,,,1,3\n";
   // Part 2 of 1, 2, 3 is gone: 3 is still 3, and where 3 is gone, 3 is no_part.
-  EXPECT_THAT(read_done(*input_from_text(sheet), {"1", "3"}).setups, ElementsAre(Block{0, 1}));
+  EXPECT_THAT(read_done(*input_from_text(sheet), {"1", "3"}).setups(), ElementsAre(Block{0, 1}));
   const DoneList list = read_done(*input_from_text(sheet), {"7", "1", "2"});
-  EXPECT_THAT(list.setups, ElementsAre(Block{1}));
+  EXPECT_THAT(list.setups(), ElementsAre(Block{1}));
   EXPECT_THAT(list.gone, ElementsAre("3"));
-  EXPECT_THAT(read_done(*input_from_text(sheet), {"a", "b", "c"}).setups, ElementsAre(Block{0, 2}));
+  EXPECT_THAT(read_done(*input_from_text(sheet), {"a", "b", "c"}).setups(),
+              ElementsAre(Block{0, 2}));
 }
 
 TEST(ReadDone, AResultThatIsNotUnderstoodHasItsPlace) {
   const DoneList list = read_done(
       *input_from_text("step,slot_1,slot_2,result\n1,a,b,pass\n2,b,c,hot\n3,a,c,\n", "d.csv"),
       {"a", "b", "c"});
-  EXPECT_THAT(list.unread, ElementsAre("", "d.csv:3:7", ""));
+  EXPECT_THAT(each_of<std::string>(list.rows, &DoneRow::unread), ElementsAre("", "d.csv:3:7", ""));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "changeover/plan/run_plan.hpp"
+#include "core/each.hpp"
 #include "damage.hpp"
 #include "io/scan/row_reader.hpp"
 #include "io/write/csv_cell.hpp"
@@ -103,8 +104,8 @@ RC_GTEST_PROP(SheetProperty, ResultsAreReadAsTheyWereFilledIn, ()) {
     csv += c;
   }
   const DoneList done = read_done(*input_from_text(csv, "f"), sheet.job.names);
-  RC_ASSERT(increasing(done.setups) == sheet.setups);
-  RC_ASSERT(done.results == results);
+  RC_ASSERT(increasing(done.setups()) == sheet.setups);
+  RC_ASSERT(each_of<std::string>(done.rows, &DoneRow::result) == results);
   RC_ASSERT(done.gone.empty());
 }
 
@@ -146,11 +147,9 @@ RC_GTEST_PROP(SheetProperty, DamagedCsvIsRefusedOrHoldsSetUps,
     }
     DoneList done;
     if (test::accepted("f:", [&] { done = read_done(*input_from_text(bad, "f"), names); })) {
-      RC_ASSERT(done.results.size() == done.setups.size());
-      RC_ASSERT(done.lacks.size() == done.setups.size());
-      for (std::size_t s = 0; s < done.setups.size(); ++s) {
-        RC_ASSERT((!done.setups[s].empty() || done.lacks[s]));
-        RC_ASSERT((!done.lacks[s] || !done.gone.empty()));
+      for (const DoneRow& row : done.rows) {
+        RC_ASSERT((!row.setup.empty() || row.lacks));
+        RC_ASSERT((!row.lacks || !done.gone.empty()));
       }
     }
   }
