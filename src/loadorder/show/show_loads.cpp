@@ -18,6 +18,7 @@
 #include "loadorder/show/bytes_moved.hpp"
 #include "loadorder/show/counted_pairs.hpp"
 #include "loadorder/show/marius_writer.hpp"
+#include "loadorder/show/schedule_keys.hpp"
 #include "loadorder/show/step_writer.hpp"
 #include "loadorder/show/worker_words.hpp"
 
@@ -108,7 +109,7 @@ class ScheduleText {
   void check() {
     CheckOptions options;
     options.all_pairs = each_pair_once();
-    CountedPairs counted(steps(), split_ != nullptr ? split_->workers.size() : facts_.lockstep);
+    CountedPairs counted(steps(), workers());
     checked_ = check_schedule(counted, rules_, options);
     if (!checked_.valid() || checked_.loads != facts_.loads ||
         checked_.transfers != facts_.transfers ||
@@ -170,110 +171,29 @@ class ScheduleText {
 
   // The lines before the one on the verification; adds the keys of the schedule to `json`.
   std::string about(JsonWriter& json) const {
-    const std::uint64_t workers = split_ != nullptr ? split_->workers.size() : facts_.lockstep;
-    const LoadBound bound = bound_of_loads(rules_, facts_.room, workers);
+    const LoadBound bound = bound_of_loads(rules_, facts_.room, workers());
     const std::uint64_t steps = facts_.steps + (rules_.store ? 1 : 0);
-    json.key("items").value(facts_.items).key("room").value(facts_.room);
-    if (facts_.epochs > 1) {
-      json.key("epochs").value(facts_.epochs);
-      json.key("epoch_loads").value(facts_.epoch_loads);
-    }
-    if (!facts_.wanted.are_all()) {
-      json.key("wanted").value(facts_.wanted.describe());
-      json.key("wanted_pairs").value(facts_.wanted.count());
-    }
-    if (facts_.fast_room) {
-      json.key("fast_room").value(*facts_.fast_room);
-    }
-    if (facts_.sizes) {
-      json.key("memory").value(facts_.sizes->memory);
-      if (facts_.fast_room) {
-        json.key("fast_memory").value(facts_.sizes->fast_memory);
-        json.key("bytes_transferred").value(facts_.transfer_bytes);
-        json.key("transfer_bytes_bound").value(facts_.transfer_byte_bound.loads);
-        json.key("transfer_bytes_bound_reason").value(facts_.transfer_byte_bound.reason);
-      }
-      json.key("bytes_loaded").value(facts_.bytes);
-      // With what leaves late, if steps were read so.
-      json.key("most_bytes").value(std::max(facts_.most_bytes, checked_.most_bytes));
-      json.key("bytes_bound").value(facts_.byte_bound.loads);
-      json.key("bytes_bound_reason").value(facts_.byte_bound.reason);
-      WorkerWords(facts_, split_).say_bytes(json);
-    }
+    const ScheduleKeys keys(facts_, split_, how_);
+    keys.say_question(json);
+    keys.say_bytes(checked_, json);
     json.key("loads").value(facts_.loads);
     if (facts_.fast_room) {
       json.key("transfers").value(facts_.transfers);
     }
     json.key("steps").value(steps);
     json.key("lower_bound").value(bound.loads).key("lower_bound_reason").value(bound.reason);
-    if (facts_.fast_room) {
-      json.key("transfer_bound").value(facts_.transfer_bound.loads);
-      json.key("transfer_bound_reason").value(facts_.transfer_bound.reason);
-      if (how_.item_bytes) {
-        json.key("item_bytes").value(*how_.item_bytes);
-        json.key("bytes_loaded").value(bytes_of_moves(facts_.loads, "load"));
-        json.key("bytes_transferred").value(bytes_of_moves(facts_.transfers, "transfer"));
-      }
-      if (facts_.group_items > 0) {
-        json.key("group_items").value(facts_.group_items);
-      }
-    } else {
-      json.key("method").value(facts_.method);
-    }
+    keys.say_levels_or_method(json);
     json.key("explanation").value(facts_.explanation);
-    if (workers > 0) {
-      json.key("workers").value(workers).key("makespan").value(facts_.makespan());
-      if (facts_.lockstep > 0) {
-        json.key("span").value(facts_.span);
-      }
-      json.key("makespan_bound").value(facts_.makespan_bound.loads);
-      json.key("makespan_bound_reason").value(facts_.makespan_bound.reason);
-      WorkerWords(facts_, split_).say(json);
-      if (how_.worker) {
-        json.key("worker").value(*how_.worker);
-      }
-    }
-    if (how_.from_step) {
-      json.key("from_step").value(*how_.from_step);
-    }
-    if (split_ != nullptr && !facts_.fast_room) {
-      json.key("groups").value(split_->groups);
-    }
+    keys.say_workers(json);
     if (spare_) {
-      if (facts_.sizes) {
-        json.key("order_memory").value(facts_.sizes->memory - *spare_);
-      } else {
-        json.key("order_room").value(facts_.room - *spare_);
-      }
-      if (facts_.every_step_read) {
-        json.key("pairs").value(checked_.computed).key("overlapped").value(checked_.overlapped);
-      }
+      keys.say_spare(*spare_, checked_, json);
     }
-    std::string spread;
-    if (how_.compute.spread && checked_.steps > 0) {
-      const std::uint64_t steps_of_all = facts_.steps * std::max<std::uint64_t>(1, facts_.lockstep);
-      say_most(json, "pairs_per_step", checked_.most_in_a_step,
-               static_cast<double>(checked_.computed) / static_cast<double>(steps_of_all));
-      spread = fmt::format("pairs are spread over steps: at most {} in one, at least {}\n",
-                           checked_.most_in_a_step, ceil_div(checked_.computed, steps_of_all));
-    }
-    if (how_.early) {
-      json.key("loads_ahead").value(checked_.ahead);
-      spread += fmt::format("{} of {} start in a step before the item is transferred\n",
-                            checked_.ahead, count_of(facts_.loads, "load"));
-    }
-    std::string stores;
-    if (rules_.store) {
-      const LoadBound least =
-          store_lower_bound(bound, facts_.wanted, facts_.items, how_.compute.self);
-      json.key("stores").value(checked_.stores).key("store_bound").value(least.loads);
-      stores = fmt::format("{}, at least {}: {}\n", count_of(checked_.stores, "store"), least.loads,
-                           least.reason);
-    }
+    std::string spread = say_spread(json) + say_early(json);
+    const std::string stores = say_stores(json, bound);
     if (facts_.lockstep > 0) {
       json.key("disjoint").value(true);
     }
-    const bool plain = workers == 0 && !spare_ && !facts_.fast_room;
+    const bool plain = workers() == 0 && !spare_ && !facts_.fast_room;
     if (plain) {
       json.key("gap").value(facts_.gap());
     }
@@ -282,6 +202,39 @@ class ScheduleText {
     spread += how_.time_is_up ? say_that_time_is_up(json) : "";
     return in_short(bound, steps) + epochs_in_words(facts_) + spread + stores +
            (plain ? hint() : "") + method + bounds(bound);
+  }
+
+  [[nodiscard]] std::uint64_t workers() const { return workers_of(facts_, split_); }
+
+  std::string say_spread(JsonWriter& json) const {
+    if (!how_.compute.spread || checked_.steps == 0) {
+      return "";
+    }
+    const std::uint64_t steps_of_all = facts_.steps * std::max<std::uint64_t>(1, facts_.lockstep);
+    say_most(json, "pairs_per_step", checked_.most_in_a_step,
+             static_cast<double>(checked_.computed) / static_cast<double>(steps_of_all));
+    return fmt::format("pairs are spread over steps: at most {} in one, at least {}\n",
+                       checked_.most_in_a_step, ceil_div(checked_.computed, steps_of_all));
+  }
+
+  std::string say_early(JsonWriter& json) const {
+    if (!how_.early) {
+      return "";
+    }
+    json.key("loads_ahead").value(checked_.ahead);
+    return fmt::format("{} of {} start in a step before the item is transferred\n", checked_.ahead,
+                       count_of(facts_.loads, "load"));
+  }
+
+  std::string say_stores(JsonWriter& json, const LoadBound& bound) const {
+    if (!rules_.store) {
+      return "";
+    }
+    const LoadBound least =
+        store_lower_bound(bound, facts_.wanted, facts_.items, how_.compute.self);
+    json.key("stores").value(checked_.stores).key("store_bound").value(least.loads);
+    return fmt::format("{}, at least {}: {}\n", count_of(checked_.stores, "store"), least.loads,
+                       least.reason);
   }
 
   // The first lines.
@@ -353,10 +306,6 @@ class ScheduleText {
     return facts_.epochs == 1 ? "" : fmt::format(", {} epochs", facts_.epochs);
   }
 
-  [[nodiscard]] std::uint64_t bytes_of_moves(std::uint64_t count, const std::string& what) const {
-    return bytes_moved(count, *how_.item_bytes, "--item-bytes", what + "s");
-  }
-
   [[nodiscard]] std::string bytes_transferred() const {
     return fmt::format("{} bytes in {}, {}", facts_.transfer_bytes,
                        count_of(facts_.transfers, "transfer"),
@@ -367,7 +316,7 @@ class ScheduleText {
   [[nodiscard]] std::string level(std::uint64_t count, const std::string& what,
                                   const LoadBound& bound) const {
     const std::string bytes =
-        how_.item_bytes ? fmt::format(" ({} bytes)", bytes_of_moves(count, what)) : "";
+        how_.item_bytes ? fmt::format(" ({} bytes)", bytes_of_moves(count, how_, what)) : "";
     return fmt::format("{}{}, {}", count_of(count, what), bytes, over(count, bound));
   }
 

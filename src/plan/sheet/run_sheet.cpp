@@ -99,6 +99,166 @@ Block without(const Block& from, const Block& what) {
   return rest;
 }
 
+// Counts a list, set-up by set-up.
+class SheetCounter {
+ public:
+  explicit SheetCounter(const Job& job)
+      : job_(&job),
+        never_(job.never),
+        missing_(job.needed),
+        missing_triples_(job),
+        mounted_(sorted(job, job.mounted)),
+        before_(sorted(job, job.start)) {
+    sheet_.pairs_needed = missing_.size();
+    sheet_.triples_needed = missing_triples_.size();
+    if (weighs()) {
+      job.needed.for_each(std::numeric_limits<std::uint64_t>::max(),
+                          [&](Element x, Element y) { sheet_.weight_needed += job.weights(x, y); });
+    }
+  }
+
+  void add(const Block& given) {
+    RunStep step;
+    step.setup = sorted(*job_, given);
+    check_parts(step.setup);
+    check_slots(step.setup);
+    check_place(step.setup);
+    step.take_out = without(before_, step.setup);
+    step.put_in = without(step.setup, before_);
+    test_pairs(step);
+    count_cost(step);
+    before_ = step.setup;
+    sheet_.steps.push_back(std::move(step));
+  }
+
+  RunSheet end() {
+    if (sheet_.steps.size() < job_->first.size()) {
+      fault("some of the set-ups that must come first are not there");
+    }
+    sheet_.pairs_tested = sheet_.pairs_needed - missing_.size();
+    sheet_.triples_tested = sheet_.triples_needed - missing_triples_.size();
+    return std::move(sheet_);
+  }
+
+ private:
+  [[nodiscard]] bool weighs() const { return !job_->weights.empty(); }
+
+  void fault(std::string what) { sheet_.faults.push_back(std::move(what)); }
+
+  // The set-up that is being added, in messages.
+  [[nodiscard]] std::string where() const {
+    return fmt::format("set-up {}", sheet_.steps.size() + 1 + job_->tests_done);
+  }
+
+  void check_parts(const Block& setup) {
+    if (std::ranges::adjacent_find(setup) != setup.end()) {
+      fault(where() + " names a part twice");
+    }
+    if (setup.size() > job_->at_once) {
+      fault(
+          fmt::format("{} has {}, {} fit", where(), count_of(setup.size(), "part"), job_->at_once));
+    }
+    if (!without(mounted_, setup).empty()) {
+      fault(where() + " lacks a part that stays mounted");
+    }
+  }
+
+  void check_slots(const Block& setup) {
+    for (std::uint32_t s = 0; s < job_->slots.size(); ++s) {
+      const Slot& slot = job_->slots[s];
+      const auto there = static_cast<std::uint64_t>(
+          std::ranges::count_if(setup, [&](Element x) { return job_->slot_of.at(x) == s; }));
+      if (there < slot.least || there > slot.most) {
+        fault(fmt::format("{} has {} of slot {}, not {} to {}", where(), count_of(there, "part"),
+                          slot.name, slot.least, slot.most));
+      }
+    }
+  }
+
+  // What the model and the set-ups that come first ask of it.
+  void check_place(const Block& setup) {
+    if (job_->model != nullptr) {
+      if (const auto broken = broken_rule(*job_->model, setup)) {
+        fault(fmt::format("{} is no test of the model: {}", where(), *broken));
+      }
+    }
+    const std::size_t place = sheet_.steps.size();
+    if (place < job_->first.size() && setup != sorted(*job_, job_->first[place])) {
+      fault(where() + " is not the one that must be run there");
+    }
+  }
+
+  // A value out of range hides what the others would show.
+  [[nodiscard]] bool hides(Element x) const {
+    return job_->model != nullptr && x < job_->model->values() && job_->model->value(x).negative;
+  }
+
+  void test_pairs(RunStep& step) {
+    const bool any_hides = std::ranges::any_of(step.setup, [&](Element x) { return hides(x); });
+    // A pair that meets here first includes a part that was put in; but in the first set-up, and
+    // after one that hid something, any pair may be new.
+    const bool look_at_all = sheet_.steps.empty() || was_hidden_;
+    was_hidden_ = any_hides;
+    for (const Element x : look_at_all ? step.setup : step.put_in) {
+      for (const Element y : step.setup) {
+        const bool seen_from_y =
+            y >= x && (look_at_all || std::ranges::binary_search(step.put_in, y));
+        if (!seen_from_y) {
+          meet(x, y, !any_hides || hides(x) || hides(y), step);
+        }
+      }
+    }
+    std::ranges::sort(step.new_pairs);
+    step.weight_so_far = sheet_.weight_tested;
+    step.new_triples = missing_triples_.met(step.setup, [&](const Triple& t) {
+      return !any_hides || std::ranges::any_of(t, [&](Element x) { return hides(x); });
+    });
+  }
+
+  // Two parts are together in a set-up; `shown`: nothing hides what they do.
+  void meet(Element x, Element y, bool shown, RunStep& step) {
+    const std::pair<Element, Element> pair = std::minmax({x, y});
+    if (never_.contains(x, y)) {
+      const std::string& why = job_->why_never(x, y);
+      fault(fmt::format("{} holds {} and {}, which must never meet{}", where(),
+                        job_->names[pair.first], job_->names[pair.second],
+                        why.empty() ? "" : " (" + why + ")"));
+    }
+    if (shown && missing_.contains(x, y)) {
+      missing_.erase(x, y);
+      step.new_pairs.push_back(pair);
+      sheet_.weight_tested += weighs() ? job_->weights(x, y) : Amount{};
+    }
+  }
+
+  void count_cost(RunStep& step) {
+    Amount changes;
+    if (job_->replaces()) {
+      Replacement replacement = cheapest_replacement(*job_, step.take_out, step.put_in);
+      changes = replacement.cost;
+      step.replaced = std::move(replacement.pairs);
+    } else {
+      for (const Element x : step.put_in) {
+        changes += job_->change_costs[x];
+      }
+    }
+    sheet_.change_cost += changes;
+    step.cost = job_->test_cost + changes;
+    sheet_.changes += step.put_in.size();
+    sheet_.cost += step.cost;
+    step.cost_so_far = sheet_.cost;
+  }
+
+  const Job* job_;
+  PairTable never_;
+  PairTable missing_;
+  TripleTable missing_triples_;
+  Block mounted_;
+  Block before_;
+  bool was_hidden_ = false;  // whether the set-up before hid something
+  RunSheet sheet_;
+};
+
 }  // namespace
 
 std::optional<std::uint64_t> RunSheet::constant_change() const {
@@ -115,117 +275,11 @@ std::optional<std::uint64_t> RunSheet::constant_change() const {
 }
 
 RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
-  const PairTable never(job.never);
-  PairTable missing(job.needed);
-  const Block mounted = sorted(job, job.mounted);
-  RunSheet sheet;
-  sheet.pairs_needed = missing.size();
-  TripleTable missing_triples(job);
-  sheet.triples_needed = missing_triples.size();
-  const bool weighs = !job.weights.empty();
-  if (weighs) {
-    job.needed.for_each(std::numeric_limits<std::uint64_t>::max(),
-                        [&](Element x, Element y) { sheet.weight_needed += job.weights(x, y); });
+  SheetCounter counter(job);
+  for (const Block& setup : setups) {
+    counter.add(setup);
   }
-  Block before = sorted(job, job.start);
-  bool was_hidden = false;
-  for (const Block& given : setups) {
-    RunStep step;
-    step.setup = sorted(job, given);
-    const auto where = [&] {
-      return fmt::format("set-up {}", sheet.steps.size() + 1 + job.tests_done);
-    };
-    if (std::ranges::adjacent_find(step.setup) != step.setup.end()) {
-      sheet.faults.push_back(where() + " names a part twice");
-    }
-    if (step.setup.size() > job.at_once) {
-      sheet.faults.push_back(fmt::format("{} has {}, {} fit", where(),
-                                         count_of(step.setup.size(), "part"), job.at_once));
-    }
-    if (!without(mounted, step.setup).empty()) {
-      sheet.faults.push_back(where() + " lacks a part that stays mounted");
-    }
-    for (std::uint32_t s = 0; s < job.slots.size(); ++s) {
-      std::uint64_t there = 0;
-      for (const Element x : step.setup) {
-        there += job.slot_of.at(x) == s ? 1U : 0U;
-      }
-      if (there < job.slots[s].least || there > job.slots[s].most) {
-        sheet.faults.push_back(fmt::format("{} has {} of slot {}, not {} to {}", where(),
-                                           count_of(there, "part"), job.slots[s].name,
-                                           job.slots[s].least, job.slots[s].most));
-      }
-    }
-    if (job.model != nullptr) {
-      if (const auto broken = broken_rule(*job.model, step.setup)) {
-        sheet.faults.push_back(fmt::format("{} is no test of the model: {}", where(), *broken));
-      }
-    }
-    // A value out of range hides what the others would show.
-    const auto hides = [&](Element x) {
-      return job.model != nullptr && x < job.model->values() && job.model->value(x).negative;
-    };
-    const bool any_hides = std::ranges::any_of(step.setup, hides);
-    const std::size_t place = sheet.steps.size();
-    if (place < job.first.size() && step.setup != sorted(job, job.first[place])) {
-      sheet.faults.push_back(where() + " is not the one that must be run there");
-    }
-    step.take_out = without(before, step.setup);
-    step.put_in = without(step.setup, before);
-    // A pair that meets here first includes a part that was put in; but in the first set-up, and
-    // after one that hid something, any pair may be new.
-    const bool look_at_all = sheet.steps.empty() || was_hidden;
-    was_hidden = any_hides;
-    for (const Element x : look_at_all ? step.setup : step.put_in) {
-      for (const Element y : step.setup) {
-        const bool seen_from_y =
-            y >= x && (look_at_all || std::ranges::binary_search(step.put_in, y));
-        if (seen_from_y) {
-          continue;
-        }
-        const std::pair<Element, Element> pair = std::minmax({x, y});
-        if (never.contains(x, y)) {
-          const std::string& why = job.why_never(x, y);
-          sheet.faults.push_back(fmt::format("{} holds {} and {}, which must never meet{}", where(),
-                                             job.names[pair.first], job.names[pair.second],
-                                             why.empty() ? "" : " (" + why + ")"));
-        }
-        if (missing.contains(x, y) && (!any_hides || hides(x) || hides(y))) {
-          missing.erase(x, y);
-          step.new_pairs.push_back(pair);
-          sheet.weight_tested += weighs ? job.weights(x, y) : Amount{};
-        }
-      }
-    }
-    std::ranges::sort(step.new_pairs);
-    step.weight_so_far = sheet.weight_tested;
-    step.new_triples = missing_triples.met(step.setup, [&](const Triple& t) {
-      return !any_hides || hides(t[0]) || hides(t[1]) || hides(t[2]);
-    });
-    before = step.setup;
-    Amount changes;
-    if (job.replaces()) {
-      Replacement replacement = cheapest_replacement(job, step.take_out, step.put_in);
-      changes = replacement.cost;
-      step.replaced = std::move(replacement.pairs);
-    } else {
-      for (const Element x : step.put_in) {
-        changes += job.change_costs[x];
-      }
-    }
-    sheet.change_cost += changes;
-    step.cost = job.test_cost + changes;
-    sheet.changes += step.put_in.size();
-    sheet.cost += step.cost;
-    step.cost_so_far = sheet.cost;
-    sheet.steps.push_back(std::move(step));
-  }
-  if (setups.size() < job.first.size()) {
-    sheet.faults.push_back("some of the set-ups that must come first are not there");
-  }
-  sheet.pairs_tested = sheet.pairs_needed - missing.size();
-  sheet.triples_tested = sheet.triples_needed - missing_triples.size();
-  return sheet;
+  return counter.end();
 }
 
 }  // namespace changeover

@@ -1,6 +1,7 @@
 #include "serve/jobs/search_jobs.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -41,6 +42,21 @@ struct DecidedBlocks {
   double end = 0;
   std::uint64_t steps = 0;  // kB of proof
 };
+
+// A design whose recipe has its blocks and says how it was searched for.
+Design credited(const SearchOrder& order, Design design, const std::string& way) {
+  cli::SearchRequest request;
+  request.run.seed = order.seed;
+  request.run.threads = order.threads;
+  request.run.time = fmt::format("{:g}s", order.seconds);
+  request.blocks = order.blocks;
+  design.recipe = literal_recipe(design, cli::provenance(request, order.parameters, way));
+  return design;
+}
+
+std::string stopped_early(WhyStopped why) {
+  return fmt::format("stopped ({}) before there was a design", to_string(why));
+}
 
 }  // namespace
 
@@ -232,7 +248,7 @@ void SearchJobs::run(Job& job) {
   publish(job);
 }
 
-// What a way of searching came to.
+// The result of one way of searching.
 struct SearchJobs::Found {
   std::optional<Design> design = {};
   std::optional<std::uint64_t> known = {};  // blocks of the best before
@@ -262,121 +278,118 @@ void SearchJobs::finish(Job& job, Found found) {
   }
 }
 
+SearchJobs::Found SearchJobs::search_locally(const Job& job) {
+  const SearchOrder& order = job.order;
+  ImproveOptions options;
+  options.target = order.blocks;
+  ImproveResult result = improve(order.parameters, options, *job.control);
+  Found found{.known = result.started_from,
+              .attempts = result.attempts,
+              .moves_per_second = result.moves_per_second,
+              .why_stopped = result.why_stopped};
+  const bool better = result.design &&
+                      (!result.started_from || result.design->block_count() < *result.started_from);
+  if (result.design) {
+    Design design = (*std::move(result.design)).take();
+    found.design = better || !design.recipe ? credited(order, std::move(design), "") : design;
+  }
+  const std::string known = count_of(result.started_from.value_or(0), "block");
+  found.message = !found.design               ? stopped_early(result.why_stopped)
+                  : better                    ? fmt::format("{}; {} were known", result.how, known)
+                  : result.unsearched.empty() ? "nothing better was found"
+                                              : "no search was made: " + result.unsearched;
+  return found;
+}
+
+SearchJobs::Found SearchJobs::search_exactly(Job& job) {
+  const SearchOrder& order = job.order;
+  const std::optional<Offer> offer = order.parameters.strength == 2
+                                         ? best_known(Registry::standard(), order.parameters)
+                                         : std::nullopt;
+  MinimumOptions options;
+  options.decider = [&](std::uint64_t b, const ExactOptions& exact) {
+    job.begin_deciding(b);
+    publish(job);
+    Decision decision = decide(order.parameters, b, exact, *job.control);
+    job.end_deciding(decision);
+    publish(job);
+    return decision;
+  };
+  std::optional<Design> known;
+  if (offer) {
+    known = built_design(*offer).take();
+    const std::scoped_lock lock(job.mutex);
+    job.best = job.start_best = offer->b;
+  }
+  MinimumResult result = find_minimum(order.parameters, options, *job.control, known);
+  const bool settled = result.settled();
+  Found found{.known = offer ? std::optional(offer->b) : std::nullopt,
+              .lower = result.lower,
+              .attempts = result.steps.size(),
+              .why_stopped = result.why_stopped};
+  std::vector<std::string> said;
+  for (const Decision& step : result.steps) {
+    if (step.excluded()) {
+      said.push_back(count_of(step.b, "block") + ": none, by a checked DRAT proof");
+    }
+  }
+  if (result.best) {
+    Design design = (*std::move(result.best)).take();
+    found.design = design.recipe ? design : credited(order, std::move(design), "--exact");
+  }
+  if (!settled) {
+    said.push_back(fmt::format("not decided ({})", to_string(result.why_stopped)));
+  }
+  found.message = fmt::format("{}", fmt::join(said, "; "));
+  return found;
+}
+
+SearchJobs::Found SearchJobs::search_for_base_blocks(const Job& job) {
+  BaseBlockOptions options;
+  options.shapes.most_blocks = job.order.blocks;
+  BaseBlockResult result = search_base_blocks(job.order.parameters, options, *job.control);
+  Found found{.known = result.registry_b,
+              .attempts = result.attempts.size(),
+              .message = describe(result),
+              .why_stopped = result.why_stopped};
+  if (result.found()) {
+    found.design = (*std::move(result.design)).take();
+    found.design->recipe = result.recipe;
+  }
+  return found;
+}
+
+SearchJobs::Found SearchJobs::search_with_locked_cells(const Job& job) {
+  const SearchOrder& order = job.order;
+  LockedResult result = search_locked(order.parameters, order.wanted,
+                                      {.blocks = order.blocks, .moves = {}}, *job.control);
+  Found found{.attempts = result.attempts, .why_stopped = result.why_stopped};
+  if (result.design) {
+    found.design = credited(order, (*std::move(result.design)).take(), cli::way_of(order.wanted));
+  }
+  found.message =
+      found.design ? "found with what was to be in its place" : stopped_early(result.why_stopped);
+  return found;
+}
+
 void SearchJobs::search(Job& job) {
   const SearchOrder& order = job.order;
-  RunControl& control = *job.control;
-  const RunScope scope(control);
+  const RunScope scope(*job.control);
   const Bound bound = order.way == SearchWay::exact ? lower_bound_on_paper(order.parameters)
                                                     : lower_bound(order.parameters);
   {
     const std::scoped_lock lock(job.mutex);
     job.lower_bound = bound.blocks;
   }
-  const auto credited = [&](Design design, const std::string& way) {
-    cli::SearchRequest request;
-    request.run.seed = order.seed;
-    request.run.threads = order.threads;
-    request.run.time = fmt::format("{:g}s", order.seconds);
-    request.blocks = order.blocks;
-    design.recipe = literal_recipe(design, cli::provenance(request, order.parameters, way));
-    return design;
-  };
-  const auto stopped_early = [](WhyStopped why) {
-    return fmt::format("stopped ({}) before there was a design", to_string(why));
-  };
   switch (order.way) {
-    case SearchWay::local: {
-      ImproveOptions options;
-      options.target = order.blocks;
-      ImproveResult result = improve(order.parameters, options, control);
-      Found found{.known = result.started_from,
-                  .attempts = result.attempts,
-                  .moves_per_second = result.moves_per_second,
-                  .why_stopped = result.why_stopped};
-      const bool better = result.design && (!result.started_from ||
-                                            result.design->block_count() < *result.started_from);
-      if (result.design) {
-        Design design = (*std::move(result.design)).take();
-        found.design = better || !design.recipe ? credited(std::move(design), "") : design;
-      }
-      const std::string known = count_of(result.started_from.value_or(0), "block");
-      found.message = !found.design ? stopped_early(result.why_stopped)
-                      : better      ? fmt::format("{}; {} were known", result.how, known)
-                      : result.unsearched.empty() ? "nothing better was found"
-                                                  : "no search was made: " + result.unsearched;
-      finish(job, std::move(found));
-      return;
-    }
-    case SearchWay::exact: {
-      const std::optional<Offer> offer = order.parameters.strength == 2
-                                             ? best_known(Registry::standard(), order.parameters)
-                                             : std::nullopt;
-      MinimumOptions options;
-      options.decider = [&](std::uint64_t b, const ExactOptions& exact) {
-        job.begin_deciding(b);
-        publish(job);
-        Decision decision = decide(order.parameters, b, exact, control);
-        job.end_deciding(decision);
-        publish(job);
-        return decision;
-      };
-      std::optional<Design> known;
-      if (offer) {
-        known = built_design(*offer).take();
-        const std::scoped_lock lock(job.mutex);
-        job.best = job.start_best = offer->b;
-      }
-      MinimumResult result = find_minimum(order.parameters, options, control, known);
-      const bool settled = result.settled();
-      Found found{.known = offer ? std::optional(offer->b) : std::nullopt,
-                  .lower = result.lower,
-                  .attempts = result.steps.size(),
-                  .why_stopped = result.why_stopped};
-      for (const Decision& step : result.steps) {
-        if (step.excluded()) {
-          found.message +=
-              fmt::format("{}{}: none, by a checked DRAT proof", found.message.empty() ? "" : "; ",
-                          count_of(step.b, "block"));
-        }
-      }
-      if (result.best) {
-        Design design = (*std::move(result.best)).take();
-        found.design = design.recipe ? design : credited(std::move(design), "--exact");
-      }
-      if (!settled) {
-        found.message += fmt::format("{}not decided ({})", found.message.empty() ? "" : "; ",
-                                     to_string(result.why_stopped));
-      }
-      finish(job, std::move(found));
-      return;
-    }
-    case SearchWay::base_blocks: {
-      BaseBlockOptions options;
-      options.shapes.most_blocks = order.blocks;
-      BaseBlockResult result = search_base_blocks(order.parameters, options, control);
-      Found found{.known = result.registry_b,
-                  .attempts = result.attempts.size(),
-                  .message = describe(result),
-                  .why_stopped = result.why_stopped};
-      if (result.found()) {
-        found.design = (*std::move(result.design)).take();
-        found.design->recipe = result.recipe;
-      }
-      finish(job, std::move(found));
-      return;
-    }
-    case SearchWay::locked: {
-      LockedResult result = search_locked(order.parameters, order.wanted,
-                                          {.blocks = order.blocks, .moves = {}}, control);
-      Found found{.attempts = result.attempts, .why_stopped = result.why_stopped};
-      if (result.design) {
-        found.design = credited((*std::move(result.design)).take(), cli::way_of(order.wanted));
-      }
-      found.message = found.design ? "found with what was to be in its place"
-                                   : stopped_early(result.why_stopped);
-      finish(job, std::move(found));
-      return;
-    }
+    case SearchWay::local:
+      return finish(job, search_locally(job));
+    case SearchWay::exact:
+      return finish(job, search_exactly(job));
+    case SearchWay::base_blocks:
+      return finish(job, search_for_base_blocks(job));
+    case SearchWay::locked:
+      return finish(job, search_with_locked_cells(job));
   }
 }
 

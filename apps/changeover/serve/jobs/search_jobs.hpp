@@ -94,6 +94,10 @@ class SearchJobs {
   struct Found;
   void run(Job& job);
   void search(Job& job);
+  static Found search_locally(const Job& job);
+  Found search_exactly(Job& job);
+  static Found search_for_base_blocks(const Job& job);
+  static Found search_with_locked_cells(const Job& job);
   static void finish(Job& job, Found found);
   void publish(const Job& job);
 
