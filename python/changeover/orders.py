@@ -471,8 +471,8 @@ def load_order(
         raise BadInput("give items, how many there are")
     if room is None and sizes is None:
         raise BadInput("give room, how many items are in memory at once, or sizes and memory")
-    if time is not None and not 0 <= time <= 1e9:
-        raise ValueError("time is a number of seconds, 0 or more")
+    if time is not None and not 0 <= time <= 3153600000:
+        raise ValueError("time is a number of seconds, 0 to 3153600000")
     asked: Dict[str, Any] = {"items": items, "room": room, "against": against,
                              "done_items": done_items, "workers": workers,
                              "epochs": None if epochs == 1 else epochs, "memory": memory,

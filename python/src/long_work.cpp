@@ -1,11 +1,11 @@
 #include "long_work.hpp"
 
+#include <fmt/format.h>
 #include <pthread.h>
 #include <pybind11/stl.h>
 #include <unistd.h>
 
 #include <chrono>
-#include <cmath>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -143,8 +143,8 @@ void stop_long_work_at_the_end() {
 
 LongWork::LongWork(LongOptions options) : options_(std::move(options)) {
   constexpr std::uint64_t most_threads = 4096;
-  if (options_.seconds && !(*options_.seconds >= 0 && std::isfinite(*options_.seconds))) {
-    throw py::value_error("time is a number of seconds, 0 or more");
+  if (options_.seconds && !(*options_.seconds >= 0 && *options_.seconds <= most_seconds)) {
+    throw py::value_error(fmt::format("time is a number of seconds, 0 to {}", most_seconds));
   }
   if (options_.threads < 1 || options_.threads > most_threads) {
     throw py::value_error("threads is a number from 1 to 4096");

@@ -60,7 +60,7 @@ Seconds parse_duration(const std::string& text, const std::string& option) {
   const char* const end = text.data() + text.size();
   const auto [rest, failure] = std::from_chars(text.data(), end, number, std::chars_format::fixed);
   const auto unit = units.find({rest, end});
-  constexpr Seconds most = std::chrono::days(36500);
+  constexpr Seconds most{most_seconds};
   if (failure != std::errc() || !(number >= 0) || unit == units.end() ||
       number * unit->second > most.count()) {
     throw UsageError{

@@ -78,6 +78,9 @@ struct Questions {
   std::uint64_t most = 0;
 };
 
+/// The longest time limit: 36500 days.
+inline constexpr std::uint64_t most_seconds = 3'153'600'000;
+
 /// The part of a search that this process takes when several share it: every `of`-th, from `index`.
 struct WorkShare {
   std::uint64_t index = 0;

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "changeover/core/error.hpp"
+#include "changeover/run/control.hpp"
 #include "core/printable.hpp"
 #include "io/request/request_rows.hpp"
 #include "io/scan/base64.hpp"
@@ -117,6 +118,9 @@ double RequestDocument::seconds(const OptionRecord& record, const JsonNode& node
   }
   if (!std::isfinite(number) || number < 0) {
     fail(node, record.key, "write a number of seconds");
+  }
+  if (number > most_seconds) {
+    fail(node, record.key, fmt::format("write at most {} seconds", most_seconds));
   }
   return number;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "changeover/run/control.hpp"
 #include "core/each.hpp"
 #include "io/write/json_writer.hpp"
 
@@ -96,7 +97,7 @@ std::string type_of(const OptionRecord& record) {
     case ValueKind::amount:
       return std::string(amount);
     case ValueKind::seconds:
-      return R"({"type":"number","minimum":0})";
+      return fmt::format(R"({{"type":"number","minimum":0,"maximum":{}}})", most_seconds);
     case ValueKind::flag:
       return R"({"type":"boolean"})";
     case ValueKind::text:

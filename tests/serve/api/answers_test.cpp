@@ -259,11 +259,12 @@ TEST_F(Answers, PlanIsCountedAndComplete) {
 
 TEST_F(Answers, PlansTestAgainWhatMetOnlyInFailedTests) {
   const auto rest = [&](const std::string& more) {
-    return json_of(post("/api/plan",
-                        R"({"parts":4,"at_once":2,"done":[["1","2"],{"parts":["1","3"],"result":)"
-                        R"("FAILED - hang"},{"parts":["2","3"],"result":"skipped"}])" +
-                            more + "}",
-                        "application/json"));
+    return json_of(post(
+        "/api/plan",
+        R"({"parts":4,"at_once":2,"test_cost":1,"change_cost":1,"done":[["1","2"],{"parts":["1","3"],"result":)"
+        R"("FAILED - hang"},{"parts":["2","3"],"result":"skipped"}])" +
+            more + "}",
+        "application/json"));
   };
   const auto again = rest("");
   EXPECT_EQ(again["met_only_in_failed"], 1) << again;
@@ -285,12 +286,12 @@ TEST_F(Answers, PlansKnowWhatTheCommandLineKnows) {
   EXPECT_EQ(asked(R"(,"strength":3)")["plan"]["triples_needed"], 56);
   const auto faulty = json_of(post(
       "/api/plan",
-      R"({"parts":8,"at_once":3,"diagnose":true,"done":[{"parts":["1","2","3"],"result":"FAIL"},{"parts":["1","2","4"],"result":"ok"}]})",
+      R"({"parts":8,"at_once":3,"test_cost":1,"change_cost":1,"diagnose":true,"done":[{"parts":["1","2","3"],"result":"FAIL"},{"parts":["1","2","4"],"result":"ok"}]})",
       "application/json"));
   EXPECT_EQ(faulty["diagnosis"]["format"], "changeover-diagnosis/1");
   const auto in_slots = json_of(post(
       "/api/plan",
-      R"({"parts":{"text":"name,slot\nXeon,CPU\nEpyc,CPU\nd1,disk\nd2,disk"},"at_once":3,"slot":"CPU=1,disk=1..2"})",
+      R"({"parts":{"text":"name,slot\nXeon,CPU\nEpyc,CPU\nd1,disk\nd2,disk"},"at_once":3,"test_cost":1,"change_cost":1,"slot":"CPU=1,disk=1..2"})",
       "application/json"));
   EXPECT_EQ(in_slots["plan"]["pairs_needed"], 5) << in_slots;
 }

@@ -56,7 +56,7 @@ TEST_F(Limits, EachRowOfThePageHoldsAtTheLimitAndOneBeyond) {
        }},
       {"json-bytes",
        [](std::uint64_t n) {
-         const std::string body = R"({"parts":4,"at_once":2})";
+         const std::string body = R"({"parts":4,"at_once":2,"test_cost":1,"change_cost":1})";
          return send("/api/plan", body + times(n - body.size(), ' '));
        }},
       {"json-depth",
@@ -80,13 +80,17 @@ TEST_F(Limits, EachRowOfThePageHoldsAtTheLimitAndOneBeyond) {
        }},
       {"parts",
        [](std::uint64_t n) {
-         return send("/api/plan", R"({"at_once":3,"seconds":0.001,"parts":)" + number(n) + "}");
+         return send("/api/plan",
+                     R"({"at_once":3,"test_cost":1,"change_cost":1,"seconds":0.001,"parts":)" +
+                         number(n) + "}");
        }},
       {"plan-seconds",
        [](std::uint64_t n) {
          // Nothing is left to plan, so nothing takes that long.
-         return send("/api/plan",
-                     R"({"parts":2,"at_once":2,"done":[["1","2"]],"seconds":)" + number(n) + "}");
+         return send(
+             "/api/plan",
+             R"({"parts":2,"at_once":2,"test_cost":1,"change_cost":1,"done":[["1","2"]],"seconds":)" +
+                 number(n) + "}");
        }},
       {"search-seconds",
        [](std::uint64_t n) {

@@ -167,7 +167,8 @@ TEST(Plans, FollowedTellCostsOfTheWholePlan) {
   json benches = nine;
   benches["benches"] = 2;
   benches["steps"] = 20'000;
-  const json model = {{"model", "A: a, b, c\nB: d, e, f\nC: g, h\n"}, {"test_cost", 2}};
+  const json model = {
+      {"model", "A: a, b, c\nB: d, e, f\nC: g, h\n"}, {"test_cost", 2}, {"change_cost", 1}};
   json triples = nine;
   triples["strength"] = 3;
   triples["steps"] = 5'000;
@@ -254,7 +255,8 @@ TEST(PlanFiles, NumbersOfPartsAreNamedAsTheyAreSent) {
   const OwnServer own;
   for (const char* const number : {"0", "1", "1001", "-1", "2.5"}) {
     for (const std::string key : {"parts", "items"}) {
-      const std::string body = fmt::format(R"({{"{}":{},"at_once":2}})", key, number);
+      const std::string body =
+          fmt::format(R"({{"{}":{},"at_once":2,"test_cost":1,"change_cost":1}})", key, number);
       for (const char* const address : {"/api/plan", "/api/plan/read"}) {
         const Reply reply = act(own, address, body);
         EXPECT_EQ(reply.status, 422) << body;

@@ -30,6 +30,7 @@ void forget_the_machine(JobRequest& request) {
   request.compact = false;
 }
 
+// A job is read before its costs are known.
 void take_usual_costs(JobRequest& request) {
   const std::string usual = "1";
   request.test_cost = request.test_cost.empty() ? usual : request.test_cost;
@@ -201,7 +202,6 @@ OpenedRequest sent_job(const std::string& body) {
   JobRequest sent = job_in(body);  // What is malformed has its place.
   OpenedRequest opened = from_body([&] { return open_workbook(std::move(sent)); });
   forget_the_machine(opened.request);
-  take_usual_costs(opened.request);
   return opened;
 }
 
