@@ -2,10 +2,8 @@
 #include <fmt/format.h>
 
 #include "answer/answer.hpp"
-#include "answer/catalog/entry_words.hpp"
-#include "construct/known_documents.hpp"
+#include "construct/known_tables.hpp"
 #include "core/each.hpp"
-#include "io/write/latex_prose.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
 
@@ -38,38 +36,13 @@ std::string text(const KnownBounds& answer) {
                                  answer.best->b));
 }
 
-std::string latex(const KnownBounds& answer) {
-  std::vector<std::string> keys;
-  std::string text =
-      fmt::format("\\paragraph{{{}}}\n\\begin{{itemize}}\n", latex_prose(name(answer.parameters)));
-  const auto item = [&](const std::string& words) {
-    add_keys(words, keys);
-    text += fmt::format("\\item {}\n", latex_prose(words, keys));
-  };
-  if (answer.impossible) {
-    item("impossible: " + *answer.impossible);
-  }
-  for (const Bound& bound : answer.bounds) {
-    item(fmt::format("b >= {} ({}): {}", bound.blocks, bound.name, bound.reason));
-  }
-  if (answer.best) {
-    const Construction& by = *Registry::standard().find(answer.best->recipe.construction);
-    item(fmt::format("b <= {} ({}): {} {}", answer.best->b, by.name(),
-                     by.explain(answer.best->recipe), by.citation().to_string()));
-  }
-  if (answer.reported) {
-    item(fmt::format("{} [{}]: reported, blocks not held here", answer.reported->blocks,
-                     answer.reported->cites));
-  }
-  return text + "\\end{itemize}\n";
-}
-
 Answer run(const BoundsRequest& request) {
   const std::vector<KnownBounds> answers = each_of<KnownBounds>(
       request.asked.of_each_kind(), [&](const Parameters& p) { return known_bounds(p); });
   const bool is_latex = request.output.format() == "latex";
-  const std::string all = joined(
-      answers, "", [&](const KnownBounds& each) { return is_latex ? latex(each) : text(each); });
+  const std::string all = joined(answers, "", [&](const KnownBounds& each) {
+    return is_latex ? bounds_latex(each) : text(each);
+  });
   return text_answer(request.output.json() ? bounds_json(best_of(answers)) + "\n" : all,
                      request.output);
 }

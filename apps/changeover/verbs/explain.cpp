@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "answer/catalog/entry_words.hpp"
+#include "construct/references.hpp"
 #include "answer/design/recipe_tree.hpp"
 #include "answer/known/known_table.hpp"
 #include "changeover/bounds/lower_bound.hpp"

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <limits>
-#include <map>
 
 #include "answer/answer.hpp"
 #include "answer/catalog/entry_words.hpp"
@@ -12,9 +11,9 @@
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "construct/known_tables.hpp"
 #include "core/words.hpp"
 #include "io/table/table.hpp"
-#include "io/write/latex_prose.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
 
@@ -29,13 +28,6 @@ struct TableRequest {
   bool anew = false;
   OutputRequest output;
 };
-
-std::string number(const KnownCell& cell) {
-  if (cell.impossible) {
-    return "-";
-  }
-  return cell.best ? fmt::format("{}{}", cell.best->b, cell.status() == "minimum" ? "=" : "") : "?";
-}
 
 std::string construction(const KnownCell& cell) {
   return cell.best ? cell.best->recipe.construction : "";
@@ -94,112 +86,6 @@ std::string as_catalog(const Cells& cells, const TableRequest& request) {
   return text;
 }
 
-// The construction whose citation a cell has: the outermost of its recipe that cites a publication,
-// or else the outermost.
-const Recipe* cited_within(const Recipe& recipe) {
-  const Construction* const made = Registry::standard().find(recipe.construction);
-  if (made != nullptr && !made->citation().key.empty()) {
-    return &recipe;
-  }
-  for (const Recipe& input : recipe.inputs) {
-    if (const Recipe* const found = cited_within(input)) {
-      return found;
-    }
-  }
-  return nullptr;
-}
-
-std::string credited(const KnownCell& cell) {
-  const Recipe* const cited = cited_within(cell.best->recipe);
-  return cited == nullptr ? construction(cell) : cited->construction;
-}
-
-// One letter for each construction of the cells, in the order in which they come.
-std::map<std::string, std::string> letters_of(const Cells& cells) {
-  constexpr std::size_t letters = 26;
-  std::map<std::string, std::string> named;
-  for (const KnownCell* cell : cells) {
-    if (cell->best && !named.contains(credited(*cell))) {
-      const std::size_t n = named.size();
-      named[credited(*cell)] =
-          (n < letters ? "" : std::string(1, static_cast<char>('a' + n / letters - 1))) +
-          static_cast<char>('a' + n % letters);
-    }
-  }
-  return named;
-}
-
-// "$\\mathbf{366}^{a}$", "$39^{b}_{\\geq 38}$".
-std::string formula(const KnownCell& cell, const std::map<std::string, std::string>& letters) {
-  if (cell.impossible) {
-    return "--";
-  }
-  if (!cell.best) {
-    return fmt::format("$\\geq {}$", cell.bound.blocks);
-  }
-  const std::string& letter = letters.at(credited(cell));
-  return cell.status() == "minimum"
-             ? fmt::format("$\\mathbf{{{}}}^{{{}}}$", cell.best->b, letter)
-             : fmt::format("${}^{{{}}}_{{\\geq {}}}$", cell.best->b, letter, cell.bound.blocks);
-}
-
-// A row for each v, a column for each k of a range whose cells are by k, then v.
-Table grid(const Cells& cells, const TableRange& range,
-           const std::map<std::string, std::string>& letters) {
-  const std::size_t rows = range.v.to - range.v.from + 1;
-  Table grid{.rows = rows, .columns = {}};
-  grid.columns.push_back({"v",
-                          [&range](std::size_t row) { return std::to_string(range.v.from + row); },
-                          {.kind = ColumnKind::number, .least_width = 5}});
-  for (std::uint64_t k = range.k.from; k <= range.k.to; ++k) {
-    const std::size_t first = (k - range.k.from) * rows;
-    grid.columns.push_back(
-        {fmt::format("k={}", k),
-         [&cells, first](std::size_t row) { return number(*cells[first + row]); },
-         {.kind = ColumnKind::number, .in = everywhere & ~in_latex}});
-    grid.columns.push_back({fmt::format("$k={}$", k),
-                            [&cells, &letters, first](std::size_t row) {
-                              return formula(*cells[first + row], letters);
-                            },
-                            {.kind = ColumnKind::formula, .in = in_latex}});
-  }
-  return grid;
-}
-
-std::string title(const Cells& cells) {
-  const Parameters& p = cells.front()->parameters;
-  const std::string what = change_name(p.change);
-  return fmt::format("{} {} covering designs: blocks of the best known (= minimum, - none exists)",
-                     to_string(p.kind), what);
-}
-
-// The table with what its signs mean and who made the constructions.
-std::string latex(const Cells& cells, const Table& shown,
-                  const std::map<std::string, std::string>& letters) {
-  const Parameters& p = cells.front()->parameters;
-  std::map<std::string, std::string> by_letter;
-  std::vector<std::string> keys;
-  for (const auto& [name, letter] : letters) {
-    const Citation citation = Registry::standard().find(name)->citation();
-    by_letter[letter.size() == 1 ? " " + letter : letter] =
-        fmt::format("{}: {} {}", letter, name, citation.to_string());
-    add_keys(citation.to_string(), keys);
-  }
-  std::string made;
-  for (const auto& [letter, words] : by_letter) {
-    made += (made.empty() ? "" : "; ") + latex_prose(words, keys);
-  }
-  std::string bibtex;
-  for (const std::string& key : keys) {
-    bibtex += fmt::format("% changeover catalog cite {}\n", key);
-  }
-  return fmt::format(
-      "% \\usepackage{{booktabs,longtable}}; BibTeX of what is cited:\n{}{}\n"
-      "{{\\sloppy\\noindent The fewest blocks known of {} {} covering designs. Bold: the minimum. "
-      "An index is the lower bound; --: no design exists. Made by: {}.\\par}}\n",
-      bibtex, table_latex(shown), to_string(p.kind), change_name(p.change), made);
-}
-
 std::string summary(const Cells& cells) {
   std::size_t possible = 0;
   std::size_t minimum = 0;
@@ -227,14 +113,13 @@ Answer run(const TableRequest& request) {
   std::string text;
   for (const Kind kind : kinds_of(request.kind)) {
     const Cells cells = table.cells(kind);
-    const std::map<std::string, std::string> letters = letters_of(cells);
-    const Table shown = grid(cells, range, letters);
-    text += format == "markdown"
-                ? fmt::format("### {}\n\n{}\n", title(cells), table_markdown(shown))
-            : format == "latex" ? latex(cells, shown, letters)
-            : format == "table" ? fmt::format("{}\n{}\n{}\n", title(cells),
-                                              table_text(shown, most_wide), summary(cells))
-                                : "";
+    text += format == "markdown" ? fmt::format("### {}\n\n{}\n", known_grid_title(cells),
+                                               table_markdown(known_grid(cells)))
+            : format == "latex"  ? known_grid_latex(cells)
+            : format == "table"
+                ? fmt::format("{}\n{}\n{}\n", known_grid_title(cells),
+                              table_text(known_grid(cells), most_wide), summary(cells))
+                : "";
     all.insert(all.end(), cells.begin(), cells.end());
   }
   if (format == "json" || format == "csv") {

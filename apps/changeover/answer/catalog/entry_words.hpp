@@ -9,6 +9,7 @@
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/catalog/catalog.hpp"
+#include "construct/references.hpp"
 #include "io/write/json_writer.hpp"
 
 namespace changeover::cli {
@@ -31,12 +32,7 @@ void write_entry_beside(JsonWriter& json, const CatalogEntry& entry, const Bound
 /// once.
 [[nodiscard]] std::vector<std::string> references_of(const CatalogEntry& entry);
 
-/// The text of docs/references.bib from "@" to its end for a key; empty if there is none.
-[[nodiscard]] std::string bibtex_of(const std::string& key);
-
-/// Adds the keys that a sentence cites in brackets, "[ChafeeStevens2025, Theorem 2]", each once, if
-/// they are in docs/references.bib.
-void add_keys(const std::string& sentence, std::vector<std::string>& keys);
+using changeover::bibtex_of;  // of a key of docs/references.bib
 
 /// BibTeX of a design and of what it is from.
 [[nodiscard]] std::string bibtex_of(const CatalogEntry& entry);
