@@ -94,6 +94,18 @@ LegendEntry ramp_legend(const std::string& what, const std::string& least,
 
 LegendEntry remark(std::string text) { return {nullptr, 0, std::move(text)}; }
 
+Picture stacked(std::vector<Picture> pictures) {
+  Picture all = std::move(pictures.front());
+  for (Picture& next : std::span(pictures).subspan(1)) {
+    shift(next.marks, 0, all.height);
+    all.width = std::max(all.width, next.width);
+    all.height += next.height;
+    all.description += " " + next.title + ": " + next.description;
+    std::ranges::move(next.marks, std::back_inserter(all.marks));
+  }
+  return all;
+}
+
 Picture framed(const Heading& heading, Picture content, const std::vector<LegendEntry>& legend) {
   const double width = std::max(content.width, narrowest);
   double y = margin + headline_font;

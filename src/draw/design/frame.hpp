@@ -46,6 +46,9 @@ inline constexpr double legend_font = 11;
 [[nodiscard]] Picture framed(const Heading& heading, Picture content,
                              const std::vector<LegendEntry>& legend = {});
 
+/// Pictures below each other as one, which has the title of the first; there is one at least.
+[[nodiscard]] Picture stacked(std::vector<Picture> pictures);
+
 /// Moves marks.
 void shift(std::vector<Mark>& marks, double right, double down);
 

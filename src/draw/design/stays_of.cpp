@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "changeover/core/design.hpp"
+#include "changeover/core/error.hpp"
 #include "core/words.hpp"
 #include "draw/design/frame.hpp"
 #include "draw/text/measure.hpp"
@@ -78,6 +79,28 @@ DrawnStays stays_of(const Drawing& drawing) {
   return stays;
 }
 
+DrawnStays stays_of(const std::vector<std::vector<Element>>& steps, std::size_t rows) {
+  if (steps.empty()) {
+    throw BadInput("there is no step to draw");
+  }
+  DrawnStays stays{
+      .of = std::vector<std::vector<DrawnStay>>(rows), .first = 1, .last = steps.size()};
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    for (const Element x : steps[i]) {
+      if (x >= rows) {
+        throw BadInput(fmt::format("step {}: there is no row {} of {}", i + 1, x, rows));
+      }
+      std::vector<DrawnStay>& own = stays.of[x];
+      if (own.empty() || own.back().to < i) {
+        own.push_back({.from = i + 1});
+      }
+      own.back().to = i + 1;
+      own.back().length = i + 2 - own.back().from;
+    }
+  }
+  return stays;
+}
+
 std::vector<Element> ordered(const DrawnStays& stays, ElementOrder order) {
   std::vector<Element> elements(stays.of.size());
   std::iota(elements.begin(), elements.end(), Element{0});
@@ -118,16 +141,16 @@ constexpr double thinnest_bar = 1.8;  // of a bar
 
 class Stays {
  public:
-  explicit Stays(const Drawing& drawing)
-      : drawing_(drawing),
-        stays_(stays_of(drawing)),
-        order_(ordered(stays_, drawing.options.order)),
+  explicit Stays(const StaysFigure& figure)
+      : figure_(figure),
+        stays_(figure.stays),
+        order_(ordered(stays_, figure.order)),
         blocks_(static_cast<double>(stays_.last - stays_.first + 1)),
         unit_(std::clamp(field_width / blocks_, 1.0, 24.0)),
         row_(std::clamp(field_height / static_cast<double>(order_.size()), 3.0, 18.0)) {
     font_ = row_ >= usual_font + 2 ? usual_font : small_font;
     for (const Element x : order_) {
-      widest_ = std::max(widest_, text_width(drawing.name(x), font_));
+      widest_ = std::max(widest_, text_width(figure.names[x], font_));
       for (const DrawnStay& stay : stays_.of[x]) {
         longest_ = std::max(longest_, stay.length);
         ++count_;
@@ -154,7 +177,7 @@ class Stays {
       const double y = axis_height + row_ * static_cast<double>(i);
       content.add(bars(order_[i], y));
       if (i % every == 0) {
-        const std::string name = drawing_.name(order_[i]);
+        const std::string name = figure_.names[order_[i]];
         names.marks.push_back(
             {.shape = Text{.at = {left_ - beyond - 4, y + row_ / 2 + 0.36 * font_},
                            .content = fitted(name, longest_bar_name, font_),
@@ -165,10 +188,10 @@ class Stays {
     content.add({.shape = std::move(names),
                  .kind = "names",
                  .style = {.font_size = font_, .anchor = Anchor::end}});
-    content.description =
-        fmt::format("{}: a row for each element, a bar for each of its {}; the longest takes {}.",
-                    drawing_.summary(), count_of(count_, "stay"), count_of(longest_, "block"));
-    return framed(drawing_.heading(), std::move(content), legend());
+    content.description = fmt::format(
+        "{}: a row for each {}, a bar for each of its {}; the longest takes {}.", figure_.summary,
+        figure_.row, count_of(count_, "stay"), count_of(longest_, figure_.step));
+    return framed(figure_.heading, std::move(content), legend());
   }
 
  private:
@@ -203,7 +226,7 @@ class Stays {
   }
 
   Paint paint_of(const DrawnStay& stay, std::size_t ordinal) const {
-    if (drawing_.options.colour == StayColour::ordinal) {
+    if (figure_.colour == StayColour::ordinal) {
       return Paint::series(ordinal);
     }
     // By ratios: one block more says much of a short stay and little of a long one.
@@ -224,7 +247,7 @@ class Stays {
   }
 
   Mark bars(Element x, double y) const {
-    const std::string name = drawing_.name(x);
+    const std::string& name = figure_.names[x];
     const std::vector<DrawnStay>& own = stays_.of[x];
     Group row;
     for (std::size_t i = 0; i < own.size(); ++i) {
@@ -247,11 +270,11 @@ class Stays {
     return {.shape = std::move(row), .kind = "element", .data = {{"element", name}}};
   }
 
-  static std::string title(const std::string& name, const DrawnStay& stay) {
+  std::string title(const std::string& name, const DrawnStay& stay) const {
     if (stay.over_the_end && stay.from <= stay.to) {
-      return fmt::format("{}: in every block", name);
+      return fmt::format("{}: in every {}", name, figure_.step);
     }
-    return fmt::format("{}: blocks {} to {}{} ({})", name, stay.from, stay.to,
+    return fmt::format("{}: {}s {} to {}{} ({})", name, figure_.step, stay.from, stay.to,
                        stay.over_the_end ? ", over the end" : "", stay.length);
   }
 
@@ -263,8 +286,8 @@ class Stays {
         goes_on = goes_on || stay.over_the_end || stay.began_before || stay.goes_on;
       }
     }
-    if (drawing_.options.colour == StayColour::length) {
-      legend.push_back(ramp_legend("blocks of a stay", "1", std::to_string(longest_)));
+    if (figure_.colour == StayColour::length) {
+      legend.push_back(ramp_legend(figure_.step + "s of a stay", "1", std::to_string(longest_)));
     } else {
       for (std::size_t i = 0; i < std::min(most_, Paint::series_length); ++i) {
         const bool again = i + Paint::series_length < most_;
@@ -273,15 +296,14 @@ class Stays {
       }
     }
     if (goes_on) {
-      legend.push_back(remark(drawing_.parameters().kind == Kind::circular
-                                  ? "a bar over the frame goes on at the other side"
-                                  : "a bar over the frame goes on"));
+      legend.push_back(remark(figure_.circular ? "a bar over the frame goes on at the other side"
+                                               : "a bar over the frame goes on"));
     }
     return legend;
   }
 
-  const Drawing& drawing_;
-  DrawnStays stays_;
+  const StaysFigure& figure_;
+  const DrawnStays& stays_;
   std::vector<Element> order_;
   double blocks_, unit_, row_;
   double font_ = 0, widest_ = 0, left_ = 0;
@@ -291,6 +313,20 @@ class Stays {
 
 }  // namespace
 
-Picture draw_stays(const Drawing& drawing) { return Stays(drawing).draw(); }
+Picture draw_stays(const StaysFigure& figure) { return Stays(figure).draw(); }
+
+Picture draw_stays(const Drawing& drawing) {
+  StaysFigure figure{.stays = stays_of(drawing),
+                     .names = {},
+                     .heading = drawing.heading(),
+                     .summary = drawing.summary(),
+                     .order = drawing.options.order,
+                     .colour = drawing.options.colour,
+                     .circular = drawing.parameters().kind == Kind::circular};
+  for (std::size_t x = 0; x < figure.stays.of.size(); ++x) {
+    figure.names.push_back(drawing.name(static_cast<Element>(x)));
+  }
+  return draw_stays(figure);
+}
 
 }  // namespace changeover

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "draw/design/frame.hpp"
@@ -34,7 +35,26 @@ struct DrawnStays {
 /// @throws BadInput as Drawing::require_range() and Drawing::require_fits().
 [[nodiscard]] DrawnStays stays_of(const Drawing& drawing);
 
+/// The stays of anything that comes and goes: by step, from 1, which of `rows` rows are there.
+/// @throws BadInput for a row that is not below `rows`, or if there is no step.
+[[nodiscard]] DrawnStays stays_of(const std::vector<std::vector<Element>>& steps, std::size_t rows);
+
 /// All elements, those that are in no block last.
 [[nodiscard]] std::vector<Element> ordered(const DrawnStays& stays, ElementOrder order);
+
+/// Stays as a picture: a row an element, a bar a stay.
+struct StaysFigure {
+  DrawnStays stays;
+  std::vector<std::string> names;  ///< of the rows
+  Heading heading;
+  std::string summary;  ///< what there is, at the beginning of the description
+  std::string row = "element";
+  std::string step = "block";
+  ElementOrder order = ElementOrder::first;
+  StayColour colour = StayColour::length;
+  bool circular = false;
+};
+
+[[nodiscard]] Picture draw_stays(const StaysFigure& figure);
 
 }  // namespace changeover
