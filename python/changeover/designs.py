@@ -5,6 +5,7 @@ from __future__ import annotations
 import copyreg
 import importlib
 import json
+import re
 import operator
 import zlib
 from array import array
@@ -15,7 +16,7 @@ from typing import (
 from . import _core
 from ._given import attempt, listed, rows_of, words_of
 from ._made import Kind, Made, check_calls, count_of, fact, in_a_line, known, made
-from ._notebook import shown, table
+from ._notebook import Shown, shown, table
 from .errors import BadInput
 from .pictures import Picture, PictureKind, Theme, picture_of
 
@@ -94,7 +95,7 @@ def _blocks_again(state: bytes, k: int, checksum: int) -> Blocks:
     return blocks
 
 
-class Verdict(Made):
+class Verdict(Shown, Made):
     """What is true of a list of blocks; a true value if it is a design."""
 
     _hidden = ("name",)
@@ -136,11 +137,11 @@ class Verdict(Made):
         found = "not valid" if not self.valid else "valid, tight" if self.tight else "valid"
         return f"<Verdict: {self._facts['name']}, {count_of(self.b, 'block')}, {found}>"
 
-    def _repr_html_(self) -> str:
-        rows = [(name, getattr(self, name)) for name in (
+    def _on_page(self) -> Any:
+        rows = [(name.replace("_", " "), str(getattr(self, name))) for name in (
             "valid", "tight", "economical", "minimum", "b", "lower_bound", "bad_steps",
             "uncovered", "excess")]
-        return shown(self._facts["name"], (), table(("", ""), rows))
+        return self._facts["name"], (), ("verdict", "value"), rows, len(rows)
 
 
 def _verdict(core: Any) -> Verdict:
@@ -349,6 +350,9 @@ class Design(Made):
 def _math(name: str) -> str:
     if name.isdecimal():
         return name
+    at_infinity = re.fullmatch("∞(?:_?([A-Za-z0-9]+))?", name)
+    if at_infinity:
+        return "\\infty" + (f"_{{{at_infinity[1]}}}" if at_infinity[1] else "")
     # What a letter is to LaTeX and not to MathJax, or the other way round, looks like another one.
     alike = {"\\": "/", "$": "S", "^": "\u02c6", "~": "\u02dc"}
     plain = "".join(alike.get(c, "\\" + c if c in "#%&_{}" else c) for c in name)

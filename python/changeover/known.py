@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import importlib
-from typing import Any, Iterable, List, Optional, Tuple, Union
+from typing import Any, Iterable, List, Literal, Optional, Tuple, Union
 
+from . import _core
 from ._given import attempt
 from ._made import Kind, Made, check_calls, fact, in_a_line, known, made, name_of, whole
-from ._notebook import shown, table as html_table
+from ._notebook import Shown, shown, table as html_table
 from .designs import Design
 from .errors import BadInput
+from .pictures import Picture, Theme, drawn
 from .plans import RunSheet
 
 Range = Union[int, range, Tuple[int, int]]
@@ -26,7 +28,7 @@ class Bound(Made):
         return f"<at least {self.blocks} ({self.name})>"
 
 
-class Bounds(Made):
+class Bounds(Shown, Made):
     """What is known of the least number of blocks."""
 
     v: int = fact()
@@ -47,12 +49,25 @@ class Bounds(Made):
     def __repr__(self) -> str:
         return f"<{self._core}: {self.status}>"
 
-    def _repr_html_(self) -> str:
+    def to_latex(self) -> str:
+        """A list of the bounds with \\cite commands, as `changeover bounds --format latex` has it.
+        """
+        return self._latex(", cited")
+
+    def _repr_latex_(self) -> str:
+        return self._latex("")
+
+    def _latex(self, cited: str) -> str:
+        text: str = _core.known("bounds in LaTeX" + cited, v=self.v, k=self.k, change=self.change,
+                                kind=self.kind, strength=self.strength)
+        return text
+
+    def _on_page(self) -> Any:
         lines = [f"best known: {self.best_known} blocks, by {self.construction}"] if (
             self.best_known is not None) else []
         rows = [(each.blocks, each.name, each.reason) for each in self.all]
-        return shown(f"{self._core}: {self.status}", lines,
-                     html_table(("at least", "bound", "reason"), rows))
+        return (f"{self._core}: {self.status}", lines, ("at least", "bound", "reason"), rows,
+                len(rows))
 
 
 class Cell(Made):
@@ -82,6 +97,47 @@ class Table(List[Cell]):
     def to_frame(self) -> Any:
         """A pandas.DataFrame with one row for each cell. Raises ImportError without pandas."""
         return to_pandas(self)
+
+    def to_latex(self) -> str:
+        """A table with \\cite commands for booktabs and longtable, as
+        `changeover table --format latex` has it. Raises BadInput for a table that is not a whole
+        range."""
+        text = self._latex(True)
+        if text is None:
+            raise BadInput("these are not all cells of a range of v and k, in LaTeX a table is; "
+                           "changeover.table() makes one")
+        return text
+
+    def draw(
+        self, measure: Literal["ratio", "status", "gap"] = "ratio", *, theme: Theme = "light"
+    ) -> Picture:
+        """A picture with a square for each cell, whose colour says how many times the lower bound
+        the blocks are, what is known, or how many blocks more than the bound; kinds below each
+        other. Raises BadInput if there is no cell, or there are too many."""
+        places = self._places()
+        if places is None:
+            raise BadInput("a picture is of cells of one change number, each once; "
+                           "changeover.table() makes such a table")
+        return drawn(_core.draw_heatmap(places, self[0].change, measure, theme))
+
+    def _places(self) -> Optional[List[Tuple[int, int, str]]]:
+        places = [(cell.v, cell.k, cell.kind) for cell in self]
+        whole = len(set(places)) == len(places) and len({cell.change for cell in self}) == 1
+        return places if whole else None
+
+    def _latex(self, cited: bool) -> Optional[str]:
+        places = self._places()
+        if places is None:
+            return None
+        text: Optional[str] = _core.latex_grid(places, self[0].change, cited)
+        return text
+
+    def _repr_latex_(self) -> Optional[str]:
+        return self._latex(False)
+
+    def _repr_svg_(self) -> Optional[str]:
+        most_cells = 4000
+        return self.draw().svg if len(self) <= most_cells and self._places() else None
 
     def _repr_html_(self) -> str:
         parts = []

@@ -20,8 +20,9 @@ from . import _core
 from ._given import (
     attempt, file_name, is_text, leads_from_keys, listed, rows_of, share_of, words_of)
 from ._made import Made, Progress, check_calls, count_of, fact, frozen, in_a_line, made
-from ._notebook import shown, table
+from ._notebook import Shown, shown, table
 from .errors import BadInput, InternalError
+from .pictures import Picture, Theme, stays_of
 
 Step = Tuple[List[int], List[int]]
 _most_items: int = _core.most_items
@@ -117,7 +118,19 @@ def _made_again(kind: Any, state: bytes, checksum: int) -> Any:
     return made(kind, {**facts, "_asked": (asked, ends, seed, text)}, core)
 
 
-class _Loads(Made):
+def _panel(headline: str, note: str, items: int, steps: Iterable[Step]
+           ) -> Tuple[str, str, List[str], List[List[int]]]:
+    """What is in memory after each step, for stays_of()."""
+    memory: Set[int] = set()
+    held = []
+    for evict, load in steps:
+        memory.difference_update(evict)
+        memory.update(load)
+        held.append(sorted(memory))
+    return headline, note, list(map(str, range(items))), held
+
+
+class _Loads(Shown, Made):
     """Shared by both kinds."""
 
     items: int = fact()
@@ -134,6 +147,31 @@ class _Loads(Made):
         """changeover-loads/1: an object for the order, then one for each step, one per line."""
         text: str = self._core.in_format("jsonl")
         return text
+
+    def _panels(self) -> List[Tuple[str, str, List[str], List[List[int]]]]:
+        raise NotImplementedError
+
+    def _size(self) -> int:
+        """No fewer than the steps."""
+        raise NotImplementedError
+
+    def draw(self, *, theme: Theme = "light") -> Picture:
+        """A picture of the memory: a row for each item, a bar for each time that it is there, step
+        by step; workers below each other. Raises BadInput if it would be too large."""
+        most_items, most_steps = 2_000, 20_000
+        if self.items > most_items or self._size() > most_steps:
+            raise BadInput(f"a picture has at most {most_items} items and {most_steps} steps")
+        return stays_of([panel for panel in self._panels() if panel[3]], "item", "step", theme)
+
+    def _repr_svg_(self) -> Optional[str]:
+        most_items, most_steps = 60, 500
+        if self.items > most_items or self._size() > most_steps:
+            return None
+        return self.draw().svg
+
+    def _repr_html_(self) -> str:
+        title, lines, heads, rows, count = self._on_page()
+        return shown(title, lines, self._repr_svg_() or "", table(heads, rows, count))
 
     def verified(self) -> bool:
         """True when all steps have been read and are right; with verify_beside it waits until they
@@ -189,15 +227,20 @@ class LoadOrder(_Loads):
         frame.index = pandas.RangeIndex(1, len(frame) + 1, name="step")
         return frame
 
-    def _repr_html_(self) -> str:
+    def _panels(self) -> List[Tuple[str, str, List[str], List[List[int]]]]:
+        return [_panel("Load order", repr(self)[len("<LoadOrder: "):-1], self.items, self)]
+
+    def _size(self) -> int:
+        return self.steps
+
+    def _on_page(self) -> Any:
         most_shown = 20
+        lines = [f"at least {self.lower_bound} loads: {self.reason}", self.certificate]
+        if self.steps > most_shown:
+            lines.append(f"{most_shown} of {self.steps} steps:")
         first = itertools.islice(self, most_shown)
-        return shown(
-            repr(self)[len("<LoadOrder: "):-1],
-            [f"at least {self.lower_bound} loads: {self.reason}", self.certificate],
-            table(("step", "evict", "load"),
-                  ((number, *step) for number, step in enumerate(first, 1))),
-            f"<div>{most_shown} of {self.steps} steps</div>\n" if self.steps > most_shown else "")
+        return (repr(self)[len("<LoadOrder: "):-1], lines, ("step", "evict", "load"),
+                ((number, *step) for number, step in enumerate(first, 1)), None)
 
     def __iter__(self) -> Iterator[Step]:
         steps: Iterator[Step] = self._core.steps(0)
@@ -271,18 +314,24 @@ class WorkerLoads(_Loads):
         frame = pandas.DataFrame(rows, columns=["worker", "step", "evict", "load"])
         return frame.set_index(["worker", "step"])
 
-    def _repr_html_(self) -> str:
+    def _panels(self) -> List[Tuple[str, str, List[str], List[List[int]]]]:
+        return [_panel(f"Worker {worker}", count_of(self.worker_loads[worker], "load"), self.items,
+                       self.steps(worker)) for worker in range(len(self))]
+
+    def _size(self) -> int:
+        return sum(self.worker_loads)
+
+    def _on_page(self) -> Any:
         most_shown = 20
         columns = {"loads": self.worker_loads, "bytes": self.worker_bytes,
                    "pairs": self.worker_pairs, "cost": self.worker_costs}
         known = {name: each for name, each in columns.items() if each is not None}
         workers = range(min(len(self), most_shown))
-        return shown(
-            repr(self)[len("<WorkerLoads: "):-1],
-            [f"at least {self.makespan_bound} loads: {self.reason}", self.certificate],
-            table(("worker", *known),
-                  ((w, *(each[w] for each in known.values())) for w in workers)),
-            f"<div>{most_shown} of {len(self)} workers</div>\n" if len(self) > most_shown else "")
+        lines = [f"at least {self.makespan_bound} loads: {self.reason}", self.certificate]
+        if len(self) > most_shown:
+            lines.append(f"{most_shown} of {len(self)} workers:")
+        return (repr(self)[len("<WorkerLoads: "):-1], lines, ("worker", *known),
+                ((w, *(each[w] for each in known.values())) for w in workers), None)
 
     def __repr__(self) -> str:
         return (f"<WorkerLoads: {count_of(len(self), 'worker')}, the busiest has "

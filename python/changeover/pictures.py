@@ -1,9 +1,9 @@
-"""Pictures of designs, as SVG and TikZ; notebooks show them."""
+"""Pictures as SVG and TikZ; notebooks show them."""
 
 from __future__ import annotations
 
 import os
-from typing import Any, Literal, Optional
+from typing import Any, List, Literal, Optional, Tuple
 
 from . import _core
 from ._made import Made, check_calls, fact, made
@@ -14,7 +14,7 @@ Theme = Literal["light", "dark"]
 
 
 class Picture(Made):
-    """A picture; what Design.draw() returns."""
+    """A picture; what draw() of designs, tables, run sheets and load orders returns."""
 
     _hidden = ("tikz", "defect")
     svg: str = fact("A whole SVG file.")
@@ -48,6 +48,12 @@ def _in_python(message: str) -> str:
     return message.replace("--from", "first").replace("--to", "last")
 
 
+def stays_of(panels: List[Tuple[str, str, List[str], List[List[int]]]], row: str, step: str,
+             theme: str) -> Picture:
+    """Below each other: headline, note, names of the rows, and which rows are there, by step."""
+    return drawn(_core.draw_stays(panels, row, step, theme))
+
+
 def picture_of(core: Any, picture: str, theme: str, order: str, colour: str, leaving: bool,
                first: int, last: Optional[int]) -> Picture:
     try:
@@ -55,6 +61,11 @@ def picture_of(core: Any, picture: str, theme: str, order: str, colour: str, lea
             picture, theme, order, colour, leaving, first, last)
     except BadInput as fault:
         raise BadInput(_in_python(str(fault)))
+    return drawn((svg, tikz, defect, title))
+
+
+def drawn(written: Tuple[str, str, str, str]) -> Picture:
+    svg, tikz, defect, title = written
     return made(Picture, {"svg": svg, "tikz": tikz, "defect": defect, "title": title})
 
 

@@ -12,8 +12,9 @@ from typing import Any, Dict, Iterable, List, Literal, Mapping, Optional, Tuple,
 from . import _core
 from ._job import benches_of, document_of, names_in, result_of
 from ._made import Made, Progress, check_calls, count_of, fact, made
-from ._notebook import shown, table
+from ._notebook import Shown
 from .errors import BadInput
+from .pictures import Picture, Theme, stays_of
 
 Cost = Union[int, float, str, Decimal]
 Part = Union[str, int]
@@ -53,7 +54,7 @@ def _bench_step(step: Dict[str, Any]) -> Dict[str, Any]:
             **{key: step[key] for key in ("day", "date", "again") if key in step}}
 
 
-class _Sheets(Made):
+class _Sheets(Shown, Made):
     """What the run sheets of one bench and of several have in common."""
 
     tests: int = fact("Of all benches.")
@@ -100,14 +101,39 @@ class _Sheets(Made):
         pandas: Any = importlib.import_module("pandas")
         return pandas.DataFrame(self._rows()).set_index("number")
 
-    def _repr_html_(self) -> str:
+    def _panels(self) -> List[Tuple[str, str, List[Dict[str, Any]]]]:
+        """For each bench headline, note, tests."""
+        raise NotImplementedError
+
+    def draw(self, *, theme: Theme = "light") -> Picture:
+        """A picture: a row for each part, a bar for each time that it is on the bench, test by
+        test; benches below each other. Raises BadInput if there is no test."""
+        panels = []
+        for headline, note, steps in self._panels():
+            places: Dict[str, int] = {}
+            tests = [[places.setdefault(part, len(places)) for part in step["setup"]]
+                     for step in steps]
+            if tests:
+                panels.append((headline, note, list(places), tests))
+        if not panels:
+            raise BadInput("there is no test to draw")
+        return stays_of(panels, "part", "test", theme)
+
+    def _repr_svg_(self) -> Optional[str]:
+        most_tests, most_parts = 300, 100
+        steps = [step for _, _, steps in self._panels() for step in steps]
+        parts = {part for step in steps for part in step["setup"]}
+        if not 0 < len(steps) <= most_tests or len(parts) > most_parts:
+            return None
+        return self.draw().svg
+
+    def _on_page(self) -> Any:
         rows = self._rows()
         heads = [key for key in ("bench", "number", "take_out", "put_in", "setup", "cost_so_far")
                  if rows and key in rows[0]]
         lines = [f"at least {self.lower_bound}: {self.reason}", *self.notes]
-        return shown(repr(self)[1:-1], lines, table(
-            [head.replace("_", " ") for head in heads],
-            ([row[head] for head in heads] for row in rows), len(rows)))
+        return (repr(self)[1:-1], lines, [head.replace("_", " ") for head in heads],
+                ([row[head] for head in heads] for row in rows), len(rows))
 
     def to_csv(self) -> str:
         return self._written("csv")
@@ -262,6 +288,9 @@ class RunSheet(_Sheets):
     def _rows(self) -> List[Dict[str, Any]]:
         return self.steps
 
+    def _panels(self) -> List[Tuple[str, str, List[Dict[str, Any]]]]:
+        return [("Run sheet", repr(self)[len("<RunSheet: "):-1], self.steps)]
+
     def __len__(self) -> int:
         return self.tests
 
@@ -289,6 +318,10 @@ class BenchSheets(_Sheets):
     def _rows(self) -> List[Dict[str, Any]]:
         return [{"bench": bench, **step} for bench, sheet in zip(self.benches, self.sheets)
                 for step in sheet]
+
+    def _panels(self) -> List[Tuple[str, str, List[Dict[str, Any]]]]:
+        return [(bench, count_of(len(sheet), "test"), sheet)
+                for bench, sheet in zip(self.benches, self.sheets)]
 
     def __len__(self) -> int:
         return len(self.sheets)

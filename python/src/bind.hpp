@@ -11,9 +11,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
+#include "changeover/draw/picture.hpp"
 #include "changeover/verify/verdict.hpp"
 
 namespace changeover::python {
@@ -24,6 +26,7 @@ void register_errors();
 void bind_memory(py::module_& module);
 void bind_designs(py::module_& module);
 void bind_known(py::module_& module);
+void bind_notebook(py::module_& module);
 void bind_search(py::module_& module);
 void bind_catalog(py::module_& module);
 void bind_plan(py::module_& module);
@@ -67,6 +70,11 @@ struct HeldDesign {
 
 /// A dict with v, k, change, kind, strength.
 [[nodiscard]] py::dict facts_of(const Parameters& parameters);
+
+/// As SVG and as TikZ, or why it cannot be TikZ, and its title.
+using DrawnPicture = std::tuple<std::string, std::string, std::string, std::string>;
+
+[[nodiscard]] DrawnPicture written(const Picture& picture, Theme theme);
 
 [[nodiscard]] py::tuple tuple_of(std::span<const Element> elements);
 

@@ -302,11 +302,9 @@ HeldDesign held(VerifiedDesign design) {
 
 namespace {
 
-// The picture as SVG and as TikZ, or why it cannot be TikZ, and its title.
-std::tuple<std::string, std::string, std::string, std::string> drawn(
-    const HeldDesign& self, const std::string& kind, const std::string& theme,
-    const std::string& order, const std::string& colour, bool leaving, std::uint64_t first,
-    const std::optional<std::uint64_t>& last) {
+DrawnPicture drawn(const HeldDesign& self, const std::string& kind, const std::string& theme,
+                   const std::string& order, const std::string& colour, bool leaving,
+                   std::uint64_t first, const std::optional<std::uint64_t>& last) {
   const auto picture = picture_kind_from_string(kind);
   const auto by = element_order_from_string(order);
   const auto says = stay_colour_from_string(colour);
@@ -325,17 +323,7 @@ std::tuple<std::string, std::string, std::string, std::string> drawn(
   if (const auto defect = draw_defect(design.parameters(), design.block_count(), options)) {
     throw BadInput(*defect);
   }
-  return stoppable([&] {
-    const Picture made = draw(design, options);
-    std::string for_tex;
-    std::string defect;
-    try {
-      for_tex = tikz(made);
-    } catch (const BadInput& fault) {
-      defect = fault.what();
-    }
-    return std::tuple(svg(made, *ground), for_tex, defect, made.title);
-  });
+  return stoppable([&] { return written(draw(design, options), *ground); });
 }
 
 }  // namespace

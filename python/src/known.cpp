@@ -1,9 +1,9 @@
 // What is known, as the documents that every door has: bounds, tables, how a design is made, what
 // makes designs.
-#include "construct/known_documents.hpp"
 
 #include "bind.hpp"
 #include "changeover/core/error.hpp"
+#include "construct/known_tables.hpp"
 #include "core/each.hpp"
 #include "io/write/json_writer.hpp"
 #include "long_work.hpp"
@@ -63,9 +63,12 @@ std::string known(const std::string& about, const py::kwargs& words) {
   }
   const std::vector<Parameters> cells = asked.of_each_kind();
   return stoppable([&]() -> std::string {
-    if (about == "bounds") {
-      return bounds_json(best_of(
-          each_of<KnownBounds>(cells, [](const Parameters& p) { return known_bounds(p); })));
+    if (about == "bounds" || about.starts_with("bounds in LaTeX")) {
+      const std::vector<KnownBounds> all =
+          each_of<KnownBounds>(cells, [](const Parameters& p) { return known_bounds(p); });
+      return about == "bounds"            ? bounds_json(best_of(all))
+             : about.ends_with(", cited") ? bounds_latex(best_of(all))
+                                          : bounds_latex(best_of(all), Citations::written);
     }
     const auto offer = best_offer(Registry::standard(), cells);
     if (!offer) {

@@ -11,6 +11,7 @@ PYBIND11_MODULE(_core, module) {
   bind_memory(module);
   bind_designs(module);
   bind_known(module);
+  bind_notebook(module);
   bind_search(module);
   bind_catalog(module);
   bind_plan(module);

@@ -6,6 +6,9 @@ import multiprocessing
 import os
 import pathlib
 import pickle
+import re
+import shutil
+import subprocess
 import sys
 import tempfile
 import types
@@ -94,7 +97,163 @@ class Shown(unittest.TestCase):
             self.assertEqual(list(order.to_frame()["load"].map(len))[0], 5)
 
 
+def taken_apart(latex):
+    """The rows of the tables of a LaTeX text by environment. Raises for what does not fit: an
+    environment or a brace that is left open, a row with more or fewer cells than columns."""
+    open_braces = 0
+    for sign in re.findall(r"\\.|[{}]", latex, re.DOTALL):
+        open_braces += {"{": 1, "}": -1}.get(sign, 0)
+        if open_braces < 0:
+            raise ValueError("} without {")
+    if open_braces or latex.count("\\begingroup") != latex.count("\\endgroup"):
+        raise ValueError("a group is left open")
+    tables, around = [], []
+    for line in latex.splitlines():
+        begun = re.match(r"\\begin\{(\w+)\}(?:\{(.*)\})?$", line)
+        ended = re.match(r"\\end\{(\w+)\}$", line)
+        if begun:
+            around.append(begun[1])
+            if begun[2]:
+                columns = len(re.sub(r"p\{[^}]*\}", "p", begun[2]))
+                tables.append([])
+        elif ended:
+            if not around or around.pop() != ended[1]:
+                raise ValueError(f"{line} ends nothing")
+        elif line.endswith(" \\\\") and around:
+            cells = re.split(r"(?<!\\)&", line[:-3])
+            if len(cells) != columns:
+                raise ValueError(f"{len(cells)} cells for {columns} columns: {line}")
+            tables[-1].append([cell.strip() for cell in cells])
+    if around:
+        raise ValueError(f"{around} is left open")
+    return tables
+
+
+hard_names = ["a_1", "R&D", "50%", "#4", "x~y", "$z", "{q", "b\\c", "[br]", "*st", "^hat", "<lt>"]
+
+
+def hard_sheet():
+    return changeover.plan(hard_names, 4, test_cost=1, change_cost=5)
+
+
+class Latex(unittest.TestCase):
+    def test_what_is_shown_on_pages_is_also_latex(self):
+        sheet = changeover.plan(9, 3, test_cost=1, change_cost=5)
+        both = changeover.plan(9, 3, test_cost=1, change_cost=5, benches=2)
+        order = changeover.load_order(20, 5)
+        shares = changeover.load_order(20, 5, workers=2)
+        verdict = changeover.design(8, 5).verdict
+        for each, rows in ((sheet, sheet.tests), (both, both.tests), (order, 20), (shares, 2),
+                           (verdict, 9)):
+            (table,) = taken_apart(each._repr_latex_())
+            self.assertEqual(len(table), 1 + rows, each)
+        (table,) = taken_apart(sheet._repr_latex_())
+        self.assertEqual(table[0], ["number", "take out", "put in", "setup", "cost so far"])
+        for step, row in zip(sheet.steps, table[1:]):
+            self.assertEqual(row[3], ", ".join(step["setup"]))
+            self.assertEqual(row[4], str(step["cost_so_far"]))
+
+    def test_names_of_parts_are_text(self):
+        latex = hard_sheet()._repr_latex_()
+        for table in taken_apart(latex):
+            self.assertEqual(len(table), 1 + hard_sheet().tests)
+        for written in ("$a_{1}$", r"R\&D", r"50\%", r"\#4", r"x\textasciitilde{}y", r"\$z", r"\{q",
+                        r"b\textbackslash{}c", r"\textasciicircum{}hat",
+                        r"\textless{}lt\textgreater{}"):
+            self.assertIn(written, latex)
+
+    def test_a_wide_cell_has_lines(self):
+        names = [f"a pump with a rather long name {i}" for i in range(9)]
+        sheet = changeover.plan(names, 4, test_cost=1, change_cost=1)
+        latex = sheet._repr_latex_()
+        self.assertIn(r"p{0.4\linewidth}", latex)
+        self.assertEqual(sum(len(table) - 1 for table in taken_apart(latex)), 2 * sheet.tests)
+
+    def test_more_rows_than_a_page_is_told(self):
+        sheet = changeover.plan(30, 3, test_cost=1, change_cost=5, time=0.2)
+        self.assertGreater(sheet.tests, 60)
+        (table,) = taken_apart(sheet._repr_latex_())
+        self.assertEqual(len(table), 61)
+        self.assertIn(f"60 of {sheet.tests} rows", sheet._repr_latex_())
+
+    def test_tables_are_those_of_the_command_line(self):
+        table = changeover.table((3, 6), (4, 12))
+        bounds = changeover.bounds(20, 5)
+        for latex in (table._repr_latex_(), table.to_latex()):
+            tables = taken_apart(latex)
+            self.assertEqual([len(each) for each in tables], [10, 10])
+            self.assertEqual(tables[0][0][1], "$k=3$")
+        self.assertIn("[ChafeeStevens2025", table._repr_latex_())
+        self.assertNotIn("\\cite", table._repr_latex_() + bounds._repr_latex_())
+        self.assertIn("{ChafeeStevens2025}", table.to_latex())
+        self.assertEqual(taken_apart(bounds._repr_latex_()), [])
+        self.assertEqual(bounds.to_latex().count("\\item"), len(bounds.all) + 1)
+        program = pathlib.Path(changeover.__file__).parents[2] / "changeover"
+        if not program.is_file():
+            self.skipTest("no program beside the package")
+        for words, latex in (("table --k 3..6 --v 4..12", table.to_latex()),
+                             ("bounds 20 5 --circular", bounds.to_latex())):
+            said = subprocess.run([program, *words.split(), "--format", "latex"],
+                                  capture_output=True, check=True, encoding="utf-8").stdout
+            self.assertEqual(latex, said)
+
+    def test_a_table_with_holes_has_no_latex(self):
+        table = changeover.table((3, 5), (4, 9), kind="linear")
+        some = changeover.Table(cell for cell in table if cell.b != 6)
+        self.assertLess(len(some), len(table))
+        self.assertIsNone(some._repr_latex_())
+        with self.assertRaisesRegex(changeover.BadInput, "not all cells of a range"):
+            some.to_latex()
+        self.assertIsNone(changeover.Table()._repr_latex_())
+        self.assertIsNone(changeover.Table()._repr_svg_())
+        self.assertEqual(some.draw().svg.count("data-v="), len(some))
+
+    @unittest.skipUnless(shutil.which("pdflatex") and shutil.which("kpsewhich"), "no pdflatex")
+    def test_it_compiles(self):
+        for package in ("booktabs.sty", "longtable.sty", "amsmath.sty"):
+            if subprocess.run(["kpsewhich", package], stdout=subprocess.DEVNULL).returncode != 0:
+                self.skipTest(f"no {package}")
+        shown = [changeover.design(8, 5), changeover.design(8, 5).verdict, hard_sheet(),
+                 changeover.plan(9, 3, test_cost=1, change_cost=5, benches=2),
+                 changeover.bounds(20, 5), changeover.bounds(4, 2),
+                 changeover.table((3, 8), (4, 50)), changeover.load_order(20, 5), changeover.load_order(20, 5, workers=2)]
+        body = "\n\n".join(each._repr_latex_() for each in shown)
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "it.tex").write_text(
+                "\\documentclass{article}\\usepackage[T1]{fontenc}"
+                "\\usepackage{amsmath,booktabs,longtable}\n\\begin{document}\n"
+                f"{body}\n\\end{{document}}\n", encoding="utf-8")
+            run = subprocess.run(
+                ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "it.tex"],
+                cwd=folder, capture_output=True, text=True, errors="replace")
+            self.assertEqual(run.returncode, 0, run.stdout[-2000:])
+            self.assertIn("Output written", run.stdout)
+
+
 class Pictures(unittest.TestCase):
+    def test_sheets_orders_and_tables_are_drawn(self):
+        sheet = changeover.plan(9, 3, test_cost=1, change_cost=5)
+        both = changeover.plan(9, 3, test_cost=1, change_cost=5, benches=2)
+        order = changeover.load_order(20, 5)
+        shares = changeover.load_order(20, 5, workers=2)
+        table = changeover.table((3, 5), (4, 9))
+        for each in (sheet, both, order, shares, table):
+            self.assertTrue(well_formed(each._repr_svg_()).tag.endswith("svg"))
+            self.assertIn("tikzpicture", each.draw().tikz)
+            self.assertNotEqual(each.draw(theme="dark").svg, each.draw().svg)
+        self.assertEqual(sheet._repr_svg_().count('data-element="'), 9)
+        # As many bars as times that a part is put on the bench.
+        self.assertEqual(sheet._repr_svg_().count('class="stay"'),
+                         sum(len(step["put_in"]) for step in sheet.steps))
+        self.assertIn("tests of a stay", sheet._repr_svg_())
+        self.assertEqual(order._repr_svg_().count('class="stay"'), order.loads)
+        self.assertEqual(shares._repr_svg_().count('class="stay"'), shares.loads)
+        self.assertIn(order._repr_svg_(), order._repr_html_())
+        self.assertEqual(table._repr_svg_().count("data-v="), len(table))
+        self.assertIsNone(changeover.load_order(200, 20)._repr_svg_())
+        with self.assertRaisesRegex(changeover.BadInput, "at most 2000 items"):
+            changeover.load_order(3000, 20).draw()
+
     def test_each_kind_is_drawn(self):
         design = changeover.design(15, 5)
         for kind in ("array", "stays", "coverage", "circle", "recipe"):

@@ -223,12 +223,28 @@ double latex_digits(std::string_view latex) {
   return digits + aside;
 }
 
+constexpr double broken_digits = 26;  // of a column of lists that has several lines in a cell
+
+double column_digits(const Table& table, const TableColumn& column) {
+  double digits = latex_digits(head_line(column, in_latex));
+  for (std::size_t row = 0; row < table.rows; ++row) {
+    digits = std::max(digits, latex_digits(joined(column.cell(row).words)));
+  }
+  return digits;
+}
+
+bool is_broken(const Table& table, const TableColumn& column) {
+  return column.style.kind == ColumnKind::list && column_digits(table, column) > broken_digits;
+}
+
 std::string columns_latex(const Table& table, const std::vector<const TableColumn*>& columns) {
   constexpr std::size_t most_on_a_page = 40;
   const std::string environment = table.rows > most_on_a_page ? "longtable" : "tabular";
   std::string text = "\\begin{" + environment + "}{";
+  std::vector<bool> broken;
   for (const TableColumn* column : columns) {
-    text += is_right(*column) ? 'r' : 'l';
+    broken.push_back(is_broken(table, *column));
+    text += broken.back() ? "p{0.4\\linewidth}" : is_right(*column) ? "r" : "l";
   }
   text += "}\n\\toprule\n";
   std::string rule = environment == "tabular" ? "\\midrule\n" : "\\midrule\n\\endhead\n";
@@ -244,7 +260,10 @@ std::string columns_latex(const Table& table, const std::vector<const TableColum
       [&](const TableColumn& column, const TableCell& cell) {
         return written(column, joined(cell.words));
       },
-      [&](const std::vector<std::string>& cells) {
+      [&](std::vector<std::string> cells) {
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+          cells[i] = broken[i] ? "{\\raggedright " + cells[i] + "\\par}" : cells[i];
+        }
         text += row_of(cells, "", " & ", " \\\\\n") + std::exchange(rule, "");
       });
   return text + "\\bottomrule\n\\end{" + environment + "}\n";
@@ -263,9 +282,9 @@ std::string table_latex(const Table& table) {
   const std::vector<const TableColumn*> columns = columns_in(table, in_latex);
   std::vector<double> digits;
   for (const TableColumn* column : columns) {
-    digits.push_back(latex_digits(head_line(*column, in_latex)));
-    for (std::size_t row = 0; row < table.rows; ++row) {
-      digits.back() = std::max(digits.back(), latex_digits(joined(column->cell(row).words)));
+    digits.push_back(column_digits(table, *column));
+    if (column->style.kind == ColumnKind::list) {
+      digits.back() = std::min(digits.back(), broken_digits);
     }
   }
   const auto all = std::accumulate(digits.begin(), digits.end(), 0.0);

@@ -42,6 +42,18 @@ TEST(TableText, WideNamesAreBrokenWhereTheLineEnds) {
   }
 }
 
+// A cell of a wide column of names has several lines; a number and a short list have one.
+TEST(TableFormats, LatexBreaksWideLists) {
+  const std::vector<std::string> names{"a pump with a long name", "another long name", "a third"};
+  EXPECT_EQ(table_latex(of_columns(1, {column("set-up", {{names}}, list),
+                                       column("new", {{std::vector<std::string>{"a", "b"}}}, list),
+                                       column("n", {{"1"}}, number)})),
+            "\\begin{tabular}{p{0.4\\linewidth}lr}\n\\toprule\n"
+            "{\\raggedright set-up\\par} & new & n \\\\\n\\midrule\n"
+            "{\\raggedright a pump with a long name, another long name, a third\\par} & a, b & 1 "
+            "\\\\\n\\bottomrule\n\\end{tabular}\n");
+}
+
 // Each format escapes what it has to, and quotes what a list needs to be read again.
 TEST(TableFormats, SayTheSameCellsEachInItsWay) {
   const std::vector<std::string> names{"Valve, large", "<b>|&"};
