@@ -20,7 +20,8 @@ TEST(Dossier, SaysWhatAPaperNeeds) {
           {"$changeover dossier 20 5", 0,
            "has exactly 2 elements that the block before it lacks; the last block is before the "
            "first."},
-          {"$changeover dossier 20 5", 0, "Here i\\_x is the number of blocks that introduce x"},
+          {"$changeover dossier 20 5", 0,
+           "Here i<sub>x</sub> is the number of blocks that introduce x"},
           {"$changeover dossier 13 13 --linear", 0, "are together in some block. Quality"},
           {"$changeover dossier 40 6 --circular", 0, "have their proofs there"},
           {"$changeover dossier 20 5 | grep -c elementary", 1, "0"},

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
 
 #include "changeover/io/tables.hpp"
 #include "core/words.hpp"
+#include "io/table/table.hpp"
 
 namespace changeover {
 namespace {
@@ -29,9 +31,43 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 43> signs{{
     {"ᵢ", "_{i}"},       {"ⱼ", "_{j}"},       {"\u0304", ""},
 }};
 
+enum class ProseOf : std::uint8_t { latex, html, markdown };
+
+// A formula of LaTeX that math() is given, as HTML. `italics` are for its letters.
+std::string html_formula(std::string_view latex, bool italics) {
+  std::string html;
+  while (!latex.empty()) {
+    std::size_t length = 1;
+    if (latex.front() == '\\') {
+      length = std::min(latex.find_first_not_of("abcdefghijklmnopqrstuvwxyz", 1), latex.size());
+      const std::string_view command = latex.substr(0, length);
+      // The last of those that mean the same is the sign.
+      const auto sign = std::find_if(signs.rbegin(), signs.rend(),
+                                     [&](const auto& each) { return each.second == command; });
+      html += sign == signs.rend() ? html_text(command) : std::string(sign->first);
+      const bool opens = command == "\\lceil" || command == "\\lfloor";
+      if (opens && latex.substr(length).starts_with(' ')) {
+        ++length;
+      }
+    } else if ((latex.front() == '_' || latex.front() == '^') && latex.substr(1).starts_with('{')) {
+      const std::string_view name = latex.front() == '_' ? "sub" : "sup";
+      const std::size_t end = std::min(latex.find('}'), latex.size());
+      html += fmt::format("<{0}>{1}</{0}>", name, html_formula(latex.substr(2, end - 2), italics));
+      length = std::min(end + 1, latex.size());
+    } else if (italics && is_letter(latex.front())) {
+      html += fmt::format("<i>{}</i>", latex.front());
+    } else {
+      html += latex.front() == '-' ? "−" : html_text(latex.substr(0, 1));
+    }
+    latex.remove_prefix(length);
+  }
+  return html;
+}
+
 class Prose {
  public:
-  Prose(std::string_view text, const std::vector<std::string>& keys) : rest_(text), keys_(&keys) {}
+  Prose(std::string_view text, const std::vector<std::string>& keys, ProseOf of = ProseOf::latex)
+      : rest_(text), keys_(&keys), of_(of) {}
 
   std::string take() {
     while (!rest_.empty()) {
@@ -60,19 +96,24 @@ class Prose {
     // Sets are written without blanks; a line may end within them.
     if (in_set_ && before_ == ',' && !rest_.starts_with(' ')) {
       flush();
-      result_ += "\\allowbreak ";
+      result_ += of_ == ProseOf::latex ? "\\allowbreak " : "<wbr>";
     }
   }
 
   void flush() {
     after_math_ = after_math_ && plain_.empty();
-    result_ += latex_escaped(plain_);
+    result_ += of_ == ProseOf::latex  ? latex_escaped(plain_)
+               : of_ == ProseOf::html ? html_text(plain_)
+                                      : markdown_text(plain_);
     plain_.clear();
   }
 
   void math(std::string_view what, std::size_t length) {
     flush();
-    if (!what.empty()) {
+    if (!what.empty() && of_ != ProseOf::latex) {
+      result_ += html_formula(what, of_ == ProseOf::html);
+      after_math_ = true;
+    } else if (!what.empty()) {
       // Primes and stars belong to the formula before them.
       const bool mark = what.front() == '_' || what.front() == '^' || what == "'";
       if (mark && after_math_) {
@@ -173,6 +214,7 @@ class Prose {
 
   std::string_view rest_;
   const std::vector<std::string>* keys_;
+  ProseOf of_;
   std::string result_;
   std::string plain_;
   bool after_math_ = false;  // the result ends in a formula
@@ -186,6 +228,18 @@ class Prose {
 
 std::string latex_prose(std::string_view text, const std::vector<std::string>& keys) {
   return Prose(text, keys).take();
+}
+
+namespace {
+
+const std::vector<std::string> no_keys;
+
+}  // namespace
+
+std::string html_prose(std::string_view text) { return Prose(text, no_keys, ProseOf::html).take(); }
+
+std::string markdown_prose(std::string_view text) {
+  return Prose(text, no_keys, ProseOf::markdown).take();
 }
 
 namespace {

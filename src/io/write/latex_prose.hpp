@@ -1,4 +1,5 @@
-// Sentences of the program in LaTeX: mathematics as mathematics, references as citations.
+// Sentences of the program in LaTeX, HTML and Markdown: mathematics as mathematics, in LaTeX
+// references as citations.
 #pragma once
 
 #include <cstddef>
@@ -15,6 +16,14 @@ namespace changeover {
 /// mathematical signs stay as they are. Needs no package. O(length · number of keys).
 [[nodiscard]] std::string latex_prose(std::string_view text,
                                       const std::vector<std::string>& keys = {});
+
+/// The same for a page: signs instead of ">=" and "ceil(", indices below, letters of formulas in
+/// italics. Everything else is text. Markdown, which is also read as it stands, has no italics, and
+/// indices as HTML.
+///
+///     html_prose("b >= n_j")    // <i>b</i> ≥ <i>n</i><sub><i>j</i></sub>
+[[nodiscard]] std::string html_prose(std::string_view text);
+[[nodiscard]] std::string markdown_prose(std::string_view text);
 
 // Formulas in the program's sentences, as LaTeX writes them.
 

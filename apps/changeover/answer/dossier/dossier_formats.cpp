@@ -271,9 +271,9 @@ class Markdown final : public Form {
   void heading(const std::string& words) override {
     text += fmt::format("## {}\n\n", markdown_text(words));
   }
-  void paragraph(const std::string& words) override { text += markdown_text(words) + "\n\n"; }
+  void paragraph(const std::string& words) override { text += markdown_prose(words) + "\n\n"; }
   void item(std::size_t depth, const std::string& words) override {
-    text += std::string(2 * depth, ' ') + "- " + markdown_text(words) + "\n";
+    text += std::string(2 * depth, ' ') + "- " + markdown_prose(words) + "\n";
   }
   void end_of_items() override { text += "\n"; }
   void code(const std::string& lines) override { text += fmt::format("```\n{}```\n\n", lines); }
@@ -316,11 +316,11 @@ class Html final : public Form {
     text += fmt::format("<h2>{}</h2>\n", html_text(words));
   }
   void paragraph(const std::string& words) override {
-    text += fmt::format("<p>{}</p>\n", html_text(words));
+    text += fmt::format("<p>{}</p>\n", html_prose(words));
   }
   void item(std::size_t depth, const std::string& words) override {
     open_to(depth + 1);
-    text += fmt::format("<li>{}\n", html_text(words));
+    text += fmt::format("<li>{}\n", html_prose(words));
   }
   void end_of_items() override { open_to(0); }
   void code(const std::string& lines) override {
