@@ -4,20 +4,28 @@ notebook is printed, which takes no HTML."""
 from __future__ import annotations
 
 import itertools
+import re
 from decimal import Decimal
 from html import escape
 from typing import Any, Iterable, List, Optional, Sequence, Tuple
 
 from . import _core
 
-_shown_rows = 60
 Rows = Iterable[Sequence[Any]]
 
 
-class Shown:
-    """What has a title, lines and a table."""
+class Prose(str):
+    """A sentence of the program, with formulas in it."""
 
     __slots__ = ()
+
+
+class Shown:
+    """What has a title, lines and a table, of which the first rows are shown."""
+
+    __slots__ = ()
+    _most_rows = 60
+    _row = "row"
 
     def _on_page(self) -> Tuple[str, Iterable[str], Sequence[str], Rows, Optional[int]]:
         """Title, lines, heads, rows, and how many there are."""
@@ -25,31 +33,36 @@ class Shown:
 
     def _repr_html_(self) -> str:
         title, lines, heads, rows, count = self._on_page()
-        return shown(title, lines, table(heads, rows, count))
+        return shown(title, lines, self._picture(),
+                     table(heads, rows, count, self._most_rows, self._row))
 
     def _repr_latex_(self) -> str:
-        return latex(*self._on_page())
+        return latex(*self._on_page(), self._most_rows, self._row)
+
+    def _picture(self) -> str:
+        """SVG between lines and table."""
+        return ""
 
 
 def shown(title: str, lines: Iterable[str] = (), *more: str) -> str:
     """A part of a page. What is in `more` is HTML already."""
-    said = "".join(f"<div>{escape(line)}</div>\n" for line in lines)
+    said = "".join(f"<div>{_core.html_prose(line)}</div>\n" for line in lines)
     return f"<div>\n<strong>{escape(title)}</strong>\n{said}{''.join(more)}</div>"
 
 
 def latex(title: str, lines: Iterable[str], heads: Sequence[str], rows: Rows,
-          count: Optional[int]) -> str:
+          count: Optional[int], most: int, row: str) -> str:
     """The same for LaTeX with the packages booktabs and longtable."""
-    some = list(itertools.islice(rows, _shown_rows + 1))
+    some = list(itertools.islice(rows, most + 1))
     said = [f"\\noindent\\textbf{{{_core.latex_prose(title)}}}\\par"]
     said += [f"\\noindent {_core.latex_prose(line)}\\par" for line in lines]
-    numbers = [all(row[i] is None or isinstance(row[i], (int, float, Decimal)) for row in some)
+    numbers = [all(each[i] is None or isinstance(each[i], (int, float, Decimal)) for each in some)
                for i in range(len(heads))]
     if some:
         said.append("\\medskip\\noindent\n" + _core.latex_table(
-            list(zip(heads, numbers)), [list(map(_words, row)) for row in some[:_shown_rows]]))
-    if len(some) > _shown_rows:
-        said.append(f"\\noindent {_shown_rows} of {count} rows\\par" if count else "\\dots")
+            list(zip(heads, numbers)), [list(map(_words, each)) for each in some[:most]]))
+    if len(some) > most:
+        said.append(f"\\noindent {most} of {count} {row}s\\par" if count else "\\dots")
     return "\n".join(said) + "\n"
 
 
@@ -59,29 +72,29 @@ def _words(value: Any) -> List[str]:
     return list(map(str, value)) if isinstance(value, (list, tuple)) else [str(value)]
 
 
-def table(heads: Sequence[str], rows: Iterable[Sequence[Any]], count: Optional[int] = None) -> str:
-    """Numbers to the right. Of more than 60 rows the first ones, and how many there are."""
-    body: List[str] = []
-    number = 0
-    for number, row in enumerate(rows, 1):
-        if number > _shown_rows:
-            break
-        body.append("<tr>" + "".join(map(_cell, row)) + "</tr>\n")
+def table(heads: Sequence[str], rows: Rows, count: Optional[int] = None, most: int = 60,
+          row: str = "row") -> str:
+    """Numbers to the right, texts to the left. Of more rows than `most` the first ones, and how
+    many there are; nothing of no rows."""
+    some = list(itertools.islice(rows, most + 1))
+    if not some:
+        return ""
+    body = "".join("<tr>" + "".join(map(_cell, each)) + "</tr>\n" for each in some[:most])
     left = ""
-    if number > _shown_rows:
-        left = f"<div>{_shown_rows} of {count} rows</div>\n" if count else "<div>…</div>\n"
-    head = "".join(f"<th>{escape(each)}</th>" for each in heads)
-    return f"<table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{''.join(body)}</tbody>\n</table>\n{left}"
+    if len(some) > most:
+        left = f"<div>{most} of {count} {row}s</div>\n" if count else "<div>…</div>\n"
+    head = "".join(f"<th{_side(value)}>{escape(each)}</th>" for each, value in zip(heads, some[-1]))
+    return (f"<table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{body}</tbody>\n</table>\n"
+            f"{left}")
+
+
+def _side(value: Any) -> str:
+    """Notebooks have all cells to the right, where only numbers belong, and "29=" of tables."""
+    text = not re.fullmatch(r"\d+=?|[-?]", value) if isinstance(value, str) else (
+        value is None or isinstance(value, (list, tuple)))
+    return f' style="text-align:{"left" if text else "right"}"'
 
 
 def _cell(value: Any) -> str:
-    if value is None:
-        return "<td></td>"
-    if isinstance(value, (list, tuple)):
-        return f"<td>{escape(', '.join(map(str, value)))}</td>"
-    text = escape(str(value))
-    return (
-        f"<td>{text}</td>"
-        if isinstance(value, str)
-        else f'<td style="text-align:right">{text}</td>'
-    )
+    text = _core.html_prose(value) if isinstance(value, Prose) else escape(", ".join(_words(value)))
+    return f"<td{_side(value)}>{text}</td>"

@@ -8,7 +8,7 @@ from typing import Any, Iterable, List, Literal, Optional, Tuple, Union
 from . import _core
 from ._given import attempt
 from ._made import Kind, Made, check_calls, fact, in_a_line, known, made, name_of, whole
-from ._notebook import Shown, shown, table as html_table
+from ._notebook import Prose, Shown, shown, table as html_table
 from .designs import Design
 from .errors import BadInput
 from .pictures import Picture, Theme, drawn
@@ -65,7 +65,9 @@ class Bounds(Shown, Made):
     def _on_page(self) -> Any:
         lines = [f"best known: {self.best_known} blocks, by {self.construction}"] if (
             self.best_known is not None) else []
-        rows = [(each.blocks, each.name, each.reason) for each in self.all]
+        rows = [(each.blocks, each.name, Prose(each.reason)) for each in self.all]
+        if not rows:
+            lines.append(self.reason)
         return (f"{self._core}: {self.status}", lines, ("at least", "bound", "reason"), rows,
                 len(rows))
 

@@ -20,7 +20,7 @@ from . import _core
 from ._given import (
     attempt, file_name, is_text, leads_from_keys, listed, rows_of, share_of, words_of)
 from ._made import Made, Progress, check_calls, count_of, fact, frozen, in_a_line, made
-from ._notebook import Shown, shown, table
+from ._notebook import Shown
 from .errors import BadInput, InternalError
 from .pictures import Picture, Theme, stays_of
 
@@ -133,6 +133,8 @@ def _panel(headline: str, note: str, items: int, steps: Iterable[Step]
 class _Loads(Shown, Made):
     """Shared by both kinds."""
 
+    _most_rows = 20
+
     items: int = fact()
     room: int = fact("Of items with sizes the most that fit.")
     method: str = fact()
@@ -169,9 +171,8 @@ class _Loads(Shown, Made):
             return None
         return self.draw().svg
 
-    def _repr_html_(self) -> str:
-        title, lines, heads, rows, count = self._on_page()
-        return shown(title, lines, self._repr_svg_() or "", table(heads, rows, count))
+    def _picture(self) -> str:
+        return self._repr_svg_() or ""
 
     def verified(self) -> bool:
         """True when all steps have been read and are right; with verify_beside it waits until they
@@ -205,6 +206,7 @@ class LoadOrder(_Loads):
     """Steps (evict, load), lists of item numbers; after the last one every pair has been in memory
     together."""
 
+    _row = "step"
     loads: int = fact("All loads, the first ones included.")
     steps: int = fact()
     lower_bound: int = fact("No order has fewer loads.")
@@ -234,13 +236,9 @@ class LoadOrder(_Loads):
         return self.steps
 
     def _on_page(self) -> Any:
-        most_shown = 20
         lines = [f"at least {self.lower_bound} loads: {self.reason}", self.certificate]
-        if self.steps > most_shown:
-            lines.append(f"{most_shown} of {self.steps} steps:")
-        first = itertools.islice(self, most_shown)
         return (repr(self)[len("<LoadOrder: "):-1], lines, ("step", "evict", "load"),
-                ((number, *step) for number, step in enumerate(first, 1)), None)
+                ((number, *step) for number, step in enumerate(self, 1)), self.steps)
 
     def __iter__(self) -> Iterator[Step]:
         steps: Iterator[Step] = self._core.steps(0)
@@ -271,6 +269,7 @@ class WorkerLoads(_Loads):
     """A load order for several workers: steps (evict, load) for each; after the last one every pair
     has been together in the memory of some worker."""
 
+    _row = "worker"
     loads: int = fact("Of all workers together.")
     worker_loads: List[int] = fact("Of each worker.")
     makespan: int = fact("The loads of the worker that has most.")
@@ -322,16 +321,13 @@ class WorkerLoads(_Loads):
         return sum(self.worker_loads)
 
     def _on_page(self) -> Any:
-        most_shown = 20
         columns = {"loads": self.worker_loads, "bytes": self.worker_bytes,
                    "pairs": self.worker_pairs, "cost": self.worker_costs}
         known = {name: each for name, each in columns.items() if each is not None}
-        workers = range(min(len(self), most_shown))
         lines = [f"at least {self.makespan_bound} loads: {self.reason}", self.certificate]
-        if len(self) > most_shown:
-            lines.append(f"{most_shown} of {len(self)} workers:")
         return (repr(self)[len("<WorkerLoads: "):-1], lines, ("worker", *known),
-                ((w, *(each[w] for each in known.values())) for w in workers), None)
+                ((w, *(each[w] for each in known.values())) for w in range(len(self))),
+                len(self))
 
     def __repr__(self) -> str:
         return (f"<WorkerLoads: {count_of(len(self), 'worker')}, the busiest has "

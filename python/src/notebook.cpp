@@ -46,7 +46,7 @@ DrawnPicture stays(const std::vector<Panel>& panels, const std::string& row,
                    const std::string& step, const std::string& theme) {
   const Theme ground = theme_of(theme);
   if (panels.empty()) {
-    throw BadInput("there is nothing to draw");
+    throw InternalError("no panel to draw");
   }
   return stoppable([&] {
     return written(stacked(each_of<Picture>(panels,
@@ -164,6 +164,7 @@ DrawnPicture written(const Picture& picture, Theme theme) {
 
 void bind_notebook(py::module_& module) {
   module.def("latex_prose", [](const std::string& text) { return latex_prose(text); });
+  module.def("html_prose", [](const std::string& text) { return html_prose(text); });
   module.def("latex_table", &table_in_latex);
   module.def("latex_grid", &table_with_keys);
   module.def("draw_stays", &stays);

@@ -69,16 +69,19 @@ class Shown(unittest.TestCase):
                 .split("\0")
             ):
                 well_formed(part)
+        self.assertIn("≥ 29", changeover.bounds(20, 5)._repr_html_())
+        self.assertIn("can be followed only", changeover.bounds(4, 2)._repr_html_())
+        self.assertNotIn("<table", changeover.bounds(4, 2)._repr_html_())
         table = changeover.table(4, (2, 8), kind="linear")
-        self.assertIn("<td>6=</td>", table._repr_html_())
+        self.assertIn(">6=</td>", table._repr_html_())
         self.assertIn("double-change", table._repr_html_())
         self.assertEqual(len(table), 7)
 
     def test_run_sheets_and_load_orders(self):
         sheet = changeover.plan(9, 3, test_cost=1, change_cost=5)
-        self.assertIn("<td>4, 6, 9</td>", sheet._repr_html_())
+        self.assertIn('text-align:left">4, 6, 9</td>', sheet._repr_html_())
         both = changeover.plan(9, 3, test_cost=1, change_cost=5, benches=2)
-        self.assertIn("<th>bench</th>", both._repr_html_())
+        self.assertIn(">bench</th>", both._repr_html_())
         order = changeover.load_order(20, 5)
         self.assertIn("20 of 46 steps", order._repr_html_())
         shares = changeover.load_order(20, 5, workers=2, epochs=2)
@@ -216,7 +219,8 @@ class Latex(unittest.TestCase):
         shown = [changeover.design(8, 5), changeover.design(8, 5).verdict, hard_sheet(),
                  changeover.plan(9, 3, test_cost=1, change_cost=5, benches=2),
                  changeover.bounds(20, 5), changeover.bounds(4, 2),
-                 changeover.table((3, 8), (4, 50)), changeover.load_order(20, 5), changeover.load_order(20, 5, workers=2)]
+                 changeover.table((3, 8), (4, 50)), changeover.load_order(20, 5),
+                 changeover.load_order(20, 5, workers=2)]
         body = "\n\n".join(each._repr_latex_() for each in shown)
         with tempfile.TemporaryDirectory() as folder:
             pathlib.Path(folder, "it.tex").write_text(
@@ -253,6 +257,20 @@ class Pictures(unittest.TestCase):
         self.assertIsNone(changeover.load_order(200, 20)._repr_svg_())
         with self.assertRaisesRegex(changeover.BadInput, "at most 2000 items"):
             changeover.load_order(3000, 20).draw()
+        nothing = changeover.plan(
+            ["a", "b"], 2, test_cost=1, change_cost=1, done=[(["a", "b"], True)])
+        self.assertIsNone(nothing._repr_svg_())
+        self.assertEqual(taken_apart(nothing._repr_latex_()), [])
+        with self.assertRaisesRegex(changeover.BadInput, "there is no test to draw"):
+            nothing.draw()
+        with self.assertRaisesRegex(changeover.BadInput, "a picture is of cells of one change"):
+            changeover.Table([*table, table[0]]).draw()
+        with self.assertRaisesRegex(changeover.BadInput, "theme is 'light' or 'dark', not 'pink'"):
+            sheet.draw(theme="pink")
+        with self.assertRaisesRegex(
+            changeover.BadInput, "measure is 'ratio', 'status' or 'gap', not 'size'"
+        ):
+            table.draw("size")
 
     def test_each_kind_is_drawn(self):
         design = changeover.design(15, 5)

@@ -81,14 +81,14 @@ DrawnStays stays_of(const Drawing& drawing) {
 
 DrawnStays stays_of(const std::vector<std::vector<Element>>& steps, std::size_t rows) {
   if (steps.empty()) {
-    throw BadInput("there is no step to draw");
+    throw InternalError("no step to draw");
   }
   DrawnStays stays{
       .of = std::vector<std::vector<DrawnStay>>(rows), .first = 1, .last = steps.size()};
   for (std::size_t i = 0; i < steps.size(); ++i) {
     for (const Element x : steps[i]) {
       if (x >= rows) {
-        throw BadInput(fmt::format("step {}: there is no row {} of {}", i + 1, x, rows));
+        throw InternalError(fmt::format("step {} has row {} of {}", i + 1, x, rows));
       }
       std::vector<DrawnStay>& own = stays.of[x];
       if (own.empty() || own.back().to < i) {

@@ -36,7 +36,7 @@ struct DrawnStays {
 [[nodiscard]] DrawnStays stays_of(const Drawing& drawing);
 
 /// The stays of anything that comes and goes: by step, from 1, which of `rows` rows are there.
-/// @throws BadInput for a row that is not below `rows`, or if there is no step.
+/// @throws InternalError for a row that is not below `rows`, or if there is no step.
 [[nodiscard]] DrawnStays stays_of(const std::vector<std::vector<Element>>& steps, std::size_t rows);
 
 /// All elements, those that are in no block last.
