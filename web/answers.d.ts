@@ -809,6 +809,8 @@ export interface About {
   write: boolean;
   files: {index: number; name: string}[];
   static: boolean;
+  /** Of files for any web server: where the program can be got, if that was said. */
+  sources?: string;
   /** Of files for any web server: the cells that they have. */
   range?: {k_from: number; k_to: number; v_from: number; v_to: number; changes: number[]};
   limits?: {body_bytes: number; seconds: number; memory: number; searches: number};

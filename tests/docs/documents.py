@@ -889,7 +889,8 @@ def check_explorer(server):
         if problem:
             fault(f"a refusal is against its schema ({problem.message})")
     run(
-        "serve", "--export", "site", "--k", "3..4", "--v", "4..8", "--change", "2", "--address",
+        "serve", "--export", "site", "--k", "3..4", "--v", "4..8", "--change", "2", "--sources",
+        "https://example.org/changeover", "--address",
         "https://example.org/designs",
     )
     site = pathlib.Path("site")

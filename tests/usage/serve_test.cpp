@@ -78,8 +78,12 @@ TEST(Serve, ExportsWhatItWouldAnswer) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "site" / "sitemap.xml"));
   expect({{site + " --address example.org", 2, "write where the site will be"},
           {site + " --address 'https://example.org/?a'", 2, "write where the site will be"},
-          {site + " --address https://example.org/designs", 0, "designs"}},
+          {site + " --sources ftp://example.org", 2, "write where the program can be got"},
+          {site + " --address https://example.org/designs --sources https://example.org/src", 0,
+           "designs"}},
          folder);
+  EXPECT_NE(slurp(data / "config.json").find("\"sources\":\"https://example.org/src\""),
+            std::string::npos);
   EXPECT_NE(slurp(folder.file("site/robots.txt"))
                 .find("Sitemap: https://example.org/designs/sitemap.xml"),
             std::string::npos);

@@ -5,6 +5,7 @@ import { count, number, rangeWords } from './lib/words';
 import { catalog } from './pages/catalog';
 import { cell } from './pages/cell';
 import { design } from './pages/design';
+import { get } from './pages/get';
 import { home } from './pages/home';
 import { loadorder } from './pages/loadorder';
 import { plan } from './pages/plan';
@@ -28,6 +29,7 @@ const pages: readonly Page[] = [
   search,
   verify,
   theorems,
+  get,
 ].map((page) => (page.live ? whereThereIsAServer(page) : page));
 
 function element(id: string): HTMLElement {
@@ -122,7 +124,11 @@ async function foot(): Promise<void> {
         ? `Designs with ${rangeWords(range)}. `
         : `${count(kept.designs, 'design')} in ${number(kept.cells)} cells. `,
       frozen
-        ? 'A copy for reading; the program checks, plans and searches, too.'
+        ? [
+            'A copy for reading; ',
+            h('a', { href: link(get.path) }, 'the program'),
+            ' checks, plans and searches, too.',
+          ]
         : 'Everything on this page comes from this machine.',
     ),
     files.length > 0 &&

@@ -35,6 +35,8 @@ served(async () => {
       '6..20',
       '--change',
       '2',
+      '--sources',
+      'https://example.org/changeover',
       ...assets,
     ],
     { stdio: 'pipe', env: { ...process.env, CHANGEOVER_CATALOG: '' } },
@@ -175,8 +177,29 @@ test('pages that need the program say how to get it', async (explorer) => {
     await page.getByRole('heading', { name, level: 1 }).waitFor();
     await settled(page);
     await page.locator('.note', { hasText: 'changeover serve' }).waitFor();
+    assert.match(await page.locator('.to-copy code').textContent(), /^changeover (\w+) /);
+    assert.equal(await page.locator('.note a').getAttribute('href'), '#/get');
   }
   await phone(page, 'export-search');
+  // The question of the address is that of the command.
+  await page.goto(page.url().replace(/#.*/, '#/search?v=30&k=6&kind=linear&change=1'));
+  await page
+    .locator('.to-copy', { hasText: 'changeover search 30 6 --linear --change 1 --time 1m' })
+    .waitFor();
+  await page.locator('.note a').click();
+  await page.getByRole('heading', { name: 'Get the program', level: 1 }).waitFor();
+  await page.locator('main a[href="https://example.org/changeover"]').waitFor();
+  await look(page, 'export-get');
+  // Every command that is shown is one that the program takes.
+  for (const line of await page.locator('.asked .to-copy code').allTextContents()) {
+    const [name, ...words] = line.split(' ');
+    assert.equal(name, 'changeover');
+    const asked = spawnSync(program, [...words.slice(0, 1), '--help'], { encoding: 'utf8' });
+    assert.equal(asked.status, 0, line);
+    for (const option of words.slice(1).filter((word) => word.startsWith('-'))) {
+      assert.ok(asked.stdout.includes(option), `${line}: ${option}`);
+    }
+  }
 });
 
 test('nothing but files was asked for', () => {

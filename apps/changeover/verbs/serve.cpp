@@ -35,7 +35,7 @@ struct ServeRequest {
   std::string assets;
   std::string site;
   std::string k, v;
-  std::string address;
+  std::string address, sources;
   std::optional<std::uint64_t> change;
   CatalogRequest catalog;
 };
@@ -108,13 +108,15 @@ Answer write_site(const ServeRequest& request) {
   if (request.change) {
     range.changes = {*request.change};
   }
-  const std::string address = request.address.empty() ? "" : serve::site_address(request.address);
+  const serve::SiteLinks links{
+      .address = request.address.empty() ? "" : serve::site_address(request.address),
+      .sources = request.sources.empty() ? "" : serve::sources_address(request.sources)};
   const serve::Pages pages(request.assets);
   const Catalog& catalog = request.catalog.open();
   const auto running = std::make_shared<Running>(RunRequest(), OutputRequest());
   try {
     const serve::SiteSummary site =
-        serve::export_site(request.site, range, address, pages, catalog, running->control());
+        serve::export_site(request.site, range, links, pages, catalog, running->control());
     running->finish();
     if (site.kept) {
       status_line().say(fmt::format(
@@ -196,11 +198,13 @@ void add_serve(Program& program) {
               "write the pages with what is known as files for any web server, and end");
   verb.option("--address", request.address, "URL",
               "where these files will be, for a sitemap and a feed of what is new");
+  verb.option("--sources", request.sources, "URL",
+              "where the program can be got, for a link on pages that need it");
   verb.option("--k", request.k, "A..B", "block sizes of these files (default 3..40)");
   verb.option("--v", request.v, "C..D", "their numbers of elements (default 4..160)");
   verb.option("-m,--change", request.change, "M", "their change number (default 1, 2 and 3)");
   request.catalog.add_to(verb);
-  verb.only_with({"--k", "--v", "--change", "--address"}, {"--export"});
+  verb.only_with({"--k", "--v", "--change", "--address", "--sources"}, {"--export"});
   verb.never_with({"--port", "--host", "--threads", "--open", "--no-write", "--verbose"},
                   {"--export"});
   verb.require([&asked = request] {

@@ -21,7 +21,7 @@ const loads = list(
 );
 
 /** Slots from top to bottom, tests from left to right; what was exchanged stands out. */
-function sheetPicture(): SVGElement {
+export function sheetPicture(): SVGElement {
   const steps = Steps.of({ v: 9, blocks: tests });
   const [w, gap, top] = [38, 4, 22];
   const marks: SVGElement[] = [];
@@ -62,7 +62,7 @@ function sheetPicture(): SVGElement {
 }
 
 /** A row for each item, a bar for each time that it is in memory. */
-function memoryPicture(): SVGElement {
+export function memoryPicture(): SVGElement {
   const v = 12;
   const [w, row] = [22, 11.4];
   const marks: SVGElement[] = [];

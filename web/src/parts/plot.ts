@@ -60,6 +60,7 @@ let drawing: typeof uPlot | undefined;
 export function plot(options: PlotOptions): Plot {
   const { label, height = 280, signal } = options;
   const place = h('div', { class: 'plot', role: 'img', 'aria-label': label });
+  place.style.minHeight = `${height}px`;
   let made: uPlot | null = null;
   let xs: number[] = [];
   let lines: Line[] = [];

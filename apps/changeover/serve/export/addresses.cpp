@@ -18,21 +18,35 @@ std::string time_of(const std::string& day) {
   return (day.empty() ? std::string("2026-01-01") : day) + "T00:00:00Z";
 }
 
-}  // namespace
-
-std::string site_address(const std::string& given) {
+// Whether it is absolute, of http or https, without a query.
+bool is_plain_address(const std::string& given) {
   const bool absolute = given.starts_with("https://") || given.starts_with("http://");
   const std::size_t host = given.find("//") + 2;
   const bool plain = std::ranges::all_of(given, [](char c) {
     return is_letter(c) || is_digit(c) ||
            std::string_view(":/.-_~%").find(c) != std::string_view::npos;
   });
-  if (!absolute || !plain || given.size() <= host || given[host] == '/') {
+  return absolute && plain && given.size() > host && given[host] != '/';
+}
+
+}  // namespace
+
+std::string site_address(const std::string& given) {
+  if (!is_plain_address(given)) {
     throw cli::UsageError{
         fmt::format("--address {}: write where the site will be, as https://example.org/designs/",
                     printable(given))};
   }
   return given.ends_with('/') ? given : given + "/";
+}
+
+std::string sources_address(const std::string& given) {
+  if (!is_plain_address(given)) {
+    throw cli::UsageError{fmt::format(
+        "--sources {}: write where the program can be got, as https://example.org/changeover",
+        printable(given))};
+  }
+  return given;
 }
 
 std::string address_of_cell(const std::string& site, const Parameters& p) {

@@ -15,6 +15,9 @@ namespace changeover::serve {
 /// @throws cli::UsageError in one line otherwise.
 [[nodiscard]] std::string site_address(const std::string& given);
 
+/// Where the program is: an address of the same form, as it is given. @throws the same.
+[[nodiscard]] std::string sources_address(const std::string& given);
+
 /// The permanent address of a cell, and of a design by its label.
 [[nodiscard]] std::string address_of_cell(const std::string& site, const Parameters& p);
 [[nodiscard]] std::string address_of_design(const std::string& site, const std::string& label);

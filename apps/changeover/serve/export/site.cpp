@@ -51,7 +51,8 @@ std::string static_index(std::string page, const std::string& address) {
   return page;
 }
 
-std::string config_json(const Catalog& catalog, const SiteRange& range) {
+std::string config_json(const Catalog& catalog, const SiteRange& range,
+                        const std::string& sources) {
   const Catalog::Size size = catalog.size();
   JsonWriter json;
   json.begin_object().key("version").value(version);
@@ -59,6 +60,9 @@ std::string config_json(const Catalog& catalog, const SiteRange& range) {
   json.key("cells").value(size.cells).key("version").value(size.latest).end_object();
   json.key("write").value(false).key("files").begin_array().end_array();
   json.key("static").value(true);
+  if (!sources.empty()) {
+    json.key("sources").value(sources);
+  }
   json.key("range").begin_object().key("k_from").value(range.k.from).key("k_to").value(range.k.to);
   json.key("v_from").value(range.v.from).key("v_to").value(range.v.to);
   json.key("changes").value(range.changes).end_object().end_object();
@@ -235,9 +239,8 @@ class Site {
 
 }  // namespace
 
-SiteSummary export_site(const std::string& folder, const SiteRange& range,
-                        const std::string& address, const Pages& pages, const Catalog& catalog,
-                        RunControl& control) {
+SiteSummary export_site(const std::string& folder, const SiteRange& range, const SiteLinks& links,
+                        const Pages& pages, const Catalog& catalog, RunControl& control) {
   const auto index = pages.find("index.html");
   if (!index) {
     throw MissingResource("this program was built without pages; give --assets DIR");
@@ -252,13 +255,13 @@ SiteSummary export_site(const std::string& folder, const SiteRange& range,
       workshop.write(path, *page->body);
     }
   }
-  workshop.write("index.html", static_index(*index->body, address));
-  workshop.write("data/config.json", config_json(catalog, range));
+  workshop.write("index.html", static_index(*index->body, links.address));
+  workshop.write("data/config.json", config_json(catalog, range, links.sources));
   workshop.write("data/constructions.json", constructions_json());
   workshop.write("data/theorems.json", theorems_json());
   workshop.write("data/completeness.json",
                  cli::completeness_json(cli::completeness(catalog, {.best_only = true})) + "\n");
-  Site site(workshop, range, address, catalog, control);
+  Site site(workshop, range, links.address, catalog, control);
   for (const std::uint64_t change : range.changes) {
     site.write_change(change);
     for (std::uint32_t strength = 3; strength <= max_strength; ++strength) {
@@ -266,7 +269,7 @@ SiteSummary export_site(const std::string& folder, const SiteRange& range,
     }
   }
   site.write_citations();
-  if (!address.empty()) {
+  if (!links.address.empty()) {
     site.write_addresses();
   }
   const auto kept = workshop.put_in_place();

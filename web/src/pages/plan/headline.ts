@@ -14,7 +14,7 @@ export function gapInWords(cost: number, bound: number, money: (cost: number) =>
   }
   return (
     `No plan costs less than ${money(bound)}, so this one is at most ` +
-    `${((100 * (cost - bound)) / bound).toFixed(1)} % above the least possible.`
+    `${((100 * (cost - bound)) / bound).toFixed(1)}\u00a0% above the least possible.`
   );
 }
 

@@ -59,7 +59,7 @@ export function livePanel(best: () => void, giveUp: () => void, signal: AbortSig
       cost.textContent = about(job.best);
       const above = job.bound > 0 ? (100 * (job.best - job.bound)) / job.bound : null;
       const gap =
-        above === null ? '' : above <= 0 ? ': this is the least' : ` (${above.toFixed(1)} % above)`;
+        above === null ? '' : above <= 0 ? ': this is the least' : ` (${above.toFixed(1)}\u00a0% above)`;
       said.textContent =
         `is the best so far, with ${count(job.tests ?? 0, 'test')}; no plan ` +
         `costs less than ${about(job.bound)}${gap}.`;
