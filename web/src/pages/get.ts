@@ -26,7 +26,7 @@ const ways: readonly (readonly [string, string, readonly string[]])[] = [
 ];
 
 const uses: readonly (readonly [string, string])[] = [
-  ['These pages, with all of them at work', 'changeover serve --open'],
+  ['These pages, with everything that they can do', 'changeover serve --open'],
   ['Plan tests of the parts in a file', 'changeover plan parts.csv -k 4 --test-cost 10'],
   ['Order the loads of 64 items, room for 16', 'changeover loadorder --items 64 --room 16'],
   ['The best design that is known', 'changeover design 20 5'],
