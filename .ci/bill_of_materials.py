@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""bill_of_materials.py PROGRAM: what a program is linked with, as SPDX 2.3 in JSON: each shared library's Debian package with its version."""
+"""bill_of_materials.py PROGRAM: what a program is linked with, as SPDX 2.3 in JSON.
+
+Each shared library's Debian package is listed with its version.
+"""
 
 import datetime
 import hashlib
@@ -16,7 +19,7 @@ def output(*command):
 
 
 def package_of(library):
-    """The package that a file is from; Debian knows files by their place before /usr was merged, too."""
+    """The package of a file; Debian knows some files by their place before /usr was merged."""
     for place in (library, os.path.realpath(library), library.removeprefix("/usr")):
         found = subprocess.run(["dpkg-query", "--search", place], capture_output=True, text=True)
         if found.returncode == 0:

@@ -35,7 +35,8 @@ for change in "$@"; do
           split(substr(line, RSTART + 9, RLENGTH - 10), part, ".")
           cell = part[1] "." part[2] "." part[3] "." part[4]
           b = part[5] + 0
-          from = part[2] < 8 ? "03" : part[2] < 13 ? "08" : part[2] < 34 ? 13 + 7 * int((part[2] - 13) / 7) : "34"
+          k = part[2]
+          from = k < 8 ? "03" : k < 13 ? "08" : k < 34 ? 13 + 7 * int((k - 13) / 7) : "34"
         }
         /"label"/ { look($0); if (!(cell in best) || b < best[cell]) best[cell] = b }
         END {
