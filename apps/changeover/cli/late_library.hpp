@@ -15,7 +15,8 @@ class LateFunction {
  public:
   constexpr LateFunction(const char* library, const char* name) : library_(library), name_(name) {}
 
-  // NOLINTNEXTLINE(google-explicit-constructor,hicpp-explicit-conversions): that is how it is called
+  // It is called as the function would be.
+  // NOLINTNEXTLINE(google-explicit-constructor,hicpp-explicit-conversions)
   operator Function*() const {
     void* address = address_.load(std::memory_order_relaxed);
     if (address == nullptr) {

@@ -29,7 +29,8 @@ class Alone final : public Team {
 
 #ifdef CHANGEOVER_LATE_MPI
 
-// These hide what has the same names in libmpi, so that only a process that mpirun started loads it.
+// These hide the functions of the same names in libmpi, so that only a process that mpirun started
+// loads the library.
 #define CHANGEOVER_LATE(name) const LateFunction<decltype(::name)> name(CHANGEOVER_LATE_MPI, #name)
 CHANGEOVER_LATE(MPI_Abort);
 CHANGEOVER_LATE(MPI_Allgather);

@@ -88,8 +88,8 @@ bool takes_long_to_judge(const BlockSource& source, const Offer& promise) {
 std::string not_verified_here(const Parameters& p, std::string_view options) {
   if (p.v > max_elements_in_memory) {
     return fmt::format(
-        "not verified here: of designs with more than {} elements only those that are developed from "
-        "base blocks, and not too many of them, can be verified",
+        "not verified here: of designs with more than {} elements only those that are developed "
+        "from base blocks, and not too many of them, can be verified",
         max_elements_in_memory);
   }
   return fmt::format(

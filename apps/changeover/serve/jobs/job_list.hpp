@@ -7,8 +7,8 @@
 //     jobs.stop_all(900ms);
 //
 // A Job is a ListedJob with a static `missing_defect(id)`, which says that find() has none; if it
-// has `bytes()`, what ended is also forgotten, oldest first, when together it has more than so many.
-// The last that ended stays.
+// has `bytes()`, jobs that ended are also forgotten, oldest first, while together they hold more
+// than a limit. The last that ended stays.
 #pragma once
 
 #include <fmt/format.h>
