@@ -73,7 +73,8 @@ Diagnosis diagnose(const Job& job, const std::vector<TestedSetup>& tests) {
   }
   found.next = splitting_test(evidence, found.explanations);
   if (found.next) {
-    found.least_tests = std::bit_width(found.explanations.size() - 1);
+    // gcc 12 returns the argument's type, gcc 14 int.
+    found.least_tests = static_cast<std::uint64_t>(std::bit_width(found.explanations.size() - 1));
     return found;
   }
   std::vector<Suspect> open = found.explanations.front();
