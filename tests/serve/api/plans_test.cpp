@@ -37,7 +37,7 @@ TEST(Plans, FollowedThatEndAreWhatIsWaitedForAndFiles) {
   const auto file = [&](const std::string& format) {
     return get(own.port(), "/api/plan/file?id=" + std::to_string(id) + "&format=" + format);
   };
-  EXPECT_EQ(file("csv").body, job["answer"]["csv"]);
+  EXPECT_EQ(job["answer"]["csv"], file("csv").body);
   EXPECT_THAT(file("xlsx").body, ::testing::StartsWith("PK"));
   EXPECT_THAT(file("html").header("content-disposition"), HasSubstr("run_sheet.html"));
   EXPECT_EQ(file("exe").status, 400);
