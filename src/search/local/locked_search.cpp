@@ -77,8 +77,8 @@ class LockedSearch {
   [[nodiscard]] unsigned threads_that_fit() const {
     const auto limit = control_.settings().memory_bytes;
     const std::uint64_t each = std::max<std::uint64_t>(1, annealing_bytes(p_, aim_));
-    return static_cast<unsigned>(std::clamp<std::uint64_t>(
-        limit.value_or(unlimited) / each, 1, std::max(1U, control_.threads())));
+    return static_cast<unsigned>(std::clamp<std::uint64_t>(limit.value_or(unlimited) / each, 1,
+                                                           std::max(1U, control_.threads())));
   }
 
   // Slightly above the bound, and at most the number that is enough.
