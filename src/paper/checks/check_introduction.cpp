@@ -120,8 +120,8 @@ std::uint64_t pairs_met(const std::vector<Block>& blocks) {
 PaperItem check_covering(const Paper& paper) {
   Check check("Section 1",
               "the covering design of nine components, threes: its blocks, each found anew from "
-              "all the others",
-              "blocks");
+              "all the others, and that fewer do not do",
+              "statements");
   constexpr Element v = nine;
   const std::vector<Block> covering = blocks_in(paper.covering);
   for (std::size_t i = 0; i < covering.size(); ++i) {
