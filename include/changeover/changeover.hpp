@@ -67,5 +67,6 @@
 #include "changeover/search/enumeration.hpp"
 #include "changeover/search/exact.hpp"
 #include "changeover/search/local_search.hpp"
+#include "changeover/search/wanted.hpp"
 #include "changeover/verify/difference.hpp"
 #include "changeover/verify/verdict.hpp"

@@ -13,6 +13,13 @@
 // with what made them, and other checkers can read the two files, too. docs/trust.md says what
 // remains to be trusted.
 //
+// The design may be wanted with more than that (search/wanted.hpp): then it is one that has it, and
+// "none" is about designs that have it, and says nothing about others.
+//
+//     ExactOptions options;
+//     options.wanted = {.first = {0, 1}, .last = {0, 1}};
+//     decide({.v = 6, .k = 3, .change = 1}, 8, options, control);
+//
 // With one thread and without a share the formula is solved whole. With more threads, or if several
 // processes share the search (RunControl::Settings::share), it is split into cubes. Each has its
 // own formula and proof, and a check shows that the cubes cover all cases. Every process makes the
@@ -35,6 +42,7 @@
 #include "changeover/io/output.hpp"
 #include "changeover/proof/proof.hpp"
 #include "changeover/run/control.hpp"
+#include "changeover/search/wanted.hpp"
 #include "changeover/verify/verdict.hpp"
 
 namespace changeover {
@@ -63,6 +71,8 @@ struct ExactOptions {
   /// 0: 16 per share, or 8 per thread; one thread alone splits nothing. Shares of the same cubes
   /// can be divided further: shares i and i + n of 2n are share i of n.
   std::uint64_t cubes = 0;
+  /// What the design must have besides; any strength.
+  Wanted wanted = {};
 };
 
 /// One unsatisfiable formula, and its proof.
@@ -92,8 +102,10 @@ struct Decision {
   std::string cubes_path = {};  ///< the list of cubes, if there are several and files are kept
   WhyStopped why_stopped = WhyStopped::running;  ///< found, exhausted, or the limit
   std::chrono::duration<double> time{};
+  /// The unchanged subsets that are wanted, for outcome `found`.
+  std::vector<UnchangedSubset> subsets = {};
 
-  /// Whether it is proved that there is no such design.
+  /// Whether it is proved that there is no such design, with what is wanted.
   [[nodiscard]] bool excluded() const { return outcome == Outcome::none && proved && !in_share; }
 };
 
@@ -106,15 +118,18 @@ unsigned require_room(const Parameters& p, std::uint64_t b, const ExactOptions& 
                       const RunControl& control);
 
 /// Decides whether there is a design with exactly b ≥ 1 blocks. @throws ImpossibleParameters as
-/// check(); BadInput if b = 0; MissingResource if the formula is too large, or if a file cannot be
-/// written and no design was found meanwhile; InternalError if a design fails verification or a
-/// proof fails its check. Time: that of the solver; checking takes about as long again.
+/// check(); BadInput if b = 0 or wanted_defect() finds one; MissingResource if the formula is too
+/// large, or if a file cannot be written and no design was found meanwhile; InternalError if a
+/// design fails verification or lacks what is wanted, or a proof fails its check. Time: that of the
+/// solver; checking takes about as long again.
 [[nodiscard]] Decision decide(const Parameters& p, std::uint64_t b, const ExactOptions& options,
                               RunControl& control);
 
 /// The name of the files of a question, without folder and extension: "linear-m1-v9-k4-b11", with
-/// "-t3" before the number of blocks if the strength is 3.
-[[nodiscard]] std::string file_stem(const Parameters& p, std::uint64_t b);
+/// "-t3" before the number of blocks if the strength is 3, and "-with-" and 16 digits made of what
+/// is wanted at the end, if anything is.
+[[nodiscard]] std::string file_stem(const Parameters& p, std::uint64_t b,
+                                    const Wanted& wanted = {});
 
 // The minimum number of blocks: a design, and a proof that excludes every smaller number.
 //
@@ -136,21 +151,25 @@ struct MinimumOptions {
   std::uint64_t tries_above = 0;
   /// Used instead of decide(), for example by several processes that share each question.
   std::function<Decision(std::uint64_t b, const ExactOptions&)> decider = {};
+  /// If something is wanted: begins with the best of the known designs that have it, if any has.
+  bool from_known = true;
 };
 
 struct MinimumResult {
   Parameters parameters;
   std::optional<std::string> impossible = {};  ///< why no design exists with any number of blocks
-  Bound start;                                 ///< the bound on paper from which the search started
-  std::uint64_t lower = 0;                     ///< proven lower bound on the number of blocks
-  std::optional<VerifiedDesign> best = {};     ///< the given design, or a better one
-  std::vector<Decision> steps = {};            ///< in the order of the search
+  Bound start;  ///< the bound on paper from which the search started, with what is wanted
+  std::uint64_t lower = 0;                  ///< proven lower bound on the number of blocks
+  std::optional<VerifiedDesign> best = {};  ///< the given design, or a better one
+  std::vector<Decision> steps = {};         ///< in the order of the search
   WhyStopped why_stopped =
       WhyStopped::running;  ///< `exhausted` if settled or impossible; otherwise the limit
   /// A MissingResource that ended the search early although something is known: `best`, or steps.
   /// Show what is known, then rethrow it.
   std::exception_ptr fault = {};
   std::chrono::duration<double> time{};
+  std::vector<UnchangedSubset> subsets = {};  ///< of `best`, those that are wanted
+  bool known = false;  ///< `best` is a known design, renumbered to have what is wanted
 
   /// The number of blocks of `best`.
   [[nodiscard]] std::optional<std::uint64_t> upper() const;
@@ -164,8 +183,8 @@ struct MinimumResult {
 /// Searches for the minimum. `known` is a design with these parameters, for example from a
 /// construction; it is verified. If the verification of `known` or the search for bounds is
 /// stopped, the search continues without them: one block is a bound. @throws as decide() if nothing
-/// is known by then, and BadInput if `known` is not a design with these parameters. Time: that of
-/// decide().
+/// is known by then, and BadInput if `known` is not a design with these parameters, or is given
+/// although something is wanted. Time: that of decide().
 [[nodiscard]] MinimumResult find_minimum(const Parameters& p, const MinimumOptions& options,
                                          RunControl& control,
                                          const std::optional<Design>& known = std::nullopt);

@@ -44,6 +44,7 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/control.hpp"
+#include "changeover/search/wanted.hpp"
 #include "changeover/verify/verdict.hpp"
 
 namespace changeover {
@@ -103,36 +104,11 @@ struct ImproveResult {
 //
 // Time: the rate of moves, about 10 million per second and core at (20,5).
 
-/// The required properties, all of them.
-struct Wanted {
-  Block first{};  ///< elements of the first block, at most k; linear designs only
-  Block last{};   ///< elements of the last block
-  bool expansion_set =
-      false;  ///< unchanged subsets partition the elements not in `first` or `last`
-  std::vector<Block>
-      contained{};  ///< consecutive blocks, in this order or, if circular, across the end
-};
-
-/// One line on why no design with these parameters can have the properties, or why they make no
-/// sense; else empty. O(vk).
-[[nodiscard]] std::string wanted_defect(const Parameters& p, const Wanted& wanted);
-
-/// The largest lower bound that is known for designs with the properties: that of p, the number of
-/// given blocks, or the steps that a partition takes. wanted_defect() must find none. O(vk), and
-/// lower_bound().
-[[nodiscard]] Bound wanted_bound(const Parameters& p, const Wanted& wanted);
-
-/// The unchanged subsets that partition the elements not in `first` or `last`, in order of
-/// position; nullopt if `design` lacks a required property. `positions` are the places of the
-/// subsets; they are ignored without expansion_set. O(bk).
-[[nodiscard]] std::optional<std::vector<UnchangedSubset>> parts_as_wanted(
-    const Design& design, const Wanted& wanted, const std::vector<std::size_t>& positions);
-
 struct LockedOptions {
   std::optional<std::uint64_t>
       blocks{};  ///< the number that is enough, and the most; nullopt: as few as possible
   std::optional<std::uint64_t> moves{};  ///< limit for the moves, over all threads
-  /// Begins with the best of the known designs that have the properties, if any has.
+  /// Begins with the best of the known designs that have the properties, if any has; else anew.
   bool from_known = true;
 };
 

@@ -8,6 +8,7 @@
 #include <bit>
 #include <ctime>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <mutex>
 #include <new>
@@ -16,6 +17,7 @@
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/core/sha256.hpp"
 #include "changeover/io/output.hpp"
 #include "changeover/proof/proof.hpp"
 #include "changeover/run/control.hpp"
@@ -23,6 +25,7 @@
 #include "io/file/remedies.hpp"
 #include "run/threads.hpp"
 #include "search/exact/exact_encoding.hpp"
+#include "search/exact/exact_wanted.hpp"
 #include "search/sat/sat_solver.hpp"
 
 namespace changeover {
@@ -77,7 +80,7 @@ class Question {
   Question(const Parameters& p, std::uint64_t b, const ExactOptions& options, RunControl& control)
       : options_(options),
         control_(control, options.time_per_step.value_or(no_limit)),
-        stem_(file_stem(p, b)) {
+        stem_(file_stem(p, b, options.wanted)) {
     decision_.parameters = p;
     decision_.b = b;
   }
@@ -112,7 +115,8 @@ class Question {
     const RunScope scope(control_);
     try {
       const unsigned threads = require_room(decision_.parameters, decision_.b, options_, control_);
-      formula_.emplace(encode_design(decision_.parameters, decision_.b, options_.encoding));
+      formula_.emplace(
+          encode_design(decision_.parameters, decision_.b, options_.encoding, options_.wanted));
       if (must_split(options_, control_)) {
         split(share);
       } else {
@@ -254,8 +258,10 @@ class Question {
   [[nodiscard]] std::vector<std::string> comments(std::uint64_t index) const {
     const Parameters& p = decision_.parameters;
     std::vector<std::string> lines{
-        fmt::format("There is a {} with {}.", name(p), count_of(decision_.b, "block")),
+        fmt::format("There is a {} with {}{}.", name(p), count_of(decision_.b, "block"),
+                    wanted_words(options_.wanted)),
         fmt::format("Block i holds element e, from 0: variable {} i + e + 1.", p.v)};
+    std::ranges::copy(lines_of(formula_->wanted()), std::back_inserter(lines));
     if (cubes_.size() > 1) {
       lines.push_back(
           fmt::format("Part {} of {}: the last {} clauses are its cube; see the list of cubes "
@@ -272,9 +278,16 @@ class Question {
     Design design = formula_->decode([&](Literal x) { return result.is_true(x); });
     design.recipe = literal_recipe(design, "search by SAT");
     VerifiedDesign solution = surely_verified(std::move(design), "a solution of " + stem_);
+    auto subsets =
+        parts_as_wanted(solution, options_.wanted,
+                        formula_->chosen_positions([&](Literal x) { return result.is_true(x); }));
+    if (!subsets) {
+      throw InternalError(fmt::format("a solution of {} has not what is wanted", stem_));
+    }
     const std::scoped_lock lock(mutex_);
     if (!decision_.design) {
       decision_.design = std::move(solution);
+      decision_.subsets = *std::move(subsets);
     }
     control_.stop(WhyStopped::found);
   }
@@ -343,7 +356,7 @@ unsigned require_room(const Parameters& p, std::uint64_t b, const ExactOptions& 
   if (options.prove) {
     (void)proof_folder(options);
   }
-  const CnfSize size = design_formula_size(p, b, options.encoding);
+  const CnfSize size = design_formula_size(p, b, options.encoding, options.wanted);
   SolvingNeeds needs{
       .proof = options.prove, .split = must_split(options, control), .threads = control.threads()};
   const auto limit = control.settings().memory_bytes;
@@ -354,9 +367,13 @@ unsigned require_room(const Parameters& p, std::uint64_t b, const ExactOptions& 
   return needs.threads;
 }
 
-std::string file_stem(const Parameters& p, std::uint64_t b) {
-  return fmt::format("{}-m{}-v{}-k{}{}-b{}", to_string(p.kind), p.change, p.v, p.k,
-                     p.strength == 2 ? std::string() : fmt::format("-t{}", p.strength), b);
+std::string file_stem(const Parameters& p, std::uint64_t b, const Wanted& wanted) {
+  constexpr std::size_t digits = 16;
+  return fmt::format("{}-m{}-v{}-k{}{}-b{}{}", to_string(p.kind), p.change, p.v, p.k,
+                     p.strength == 2 ? std::string() : fmt::format("-t{}", p.strength), b,
+                     wanted.any()
+                         ? "-with-" + to_hex(sha256(wanted_words(wanted))).substr(0, digits)
+                         : std::string());
 }
 
 Decision decide(const Parameters& p, std::uint64_t b, const ExactOptions& options,
@@ -364,6 +381,9 @@ Decision decide(const Parameters& p, std::uint64_t b, const ExactOptions& option
   check(p);
   if (b == 0) {
     throw BadInput("a design has at least one block");
+  }
+  if (const std::string defect = wanted_defect(p, options.wanted); !defect.empty()) {
+    throw BadInput(defect);
   }
   return Question(p, b, options, control).run();
 }

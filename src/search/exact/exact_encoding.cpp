@@ -30,6 +30,17 @@ Design DesignFormula::decode(const std::function<bool(Literal)>& is_true) const 
   return design;
 }
 
+std::vector<std::size_t> DesignFormula::chosen_positions(
+    const std::function<bool(Literal)>& is_true) const {
+  std::vector<std::size_t> positions;
+  for (std::size_t i = 0; i < wanted_.chosen.size(); ++i) {
+    if (is_true(wanted_.chosen[i])) {
+      positions.push_back(i + 1);
+    }
+  }
+  return positions;
+}
+
 namespace {
 
 using Number = std::int64_t;
@@ -76,10 +87,13 @@ Number repetitions(const Parameters& p, std::uint64_t b) {
 
 /// The numbers that decide which clauses exist. The encoder and the count of clauses both use them.
 struct EncodingPlan {
-  EncodingPlan(const Parameters& parameters, std::uint64_t blocks, const EncodingOptions& options)
+  EncodingPlan(const Parameters& parameters, std::uint64_t blocks, const EncodingOptions& options,
+               const Wanted& besides)
       : p(parameters),
         b(blocks),
+        wanted(besides),
         order(options.order),
+        alike(order && wanted.any() ? next_alike(p, wanted) : std::vector<std::uint64_t>{}),
         wraps(p.kind == Kind::circular && b > 1),
         two_fixed(may_have_two_fixed(p, b)),
         repetitions(changeover::repetitions(p, b)),
@@ -89,6 +103,18 @@ struct EncodingPlan {
 
   /// Number of blocks with a predecessor.
   [[nodiscard]] std::uint64_t steps() const { return wraps ? b : b - 1; }
+
+  /// The next element that is alike, p.v if there is none.
+  [[nodiscard]] std::uint64_t next_of(std::uint64_t e) const {
+    return alike.empty() ? e + 1 : alike[e];
+  }
+
+  /// For how many elements there is one.
+  [[nodiscard]] std::uint64_t ordered() const {
+    return alike.empty() ? p.v - 1
+                         : static_cast<std::uint64_t>(std::ranges::count_if(
+                               alike, [this](std::uint64_t next) { return next < p.v; }));
+  }
 
   /// Newly covered t-subsets at an introduced element, and at one that stays.
   [[nodiscard]] Number met() const {
@@ -112,7 +138,9 @@ struct EncodingPlan {
 
   Parameters p;
   std::uint64_t b;
+  const Wanted& wanted;  // of the caller
   bool order;
+  std::vector<std::uint64_t> alike;  // see next_of(); empty if all elements are alike
   bool wraps;
   bool two_fixed;      // there may be two or more elements that are in every block
   Number repetitions;  // possible ones, with fewer than t fixed elements
@@ -159,6 +187,8 @@ class Encoder {
       degrees();
     }
     coverage();
+    formula_.wanted() = add_wanted(cnf_, p_, b_, plan_.wanted,
+                                   [this](std::uint64_t i, std::uint64_t e) { return x(i, e); });
     return std::move(formula_);
   }
 
@@ -208,11 +238,15 @@ class Encoder {
     }
   }
 
-  // Column e is not below column e + 1. `same` holds if they agree in the blocks before i; only the
-  // implications that the order needs are encoded.
+  // Column e is not below the next one that is alike. `same` holds if they agree in the blocks
+  // before i; only the implications that the order needs are encoded.
   void order() {
-    for (std::uint64_t e = 0; e + 1 < p_.v; ++e) {
+    for (std::uint64_t e = 0; e < p_.v; ++e) {
       stop_if_asked();
+      const std::uint64_t next = plan_.next_of(e);
+      if (next == p_.v) {
+        continue;
+      }
       Literals unless;  // −same, if there are blocks before i
       for (std::uint64_t i = 0; i < b_; ++i) {
         const auto add = [&](std::initializer_list<Literal> literals) {
@@ -220,11 +254,11 @@ class Encoder {
           clause.insert(clause.end(), literals);
           cnf_.add(clause);
         };
-        add({x(i, e), -x(i, e + 1)});
+        add({x(i, e), -x(i, next)});
         if (i + 1 < b_) {
           const Literal same = cnf_.new_variable();
-          add({same, -x(i, e + 1)});  // both blocks have the element
-          add({same, x(i, e)});       // neither has it
+          add({same, -x(i, next)});  // both blocks have the element
+          add({same, x(i, e)});      // neither has it
           unless.assign(1, -same);
         }
       }
@@ -404,7 +438,7 @@ CnfSize order_size(const EncodingPlan& plan) {
     size += CnfSize{.variables = others, .clauses = 0, .literals = 0};
     size += clauses_of(2, 2) + clauses_of(2 * (others - 1), 3);
   }
-  return (plan.p.v - 1) * size;
+  return plan.ordered() * size;
 }
 
 // Of Encoder::coverage().
@@ -442,6 +476,7 @@ CnfSize size_of(const EncodingPlan& plan) {
     size += order_size(plan);
   }
   size += coverage_size(plan);
+  size += wanted_size(p, plan.b, plan.wanted);
   // Only now, because it takes O(b).
   require_representable(size, formula_name(p, plan.b));
   if (plan.degrees) {
@@ -462,13 +497,14 @@ struct Counted {
   CnfSize size;
 };
 
-Counted count(const Parameters& p, std::uint64_t b, const EncodingOptions& options) {
+Counted count(const Parameters& p, std::uint64_t b, const EncodingOptions& options,
+              const Wanted& wanted) {
   check(p);
   if (b > most_variables / p.v) {  // below that, products of b with parameters fit
     too_large(p, b);
   }
   try {
-    const EncodingPlan plan(p, b, options);
+    const EncodingPlan plan(p, b, options, wanted);
     Counted counted{plan, size_of(plan)};
     require_representable(counted.size, formula_name(p, b));
     return counted;
@@ -483,12 +519,14 @@ std::string formula_name(const Parameters& p, std::uint64_t b) {
   return fmt::format("the formula of {} with {}", name(p), count_of(b, "block"));
 }
 
-CnfSize design_formula_size(const Parameters& p, std::uint64_t b, const EncodingOptions& options) {
-  return count(p, b, options).size;
+CnfSize design_formula_size(const Parameters& p, std::uint64_t b, const EncodingOptions& options,
+                            const Wanted& wanted) {
+  return count(p, b, options, wanted).size;
 }
 
-DesignFormula encode_design(const Parameters& p, std::uint64_t b, const EncodingOptions& options) {
-  const Counted counted = count(p, b, options);
+DesignFormula encode_design(const Parameters& p, std::uint64_t b, const EncodingOptions& options,
+                            const Wanted& wanted) {
+  const Counted counted = count(p, b, options, wanted);
   return Encoder(counted.plan, counted.size).take();
 }
 

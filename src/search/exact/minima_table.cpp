@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "changeover/construct/best_known.hpp"
+#include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "changeover/verify/verdict.hpp"
 
@@ -107,6 +108,9 @@ void fill(const MinimaRange& range, std::vector<MinimaRow>& rows, const MinimumO
 void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
                  const MinimumOptions& options, RunControl& control,
                  const std::function<void(const MinimaRow&)>& on_row) {
+  if (options.exact.wanted.any()) {
+    throw InternalError("a table of minima is of all designs, not of those that have more");
+  }
   try {
     fill(range, rows, options, control, on_row);
   } catch (const Stopped&) {

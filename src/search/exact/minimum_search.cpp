@@ -6,6 +6,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
+#include "search/local/known_as_wanted.hpp"
 
 namespace changeover {
 
@@ -31,6 +32,12 @@ namespace {
 Decision decide_by(const MinimumOptions& options, const ExactOptions& exact, const Parameters& p,
                    std::uint64_t b, RunControl& control) {
   return options.decider ? options.decider(b, exact) : decide(p, b, exact, control);
+}
+
+void take(MinimumResult& result, const Decision& found) {
+  result.best = found.design;
+  result.subsets = found.subsets;
+  result.known = false;
 }
 
 // Goes up from the lower bound, to the first design or the first number that stays open.
@@ -59,7 +66,7 @@ void walk(MinimumResult& result, const MinimumOptions& options, RunControl& cont
     const bool excluded = decision.excluded();
     const bool found = decision.outcome == Outcome::found;
     if (found) {
-      result.best = decision.design;
+      take(result, decision);
     }
     result.steps.push_back(std::move(decision));
     if (excluded) {
@@ -85,7 +92,7 @@ void look_above(MinimumResult& result, const MinimumOptions& options, RunControl
       return;  // this number is not requested
     }
     if (result.steps.back().outcome == Outcome::found) {
-      result.best = result.steps.back().design;
+      take(result, result.steps.back());
       return;
     }
   }
@@ -106,6 +113,41 @@ std::optional<VerifiedDesign> checked(const Parameters& p, const std::optional<D
   throw BadInput(fmt::format("the design that was given is no {}", name(p)));
 }
 
+// What can be searched with what is wanted: there is a design with some number of blocks.
+void require_wanted(const Parameters& p, const Wanted& wanted, bool from_a_design) {
+  if (p.v == p.k) {
+    throw BadInput(fmt::format("what is wanted of a design needs more than k = {} elements", p.k));
+  }
+  if (const std::string defect = wanted_defect(p, wanted); !defect.empty()) {
+    throw BadInput(defect);
+  }
+  if (from_a_design) {
+    throw BadInput("a search for what is wanted of a design begins with no design of yours");
+  }
+}
+
+// A known design that has what is wanted, if there is time to look.
+void take_known(MinimumResult& result, const Wanted& wanted, RunControl& control) {
+  const Parameters& p = result.parameters;
+  if (p.strength != 2) {
+    return;
+  }
+  try {
+    const RunScope scope(control);
+    if (auto known = known_as_wanted(p, wanted)) {
+      auto subsets = parts_as_wanted(known->design, wanted, known->positions);
+      if (!subsets) {
+        throw InternalError("a known design lost what was wanted");
+      }
+      result.best = surely_verified(std::move(known->design), name(p));
+      result.subsets = *std::move(subsets);
+      result.known = true;
+    }
+  } catch (const Stopped&) {
+    return;  // There was no time for it.
+  }
+}
+
 }  // namespace
 
 MinimumResult find_minimum(const Parameters& p, const MinimumOptions& options, RunControl& control,
@@ -120,8 +162,15 @@ MinimumResult find_minimum(const Parameters& p, const MinimumOptions& options, R
     return result;
   }
   result.start = lower_bound_on_paper(p);
-  result.lower = result.start.blocks;
   result.best = std::move(given);
+  if (const Wanted& wanted = options.exact.wanted; wanted.any()) {
+    require_wanted(p, wanted, known.has_value());
+    result.start = wanted_bound(p, wanted, std::move(result.start));
+    if (options.from_known) {
+      take_known(result, wanted, control);
+    }
+  }
+  result.lower = result.start.blocks;
   walk(result, options, control);
   if (result.settled()) {
     result.why_stopped = WhyStopped::exhausted;

@@ -296,22 +296,6 @@ class Drawing {
 
 }  // namespace
 
-Block in_parts(const Parameters& p, const Wanted& wanted) {
-  std::vector<bool> out(static_cast<std::size_t>(p.v));
-  for (const Block* block : {&wanted.first, &wanted.last}) {
-    for (const Element x : *block) {
-      out[x] = true;
-    }
-  }
-  Block rest;
-  for (Element x = 0; x < p.v; ++x) {
-    if (!out[x]) {
-      rest.push_back(x);
-    }
-  }
-  return rest;
-}
-
 std::optional<Draft> draw_draft(const Parameters& p, const Wanted& wanted, std::size_t blocks,
                                 Random& random) {
   return Drawing(p, wanted, blocks, random).drawn();

@@ -14,9 +14,6 @@
 
 namespace changeover {
 
-/// The elements that must be in unchanged subsets: those not in `first` or `last`. Increasing.
-[[nodiscard]] Block in_parts(const Parameters& p, const Wanted& wanted);
-
 /// A list to start from, and what is locked in it.
 struct Draft {
   Design list;

@@ -4,18 +4,14 @@
 
 #include <algorithm>
 #include <atomic>
-#include <iterator>
 #include <limits>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/error.hpp"
-#include "core/checked.hpp"
 #include "core/each.hpp"
-#include "core/sorted.hpp"
 #include "core/words.hpp"
 #include "run/grace.hpp"
 #include "run/threads.hpp"
@@ -34,19 +30,6 @@ constexpr double hot = 0.28;
 constexpr double cold = 0.24;
 constexpr std::uint64_t most_doublings = 12;
 constexpr int most_drawings = 200;  // of places, before an attempt has failed
-
-bool has_twice(const Block& block) {
-  const Block in_order = sorted(block);
-  return std::ranges::adjacent_find(in_order) != in_order.end();
-}
-
-std::size_t different(const std::vector<Block>& blocks) {
-  std::set<Block> all;
-  for (const Block& block : blocks) {
-    all.insert(sorted(block));
-  }
-  return all.size();
-}
 
 class LockedSearch {
  public:
@@ -216,113 +199,6 @@ class LockedSearch {
 
 }  // namespace
 
-std::string wanted_defect(const Parameters& p, const Wanted& wanted) {
-  if (p.strength != 2) {
-    return "cells are locked for strength 2 only";
-  }
-  if (p.kind == Kind::circular && !(wanted.first.empty() && wanted.last.empty())) {
-    return "a circular design has no first and no last block";
-  }
-  for (const auto& [what, block] : {std::pair("first", &wanted.first), {"last", &wanted.last}}) {
-    if (block->size() > p.k) {
-      return fmt::format("{} elements are wanted in the {} block of {}", block->size(), what, p.k);
-    }
-  }
-  std::vector<const Block*> all{&wanted.first, &wanted.last};
-  for (const Block& block : wanted.contained) {
-    all.push_back(&block);
-    if (block.size() != p.k) {
-      return fmt::format("a block has {} elements, not {}; give whole blocks", p.k, block.size());
-    }
-  }
-  for (const Block* block : all) {
-    if (has_twice(*block)) {
-      return "an element is named twice";
-    }
-    if (!block->empty() && *std::ranges::max_element(*block) >= p.v) {
-      return fmt::format("element {} is not below {}", *std::ranges::max_element(*block), p.v);
-    }
-  }
-  for (std::size_t i = 1; i < wanted.contained.size(); ++i) {
-    if (difference(wanted.contained[i], wanted.contained[i - 1]).size() != p.change) {
-      return fmt::format("blocks {} and {} of those wanted do not differ in {}", i, i + 1,
-                         count_of(p.change, "element"));
-    }
-  }
-  if (wanted.expansion_set) {
-    const std::uint64_t n = p.k - std::min(p.k, p.change);
-    const std::size_t rest = in_parts(p, wanted).size();
-    if (n == 0 || rest % n != 0) {
-      return fmt::format("{} cannot be parted into unchanged subsets of {}",
-                         count_of(rest, "element"), n);
-    }
-  }
-  return "";
-}
-
-Bound wanted_bound(const Parameters& p, const Wanted& wanted) {
-  Bound bound = lower_bound(p);
-  const auto at_least = [&bound](std::uint64_t blocks, std::string reason) {
-    if (blocks > bound.blocks) {
-      bound = {.blocks = blocks, .name = "required", .reason = std::move(reason)};
-    }
-  };
-  // A circular list may come round to the blocks that it began with.
-  const std::uint64_t given =
-      p.kind == Kind::linear ? wanted.contained.size() : different(wanted.contained);
-  at_least(given,
-           fmt::format("{} given", given == 1 ? "1 block is" : count_of(given, "block") + " are"));
-  if (wanted.expansion_set && p.k > p.change) {
-    const std::uint64_t parts = in_parts(p, wanted).size() / (p.k - p.change);
-    const std::uint64_t needed = p.kind == Kind::circular ? parts : parts + 1;
-    at_least(needed, fmt::format("{} of {} in a partition take as many steps, so {}",
-                                 count_of(parts, "unchanged subset"), p.k - p.change,
-                                 count_of(needed, "block")));
-  }
-  return bound;
-}
-
-std::optional<std::vector<UnchangedSubset>> parts_as_wanted(
-    const Design& design, const Wanted& wanted, const std::vector<std::size_t>& positions) {
-  const std::size_t b = design.block_count();
-  if (b == 0 || !holds_all(design.block(0), wanted.first) ||
-      !holds_all(design.block(b - 1), wanted.last)) {
-    return std::nullopt;
-  }
-  const auto contains_from = [&](std::size_t start) {
-    for (std::size_t i = 0; i < wanted.contained.size(); ++i) {
-      if (!holds_all(design.block((start + i) % b), wanted.contained[i])) {
-        return false;
-      }
-    }
-    return true;
-  };
-  const bool circular = design.parameters().kind == Kind::circular;
-  bool contained = wanted.contained.empty();
-  for (std::size_t start = 0; start < b && !contained; ++start) {
-    contained = (circular || start + wanted.contained.size() <= b) && contains_from(start);
-  }
-  if (!contained) {
-    return std::nullopt;
-  }
-  std::vector<UnchangedSubset> parts;
-  if (!wanted.expansion_set) {
-    return parts;
-  }
-  Block held;
-  for (const std::size_t position : positions) {
-    if (position < 1 || position > (circular ? b : b - 1)) {
-      return std::nullopt;
-    }
-    parts.push_back(
-        {position, sorted(intersection(design.block(position - 1), design.block(position % b)))});
-    held.insert(held.end(), parts.back().elements.begin(), parts.back().elements.end());
-  }
-  std::ranges::sort(held);
-  return held == in_parts(design.parameters(), wanted) ? std::optional(std::move(parts))
-                                                       : std::nullopt;
-}
-
 LockedResult search_locked(const Parameters& p, const Wanted& wanted, const LockedOptions& options,
                            RunControl& control) {
   check(p);
@@ -333,6 +209,9 @@ LockedResult search_locked(const Parameters& p, const Wanted& wanted, const Lock
     throw BadInput(
         fmt::format("the search with locked cells supports v from k+1 = {} to {}, not {}", p.k + 1,
                     largest_locked_v, p.v));
+  }
+  if (p.strength != 2) {
+    throw BadInput("cells are locked for strength 2 only; an exact search has them for others");
   }
   if (const std::string defect = wanted_defect(p, wanted); !defect.empty()) {
     throw BadInput(defect);
