@@ -1219,6 +1219,7 @@ export interface SearchOrder {
   first?: number[];
   last?: number[];
   expansion_set?: boolean;
+  anew?: boolean;
   seconds?: number;
   threads?: number;
   seed?: number;

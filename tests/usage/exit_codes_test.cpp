@@ -121,7 +121,7 @@ const std::vector<Case>& cases() {
       {"$changeover search 9 4 --exact --seed 3", 2, "--seed N has no meaning with --exact"},
       {"$changeover search --order fano.txt --blocks 3", 2,
        "--blocks B has no meaning with --order"},
-      {"$changeover search --repair fano.txt -b 3", 2, "--blocks B has no meaning with --order"},
+      {"$changeover search --repair fano.txt -b 3", 2, "--blocks B has no meaning with --repair;"},
       {"$changeover search --order fano.txt -t 3", 2, "--strength T has no meaning with --order"},
       {"$changeover search --order fano.txt --format svg", 2, "--order without --change has no"},
       {"$changeover search --repair fano.txt --strength 4294967298", 2, "is out of range"},

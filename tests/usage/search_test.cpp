@@ -70,6 +70,48 @@ TEST(Search, WithLockedCellsSaysWhatCannotBe) {
       folder);
 }
 
+// What is proved is about designs that have what is wanted: others may have fewer blocks.
+TEST(Search, ProvesWhatCannotBeHadBesides) {
+  const TemporaryFolder folder;
+  const std::string ends =
+      "$changeover search 6 3 -m 1 --linear --exact --first 0,1 --last 1,0 --quiet ";
+  const std::string words = " that begins with {0,1} and ends with {1,0}";
+  expect({{ends, 10, "No linear SCCD(6,3)" + words + " has fewer than 8 blocks"},
+          {ends, 10, "8 blocks: 1 block is over the lower bound 7"},
+          {ends + "--blocks 7", 20, "7 blocks: none" + words + "; DRAT proof of "},
+          {ends + "--json", 10, "\"fewest_as_wanted\":8"},
+          {ends + "--json | grep -c minimum.:8", 1, "0"},
+          {ends + "--proof proofs", 10, ", checked: proofs/linear-m1-v6-k3-b7-with-"},
+          {"cat proofs/linear-m1-v6-k3-with-*-README.md", 0,
+           "## No linear SCCD(6,3) with 7 blocks" + words},
+          {"ls proofs/linear-m1-v6-k3-b7-with-*.drat && ls proofs | wc -l", 0, "3\n"}},
+         folder);
+  const std::string given = "printf '0 1 2\\n1 2 3\\n' > two.txt; $changeover search 5 3 -m 1 ";
+  expect({{given + "--exact --circular --contains two.txt --quiet", 10, "that contains {0,1,2}, "},
+          {given + "--exact --contains two.txt --blocks 2 --quiet", 20,
+           "none that contains {0,1,2}, {1,2,3} one after another; DRAT proof"},
+          {given + "--exact --first 0,4 --contains two.txt --quiet | head -n 1", 0, "SCCD(5,3)"},
+          {"$changeover search 6 3 -m 1 --exact --expansion-set --first 1,3 --quiet", 10,
+           "partition the other elements"},
+          {"$changeover search 5 4 -t 3 -m 1 --exact --first 4 --quiet", 10,
+           "t = 3 that begins with {4} has fewer than 4 blocks"}},
+         folder);
+}
+
+TEST(Search, BeginsWithNoKnownDesignIfTold) {
+  const TemporaryFolder folder;
+  const std::string search =
+      "$changeover search 12 4 -m 1 --first 0,1,2 --expansion-set --blocks 21 --threads 1 --quiet ";
+  expect({{search, 10, "0 moves in "},
+          {search, 10, "a known design has the properties"},
+          {search + "--anew --json | grep -o 'expansion-set --anew'", 0, "--anew"},
+          {search + "--anew | grep -c 'known design'", 1, "0\n"},
+          {"$changeover search 9 4 -m 1 --exact --anew --quiet", 10, "12 blocks: found"},
+          {"$changeover search 20 5 -m 1 --exact --first 0,1,2,3 --expansion-set --quiet", 10,
+           "a known design has the properties"}},
+         folder);
+}
+
 TEST(Search, IsDeterministicWithOneThread) {
   const TemporaryFolder folder;
   const Outcome first = run(
@@ -122,6 +164,19 @@ TEST(Search, FourProcessesShareAProof) {
       run(mpirun + "-n 4 $changeover search 9 5 --linear --exact --json --quiet", folder.path());
   EXPECT_EQ(outcome.code, 10) << outcome.err;
   EXPECT_EQ(count(outcome.out, "\"minimum\":6"), 1U) << outcome.out;
+}
+
+TEST(Search, FourProcessesKnowWhereThePartsAre) {
+  const TemporaryFolder folder;
+  if (!have_mpirun(folder)) {
+    GTEST_SKIP() << "mpirun is not installed, or starts nothing here";
+  }
+  const Outcome outcome =
+      run(mpirun +
+              "-n 4 $changeover search 6 3 -m 1 --exact --first 0,1 --expansion-set --anew --quiet",
+          folder.path());
+  EXPECT_EQ(outcome.code, 10) << outcome.err;
+  EXPECT_EQ(count(outcome.out, "partition the other elements"), 1U) << outcome.out;
 }
 
 TEST(Search, FourProcessesStopWhenOneHasFound) {

@@ -280,6 +280,24 @@ struct Verb::State {
     });
   }
 
+  // Refuses each of `names` beside those of `others` that are given.
+  void refuse_beside(const std::vector<std::string>& names, const std::vector<std::string>& others,
+                     const std::string& says, const std::string& why) {
+    rules.emplace_back([this, names, others, says, why] {
+      std::vector<std::string> beside;
+      std::ranges::copy_if(others, std::back_inserter(beside),
+                           [this](const auto& other) { return given(other); });
+      const auto misplaced =
+          std::ranges::find_if(names, [this](const auto& name) { return given(name); });
+      if (!beside.empty() && misplaced != names.end()) {
+        const std::string& what = app->get_option(*misplaced)->get_option_text();
+        throw UsageError{fmt::format("{}{}{} {} {}{}{}; leave it out", *misplaced,
+                                     what.empty() ? "" : " ", what, says, enumerated(beside),
+                                     why.empty() ? "" : ": ", why)};
+      }
+    });
+  }
+
   void text(CLI::Option* option, const std::string& what) {
     option->option_text(what);
     // As of a variable that was never set.
@@ -388,12 +406,16 @@ void Verb::only_with(const std::vector<std::string>& names,
           (others.size() == 1 ? "; give both" : "; give one of them, too"));
 }
 
-void Verb::never_with(const std::vector<std::string>& names,
-                      const std::vector<std::string>& others) {
+void Verb::never_with(const std::vector<std::string>& names, const std::vector<std::string>& others,
+                      const std::string& why) {
   state_->sentences.push_back(sentence_of(OptionRule::Says::never_with, names, others));
-  state_->refuse(
-      names, [state = state_.get(), others] { return state->any_given(others); },
-      "has no meaning with " + enumerated(others) + "; leave it out");
+  state_->refuse_beside(names, others, "has no meaning with", why);
+}
+
+void Verb::not_built_with(const std::vector<std::string>& names,
+                          const std::vector<std::string>& others, const std::string& why) {
+  state_->sentences.push_back(sentence_of(OptionRule::Says::never_with, names, others));
+  state_->refuse_beside(names, others, "is not built for", why);
 }
 
 void Verb::rule(const std::string& sentence) { state_->sentences.push_back(sentence); }

@@ -81,7 +81,11 @@ class Verb {
   /// Each of `names` means something only with one of `others`.
   void only_with(const std::vector<std::string>& names, const std::vector<std::string>& others);
   /// None of `names` means anything with one of `others`.
-  void never_with(const std::vector<std::string>& names, const std::vector<std::string>& others);
+  void never_with(const std::vector<std::string>& names, const std::vector<std::string>& others,
+                  const std::string& why = {});
+  /// None of `names` is built for one of `others`.
+  void not_built_with(const std::vector<std::string>& names, const std::vector<std::string>& others,
+                      const std::string& why);
 
   /// What a rule says that the verb itself holds its request to.
   void rule(const std::string& sentence);

@@ -32,7 +32,18 @@ struct LocalSearch : SearchRequest {
   std::string checkpoint;  ///< or empty
 };
 
-struct ExactSearch : SearchRequest {
+/// What a design must have besides.
+struct WantedRequest {
+  Wanted wanted;              ///< but for the blocks of the file
+  std::string contains_file;  ///< or empty
+  ReadOptions reading;        ///< of that
+  bool anew = false;          ///< no known design to begin with
+
+  /// All of it. @throws as read_design().
+  [[nodiscard]] Wanted read(const Parameters& p) const;
+};
+
+struct ExactSearch : SearchRequest, WantedRequest {
   Parameters parameters;
   std::string proof_directory;  ///< or empty
 };
@@ -63,11 +74,8 @@ struct RepairSearch : SearchRequest {
 };
 
 /// A design that has what constructions need.
-struct LockedSearch : SearchRequest {
+struct LockedSearch : SearchRequest, WantedRequest {
   Parameters parameters;
-  Wanted wanted;              ///< but for the blocks of the file
-  std::string contains_file;  ///< or empty
-  ReadOptions reading;        ///< of that
 };
 
 /// A design that a search found, with what there is to say about it.
@@ -98,7 +106,15 @@ struct SearchFind {
                                                 RunControl& control, std::optional<Bound>& bound);
 
 /// The options that say what is wanted: "--first 0,1 --expansion-set".
-[[nodiscard]] std::string way_of(const Wanted& wanted);
+[[nodiscard]] std::string way_of(const Wanted& wanted, bool anew);
+
+/// What is said of a design that has what is wanted: whether it was known, and where its unchanged
+/// subsets are.
+[[nodiscard]] std::vector<std::string> lines_as_wanted(const Wanted& wanted, bool known,
+                                                       const std::vector<UnchangedSubset>& subsets);
+
+/// The positions, to mark them.
+[[nodiscard]] std::vector<std::uint64_t> positions_of(const std::vector<UnchangedSubset>& subsets);
 
 /// The command line in one form, for provenance: "changeover 0.2.0: search 20 5 --linear --seed 1".
 /// `way` are its own options.

@@ -202,6 +202,7 @@ def check_explorer(server):
     post("loadorder", {"sizes": [[0, 2], [1, 3], [2, 4]], "memory": 8, "workers": 2})
     for more in (
         {"way": "exact"},
+        {"way": "exact", "v": 6, "k": 3, "change": 1, "first": [0, 1], "anew": True},
         {"way": "base-blocks", "kind": "circular", "blocks": 8},
         {"way": "locked", "v": 10, "first": [0, 1], "expansion_set": True},
         {"strength": 3},

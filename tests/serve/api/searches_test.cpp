@@ -86,6 +86,16 @@ TEST(Searches, GoAboutItInEachWay) {
   }
   EXPECT_THAT(design["recipe"]["provenance"].get<std::string>(),
               HasSubstr("--first 0,1,2 --expansion-set"));
+  const auto wanted =
+      begun(R"(,"change":1,"kind":"linear","way":"exact","first":[0,1,2],"anew":true)");
+  EXPECT_EQ(wanted["best"], 12) << wanted;
+  EXPECT_EQ(wanted["message"], "no design that begins with {0,1,2} has fewer blocks");
+  const auto proved = json_of(get(own.port(), "/api/design?job=4"));
+  for (const int x : {0, 1, 2}) {
+    EXPECT_THAT(proved["blocks"][0], ::testing::Contains(x));
+  }
+  EXPECT_THAT(proved["recipe"]["provenance"].get<std::string>(),
+              HasSubstr("--exact --first 0,1,2 --anew"));
   const auto triples = begun(R"(,"change":1,"kind":"linear","strength":3,"blocks":40)");
   EXPECT_EQ(triples["strength"], 3) << triples;
 }
@@ -156,6 +166,8 @@ TEST(Searches, RefuseWhatCannotBe) {
         std::tuple{R"({"v":20,"k":5,"way":"guess"})", 422, "\"local\", \"exact\""},
         std::tuple{R"({"v":20,"k":5,"way":"locked"})", 422, "needs first, last or"},
         std::tuple{R"({"v":20,"k":5,"first":[0]})", 422, "go with"},
+        std::tuple{R"({"v":20,"k":5,"anew":true})", 422, "anew goes with"},
+        std::tuple{R"({"v":20,"k":5,"way":"exact","first":[0,0]})", 422, "has what is wanted"},
         std::tuple{R"({"v":20,"k":5,"way":"locked","first":[0,0]})", 422, "has what is wanted"},
         std::tuple{R"({"v":20,"k":5,"way":"locked","first":[-1]})", 422, "is not an element"},
         std::tuple{R"({"v":20,"k":5,"way":"locked","last":[0,{"b":[1.50,null],"a":""}]})", 422,

@@ -48,18 +48,22 @@ Block elements_in(JsonBody& body, const std::string& name) {
 void check_way(const SearchOrder& order) {
   const Parameters& p = order.parameters;
   const Wanted& wanted = order.wanted;
-  const bool locks = wanted.expansion_set || !wanted.first.empty() || !wanted.last.empty();
-  if (locks != (order.way == SearchWay::locked)) {
-    throw Refusal{422, locks ? "first, last and expansion_set go with \"way\":\"locked\""
-                             : "way: a locked search needs first, last or expansion_set"};
+  const bool takes_wanted = order.way == SearchWay::locked || order.way == SearchWay::exact;
+  if (!takes_wanted && (wanted.any() || order.anew)) {
+    throw Refusal{422, wanted.any() ? "first, last and expansion_set go with \"way\":\"locked\" or "
+                                      "\"exact\""
+                                    : "anew goes with \"way\":\"locked\" or \"exact\""};
   }
   if (order.way == SearchWay::locked) {
+    if (!wanted.any()) {
+      throw Refusal{422, "way: a locked search needs first, last or expansion_set"};
+    }
     if (p.strength != 2) {
       throw Refusal{422, "way: a locked search has strength 2"};
     }
-    if (const std::string defect = wanted_defect(p, wanted); !defect.empty()) {
-      throw Refusal{422, fmt::format("no {} has what is wanted: {}", name(p), defect)};
-    }
+  }
+  if (const std::string defect = wanted_defect(p, wanted); !defect.empty()) {
+    throw Refusal{422, fmt::format("no {} has what is wanted: {}", name(p), defect)};
   }
   if (order.way == SearchWay::exact && order.blocks) {
     throw Refusal{422, "blocks has no meaning with \"way\":\"exact\", which finds the minimum"};
@@ -92,6 +96,7 @@ SearchOrder order_of(const Request& request) {
   order.wanted.first = elements_in(body, "first");
   order.wanted.last = elements_in(body, "last");
   order.wanted.expansion_set = body.boolean("expansion_set").value_or(false);
+  order.anew = body.boolean("anew").value_or(false);
   order.seconds = body.seconds("seconds").value_or(order.seconds);
   if (order.seconds <= 0 || order.seconds > most_seconds) {
     throw Refusal{422, fmt::format("seconds: write more than 0 and at most {}", most_seconds)};

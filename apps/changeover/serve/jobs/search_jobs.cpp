@@ -253,6 +253,7 @@ struct SearchJobs::Found {
   std::optional<Design> design = {};
   std::optional<std::uint64_t> known = {};  // blocks of the best before
   std::optional<std::uint64_t> lower = {};  // proved by the search itself
+  std::string wanted = {};                  // of which designs that is true, if not of all
   std::uint64_t attempts = 0;
   double moves_per_second = 0;
   std::string message = {};
@@ -273,7 +274,8 @@ void SearchJobs::finish(Job& job, Found found) {
   job.state = found.why_stopped == WhyStopped::interrupted ? "stopped" : "done";
   job.message = found.message;
   if (job.design && job.lower_bound == job.best) {
-    job.message = "minimum: as many blocks as the lower bound" +
+    job.message = (found.wanted.empty() ? "minimum: as many blocks as the lower bound"
+                                        : "no design" + found.wanted + " has fewer blocks") +
                   (found.lower && !found.message.empty() ? "; " + found.message : std::string());
   }
 }
@@ -303,14 +305,21 @@ SearchJobs::Found SearchJobs::search_locally(const Job& job) {
 
 SearchJobs::Found SearchJobs::search_exactly(Job& job) {
   const SearchOrder& order = job.order;
-  const std::optional<Offer> offer = order.parameters.strength == 2
-                                         ? best_known(Registry::standard(), order.parameters)
-                                         : std::nullopt;
+  const bool any_known = order.parameters.strength == 2 && !order.anew && !order.wanted.any();
+  const std::optional<Offer> offer =
+      any_known ? best_known(Registry::standard(), order.parameters) : std::nullopt;
+  const std::string besides = cli::way_of(order.wanted, order.anew);
+  const std::string way = "--exact" + (besides.empty() ? "" : " " + besides);
   MinimumOptions options;
+  options.exact.wanted = order.wanted;
+  options.from_known = !order.anew;
   options.decider = [&](std::uint64_t b, const ExactOptions& exact) {
     job.begin_deciding(b);
     publish(job);
     Decision decision = decide(order.parameters, b, exact, *job.control);
+    if (decision.design) {
+      decision.design->set_recipe(*credited(order, decision.design->design(), way).recipe);
+    }
     job.end_deciding(decision);
     publish(job);
     return decision;
@@ -323,8 +332,11 @@ SearchJobs::Found SearchJobs::search_exactly(Job& job) {
   }
   MinimumResult result = find_minimum(order.parameters, options, *job.control, known);
   const bool settled = result.settled();
-  Found found{.known = offer ? std::optional(offer->b) : std::nullopt,
+  Found found{.known = offer          ? std::optional(offer->b)
+                       : result.known ? result.upper()
+                                      : std::nullopt,
               .lower = result.lower,
+              .wanted = wanted_words(order.wanted),
               .attempts = result.steps.size(),
               .why_stopped = result.why_stopped};
   std::vector<std::string> said;
@@ -335,7 +347,7 @@ SearchJobs::Found SearchJobs::search_exactly(Job& job) {
   }
   if (result.best) {
     Design design = (*std::move(result.best)).take();
-    found.design = design.recipe ? design : credited(order, std::move(design), "--exact");
+    found.design = design.recipe ? design : credited(order, std::move(design), way);
   }
   if (!settled) {
     said.push_back(fmt::format("not decided ({})", to_string(result.why_stopped)));
@@ -361,11 +373,13 @@ SearchJobs::Found SearchJobs::search_for_base_blocks(const Job& job) {
 
 SearchJobs::Found SearchJobs::search_with_locked_cells(const Job& job) {
   const SearchOrder& order = job.order;
-  LockedResult result = search_locked(order.parameters, order.wanted,
-                                      {.blocks = order.blocks, .moves = {}}, *job.control);
+  LockedResult result =
+      search_locked(order.parameters, order.wanted,
+                    {.blocks = order.blocks, .moves = {}, .from_known = !order.anew}, *job.control);
   Found found{.attempts = result.attempts, .why_stopped = result.why_stopped};
   if (result.design) {
-    found.design = credited(order, (*std::move(result.design)).take(), cli::way_of(order.wanted));
+    found.design =
+        credited(order, (*std::move(result.design)).take(), cli::way_of(order.wanted, order.anew));
   }
   found.message =
       found.design ? "found with what was to be in its place" : stopped_early(result.why_stopped);

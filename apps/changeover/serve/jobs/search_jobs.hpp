@@ -39,7 +39,8 @@ enum class SearchWay : std::uint8_t {
 struct SearchOrder {
   Parameters parameters;
   SearchWay way = SearchWay::local;
-  Wanted wanted = {};                        ///< of a locked search
+  Wanted wanted = {};                        ///< of a locked search, or of an exact one
+  bool anew = false;                         ///< these begin with no known design
   std::optional<std::uint64_t> blocks = {};  ///< so many are enough
   double seconds = 60;
   unsigned threads = 1;

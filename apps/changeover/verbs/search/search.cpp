@@ -128,6 +128,7 @@ struct SearchOptions : SearchRequest {
   std::string first;
   std::string last;
   bool expansion_set = false;
+  bool anew = false;
   std::string checkpoint;
   std::optional<std::uint64_t> cycle_length;
   std::optional<std::uint64_t> fixed_points;
@@ -174,6 +175,19 @@ Block elements_of(std::string_view option, std::string_view list) {
   return elements;
 }
 
+// What the design must have besides, so far as the options say it.
+WantedRequest wanted_of(const SearchOptions& given, const Parameters& p) {
+  WantedRequest request{
+      {elements_of("--first", given.first), elements_of("--last", given.last), given.expansion_set},
+      given.contains_file,
+      given.asked.reading(),
+      given.anew};
+  if (const std::string defect = wanted_defect(p, request.wanted); !defect.empty()) {
+    throw UsageError{fmt::format("no {} has what is wanted: {}", name(p), defect)};
+  }
+  return request;
+}
+
 // The way that was chosen, with what it knows.
 AnySearch chosen(const SearchOptions& given) {
   const SearchRequest& shared = given;
@@ -199,7 +213,7 @@ AnySearch chosen(const SearchOptions& given) {
     throw UsageError{"--blocks 0: a design has at least one block"};
   }
   if (given.exact) {
-    return ExactSearch{shared, p, given.proof_directory};
+    return ExactSearch{shared, wanted_of(given, p), p, given.proof_directory};
   }
   if (given.base_blocks) {
     BaseBlockOptions options;
@@ -210,14 +224,14 @@ AnySearch chosen(const SearchOptions& given) {
     options.rounds = 20;  // as long as there is time
     return BaseBlockSearch{shared, p, options};
   }
-  if (given.expansion_set ||
-      !(given.first.empty() && given.last.empty() && given.contains_file.empty())) {
-    const Wanted wanted{elements_of("--first", given.first), elements_of("--last", given.last),
-                        given.expansion_set};
-    if (const std::string defect = wanted_defect(p, wanted); !defect.empty()) {
-      throw UsageError{fmt::format("no {} has what is wanted: {}", name(p), defect)};
+  const WantedRequest wanted = wanted_of(given, p);
+  if (wanted.wanted.any() || !wanted.contains_file.empty()) {
+    if (p.strength != 2) {
+      throw UsageError{fmt::format(
+          "--strength {}: local search keeps what is wanted for strength 2 only; give --exact, too",
+          p.strength)};
     }
-    return LockedSearch{shared, p, wanted, given.contains_file, given.asked.reading()};
+    return LockedSearch{shared, wanted, p};
   }
   LocalSearch local{shared, p, given.checkpoint};
   require_file("--checkpoint", local.checkpoint, "it is read and replaced");
@@ -271,6 +285,7 @@ void add_search(Program& program) {
             "unchanged subsets hold all other elements, each once");
   verb.option("--contains", request.contains_file, "FILE",
               "the blocks of FILE are in it, one after another");
+  verb.flag("--anew", request.anew, "begin with no known design");
   verb.option("--checkpoint", request.checkpoint, "FILE",
               "keep the state of a local search in FILE, and go on from it if it is there");
   verb.flag("--leaving", request.leaving, "mark leaving elements too, in tables and LaTeX");
@@ -282,16 +297,22 @@ void add_search(Program& program) {
   verb.only_with({"--proof"}, {"--exact"});
   verb.only_with({"--tight", "--cycle", "--fixed-points"}, {"--base-blocks"});
   verb.never_with({"--checkpoint"}, ways);
-  for (const char* const locked : {"--first", "--last", "--expansion-set", "--contains"}) {
-    verb.never_with({locked}, ways);
-    verb.never_with({locked}, {"--checkpoint", "--strength"});
-  }
+  const std::vector<std::string> wanted{"--first", "--last", "--expansion-set", "--contains"};
+  verb.never_with(wanted, {"--order", "--extend", "--repair", "--checkpoint"});
+  verb.never_with({"--first"}, {"--base-blocks"}, "a development has no first block");
+  verb.never_with({"--last"}, {"--base-blocks"}, "a development has no last block");
+  verb.not_built_with({"--contains"}, {"--base-blocks"},
+                      "an automorphism makes all blocks of a few base blocks");
+  verb.not_built_with({"--expansion-set"}, {"--base-blocks"},
+                      "an automorphism makes all blocks of a few base blocks");
+  verb.only_with({"--anew"}, {"--first", "--last", "--expansion-set", "--contains", "--exact"});
   verb.never_with({"--blocks"}, {"--order", "--repair"});
   verb.never_with({"--strength"}, {"--order"});
   verb.never_with({"--seed"}, {"--exact"});
   verb.examples({"changeover search 20 5                           local search for 60 seconds",
                  "changeover search 9 5 --linear --exact           the minimum, with proof",
                  "changeover search 8 5 --blocks 9 --exact --proof proofs",
+                 "changeover search 6 3 -m 1 --exact --first 0,1 --last 0,1",
                  "changeover search 28 6 --base-blocks --tight     from base blocks",
                  "changeover search 20 5 -m 1 --first 0,1,2,3 --expansion-set --blocks 46",
                  "changeover search --order blocks.txt -m 2        an order with 2 changes a step",

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <iterator>
 #include <sstream>
 #include <utility>
 
@@ -37,16 +39,16 @@ std::string bytes(std::uint64_t count) {
 }
 
 // "9 blocks: none; DRAT proof of 12.3 kB in linear-m1-v9-k4-b11.drat, checked; 0.12 s"
-std::string line_of(const Decision& step) {
+std::string line_of(const Decision& step, const Wanted& wanted) {
   std::string line = count_of(step.b, "block") + ": ";
   if (step.outcome == Outcome::found) {
     line += "found";
   } else if (step.excluded()) {
     const std::uint64_t total = sum_of(step.parts, &CheckedPart::proof_bytes);
-    line +=
-        "none; " + (step.parts.size() == 1 ? fmt::format("DRAT proof of {}, checked", bytes(total))
-                                           : fmt::format("{} DRAT proofs of {} together, checked",
-                                                         step.parts.size(), bytes(total)));
+    line += "none" + wanted_words(wanted) + "; " +
+            (step.parts.size() == 1 ? fmt::format("DRAT proof of {}, checked", bytes(total))
+                                    : fmt::format("{} DRAT proofs of {} together, checked",
+                                                  step.parts.size(), bytes(total)));
     if (step.parts.size() == 1 && !step.parts.front().proof_path.empty()) {
       line += ": " + printable(step.parts.front().proof_path);
     } else if (!step.cubes_path.empty()) {
@@ -59,12 +61,12 @@ std::string line_of(const Decision& step) {
 }
 
 // What shows that there is none with fewer blocks.
-std::string proof_of(const MinimumResult& result) {
+std::string proof_of(const MinimumResult& result, const Wanted& wanted) {
   std::string text =
       fmt::format("at least {}: {}", count_of(result.start.blocks, "block"), result.start.reason);
   for (const Decision& step : result.steps) {
     if (step.excluded()) {
-      text += "; " + line_of(step);
+      text += "; " + line_of(step, wanted);
     }
   }
   return text;
@@ -98,7 +100,7 @@ std::optional<Design> design_of(const std::optional<Offer>& offer) try {
 // done, unless none is needed.
 MinimumResult minimum(const Parameters& p, const MinimumOptions& options, RunControl& control) {
   std::optional<Offer> offer;
-  if (!impossibility(p)) {
+  if (options.from_known && !options.exact.wanted.any() && !impossibility(p)) {
     const std::uint64_t least = lower_bound_on_paper(p).blocks;
     try {
       (void)require_room(p, least, options.exact, control);
@@ -141,10 +143,14 @@ Decision decide_together(const Parameters& p, std::uint64_t b, const ExactOption
   for (const CheckedPart& part : own.parts) {
     message += fmt::format("{} ", part.proof_bytes);
   }
-  message += "\n" + (own.design ? pack(*own.design) : std::string());
+  message += "\n" + (own.design ? pack(*own.design) : std::string()) + "\n";
+  for (const UnchangedSubset& subset : own.subsets) {
+    message += fmt::format("{} ", subset.position);
+  }
   own.parts.clear();
   bool none = true;
   std::optional<Design> design;
+  std::vector<std::size_t> positions;
   for (const std::string& said : team.exchange(message)) {
     std::istringstream lines(said);
     std::string answer;
@@ -159,6 +165,9 @@ Decision decide_together(const Parameters& p, std::uint64_t b, const ExactOption
     }
     if (answer == to_string(Outcome::found) && !design) {
       design = unpack(p, blocks);
+      for (std::size_t position = 0; lines >> position;) {
+        positions.push_back(position);
+      }
     }
     std::istringstream sizes(proofs);
     for (std::uint64_t size = 0; sizes >> size;) {
@@ -169,9 +178,17 @@ Decision decide_together(const Parameters& p, std::uint64_t b, const ExactOption
     throw MissingResource(missing);
   }
   if (design) {
+    // That it was found elsewhere has ended this search, but what was found is verified here, too.
+    RunControl unhurried({});
+    const RunScope scope(unhurried);
     own.parameters = p;
     own.b = b;
     own.design = surely_verified(*std::move(design), "what another process found");
+    auto subsets = parts_as_wanted(*own.design, options.wanted, positions);
+    if (!subsets) {
+      throw InternalError("what another process found has not what is wanted");
+    }
+    own.subsets = *std::move(subsets);
     own.outcome = Outcome::found;
     own.why_stopped = WhyStopped::found;
   } else if (none) {
@@ -202,19 +219,31 @@ int exit_code_of(const ExactSearch& request, const MinimumResult& result) {
 // The bound that the steps prove, or from which they start.
 Bound proved_by(const MinimumResult& result) {
   return result.lower > result.start.blocks
-             ? Bound{result.lower, "proved by this search", proof_of(result)}
+             ? Bound{result.lower, "proved by this search", proof_of(result, {})}
              : result.start;
 }
 
+void write(JsonWriter& json, const Wanted& wanted, const std::vector<UnchangedSubset>& subsets) {
+  json.key("wanted").begin_object().key("first").value(wanted.first);
+  json.key("last").value(wanted.last).key("expansion_set").value(wanted.expansion_set);
+  json.key("contains").value(wanted.contained).end_object();
+  json.key("positions").value(positions_of(subsets));
+}
+
 std::string to_json(const MinimumResult& result, const std::optional<SearchFind>& find,
-                    bool settled) {
+                    bool settled, const Wanted& wanted) {
   const Parameters& p = result.parameters;
   JsonWriter json;
   json.begin_object().cell(p).key("strength").value(p.strength);
+  if (wanted.any()) {
+    write(json, wanted, result.subsets);
+  }
   if (result.impossible) {
     json.key("impossible").value(*result.impossible);
   } else if (settled) {
-    json.key("minimum").value(result.lower).key("proof").value(proof_of(result));
+    // What is the fewest with what is wanted need not be the minimum of all.
+    json.key(wanted.any() ? "fewest_as_wanted" : "minimum").value(result.lower);
+    json.key("proof").value(proof_of(result, wanted));
   } else {
     json.key("lower_bound").value(result.lower).key("upper_bound").value(result.upper());
     json.key("why_stopped").value(to_string(result.why_stopped));
@@ -238,7 +267,26 @@ std::string to_json(const MinimumResult& result, const std::optional<SearchFind>
   return json.take();
 }
 
+// What the steps come to. `words` say what is wanted besides.
+std::string conclusion(const MinimumResult& result, bool settled, const std::string& words) {
+  const std::string fewest = count_of(result.lower, "block");
+  if (settled) {
+    return words.empty()
+               ? fmt::format("The minimum is {}: fewer are excluded by the lines above.", fewest)
+               : fmt::format("No {}{} has fewer than {}: fewer are excluded by the lines above.",
+                             name(result.parameters), words, fewest);
+  }
+  const std::string most =
+      result.upper() ? fmt::format(" and at most {}", *result.upper()) : std::string();
+  return words.empty() ? fmt::format("The minimum is at least {}{}; stopped: {}.", result.lower,
+                                     most, to_string(result.why_stopped))
+                       : fmt::format("The fewest blocks of a {}{} are at least {}{}; stopped: {}.",
+                                     name(result.parameters), words, result.lower, most,
+                                     to_string(result.why_stopped));
+}
+
 Answer answer_of(const ExactSearch& request, const MinimumResult& result) {
+  const Wanted& wanted = request.wanted;
   const Parameters& p = result.parameters;
   const int code = exit_code_of(request, result);
   const bool settled = !request.blocks && result.settled();
@@ -248,25 +296,25 @@ Answer answer_of(const ExactSearch& request, const MinimumResult& result) {
                       : fmt::format("at least {}: {}", count_of(result.start.blocks, "block"),
                                     result.start.reason));
   for (const Decision& step : result.steps) {
-    lines.push_back(line_of(step));
+    lines.push_back(line_of(step, wanted));
   }
-  if (settled) {
-    lines.push_back(fmt::format("The minimum is {}: fewer are excluded by the lines above.",
-                                count_of(result.lower, "block")));
-  } else if (!request.blocks && !result.impossible) {
-    lines.push_back(fmt::format(
-        "The minimum is at least {}{}; stopped: {}.", result.lower,
-        result.upper() ? fmt::format(" and at most {}", *result.upper()) : std::string(),
-        to_string(result.why_stopped)));
+  if (settled || (!request.blocks && !result.impossible)) {
+    lines.push_back(conclusion(result, settled, wanted_words(wanted)));
   }
+  std::ranges::move(lines_as_wanted(wanted, result.known, result.subsets),
+                    std::back_inserter(lines));
   std::optional<SearchFind> find;
   if (result.best) {
-    find = SearchFind{*result.best, lines, proved_by(result)};
+    find = SearchFind{*result.best, lines};
+    if (!wanted.any()) {  // Else the steps say nothing about designs that lack it.
+      find->proved = proved_by(result);
+    }
+    find->positions = positions_of(result.subsets);
   }
   if (find && !request.output.json()) {
     return show_find(*find, request, code);
   }
-  const std::string json = to_json(result, find, settled);
+  const std::string json = to_json(result, find, settled, wanted);
   return find ? text_answer(json + "\n", request.output, code)
               : no_design(request.output, code, fmt::format("{}", fmt::join(lines, "\n")), json);
 }
@@ -278,12 +326,13 @@ std::string file_name(const std::string& path) {
 // For readers who find the proofs without the program: what each file says and how to check it.
 void explain_proofs(const ExactSearch& request, const MinimumResult& result) {
   const Parameters& p = result.parameters;
+  const std::string words = wanted_words(request.wanted);
   std::string files;
   for (const Decision& step : result.steps) {
     if (!step.excluded()) {
       continue;
     }
-    files += fmt::format("## No {} with {}\n\n", name(p), count_of(step.b, "block"));
+    files += fmt::format("## No {} with {}{}\n\n", name(p), count_of(step.b, "block"), words);
     if (!step.cubes_path.empty()) {
       files += fmt::format(
           "The question is split into {}, listed in `{}`; there is a formula and a proof for "
@@ -305,33 +354,42 @@ void explain_proofs(const ExactSearch& request, const MinimumResult& result) {
   }
   const std::filesystem::path file =
       std::filesystem::path(request.proof_directory) /
-      fmt::format("{}-m{}-v{}-k{}{}-README.md", to_string(p.kind), p.change, p.v, p.k,
-                  p.strength == 2 ? "" : fmt::format("-t{}", p.strength));
+      fmt::format("{}-m{}-v{}-k{}{}{}-README.md", to_string(p.kind), p.change, p.v, p.k,
+                  p.strength == 2 ? "" : fmt::format("-t{}", p.strength),
+                  file_stem(p, 1, request.wanted).substr(file_stem(p, 1).size()));
   write_file(file.string(), [&](OutputFile& out) {
     out.write(fmt::format(
-        "# Proofs about the {}\n\nWritten by changeover {}. At least {}: {}\n\nEach formula "
-        "(DIMACS, `.cnf`) says that there is a design with so many blocks: variable v*i + e + 1 "
-        "says that block i holds element e, both from 0. Each proof (DRAT, `.drat`) shows that the "
+        "# Proofs about the {}{}\n\nWritten by changeover {}. At least {}: {}\n\nEach formula "
+        "(DIMACS, `.cnf`) says that there is such a design with so many blocks: variable v*i + e + "
+        "1 says that block i holds element e, both from 0. Each proof (DRAT, `.drat`) shows that the "
         "formula has no solution. Both are text. Any DRAT checker reads them:\n\n"
         "    drat-trim NAME.cnf NAME.drat\n\nprints `s VERIFIED`. The program's own checker has "
         "checked them, too. What has to be trusted is that the formula says what it should, and "
         "the bound above.\n\n{}",
-        name(p), version, count_of(result.start.blocks, "block"), result.start.reason, files));
+        name(p), words, version, count_of(result.start.blocks, "block"), result.start.reason,
+        files));
   });
 }
 
 }  // namespace
 
-Answer search(const ExactSearch& request) {
+Answer search(const ExactSearch& asked) {
+  ExactSearch request = asked;
   const Parameters& p = request.parameters;
+  request.wanted = asked.read(p);
+  if (const std::string defect = wanted_defect(p, request.wanted); !defect.empty()) {
+    throw BadInput(defect);
+  }
   ExactOptions options;
+  options.wanted = request.wanted;
   options.proof_directory = request.proof_directory;
   const auto running = std::make_shared<Running>(request.run, request.output);
+  const std::string rest = way_of(request.wanted, request.anew);
+  const std::string way = "--exact" + (rest.empty() ? "" : " " + rest);
   const auto decider = [&](std::uint64_t b, const ExactOptions& exact) {
     Decision decision = decide_together(p, b, exact, running->control());
     if (decision.design) {
-      decision.design->set_recipe(
-          literal_recipe(*decision.design, provenance(request, p, "--exact")));
+      decision.design->set_recipe(literal_recipe(*decision.design, provenance(request, p, way)));
     }
     return decision;
   };
@@ -339,15 +397,17 @@ Answer search(const ExactSearch& request) {
   MinimumResult result;
   if (request.blocks && !impossibility(p)) {
     result.parameters = p;
-    result.start = lower_bound_on_paper(p);
+    result.start = wanted_bound(p, request.wanted, lower_bound_on_paper(p));
     result.lower = result.start.blocks;
     result.steps.push_back(decider(*request.blocks, options));
     result.best = result.steps.back().design;
+    result.subsets = result.steps.back().subsets;
     result.why_stopped = result.steps.back().why_stopped;
   } else {
     const RunScope scope(running->control());
-    result =
-        minimum(p, {.exact = options, .tries_above = 0, .decider = decider}, running->control());
+    result = minimum(
+        p, {.exact = options, .tries_above = 0, .decider = decider, .from_known = !request.anew},
+        running->control());
   }
   running->finish();
   Answer answer = answer_of(request, result);

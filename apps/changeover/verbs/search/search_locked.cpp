@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "changeover/io/input.hpp"
 #include "changeover/search/local_search.hpp"
 #include "core/each.hpp"
@@ -11,7 +14,7 @@
 
 namespace changeover::cli {
 
-std::string way_of(const Wanted& wanted) {
+std::string way_of(const Wanted& wanted, bool anew) {
   std::vector<std::string> way;
   if (!wanted.first.empty()) {
     way.push_back(fmt::format("--first {}", fmt::join(wanted.first, ",")));
@@ -25,44 +28,46 @@ std::string way_of(const Wanted& wanted) {
   if (!wanted.contained.empty()) {
     way.emplace_back("--contains FILE");
   }
+  if (anew) {
+    way.emplace_back("--anew");
+  }
   return fmt::format("{}", fmt::join(way, " "));
 }
 
-namespace {
-
-std::vector<std::uint64_t> positions_of(const std::vector<UnchangedSubset>& parts) {
-  return each_of<std::uint64_t>(parts, &UnchangedSubset::position);
+std::vector<std::uint64_t> positions_of(const std::vector<UnchangedSubset>& subsets) {
+  return each_of<std::uint64_t>(subsets, &UnchangedSubset::position);
 }
 
-std::vector<std::string> said_of(const LockedResult& result, const Wanted& wanted) {
-  std::vector<std::string> lines{fmt::format(
-      "{} in {:.1f} s, {}; stopped: {}", count_of(result.moves, "move"), result.elapsed.count(),
-      count_of(result.attempts, "attempt"), to_string(result.why_stopped))};
-  if (result.known) {
+std::vector<std::string> lines_as_wanted(const Wanted& wanted, bool known,
+                                         const std::vector<UnchangedSubset>& subsets) {
+  std::vector<std::string> lines;
+  if (known) {
     lines.emplace_back("a known design has the properties, with its elements renumbered");
   }
-  if (!result.parts.empty()) {
-    const std::vector<std::uint64_t> positions = positions_of(result.parts);
+  if (!subsets.empty()) {
     const bool all = wanted.first.empty() && wanted.last.empty();
     lines.push_back(fmt::format("the unchanged subsets at {} {} partition {} elements",
-                                positions.size() == 1 ? "position" : "positions",
-                                fmt::join(positions, ", "), all ? "all" : "the other"));
+                                subsets.size() == 1 ? "position" : "positions",
+                                fmt::join(positions_of(subsets), ", "), all ? "all" : "the other"));
   }
   return lines;
 }
 
-}  // namespace
+Wanted WantedRequest::read(const Parameters& p) const {
+  Wanted all = wanted;
+  if (!contains_file.empty()) {
+    ReadOptions options = reading;
+    options.v = p.v;
+    options.k = p.k;
+    options.change = p.change;
+    all.contained = read_design(contains_file, options).blocks();
+  }
+  return all;
+}
 
 Answer search(const LockedSearch& request) {
   const Parameters& p = request.parameters;
-  Wanted wanted = request.wanted;
-  if (!request.contains_file.empty()) {
-    ReadOptions reading = request.reading;
-    reading.v = p.v;
-    reading.k = p.k;
-    reading.change = p.change;
-    wanted.contained = read_design(request.contains_file, reading).blocks();
-  }
+  const Wanted wanted = request.read(p);
   const auto running = std::make_shared<Running>(request.run, request.output);
   std::optional<Bound> bound;
   if (auto none = proved_none(request, p, running->control(), bound)) {
@@ -75,7 +80,8 @@ Answer search(const LockedSearch& request) {
     }
   }
   LockedResult result =
-      search_locked(p, wanted, {.blocks = request.blocks, .moves = {}}, running->control());
+      search_locked(p, wanted, {.blocks = request.blocks, .moves = {}, .from_known = !request.anew},
+                    running->control());
   running->finish();
   if (!result.design) {
     return final_answer(running, no_design(request.output, exit_code::limit_reached,
@@ -84,10 +90,14 @@ Answer search(const LockedSearch& request) {
                                                        count_of(result.attempts, "attempt"))));
   }
   const bool reached = !request.blocks || result.design->block_count() <= *request.blocks;
-  std::vector<std::string> lines = said_of(result, wanted);
+  std::vector<std::string> lines{fmt::format(
+      "{} in {:.1f} s, {}; stopped: {}", count_of(result.moves, "move"), result.elapsed.count(),
+      count_of(result.attempts, "attempt"), to_string(result.why_stopped))};
+  std::ranges::move(lines_as_wanted(wanted, result.known, result.parts), std::back_inserter(lines));
   SearchFind find{(*std::move(result.design)).take(), std::move(lines)};
   find.positions = positions_of(result.parts);
-  find.design.recipe = literal_recipe(find.design, provenance(request, p, way_of(wanted)));
+  find.design.recipe =
+      literal_recipe(find.design, provenance(request, p, way_of(wanted, request.anew)));
   return final_answer(
       running, show_find(find, request, reached ? exit_code::found : exit_code::limit_reached));
 }
