@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, Optional, Tuple
+import operator
+from typing import Any, Dict, Iterable, List, Optional, Tuple
 
 from . import _core
-from ._given import share_of
+from ._given import is_whole, listed, share_of
 from ._made import Kind, Made, Progress, check_calls, count_of, fact, linear_unless_said, made
 from .designs import Design, design_of
 
@@ -15,9 +16,10 @@ class SearchResult(Made):
 
     design: Optional[Design] = fact("The best design, verified, or None.")
     b: Optional[int] = fact("Its number of blocks, or None.")
-    lower_bound: int = fact("No design has fewer blocks.")
+    lower_bound: int = fact("No design that was asked for has fewer blocks.")
     reason: str = fact("Of the bound, if the search was exact.")
-    minimum: bool = fact("Proved: nothing has fewer blocks than `design`, or nothing exists.")
+    minimum: bool = fact(
+        "Proved: nothing that was asked for has fewer blocks than `design`, or nothing exists.")
     why_stopped: str = fact("'found', 'exhausted', 'time limit', 'interrupted', …")
     interrupted: bool = fact("Ctrl-C ended it.")
     how: str = fact("How the design was found, one line.")
@@ -47,23 +49,39 @@ class Classification(Made):
         return f"<{count_of(self.classes, 'class', 'classes')}>"
 
 
+def _elements(argument: str, elements: Any) -> List[int]:
+    numbers = list(listed(argument, "elements, whole numbers from 0 to v-1", elements))
+    if any(not is_whole(x) or not 0 <= operator.index(x) < 1 << 32 for x in numbers):
+        raise TypeError(f"{argument} has elements, whole numbers from 0 to v-1")
+    return [operator.index(x) for x in numbers]
+
+
 def search(
     v: int, k: int, change: int = 2, kind: Optional[Kind] = None, strength: int = 2, *,
     time: Optional[float] = 60.0, threads: int = 1, seed: int = 1, target: Optional[int] = None,
     start: Optional[Design] = None, exact: bool = False, progress: Progress = None,
+    first: Iterable[int] = (), last: Iterable[int] = (), expansion_set: bool = False,
+    contains: Iterable[Iterable[int]] = (), anew: bool = False,
 ) -> SearchResult:
     """Looks for a design with fewer blocks than any that is known, for `time` seconds (None: until
     it is the lower bound) with `threads` threads. kind is 'linear' unless said.
 
     exact=True walks up from the lower bound and proves each number of blocks impossible, with
-    checked proofs, until there is a design: the minimum. progress is called now and then with a
+    checked proofs, until there is a design: the minimum. first and last: elements of the first and
+    of the last block. expansion_set: unchanged subsets hold all other elements, each once.
+    contains: blocks that are in it, one after another. With any of these the result, and with
+    exact=True what is proved, is about designs that have them; anew=True begins with no known
+    design, else with the best one that has them. progress is called now and then with a
     dict (phase, steps, best, elapsed, left, ...); what it raises ends the search and arrives here.
     Ctrl-C ends it and keeps the best so far, marked interrupted. With one thread the result of a
     search that no clock ends depends on the seed alone.
     """
     facts = _core.search(
         v, k, change, linear_unless_said(kind), strength, time, threads, seed, target,
-        start and start._core, exact, progress)
+        start and start._core, exact, progress, _elements("first", first),
+        _elements("last", last), expansion_set,
+        [_elements("contains", block) for block in listed("contains", "blocks", contains, True)],
+        anew)
     core = facts["design"]
     found = core and design_of(core)
     return made(SearchResult, {**facts, "design": found, "b": found and found.b})

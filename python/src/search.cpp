@@ -40,9 +40,32 @@ Found search_locally(const Parameters& p, LongWork& work, std::optional<std::uin
   return found;
 }
 
-Found search_exactly(const Parameters& p, LongWork& work, const std::optional<Design>& start) {
+// Designs that have what is wanted, without proofs.
+Found search_wanted(const Parameters& p, LongWork& work, const Wanted& wanted, bool anew,
+                    std::optional<std::uint64_t> target) {
+  LockedResult result;
+  work.run([&](RunControl& control) {
+    result =
+        search_locked(p, wanted, {.blocks = target, .moves = {}, .from_known = !anew}, control);
+  });
+  Found found;
+  found.lower_bound = result.lower_bound;
+  found.why_stopped = to_string(result.why_stopped);
+  found.how = result.known ? "a known design, with its elements renumbered"
+                           : "local search with locked cells";
+  found.moves = result.moves;
+  found.seconds = result.elapsed.count();
+  if (result.design) {
+    found.settled = result.design->block_count() == result.lower_bound;
+    found.design = held(std::move(*result.design));
+  }
+  return found;
+}
+
+Found search_exactly(const Parameters& p, LongWork& work, const MinimumOptions& options,
+                     const std::optional<Design>& start) {
   MinimumResult result;
-  work.run([&](RunControl& control) { result = find_minimum(p, {}, control, start); });
+  work.run([&](RunControl& control) { result = find_minimum(p, options, control, start); });
   Found found;
   found.lower_bound = result.lower;
   found.reason = result.impossible.value_or(
@@ -62,14 +85,28 @@ Found search_exactly(const Parameters& p, LongWork& work, const std::optional<De
 py::dict search(std::uint64_t v, std::uint64_t k, std::uint64_t change, const std::string& kind,
                 std::uint64_t strength, std::optional<double> time, std::uint64_t threads,
                 std::uint64_t seed, std::optional<std::uint64_t> target,
-                const std::optional<HeldDesign>& start, bool exact, py::object progress) {
+                const std::optional<HeldDesign>& start, bool exact, py::object progress,
+                const Block& first, const Block& last, bool expansion_set,
+                const std::vector<Block>& contains, bool anew) {
   const Parameters p = parameters(v, k, change, kind_of(kind), strength);
   if (exact && target) {
     throw BadInput("target is for the search that is not exact; an exact one ends at the minimum");
   }
+  const Wanted wanted{first, last, expansion_set, contains};
+  if (wanted.any() && start) {
+    throw BadInput("a search for what is wanted of a design begins with no design of yours");
+  }
+  if (anew && !wanted.any()) {
+    throw BadInput("anew goes with first, last, expansion_set or contains");
+  }
   LongWork work(limits(time, threads, seed, std::move(progress)));
   const std::optional<Design> from = start ? std::optional(*start->design) : std::nullopt;
-  const Found found = exact ? search_exactly(p, work, from) : search_locally(p, work, target, from);
+  MinimumOptions options;
+  options.exact.wanted = wanted;
+  options.from_known = !anew;
+  const Found found = exact          ? search_exactly(p, work, options, from)
+                      : wanted.any() ? search_wanted(p, work, wanted, anew, target)
+                                     : search_locally(p, work, target, from);
   return py::dict(py::arg("design") = found.design, py::arg("lower_bound") = found.lower_bound,
                   py::arg("reason") = found.reason, py::arg("minimum") = found.settled,
                   py::arg("why_stopped") = found.why_stopped,

@@ -50,6 +50,23 @@ class Searches(unittest.TestCase):
         self.assertEqual(result.b, 9)
         self.assertTrue(result.design.verdict.valid)
 
+    def test_what_is_wanted_is_found_or_excluded(self):
+        result = changeover.search(6, 3, 1, exact=True, first=[0, 1], last=(1, 0), time=None)
+        self.assertEqual((result.b, result.lower_bound, result.minimum), (8, 8, True))
+        for block in (result.design.blocks[0], result.design.blocks[-1]):
+            self.assertLessEqual({0, 1}, set(block))
+        given = [[4, 1, 2], [1, 2, 0]]
+        result = changeover.search(6, 3, 1, exact=True, contains=given, time=None)
+        blocks = [set(block) for block in result.design.blocks]
+        at = blocks.index({4, 1, 2})
+        self.assertEqual(blocks[at + 1], {1, 2, 0})
+        known = changeover.search(12, 4, 1, first=[0, 1, 2], expansion_set=True, target=21)
+        self.assertEqual((known.b, known.moves), (21, 0))
+        anew = changeover.search(
+            12, 4, 1, first=[0, 1, 2], expansion_set=True, target=21, anew=True, time=60)
+        self.assertEqual(anew.b, 21)
+        self.assertGreater(anew.moves, 0)
+
     def test_a_search_ends_at_the_bound(self):
         result = changeover.search(9, 4, 1, time=30)
         self.assertTrue(result.minimum)
