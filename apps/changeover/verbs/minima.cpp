@@ -39,6 +39,12 @@ struct MinimaRequest {
           fmt::format("--k-from {} --k-to {}: the range is empty; write the smaller number first",
                       range.k_from, range.k_to)};
     }
+    // Rows that need no search are made however many there are.
+    constexpr std::uint64_t most_elements = 1000;
+    if (range.v_to > most_elements) {
+      throw UsageError{
+          fmt::format("--v {} is out of range; give at most {}", range.v_to, most_elements)};
+    }
     return range;
   }
 
