@@ -63,6 +63,10 @@ TEST_F(SearchExamples, Exact) {
   EXPECT_TRUE(decision.excluded());
   EXPECT_EQ(decision.parts.front().proof_path, "proofs/linear-m1-v9-k4-b11.drat");
   EXPECT_TRUE(std::filesystem::exists("proofs/linear-m1-v9-k4-b11.cnf"));
+
+  ExactOptions options;
+  options.wanted = {.first = {0, 1}, .last = {0, 1}};
+  EXPECT_EQ(decide({.v = 6, .k = 3, .change = 1}, 8, options, control).outcome, Outcome::found);
 }
 
 TEST_F(SearchExamples, MinimumSearch) {
@@ -150,6 +154,13 @@ TEST_F(SearchExamples, Repair) {
   ExtendResult longer = extend(beginning, {.blocks = 40}, control);  // the beginning stays
   EXPECT_LE(longer.design->block_count(), 40U);
   EXPECT_EQ(longer.why_stopped, WhyStopped::found);
+}
+
+TEST_F(SearchExamples, WantedBesides) {
+  const Wanted wanted{.first = {0, 1, 2}, .expansion_set = true};
+  EXPECT_EQ(wanted_defect({.v = 12, .k = 4, .change = 1}, wanted), "");
+  EXPECT_THAT(wanted_words(wanted),
+              HasSubstr(" that begins with {0,1,2} and has disjoint unchanged subsets that hold"));
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 //
 //     const Wanted wanted{.first = {0, 1, 2}, .expansion_set = true};
 //     wanted_defect({.v = 12, .k = 4, .change = 1}, wanted);  // "": a design may have that
-//     wanted_words(wanted);  // " that begins with {0,1,2} and has unchanged subsets that hold …"
+//     wanted_words(wanted);  // " that begins with {0,1,2} and has disjoint unchanged subsets …"
 //
 // Local search keeps such cells as they are (search/local_search.hpp, search_locked()). Exact
 // search has them as clauses (search/exact.hpp).

@@ -56,10 +56,11 @@ class LockedSearch {
   }
 
  private:
-  // Each thread anneals a list of its own.
+  // Each thread anneals a list of its own; its draft and what is locked take half as much again.
   [[nodiscard]] unsigned threads_that_fit() const {
     const auto limit = control_.settings().memory_bytes;
-    const std::uint64_t each = std::max<std::uint64_t>(1, annealing_bytes(p_, aim_));
+    const std::uint64_t bytes = std::max<std::uint64_t>(1, annealing_bytes(p_, aim_));
+    const std::uint64_t each = bytes + std::min(bytes / 2, unlimited - bytes);
     return static_cast<unsigned>(std::clamp<std::uint64_t>(limit.value_or(unlimited) / each, 1,
                                                            std::max(1U, control_.threads())));
   }

@@ -60,7 +60,11 @@ Wanted WantedRequest::read(const Parameters& p) const {
     options.v = p.v;
     options.k = p.k;
     options.change = p.change;
-    all.contained = read_design(contains_file, options).blocks();
+    const Design given = read_design(contains_file, options);
+    if (!given.labels().empty()) {  // --first and --last name elements by their numbers
+      throw BadInput(contains_file + ": the elements have names; give numbers from 0 to v-1");
+    }
+    all.contained = given.blocks();
   }
   return all;
 }
