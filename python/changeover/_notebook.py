@@ -15,7 +15,7 @@ Rows = Iterable[Sequence[Any]]
 
 
 class Prose(str):
-    """A sentence of the program, with formulas in it."""
+    """A sentence of the program with formulas, and without names of the caller."""
 
     __slots__ = ()
 
@@ -46,7 +46,7 @@ class Shown:
 
 def shown(title: str, lines: Iterable[str] = (), *more: str) -> str:
     """A part of a page. What is in `more` is HTML already."""
-    said = "".join(f"<div>{_core.html_prose(line)}</div>\n" for line in lines)
+    said = "".join(f"<div>{_html(line)}</div>\n" for line in lines)
     return f"<div>\n<strong>{escape(title)}</strong>\n{said}{''.join(more)}</div>"
 
 
@@ -54,16 +54,28 @@ def latex(title: str, lines: Iterable[str], heads: Sequence[str], rows: Rows,
           count: Optional[int], most: int, row: str) -> str:
     """The same for LaTeX with the packages booktabs and longtable."""
     some = list(itertools.islice(rows, most + 1))
-    said = [f"\\noindent\\textbf{{{_core.latex_prose(title)}}}\\par"]
-    said += [f"\\noindent {_core.latex_prose(line)}\\par" for line in lines]
-    numbers = [all(each[i] is None or isinstance(each[i], (int, float, Decimal)) for each in some)
-               for i in range(len(heads))]
+    said = [f"\\noindent\\textbf{{{_core.latex_escaped(title)}}}\\par"]
+    said += [f"\\noindent {_core.latex_prose(line)}\\par" if isinstance(line, Prose) else
+             f"\\noindent {_core.latex_escaped(line)}\\par" for line in lines]
+    kinds = [_kind([each[i] for each in some]) for i in range(len(heads))]
     if some:
         said.append("\\medskip\\noindent\n" + _core.latex_table(
-            list(zip(heads, numbers)), [list(map(_words, each)) for each in some[:most]]))
+            list(zip(heads, kinds)), [list(map(_words, each)) for each in some[:most]]))
     if len(some) > most:
         said.append(f"\\noindent {most} of {count} {row}s\\par" if count else "\\dots")
     return "\n".join(said) + "\n"
+
+
+def _kind(values: Sequence[Any]) -> str:
+    """Of a column."""
+    if all(each is None or isinstance(each, (int, float, Decimal)) for each in values):
+        return "number"
+    return "prose" if all(isinstance(each, Prose) for each in values) else "names"
+
+
+def _html(line: str) -> str:
+    text: str = _core.html_prose(line) if isinstance(line, Prose) else escape(line)
+    return text
 
 
 def _words(value: Any) -> List[str]:
@@ -96,5 +108,5 @@ def _side(value: Any) -> str:
 
 
 def _cell(value: Any) -> str:
-    text = _core.html_prose(value) if isinstance(value, Prose) else escape(", ".join(_words(value)))
+    text = _html(value) if isinstance(value, Prose) else escape(", ".join(_words(value)))
     return f"<td{_side(value)}>{text}</td>"

@@ -67,7 +67,7 @@ class Bounds(Shown, Made):
             self.best_known is not None) else []
         rows = [(each.blocks, each.name, Prose(each.reason)) for each in self.all]
         if not rows:
-            lines.append(self.reason)
+            lines.append(Prose(self.reason))
         return (f"{self._core}: {self.status}", lines, ("at least", "bound", "reason"), rows,
                 len(rows))
 

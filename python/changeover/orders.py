@@ -20,7 +20,7 @@ from . import _core
 from ._given import (
     attempt, file_name, is_text, leads_from_keys, listed, rows_of, share_of, words_of)
 from ._made import Made, Progress, check_calls, count_of, fact, frozen, in_a_line, made
-from ._notebook import Shown
+from ._notebook import Prose, Shown
 from .errors import BadInput, InternalError
 from .pictures import Picture, Theme, stays_of
 
@@ -236,7 +236,8 @@ class LoadOrder(_Loads):
         return self.steps
 
     def _on_page(self) -> Any:
-        lines = [f"at least {self.lower_bound} loads: {self.reason}", self.certificate]
+        lines = [Prose(f"at least {self.lower_bound} loads: {self.reason}"),
+                 Prose(self.certificate)]
         return (repr(self)[len("<LoadOrder: "):-1], lines, ("step", "evict", "load"),
                 ((number, *step) for number, step in enumerate(self, 1)), self.steps)
 
@@ -324,7 +325,8 @@ class WorkerLoads(_Loads):
         columns = {"loads": self.worker_loads, "bytes": self.worker_bytes,
                    "pairs": self.worker_pairs, "cost": self.worker_costs}
         known = {name: each for name, each in columns.items() if each is not None}
-        lines = [f"at least {self.makespan_bound} loads: {self.reason}", self.certificate]
+        lines = [Prose(f"at least {self.makespan_bound} loads: {self.reason}"),
+                 Prose(self.certificate)]
         return (repr(self)[len("<WorkerLoads: "):-1], lines, ("worker", *known),
                 ((w, *(each[w] for each in known.values())) for w in range(len(self))),
                 len(self))

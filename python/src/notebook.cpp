@@ -9,6 +9,7 @@
 #include "bind.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/draw/draw.hpp"
+#include "changeover/io/tables.hpp"
 #include "construct/known_tables.hpp"
 #include "core/each.hpp"
 #include "draw/design/stays_of.hpp"
@@ -25,15 +26,17 @@ Theme theme_of(const std::string& word) {
   throw BadInput("theme is 'light' or 'dark', not '" + word + "'");
 }
 
-// A table of texts; a list of words is broken between them.
-std::string table_in_latex(const std::vector<std::pair<std::string, bool>>& heads,
+// A table of texts, with the kind of each column: "number", "prose" or "names".
+std::string table_in_latex(const std::vector<std::pair<std::string, std::string>>& heads,
                            const std::vector<std::vector<std::vector<std::string>>>& rows) {
   Table table{.rows = rows.size(), .columns = {}};
   for (std::size_t i = 0; i < heads.size(); ++i) {
-    const auto& [head, is_number] = heads[i];
+    const auto& [head, kind] = heads[i];
     table.columns.push_back({head,
                              [&rows, i](std::size_t row) { return TableCell(rows[row][i]); },
-                             {.kind = is_number ? ColumnKind::number : ColumnKind::list}});
+                             {.kind = kind == "number"  ? ColumnKind::number
+                                      : kind == "prose" ? ColumnKind::remark
+                                                        : ColumnKind::list}});
   }
   return table_latex(table);
 }
@@ -163,6 +166,7 @@ DrawnPicture written(const Picture& picture, Theme theme) {
 }
 
 void bind_notebook(py::module_& module) {
+  module.def("latex_escaped", [](const std::string& text) { return latex_escaped(text); });
   module.def("latex_prose", [](const std::string& text) { return latex_prose(text); });
   module.def("html_prose", [](const std::string& text) { return html_prose(text); });
   module.def("latex_table", &table_in_latex);

@@ -1,9 +1,12 @@
 // Plans: a request as a document in, and its answer as documents out.
+#include <algorithm>
+
 #include "bind.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/plan/diagnosis.hpp"
 #include "changeover/plan/job_request.hpp"
+#include "changeover/run/control.hpp"
 #include "core/each.hpp"
 #include "core/printable.hpp"
 #include "io/write/json_writer.hpp"
@@ -154,8 +157,9 @@ std::string read_as(const std::string& what, const std::string& text) {
 ParsedJob checked_in_time(const OpenedRequest& opened) {
   constexpr double more_seconds = 3;  // for rules of a model, as the command line has them
   const std::optional<double> time = opened.request.seconds;
-  return stoppable([&] { return checked_job(opened, Door::document); },
-                   time ? std::optional(*time + more_seconds) : std::nullopt);
+  return stoppable(
+      [&] { return checked_job(opened, Door::document); },
+      time ? std::optional(std::min<double>(*time + more_seconds, most_seconds)) : std::nullopt);
 }
 
 void bind_plan(py::module_& module) {

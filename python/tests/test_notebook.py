@@ -160,10 +160,18 @@ class Latex(unittest.TestCase):
         latex = hard_sheet()._repr_latex_()
         for table in taken_apart(latex):
             self.assertEqual(len(table), 1 + hard_sheet().tests)
-        for written in ("$a_{1}$", r"R\&D", r"50\%", r"\#4", r"x\textasciitilde{}y", r"\$z", r"\{q",
+        for written in (r"a\_1", r"R\&D", r"50\%", r"\#4", r"x\textasciitilde{}y", r"\$z", r"\{q",
                         r"b\textbackslash{}c", r"\textasciicircum{}hat",
                         r"\textless{}lt\textgreater{}"):
             self.assertIn(written, latex)
+
+    def test_names_are_no_formulas(self):
+        names = ["A-1", "A - 1", "B_2", "D=4", "ceil(5/2)"]
+        sheet = changeover.plan(names, 3, test_cost=1, change_cost=1, steps=20)
+        tables = sheet._repr_latex_().partition(r"\begin{tabular}")[2]
+        self.assertNotIn("$", tables)
+        for name in names:
+            self.assertIn(name.replace("_", r"\_"), tables)
 
     def test_a_wide_cell_has_lines(self):
         names = [f"a pump with a rather long name {i}" for i in range(9)]

@@ -233,8 +233,12 @@ double column_digits(const Table& table, const TableColumn& column) {
   return digits;
 }
 
+bool is_long(const TableColumn& column) {
+  return column.style.kind == ColumnKind::list || column.style.kind == ColumnKind::remark;
+}
+
 bool is_broken(const Table& table, const TableColumn& column) {
-  return column.style.kind == ColumnKind::list && column_digits(table, column) > broken_digits;
+  return is_long(column) && column_digits(table, column) > broken_digits;
 }
 
 std::string columns_latex(const Table& table, const std::vector<const TableColumn*>& columns) {
@@ -249,10 +253,14 @@ std::string columns_latex(const Table& table, const std::vector<const TableColum
   text += "}\n\\toprule\n";
   std::string rule = environment == "tabular" ? "\\midrule\n" : "\\midrule\n\\endhead\n";
   const auto written = [](const TableColumn& column, const std::string& words) {
+    if (column.style.kind == ColumnKind::formula) {
+      return words;
+    }
     // A bracket or a star at the start of a row would be an argument of the line break before it.
-    return column.style.kind == ColumnKind::formula           ? words
-           : words.starts_with('[') || words.starts_with('*') ? "{}" + latex_prose(words)
-                                                              : latex_prose(words);
+    const std::string before = words.starts_with('[') || words.starts_with('*') ? "{}" : "";
+    // Names are no formulas: "A-1" and "A - 1" are two parts.
+    return before +
+           (column.style.kind == ColumnKind::list ? latex_escaped(words) : latex_prose(words));
   };
   each_row(
       table, columns,
@@ -283,7 +291,7 @@ std::string table_latex(const Table& table) {
   std::vector<double> digits;
   for (const TableColumn* column : columns) {
     digits.push_back(column_digits(table, *column));
-    if (column->style.kind == ColumnKind::list) {
+    if (is_long(*column)) {
       digits.back() = std::min(digits.back(), broken_digits);
     }
   }
