@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "construct/references.hpp"
 #include "answer/design/recipe_tree.hpp"
 #include "answer/known/known_table.hpp"
 #include "changeover/bounds/lower_bound.hpp"
+#include "construct/references.hpp"
 #include "core/words.hpp"
 #include "io/write/latex_prose.hpp"
 #include "request/parameters.hpp"
