@@ -21,23 +21,29 @@ struct Found {
   double seconds = 0;
 };
 
+// Of a search without proofs.
+template <typename Result>
+Found found_by(const Result& result, std::string how) {
+  Found found;
+  found.lower_bound = result.lower_bound;
+  found.why_stopped = to_string(result.why_stopped);
+  found.how = std::move(how);
+  found.moves = result.moves;
+  found.seconds = result.elapsed.count();
+  if (result.design) {
+    found.settled = result.design->block_count() == result.lower_bound;
+    found.design = held(*result.design);
+  }
+  return found;
+}
+
 Found search_locally(const Parameters& p, LongWork& work, std::optional<std::uint64_t> target,
                      const std::optional<Design>& start) {
   ImproveResult result;
   work.run([&](RunControl& control) {
     result = improve(p, {.target = target, .start = start}, control);
   });
-  Found found;
-  found.lower_bound = result.lower_bound;
-  found.why_stopped = to_string(result.why_stopped);
-  found.how = result.unsearched.empty() ? result.how : result.unsearched;
-  found.moves = result.moves;
-  found.seconds = result.elapsed.count();
-  if (result.design) {
-    found.settled = result.design->block_count() == result.lower_bound;
-    found.design = held(std::move(*result.design));
-  }
-  return found;
+  return found_by(result, result.unsearched.empty() ? result.how : result.unsearched);
 }
 
 // Designs that have what is wanted, without proofs.
@@ -48,18 +54,8 @@ Found search_wanted(const Parameters& p, LongWork& work, const Wanted& wanted, b
     result =
         search_locked(p, wanted, {.blocks = target, .moves = {}, .from_known = !anew}, control);
   });
-  Found found;
-  found.lower_bound = result.lower_bound;
-  found.why_stopped = to_string(result.why_stopped);
-  found.how = result.known ? "a known design, with its elements renumbered"
-                           : "local search with locked cells";
-  found.moves = result.moves;
-  found.seconds = result.elapsed.count();
-  if (result.design) {
-    found.settled = result.design->block_count() == result.lower_bound;
-    found.design = held(std::move(*result.design));
-  }
-  return found;
+  return found_by(result, result.known ? "a known design, with its elements renumbered"
+                                       : "local search with locked cells");
 }
 
 Found search_exactly(const Parameters& p, LongWork& work, const MinimumOptions& options,
