@@ -146,11 +146,21 @@ bool Deadlines::is_late(const Open& open, Clock::time_point now) const {
 
 // Whether all that came was read, and no more will come: libmicrohttpd does not look while it waits
 // for the rest of a body.
-static bool has_gone(int socket) {
+static bool has_ended(int socket) {
   char byte = 0;
   const ssize_t got = ::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT);
   // An error, such as a reset, is reported once: libmicrohttpd will not see it.
   return got == 0 || (got < 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR);
+}
+
+// What has ended may be a whole request that a thread is about to answer: that takes it no second.
+bool Deadlines::is_abandoned(int socket, Open& open, Clock::time_point now) {
+  constexpr std::chrono::seconds about_to_be_answered{1};
+  if (open.stage != Stage::body || !has_ended(socket)) {
+    return false;
+  }
+  open.ended = open.ended.value_or(now);
+  return now - *open.ended > about_to_be_answered;
 }
 
 void Deadlines::let_go(int socket, Open& open, Clock::time_point now) const {
@@ -189,7 +199,7 @@ void Deadlines::run() {
   while (!ending_.wait_for(lock, between_looks, [this] { return ended_; })) {
     const Clock::time_point now = Clock::now();
     for (auto& [socket, open] : open_) {
-      if (open.stage == Stage::body && has_gone(socket)) {
+      if (is_abandoned(socket, open, now)) {
         ::shutdown(socket, SHUT_RDWR);
         open = {Stage::answer, now};
       } else if (is_late(open, now)) {

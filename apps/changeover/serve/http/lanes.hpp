@@ -13,6 +13,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -113,10 +114,12 @@ class Deadlines {
     Stage stage = Stage::head;
     Clock::time_point since;
     bool begun = false;
+    std::optional<Clock::time_point> ended = std::nullopt;  ///< when its end was first seen
   };
   void run();
   void make_room(Clock::time_point now);
   void let_go(int socket, Open& open, Clock::time_point now) const;
+  [[nodiscard]] static bool is_abandoned(int socket, Open& open, Clock::time_point now);
   [[nodiscard]] bool is_late(const Open& open, Clock::time_point now) const;
 
   Settings settings_;
