@@ -2,7 +2,7 @@
 # Writes what constructions and closure rules know today into the catalog that comes with the
 # program: catalog/planned/mM-KIND-kK.jsonl, a file for block sizes from K up to the next, gets a
 # line for each cell of its range (construct/registry.hpp) that has no design yet, or a better one.
-# Lines that are there stay: labels last. Takes some minutes; build the program anew afterwards, and
+# Lines that are there stay: labels last. New lines carry the day on which they came. Takes some minutes; build the program anew afterwards, and
 # once more from here if designs were added, until nothing is added.
 # usage: docs/tools/plan_catalog.sh [M…]   change numbers, all if none is named
 set -euo pipefail
@@ -26,10 +26,11 @@ for change in "$@"; do
       done
       tail -n +2 "$work/table" >>"$work/new"
     done
+    credit=$(head -n 1 "$work/table" | sed 's/.*\("credit":{.*\),"command":.*/\1}/')
     # The fewest blocks of each cell, by labels v.k.m.kind.b.digits; lines that are news are
-    # appended.
+    # appended. Their credit is that of the file's first line, or their own.
     cat catalog/written/m"$change-$kind".jsonl "$files"-k*.jsonl |
-      awk -v lines="$work/new" -v files="$files" '
+      awk -v lines="$work/new" -v files="$files" -v credit="$credit" '
         function look(line) {
           match(line, /"label":"[^"]*"/)
           split(substr(line, RSTART + 9, RLENGTH - 10), part, ".")
@@ -38,12 +39,20 @@ for change in "$@"; do
           k = part[2]
           from = k < 8 ? "03" : k < 13 ? "08" : k < 34 ? 13 + 7 * int((k - 13) / 7) : "34"
         }
+        function dated(line, file) {
+          if (!(file in header)) {
+            getline header[file] < file
+            close(file)
+          }
+          return index(header[file], credit) ? line : substr(line, 1, length(line) - 1) "," credit "}"
+        }
         /"label"/ { look($0); if (!(cell in best) || b < best[cell]) best[cell] = b }
         END {
           while ((getline line < lines) > 0) {
             look(line)
             if (!(cell in best) || b < best[cell]) {
-              print line >> (files "-k" from ".jsonl")
+              file = files "-k" from ".jsonl"
+              print dated(line, file) >> file
               ++news
               best[cell] = b
             }
