@@ -2,7 +2,12 @@
 """Writes catalog/classified.txt anew: how many designs there are with as few blocks as possible, cell by cell, as
 `changeover classify` counts them within some seconds each.
 
-    docs/tools/classified.py build/release/changeover > catalog/classified.txt
+    docs/tools/classified.py build/release/changeover > classified.txt
+
+What takes longer is counted apart and added to the lines that are there:
+
+    changeover classify 13 4 --change 1 --linear --json -o 13.4.json
+    docs/tools/classified.py --add catalog/classified.txt 13.4.json > classified.txt
 """
 
 import json
@@ -54,9 +59,27 @@ def row(counted):
     return " ".join(str(counted[key]) for key in keys) + " " + groups
 
 
-def main():
-    program = sys.argv[1]
-    rows, late = [], {}
+def place(line):
+    v, k, change, kind, *_ = line.split()
+    return int(change), kind, int(k), int(v)
+
+
+def whole(path):
+    with open(path, encoding="utf-8") as file:
+        counted = json.load(file)
+    if not counted["complete"]:
+        sys.exit(f"{path}: the count was stopped; only whole counts are kept")
+    return row(counted)
+
+
+def added(known, paths):
+    with open(known, encoding="utf-8") as file:
+        lines = [line.strip() for line in file if not line.startswith("#")]
+    return {place(line): line for line in [*lines, *map(whole, paths)] if line}
+
+
+def counted_anew(program):
+    rows, late = {}, {}
     for change, kind, k, v, b in cells(program):
         if late.get((change, kind, k), 0) >= GIVE_UP_AFTER:
             continue
@@ -65,9 +88,15 @@ def main():
             "--json", "--quiet", "--time", f"{SECONDS}s", "--threads", "1",
         )
         if counted.get("complete"):
-            rows.append(((change, kind, k, v), row(counted)))
+            rows[change, kind, k, v] = row(counted)
         late[change, kind, k] = 0 if counted.get("complete") else late.get((change, kind, k), 0) + 1
-    print(HEAD + "\n".join(text for _, text in sorted(rows)))
+    return rows
+
+
+def main():
+    first, *rest = sys.argv[1:] or sys.exit(__doc__)
+    rows = added(*rest[:1], rest[1:]) if first == "--add" and rest else counted_anew(first)
+    print(HEAD + "\n".join(text for _, text in sorted(rows.items())))
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ from .catalog import Entry
 from .designs import (
     Blocks, Design, Stream, Verdict, constructions, design, explain, loads, read, stream, verify)
 from .errors import BadInput, Error, ImpossibleParameters, InternalError, MissingResource
-from .known import Bound, Bounds, Cell, Table, bounds, table, to_pandas, to_sage
+from .known import Bound, Bounds, Cell, Counted, Table, bounds, table, to_pandas, to_sage
 from .orders import (
     LoadOrder, Report, UpdateReport, WorkerLoads, WorkStep, all_pairs, load_order, update_pairs)
 from .pictures import Picture
@@ -28,8 +28,8 @@ from .searches import Classification, SearchResult, classify, search
 __version__: str = _core.__version__
 
 __all__ = [
-    "BadInput", "BenchSheets", "Blocks", "Bound", "Bounds", "Cell", "Classification", "Design",
-    "Entry", "Error", "ImpossibleParameters", "InternalError", "LoadOrder", "MissingResource",
+    "BadInput", "BenchSheets", "Blocks", "Bound", "Bounds", "Cell", "Classification", "Counted",
+    "Design", "Entry", "Error", "ImpossibleParameters", "InternalError", "LoadOrder", "MissingResource",
     "Picture", "Report", "RunSheet", "SearchResult", "Stream", "Table", "UpdateReport", "Verdict",
     "WorkStep", "WorkerLoads", "__version__", "all_pairs", "bounds", "catalog", "classify",
     "constructions", "design", "explain", "load_order", "loads", "plan", "read", "search", "stream",

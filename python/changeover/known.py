@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import importlib
-from typing import Any, Iterable, List, Literal, Optional, Tuple, Union
+from typing import Any, Dict, Iterable, List, Literal, Optional, Tuple, Union
 
 from . import _core
 from ._given import attempt
-from ._made import Kind, Made, check_calls, fact, in_a_line, known, made, name_of, whole
+from ._made import Kind, Made, check_calls, count_of, fact, in_a_line, known, made, name_of, whole
 from ._notebook import Prose, Shown, shown, table as html_table
 from .designs import Design
 from .errors import BadInput
@@ -28,6 +28,20 @@ class Bound(Made):
         return f"<at least {self.blocks} ({self.name})>"
 
 
+class Counted(Made):
+    """How many designs with so many blocks there are, all of them: `classify` counted them once."""
+
+    b: int = fact("Blocks of each.")
+    standard_forms: int = fact()
+    classes: int = fact("Isomorphism classes.")
+    tight: int = fact("Classes of tight designs.")
+    group_orders: Dict[int,
+                       int] = fact("How many classes have an automorphism group of each order.")
+
+    def __repr__(self) -> str:
+        return f"<{count_of(self.classes, 'class', 'classes')}>"
+
+
 class Bounds(Shown, Made):
     """What is known of the least number of blocks."""
 
@@ -43,6 +57,8 @@ class Bounds(Shown, Made):
     reported: Optional[Tuple[int, str]] = fact(
         "Fewer blocks that a publication reports and that are not held here, so not verified, and its key in the references; "
         "or None.")
+    classified: Optional[Counted] = fact(
+        "How many designs have as many blocks as the best one; None if they were not counted.")
     all: List[Bound] = fact("Every bound that applies, largest first.")
     status: str = fact("'minimum', 'best-known', 'open' or 'impossible'.")
 
@@ -178,6 +194,10 @@ def bounds(
     facts["construction"] = facts["construction"] or ""
     reported = facts["reported"]
     facts["reported"] = reported and (reported["blocks"], reported["cites"])
+    counted = facts["classified"]
+    if counted is not None:
+        counted["group_orders"] = {each["order"]: each["classes"] for each in counted.pop("groups")}
+        facts["classified"] = made(Counted, counted)
     return made(Bounds, facts, name_of(**facts))
 
 

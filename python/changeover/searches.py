@@ -44,6 +44,8 @@ class Classification(Made):
     designs: List[Design] = fact("The first `keep` representatives.")
     prefixes: int = fact("Into which the search was cut; more shares than these have nothing to "
                          "do. 0 if shares were taken by a cluster.")
+    prefixes_done: int = fact("Those that were explored to their end: how far a search came that "
+                              "was stopped.")
 
     def __repr__(self) -> str:
         return f"<{count_of(self.classes, 'class', 'classes')}>"

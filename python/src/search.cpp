@@ -134,7 +134,8 @@ py::dict classify(std::uint64_t v, std::uint64_t k, std::uint64_t b, std::uint64
                   py::arg("tight") = all.tight,
                   py::arg("complete") = all.why_stopped == WhyStopped::exhausted,
                   py::arg("interrupted") = work.interrupted(), py::arg("group_orders") = orders,
-                  py::arg("designs") = designs, py::arg("prefixes") = all.prefixes);
+                  py::arg("designs") = designs, py::arg("prefixes") = all.prefixes,
+                  py::arg("prefixes_done") = all.prefixes_done);
 }
 
 // Whether there is a design with b blocks, of so many cubes those of a share: each with a checked

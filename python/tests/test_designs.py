@@ -203,6 +203,15 @@ class Designs(unittest.TestCase):
         names = {each["name"] for each in changeover.constructions()}
         self.assertIn(changeover.explain(61, 4)["construction"], names)
 
+    def test_bounds_say_how_many_there_are(self):
+        counted = changeover.bounds(9, 4, 1, "circular").classified
+        all_ = changeover.classify(9, 4, 12, 1, "circular")
+        self.assertEqual(
+            (counted.b, counted.standard_forms, counted.classes, counted.tight,
+             counted.group_orders),
+            (12, all_.standard_forms, all_.classes, all_.tight, all_.group_orders))
+        self.assertIsNone(changeover.bounds(40, 5).classified)
+
     def test_tables_agree_with_bounds(self):
         cells = changeover.table(range(3, 5), (5, 14), 1)
         self.assertEqual(len(cells), 2 * 2 * 10)

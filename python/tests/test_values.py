@@ -81,6 +81,7 @@ OBJECTS = {
     changeover.Picture: lambda: [DESIGN.draw(), changeover.design(61, 4).draw("stays")],
     changeover.Bound: lambda: changeover.bounds(9, 4).all,
     changeover.Bounds: lambda: [changeover.bounds(9, 4), changeover.bounds(4, 2, change=1)],
+    changeover.Counted: lambda: [changeover.bounds(9, 4, 1, "circular").classified],
     changeover.Cell: lambda: list(changeover.table(4, (4, 9))),
     changeover.Table: lambda: [changeover.table((2, 4), (4, 9))],
     changeover.Entry: lambda: changeover.catalog.cell(20, 5)[:3]

@@ -19,11 +19,16 @@ std::string KnownBounds::status() const {
 }
 
 KnownBounds known_bounds(const Parameters& p) {
-  KnownBounds answer{
-      .parameters = p, .impossible = impossibility(p), .bounds = {}, .best = {}, .reported = {}};
+  KnownBounds answer{.parameters = p,
+                     .impossible = impossibility(p),
+                     .bounds = {},
+                     .best = {},
+                     .reported = {},
+                     .all = {}};
   if (!answer.impossible) {
     answer.bounds = lower_bounds(p);
     answer.best = best_known(Registry::standard(), p);
+    answer.all = answer.best ? classified(p, answer.best->b) : std::nullopt;
     answer.reported = reported_below(p, answer.best ? std::optional(answer.best->b) : std::nullopt);
   }
   return answer;
@@ -41,6 +46,27 @@ void write_reported(JsonWriter& json, const KnownBounds& known) {
   }
   json.begin_object().key("blocks").value(known.reported->blocks);
   json.key("cites").value(known.reported->cites).end_object();
+}
+
+// "1:11 3:1" becomes a list.
+void write_classified(JsonWriter& json, const KnownBounds& known) {
+  json.key("classified");
+  if (!known.all) {
+    json.null();
+    return;
+  }
+  const Classified& all = *known.all;
+  json.begin_object().key("b").value(all.b).key("standard_forms").value(all.standard_forms);
+  json.key("classes").value(all.classes).key("tight").value(all.tight);
+  json.key("groups").begin_array();
+  for (std::string_view rest = all.groups; !rest.empty();) {
+    const std::string_view each = rest.substr(0, rest.find(' '));
+    const std::size_t colon = each.find(':');
+    json.begin_object().key("order").raw(std::string(each.substr(0, colon)));
+    json.key("classes").raw(std::string(each.substr(colon + 1))).end_object();
+    rest.remove_prefix(std::min(rest.size(), each.size() + 1));
+  }
+  json.end_array().end_object();
 }
 
 void begin_known(JsonWriter& json, const KnownBounds& known) {
@@ -69,6 +95,7 @@ std::string bounds_json(const KnownBounds& answer) {
   answer.best ? json.value(answer.best->recipe.construction) : json.null();
   json.key("status").value(answer.status());
   write_reported(json, answer);
+  write_classified(json, answer);
   json.objects("bounds", answer.bounds, [&](const Bound& bound) {
     json.key("lower_bound").value(bound.blocks).key("name").value(bound.name);
     json.key("reason").value(bound.reason);

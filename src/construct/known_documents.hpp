@@ -23,6 +23,7 @@ struct KnownBounds {
   std::vector<Bound> bounds;              ///< largest first; none if impossible
   std::optional<Offer> best;
   std::optional<Reported> reported;  ///< a publication has fewer blocks than the best
+  std::optional<Classified> all;     ///< how many designs there are with as many blocks as the best
 
   /// "impossible", "open", "minimum" or "best-known".
   [[nodiscard]] std::string status() const;
@@ -40,6 +41,9 @@ struct KnownBounds {
 
 /// The key "reported" of an object, null if there is nothing.
 void write_reported(JsonWriter& json, const KnownBounds& known);
+
+/// The key "classified" of an object, null if the designs were not counted.
+void write_classified(JsonWriter& json, const KnownBounds& known);
 
 /// Opens an object with the parameters, the largest bound and its reason.
 void begin_known(JsonWriter& json, const KnownBounds& known);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "core/each.hpp"
@@ -155,7 +156,7 @@ std::optional<std::vector<UnchangedSubset>> parts_as_wanted(
                                                        : std::nullopt;
 }
 
-std::string wanted_words(const Wanted& wanted) {
+std::string wanted_words(const Wanted& wanted, std::size_t shown) {
   std::vector<std::string> says;
   if (!wanted.first.empty()) {
     says.push_back("begins with " + set_of(wanted.first));
@@ -164,9 +165,12 @@ std::string wanted_words(const Wanted& wanted) {
     says.push_back("ends with " + set_of(wanted.last));
   }
   if (!wanted.contained.empty()) {
-    const auto sets = each_of<std::string>(wanted.contained, set_of);
-    says.push_back(fmt::format("contains {}{}", fmt::join(sets, ", "),
-                               sets.size() == 1 ? "" : " one after another"));
+    const std::size_t count = wanted.contained.size();
+    const auto sets =
+        each_of<std::string>(std::span(wanted.contained).first(std::min(count, shown)), set_of);
+    says.push_back(fmt::format("contains {}{}{}", fmt::join(sets, ", "),
+                               count > shown ? fmt::format(" and {} more", count - shown) : "",
+                               count == 1 ? "" : " one after another"));
   }
   if (wanted.expansion_set) {
     const bool all = wanted.first.empty() && wanted.last.empty();

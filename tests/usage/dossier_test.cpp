@@ -176,6 +176,15 @@ TEST(Proofs, StandBesideAReadme) {
   EXPECT_THAT(text, HasSubstr("## No linear DCCD(9,5) with 5 blocks"));
   EXPECT_THAT(text, HasSubstr("| linear-m2-v9-k5-b5.cnf |"));
   EXPECT_THAT(text, HasSubstr("s VERIFIED"));
+  // One about one number of blocks does not take its place.
+  EXPECT_EQ(
+      run("$changeover search 9 5 --blocks 5 --linear --exact --proof proofs --quiet --threads 1",
+          folder.path())
+          .code,
+      20);
+  EXPECT_EQ(slurp(readme), text);
+  EXPECT_THAT(slurp(folder.file("proofs/linear-m2-v9-k5-b5-README.md")),
+              HasSubstr("## No linear DCCD(9,5) with 5 blocks"));
   // A find without a proof leaves none.
   EXPECT_EQ(
       run("$changeover search 8 5 --blocks 9 --exact --proof other --quiet", folder.path()).code,

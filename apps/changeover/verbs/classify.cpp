@@ -1,6 +1,7 @@
 // changeover classify V K B: all designs with these parameters, up to names, rotation and reversal.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
 
@@ -42,9 +43,10 @@ struct Classified {
 
 // A member of a team tells the others what it found as words: counts, group orders, then classes.
 std::string pack_classification(const Classification& found) {
-  std::string text = fmt::format("{} {} {} {} {} {} {}", static_cast<unsigned>(found.why_stopped),
-                                 found.standard_forms, found.classes, found.tight, found.nodes,
-                                 found.group_orders.size(), found.kept.size());
+  std::string text =
+      fmt::format("{} {} {} {} {} {} {} {} {}", static_cast<unsigned>(found.why_stopped),
+                  found.standard_forms, found.classes, found.tight, found.nodes, found.prefixes,
+                  found.prefixes_done, found.group_orders.size(), found.kept.size());
   for (const auto& [order, classes] : found.group_orders) {
     text += fmt::format(" {} {}", order, classes);
   }
@@ -67,8 +69,8 @@ void unpack_into(Classification& all, const std::string& message, const Paramete
   unsigned why = 0;
   std::size_t orders = 0;
   std::size_t kept = 0;
-  words >> why >> other.standard_forms >> other.classes >> other.tight >> other.nodes >> orders >>
-      kept;
+  words >> why >> other.standard_forms >> other.classes >> other.tight >> other.nodes >>
+      other.prefixes >> other.prefixes_done >> orders >> kept;
   // Who was stopped speaks for all.
   const auto reason = static_cast<WhyStopped>(why);
   all.why_stopped =
@@ -79,6 +81,8 @@ void unpack_into(Classification& all, const std::string& message, const Paramete
   all.classes += other.classes;
   all.tight += other.tight;
   all.nodes += other.nodes;
+  all.prefixes = std::max(all.prefixes, other.prefixes);
+  all.prefixes_done += other.prefixes_done;
   for (; orders > 0; --orders) {
     std::string order;
     std::uint64_t classes = 0;
@@ -139,8 +143,10 @@ std::string text(const Classified& answer) {
   text += fmt::format("{} in {} {}", count_of(found.standard_forms, "standard form"),
                       count_of(found.classes, "class", "classes"), sameness(answer));
   text += found.tight > 0 ? fmt::format(", {} tight\n", found.tight) : "\n";
-  text += answer.complete() ? "these are all"
-                            : fmt::format("NOT ALL: stopped ({})", to_string(found.why_stopped));
+  text += answer.complete()
+              ? "these are all"
+              : fmt::format("NOT ALL: stopped ({}) with {} of {} prefixes explored",
+                            to_string(found.why_stopped), found.prefixes_done, found.prefixes);
   text += fmt::format("; {} in {:.2f} s; each design verified\n", count_of(found.nodes, "node"),
                       answer.seconds);
   for (const auto& [order, classes] : found.group_orders) {
@@ -172,6 +178,7 @@ std::string json(const Classified& answer) {
   json.key("reason").value(answer.impossible);
   json.key("standard_forms").value(found.standard_forms).key("classes").value(found.classes);
   json.key("tight").value(found.tight).key("nodes").value(found.nodes);
+  json.key("prefixes").value(found.prefixes).key("prefixes_done").value(found.prefixes_done);
   json.key("seconds").value(answer.seconds);
   json.key("group_orders").begin_object();
   for (const auto& [order, classes] : found.group_orders) {

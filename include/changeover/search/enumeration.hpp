@@ -60,9 +60,10 @@ struct EnumerationRun {
   /// `exhausted` if all standard forms were found; otherwise what stopped the search: there may be
   /// more forms.
   WhyStopped why_stopped = WhyStopped::running;
-  std::uint64_t forms = 0;     ///< standard forms passed on
-  std::uint64_t nodes = 0;     ///< partial designs that were not pruned
-  std::uint64_t prefixes = 0;  ///< number of parts of the work, over all shares
+  std::uint64_t forms = 0;          ///< standard forms passed on
+  std::uint64_t nodes = 0;          ///< partial designs that were not pruned
+  std::uint64_t prefixes = 0;       ///< number of parts of the work, over all shares
+  std::uint64_t prefixes_done = 0;  ///< parts that this share explored to their end
 };
 
 /// Passes every standard form of a design with exactly b blocks to `on_design`, one at a time,
@@ -98,6 +99,7 @@ struct Classification {
   std::uint64_t nodes = 0;
   std::uint64_t prefixes =
       0;  ///< number of parts of the work: further shares would have nothing to do
+  std::uint64_t prefixes_done = 0;  ///< parts that this share explored to their end
   std::map<std::string, std::uint64_t> group_orders = {};  ///< number of classes by group order
   std::vector<DesignClass> kept;                           ///< the first `keep` classes
 };

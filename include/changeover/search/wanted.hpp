@@ -58,7 +58,8 @@ struct Wanted {
     const Design& design, const Wanted& wanted, const std::vector<std::size_t>& positions);
 
 /// The properties after "a design": " that begins with {0,1} and contains {0,1,2}, {1,2,3} one
-/// after another"; empty if there are none.
-[[nodiscard]] std::string wanted_words(const Wanted& wanted);
+/// after another"; empty if there are none. Of more given blocks than `shown`, the first, and how
+/// many more.
+[[nodiscard]] std::string wanted_words(const Wanted& wanted, std::size_t shown = 4);
 
 }  // namespace changeover

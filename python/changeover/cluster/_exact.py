@@ -193,4 +193,4 @@ class Tree:
         if len(seen) != len(self._designs):
             raise InternalError("two shares of a classification found the same class")
         return {**self._counts, "group_orders": self._orders, "designs": self._designs,
-                "complete": complete, "prefixes": 0}
+                "complete": complete, "prefixes": 0, "prefixes_done": 0}

@@ -89,6 +89,7 @@ class Team {
     result_.why_stopped = why == WhyStopped::running ? WhyStopped::exhausted : why;
     result_.nodes = nodes_;
     result_.prefixes = prefixes_.size();
+    result_.prefixes_done = explored_;
     return result_;
   }
 
@@ -197,6 +198,7 @@ class Team {
       }
       Explorer explorer(*this, turn);
       tree->explore(prefix.blocks, own.b - 1, explorer);
+      explored_ += control_.stop_wanted() ? 0 : 1;
       finish(turn, std::move(explorer.found_));
     }
   }
@@ -241,6 +243,7 @@ class Team {
   std::atomic<std::size_t> next_{0};
   std::atomic<std::size_t> turn_{0};
   std::atomic<std::uint64_t> nodes_{0};
+  std::atomic<std::uint64_t> explored_{0};  // prefixes, to their end
   std::mutex handing_out_;
   EnumerationRun result_;
 };
@@ -353,6 +356,7 @@ Classification classify_designs(const Parameters& p, std::uint64_t b,
   result.why_stopped = run.why_stopped;
   result.nodes = run.nodes;
   result.prefixes = run.prefixes;
+  result.prefixes_done = run.prefixes_done;
   return result;
 }
 

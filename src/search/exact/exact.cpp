@@ -369,11 +369,13 @@ unsigned require_room(const Parameters& p, std::uint64_t b, const ExactOptions& 
 
 std::string file_stem(const Parameters& p, std::uint64_t b, const Wanted& wanted) {
   constexpr std::size_t digits = 16;
-  return fmt::format("{}-m{}-v{}-k{}{}-b{}{}", to_string(p.kind), p.change, p.v, p.k,
-                     p.strength == 2 ? std::string() : fmt::format("-t{}", p.strength), b,
-                     wanted.any()
-                         ? "-with-" + to_hex(sha256(wanted_words(wanted))).substr(0, digits)
-                         : std::string());
+  return fmt::format(
+      "{}-m{}-v{}-k{}{}-b{}{}", to_string(p.kind), p.change, p.v, p.k,
+      p.strength == 2 ? std::string() : fmt::format("-t{}", p.strength), b,
+      wanted.any()
+          ? "-with-" +
+                to_hex(sha256(wanted_words(wanted, wanted.contained.size()))).substr(0, digits)
+          : std::string());
 }
 
 Decision decide(const Parameters& p, std::uint64_t b, const ExactOptions& options,

@@ -116,7 +116,9 @@ std::optional<VerifiedDesign> checked(const Parameters& p, const std::optional<D
 // What can be searched with what is wanted: there is a design with some number of blocks.
 void require_wanted(const Parameters& p, const Wanted& wanted, bool from_a_design) {
   if (p.v == p.k) {
-    throw BadInput(fmt::format("what is wanted of a design needs more than k = {} elements", p.k));
+    throw BadInput(fmt::format(
+        "v = k = {}: one block holds all elements, and nothing more can be wanted of it; leave that out",
+        p.k));
   }
   if (const std::string defect = wanted_defect(p, wanted); !defect.empty()) {
     throw BadInput(defect);

@@ -231,6 +231,31 @@ TEST(Enumeration, StopsWhenItIsToldToAndSaysSo) {
   EXPECT_EQ(classify_designs(p, 46, {}, timed).why_stopped, WhyStopped::time_limit);
 }
 
+TEST(Enumeration, SaysHowFarItCame) {
+  const auto prefixes_done = [](const Parameters& p, std::uint64_t b, RunControl& control) {
+    const Classification run = classify_designs(p, b, {}, control);
+    EXPECT_GT(run.prefixes, 1U);
+    EXPECT_EQ(run.prefixes_done == run.prefixes, run.why_stopped == WhyStopped::exhausted);
+    return run.prefixes_done;
+  };
+  RunControl whole({.threads = 2});
+  EXPECT_GT(prefixes_done(parameters(9, 4, 1, Kind::circular), 12, whole), 0U);
+  // One share of two explores half of them.
+  RunControl half({.threads = 2, .share = {.index = 1, .of = 2}});
+  const Classification part = classify_designs(parameters(9, 4, 1, Kind::circular), 12, {}, half);
+  EXPECT_EQ(part.prefixes_done, part.prefixes / 2);
+  std::uint64_t calls = 0;
+  RunControl stopped({.threads = 1});
+  const EnumerationRun found =
+      enumerate_designs(parameters(9, 4, 1, Kind::linear), 12, stopped, [&](const Design&) {
+        if (++calls == 1000) {
+          stopped.stop(WhyStopped::interrupted);
+        }
+      });
+  EXPECT_GT(found.prefixes_done, 0U);
+  EXPECT_LT(found.prefixes_done, found.prefixes);
+}
+
 TEST(Enumeration, WhatTheCallbackThrowsComesOutFromAnyThread) {
   for (const unsigned threads : {1U, 3U}) {
     RunControl control({.threads = threads});

@@ -378,6 +378,8 @@ TEST(ExactWanted, ProofsSayWhatTheyExclude) {
   EXPECT_EQ(wanted_words(all),
             " that begins with {4}, ends with {5}, contains {0,1,2}, {1,2,3} one after another and "
             "has disjoint unchanged subsets that hold all other elements");
+  EXPECT_EQ(wanted_words({.contained = {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}}}, 2),
+            " that contains {0,1,2}, {1,2,3} and 1 more one after another");
   EXPECT_EQ(wanted_words({.expansion_set = true}),
             " that has disjoint unchanged subsets that hold all elements");
   for (const Wanted& wanted : {Wanted{}, ends, all}) {
@@ -448,7 +450,7 @@ TEST(ExactWanted, RefusesWhatHasNoMeaning) {
   EXPECT_THAT(message_of([&] {
                 (void)find_minimum({3, 3, 1, Kind::linear, 2}, options, control);
               }),
-              HasSubstr("needs more than k = 3 elements"));
+              HasSubstr("v = k = 3: one block holds all elements"));
   const Design known = find_minimum(p, {}, control).best->design();
   EXPECT_THAT(message_of([&] { (void)find_minimum(p, options, control, known); }),
               HasSubstr("begins with no design of yours"));

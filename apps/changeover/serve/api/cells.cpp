@@ -45,27 +45,6 @@ void write_best(JsonWriter& json, const KnownBounds& known) {
   json.key("recipe").raw(recipe_to_json(offer.recipe)).end_object();
 }
 
-// All designs with so many blocks, where they were counted. "1:11 3:1" becomes a list.
-void write_classified(JsonWriter& json, const KnownBounds& known) {
-  const auto all = known.best ? classified(known.parameters, known.best->b) : std::nullopt;
-  json.key("classified");
-  if (!all) {
-    json.null();
-    return;
-  }
-  json.begin_object().key("b").value(all->b).key("standard_forms").value(all->standard_forms);
-  json.key("classes").value(all->classes).key("tight").value(all->tight);
-  json.key("groups").begin_array();
-  for (std::string_view rest = all->groups; !rest.empty();) {
-    const std::string_view each = rest.substr(0, rest.find(' '));
-    const std::size_t colon = each.find(':');
-    json.begin_object().key("order").raw(std::string(each.substr(0, colon)));
-    json.key("classes").raw(std::string(each.substr(colon + 1))).end_object();
-    rest.remove_prefix(std::min(rest.size(), each.size() + 1));
-  }
-  json.end_array().end_object();
-}
-
 }  // namespace
 
 cli::TableRange table_range_of(const Request& request, const cli::TableRange& usual) {

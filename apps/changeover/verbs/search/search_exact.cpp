@@ -352,11 +352,13 @@ void explain_proofs(const ExactSearch& request, const MinimumResult& result) {
   if (files.empty()) {
     return;
   }
+  // One number of blocks that was asked for has a file of its own.
+  std::string stem = file_stem(p, request.blocks.value_or(1), request.wanted);
+  if (!request.blocks) {
+    stem.replace(stem.find("-b1"), 3, "");
+  }
   const std::filesystem::path file =
-      std::filesystem::path(request.proof_directory) /
-      fmt::format("{}-m{}-v{}-k{}{}{}-README.md", to_string(p.kind), p.change, p.v, p.k,
-                  p.strength == 2 ? "" : fmt::format("-t{}", p.strength),
-                  file_stem(p, 1, request.wanted).substr(file_stem(p, 1).size()));
+      std::filesystem::path(request.proof_directory) / (stem + "-README.md");
   write_file(file.string(), [&](OutputFile& out) {
     out.write(fmt::format(
         "# Proofs about the {}{}\n\nWritten by changeover {}. At least {}: {}\n\nEach formula "

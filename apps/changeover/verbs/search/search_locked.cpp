@@ -65,6 +65,10 @@ Wanted WantedRequest::read(const Parameters& p) const {
       throw BadInput(contains_file + ": the elements have names; give numbers from 0 to v-1");
     }
     all.contained = given.blocks();
+    const std::string defect = wanted_defect(p, {.contained = all.contained});
+    if (!defect.empty()) {
+      throw BadInput(contains_file + ": " + defect);
+    }
   }
   return all;
 }
