@@ -19,6 +19,8 @@ const pages = [
     '.timeline-canvas',
   ],
   ['Theorems', '#/theorems', '.statement .prose p'],
+  ['Plan', '#/plan', '.job-box input'],
+  ['Search', '#/search?v=40&k=6&change=2&kind=circular', 'form button'],
   ['Load order', '#/loadorder?items=64&room=16', '.timeline-canvas'],
   ['Verify', '#/verify?example=good', '.verdict'],
 ];

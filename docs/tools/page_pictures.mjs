@@ -1,13 +1,14 @@
-// Takes the pictures of docs/pages.md: every page of the explorer at work, in light, 1280 pixels
-// wide, made small.
+// Takes the pictures of docs/pages.md: every page of the explorer at work, made small; in light
+// (NAME-after.webp), in dark (NAME-dark.webp), and on a phone (NAME-phone.webp).
 //
 //     node docs/tools/page_pictures.mjs [--site FOLDER] [NAME...]
 //
-// writes docs/img/pages/NAME-after.webp of the program in build/release, all pages unless some are
+// writes into docs/img/pages what the program in build/release shows, all pages unless some are
 // named; with --site also the first page of the site in that folder (`./dev docs` makes
-// build/site). What web/tests needs must be installed (`./dev web install`). The pictures "before"
-// were taken by this script, too: CHANGEOVER_PROGRAM names the program whose pages it shows, and
-// --as before what stands behind the names.
+// build/site). `./dev web pictures` runs it. What web/tests needs must be installed
+// (`./dev web install`). The pictures "before" were taken by this script, too: CHANGEOVER_PROGRAM
+// names the program whose pages it shows, and --as before what stands behind the names; then there
+// is only the one in light.
 import { mkdirSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
@@ -24,9 +25,31 @@ const { values, positionals } = parseArgs({
   },
   allowPositionals: true,
 });
-const wide = 900;
-const most = 40_000;
-const viewport = { width: 1280, height: 800 };
+const desktop = { width: 1280, height: 800 };
+/** What stands behind the names, how wide pictures become, and how many bytes they may have. */
+const shapes = [
+  {
+    as: values.as,
+    viewport: desktop,
+    colorScheme: "light",
+    wide: 900,
+    most: 40_000,
+  },
+  {
+    as: "dark",
+    viewport: desktop,
+    colorScheme: "dark",
+    wide: 700,
+    most: 30_000,
+  },
+  {
+    as: "phone",
+    viewport: { width: 390, height: 844 },
+    colorScheme: "light",
+    wide: 320,
+    most: 26_000,
+  },
+].filter(({ as }) => values.as === "after" || as === values.as);
 
 /** Brings an element to the top of the window, if there is one. */
 const toTop = (page, which) =>
@@ -102,7 +125,7 @@ const pages = [
 ];
 
 /** A small WebP of what is in sight, as sharp as its bytes allow. */
-async function picture(context, page, name) {
+async function picture(context, page, name, { as, viewport, wide, most }) {
   const protocol = await context.newCDPSession(page);
   const y = await page.evaluate(() => window.scrollY);
   for (let quality = 90; ; quality -= 5) {
@@ -113,7 +136,7 @@ async function picture(context, page, name) {
     });
     const bytes = Buffer.from(data, "base64");
     if (bytes.length <= most || quality === 10) {
-      const file = join(values.out, `${name}-${values.as}.webp`);
+      const file = join(values.out, `${name}-${as}.webp`);
       writeFileSync(file, bytes);
       console.log(`${file}: ${bytes.length} bytes, quality ${quality}`);
       break;
@@ -124,21 +147,24 @@ async function picture(context, page, name) {
 
 const named = (name) => positionals.length === 0 || positionals.includes(name);
 mkdirSync(values.out, { recursive: true });
-const explorer = await start({ viewport });
-for (const [name, fragment, act] of pages.filter(([name]) => named(name))) {
-  const page = await explorer.open(fragment);
-  await page.waitForLoadState("networkidle");
-  await act?.(page);
-  await page.waitForTimeout(1500);
-  await picture(explorer.context, page, name);
-  await page.close();
+for (const shape of shapes) {
+  const explorer = await start(shape);
+  for (const [name, fragment, act] of pages.filter(([name]) => named(name))) {
+    const page = await explorer.open(fragment);
+    await page.waitForLoadState("networkidle");
+    await act?.(page);
+    await page.waitForTimeout(1500);
+    await picture(explorer.context, page, name, shape);
+    await page.close();
+  }
+  await explorer.stop();
 }
-await explorer.stop();
 if (values.site && named("site")) {
-  const { context, quit } = await launch({ viewport });
+  const [shape] = shapes;
+  const { context, quit } = await launch({ viewport: shape.viewport });
   const page = await context.newPage();
   await page.goto(pathToFileURL(join(resolve(values.site), "index.html")).href);
   await page.waitForTimeout(1500);
-  await picture(context, page, "site");
+  await picture(context, page, "site", shape);
   await quit();
 }
