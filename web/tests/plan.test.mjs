@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { look, program, screenshots, settled } from './support/browser.mjs';
-import { phone } from './support/phone.mjs';
+import { inSight, phone } from './support/phone.mjs';
 import {
   briefly,
   give,
@@ -339,4 +339,61 @@ test('on a phone: what to do next first, each test a card', async (explorer) => 
   await page.locator('.next-test').getByRole('button', { name: /pass/ }).click();
   await page.locator('.next-test h3', { hasText: 'test 2 of' }).waitFor();
   await phone(page, 'plan');
+});
+
+test('on a phone the form folds to a line, and what is found comes into sight', async (explorer) => {
+  const page = await explorer.open('#/plan');
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  const line = page.locator('.job-box > summary');
+  const form = page.locator('.plan-form');
+  const best = page.locator('.live-line');
+  assert.equal(await line.textContent(), 'The job');
+  await page.getByRole('spinbutton', { name: 'How many parts' }).fill('30');
+  await page.getByRole('button', { name: 'numbered parts' }).click();
+  await page.getByRole('spinbutton', { name: 'How many fit at once' }).fill('4');
+  await page.getByRole('combobox', { name: 'Time to search' }).selectOption('600');
+  const go = page.getByRole('button', { name: 'Plan', exact: true });
+  await go.click();
+
+  // While it searches: what is found so far has the focus, and stays wherever one reads.
+  await best.getByText('no plan costs less than').waitFor({ timeout: 60_000 });
+  assert.equal(await line.textContent(), '30 parts, 4 at a time: change');
+  assert.ok(!(await form.isVisible()));
+  assert.ok(await best.evaluate((element) => element === document.activeElement));
+  assert.ok(await inSight(line));
+  assert.ok(await inSight(page.getByRole('button', { name: 'Stop and keep the best' })));
+  await line.click();
+  for (const place of ['What is combined', 'Time to search']) {
+    await page.getByLabel(place).evaluate((element) => element.scrollIntoView());
+    assert.ok(await inSight(best), `at “${place}”`);
+  }
+  await phone(page, 'plan-searching');
+
+  // Given up: the form is there again, where the reader was.
+  await page.getByRole('button', { name: 'Cancel' }).click();
+  await page.getByText('Cancelled.').waitFor();
+  assert.ok(await form.isVisible());
+  assert.ok(await go.evaluate((element) => element === document.activeElement));
+
+  // Found: nothing moves when it is asked not to, so it is there at once.
+  await briefly(page);
+  await page.keyboard.press('Enter');
+  await planned(page);
+  const heading = page.locator('.verdict h2');
+  await page.waitForFunction(() => document.activeElement?.matches('.verdict h2'));
+  assert.ok(await inSight(heading));
+  assert.ok(await inSight(line));
+  assert.ok(!(await form.isVisible()));
+  await page.keyboard.press('Shift+Tab');
+  assert.ok(await line.evaluate((element) => element === document.activeElement));
+  await page.keyboard.press('Enter');
+  await form.waitFor();
+  assert.equal(await line.textContent(), 'The job');
+
+  // What cannot be planned leaves the form open, with the reason beside its field.
+  await page.getByRole('textbox', { name: 'Cost of a test' }).fill('dear');
+  await page.keyboard.press('Enter');
+  await page.locator('.problem').waitFor();
+  assert.ok(await form.isVisible());
 });

@@ -7,7 +7,12 @@ import { link, type Page } from '../shell/router';
 
 /** A command line that can be copied. */
 export function toCopy(line: string): HTMLElement {
-  return h('div', { class: 'to-copy' }, command(line), copyButton('Copy', () => line));
+  return h(
+    'div',
+    { class: 'to-copy' },
+    command(line),
+    copyButton('Copy', () => line),
+  );
 }
 
 const ways: readonly (readonly [string, string, readonly string[]])[] = [

@@ -1,6 +1,13 @@
 import assert from 'node:assert/strict';
 import { look, settled } from './browser.mjs';
 
+/** Whether all of an element is in the window. */
+export const inSight = (locator) =>
+  locator.evaluate((element) => {
+    const { top, bottom } = element.getBoundingClientRect();
+    return top >= 0 && bottom <= window.innerHeight;
+  });
+
 /**
  * The page as a phone shows it: nothing sticks out at the side, and no word of a table reaches into
  * the next cell.

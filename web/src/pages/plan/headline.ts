@@ -42,6 +42,18 @@ function gap(outcome: Outcome, money: (cost: number) => string): string {
   return `The last test ends at ${end}; all benches together cost ${together}. ${sooner}`;
 }
 
+/** What is to be tested, in a few words; empty if nothing is there yet. */
+export function inShort(job: Job, benches = 0): string {
+  const parts = job.parts.filter((part) => !part.gone).length;
+  return job.source === 'model'
+    ? 'The model'
+    : parts === 0
+      ? ''
+      : `${count(parts, 'part')}` +
+        `${job.atOnce === null ? '' : `, ${job.atOnce} at a time`}` +
+        `${benches > 0 ? `, ${count(benches, 'bench', 'benches')}` : ''}`;
+}
+
 export function headline(job: Job, outcome: Outcome): HTMLElement {
   const rest = outcome.tests.length - outcome.doneBefore;
   const money = moneyOf([
@@ -53,17 +65,12 @@ export function headline(job: Job, outcome: Outcome): HTMLElement {
     ...outcome.tests.map(({ cost }) => cost),
   ]);
   const clock = clockOf(outcome.unit);
-  const what =
-    job.source === 'model'
-      ? 'The model'
-      : `${count(job.parts.filter((part) => !part.gone).length, 'part')}` +
-        `${job.atOnce === null ? '' : `, ${job.atOnce} at a time`}` +
-        `${outcome.benches ? `, ${count(outcome.benches.length, 'bench', 'benches')}` : ''}`;
+  const what = inShort(job, outcome.benches?.length) || count(0, 'part');
   const whole = outcome.benches ? outcome.together : outcome.cost;
   return h(
     'div',
     { class: 'verdict valid' },
-    h('h2', {}, job.title),
+    h('h2', { tabindex: -1 }, job.title),
     h(
       'p',
       {},

@@ -7,6 +7,9 @@ import { about } from './job';
 
 export interface Live {
   readonly element: HTMLElement;
+  /** The best cost and its bound, which stay in sight. */
+  readonly line: HTMLElement;
+  readonly rest: HTMLElement;
   hear(job: PlanJob): void;
 }
 
@@ -31,10 +34,10 @@ export function livePanel(best: () => void, giveUp: () => void, signal: AbortSig
   });
   const place = h('div', { class: 'live-chart', hidden: true }, chart.element);
   const points: { at: number; best: number; bound: number }[] = [];
-  const element = h(
-    'section',
-    { class: 'live note no-print', 'aria-label': 'Search' },
-    h('p', { class: 'live-line' }, cost, ' ', said),
+  const line = h('div', { class: 'live-line note', tabindex: -1 }, cost, ' ', said);
+  const rest = h(
+    'div',
+    { class: 'live-rest note' },
     bar,
     phase,
     place,
@@ -45,8 +48,11 @@ export function livePanel(best: () => void, giveUp: () => void, signal: AbortSig
       h('button', { type: 'button', class: 'plain', onclick: giveUp }, 'Cancel'),
     ),
   );
+  const element = h('section', { class: 'live no-print', 'aria-label': 'Search' }, line, rest);
   return {
     element,
+    line,
+    rest,
     hear(job) {
       bar.max = job.limit;
       bar.value = Math.min(job.limit, job.seconds);
@@ -59,7 +65,11 @@ export function livePanel(best: () => void, giveUp: () => void, signal: AbortSig
       cost.textContent = about(job.best);
       const above = job.bound > 0 ? (100 * (job.best - job.bound)) / job.bound : null;
       const gap =
-        above === null ? '' : above <= 0 ? ': this is the least' : ` (${above.toFixed(1)}\u00a0% above)`;
+        above === null
+          ? ''
+          : above <= 0
+            ? ': this is the least'
+            : ` (${above.toFixed(1)}\u00a0% above)`;
       said.textContent =
         `is the best so far, with ${count(job.tests ?? 0, 'test')}; no plan ` +
         `costs less than ${about(job.bound)}${gap}.`;

@@ -1,9 +1,9 @@
 // The page Plan: a job, its sheet, and what is written down on it.
 import { ApiError, post } from '../../lib/api';
 import { announce, fill, h } from '../../lib/dom';
-import { save } from '../../lib/save';
 import { count } from '../../lib/words';
 import { problem, type View } from '../../shell/router';
+import { sheetActions } from './actions';
 import { follow } from './ask';
 import { diagnosisPanel } from './diagnosis';
 import { forDiagnosis, forWhatIf, inWords, keyIn, requestOf, withDone } from './document';
@@ -11,6 +11,7 @@ import { readFile, readParts } from './files';
 import { acceptFiles } from './drop';
 import { jobForm } from './form';
 import { headline } from './headline';
+import { JobBox } from './job_box';
 import { emptyJob, exact, lineOf, namesIn, type Job, type Part } from './job';
 import { introduction } from './introduction';
 import { keptHere, keptOnServer } from './keeping';
@@ -49,7 +50,7 @@ export class PlanPage {
   private readonly unsaved = new Set<number>();
   private saving: Promise<void> = Promise.resolve();
   private readonly result = h('div', { class: 'result' });
-  private readonly fault = h('div', { class: 'no-print' });
+  private readonly fault = h('div', { class: 'plan-fault no-print' });
   private readonly news = h('div', { class: 'no-print' });
   private readonly keeping = h('div', { class: 'keeping no-print' });
   private readonly stale = h(
@@ -72,11 +73,10 @@ export class PlanPage {
     'aria-label': 'A file with a list of parts',
     onchange: () => this.pick.files?.[0] && void this.take(this.pick.files[0]),
   });
-  private readonly jobBox = h(
-    'details',
-    { class: 'job-box no-print', open: true },
-    h('summary', {}, 'The job'),
+  private readonly box = new JobBox(
     this.form.element,
+    () => this.formOr(this.state.job),
+    this.form.go,
   );
 
   constructor(
@@ -94,7 +94,7 @@ export class PlanPage {
       introduction((job) => this.useExample(job)),
       this.pick,
       keptList(this.writes, view.signal),
-      this.jobBox,
+      this.box.element,
       this.news,
       this.fault,
       this.result,
@@ -161,7 +161,9 @@ export class PlanPage {
     const key = fault instanceof Error ? keyIn(fault.message) : null;
     this.clear();
     const placed = key !== null && this.form.show(key, this.fault);
-    this.jobBox.open = placed || this.jobBox.open;
+    if (placed || !this.state.outcome) {
+      this.box.open();
+    }
     const said =
       fault instanceof ApiError ? new ApiError(inWords(fault.message), fault.status) : fault;
     fill(this.fault, problem(said));
@@ -218,19 +220,20 @@ export class PlanPage {
     fill(this.news, notes.length > 0 && h('div', { class: 'note', role: 'status' }, list));
   }
 
+  private formOr(other: Job): Job {
+    try {
+      return this.form.read();
+    } catch {
+      return other;
+    }
+  }
+
   private async take(file: File): Promise<void> {
     this.pick.value = '';
     try {
-      const mine = (): Job => {
-        try {
-          return this.form.read();
-        } catch {
-          return emptyJob(); // What cannot be read is replaced by the file.
-        }
-      };
       const { job, done, notes } = await readFile(
         file,
-        mine(),
+        this.formOr(emptyJob()), // What cannot be read is replaced by the file.
         () => requestOf(this.form.read()),
         this.view.signal,
       );
@@ -280,15 +283,15 @@ export class PlanPage {
       const job = this.form.read();
       const request = this.asked(job, tests, places);
       const live = livePanel(() => best.abort(), stop, mine.signal);
+      const cancel = h('button', { type: 'button', class: 'plain', onclick: stop }, 'Cancel');
+      this.box.fold();
       if (this.writes) {
         fill(this.fault, live.element);
+        this.box.leadTo(live.line, live.rest, 'nearest');
       } else {
-        this.note(
-          `Planning, for ${count(job.seconds || 10, 'second')} at most … `,
-          h('button', { type: 'button', class: 'plain', onclick: stop }, 'Cancel'),
-        );
+        this.note(`Planning, for ${count(job.seconds || 10, 'second')} at most … `, cancel);
+        this.box.leadTo(cancel, this.fault, 'nearest');
       }
-      this.fault.scrollIntoView({ block: 'nearest' });
       const found = await follow(request, mine.signal, best.signal, (each) => live.hear(each));
       const done = tests.filter(isDone);
       this.state = {
@@ -297,25 +300,39 @@ export class PlanPage {
         outcome: { ...outcomeOf(found.planned, job, done, places), plan: found.job },
       };
       this.unsaved.clear();
+      const atWork = this.box.holdsFocus();
       fill(this.fault, found.message ? h('p', { class: 'note' }, found.message) : null);
       this.stale.hidden = true;
       this.show();
-      this.result.scrollIntoView({ block: 'start' });
+      if (!atWork) {
+        this.box.leadTo(this.result.querySelector('h2')!, this.result, 'start');
+      }
       announce(
         `${count(this.state.outcome!.tests.length, 'test')}, cost ${this.state.outcome!.cost}`,
       );
       await this.keepSheet();
     } catch (why) {
       if (!this.view.signal.aborted) {
-        mine.signal.aborted ? this.note('Cancelled.') : this.say(why);
+        mine.signal.aborted ? this.cancelled(mine) : this.say(why);
       }
     } finally {
       this.view.signal.removeEventListener('abort', stop);
       if (this.planning === mine) {
         this.form.go.disabled = false;
         mine.abort();
+        this.box.takeBack();
       }
     }
+  }
+
+  private cancelled(planning: AbortController): void {
+    if (this.planning !== planning) {
+      return; // Another one has begun, and is shown there.
+    }
+    if (!this.state.outcome) {
+      this.box.open();
+    }
+    this.note('Cancelled.');
   }
 
   private show(): void {
@@ -324,63 +341,33 @@ export class PlanPage {
     this.drawing.abort();
     const drawing = (this.drawing = new AbortController());
     this.view.signal.addEventListener('abort', () => drawing.abort(), { once: true });
-    this.jobBox.open = window.matchMedia('(min-width: 50rem)').matches;
+    this.box.fold();
     const mounted = outcome.benches ? [] : namesIn(state.job.start);
     const written = (i: number) => void this.written(i);
     const sheet = runSheet(outcome, mounted, written, drawing.signal);
     const next = nextTests(outcome, mounted, written);
-    const replan = h(
-      'button',
-      {
-        type: 'button',
-        class: 'plain',
-        onclick: () => void this.plan(outcome.tests, outcome.places),
-      },
-      'Replan the remaining tests',
-    );
-    const diagnose = h(
-      'button',
-      { type: 'button', class: 'plain', onclick: () => void this.diagnose() },
-      'What is at fault?',
+    const actions = sheetActions(
+      outcome,
+      state.job.changeCosts === '',
+      workbookLink(outcome, drawing.signal),
+      () => void this.plan(outcome.tests, outcome.places),
+      () => void this.diagnose(),
     );
     const diagnosis = h('div', { class: 'diagnosis-place' });
     this.diagnosisPlace = diagnosis;
     this.refreshSheet = () => {
       sheet.refresh();
       next.refresh();
-      replan.disabled = !outcome.tests.some((test) => verdictOf(test) !== '');
-      diagnose.hidden =
-        state.job.changeCosts !== '' || !outcome.tests.some((test) => verdictOf(test) === 'fail');
+      actions.refresh();
     };
     this.refreshSheet();
     const whyNot = whyNoWhatIf(state.job, outcome);
-    const workbook = workbookLink(outcome, drawing.signal);
     fill(
       this.result,
       headline(state.job, outcome),
       this.stale,
       next.element,
-      h(
-        'div',
-        { class: 'row actions no-print' },
-        replan,
-        diagnose,
-        h(
-          'button',
-          { type: 'button', class: 'plain', onclick: () => window.print() },
-          'Print the sheet',
-        ),
-        h(
-          'button',
-          {
-            type: 'button',
-            class: 'plain',
-            onclick: () => save('run_sheet.csv', csv(outcome), 'text/csv'),
-          },
-          'Download CSV',
-        ),
-        workbook,
-      ),
+      actions.element,
       diagnosis,
       sheet.element,
       this.keeping,
