@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { look, program, settled } from './support/browser.mjs';
-import { phone } from './support/phone.mjs';
+import { inSight, phone } from './support/phone.mjs';
 import { test } from './support/tests.mjs';
 
 const steps = (page) => page.getByRole('list', { name: /^The .* steps$/ }).getByRole('listitem');
@@ -286,4 +286,22 @@ test('on a phone nothing scrolls sideways but the frames', async (explorer) => {
   await page.locator('.timeline-canvas').waitFor();
   assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
   await phone(page, 'loadorder');
+});
+
+test('on a phone the answer comes into sight when it was asked for', async (explorer) => {
+  const page = await explorer.open('#/loadorder?items=20&room=5');
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  const answer = page.locator('.result h2').first();
+  await answer.waitFor();
+  assert.equal(await page.evaluate(() => window.scrollY), 0, 'a link is read from its top');
+  for (const act of [
+    () => page.getByRole('button', { name: 'Find an order' }).click(),
+    () => page.getByRole('link', { name: '64 items, room for 16' }).click(),
+  ]) {
+    await page.evaluate(() => (document.activeElement.blur(), window.scrollTo(0, 0)));
+    await act();
+    await page.waitForFunction(() => document.activeElement?.matches('.result h2'));
+    assert.ok(await inSight(answer));
+  }
 });

@@ -1,7 +1,7 @@
 // What all pages share: navigation, theme, links, the token.
 import assert from 'node:assert/strict';
 import { accessibility, look, settled } from './support/browser.mjs';
-import { phone } from './support/phone.mjs';
+import { inSight, phone } from './support/phone.mjs';
 import { test } from './support/tests.mjs';
 
 test('the token leaves the address and survives a reload', async (explorer) => {
@@ -66,6 +66,10 @@ test('the start page has three doors, a picture and an action each', async (expl
   assert.equal(await page.locator('.door-picture > *').count(), 3);
   await look(page, 'home');
   await phone(page, 'home');
+  assert.ok(
+    await inSight(page.getByRole('button', { name: 'Look up' })),
+    'the look-up comes first',
+  );
   await page.setViewportSize({ width: 1280, height: 900 });
   for (const [action, heading] of [
     ['Plan tests', /Plan/],

@@ -140,6 +140,7 @@ test('on a phone formulas break, and what cannot scrolls in its frame', async (e
     const frames = [...document.querySelectorAll('.formula')];
     const right = (element) => element.getBoundingClientRect().right;
     return {
+      wider: document.documentElement.scrollWidth - innerWidth,
       frames: frames.length,
       wide: frames.filter((frame) => frame.scrollWidth > frame.clientWidth).length,
       outside: frames.filter((frame) => right(frame) > innerWidth).length,
@@ -152,6 +153,7 @@ test('on a phone formulas break, and what cannot scrolls in its frame', async (e
       ),
     };
   });
+  assert.equal(found.wider, 0, 'the page scrolls sideways');
   assert.ok(found.frames > 10);
   assert.ok(found.wide < found.frames / 4, `${found.wide} of ${found.frames} formulas scroll`);
   assert.equal(found.outside, 0);

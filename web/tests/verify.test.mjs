@@ -4,7 +4,7 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { look, settled } from './support/browser.mjs';
-import { phone } from './support/phone.mjs';
+import { inSight, phone } from './support/phone.mjs';
 import { test } from './support/tests.mjs';
 
 const design = [
@@ -221,6 +221,34 @@ test('on a phone nothing scrolls sideways but the frames', async (explorer) => {
   await page.getByRole('heading', { name: '✗ Not a design' }).waitFor();
   assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
   await phone(page, 'verify');
+});
+
+test('on a phone the verdict comes into sight when it was asked for', async (explorer) => {
+  const page = await explorer.open('#/verify?example=good');
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.locator('.verdict').waitFor();
+  assert.equal(await page.evaluate(() => window.scrollY), 0, 'a link is read from its top');
+  const verdict = page.locator('.verdict h2');
+  const led = () => page.waitForFunction(() => document.activeElement?.matches('.verdict h2'));
+  await page.getByRole('link', { name: 'one with bad steps' }).click();
+  await page.getByRole('heading', { name: 'Not a design' }).waitFor();
+  await led();
+  assert.ok(await inSight(verdict));
+  await page.getByRole('textbox', { name: 'The design' }).fill(design);
+  await page.getByRole('button', { name: 'Check' }).click();
+  await page.getByRole('heading', { name: 'Valid' }).waitFor();
+  await led();
+  assert.ok(await inSight(verdict));
+  // In a wide window who goes on writing is left there, and nothing moves that is in sight.
+  await page.setViewportSize({ width: 1280, height: 900 });
+  const text = page.getByRole('textbox', { name: 'The design' });
+  await text.fill(design.replace('0 1 3', '0 1 5'));
+  await page.evaluate(() => window.scrollTo(0, 0));
+  await text.press('Control+Enter');
+  await page.getByRole('heading', { name: 'Not a design' }).waitFor();
+  assert.ok(await text.evaluate((element) => element === document.activeElement));
+  assert.equal(await page.evaluate(() => window.scrollY), 0);
 });
 
 test('a repair is suggested, and used', async (explorer) => {

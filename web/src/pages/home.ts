@@ -208,13 +208,22 @@ export const home: Page = {
     const counts = h('span', {}, '\u00a0');
     fill(
       view.root,
-      h('h1', {}, 'Every pair together, with as few changes as possible'),
       h(
-        'p',
-        { class: 'lead' },
-        'A change covering design is a list of blocks of equal size in which every two ' +
-          'elements meet and each block differs from the one before in the same number of ' +
-          'elements. Use one to plan tests or to order loads, or study the designs themselves.',
+        'div',
+        { class: 'title-row' },
+        h(
+          'div',
+          {},
+          h('h1', {}, 'Every pair together, with as few changes as possible'),
+          h(
+            'p',
+            { class: 'lead' },
+            'A change covering design is a list of blocks of equal size in which every two ' +
+              'elements meet and each block differs from the one before in the same number of ' +
+              'elements. Use one to plan tests or to order loads, or study the designs themselves.',
+          ),
+        ),
+        lookUp(() => ({ change: 2, kind: 'circular' })),
       ),
       h(
         'ul',
@@ -253,7 +262,6 @@ export const home: Page = {
       h(
         'section',
         { class: 'home-more', 'aria-label': 'More' },
-        lookUp(() => ({ change: 2, kind: 'circular' })),
         h(
           'div',
           {},

@@ -3,6 +3,7 @@ import { announce, fill, h } from '../lib/dom';
 import { save } from '../lib/save';
 import { count } from '../lib/words';
 import { copyButton } from '../parts/copy';
+import { chosenExample, leadToResult } from '../parts/lead';
 import { link, problem, type Page, type View } from '../shell/router';
 import { loadForm } from './loadorder/form';
 import { memory, shares } from './loadorder/memory';
@@ -48,7 +49,7 @@ function requestOf(asked: Asked): Record<string, unknown> {
 }
 
 async function render(view: View): Promise<void> {
-  const form = await loadForm(view.params, () => void run());
+  const form = await loadForm(view.params, () => void run(true));
   if (view.signal.aborted) {
     return;
   }
@@ -56,7 +57,8 @@ async function render(view: View): Promise<void> {
   let running: AbortController | null = null;
   const result = h('div', { class: 'result' });
 
-  async function run(): Promise<void> {
+  /** `waited`: the reader asked for it, and is taken to the answer. */
+  async function run(waited: boolean): Promise<void> {
     running?.abort();
     const mine = (running = new AbortController());
     const stop = () => mine.abort();
@@ -87,6 +89,9 @@ async function render(view: View): Promise<void> {
       view.signal.removeEventListener('abort', stop);
       if (running === mine) {
         go.disabled = false;
+        if (waited && !view.signal.aborted) {
+          leadToResult(form.element, go, result);
+        }
       }
     }
   }
@@ -168,15 +173,28 @@ async function render(view: View): Promise<void> {
         'loads as possible. Try ',
       h(
         'a',
-        { href: link('loadorder', { items: 64, room: 16, bytes: '2 GB' }) },
+        {
+          href: link('loadorder', { items: 64, room: 16, bytes: '2 GB' }),
+          onclick: chosenExample.take,
+        },
         '64 items, room for 16',
       ),
       ', ',
-      h('a', { href: link('loadorder', { items: 64, room: 16, fast: 4 }) }, '4 on an accelerator'),
+      h(
+        'a',
+        {
+          href: link('loadorder', { items: 64, room: 16, fast: 4 }),
+          onclick: chosenExample.take,
+        },
+        '4 on an accelerator',
+      ),
       ' or ',
       h(
         'a',
-        { href: link('loadorder', { items: 1000, room: 100, workers: 8 }) },
+        {
+          href: link('loadorder', { items: 1000, room: 100, workers: 8 }),
+          onclick: chosenExample.take,
+        },
         '1000 items for 8 workers',
       ),
       '.',
@@ -184,7 +202,7 @@ async function render(view: View): Promise<void> {
     form.element,
     result,
   );
-  await run();
+  await run(chosenExample.taken());
 }
 
 export const loadorder: Page = { path: 'loadorder', title: 'Load order', live: true, render };

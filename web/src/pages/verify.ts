@@ -5,6 +5,7 @@ import { longestWord, pack, unpack } from '../lib/share';
 import { bytes, changes, kinds } from '../lib/words';
 import { command } from '../parts/command';
 import { asText } from '../parts/downloads';
+import { chosenExample, leadToResult } from '../parts/lead';
 import { about } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
 import { blockList, defects } from './verify/blocks';
@@ -133,7 +134,7 @@ async function render(view: View): Promise<void> {
   async function take(content: File): Promise<void> {
     view.go({ example: null, text: null, pasted: null, pair: null }, { quiet: true });
     content.size > longestShown ? showFile(content) : show(await content.text());
-    await run();
+    await run(true);
   }
 
   /** The text goes into the link if it is short, else into the storage of this window. */
@@ -155,7 +156,8 @@ async function render(view: View): Promise<void> {
     );
   }
 
-  async function run(): Promise<void> {
+  /** `asked`: the reader waits for it, and is taken to the verdict. */
+  async function run(asked: boolean): Promise<void> {
     const body = file ?? text.value;
     if (typeof body === 'string' && body.trim() === '') {
       fill(
@@ -220,6 +222,9 @@ async function render(view: View): Promise<void> {
       view.signal.removeEventListener('abort', stop);
       if (running === mine) {
         go.disabled = false;
+        if (asked && !view.signal.aborted) {
+          leadToResult(drop, go, result);
+        }
       }
     }
   }
@@ -242,7 +247,7 @@ async function render(view: View): Promise<void> {
         show(asText(design));
         change.value = kind.value = v.value = '';
         view.go({ v: null, change: null, kind: null, example: null }, { quiet: true });
-        void run();
+        void run(true);
       },
       (design) => {
         keepLocal(design);
@@ -368,7 +373,7 @@ async function render(view: View): Promise<void> {
       onsubmit: (event) => {
         event.preventDefault();
         view.go({ pair: null }, { quiet: true });
-        void run();
+        void run(true);
       },
       ondragover: (event) => {
         event.preventDefault();
@@ -437,7 +442,7 @@ async function render(view: View): Promise<void> {
       examples
         .map(({ name, title }, i) => [
           i === 0 ? '' : ', ',
-          h('a', { href: link('verify', { example: name }) }, title),
+          h('a', { href: link('verify', { example: name }), onclick: chosenExample.take }, title),
         ])
         .flat(),
       '.',
@@ -457,7 +462,7 @@ async function render(view: View): Promise<void> {
     fill(result, whatComes());
   }
   if (start !== '' || file) {
-    await run();
+    await run(chosenExample.taken());
   }
 }
 
