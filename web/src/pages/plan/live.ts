@@ -32,7 +32,7 @@ export function livePanel(best: () => void, giveUp: () => void, signal: AbortSig
     signal,
     yText: about,
   });
-  const place = h('div', { class: 'live-chart', hidden: true }, chart.element);
+  const drawn = h('div', { hidden: true }, chart.element);
   const points: { at: number; best: number; bound: number }[] = [];
   const line = h('div', { class: 'live-line note', tabindex: -1 }, cost, ' ', said);
   const rest = h(
@@ -40,7 +40,7 @@ export function livePanel(best: () => void, giveUp: () => void, signal: AbortSig
     { class: 'live-rest note' },
     bar,
     phase,
-    place,
+    h('div', { class: 'live-chart' }, drawn),
     h(
       'div',
       { class: 'row' },
@@ -75,7 +75,7 @@ export function livePanel(best: () => void, giveUp: () => void, signal: AbortSig
         `costs less than ${about(job.bound)}${gap}.`;
       points.push({ at: job.seconds, best: job.best, bound: job.bound });
       if (points.length > 1) {
-        place.hidden = false;
+        drawn.hidden = false;
         chart.set(
           points.map(({ at }) => at),
           [
