@@ -32,7 +32,7 @@ export type Job = {
   cost_column?: string | null;
   /** use N parts named 1 to N */
   items?: number | null;
-  /** how many parts fit at once; if not given, as many as the slots hold */
+  /** how many parts fit at once (default: as many as the slots hold) */
   at_once?: number | null;
   /** cost of one test */
   test_cost?: (number | string) | null;
@@ -52,7 +52,7 @@ export type Job = {
     | null;
   /** what all costs are: with a time, a clock runs along (default: as the list says) */
   cost_unit?: ('money' | 'seconds' | 'minutes' | 'hours') | null;
-  /** 2: every two parts must meet (the default); 3: every three */
+  /** 2: every two parts must meet; 3: every three (default: 2) */
   strength?: number | null;
   /** pairs that must meet (default: all) */
   pairs?:
@@ -108,7 +108,7 @@ export type Job = {
         | {workbook: string; sheet?: string}
       )
     | null;
-  /** what pairs are worth, A,B,weight a line; others are worth 1 */
+  /** what pairs are worth, A,B,weight a line (default: each is worth 1) */
   weights?:
     | (
         | [string | number | null, string | number | null, string | number | null][]
@@ -135,7 +135,7 @@ export type Job = {
         | {workbook: string; sheet?: string}
       )
     | null;
-  /** only the first N of them were done */
+  /** only the first N of them were done (default: all) */
   done_first?: number | null;
   /** pairs that met only in tests that did not pass count as tested, and are not needed again */
   trust_failed?: boolean | null;
@@ -173,8 +173,8 @@ export type Job = {
       )
     | null;
   /**
-   * of several benches: the earliest end of the last test (makespan, the default) or the least
-   * cost together; of a model: the least cost (default) or the fewest tests
+   * of several benches: the earliest end of the last test (makespan) or the least cost together;
+   * of a model: the least cost or the fewest tests (default: makespan of benches, cost of a model)
    */
   objective?: ('makespan' | 'cost' | 'tests') | null;
   /** hours of work a day on each bench that says nothing else, with costs in hours */
@@ -199,7 +199,7 @@ export type Job = {
   seconds?: number | null;
   /** threads to use */
   threads?: number | null;
-  /** seed of the random numbers (default 1) */
+  /** seed of the random numbers (default: 1) */
   seed?: number | null;
 };
 export type LoadRequest = {
@@ -254,17 +254,17 @@ export type LoadRequest = {
   memory?: number | null;
   /** so many bytes of these are on an accelerator, where pairs meet */
   fast_memory?: number | null;
-  /** split it for W workers with room C each */
+  /** split it for W workers with room C each (default: 1) */
   workers?: number | null;
   /** only the steps of worker I of these, from 0 */
   worker?: number | null;
-  /** spread pairs evenly over the workers that have them (the default) */
+  /** spread pairs evenly over the workers that have them (default: yes) */
   balance?: boolean | null;
   /** the first worker that has a pair computes it */
   first_holder?: boolean | null;
   /**
-   * what pairs cost to compute, two items and a number per line, otherwise 1; costs are spread
-   * evenly over workers
+   * what pairs cost to compute, two items and a number per line; costs are spread evenly over
+   * workers (default: 1 each)
    */
   pair_cost?:
     | (
@@ -281,7 +281,7 @@ export type LoadRequest = {
   from_step?: number | null;
   /**
    * every pair meets in each of N epochs, back and forth: what is in memory at the end of one
-   * stays for the next
+   * stays for the next (default: 1)
    */
   epochs?: number | null;
   /**
@@ -308,7 +308,7 @@ export type LoadRequest = {
   seconds?: number | null;
   /** threads to use */
   threads?: number | null;
-  /** seed of the random numbers (default 1) */
+  /** seed of the random numbers (default: 1) */
   seed?: number | null;
 };
 export type Loads = Head | Step;
@@ -760,6 +760,7 @@ export interface Explorer {
       reason: string;
       status: Status;
       reported: Reported | null;
+      classified: Classified | null;
       best_known: number | null;
       construction: string | null;
       bounds: {lower_bound: number; name: string; reason: string}[];

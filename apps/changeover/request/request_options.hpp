@@ -52,7 +52,7 @@ void add_request_options(Verb& verb, Request& request, const RequestTable<Reques
       continue;
     }
     const std::string flags(record.flags);
-    const std::string help(record.help);
+    const std::string help = help_of(record);
     const std::string value(record.value);
     std::visit(
         [&](auto field) {

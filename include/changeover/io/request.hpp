@@ -107,6 +107,8 @@ struct OptionRecord {
   ValueKind kind = ValueKind::flag;
   std::string_view value = {};  ///< the name of its value in the help: "K", "FILE"
   std::string_view help = {};
+  std::string_view unit = {};        ///< what its number counts: "parts", "bytes"; empty: no unit
+  std::string_view by_default = {};  ///< what holds where it is not given; empty: not said
   RowShape shape = RowShape::none;
   std::vector<std::string_view> words = {};  ///< of a word
   std::string_view python = {};              ///< the argument there, if it has another name
@@ -156,5 +158,7 @@ struct RequestTable {
 [[nodiscard]] std::string spelled(const OptionRecord& record, Door door);
 /// The same with its value on the command line: "--at-once K".
 [[nodiscard]] std::string spelled_with_value(const OptionRecord& record, Door door);
+/// Its help with what holds by default: "pairs that must meet (default: all)".
+[[nodiscard]] std::string help_of(const OptionRecord& record);
 
 }  // namespace changeover

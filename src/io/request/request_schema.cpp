@@ -136,7 +136,10 @@ std::string request_schema(std::string_view format, std::string_view title,
   json.key("additionalProperties").value(false).key("properties").begin_object();
   json.key("format").begin_object().key("const").value(format).end_object();
   for (const OptionRecord& record : records) {
-    json.key(record.key).begin_object().key("description").value(record.help);
+    json.key(record.key).begin_object().key("description").value(help_of(record));
+    if (!record.unit.empty()) {
+      json.key("unit").value(record.unit);
+    }
     json.key("anyOf").begin_array().raw(type_of(record)).raw(R"({"type":"null"})").end_array();
     json.end_object();
   }
@@ -182,7 +185,8 @@ std::string request_schema(std::string_view format, std::string_view title,
 
 std::string doors_table(const std::vector<OptionRecord>& records) {
   std::string text =
-      "| key | command line | server | Python | meaning |\n|:---|:---|:---|:---|:---|\n";
+      "| key | command line | server | Python | meaning | unit | default |\n"
+      "|:---|:---|:---|:---|:---|:---|:---|\n";
   std::string reasons;
   for (const OptionRecord& record : records) {
     const std::string key(record.key);
@@ -191,10 +195,11 @@ std::string doors_table(const std::vector<OptionRecord>& records) {
     for (std::size_t at = help.find('|'); at != std::string::npos; at = help.find('|', at + 2)) {
       help.insert(at, "\\");
     }
-    text += fmt::format("| `{}` | `{}` | {} | {} | {} |\n", key,
+    text += fmt::format("| `{}` | `{}` | {} | {} | {} | {} | {} |\n", key,
                         spelled_with_value(record, Door::command_line),
                         record.not_in_server.empty() ? "yes" : "no",
-                        record.not_in_python.empty() ? "`" + python + "`" : "no", help);
+                        record.not_in_python.empty() ? "`" + python + "`" : "no", help, record.unit,
+                        record.by_default);
     if (!record.not_in_server.empty()) {
       reasons += fmt::format("- The server does not take `{}`: {}.\n", key, record.not_in_server);
     }

@@ -48,6 +48,11 @@ std::string spelled_with_value(const OptionRecord& record, Door door) {
                                                         : fmt::format("{} {}", key, record.value);
 }
 
+std::string help_of(const OptionRecord& record) {
+  return std::string(record.help) +
+         (record.by_default.empty() ? "" : fmt::format(" (default: {})", record.by_default));
+}
+
 std::string sentence_of(OptionRule::Says says, const std::vector<std::string>& keys,
                         const std::vector<std::string>& others) {
   const bool one = keys.size() == 1;

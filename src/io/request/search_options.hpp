@@ -19,6 +19,7 @@ template <typename Request>
     std::string_view no_time_in_server = {}) {
   options.push_back(option("seconds", "DURATION", how_long, &Request::seconds,
                            {.flags = "--time",
+                            .unit = "seconds",
                             .python = "time",
                             .not_in_server = no_time_in_server,
                             .of_every_search = true}));
@@ -26,8 +27,9 @@ template <typename Request>
       "threads", "N", "threads to use", &Request::threads,
       {.not_in_server = "the server gives each request its share", .of_every_search = true}));
   options.push_back(
-      option("seed", "N", "seed of the random numbers (default 1)", &Request::seed,
-             {.not_in_server = "the same request has the same answer for every caller",
+      option("seed", "N", "seed of the random numbers", &Request::seed,
+             {.by_default = "1",
+              .not_in_server = "the same request has the same answer for every caller",
               .of_every_search = true}));
   return options;
 }

@@ -105,6 +105,11 @@ TEST(JobRequest, EveryKeyAndFlagIsThereOnceAndEveryRuleKnowsItsKeys) {
     EXPECT_TRUE(flags.insert(option.record.flags).second) << option.record.flags;
     EXPECT_FALSE(option.record.help.empty()) << option.record.key;
     EXPECT_EQ(option.record.kind == ValueKind::list, option.record.shape != RowShape::none);
+    if (option.record.kind == ValueKind::amount || option.record.kind == ValueKind::seconds) {
+      EXPECT_FALSE(option.record.unit.empty()) << option.record.key;
+    }
+    // Said by the record, once.
+    EXPECT_EQ(option.record.help.find("default"), std::string_view::npos) << option.record.key;
   }
   for (const OptionRule& rule : job_table().rules) {
     for (const auto* const list : {&rule.keys, &rule.others}) {
