@@ -33,8 +33,8 @@ void plan_again(const Job& job, RunControl& control) {
         changeover::written(document, "markdown")}) {
     must(is_plain(text), "a run sheet is plain text");
   }
-  must(place_faults(job, {&plan.sheet}, placed(job, {&plan.sheet})).empty(),
-       "a part that stays keeps its place");
+  const std::vector<ShownSheet> shown{{&job, &plan.sheet}};
+  must(place_faults(shown, placed(shown)).empty(), "a part that stays keeps its place");
   if (plan.sheet.steps.empty()) {
     return;
   }

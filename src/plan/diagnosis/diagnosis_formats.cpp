@@ -295,7 +295,7 @@ void write_next(JsonWriter& json, const Job& job, const Diagnosis& found) {
   json.begin_object().key("set_up").value(names_of(job, next.setup));
   json.key("take_out").value(names_of(job, next.take_out));
   json.key("put_in").value(names_of(job, next.put_in));
-  const PlacedSheets places = placed(on_bench.job, {&on_bench.sheet});
+  const PlacedSheets places = placed({{&on_bench.job, &on_bench.sheet}});
   auto part = places.sheets.front().steps.front().begin();
   json.objects("places", places.places, [&](const MountedPlace& place) {
     json.key("number").value(place.number).key("part");
@@ -337,21 +337,19 @@ TableDocument table_document(const DiagnosisDocument& document) {
   for (const std::string& note : found.notes) {
     lines.push_back("note: " + note);
   }
-  made.headline = std::move(lines.front());
-  made.lines.assign(std::make_move_iterator(lines.begin() + 1),
-                    std::make_move_iterator(lines.end()));
+  set_lines(made, std::move(lines));
   const Money money(job);
   const auto sheet = std::make_shared<const NextSheet>(job, found.next, document.rest);
   made.sections.push_back(
       {.table = document.benches == nullptr
-                    ? kept_with(step_table(sheet->job, {&sheet->with_rest}, money, {}), sheet)
+                    ? kept_with(step_table({{&sheet->job, &sheet->with_rest}}, money, {}), sheet)
                     : bench_step_table({.job = document.of_benches, .plan = document.benches}),
        .in = in_workbook,
        .sheet = "Run sheet"});
   if (found.next) {
     made.sections.push_back(
         {.heading = fmt::format("Next test, {}", cost_words(job, money, found.next->cost)),
-         .table = kept_with(step_table(sheet->job, {&sheet->sheet}, money, {}), sheet),
+         .table = kept_with(step_table({{&sheet->job, &sheet->sheet}}, money, {}), sheet),
          .in = for_people | in_csv});
   }
   // Also called without a table: it makes the sheet with the lines.

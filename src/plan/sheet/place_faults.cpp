@@ -77,22 +77,24 @@ class PlaceCheck {
 
 }  // namespace
 
-std::vector<std::string> place_faults(const Job& job, const std::vector<const RunSheet*>& sheets,
+std::vector<std::string> place_faults(const std::vector<ShownSheet>& sheets,
                                       const PlacedSheets& placed) {
-  PlaceCheck check(job, placed);
-  PlaceOfPart known;
-  for (const MountedPlace& place : job.places) {
-    if (place.part) {
-      known.emplace(*place.part, place.number);
-    }
-  }
+  PlaceCheck check(*sheets.front().job, placed);
   for (std::size_t bench = 0; bench < sheets.size(); ++bench) {
+    const Job& job = *sheets[bench].job;
+    const std::vector<RunStep>& steps = sheets[bench].sheet->steps;
     const PlacedSheet& sheet = placed.sheets.at(bench);
+    PlaceOfPart known;
+    for (const MountedPlace& place : job.places) {
+      if (place.part) {
+        known.emplace(*place.part, place.number);
+      }
+    }
     PlaceOfPart before = check.mounted("what is mounted before", sheet.before, job.start);
     check.stays("what is mounted before", known, before);
-    for (std::size_t i = 0; i < sheets[bench]->steps.size(); ++i) {
+    for (std::size_t i = 0; i < steps.size(); ++i) {
       const std::string where = fmt::format("step {}", i + 1 + job.tests_done);
-      PlaceOfPart now = check.mounted(where, sheet.steps.at(i), sheets[bench]->steps[i].setup);
+      PlaceOfPart now = check.mounted(where, sheet.steps.at(i), steps[i].setup);
       check.stays(where, before, now);
       before = std::move(now);
     }

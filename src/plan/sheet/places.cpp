@@ -34,11 +34,10 @@ std::size_t count_in(const Job& job, const Block& parts, std::uint32_t slot) {
 
 // The known places and further ones that the sheets need; each new one gets the smallest free
 // number.
-std::vector<MountedPlace> all_places(const std::vector<const Job*>& jobs,
-                                     const std::vector<const RunSheet*>& sheets) {
+std::vector<MountedPlace> all_places(const std::vector<ShownSheet>& sheets) {
   std::map<std::uint64_t, std::uint32_t> known;  // slots by number
-  for (const Job* job : jobs) {
-    for (const MountedPlace& place : job->places) {
+  for (const ShownSheet& shown : sheets) {
+    for (const MountedPlace& place : shown.job->places) {
       known.emplace(place.number, place.slot);
     }
   }
@@ -47,12 +46,12 @@ std::vector<MountedPlace> all_places(const std::vector<const Job*>& jobs,
                          [](const auto& place) { return place.first; });
   std::uint64_t next = 1;
   std::vector<MountedPlace> places;
-  for (const std::uint32_t slot : slots_of(*jobs.front())) {
+  for (const std::uint32_t slot : slots_of(*sheets.front().job)) {
     std::size_t width = 0;
-    for (std::size_t i = 0; i < sheets.size(); ++i) {
-      width = std::max(width, count_in(*jobs[i], jobs[i]->start, slot));
-      for (const RunStep& step : sheets[i]->steps) {
-        width = std::max(width, count_in(*jobs[i], step.setup, slot));
+    for (const auto& [job, sheet, bench, times] : sheets) {
+      width = std::max(width, count_in(*job, job->start, slot));
+      for (const RunStep& step : sheet->steps) {
+        width = std::max(width, count_in(*job, step.setup, slot));
       }
     }
     const std::size_t begin = places.size();
@@ -155,29 +154,19 @@ std::string PlacedSheets::head(const Job& job, std::size_t place) const {
                             : fmt::format("slot_{} {}", at.number, job.slots[at.slot].name);
 }
 
-PlacedSheets placed(const Job& job, const std::vector<const RunSheet*>& sheets) {
-  return placed(std::vector<const Job*>(sheets.size(), &job), sheets);
-}
-
-PlacedSheets placed(const std::vector<const Job*>& jobs,
-                    const std::vector<const RunSheet*>& sheets) {
-  PlacedSheets made{.places = {}, .sheets = {}};
-  if (sheets.empty()) {
-    return made;
-  }
-  made.places = all_places(jobs, sheets);
-  for (std::size_t i = 0; i < sheets.size(); ++i) {
-    BenchPlaces bench(*jobs[i], made.places);
+PlacedSheets placed(const std::vector<ShownSheet>& sheets) {
+  PlacedSheets made{.places = all_places(sheets), .sheets = {}};
+  for (const ShownSheet& shown : sheets) {
+    BenchPlaces bench(*shown.job, made.places);
     PlacedSheet& list = made.sheets.emplace_back();
     list.before = bench.now();
-    for (const RunStep& step : sheets[i]->steps) {
+    for (const RunStep& step : shown.sheet->steps) {
       bench.take(step);
       list.steps.push_back(bench.now());
     }
-    const PlacedSheets alone{.places = made.places, .sheets = {list}};
-    if (const auto faults = place_faults(*jobs[i], {sheets[i]}, alone); !faults.empty()) {
-      throw InternalError("places of parts: " + faults.front());
-    }
+  }
+  if (const auto faults = place_faults(sheets, made); !faults.empty()) {
+    throw InternalError("places of parts: " + faults.front());
   }
   return made;
 }

@@ -16,12 +16,20 @@
 #include <string>
 #include <vector>
 
-#include "changeover/plan/run_plan.hpp"
+#include "changeover/plan/benches.hpp"
 
 namespace changeover {
 
 /// The mounted part of each place.
 using MountedParts = std::vector<std::optional<Element>>;
+
+/// A run sheet, the job as it is on its bench, and what else is shown of it; all must outlive it.
+struct ShownSheet {
+  const Job* job = nullptr;
+  const RunSheet* sheet = nullptr;
+  std::string bench = {};                        ///< its name; empty: there is only one
+  const std::vector<StepTime>* times = nullptr;  ///< of the steps; null: sums of costs
+};
 
 struct PlacedSheet {
   MountedParts before;              ///< before the first step
@@ -37,18 +45,15 @@ struct PlacedSheets {
   [[nodiscard]] std::string head(const Job& job, std::size_t place) const;
 };
 
-/// The places of the parts of some sheets, which may be of several benches with the same places.
-/// O(parts + steps · places²). @throws InternalError if place_faults() finds a fault.
-[[nodiscard]] PlacedSheets placed(const Job& job, const std::vector<const RunSheet*>& sheets);
-/// The same with a job for each sheet; the jobs differ in the start and its places.
-[[nodiscard]] PlacedSheets placed(const std::vector<const Job*>& jobs,
-                                  const std::vector<const RunSheet*>& sheets);
+/// The places of the parts of some sheets, which may be of several benches with the same places:
+/// their jobs differ in the start and its places. O(parts + steps · places²). @throws InternalError
+/// if place_faults() finds a fault.
+[[nodiscard]] PlacedSheets placed(const std::vector<ShownSheet>& sheets);
 
 /// The faults of places, one per line: an independent check, which shares no code with placed().
 /// Faults: parts mounted that differ from the set-up, a place with a part of another slot, a part
 /// that moves while it stays, or before the first step although Job::places gives its place.
-[[nodiscard]] std::vector<std::string> place_faults(const Job& job,
-                                                    const std::vector<const RunSheet*>& sheets,
+[[nodiscard]] std::vector<std::string> place_faults(const std::vector<ShownSheet>& sheets,
                                                     const PlacedSheets& placed);
 
 }  // namespace changeover

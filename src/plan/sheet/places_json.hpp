@@ -17,12 +17,8 @@ namespace changeover {
 /// The places by number, with their parts.
 class PlacesInJson {
  public:
-  PlacesInJson(const Job& job, const std::vector<const RunSheet*>& sheets)
-      : PlacesInJson(std::vector<const Job*>(sheets.size(), &job), sheets, job) {}
-  /// With a job for each sheet, and the common job.
-  PlacesInJson(const std::vector<const Job*>& jobs, const std::vector<const RunSheet*>& sheets,
-               const Job& all)
-      : job_(&all), placed_(placed(jobs, sheets)), order_(placed_.places.size()) {
+  explicit PlacesInJson(const std::vector<ShownSheet>& sheets)
+      : sheets_(sheets), placed_(placed(sheets)), order_(placed_.places.size()) {
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     std::ranges::sort(order_, {}, [&](std::size_t i) { return placed_.places[i].number; });
   }
@@ -31,19 +27,41 @@ class PlacesInJson {
     json.objects("places", order_, [&](std::size_t i) {
       const MountedPlace& place = placed_.places[i];
       json.key("number").value(place.number).key("slot");
-      place.slot == no_slot ? json.null() : json.value(job_->slots[place.slot].name);
+      place.slot == no_slot ? json.null() : json.value(sheets_.front().job->slots[place.slot].name);
     });
   }
 
-  void write(JsonWriter& json, std::size_t sheet, std::size_t step) const {
-    json.list("places", order_, [&](std::size_t i) {
-      const auto& part = placed_.sheets[sheet].steps[step][i];
-      part ? json.value(job_->names[*part]) : json.null();
+  /// The steps of one sheet. Sheets of one bench and of several differ in what stands behind the
+  /// number of a step (`first`, of its index), behind its places (`met`, of the step) and at its
+  /// end (`last`, of its index).
+  template <typename First, typename Met, typename Last>
+  void write_steps(JsonWriter& json, std::size_t of, const Money& money, First&& first, Met&& met,
+                   Last&& last) const {
+    const Job& job = *sheets_[of].job;
+    std::size_t at = 0;
+    json.objects("steps", sheets_[of].sheet->steps, [&](const RunStep& step) {
+      json.key("step").value(job.tests_done + at + 1);
+      first(at);
+      json.key("take_out").value(names_of(job, step.take_out));
+      json.key("put_in").value(names_of(job, step.put_in));
+      json.key("set_up").value(names_of(job, step.setup));
+      json.list("places", order_, [&](std::size_t i) {
+        const auto& part = placed_.sheets[of].steps[at][i];
+        part ? json.value(job.names[*part]) : json.null();
+      });
+      met(step);
+      if (job.replaces()) {
+        json.list("replaced", step.replaced, [&](const auto& pair) {
+          json.value(names_of(job, {pair.first, pair.second}));
+        });
+      }
+      json.key("cost").raw(money(step.cost)).key("cost_so_far").raw(money(step.cost_so_far));
+      last(at++);
     });
   }
 
  private:
-  const Job* job_;
+  std::vector<ShownSheet> sheets_;
   PlacedSheets placed_;
   std::vector<std::size_t> order_;
 };
@@ -60,21 +78,6 @@ inline void write_weight(JsonWriter& json, const Job& job, Amount needed, Amount
   json.key("most");
   most ? json.raw(to_string(*most)) : json.null();
   json.end_object();
-}
-
-inline void write_changes(JsonWriter& json, const Job& job, const RunStep& step) {
-  json.key("take_out").value(names_of(job, step.take_out));
-  json.key("put_in").value(names_of(job, step.put_in));
-  json.key("set_up").value(names_of(job, step.setup));
-}
-
-/// If costs depend on what is replaced.
-inline void write_replaced(JsonWriter& json, const Job& job, const RunStep& step) {
-  if (job.replaces()) {
-    json.list("replaced", step.replaced, [&](const auto& pair) {
-      json.value(names_of(job, {pair.first, pair.second}));
-    });
-  }
 }
 
 inline void write_unit(JsonWriter& json, const Job& job) {

@@ -20,21 +20,22 @@
 #include "plan/sheet/step_table.hpp"
 
 namespace changeover {
-namespace {
 
-// The lists of parts that concern a whole sheet.
-void add_lists(TableDocument& document, const Job& job) {
+void add_mounted(TableDocument& document, const Job& job) {
   if (!job.mounted.empty()) {
     document.lists.push_back("mounted all the time: " + joined(names_of(job, job.mounted)));
   }
 }
 
-}  // namespace
-
-std::vector<std::string> mounted_on_page(const Job& job) {
-  return job.mounted.empty()
-             ? std::vector<std::string>()
-             : std::vector{"Stay mounted: " + joined(names_of(job, job.mounted), " · ")};
+std::vector<std::string> mounted_on_page(const Job& job, bool has_steps) {
+  std::vector<std::string> lines;
+  if (!job.mounted.empty()) {
+    lines.push_back("Stay mounted: " + joined(names_of(job, job.mounted), " · "));
+  }
+  if (!job.start.empty() && has_steps) {
+    lines.push_back("Mounted before the first step: " + joined(names_of(job, job.start), " · "));
+  }
+  return lines;
 }
 
 void set_lines(TableDocument& document, std::vector<std::string> lines) {
@@ -328,16 +329,12 @@ TableDocument table_document(const SheetDocument& document) {
                      .style = style_of(job, document.compact),
                      .overview = "Plan"};
   set_lines(made, summary(document));
-  add_lists(made, job);
-  if (!job.start.empty()) {
-    made.page_lines.push_back("Mounted before the first step: " +
-                              joined(names_of(job, job.start), " · "));
-  }
+  add_mounted(made, job);
   if (job.tests_done > 0) {
     made.page_lines.push_back(fmt::format("{} done before.", count_of(job.tests_done, "test")));
   }
   made.sections = {
-      {.table = step_table(job, {&document.plan->sheet}, money, {.compact = document.compact}),
+      {.table = step_table({{&job, &document.plan->sheet}}, money, {.compact = document.compact}),
        .sheet = "Run sheet"},
       {.heading = "Compared", .table = compared(document), .in = everywhere & ~in_csv}};
   add_what_goes_on(made, job, money, document.done, document.question);
@@ -397,18 +394,22 @@ std::string written_as(std::string_view format, std::initializer_list<std::strin
   return text ? *text : throw BadOption(fmt::format("{} is not written as {}", what, format));
 }
 
-}  // namespace
-
-std::string written(const SheetDocument& document, std::string_view format, std::size_t width) {
+// A plan for one bench, or for several.
+template <typename Document>
+std::string plan_written(const Document& document, std::string_view format, std::size_t width) {
   return format == "json" ? json_of(document)
                           : written_as(format, {"table", "csv", "markdown", "html", "xlsx"},
                                        "a plan", table_document(document), width);
 }
 
+}  // namespace
+
+std::string written(const SheetDocument& document, std::string_view format, std::size_t width) {
+  return plan_written(document, format, width);
+}
+
 std::string written(const BenchDocument& document, std::string_view format, std::size_t width) {
-  return format == "json" ? json_of(document)
-                          : written_as(format, {"table", "csv", "markdown", "html", "xlsx"},
-                                       "a plan", table_document(document), width);
+  return plan_written(document, format, width);
 }
 
 std::string written(const Job& job, const WhatIf& answer, std::string_view format) {

@@ -8,6 +8,7 @@
 #include "changeover/plan/diagnosis.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "io/table/table_document.hpp"
+#include "plan/sheet/places.hpp"
 #include "plan/sheet/sheet_words.hpp"
 
 namespace changeover {
@@ -33,15 +34,25 @@ void add_what_goes_on(TableDocument& document, const Job& job, const Money& mone
                       const DoneRecord* done, const std::vector<std::string>& question,
                       const RequestList& benches = {});
 
-/// "Stay mounted: A · B", for a page; empty if no part does.
-[[nodiscard]] std::vector<std::string> mounted_on_page(const Job& job);
+/// Adds the list of what stays mounted all the time.
+void add_mounted(TableDocument& document, const Job& job);
+
+/// For a page: "Stay mounted: A · B", "Mounted before the first step: C"; empty if no part is.
+[[nodiscard]] std::vector<std::string> mounted_on_page(const Job& job, bool has_steps = true);
 
 /// Sets the lines; the first one is the headline.
 void set_lines(TableDocument& document, std::vector<std::string> lines);
 
-/// The job as shown on the sheet of each bench: with its own start, and with the same places on all
-/// sheets.
-[[nodiscard]] std::vector<Job> jobs_on_sheets(const BenchDocument& document);
+/// The sheets of all benches. Each has a job with the start of its bench, and with the same places
+/// as all others.
+struct BenchSheets {
+  std::vector<Job> jobs;
+  std::vector<ShownSheet> shown;  ///< with names and without times
+
+  explicit BenchSheets(const BenchDocument& document);
+  BenchSheets(const BenchSheets&) = delete;  // The sheets refer to the jobs.
+  BenchSheets& operator=(const BenchSheets&) = delete;
+};
 
 /// The steps of all benches in one table, with a column for the bench.
 [[nodiscard]] Table bench_step_table(const BenchDocument& document);

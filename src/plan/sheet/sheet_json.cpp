@@ -90,7 +90,7 @@ std::string json_of(const SheetDocument& document) {
   json.key("triples_tested").value(sheet.triples_tested);
   write_weight(json, job, sheet.weight_needed, sheet.weight_tested, plan.most_weight);
   write_unit(json, job);
-  const PlacesInJson places(job, {&sheet});
+  const PlacesInJson places({{&job, &sheet}});
   places.write_all(json);
   std::optional<ShownValues> shown;
   if (job.model != nullptr) {
@@ -100,9 +100,7 @@ std::string json_of(const SheetDocument& document) {
     json.key("objective").value(plan.objective == PlanObjective::tests ? "tests" : "cost");
     json.key("proved_fewest_tests").value(plan.proved_fewest());
   }
-  std::size_t at = 0;
-  json.objects("steps", sheet.steps, [&](const RunStep& step) {
-    json.key("step").value(job.tests_done + at + 1);
+  const auto write_values = [&](std::size_t at) {
     if (shown) {
       json.key("values").begin_object();
       for (std::size_t p = 0; p < job.model->parameters.size(); ++p) {
@@ -110,8 +108,8 @@ std::string json_of(const SheetDocument& document) {
       }
       json.end_object();
     }
-    write_changes(json, job, step);
-    places.write(json, 0, at++);
+  };
+  const auto write_met = [&](const RunStep& step) {
     json.list("new_pairs", step.new_pairs, [&](const auto& pair) {
       json.value(names_of(job, {pair.first, pair.second}));
     });
@@ -120,11 +118,10 @@ std::string json_of(const SheetDocument& document) {
         json.value(names_of(job, {t.begin(), t.end()}));
       });
     }
-    write_replaced(json, job, step);
-    json.key("cost").raw(money(step.cost));
-    json.key("cost_so_far").raw(money(step.cost_so_far));
+  };
+  places.write_steps(json, 0, money, write_values, write_met, [&](std::size_t at) {
     if (!job.weights.empty()) {
-      json.key("weight_so_far").raw(to_string(step.weight_so_far));
+      json.key("weight_so_far").raw(to_string(sheet.steps[at].weight_so_far));
     }
   });
   json.list("candidates", plan.candidates,

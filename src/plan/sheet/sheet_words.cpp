@@ -156,8 +156,10 @@ std::vector<std::string> put_in_words(const Job& job, const RunStep& step) {
 
 std::string what_meets(const Job& job) { return job.triples.empty() ? "pairs" : "triples"; }
 
-std::uint64_t tested_by(const Job& job, const Candidate& candidate) {
-  return job.triples.empty() ? candidate.pairs_tested : candidate.triples_tested;
+std::string budget_line(const Job& job, const Money& money, std::optional<Amount> budget,
+                        Amount cost) {
+  return fmt::format("budget {}: testing all {} would cost {}", money(budget.value_or(Amount{})),
+                     what_meets(job), money(cost));
 }
 
 std::uint64_t new_here(const Job& job, const RunStep& step) {
@@ -169,15 +171,11 @@ std::vector<std::string> summary(const SheetDocument& document) {
   const RunPlan& plan = *document.plan;
   const RunSheet& sheet = plan.sheet;
   const Money money(job, document.budget);
-  const bool triples = !job.triples.empty();
   const std::string all = "all " + what_meets(job);
   std::vector<std::string> lines{
       fmt::format("{}: {}, {}, {}", what_there_is(job), count_of(sheet.steps.size(), "test"),
                   count_of(sheet.changes, "change"), cost_words(job, money, sheet.cost)),
-      fmt::format("{} of {} tested, checked by an independent count",
-                  triples ? sheet.triples_tested : sheet.pairs_tested,
-                  triples ? count_of(sheet.triples_needed, "needed triple")
-                          : count_of(sheet.pairs_needed, "needed pair"))};
+      tested_line(job, sheet, "")};
   if (job.model != nullptr && !job.model->constraints.empty()) {
     lines.push_back(fmt::format("all tests follow {}, checked as they are written",
                                 count_of(job.model->constraints.size(), "rule")));
@@ -211,9 +209,7 @@ std::vector<std::string> summary(const SheetDocument& document) {
                                               : fmt::format("; next the {}, {}", next.name, by)));
   }
   if (plan.complete) {
-    lines.push_back(fmt::format("budget {}: testing {} would cost {}",
-                                money(document.budget.value_or(Amount{})), all,
-                                money(plan.complete->cost)));
+    lines.push_back(budget_line(job, money, document.budget, plan.complete->cost));
   }
   if (!job.weights.empty()) {
     lines.push_back(weight_line(job, plan, money));

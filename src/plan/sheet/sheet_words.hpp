@@ -1,9 +1,12 @@
 // Texts shared by all formats of a run sheet.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "changeover/plan/benches.hpp"
@@ -63,8 +66,24 @@ class Money {
 /// "pairs", or "triples" if these have to meet.
 [[nodiscard]] std::string what_meets(const Job& job);
 
-/// The number of them that a candidate tests.
-[[nodiscard]] std::uint64_t tested_by(const Job& job, const Candidate& candidate);
+/// The number of them that a candidate or a sheet tests.
+template <typename Tests>
+[[nodiscard]] std::uint64_t tested_by(const Job& job, const Tests& what) {
+  return job.triples.empty() ? what.pairs_tested : what.triples_tested;
+}
+
+/// "5 of 6 needed pairs tested, checked by an independent count", of a sheet or of all benches.
+template <typename Count>
+[[nodiscard]] std::string tested_line(const Job& job, const Count& count, std::string_view where) {
+  return fmt::format("{} of {} tested{}, checked by an independent count", tested_by(job, count),
+                     job.triples.empty() ? count_of(count.pairs_needed, "needed pair")
+                                         : count_of(count.triples_needed, "needed triple"),
+                     where);
+}
+
+/// "budget 20: testing all pairs would cost 31".
+[[nodiscard]] std::string budget_line(const Job& job, const Money& money,
+                                      std::optional<Amount> budget, Amount cost);
 
 /// The number of them that a step tests first.
 [[nodiscard]] std::uint64_t new_here(const Job& job, const RunStep& step);

@@ -9,7 +9,6 @@
 #include "changeover/io/tables.hpp"
 #include "core/contains.hpp"
 #include "plan/sheet/clock.hpp"
-#include "plan/sheet/places.hpp"
 #include "plan/sheet/shown_values.hpp"
 
 namespace changeover {
@@ -29,22 +28,20 @@ struct Line {
 
 // The lines with the data that they refer to.
 struct Steps {
+  std::vector<ShownSheet> sheets;
   PlacedSheets placed;
   std::vector<Line> lines;
 };
 
-std::shared_ptr<const Steps> steps_of(const Job& job, const std::vector<const RunSheet*>& sheets,
-                                      const StepTableOptions& options) {
-  const std::vector<const Job*> jobs =
-      options.jobs.empty() ? std::vector<const Job*>(sheets.size(), &job) : options.jobs;
-  const auto made = std::make_shared<Steps>(Steps{placed(jobs, sheets), {}});
+std::shared_ptr<const Steps> steps_of(const std::vector<ShownSheet>& sheets) {
+  const auto made = std::make_shared<Steps>(Steps{sheets, placed(sheets), {}});
   for (std::size_t bench = 0; bench < sheets.size(); ++bench) {
+    const auto& [job, sheet, name, times] = sheets[bench];
     const PlacedSheet& list = made->placed.sheets[bench];
     const MountedParts* before = &list.before;
     for (std::size_t i = 0; i < list.steps.size(); ++i) {
-      const StepTime* const time = options.times.empty() ? nullptr : &(*options.times[bench])[i];
-      made->lines.push_back({bench, jobs[bench]->tests_done + i + 1, &sheets[bench]->steps[i], time,
-                             before, &list.steps[i], i});
+      made->lines.push_back({bench, job->tests_done + i + 1, &sheet->steps[i],
+                             times == nullptr ? nullptr : &(*times)[i], before, &list.steps[i], i});
       before = &list.steps[i];
     }
   }
@@ -150,9 +147,10 @@ std::string css_text(std::string_view text) {
 
 class StepTable {
  public:
-  StepTable(const Job& job, const std::vector<const RunSheet*>& sheets, const Money& money,
+  StepTable(const std::vector<ShownSheet>& sheets, const Money& money,
             const StepTableOptions& options)
-      : job_(&job), money_(money), options_(options), steps_(steps_of(job, sheets, options)) {
+      : job_(sheets.front().job), money_(money), options_(options), steps_(steps_of(sheets)) {
+    const Job& job = *job_;
     const bool long_names = has_long_names(job);
     // One name per line would make a step as high as a third of a page.
     constexpr std::uint64_t most_lines = 6;
@@ -167,9 +165,9 @@ class StepTable {
                                   : " whole") +
                  (flows_ || (has_many_slots(job) && job.model == nullptr) ? " many" : "") +
                  (job.model == nullptr ? "" : " values");
-    for (const RunSheet* sheet : sheets) {
+    for (const ShownSheet& shown : sheets) {
       if (job.model != nullptr) {
-        values_.emplace_back(job, *sheet);
+        values_.emplace_back(job, *shown.sheet);
       }
     }
   }
@@ -201,14 +199,17 @@ class StepTable {
   void add_heads() {
     add("Pass Fail", [](const Line&) { return TableCell(); },
         {.kind = ColumnKind::choice, .in = in_html, .css = "verdict"});
-    if (!options_.benches.empty()) {
+    const ShownSheet& first = steps_->sheets.front();
+    if (!first.bench.empty()) {
       add("bench",
-          [names = options_.benches](const Line& line) { return TableCell(names[line.bench]); },
+          [&steps = *steps_](const Line& line) {
+            return TableCell(steps.sheets[line.bench].bench);
+          },
           {.in = for_programs});
     }
     add("step", [](const Line& line) { return number_cell(line.number); },
         {.kind = ColumnKind::number, .css = "step"});
-    if (!options_.times.empty()) {
+    if (first.times != nullptr) {
       options_.calendar == nullptr ? add_times() : add_days(*options_.calendar);
     }
   }
@@ -440,9 +441,9 @@ std::string value_style(const Job& job, bool compact) {
                      names.size() + 3);
 }
 
-Table step_table(const Job& job, const std::vector<const RunSheet*>& sheets, const Money& money,
+Table step_table(const std::vector<ShownSheet>& sheets, const Money& money,
                  const StepTableOptions& options) {
-  return StepTable(job, sheets, money, options).made();
+  return StepTable(sheets, money, options).made();
 }
 
 }  // namespace changeover

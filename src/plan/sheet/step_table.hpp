@@ -6,22 +6,19 @@
 
 #include "io/table/table.hpp"
 #include "plan/sheet/benches/bench_calendar.hpp"
+#include "plan/sheet/places.hpp"
 #include "plan/sheet/sheet_words.hpp"
 
 namespace changeover {
 
 struct StepTableOptions {
-  bool compact = false;                   ///< as in SheetDocument
-  std::vector<std::string> benches = {};  ///< by sheet: the bench of each step, in the first column
-  std::vector<const Job*> jobs = {};  ///< by sheet: the job as shown on it; empty: the common one
-  std::vector<const std::vector<StepTime>*> times =
-      {};                                   ///< by sheet: times of steps; empty: sums of costs
+  bool compact = false;                     ///< as in SheetDocument
   const BenchCalendar* calendar = nullptr;  ///< if set, times are days and hours
 };
 
-/// The jobs, the sheets, the times and the calendar must outlive the table.
-[[nodiscard]] Table step_table(const Job& job, const std::vector<const RunSheet*>& sheets,
-                               const Money& money, const StepTableOptions& options);
+/// What the sheets refer to must outlive the table. Names of benches are in its first column.
+[[nodiscard]] Table step_table(const std::vector<ShownSheet>& sheets, const Money& money,
+                               const StepTableOptions& options);
 
 /// Additional style for the steps of a model: on a phone each value follows the name of its
 /// parameter. Empty for other jobs.

@@ -125,7 +125,8 @@ TEST(Places, AStayHasOneColumnOnEveryBench) {
   set_slots(job, {"a", "a", "a", "b", "b", "b", "", "", ""}, {{"a", 0, 2}, {"b", 1, 2}});
   RunControl control({.threads = 1});
   const BenchPlan plan = make_bench_plan(job, {.benches = 3, .plan = {.steps = 500}}, control);
-  const PlacedSheets all = placed(job, {&plan.sheets[0], &plan.sheets[1], &plan.sheets[2]});
+  const PlacedSheets all =
+      placed({{&job, &plan.sheets[0]}, {&job, &plan.sheets[1]}, {&job, &plan.sheets[2]}});
   EXPECT_EQ(all.places.size(), 2U + 2U + 3U);
   SeenSheet sheet = seen(written(BenchDocument{.job = &job, .plan = &plan}, "csv"));
   std::size_t first = 0;
@@ -145,7 +146,7 @@ TEST(Places, WhatReplacesAPartTakesItsPlace) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     const Job job = test::replacing(test::random_job(seed, 7), seed);
     const RunPlan plan = some_plan(job);
-    const PlacedSheets all = placed(job, {&plan.sheet});
+    const PlacedSheets all = placed({{&job, &plan.sheet}});
     for (std::size_t i = 0; i < plan.sheet.steps.size(); ++i) {
       const MountedParts& before = i == 0 ? all.sheets[0].before : all.sheets[0].steps[i - 1];
       for (const auto& [out, in] : plan.sheet.steps[i].replaced) {
@@ -159,7 +160,7 @@ TEST(Places, WhatReplacesAPartTakesItsPlace) {
 TEST(Places, APartThatComesBackTakesItsOldPlaceIfItIsFree) {
   const Job job = make_job(4, 3, Amount{1}, Amount{1});
   const RunSheet sheet = run_sheet(job, {{0, 1, 2}, {2}, {1, 2}, {0, 1, 2}});
-  const PlacedSheets all = placed(job, {&sheet});
+  const PlacedSheets all = placed({{&job, &sheet}});
   EXPECT_EQ(all.sheets[0].steps[2], (MountedParts{std::nullopt, 1U, 2U}));
   EXPECT_EQ(all.sheets[0].steps[3], (MountedParts{0U, 1U, 2U}));
 }
@@ -169,7 +170,7 @@ TEST(Places, AreFoundAgainByTheirNumbers) {
   job.start = {3, 1};
   job.places = {{.number = 7, .part = 1U}, {.number = 2}};
   const RunSheet sheet = run_sheet(job, {{1, 3, 4}});
-  const PlacedSheets all = placed(job, {&sheet});
+  const PlacedSheets all = placed({{&job, &sheet}});
   std::vector<std::uint64_t> numbers;
   for (const MountedPlace& place : all.places) {
     numbers.push_back(place.number);
@@ -184,8 +185,8 @@ RC_GTEST_PROP(PlacesProperty, TheCountFindsWhatIsWrong, ()) {
   const Job job = some_job(some_number(10'000));
   const RunPlan plan = some_plan(job);
   RC_PRE(!plan.sheet.steps.empty());
-  PlacedSheets all = placed(job, {&plan.sheet});
-  RC_ASSERT(place_faults(job, {&plan.sheet}, all).empty());
+  PlacedSheets all = placed({{&job, &plan.sheet}});
+  RC_ASSERT(place_faults({{&job, &plan.sheet}}, all).empty());
   const std::size_t step = some_number(plan.sheet.steps.size() - 1);
   MountedParts& parts = all.sheets[0].steps[step];
   const std::size_t place = some_number(parts.size() - 1);
@@ -216,7 +217,7 @@ RC_GTEST_PROP(PlacesProperty, TheCountFindsWhatIsWrong, ()) {
       std::swap(parts[place], parts[other]);
     }
   }
-  RC_ASSERT(!place_faults(job, {&plan.sheet}, all).empty());
+  RC_ASSERT(!place_faults({{&job, &plan.sheet}}, all).empty());
 }
 
 // A sheet is filled in up to some row, and the rest is planned anew: what is mounted keeps its
@@ -292,7 +293,7 @@ TEST(Places, AreKeptInDocuments) {
   const PlanAnswer answer = answer_to(request, asked, control);
   const std::string json = written(request, asked, answer, "json");
   EXPECT_THAT(json, HasSubstr(R"("places":[{"number":1,"slot":null},{"number":2,)"));
-  const PlacedSheets all = placed(*asked.job, {&answer.plan->sheet});
+  const PlacedSheets all = placed({{&*asked.job, &answer.plan->sheet}});
   EXPECT_EQ(all.sheets[0].before, (MountedParts{std::nullopt, 2U, 0U}));
 }
 

@@ -9,7 +9,6 @@
 #include "core/each.hpp"
 #include "core/words.hpp"
 #include "plan/sheet/benches/bench_words.hpp"
-#include "plan/sheet/places.hpp"
 #include "plan/sheet/sheet_document.hpp"
 #include "plan/sheet/step_table.hpp"
 
@@ -23,9 +22,7 @@ Table compared_benches(const BenchDocument& document, const Money& money) {
   rows.reserve(document.plan->candidates.size());
   for (const BenchCandidate& c : document.plan->candidates) {
     rows.push_back({c.name, std::to_string(c.tests), std::to_string(c.changes), money(c.makespan),
-                    money(c.cost),
-                    std::to_string(job.triples.empty() ? c.pairs_tested : c.triples_tested),
-                    c.how});
+                    money(c.cost), std::to_string(tested_by(job, c)), c.how});
   }
   Table table = table_of({{"plan", {}},
                           {"tests", number_column},
@@ -59,16 +56,6 @@ Table bench_table(const BenchDocument& document, const Money& money) {
                   std::move(rows));
 }
 
-// The job as shown on the sheet of a bench.
-Job shown_job(const Job& job, const Bench& bench) {
-  Job own = job;
-  own.mounted = bench.mounted.value_or(job.mounted);
-  own.start = bench.start.value_or(job.start);
-  own.places = bench.places;
-  own.tests_done = bench.tests_done;
-  return own;
-}
-
 // The name of a sheet of a workbook: at most 31 characters, without some signs, and unique.
 std::string sheet_name(const std::string& name, std::set<std::string>& taken) {
   constexpr std::size_t longest = 31;
@@ -89,39 +76,29 @@ std::string sheet_name(const std::string& name, std::set<std::string>& taken) {
 
 }  // namespace
 
-std::vector<Job> jobs_on_sheets(const BenchDocument& document) {
+BenchSheets::BenchSheets(const BenchDocument& document)
+    : jobs(document.plan->benches.size(), *document.job) {
   const BenchPlan& plan = *document.plan;
-  std::vector<Job> jobs;
-  jobs.reserve(plan.benches.size());
-  for (const Bench& bench : plan.benches) {
-    jobs.push_back(shown_job(*document.job, bench));
-  }
-  std::vector<const Job*> all;
-  std::vector<const RunSheet*> sheets;
   for (std::size_t b = 0; b < jobs.size(); ++b) {
-    all.push_back(&jobs[b]);
-    sheets.push_back(&plan.sheets[b]);
+    const Bench& bench = plan.benches[b];
+    jobs[b].mounted = bench.mounted.value_or(document.job->mounted);
+    jobs[b].start = bench.start.value_or(document.job->start);
+    jobs[b].places = bench.places;
+    jobs[b].tests_done = bench.tests_done;
+    shown.push_back({&jobs[b], &plan.sheets[b], name_of(plan.benches, b)});
   }
-  const std::vector<MountedPlace> places = placed(all, sheets).places;
+  const std::vector<MountedPlace> places = placed(shown).places;
   for (Job& job : jobs) {
     const std::vector<MountedPlace> known = std::exchange(job.places, places);
     for (const MountedPlace& one : known) {
       std::ranges::find(job.places, one.number, &MountedPlace::number)->part = one.part;
     }
   }
-  return jobs;
 }
 
 Table bench_step_table(const BenchDocument& document) {
-  const auto jobs = std::make_shared<const std::vector<Job>>(jobs_on_sheets(document));
-  StepTableOptions options;
-  std::vector<const RunSheet*> sheets;
-  for (std::size_t b = 0; b < jobs->size(); ++b) {
-    options.benches.push_back(name_of(document.plan->benches, b));
-    options.jobs.push_back(&(*jobs)[b]);
-    sheets.push_back(&document.plan->sheets[b]);
-  }
-  return kept_with(step_table(*document.job, sheets, money_of(document), options), jobs);
+  const auto sheets = std::make_shared<const BenchSheets>(document);
+  return kept_with(step_table(sheets->shown, money_of(document), {}), sheets);
 }
 
 TableDocument table_document(const BenchDocument& document) {
@@ -129,53 +106,39 @@ TableDocument table_document(const BenchDocument& document) {
   const Money money = money_of(document);
   const BenchCalendar calendar = calendar_of(document);
   const bool timed = calendar.has_days() || some_bench_waits(plan);
+  const StepTableOptions options{.calendar = calendar.has_days() ? &calendar : nullptr};
   // Data that the tables refer to live as long as the tables.
-  const auto jobs = std::make_shared<const std::vector<Job>>(jobs_on_sheets(document));
+  const auto sheets = std::make_shared<const BenchSheets>(document);
   TableDocument made{.title = document.title, .style = style_of(*document.job), .overview = "Plan"};
   set_lines(made, bench_summary(document));
-  if (!document.job->mounted.empty()) {
-    made.lists.push_back("mounted all the time: " +
-                         joined(names_of(*document.job, document.job->mounted)));
-  }
+  add_mounted(made, *document.job);
   made.sections.push_back(
       {.heading = "Compared", .table = compared_benches(document, money), .in = in_html});
-  std::vector<const RunSheet*> all;
-  StepTableOptions whole;
+  std::vector<ShownSheet> whole;
   std::set<std::string> taken{
       "plan",      "parts",  "slots", "never", "done", "benches", "changeover-question",
       "run sheet", "history"};  // Excel has a use for the last
   for (std::size_t b = 0; b < plan.sheets.size(); ++b) {
     const RunSheet& sheet = plan.sheets[b];
-    const std::string name = name_of(plan.benches, b);
-    const Job& job = (*jobs)[b];
-    StepTableOptions options{.benches = {name}};
-    if (timed) {
-      options.times = {&plan.times[b]};
-      options.calendar = calendar.has_days() ? &calendar : nullptr;
-    }
-    all.push_back(&sheet);
-    whole.benches.push_back(plan.benches[b].name.empty() ? std::to_string(b + 1) : name);
-    whole.jobs.push_back(&job);
-    whole.times.push_back(&plan.times[b]);
-    std::vector<std::string> lines = mounted_on_page(job);
-    if (!job.start.empty() && !sheet.steps.empty()) {
-      lines.push_back("Mounted before the first step: " + joined(names_of(job, job.start), " · "));
-    }
+    ShownSheet shown = sheets->shown[b];
+    shown.times = timed ? &plan.times[b] : nullptr;
     made.sections.push_back(
-        {.heading = fmt::format("{}: {}, {}, cost {}", name, count_of(sheet.steps.size(), "test"),
-                                count_of(sheet.changes, "change"), money(sheet.cost)),
-         .page_lines = std::move(lines),
-         .table = kept_with(step_table(job, {&sheet}, money, options), jobs),
+        {.heading =
+             fmt::format("{}: {}, {}, cost {}", shown.bench, count_of(sheet.steps.size(), "test"),
+                         count_of(sheet.changes, "change"), money(sheet.cost)),
+         .page_lines = mounted_on_page(*shown.job, !sheet.steps.empty()),
+         .table = kept_with(step_table({shown}, money, options), sheets),
          .in = everywhere & ~in_csv,
          .css = "bench",
-         .sheet = sheet_name(name, taken),
-         .sheet_head = fmt::format("{}: {}", document.title, name)});
+         .sheet = sheet_name(shown.bench, taken),
+         .sheet_head = fmt::format("{}: {}", document.title, shown.bench)});
+    if (plan.benches[b].name.empty()) {
+      shown.bench = std::to_string(b + 1);
+    }
+    whole.push_back(std::move(shown));
   }
-  whole.calendar = calendar.has_days() ? &calendar : nullptr;
-  if (!timed) {
-    whole.times.clear();
-  }
-  made.sections.push_back({.table = step_table(*document.job, all, money, whole), .in = in_csv});
+  made.sections.push_back(
+      {.table = kept_with(step_table(whole, money, options), sheets), .in = in_csv});
   made.sections.push_back({.table = bench_table(document, money), .in = in_workbook});
   made.sections.push_back({.heading = "Compared",
                            .table = compared_benches(document, money),

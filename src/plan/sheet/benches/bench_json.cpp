@@ -22,28 +22,6 @@ void write_times(JsonWriter& json, const StepTime& time, const BenchCalendar& ca
   }
 }
 
-void write_bench_steps(JsonWriter& json, const BenchDocument& document, std::size_t bench,
-                       const Money& money, const BenchCalendar& calendar,
-                       const PlacesInJson& places) {
-  const Job& job = *document.job;
-  const BenchPlan& plan = *document.plan;
-  std::size_t i = 0;
-  json.objects("steps", plan.sheets[bench].steps, [&](const RunStep& step) {
-    json.key("step").value(plan.benches[bench].tests_done + i + 1);
-    write_changes(json, job, step);
-    places.write(json, bench, i);
-    json.key("new_" + what_meets(job)).value(new_here(job, step));
-    write_replaced(json, job, step);
-    json.key("cost").raw(money(step.cost));
-    json.key("cost_so_far").raw(money(step.cost_so_far));
-    write_times(json, plan.times[bench][i], calendar, money);
-    if (const Block& again = plan.schedule[bench][i].again; !again.empty()) {
-      json.key("again").value(names_of(job, again));
-    }
-    ++i;
-  });
-}
-
 void write_bench(JsonWriter& json, const BenchDocument& document, std::size_t bench,
                  const Money& money, const BenchCalendar& calendar, const PlacesInJson& places) {
   const Job& job = *document.job;
@@ -58,7 +36,17 @@ void write_bench(JsonWriter& json, const BenchDocument& document, std::size_t be
   json.key("tests").value(sheet.steps.size());
   json.key("changes").value(sheet.changes).key("cost").raw(money(sheet.cost));
   json.key("end").raw(money(plan.times[bench].empty() ? Amount{} : plan.times[bench].back().end));
-  write_bench_steps(json, document, bench, money, calendar, places);
+  const auto write_met = [&](const RunStep& step) {
+    json.key("new_" + what_meets(job)).value(new_here(job, step));
+  };
+  places.write_steps(
+      json, bench, money, [](std::size_t) {}, write_met,
+      [&](std::size_t at) {
+        write_times(json, plan.times[bench][at], calendar, money);
+        if (const Block& again = plan.schedule[bench][at].again; !again.empty()) {
+          json.key("again").value(names_of(job, again));
+        }
+      });
   json.end_object();
 }
 
@@ -114,14 +102,8 @@ std::string json_of(const BenchDocument& document) {
     write_finish(json, plan.makespan, calendar, money);
   }
   write_unit(json, job);
-  const std::vector<Job> jobs = jobs_on_sheets(document);
-  std::vector<const Job*> each;
-  std::vector<const RunSheet*> sheets;
-  for (std::size_t bench = 0; bench < jobs.size(); ++bench) {
-    each.push_back(&jobs[bench]);
-    sheets.push_back(&plan.sheets[bench]);
-  }
-  const PlacesInJson places(each, sheets, job);
+  const BenchSheets sheets(document);
+  const PlacesInJson places(sheets.shown);
   places.write_all(json);
   json.list("sheets", std::views::iota(std::size_t{0}, plan.sheets.size()), [&](std::size_t bench) {
     write_bench(json, document, bench, money, calendar, places);

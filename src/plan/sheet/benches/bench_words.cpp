@@ -210,13 +210,8 @@ std::vector<std::string> bench_summary(const BenchDocument& document) {
   const BenchPlan& plan = *document.plan;
   const Money money = money_of(document);
   const BenchCalendar calendar = calendar_of(document);
-  const bool triples = !job.triples.empty();
-  std::vector<std::string> lines{
-      headline(document), end_line(document, calendar, money),
-      fmt::format("{} of {} tested on some bench, checked by an independent count",
-                  triples ? plan.triples_tested : plan.pairs_tested,
-                  triples ? count_of(plan.triples_needed, "needed triple")
-                          : count_of(plan.pairs_needed, "needed pair"))};
+  std::vector<std::string> lines{headline(document), end_line(document, calendar, money),
+                                 tested_line(job, plan, " on some bench")};
   if (job.met_only_in_failed > 0) {
     lines.push_back(failed_line(job));
   }
@@ -228,9 +223,7 @@ std::vector<std::string> bench_summary(const BenchDocument& document) {
                                 plan.candidates.front().name));
   } else {
     lines.push_back(fmt::format("best within the budget: {}", plan.candidates.front().name));
-    lines.push_back(fmt::format("budget {}: testing all {} would cost {}",
-                                money(document.budget.value_or(Amount{})), what_meets(job),
-                                money(plan.complete->cost)));
+    lines.push_back(budget_line(job, money, document.budget, plan.complete->cost));
   }
   if (!job.weights.empty()) {
     lines.push_back(weight_words(plan.weight_tested, plan.weight_needed,
