@@ -161,6 +161,52 @@ test('a design that is developed shows its symmetry', async (explorer) => {
   assert.equal(await page.locator('.circle-picture text').count(), 61);
 });
 
+test('stays are dragged, and zoomed with two fingers', async (explorer) => {
+  const page = await explorer.open('#/design?v=61&k=4&kind=circular&show=stays');
+  const canvas = page.locator('.timeline-canvas');
+  await canvas.focus();
+  for (let i = 0; i < 4; ++i) {
+    await page.keyboard.press('+');
+  }
+  await page.waitForURL(/from=\d+/);
+  const from = () => Number(params(page).get('from'));
+  const begun = from();
+  const { x, y, width } = await canvas.boundingBox();
+  const [middle, high] = [x + width / 2, y + 60];
+  await page.mouse.move(middle, high);
+  await page.mouse.down();
+  await page.mouse.move(middle - 30, high, { steps: 3 });
+  await page.mouse.move(middle - 120, high, { steps: 3 });
+  await page.mouse.up();
+  await page.waitForFunction((n) => Number(/from=(\d+)/.exec(location.hash)?.[1]) > n, begun);
+  assert.equal(params(page).get('sel'), null, 'who drags chooses nothing');
+  await page.mouse.click(middle, high, { button: 'right' });
+  assert.equal(params(page).get('sel'), null, 'nor does another button');
+  await page.keyboard.press('Escape');
+  await page.mouse.click(middle, high);
+  await page.waitForURL(/sel=/);
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('0');
+  await page.waitForURL((url) => !url.hash.includes('from='));
+  const touch = await page.context().newCDPSession(page);
+  const fingers = (type, apart) =>
+    touch.send('Input.dispatchTouchEvent', {
+      type,
+      touchPoints: (apart === null ? [] : [-apart, apart]).map((by, id) => ({
+        x: middle + by,
+        y: high,
+        id,
+      })),
+    });
+  await fingers('touchStart', 40);
+  for (const apart of [60, 80, 100, 120]) {
+    await fingers('touchMove', apart);
+  }
+  await fingers('touchEnd', null);
+  await page.waitForURL(/from=\d+/);
+  assert.equal(params(page).get('sel'), null);
+});
+
 test('ten thousand blocks are drawn, zoomed and panned without a pause', async (explorer) => {
   const page = await explorer.open('#/design?v=253&k=4&change=1&kind=linear&show=stays');
   const canvas = page.locator('.timeline-canvas');

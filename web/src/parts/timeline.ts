@@ -2,10 +2,11 @@
 // that it is there. Zoomed, panned and brushed; the strip above has the whole design and the part
 // that is in sight.
 import { inkOn } from '../lib/colours';
-import { clear, placeTip, resize, stride, token } from '../lib/canvas';
+import { clear, resize, stride, token } from '../lib/canvas';
 import { h } from '../lib/dom';
 import { number } from '../lib/words';
 import { Bars } from './bars';
+import { Drawing } from './drawing';
 import type { Choice, Stays } from './stays';
 
 export type Order = 'first' | 'stays' | 'given';
@@ -40,15 +41,15 @@ export function timeline(
   signal: AbortSignal,
 ): Timeline {
   const { v, b, stays } = steps;
-  const canvas = h('canvas', {
-    class: 'timeline-canvas',
-    tabindex: 0,
-    role: 'application',
-    'aria-roledescription': 'timeline',
-    'aria-label':
-      `${v} ${steps.item}s over ${b} ${steps.step}s. Up and down choose one, left ` +
+  const drawing = new Drawing(
+    'timeline',
+    'timeline',
+    `${v} ${steps.item}s over ${b} ${steps.step}s. Up and down choose one, left ` +
       `and right move, plus and minus zoom, 0 shows everything. Enter selects.`,
-  });
+    { still: drawStill, over: drawPointed },
+    signal,
+  );
+  const { canvas, screen, pen, later } = drawing;
   const strip = h('canvas', {
     class: 'timeline-strip',
     role: 'img',
@@ -56,20 +57,12 @@ export function timeline(
       'From the first step to the last: how many pairs have met, and the part in sight. Drag ' +
       'to choose a part.',
   });
-  const tip = h('div', { class: 'atlas-tip', hidden: true });
-  const place = h('div', { class: 'timeline-place' }, canvas, tip);
+  const place = h('div', { class: 'timeline-place' }, canvas, drawing.tip);
   const element = h('div', { class: 'timeline' }, strip, place);
-  const screen = canvas.getContext('2d')!;
-  /** What does not change with what is pointed at, which is drawn over it. */
-  const still = document.createElement('canvas');
-  const pen = still.getContext('2d')!;
   const bars = new Bars();
-  let stale = true;
   const thin = strip.getContext('2d')!;
   let rows: number[] = [];
   let rowOf = new Int32Array(v);
-  let width = 0;
-  let height = 0;
   /** Pixels a block, the block at the left edge (from 0), pixels a row, the first row in sight. */
   let scale = 4;
   let at = 0;
@@ -77,9 +70,8 @@ export function timeline(
   let top = 0;
   let pointed: { x: number; block: number } | null = null;
   let key = 0;
-  let frame = 0;
 
-  const room = (): number => width - left - 8;
+  const room = (): number => drawing.width - left - 8;
   const least = (): number => Math.min(widest, room() / b);
   function setOrder(next: readonly number[]): void {
     rows = [...next];
@@ -91,38 +83,19 @@ export function timeline(
   function clamp(): void {
     scale = Math.min(widest, Math.max(least(), scale));
     at = Math.max(0, Math.min(b - room() / scale, at));
-    top = Math.max(0, Math.min(v - (height - axis) / row, top));
+    top = Math.max(0, Math.min(v - (drawing.height - axis) / row, top));
   }
-  function later(): void {
-    stale = true;
-    soon();
-  }
-  function soon(): void {
-    if (frame === 0) {
-      frame = requestAnimationFrame(() => {
-        frame = 0;
-        draw();
-      });
-    }
-  }
-  function tellRange(): void {
+  /** Another part is in sight. */
+  function moved(): void {
+    clamp();
+    later();
     const whole = scale <= least() * 1.001;
     chosen.setRange(
       whole ? null : { from: Math.floor(at) + 1, to: Math.min(b, Math.ceil(at + room() / scale)) },
     );
   }
 
-  function draw(): void {
-    if (width === 0) {
-      return;
-    }
-    if (stale) {
-      stale = false;
-      drawStill();
-      drawStrip();
-    }
-    clear(screen, width, height);
-    screen.drawImage(still, 0, 0, width, height);
+  function drawPointed(): void {
     if (pointed) {
       screen.fillStyle = token('--text');
       screen.globalAlpha = 0.14;
@@ -130,14 +103,15 @@ export function timeline(
         left + (pointed.block - 1 - at) * scale,
         axis + (rowOf[pointed.x]! - top) * row,
       ];
-      screen.fillRect(Math.max(x, left), axis, Math.max(scale, 1), height);
+      screen.fillRect(Math.max(x, left), axis, Math.max(scale, 1), drawing.height);
       screen.fillRect(left, Math.max(y, axis), room(), row);
       screen.globalAlpha = 1;
     }
   }
 
   function drawStill(): void {
-    clear(pen, width, height);
+    drawStrip();
+    const { width, height } = drawing;
     const font = token('--text-font');
     const [kept, fresh, faint, line, mark, leave, sunken] = [
       '--met',
@@ -277,7 +251,7 @@ export function timeline(
 
   function drawStrip(): void {
     const high = strip.clientHeight;
-    clear(thin, width, high);
+    clear(thin, drawing.width, high);
     const [faint, met, accent] = [token('--faint'), token('--met'), token('--accent')];
     if (steps.pairs) {
       thin.fillStyle = met;
@@ -331,9 +305,7 @@ export function timeline(
     scale *= factor;
     clamp();
     at = block - (px - left) / scale;
-    clamp();
-    later();
-    tellRange();
+    moved();
   }
 
   function hit(event: { clientX: number; clientY: number }): { x: number; block: number } | null {
@@ -348,111 +320,58 @@ export function timeline(
       : { x: rows[i]!, block };
   }
 
-  let down: { x: number; y: number; at: number; top: number } | null = null;
-  let moved = 0;
-  canvas.addEventListener('pointerdown', (event) => {
-    down = { x: event.clientX, y: event.clientY, at, top };
-    moved = 0;
-    canvas.setPointerCapture(event.pointerId);
-  });
-  canvas.addEventListener('pointermove', (event) => {
-    if (down) {
-      const [dx, dy] = [event.clientX - down.x, event.clientY - down.y];
-      moved = Math.max(moved, Math.hypot(dx, dy));
-      if (moved > 4) {
-        at = down.at - dx / scale;
-        top = down.top - dy / row;
-        clamp();
-        tip.hidden = true;
-        later();
-        tellRange();
-      }
-      return;
-    }
-    const here = hit(event);
-    pointed = here && here.block > 0 ? here : null;
-    tip.hidden = !pointed;
-    if (pointed) {
-      const stay = stays.at(pointed.x, pointed.block);
-      placeTip(
-        tip,
-        canvas,
+  const shift = (pixels: number): void => {
+    at += pixels / scale;
+    moved();
+  };
+  const choose = (by: number): void => {
+    key = Math.max(0, Math.min(v - 1, key + by));
+    chosen.choose([rows[key]!]);
+    top = Math.min(key, Math.max(top, key + 1 - (drawing.height - axis) / row));
+    clamp();
+    later();
+  };
+  const zoom = (factor: number): void =>
+    factor === 0 ? zoomAt(1e-9, left) : zoomAt(factor, left + room() / 2);
+  drawing.follow({
+    point(event) {
+      const here = event && hit(event);
+      pointed = here && here.block > 0 ? here : null;
+      const stay = pointed && stays.at(pointed.x, pointed.block);
+      drawing.say(
         event,
-        `${steps.names[pointed.x]}, ${steps.step} ${number(pointed.block)}: ` +
-          `${stay ? `stays from ${number(stay[0])} to ${number(stay[1])}` : 'not there'}`,
+        pointed &&
+          `${steps.names[pointed.x]}, ${steps.step} ${number(pointed.block)}: ` +
+            `${stay ? `stays from ${number(stay[0])} to ${number(stay[1])}` : 'not there'}`,
       );
-    }
-    soon();
-  });
-  canvas.addEventListener('pointerup', (event) => {
-    const here = down && moved <= 4 ? hit(event) : null;
-    down = null;
-    if (here) {
-      key = rowOf[here.x]!;
-      chosen.toggle(here.x);
-    }
-  });
-  canvas.addEventListener('pointercancel', () => (down = null));
-  canvas.addEventListener('pointerleave', () => {
-    pointed = null;
-    tip.hidden = true;
-    soon();
-  });
-  canvas.addEventListener(
-    'wheel',
-    (event) => {
-      if (event.ctrlKey || event.metaKey) {
-        event.preventDefault();
-        zoomAt(
-          Math.exp(-event.deltaY * 0.0025 * (event.deltaMode === 1 ? 20 : 1)),
-          event.clientX - canvas.getBoundingClientRect().left,
-        );
-      } else if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
-        event.preventDefault();
-        at += (event.deltaX || event.deltaY) / scale;
-        clamp();
-        later();
-        tellRange();
+      drawing.soon();
+    },
+    click(event) {
+      const here = hit(event);
+      if (here) {
+        key = rowOf[here.x]!;
+        chosen.toggle(here.x);
       }
     },
-    { passive: false },
-  );
-  canvas.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) {
-      return;
-    }
-    const shift = (by: number): void => {
-      at += by * (room() / scale) * 0.2;
-      clamp();
-      tellRange();
-    };
-    const choose = (by: number): void => {
-      key = Math.max(0, Math.min(v - 1, key + by));
-      chosen.choose([rows[key]!]);
-      top = Math.min(key, Math.max(top, key + 1 - (height - axis) / row));
-      clamp();
-    };
-    const acts: Record<string, () => void> = {
-      ArrowLeft: () => shift(-1),
-      ArrowRight: () => shift(1),
-      a: () => shift(-1),
-      d: () => shift(1),
+    drag(x, y) {
+      top -= y / row;
+      shift(-x);
+    },
+    zoomAt,
+    zoom,
+    aside: shift,
+    keys: {
+      ArrowLeft: () => shift(-0.2 * room()),
+      ArrowRight: () => shift(0.2 * room()),
+      a: () => shift(-0.2 * room()),
+      d: () => shift(0.2 * room()),
       ArrowUp: () => choose(-1),
       ArrowDown: () => choose(1),
-      '+': () => zoomAt(1.5, left + room() / 2),
-      '=': () => zoomAt(1.5, left + room() / 2),
-      w: () => zoomAt(1.5, left + room() / 2),
-      '-': () => zoomAt(1 / 1.5, left + room() / 2),
-      s: () => zoomAt(1 / 1.5, left + room() / 2),
-      '0': () => zoomAt(1e-9, left),
+      w: () => zoom(1.5),
+      s: () => zoom(1 / 1.5),
       Enter: () => chosen.toggle(rows[key]!),
       Escape: () => chosen.choose([]),
-    };
-    if (acts[event.key]) {
-      event.preventDefault();
-      acts[event.key]!();
-      later();
-    }
+    },
   });
 
   // The strip: a drag chooses blocks, a click moves there.
@@ -474,50 +393,37 @@ export function timeline(
     if (Math.abs(to - brush) * (room() / b) > 5) {
       scale = room() / Math.max(3, Math.abs(to - brush));
       at = Math.min(brush, to);
-      clamp();
-      later();
-      tellRange();
+      moved();
     }
   });
   strip.addEventListener('pointerup', (event) => {
     if (brush !== null && Math.abs(blockAt(event) - brush) * (room() / b) <= 5) {
       at = brush - room() / scale / 2;
-      clamp();
-      later();
-      tellRange();
+      moved();
     }
     brush = null;
   });
 
-  const sizes = new ResizeObserver(() => {
-    const wide = place.clientWidth;
-    if (wide === 0 || wide === width) {
+  drawing.fitInto(place, (wide) => {
+    if (wide === drawing.width) {
       return;
     }
-    const begun = width > 0;
-    width = wide;
+    const begun = drawing.width > 0;
     row = Math.max(2, Math.min(18, (Math.min(560, window.innerHeight * 0.6) - axis) / v));
-    height = Math.min(Math.max(600, window.innerHeight * 0.6), axis + Math.ceil(v * row) + 2);
-    place.style.height = `${height}px`;
-    resize(canvas, width, height);
-    resize(still, width, height);
-    resize(strip, width, strip.clientHeight);
+    const high = Math.min(Math.max(600, window.innerHeight * 0.6), axis + Math.ceil(v * row) + 2);
+    place.style.height = `${high}px`;
+    drawing.size(wide, high);
+    resize(strip, wide, strip.clientHeight);
     if (!begun) {
       const range = chosen.range;
       scale = range ? room() / (range.to - range.from + 1) : least();
       at = range ? range.from - 1 : 0;
     }
     clamp();
-    stale = true;
-    draw();
+    drawing.now();
   });
-  sizes.observe(place);
   chosen.follow(signal, later);
   document.addEventListener('themechange', later, { signal });
-  signal.addEventListener('abort', () => {
-    sizes.disconnect();
-    cancelAnimationFrame(frame);
-  });
   setOrder(first);
   return { element, order: setOrder };
 }

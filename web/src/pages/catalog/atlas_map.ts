@@ -2,10 +2,11 @@
 // fingers and keys. A cell has its number as soon as there is room for it. What the map shows, the
 // table below it says to those who do not see it.
 import type { Atlas, AtlasCell } from '../../lib/atlas';
-import { clear, placeTip, resize, stride } from '../../lib/canvas';
+import { stride } from '../../lib/canvas';
 import { announce, h } from '../../lib/dom';
 import { count, number } from '../../lib/words';
 import { inkOn } from '../../lib/colours';
+import { Drawing } from '../../parts/drawing';
 import { inCell, mayFit, say, smallest as smallestLetters, type Written } from './map_words';
 import { paintOf, type Paint } from './paint';
 import { Pixels } from './pixels';
@@ -44,38 +45,24 @@ interface Listener {
 
 const margin = { left: 44, top: 40, right: 12, bottom: 10 };
 const largest = { x: 78, y: 40 };
-const sides: Record<string, [number, number]> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, -1],
-  ArrowDown: [0, 1],
-};
 
 export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
-  const canvas = h('canvas', {
-    class: 'atlas-canvas',
-    tabindex: 0,
-    role: 'application',
-    'aria-roledescription': 'map',
-    'aria-label':
-      'Map of cells, v from left to right, k from top to bottom. Arrow keys choose a cell, ' +
+  const drawing = new Drawing(
+    'atlas',
+    'map',
+    'Map of cells, v from left to right, k from top to bottom. Arrow keys choose a cell, ' +
       'Enter opens it, plus and minus zoom, 0 shows everything. The table below has the same ' +
       'numbers.',
-  });
-  const tip = h('div', { class: 'atlas-tip', hidden: true });
-  const element = h('div', { class: 'atlas' }, canvas, tip);
-  const screen = canvas.getContext('2d')!;
-  /** What does not change with what is pointed at, which is drawn over it. */
-  const still = document.createElement('canvas');
-  const pen = still.getContext('2d')!;
+    { still: () => atlas && paint && drawStill(atlas, paint), over: drawChosen },
+    signal,
+  );
+  const { canvas, screen, pen, later, soon } = drawing;
+  const element = h('div', { class: 'atlas' }, canvas, drawing.tip);
   const pixels = new Pixels();
-  let stale = true;
   let atlas: Atlas | null = null;
   let paint: Paint | null = null;
   let written: Written = 'b';
   let passes: (cell: AtlasCell) => boolean = () => true;
-  let width = 0;
-  let height = 0;
   /** Pixels a cell, and the cell at the corner, in cells from the first. */
   const scale = { x: 8, y: 14 };
   const corner = { x: 0, y: 0 };
@@ -84,11 +71,10 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
   let limit: Window | null = null;
   let chosen: { v: number; k: number } | null = null;
   let pointed: { v: number; k: number } | null = null;
-  let frame = 0;
 
   const room = () => ({
-    x: width - margin.left - margin.right,
-    y: height - margin.top - margin.bottom,
+    x: drawing.width - margin.left - margin.right,
+    y: drawing.height - margin.top - margin.bottom,
   });
   const smallest = () => ({
     x: Math.min(largest.x, room().x / (atlas?.columns ?? 1)),
@@ -109,19 +95,6 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     element.classList.toggle('zoomed', !whole);
   }
 
-  function later(): void {
-    stale = true;
-    soon();
-  }
-  function soon(): void {
-    if (frame === 0) {
-      frame = requestAnimationFrame(() => {
-        frame = 0;
-        draw();
-      });
-    }
-  }
-
   const left = (x: number): number => margin.left + (x - corner.x) * scale.x;
   const top = (y: number): number => margin.top + (y - corner.y) * scale.y;
   const gapNow = (): number => (scale.x >= 7 && scale.y >= 7 ? 1 : 0);
@@ -136,16 +109,10 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     (cell.v < limit.v.from || cell.v > limit.v.to || cell.k < limit.k.from || cell.k > limit.k.to);
   const passing = (cell: AtlasCell): boolean => !isOutside(cell) && passes(cell);
 
-  function draw(): void {
-    if (!atlas || !paint || width === 0) {
+  function drawChosen(): void {
+    if (!atlas || !paint) {
       return;
     }
-    if (stale) {
-      stale = false;
-      drawStill(atlas, paint);
-    }
-    clear(screen, width, height);
-    screen.drawImage(still, 0, 0, width, height);
     const { text, ground, accent } = paint.ink;
     const gap = gapNow();
     within(screen);
@@ -167,7 +134,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
   }
 
   function drawStill(atlas: Atlas, paint: Paint): void {
-    clear(pen, width, height);
+    const { width, height } = drawing;
     const { text, faint, line, font } = paint.ink;
     const first = { x: Math.floor(corner.x), y: Math.floor(corner.y) };
     const last = {
@@ -273,8 +240,8 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
       !atlas ||
       x < margin.left ||
       y < margin.top ||
-      x > width - margin.right ||
-      y > height - margin.bottom
+      x > drawing.width - margin.right ||
+      y > drawing.height - margin.bottom
     ) {
       return null;
     }
@@ -328,7 +295,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
   }
 
   function lookAt({ k, v }: Partial<Window>): void {
-    if (!atlas || width === 0) {
+    if (!atlas || drawing.width === 0) {
       wanted = { ...(k ? { k } : {}), ...(v ? { v } : {}) };
       return;
     }
@@ -359,158 +326,84 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     listener.chosen(cell);
   }
 
-  function point(cell: AtlasCell | null, event?: PointerEvent): void {
-    pointed = cell && { v: cell.v, k: cell.k };
-    listener.pointed(cell);
-    tip.hidden = cell === null || event === undefined;
-    if (cell && event) {
-      const bound = cell.gap === 0 ? 'minimum' : `bound ${number(cell.lower ?? 0)}`;
-      const known =
-        cell.b === null
-          ? `no design known, at least ${count(cell.lower ?? 0, 'block')}`
-          : `${count(cell.b, 'block')}, ${bound}`;
-      placeTip(tip, canvas, event, `v ${cell.v}  k ${cell.k}   ${known}`);
-    }
-    soon();
+  function wordsOf(cell: AtlasCell): string {
+    const bound = cell.gap === 0 ? 'minimum' : `bound ${number(cell.lower ?? 0)}`;
+    const known =
+      cell.b === null
+        ? `no design known, at least ${count(cell.lower ?? 0, 'block')}`
+        : `${count(cell.b, 'block')}, ${bound}`;
+    return `v ${cell.v}  k ${cell.k}   ${known}`;
   }
 
-  // ---- pointers ----
-  const down = new Map<number, { x: number; y: number }>();
-  let dragged = 0;
-  canvas.addEventListener('pointerdown', (event) => {
-    down.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    dragged = 0;
-    canvas.setPointerCapture(event.pointerId);
-  });
-  canvas.addEventListener('pointermove', (event) => {
-    const before = down.get(event.pointerId);
-    if (!before) {
-      point(cellAt(event), event);
-      return;
+  /** Moves what is in sight by so many pixels. */
+  function pan(x: number, y: number): void {
+    limit = null;
+    corner.x += x / scale.x;
+    corner.y += y / scale.y;
+    clamp();
+    later();
+    listener.moved();
+  }
+
+  function go(to: AtlasCell | undefined): void {
+    if (to) {
+      choose(to, true);
+      announce(say(to));
     }
-    const others = [...down].filter(([id]) => id !== event.pointerId).map(([, place]) => place);
-    const box = canvas.getBoundingClientRect();
-    if (others.length === 1) {
-      const other = others[0]!;
-      const far = (place: { x: number; y: number }): number =>
-        Math.max(20, Math.hypot(place.x - other.x, place.y - other.y));
-      zoomAt(
-        far({ x: event.clientX, y: event.clientY }) / far(before),
-        (event.clientX + other.x) / 2 - box.left,
-        (event.clientY + other.y) / 2 - box.top,
-      );
-      dragged = 100;
-    } else if (others.length === 0) {
-      const [dx, dy] = [event.clientX - before.x, event.clientY - before.y];
-      dragged += Math.abs(dx) + Math.abs(dy);
-      if (dragged > 4) {
-        limit = null;
-        corner.x -= dx / scale.x;
-        corner.y -= dy / scale.y;
-        clamp();
-        point(null);
-        listener.moved();
+  }
+  /** From what is chosen to the next cell that there is. */
+  function step(x: number, y: number): void {
+    const from = chosen ?? { v: seen().v.from - x, k: seen().k.from - y };
+    for (let i = 1; i <= 160; ++i) {
+      const next = atlas?.cell(from.v + i * x, from.k + i * y);
+      if (next?.status !== 'impossible') {
+        go(next ?? undefined);
+        return;
       }
     }
-    down.set(event.pointerId, { x: event.clientX, y: event.clientY });
-  });
-  const released = (event: PointerEvent): void => {
-    down.delete(event.pointerId);
-  };
-  canvas.addEventListener('pointerup', (event) => {
-    released(event);
-    if (dragged > 4 || event.button !== 0) {
-      return;
-    }
-    const cell = cellAt(event);
-    if (cell) {
-      const again = chosen?.v === cell.v && chosen.k === cell.k;
-      choose(cell, false);
-      if (again || event.pointerType !== 'touch') {
-        listener.opened(cell);
-      }
-    }
-  });
-  canvas.addEventListener('pointercancel', released);
-  canvas.addEventListener('pointerleave', () => point(null));
-  canvas.addEventListener(
-    'wheel',
-    (event) => {
-      // Without a key the page scrolls, unless the map is zoomed and the wheel moves sideways.
-      if (event.ctrlKey || event.metaKey) {
-        event.preventDefault();
-        const box = canvas.getBoundingClientRect();
-        zoomAt(
-          Math.exp(-event.deltaY * 0.0022 * (event.deltaMode === 1 ? 20 : 1)),
-          event.clientX - box.left,
-          event.clientY - box.top,
-        );
-      } else if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
-        event.preventDefault();
-        limit = null;
-        corner.x += (event.deltaX || event.deltaY) / scale.x;
-        clamp();
-        later();
-        listener.moved();
+  }
+  /** The cells of the row of what is chosen. */
+  function row(): AtlasCell[] {
+    const k = chosen?.k ?? seen().k.from;
+    return (atlas?.cells({ from: k, to: k }) ?? []).filter(({ status }) => status !== 'impossible');
+  }
+
+  drawing.follow({
+    point(event) {
+      const cell = event && cellAt(event);
+      pointed = cell && { v: cell.v, k: cell.k };
+      listener.pointed(cell);
+      drawing.say(event, cell && wordsOf(cell));
+      soon();
+    },
+    click(event) {
+      const cell = cellAt(event);
+      if (cell) {
+        const again = chosen?.v === cell.v && chosen.k === cell.k;
+        choose(cell, false);
+        if (again || event.pointerType !== 'touch') {
+          listener.opened(cell);
+        }
       }
     },
-    { passive: false },
-  );
-
-  // ---- keys ----
-  canvas.addEventListener('keydown', (event) => {
-    if (!atlas || event.ctrlKey || event.metaKey || event.altKey) {
-      return;
-    }
-    // What the pointer rests on is not what the keys choose.
-    pointed = null;
-    tip.hidden = true;
-    soon();
-    const step = sides[event.key];
-    if (step) {
-      event.preventDefault();
-      const from = chosen ?? { v: seen().v.from - step[0], k: seen().k.from - step[1] };
-      for (let i = 1; i <= 160; ++i) {
-        const next = atlas.cell(from.v + i * step[0], from.k + i * step[1]);
-        if (!next) {
-          break;
-        }
-        if (next.status !== 'impossible') {
-          choose(next, true);
-          announce(say(next));
-          break;
-        }
-      }
-      return;
-    }
-    const act: Record<string, () => void> = {
+    drag: (x, y) => pan(-x, -y),
+    zoomAt,
+    zoom: (factor) => (factor === 0 ? fit() : zoom(factor)),
+    aside: (pixels) => pan(pixels, 0),
+    keys: {
+      ArrowLeft: () => step(-1, 0),
+      ArrowRight: () => step(1, 0),
+      ArrowUp: () => step(0, -1),
+      ArrowDown: () => step(0, 1),
       Enter: () => {
-        const cell = chosen && atlas!.cell(chosen.v, chosen.k);
+        const cell = chosen && atlas?.cell(chosen.v, chosen.k);
         if (cell) {
           listener.opened(cell);
         }
       },
-      '+': () => zoom(1.5),
-      '=': () => zoom(1.5),
-      '-': () => zoom(1 / 1.5),
-      '0': fit,
-      Home: () => row((list) => list[0]),
-      End: () => row((list) => list.at(-1)),
-    };
-    const row = (pick: (list: AtlasCell[]) => AtlasCell | undefined): void => {
-      const k = chosen?.k ?? seen().k.from;
-      const next = pick(
-        atlas!.cells({ from: k, to: k }).filter((cell) => cell.status !== 'impossible'),
-      );
-      if (next) {
-        choose(next, true);
-        announce(say(next));
-      }
-    };
-    if (act[event.key]) {
-      event.preventDefault();
-      act[event.key]!();
-    }
+      Home: () => go(row()[0]),
+      End: () => go(row().at(-1)),
+    },
   });
   canvas.addEventListener('focus', soon);
 
@@ -529,16 +422,11 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     listener.moved();
   }
 
-  const sizes = new ResizeObserver(() => {
-    const [wide, high] = [element.clientWidth, element.clientHeight];
-    if (wide === 0 || (wide === width && high === height)) {
+  drawing.fitInto(element, (wide, high) => {
+    const before = drawing.width > 0 && atlas ? seen() : null;
+    if (!drawing.size(wide, high)) {
       return;
     }
-    const before = width > 0 && atlas ? seen() : null;
-    width = wide;
-    height = high;
-    resize(canvas, width, height);
-    resize(still, width, height);
     if (atlas) {
       const whole =
         before &&
@@ -547,13 +435,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
       lookAt(wanted ?? (whole ? {} : before) ?? {});
       wanted = null;
     }
-    stale = true;
-    draw();
-  });
-  sizes.observe(element);
-  signal.addEventListener('abort', () => {
-    sizes.disconnect();
-    cancelAnimationFrame(frame);
+    drawing.now();
   });
 
   return {
@@ -568,13 +450,12 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
       written = how.written;
       passes = how.passes;
       paint = paintOf(next, how.measure);
-      if (other && width > 0) {
+      if (other && drawing.width > 0) {
         lookAt(wanted ?? {});
         wanted = null;
       }
       clamp();
-      stale = true;
-      draw();
+      drawing.now();
     },
     look: lookAt,
     seen,

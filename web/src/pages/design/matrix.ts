@@ -1,10 +1,11 @@
 // All pairs of elements as a matrix: below the diagonal when they first meet, above it how often
 // they are newly covered. Zoomed and panned; a pair is chosen by a click, and the blocks that are
 // chosen elsewhere stand out.
-import { clear, pixelOf, placeTip, resize, token } from '../../lib/canvas';
+import { pixelOf, token } from '../../lib/canvas';
 import { inkOn, scale } from '../../lib/colours';
 import { h } from '../../lib/dom';
 import { number } from '../../lib/words';
+import { Drawing } from '../../parts/drawing';
 import { theme } from '../../shell/theme';
 import type { Chosen } from './selection';
 import type { Steps } from './steps';
@@ -39,47 +40,26 @@ export function matrix(
     return null;
   }
   const meet = first;
-  const canvas = h('canvas', {
-    class: 'matrix-canvas',
-    tabindex: 0,
-    role: 'application',
-    'aria-roledescription': 'matrix',
-    'aria-label':
-      `Pairs of ${v} elements. Arrow keys choose a pair, plus and minus zoom, 0 ` +
-      `shows everything.`,
-  });
-  const tip = h('div', { class: 'atlas-tip', hidden: true });
-  const element = h('div', { class: 'matrix' }, canvas, tip);
-  const screen = canvas.getContext('2d')!;
-  /** What does not change with what is pointed at, which is drawn over it. */
-  const still = document.createElement('canvas');
-  const pen = still.getContext('2d')!;
-  let stale = true;
+  const drawing = new Drawing(
+    'matrix',
+    'matrix',
+    `Pairs of ${v} elements. Arrow keys choose a pair, plus and minus zoom, 0 shows everything.`,
+    { still: drawStill, over: drawPointed },
+    signal,
+  );
+  const { canvas, screen, pen, later } = drawing;
+  const element = h('div', { class: 'matrix' }, canvas, drawing.tip);
   let rows: number[] = Array.from({ length: v }, (_, x) => x);
-  let side = 0;
   let cell = 0;
   const corner = { x: 0, y: 0 };
-  let frame = 0;
   let pointed: Place | null = null;
 
-  const room = (): number => side - margin;
+  const room = (): number => drawing.width - margin;
   const least = (): number => room() / v;
   function clamp(): void {
     cell = Math.min(Math.max(36, least()), Math.max(least(), cell));
     for (const way of ['x', 'y'] as const) {
       corner[way] = Math.max(0, Math.min(v - room() / cell, corner[way]));
-    }
-  }
-  function later(): void {
-    stale = true;
-    soon();
-  }
-  function soon(): void {
-    if (frame === 0) {
-      frame = requestAnimationFrame(() => {
-        frame = 0;
-        draw();
-      });
     }
   }
 
@@ -187,16 +167,7 @@ export function matrix(
     top.clip();
   }
 
-  function draw(): void {
-    if (side === 0) {
-      return;
-    }
-    if (stale) {
-      stale = false;
-      drawStill();
-    }
-    clear(screen, side, side);
-    screen.drawImage(still, 0, 0, side, side);
+  function drawPointed(): void {
     if (pointed) {
       within(screen);
       outline(screen, pointed, token('--text'));
@@ -205,7 +176,7 @@ export function matrix(
   }
 
   function drawStill(): void {
-    clear(pen, side, side);
+    const side = drawing.width;
     const colours = scale(theme());
     const counts = times();
     const range = chosen.range;
@@ -340,122 +311,72 @@ export function matrix(
     later();
   }
 
-  let down: { x: number; y: number; cx: number; cy: number } | null = null;
-  let moved = 0;
-  canvas.addEventListener('pointerdown', (event) => {
-    down = { x: event.clientX, y: event.clientY, cx: corner.x, cy: corner.y };
-    moved = 0;
-    canvas.setPointerCapture(event.pointerId);
-  });
-  canvas.addEventListener('pointermove', (event) => {
-    if (down) {
-      moved = Math.max(moved, Math.hypot(event.clientX - down.x, event.clientY - down.y));
-      if (moved > 4) {
-        corner.x = down.cx - (event.clientX - down.x) / cell;
-        corner.y = down.cy - (event.clientY - down.y) / cell;
-        clamp();
-        later();
-      }
-      return;
-    }
-    pointed = hit(event);
-    tip.hidden = !pointed;
-    if (pointed) {
-      const [x, y] = [rows[pointed.x]!, rows[pointed.y]!];
-      const when = meet[x * v + y]!;
-      const covered = times()[x * v + y] === 1 ? 'once' : `${times()[x * v + y]} times`;
-      const met = `first together in block ${number(when)}, newly covered ${covered}`;
-      const pair = `${steps.names[y]} and ${steps.names[x]}`;
-      placeTip(tip, canvas, event, `${pair}: ${when === 0 ? 'never together' : met}`);
-    }
-    soon();
-  });
-  canvas.addEventListener('pointerup', (event) => {
-    const here = down && moved <= 4 ? hit(event) : null;
-    down = null;
-    if (here) {
-      const pair = [rows[here.y]!, rows[here.x]!];
-      chosen.choose(pair.every((x) => chosen.elements.includes(x)) ? [] : pair);
-    }
-  });
-  canvas.addEventListener('pointercancel', () => (down = null));
-  canvas.addEventListener('pointerleave', () => {
-    pointed = null;
-    tip.hidden = true;
-    soon();
-  });
-  canvas.addEventListener(
-    'wheel',
-    (event) => {
-      if (event.ctrlKey || event.metaKey) {
-        event.preventDefault();
-        const box = canvas.getBoundingClientRect();
-        zoomAt(
-          Math.exp(-event.deltaY * 0.0025 * (event.deltaMode === 1 ? 20 : 1)),
-          event.clientX - box.left,
-          event.clientY - box.top,
-        );
-      }
-    },
-    { passive: false },
-  );
-  canvas.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) {
-      return;
-    }
+  const go = (dx: number, dy: number): void => {
     const [x, y] =
       chosen.elements.length === 2
         ? [rows.indexOf(chosen.elements[1]!), rows.indexOf(chosen.elements[0]!)]
         : [0, 1];
-    const go = (dx: number, dy: number): void => {
-      let [nx, ny] = [x + dx, y + dy];
-      if (nx === ny) {
-        [nx, ny] = [nx + dx, ny + dy];
+    let [nx, ny] = [x + dx, y + dy];
+    if (nx === ny) {
+      [nx, ny] = [nx + dx, ny + dy];
+    }
+    if (nx >= 0 && ny >= 0 && nx < v && ny < v) {
+      chosen.choose([rows[ny]!, rows[nx]!]);
+    }
+  };
+  function wordsOf(place: Place): string {
+    const [x, y] = [rows[place.x]!, rows[place.y]!];
+    const when = meet[x * v + y]!;
+    const covered = times()[x * v + y] === 1 ? 'once' : `${times()[x * v + y]} times`;
+    const met = `first together in block ${number(when)}, newly covered ${covered}`;
+    return `${steps.names[y]} and ${steps.names[x]}: ${when === 0 ? 'never together' : met}`;
+  }
+  drawing.follow({
+    point(event) {
+      pointed = event && hit(event);
+      drawing.say(event, pointed && wordsOf(pointed));
+      drawing.soon();
+    },
+    click(event) {
+      const here = hit(event);
+      if (here) {
+        const pair = [rows[here.y]!, rows[here.x]!];
+        chosen.choose(pair.every((x) => chosen.elements.includes(x)) ? [] : pair);
       }
-      if (nx >= 0 && ny >= 0 && nx < v && ny < v) {
-        chosen.choose([rows[ny]!, rows[nx]!]);
-      }
-    };
-    const acts: Record<string, () => void> = {
+    },
+    drag(x, y) {
+      corner.x -= x / cell;
+      corner.y -= y / cell;
+      clamp();
+      later();
+    },
+    zoomAt,
+    zoom: (factor) =>
+      factor === 0
+        ? zoomAt(1e-9, margin, margin)
+        : zoomAt(factor, drawing.width / 2, drawing.width / 2),
+    keys: {
       ArrowLeft: () => go(-1, 0),
       ArrowRight: () => go(1, 0),
       ArrowUp: () => go(0, -1),
       ArrowDown: () => go(0, 1),
-      '+': () => zoomAt(1.5, side / 2, side / 2),
-      '=': () => zoomAt(1.5, side / 2, side / 2),
-      '-': () => zoomAt(1 / 1.5, side / 2, side / 2),
-      '0': () => zoomAt(1e-9, margin, margin),
       Escape: () => chosen.choose([]),
-    };
-    if (acts[event.key]) {
-      event.preventDefault();
-      acts[event.key]!();
-    }
+    },
   });
 
-  const sizes = new ResizeObserver(() => {
-    const wide = Math.min(element.clientWidth, largest);
-    if (wide === 0 || wide === side) {
-      return;
+  drawing.fitInto(element, (wide) => {
+    const side = Math.min(wide, largest);
+    if (drawing.size(side, side)) {
+      canvas.style.width = canvas.style.height = `${side}px`;
+      const begun = cell > 0;
+      cell = 0;
+      clamp();
+      // What stands beside it is drawn first: both in one frame take too long.
+      begun ? drawing.now() : later();
     }
-    side = wide;
-    resize(canvas, side, side);
-    resize(still, side, side);
-    canvas.style.width = canvas.style.height = `${side}px`;
-    const begun = cell > 0;
-    cell = 0;
-    clamp();
-    // What stands beside it is drawn first: both in one frame take too long.
-    stale = true;
-    begun ? draw() : later();
   });
-  sizes.observe(element);
   chosen.follow(signal, later);
   document.addEventListener('themechange', later, { signal });
-  signal.addEventListener('abort', () => {
-    sizes.disconnect();
-    cancelAnimationFrame(frame);
-  });
   return {
     element,
     often() {
