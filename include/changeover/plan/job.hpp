@@ -461,6 +461,7 @@ struct DoneRow {
   bool lacks = false;                                 ///< whether some of its parts are gone
   std::vector<std::optional<Element>> in_place = {};  ///< by place; nullopt: none, or it is gone
   std::vector<std::string> written = {};  ///< the same as written, including parts that are gone
+  std::vector<std::string> gone = {};     ///< the names of its parts that are gone
 };
 
 /// A list of tests that were done, possibly a run sheet of a parts list that has changed since.

@@ -283,8 +283,7 @@ class SetupReader {
     const bool separated = row.size() > 1;
     split_at_blanks(row, finder_, reader_);
     if (forgiving_ && separated && finder_.some_gone(row, reader_, &list_.gone)) {
-      std::erase_if(row, [&](const Field& field) { return finder_.may_be_gone(field.text); });
-      done.lacks = true;
+      leave_out(row, done, [&](const Field& field) { return finder_.may_be_gone(field.text); });
     }
     done.setup = find_parts(
         finder_, row, [&](const std::string& word) { return finder_.find(word); },
@@ -324,10 +323,23 @@ class SetupReader {
   template <class Fail>
   bool take_cells(Row cells, DoneRow& done, Fail&& fail) {
     const bool is_empty = std::ranges::all_of(cells, [](const Field& f) { return f.text.empty(); });
-    done.lacks = std::erase_if(cells, [&](const Field& cell) { return is_gone(cell); }) > 0;
+    leave_out(cells, done, [&](const Field& cell) { return is_gone(cell); });
     done.setup = find_parts(
         finder_, cells, [&](const std::string& cell) { return find_cell(cell); }, fail);
     return is_empty;
+  }
+
+  // Removes the cells of parts that are gone.
+  template <class IsGone>
+  void leave_out(Row& cells, DoneRow& done, IsGone&& is_gone) const {
+    std::erase_if(cells, [&](const Field& cell) {
+      if (!is_gone(cell)) {
+        return false;
+      }
+      done.gone.push_back(text_of(cell.text));
+      return true;
+    });
+    done.lacks = !done.gone.empty();
   }
 
   // Whether a cell names a part that is gone, which is then listed.

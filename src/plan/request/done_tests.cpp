@@ -59,12 +59,16 @@ void drop_first(const std::vector<Block>& done, std::vector<Block>& first) {
   std::erase_if(first, [&](const Block&) { return is_done[next++]; });
 }
 
-// Renumbers the parts of the set-ups in a list.
-void leave_out(const PartsLeft& left, DoneList& list) {
+// Renumbers the parts of the set-ups in a list; those that broke are gone.
+void leave_out(const PartsLeft& left, const std::vector<std::string>& names, DoneList& list) {
   for (DoneRow& row : list.rows) {
-    Block setup = left(row.setup);
-    row.lacks = row.lacks || setup.size() < row.setup.size();
-    row.setup = std::move(setup);
+    for (const Element x : row.setup) {
+      if (left(Block{x}).empty()) {
+        row.gone.push_back(names[x]);
+      }
+    }
+    row.lacks = !row.gone.empty();
+    row.setup = left(row.setup);
     for (std::optional<Element>& part : row.in_place) {
       const Block one = part ? left(Block{*part}) : Block();
       part = one.empty() ? std::nullopt : std::optional(one.front());
@@ -114,15 +118,16 @@ void append(DoneList& list, DoneList more) {
   }
 }
 
-// Keeps a test for the sheet of those that were done; without places, in the order in which its
-// parts are written.
+// Keeps a test for the sheet of those that were done; of a test without places, its parts and those
+// that are gone, one after another.
 void record_test(DoneRecord& record, std::vector<DonePlace> places, const DoneRow& test,
                  const Job& job, const std::string& bench) {
   std::vector<std::string> parts = test.written;
   if (places.empty()) {
-    for (const Element x : test.setup) {
+    parts = each_of<std::string>(test.setup, [&](Element x) { return job.names[x]; });
+    parts.insert(parts.end(), test.gone.begin(), test.gone.end());
+    while (places.size() < parts.size()) {
       places.push_back({.number = places.size() + 1});
-      parts.push_back(job.names[x]);
     }
   }
   DoneRecord::Test& kept = record.tests.emplace_back();
@@ -198,7 +203,7 @@ class DoneTaker {
                         ? read_done(*input, *job_)
                         : read_done(*input, *options_->names, most_at_once(*job_, *benches_)));
     }
-    leave_out(*options_->left, list_);
+    leave_out(*options_->left, *options_->names, list_);
     all_ = list_.rows.size();
     has_results_ = list_.has_results();
     if (options_->first.value_or(0) > all_) {

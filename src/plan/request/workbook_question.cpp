@@ -400,6 +400,8 @@ void take_changed_sheets(JobRequest& request, JobRequest& question, const RunWor
 JobRequest with_question(JobRequest request, const RunWorkbook& book,
                          std::vector<std::string>& notes, JobRequest& kept) {
   JobRequest question = question_in(book);
+  // It is about tests that were done, which are not in the question.
+  const bool trusts_failed = std::exchange(question.trust_failed, false);
   JobRequest plain = request;
   plain.parts = {};
   notes.push_back(fmt::format("{}: the question is that of its hidden sheet {}{}", book.name,
@@ -437,6 +439,7 @@ JobRequest with_question(JobRequest request, const RunWorkbook& book,
                     ": its question is of several benches; the ratios are those of all "
                     "tests on one bench");
   }
+  (request.done.is_given() ? question : kept).trust_failed = trusts_failed;
   put_aside_what_does_not_fit(question, request, kept);
   complete(request, std::move(question));
   return request;

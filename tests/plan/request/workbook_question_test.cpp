@@ -235,6 +235,52 @@ TEST_F(RunSheetWorkbook, OptionsWinOverItsQuestion) {
   EXPECT_EQ(checked_job(opened(bytes, other), Door::document).record.tests.size(), 1U);
 }
 
+// As long as nothing is done there is nothing to trust; the wish is kept for then.
+TEST_F(RunSheetWorkbook, TrustsTestsThatFailFromWorkbookToWorkbook) {
+  request.trust_failed = true;
+  request.done.text = "result,set_up\nnot run,\"Xeon,E810\"\n";
+  const std::string bytes = planned();
+  EXPECT_TRUE(asked.record.tests.empty());
+  const OpenedRequest again = opened(bytes);
+  EXPECT_FALSE(again.request.done.is_given());
+  const std::string same = planned(again);
+  const std::uint64_t all = asked.job->needed.size();
+  for (const std::string& book : {bytes, same}) {
+    const std::string next = planned(opened(filled_in(book, {"fail"})));
+    EXPECT_TRUE(asked.job->trust_failed);
+    EXPECT_LT(asked.job->needed.size(), all) << "what met in it counts as tested";
+    planned(opened(next));  // with a sheet of what was done
+    EXPECT_TRUE(asked.job->trust_failed);
+    EXPECT_EQ(asked.job->tests_done, 1U);
+  }
+  JobRequest more;
+  more.diagnose = true;
+  planned(opened(filled_in(bytes, {"fail"}), more));
+  EXPECT_TRUE(asked.question.trust_failed) << "a plan after the diagnosis has use for it";
+}
+
+// A test keeps the names of its parts that are gone: it is no row without a set-up, and no other
+// part is to blame.
+TEST_F(RunSheetWorkbook, TestsWithPartsThatAreGoneAreReadAgain) {
+  request.done.text =
+      "result,set_up\nfail,\"P4,A100\"\nfail,\"Epyc,D7\"\nfail,\"Xeon,D7\"\npass,Xeon\n";
+  request.without = {"Epyc", "D7"};
+  std::string bytes = planned();
+  const auto parts_of = [&](std::size_t test) {  // in whichever of the columns they are
+    std::vector<std::string> parts = asked.record.tests.at(test).parts;
+    std::erase(parts, "");
+    return parts;
+  };
+  for (int time = 0; time < 3; ++time) {
+    EXPECT_THAT(parts_of(0), ElementsAre("P4", "A100"));
+    EXPECT_THAT(parts_of(1), ElementsAre("Epyc", "D7"));
+    EXPECT_THAT(parts_of(2), ElementsAre("Xeon", "D7"));
+    EXPECT_EQ(asked.results.size(), 1U) << "only the last test says something of parts there are";
+    EXPECT_EQ(asked.job->tests_done, 4U);
+    bytes = planned(opened(bytes));
+  }
+}
+
 TEST_F(RunSheetWorkbook, ListsThatWereChangedOnItsSheetsCount) {
   const std::string bytes = filled_in(planned(), {"pass"});
   const std::uint64_t parts = request.parts.rows->size();
