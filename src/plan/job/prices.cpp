@@ -24,9 +24,7 @@ Job at_prices(const Job& job, Price price) {
       const Amount cost = job.replace_cost(out, in);
       sum += cost.millionths;
       ++rows;
-      own = price == Price::least     ? std::min(own, cost)
-            : price == Price::dearest ? std::max(own, cost)
-                                      : own;
+      own = price == Price::least ? std::min(own, cost) : own;
     }
     if (price == Price::mean && rows > 0) {
       own = Amount{static_cast<std::uint64_t>((sum + rows / 2) / rows)};

@@ -10,14 +10,13 @@ namespace changeover {
 /// Which cost to take of those for putting in a part: its own change cost, and the costs in place
 /// of any other part of its slot that does not stay mounted.
 enum class Price {
-  least,    ///< the least of all
-  mean,     ///< the mean of those in place of another part, rounded
-  dearest,  ///< the largest of all
+  least,  ///< the least of all
+  mean,   ///< the mean of those in place of another part, rounded
 };
 
 /// The same job with one price per part, whatever it replaces; the job itself if its costs do not
-/// depend on that. A list costs at least as much as at the least prices, and at most as much as at
-/// the dearest, since parts that stay mounted are never taken out. O(v²).
+/// depend on that. A list costs at least as much as at the least prices, since parts that stay
+/// mounted are never taken out. O(v²).
 [[nodiscard]] Job at_prices(const Job& job, Price price);
 
 /// @throws BadInput for a job with replace_costs, since `what` does not support them.

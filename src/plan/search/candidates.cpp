@@ -79,16 +79,26 @@ Candidate counted_complete(const Job& job, const Start& start) {
   return candidate;
 }
 
-void tell_if_best(const RunPlan& plan, const PlanOptions& options,
-                  const std::function<bool(const Candidate&, const Candidate&)>& before) {
-  const std::vector<Candidate>& all = plan.candidates;
-  const bool best = std::all_of(all.begin(), all.end() - 1,
-                                [&](const Candidate& c) { return before(all.back(), c); });
+void add_complete(const Job& job, RunPlan& plan, const PlanOptions& options, const Start& start,
+                  const CandidateOrder& better) {
+  std::vector<Candidate>& all = plan.candidates;
+  try {
+    all.push_back(counted_complete(job, start));
+  } catch (const ImpossibleParameters&) {
+    if (all.empty()) {
+      throw;
+    }
+    return;
+  }
+  const Candidate& now = all.back();
+  if (now.cost < plan.bound.cost || now.tests() < plan.bound.tests) {
+    throw InternalError(start.name + " is below the lower bound");
+  }
+  const bool best =
+      std::all_of(all.begin(), all.end() - 1, [&](const Candidate& c) { return better(now, c); });
   if (options.on_better && best) {
-    options.on_better({.name = all.back().name,
-                       .tests = all.back().tests(),
-                       .cost = all.back().cost,
-                       .bound = plan.bound.cost});
+    options.on_better(
+        {.name = now.name, .tests = now.tests(), .cost = now.cost, .bound = plan.bound.cost});
   }
 }
 

@@ -29,13 +29,16 @@ namespace changeover {
 
 /// Orders of candidates: the cheapest first; those that test the most weight, triples or pairs
 /// first.
+using CandidateOrder = std::function<bool(const Candidate&, const Candidate&)>;
 [[nodiscard]] bool cheaper(const Candidate& a, const Candidate& b);
 [[nodiscard]] bool tests_more(const Candidate& a, const Candidate& b);
 
-/// Passes the last candidate to PlanOptions::on_better, if it is the first one or better than all
-/// others in this order.
-void tell_if_best(const RunPlan& plan, const PlanOptions& options,
-                  const std::function<bool(const Candidate&, const Candidate&)>& before);
+/// Adds a list that must do the job to the candidates, and passes it to PlanOptions::on_better, if
+/// it is the first one or better than all others in this order. A list whose cost overflows is left
+/// out, unless it is the first. @throws InternalError if it leaves anything untested, or is below
+/// the bound.
+void add_complete(const Job& job, RunPlan& plan, const PlanOptions& options, const Start& start,
+                  const CandidateOrder& better = cheaper);
 
 /// The longest beginnings of these plans that are within the budget, that which tests most first;
 /// of the first plans only if the control says stop.

@@ -3,52 +3,51 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
-#include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "core/words.hpp"
 #include "plan/search/anneal/attempts.hpp"
 #include "plan/search/budget.hpp"
 #include "plan/search/candidates.hpp"
 #include "plan/search/exact_plan.hpp"
+#include "plan/search/lists/lists_plan.hpp"
+#include "plan/search/lists/lists_search.hpp"
+#include "plan/search/one_list.hpp"
 #include "plan/search/starts/starts.hpp"
-#include "plan/search/valid_job.hpp"
+#include "plan/search/weighted.hpp"
 
 namespace changeover {
 namespace {
 
 class PairsPlanner {
  public:
-  PairsPlanner(const Job& job, const PlanOptions& options, RunControl& control,
-               const PairsWork& work)
-      : job_(&job), options_(&options), control_(&control), work_(&work) {}
+  PairsPlanner(const Job& job, const PlanOptions& options, RunControl& control)
+      : job_(&job), options_(&options), control_(&control) {}
 
   RunPlan run() {
-    const RunScope scope(*control_);
-    RunPlan plan;
-    plan.bound = bound_of_valid_job(*job_);
-    if (options_->budget && work_->most_weight) {  // before the time is up
-      most_weight_ = work_->most_weight(*options_->budget);
+    ListWork work{.sure =
+                      [&](const RunPlan& plan) {
+                        require_memory(
+                            bytes_of_plans(plan.bound.tests),
+                            fmt::format("a plan of {}", count_of(plan.bound.tests, "test")));
+                        return std::vector<Start>{greedy_start(*job_, *control_)};
+                      },
+                  .mended = [&](const std::vector<Block>& rest) { return mended(rest); },
+                  .search = [&](RunPlan& plan) { search(plan); },
+                  .within =
+                      [&](RunPlan& plan, Amount budget, const Candidate& best) {
+                        return std::vector<Start>{within(plan, budget, best)};
+                      }};
+    if (!job_->weights.empty()) {
+      work.most_weight = [&](Amount budget) { return most_weight_within(*job_, budget); };
+      work.at_last = [&](const Candidate& cheapest) {
+        return Start{cheapest.name, cheapest.how + ", heavy pairs early",
+                     heavy_first(*job_, cheapest.setups, *control_)};
+      };
     }
-    require_memory(bytes_of_plans(plan.bound.tests),
-                   fmt::format("a plan of {}", count_of(plan.bound.tests, "test")));
-    if (job_->needed.size() == 0) {
-      plan.candidates.push_back(counted(*job_, {"no test", "nothing is left to test", {}}));
-    } else {
-      find_complete(plan);
-    }
-    if (options_->budget) {
-      find_affordable(plan);
-    }
-    std::stable_sort(plan.candidates.begin(), plan.candidates.end(),
-                     within_budget_ ? tests_more : cheaper);
-    drop_repeated(plan.candidates);
-    if (work_->at_last && !within_budget_) {
-      keep_what_there_is(plan, [&] { put_in_better_order(plan.candidates.front()); });
-    }
-    settle(*job_, plan, *control_);
-    return plan;
+    return plan_one_list(*job_, *options_, *control_, work);
   }
 
  private:
@@ -71,45 +70,18 @@ class PairsPlanner {
                        a_pair * job_->parts() * job_->parts());
   }
 
-  void find_complete(RunPlan& plan) {
-    add(plan, greedy_start(*job_, *control_));
-    add_rest(plan);
-    keep_what_there_is(plan, [&] { search(plan); });
+  [[nodiscard]] std::optional<std::vector<Block>> mended(const std::vector<Block>& rest) const {
+    const Weights weights = Weights::of(*job_, rest.size() + job_->needed.size());
+    Sequence sequence(*job_, weights, rest);
+    if (!repair(sequence, *control_)) {
+      return std::nullopt;
+    }
+    Lists lists(*job_, weights, {sequence.setups()});
+    prune(lists, *control_);
+    return lists.lists().front();
   }
 
-  // The remaining set-ups of the current plan that break no constraint: unchanged if they do the
-  // job; and with missing tests added and needless ones removed.
-  void add_rest(RunPlan& plan) const {
-    const std::vector<Block> rest = sound_rest(*job_, *options_);
-    if (rest.empty()) {
-      return;
-    }
-    if (run_sheet(*job_, rest).does_the_job()) {
-      add(plan, rest_as_it_is(rest));
-    }
-    keep_what_there_is(plan, [&] {
-      Sequence sequence(*job_, Weights::of(*job_, rest.size() + job_->needed.size()), rest);
-      if (repair(sequence, *control_)) {
-        add(plan, rest_mended(sequence.setups()));
-      }
-    });
-  }
-
-  void add(RunPlan& plan, const Start& start) const {
-    std::vector<Candidate>& all = plan.candidates;
-    try {
-      all.push_back(counted_complete(*job_, start));
-    } catch (const ImpossibleParameters&) {
-      if (all.empty()) {
-        throw;
-      }
-      return;  // its cost overflows, that of others does not
-    }
-    if (all.back().cost < plan.bound.cost) {
-      throw InternalError(fmt::format("{} costs less than the lower bound", start.name));
-    }
-    tell_if_best(plan, *options_, cheaper);
-  }
+  void add(RunPlan& plan, const Start& start) const { add_complete(*job_, plan, *options_, start); }
 
   void search(RunPlan& plan) {
     std::vector<Candidate>& all = plan.candidates;
@@ -152,6 +124,8 @@ class PairsPlanner {
       }
     });
     plan.steps += attempts.steps();
+    std::stable_sort(all.begin(), all.end(), cheaper);
+    drop_repeated(all);
   }
 
   void add_designs(RunPlan& plan) const {
@@ -208,16 +182,17 @@ class PairsPlanner {
     }
   }
 
-  void put_in_better_order(Candidate& candidate) const {
-    const Start better = work_->at_last(candidate);
-    if (better.setups == candidate.setups) {
-      return;
+  [[nodiscard]] Start within(RunPlan& plan, Amount budget, const Candidate& best) const {
+    if (!job_->weights.empty()) {
+      return {search_name, "the heaviest pairs within the budget",
+              heaviest_within(*job_, plan, budget, best.setups, *options_, *control_)};
     }
-    Candidate other = counted_complete(*job_, better);
-    if (other.cost > candidate.cost) {
-      throw InternalError("a better order costs more");
-    }
-    candidate = std::move(other);
+    Attempts attempts(*job_, plan.bound, *control_);
+    const std::uint64_t steps =
+        options_->steps == 0 ? attempts.suitable_steps(*plan.complete) : options_->steps;
+    Start found = attempts.within(budget, best, steps, options_->attempts);
+    plan.steps += attempts.steps();
+    return found;
   }
 
   // The cheapest few candidates from other methods, and the cheapest of all.
@@ -247,51 +222,15 @@ class PairsPlanner {
     });
   }
 
-  void find_affordable(RunPlan& plan) {
-    const Amount budget = *options_->budget;
-    std::stable_sort(plan.candidates.begin(), plan.candidates.end(), cheaper);
-    drop_repeated(plan.candidates);
-    plan.complete = plan.candidates.front();
-    if (plan.complete->cost <= budget) {
-      return;
-    }
-    std::vector<Candidate> within = affordable(*job_, plan.candidates, budget, *control_);
-    plan.most_weight = most_weight_;
-    keep_what_there_is(plan, [&] {
-      if (!control_->stop_wanted()) {
-        within.push_back(counted(*job_, work_->within(plan, budget, within.front())));
-      }
-    });
-    check_within(within, budget, plan.most_weight);
-    plan.candidates = std::move(within);
-    within_budget_ = true;
-  }
-
   const Job* job_;
   const PlanOptions* options_;
   RunControl* control_;
-  const PairsWork* work_;
-  std::optional<Amount> most_weight_;
-  bool within_budget_ = false;  // the candidates need not test all pairs
 };
 
 }  // namespace
 
-RunPlan plan_by_pairs(const Job& job, const PlanOptions& options, RunControl& control,
-                      const PairsWork& work) {
-  return PairsPlanner(job, options, control, work).run();
-}
-
 RunPlan plan_for_pairs(const Job& job, const PlanOptions& options, RunControl& control) {
-  return plan_by_pairs(
-      job, options, control, {.within = [&](RunPlan& plan, Amount budget, const Candidate& best) {
-        Attempts attempts(job, plan.bound, control);
-        const std::uint64_t steps =
-            options.steps == 0 ? attempts.suitable_steps(*plan.complete) : options.steps;
-        Start found = attempts.within(budget, best, steps, options.attempts);
-        plan.steps += attempts.steps();
-        return found;
-      }});
+  return PairsPlanner(job, options, control).run();
 }
 
 }  // namespace changeover

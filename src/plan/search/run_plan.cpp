@@ -13,7 +13,6 @@
 #include "plan/search/pairs_plan.hpp"
 #include "plan/search/triple_plan.hpp"
 #include "plan/search/valid_job.hpp"
-#include "plan/search/weighted.hpp"
 
 namespace changeover {
 namespace {
@@ -66,7 +65,6 @@ constexpr std::array strategies{
              plan_for_choices},
     Strategy{[](const Job& job) { return job.replaces(); }, Fewest::cost, plan_for_replacing},
     Strategy{[](const Job& job) { return !job.triples.empty(); }, Fewest::cost, plan_for_triples},
-    Strategy{[](const Job& job) { return !job.weights.empty(); }, Fewest::cost, plan_for_weights},
     Strategy{[](const Job&) { return true; }, Fewest::cost, plan_for_pairs},
 };
 

@@ -1,13 +1,11 @@
 #include "plan/search/weighted.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/each.hpp"
-#include "plan/search/anneal/attempts.hpp"
 #include "plan/search/interchangeable.hpp"
-#include "plan/search/lists/lists_plan.hpp"
-#include "plan/search/pairs_plan.hpp"
 #include "run/random.hpp"
 
 namespace changeover {
@@ -143,32 +141,6 @@ std::vector<Block> heavy_first(const Job& job, const std::vector<Block>& setups,
     std::sort(setup.begin(), setup.end());
   }
   return best;
-}
-
-RunPlan plan_for_weights(const Job& job, const PlanOptions& options, RunControl& control) {
-  return plan_by_pairs(
-      job, options, control,
-      {.within =
-           [&](RunPlan& plan, Amount budget, const Candidate& best) {
-             Weights weights = Weights::of(job, best.tests() + job.needed.size());
-             for (Element x = 0; x < job.parts(); ++x) {
-               // rounding up free changes must not exceed the budget
-               weights.change[x] = job.change_costs[x].millionths == 0 ? 0 : weights.change[x];
-             }
-             return Start{search_name, "the heaviest pairs within the budget",
-                          heaviest_within(plan,
-                                          {.job = ListsJob::alike(job, weights, 1),
-                                           .budget = budget,
-                                           .whole = plan.bound.cost,
-                                           .what_meets = "heaviest pairs"},
-                                          best.setups, options, control)};
-           },
-       .most_weight = [&](Amount budget) { return most_weight_within(job, budget); },
-       .at_last =
-           [&](const Candidate& cheapest) {
-             return Start{cheapest.name, cheapest.how + ", heavy pairs early",
-                          heavy_first(job, cheapest.setups, control)};
-           }});
 }
 
 }  // namespace changeover

@@ -8,11 +8,6 @@
 
 namespace changeover {
 
-/// plan_by_pairs() for a job that weighs its pairs: heavy pairs early or, within a budget, the
-/// heaviest ones.
-[[nodiscard]] RunPlan plan_for_weights(const Job& job, const PlanOptions& options,
-                                       RunControl& control);
-
 /// The same set-ups in another order, possibly with parts exchanged that are interchangeable except
 /// for weights, in which the weight waits less: neither Σ weight · (cost up to where the pair first
 /// meets) nor the cost increases.

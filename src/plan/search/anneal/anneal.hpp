@@ -52,13 +52,8 @@ struct AnnealedPlan {
 AnnealedPlan anneal(Sequence& sequence, const Annealing& options, Random& random,
                     RunControl& control);
 
-/// Covers uncovered pairs by set-ups where they cost least, then removes needless parts and
-/// set-ups. Returns false, with pairs uncovered, if the control stops it. O(tests · at_once²) per
-/// pair.
+/// Covers uncovered pairs by set-ups where they cost least. Returns false, with pairs uncovered, if
+/// the control stops it. O(tests · at_once²) per pair.
 bool repair(Sequence& sequence, RunControl& control);
-
-/// Removes set-ups, and parts from whole runs of set-ups, while all covered pairs stay covered and
-/// the cost does not rise, or until the control stops it.
-void prune(Sequence& sequence, RunControl& control);
 
 }  // namespace changeover

@@ -10,6 +10,8 @@
 #include "core/words.hpp"
 #include "plan/search/anneal/cooling.hpp"
 #include "plan/search/budget.hpp"
+#include "plan/search/lists/lists.hpp"
+#include "plan/search/lists/lists_search.hpp"
 #include "run/threads.hpp"
 
 namespace changeover {
@@ -79,16 +81,20 @@ std::optional<Start> Attempts::covering(const Candidate& from, std::uint64_t ste
                                     random, *control_);
   steps_ += found.steps;
   std::vector<Block> setups = found.setups.value_or(from.setups);
-  if (repair(sequence, *control_) && sequence.size() < setups.size()) {
-    setups = sequence.setups();
+  if (repair(sequence, *control_)) {
+    Lists mended(*job_, weights, {sequence.setups()});
+    prune(mended, *control_);
+    if (mended.tests() < setups.size()) {
+      setups = mended.lists().front();
+    }
   }
   setups = order_cheaply(*job_, true_weights, std::move(setups), *control_);
-  Sequence ordered(*job_, true_weights, setups);
+  Lists ordered(*job_, true_weights, {setups});
   prune(ordered, *control_);
   return Start{
       "ordered covering",
-      fmt::format("a covering with {}, in a cheap order", count_of(ordered.size(), "set-up")),
-      ordered.setups()};
+      fmt::format("a covering with {}, in a cheap order", count_of(ordered.tests(), "set-up")),
+      ordered.lists().front()};
 }
 
 Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>& others,
@@ -113,9 +119,15 @@ Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>
   std::vector<Result> results(attempts,
                               {std::numeric_limits<std::int64_t>::max(), best.setups, best.name});
   in_parallel(*control_, attempts, [&](std::size_t i) {
-    Sequence sequence(*job_, weights, best.setups);
-    prune(sequence, *control_);
-    results[i] = {sequence.cost(), sequence.setups(), best.name};
+    const auto take = [&](Lists& lists, const std::string& from, std::int64_t below) {
+      prune(lists, *control_);
+      if (lists.total() < below) {
+        results[i] = {lists.total(), lists.lists().front(), from};
+      }
+    };
+    Lists of_best(*job_, weights, {best.setups});
+    take(of_best, best.name, results[i].cost);
+    const std::int64_t before = results[i].cost;
     if (control_->stop_wanted()) {
       return;
     }
@@ -132,7 +144,7 @@ Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>
     const Candidate& from =
         stay_near || i % 2 == 0 || others.empty() ? best : others[(i / 2 + round) % others.size()];
     Random random(control_->seed(), std::uint64_t{round} * attempts + i);
-    sequence = Sequence(*job_, weights, from.setups);
+    Sequence sequence(*job_, weights, from.setups);
     const auto began = control_->elapsed();
     const AnnealedPlan found =
         anneal(sequence,
@@ -145,19 +157,16 @@ Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>
                random, *control_);
     steps_ += found.steps;
     took[i] = {found.steps, (control_->elapsed() - began).count()};
-    if (repair(sequence, *control_) && sequence.cost() < results[i].cost) {
-      results[i] = {sequence.cost(), sequence.setups(), from.name};
-    }
     if (found.setups) {
-      const std::int64_t least = results[i].cost;
-      if (found.cost < least) {
+      if (found.cost < results[i].cost) {
         results[i] = {found.cost, *found.setups, from.name};
       }
-      Sequence met(*job_, weights, *found.setups);
-      prune(met, *control_);
-      if (met.cost() < least) {
-        results[i] = {met.cost(), met.setups(), from.name};
-      }
+      Lists met(*job_, weights, {*found.setups});
+      take(met, from.name, results[i].cost);
+    }
+    if (repair(sequence, *control_)) {
+      Lists mended(*job_, weights, {sequence.setups()});
+      take(mended, from.name, std::min(before, results[i].cost + 1));
     }
   });
   for (const Took& one : took) {

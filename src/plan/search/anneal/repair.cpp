@@ -1,4 +1,4 @@
-// Completes a list of set-ups and removes what is not needed.
+// Completes a list of set-ups.
 #include <algorithm>
 #include <limits>
 
@@ -73,60 +73,7 @@ bool repair(Sequence& sequence, RunControl& control) {
       return false;
     }
   }
-  prune(sequence, control);
   return true;
-}
-
-void prune(Sequence& sequence, RunControl& control) {
-  const std::uint64_t room = sequence.job().room();
-  Listener listener(control);
-  bool again = true;
-  while (again) {
-    again = false;
-    for (std::size_t at = sequence.size(); at-- > 0;) {
-      if (listener.stop_wanted(room * room + sequence.size() / 16)) {
-        return;
-      }
-      const std::size_t missing = sequence.uncovered();
-      const std::int64_t cost = sequence.cost();
-      const std::uint32_t handle = sequence.take_out(at);
-      if (sequence.uncovered() > missing || sequence.cost() > cost) {
-        sequence.put_back(at, handle);
-      } else {
-        sequence.forget(handle);
-        again = true;
-      }
-    }
-    for (const Element x : sequence.movable()) {
-      for (std::size_t at = 0; at < sequence.size(); ++at) {
-        if (listener.stop_wanted(sequence.holds(at, x) ? room : 1)) {
-          return;
-        }
-        if (!sequence.holds(at, x)) {
-          continue;
-        }
-        std::size_t last = at;
-        bool to_spare = sequence.may_leave(at, x);
-        while (last + 1 < sequence.size() && sequence.holds(last + 1, x)) {
-          ++last;
-          to_spare = to_spare && sequence.may_leave(last, x);
-        }
-        if (!to_spare) {
-          at = last;
-          continue;
-        }
-        const std::size_t missing = sequence.uncovered();
-        const std::int64_t cost = sequence.cost();
-        sequence.remove({at, last}, x);
-        if (sequence.uncovered() > missing || sequence.cost() > cost) {
-          sequence.add({at, last}, x);
-        } else {
-          again = true;
-        }
-        at = last;
-      }
-    }
-  }
 }
 
 }  // namespace changeover

@@ -18,6 +18,9 @@ Weights Weights::of(const Job& job, std::uint64_t tests) {
     weights.change.push_back(std::max<std::uint64_t>(1, cost.millionths));
     largest = std::max(largest, weights.change.back());
   }
+  for (const Amount cost : job.replace_costs) {
+    largest = std::max(largest, cost.millionths);
+  }
   // A search adds up several costs.
   constexpr Wide margin = 64;
   constexpr Wide most = std::numeric_limits<std::int64_t>::max();

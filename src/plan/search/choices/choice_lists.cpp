@@ -5,7 +5,6 @@
 #include "changeover/plan/model.hpp"
 #include "core/checked.hpp"
 #include "plan/job/pair_numbers.hpp"
-#include "plan/search/lists/lists.hpp"
 
 namespace changeover {
 namespace {
@@ -17,7 +16,7 @@ constexpr std::uint32_t not_needed = std::uint32_t{1} << 30U;
 ChoiceJob::ChoiceJob(const Job& job)
     : job_(&job),
       rules_(*job.model),
-      weights_(weights_of(job, 2 * (job.needed.size() + job.triples.size()) + 16)),
+      weights_(Weights::of(job, 2 * (job.needed.size() + job.triples.size()) + 16)),
       triples_(!job.triples.empty()),
       values_(job.slots.size()) {
   const std::size_t v = job.names.size();

@@ -14,7 +14,7 @@
 #include "plan/search/candidates.hpp"
 #include "plan/search/choices/choice_search.hpp"
 #include "plan/search/exact_plan.hpp"
-#include "plan/search/valid_job.hpp"
+#include "plan/search/one_list.hpp"
 #include "run/threads.hpp"
 
 namespace changeover {
@@ -26,33 +26,19 @@ class ChoicePlanner {
       : job_(job), options_(options), control_(control) {}
 
   RunPlan run() {
-    const RunScope scope(control_);
-    RunPlan plan;
-    plan.objective = options_.objective;
-    plan.bound = bound_of_valid_job(job_);
-    if (job_.needed.size() == 0) {
-      plan.candidates.push_back(counted(job_, {"no test", "nothing is left to test", {}}));
-      settle(job_, plan, control_);
-      return plan;
-    }
-    {
-      RunControl undisturbed({});
-      const RunScope without_limit(undisturbed);
-      choices_.emplace(job_);
-    }
-    add(plan, greedy(few_tests() ? GreedyAim::tests : GreedyAim::cost, 0));
-    keep_what_there_is(plan, [&] {
-      add_rest(plan);
-      add_swept(plan);
-      search(plan);
-    });
-    std::ranges::stable_sort(plan.candidates,
-                             [&](const auto& a, const auto& b) { return is_better(a, b); });
-    if (options_.budget) {
-      find_affordable(plan);
-    }
+    RunPlan plan = plan_one_list(
+        job_, options_, control_,
+        {.sure = [&](const RunPlan&) { return std::vector<Start>{greedy()}; },
+         .mended = [&](const std::vector<Block>& rest) { return mended(rest); },
+         .search =
+             [&](RunPlan& made) {
+               add_swept(made);
+               search(made);
+             },
+         .within = [&](RunPlan& made, Amount budget,
+                       const Candidate& from) { return within(*made.complete, budget, from); },
+         .better = [&](const Candidate& a, const Candidate& b) { return is_better(a, b); }});
     plan.steps += steps_;
-    settle(job_, plan, control_);
     return plan;
   }
 
@@ -75,13 +61,8 @@ class ChoicePlanner {
   }
 
   void add(RunPlan& plan, const Start& start) const {
-    Candidate candidate = counted_complete(job_, start);
-    if (candidate.cost < plan.bound.cost || candidate.tests() < plan.bound.tests) {
-      throw InternalError(start.name + " is below the lower bound");
-    }
-    plan.candidates.push_back(std::move(candidate));
-    tell_if_best(plan, options_,
-                 [this](const Candidate& a, const Candidate& b) { return is_better(a, b); });
+    add_complete(job_, plan, options_, start,
+                 [&](const Candidate& a, const Candidate& b) { return is_better(a, b); });
   }
 
   // Replaces a candidate of the same name if the list is better.
@@ -97,36 +78,32 @@ class ChoicePlanner {
     add(plan, start);
   }
 
-  [[nodiscard]] Start greedy(GreedyAim aim, std::uint64_t stream) const {
-    Random random(control_.seed(), 3'000'000 + stream);
+  // Makes the tables, too.
+  [[nodiscard]] Start greedy() {
+    {
+      RunControl undisturbed({});
+      const RunScope without_limit(undisturbed);
+      choices_.emplace(job_);
+    }
+    Random random(control_.seed(), 3'000'000);
     ChoiceList list(*choices_, {});
-    complete_greedily(*choices_, list, aim, random, control_);
+    complete_greedily(*choices_, list, few_tests() ? GreedyAim::tests : GreedyAim::cost, random,
+                      control_);
     if (!control_.stop_wanted()) {
       prune_choices(*choices_, list);
     }
     return {"greedy list",
-            aim == GreedyAim::tests ? "always the test that brings most"
-                                    : "always the test that brings most for its cost",
+            few_tests() ? "always the test that brings most"
+                        : "always the test that brings most for its cost",
             list.setups()};
   }
 
-  // The current list without set-ups that break a rule, and with missing tests added.
-  void add_rest(RunPlan& plan) const {
-    std::vector<Block> rest = sound_rest(job_, options_);
-    if (rest.empty()) {
-      return;
-    }
-    for (Block& setup : rest) {
-      std::ranges::sort(setup, {}, [&](Element x) { return job_.slot_of[x]; });
-    }
+  [[nodiscard]] std::vector<Block> mended(const std::vector<Block>& rest) const {
     Random random(control_.seed(), 4'000'000);
-    ChoiceList list(*choices_, rest);
-    if (list.missing() == 0) {
-      add(plan, rest_as_it_is(rest));
-    }
+    ChoiceList list(*choices_, in_order(rest));
     complete_greedily(*choices_, list, GreedyAim::cost, random, control_);
     prune_choices(*choices_, list);
-    add(plan, rest_mended(list.setups()));
+    return list.setups();
   }
 
   // Many tests with few changes: good where tests cost little.
@@ -300,42 +277,28 @@ class ChoicePlanner {
     }
   }
 
-  void find_affordable(RunPlan& plan) {
-    const Amount budget = *options_.budget;
-    plan.complete = plan.candidates.front();
-    if (plan.complete->cost <= budget) {
-      return;
-    }
-    std::vector<Candidate> within = affordable(job_, plan.candidates, budget, control_);
-    keep_what_there_is(plan, [&] {
-      std::vector<AnnealedChoices> found(options_.attempts);
-      const std::uint64_t steps = suitable_moves(*plan.complete);
-      in_parallel(control_, options_.attempts, [&](std::size_t i) {
-        found[i] = annealed(
-            within.front().setups,
-            {.steps = steps,
-             .hot = heats[i % heats.size()],
-             .time = time_for(i, options_.attempts),
-             .budget = static_cast<std::int64_t>(budget.millionths / choices_->weights().unit),
-             .phase =
-                 fmt::format("local search {} of {} within the budget", i + 1, options_.attempts)},
-            8'000'000 + i);
-      });
-      for (const AnnealedChoices& each : found) {
-        if (each.setups) {
-          within.push_back(counted(
-              job_,
-              {search_name, "any number of changes a step, within the budget", *each.setups}));
-        }
+  std::vector<Start> within(const Candidate& complete, Amount budget, const Candidate& from) {
+    std::vector<AnnealedChoices> found(options_.attempts);
+    const std::uint64_t steps = suitable_moves(complete);
+    in_parallel(control_, options_.attempts, [&](std::size_t i) {
+      found[i] = annealed(
+          from.setups,
+          {.steps = steps,
+           .hot = heats[i % heats.size()],
+           .time = time_for(i, options_.attempts),
+           .budget = static_cast<std::int64_t>(budget.millionths / choices_->weights().unit),
+           .phase =
+               fmt::format("local search {} of {} within the budget", i + 1, options_.attempts)},
+          8'000'000 + i);
+    });
+    std::vector<Start> starts;
+    for (AnnealedChoices& each : found) {
+      if (each.setups) {
+        starts.push_back({search_name, "any number of changes a step, within the budget",
+                          *std::move(each.setups)});
       }
-    });
-    std::ranges::stable_sort(within, tests_more);
-    bool seen = false;
-    std::erase_if(within, [&](const Candidate& each) {
-      return each.name == search_name && std::exchange(seen, true);
-    });
-    check_within(within, budget, std::nullopt);
-    plan.candidates = std::move(within);
+    }
+    return starts;
   }
 
   static constexpr const char* short_list_name = "short list";

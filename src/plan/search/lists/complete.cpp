@@ -83,12 +83,13 @@ bool complete(Lists& lists, RunControl& control) {
 
 void prune(Lists& lists, RunControl& control) {
   const auto no_worse = [&](auto&& change) {
+    const bool whole = lists.open() == 0;  // what weighs nothing has to meet, too
     const std::uint64_t missing = lists.missing();
     const std::int64_t total = lists.total();
     const std::int64_t largest = lists.largest();
     change();
-    const bool good =
-        lists.missing() <= missing && lists.total() <= total && lists.largest() <= largest;
+    const bool good = (!whole || lists.open() == 0) && lists.missing() <= missing &&
+                      lists.total() <= total && lists.largest() <= largest;
     good ? lists.keep() : lists.undo();
     return good;
   };

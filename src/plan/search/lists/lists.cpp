@@ -6,25 +6,15 @@
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "plan/job/pair_numbers.hpp"
-#include "plan/job/prices.hpp"
 #include "plan/search/lists/assignment.hpp"
 
 namespace changeover {
-Weights weights_of(const Job& job, std::uint64_t tests) {
-  Weights weights = Weights::of(at_prices(job, Price::dearest), tests);
-  for (std::size_t x = 0; x < job.names.size(); ++x) {
-    weights.change[x] =
-        ceil_div(std::max<std::uint64_t>(1, job.change_costs[x].millionths), weights.unit);
-  }
-  return weights;
-}
-
 std::vector<Weights> weights_of(const std::vector<const Job*>& jobs, std::uint64_t tests) {
   std::vector<Weights> all;
   std::uint64_t unit = 1;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const bool is_same = i > 0 && jobs[i] == jobs[i - 1];
-    all.push_back(is_same ? all.back() : weights_of(*jobs[i], tests));
+    all.push_back(is_same ? all.back() : Weights::of(*jobs[i], tests));
     unit = std::max(unit, all.back().unit);
   }
   for (std::size_t i = 0; i < jobs.size(); ++i) {

@@ -40,9 +40,7 @@ struct Spot {
   std::size_t at = 0;
 };
 
-/// Weights::of(), with a unit that also suits the costs by what is replaced.
-[[nodiscard]] Weights weights_of(const Job& job, std::uint64_t tests);
-/// The same for several jobs, with a common unit.
+/// Weights::of() for several jobs, with a common unit.
 [[nodiscard]] std::vector<Weights> weights_of(const std::vector<const Job*>& jobs,
                                               std::uint64_t tests);
 

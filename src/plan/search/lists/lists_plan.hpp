@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "changeover/plan/run_plan.hpp"
@@ -23,17 +22,9 @@ struct FirstLists {
 [[nodiscard]] RunPlan plan_by_lists(const Job& job, const PlanOptions& options, RunControl& control,
                                     const FirstLists& first);
 
-/// A budget, within which as much as possible is to meet.
-struct WithinBudget {
-  ListsJob job;
-  Amount budget;
-  Amount whole;            ///< least cost if everything meets
-  std::string what_meets;  ///< the objective, such as "most triples"
-};
-
-/// The list that tests the most weight, at least as much as `from`, which is within the budget.
-/// Adds its moves to those of the plan.
-[[nodiscard]] std::vector<Block> heaviest_within(RunPlan& plan, const WithinBudget& within,
+/// The list within the budget that tests the most weight, at least as much as `from`, which is
+/// within it. Adds its moves to those of the plan.
+[[nodiscard]] std::vector<Block> heaviest_within(const Job& job, RunPlan& plan, Amount budget,
                                                  const std::vector<Block>& from,
                                                  const PlanOptions& options, RunControl& control);
 

@@ -50,8 +50,8 @@ struct FoundLists {
 /// if the control stops it before.
 bool complete(Lists& lists, RunControl& control);
 
-/// Removes set-ups, and parts from whole runs of set-ups, while nothing more is missing and no
-/// bench costs more.
+/// Removes set-ups, and parts from whole runs of set-ups, while no more weight is missing, nothing
+/// is if nothing was, and no bench costs more.
 void prune(Lists& lists, RunControl& control);
 
 }  // namespace changeover
