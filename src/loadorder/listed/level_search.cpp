@@ -6,6 +6,7 @@
 
 #include "changeover/run/control.hpp"
 #include "loadorder/listed/listed_levels.hpp"
+#include "loadorder/order/levels/level_cost.hpp"
 #include "loadorder/pairs/closing.hpp"
 #include "loadorder/pairs/starts.hpp"
 #include "run/random.hpp"

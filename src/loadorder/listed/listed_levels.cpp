@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <set>
 #include <utility>
 
 #include "changeover/run/control.hpp"
@@ -12,7 +11,9 @@
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/order/in_rounds.hpp"
 #include "loadorder/order/levels/accelerator.hpp"
+#include "loadorder/order/levels/level_cost.hpp"
 #include "loadorder/order/read_order.hpp"
+#include "loadorder/shares/idle_items.hpp"
 
 namespace changeover {
 namespace {
@@ -34,27 +35,6 @@ class NextLoads {
  private:
   std::vector<std::size_t> after_;  // by load: the next one of its item
   std::vector<std::size_t> next_;   // by item
-};
-
-/// Items that may leave memory; the one that is needed last goes first.
-class Idle {
- public:
-  explicit Idle(std::uint64_t items) : needed_(static_cast<std::size_t>(items), not_again) {}
-
-  void add(Element x, std::size_t needed) {
-    needed_[x] = needed;
-    idle_.emplace(needed, x);
-  }
-  void erase(Element x) { idle_.erase({needed_[x], x}); }
-  Element take_last() {
-    const Element x = idle_.rbegin()->second;
-    idle_.erase(std::prev(idle_.end()));
-    return x;
-  }
-
- private:
-  std::vector<std::size_t> needed_;
-  std::set<std::pair<std::size_t, Element>> idle_;
 };
 
 // Steps that evict nothing are part of the step before.
@@ -108,7 +88,7 @@ class Batches {
   // Nothing that the order keeps or loads in a batch goes before the batch is over.
   void find_batches(const std::vector<LoadMove>& loads) {
     NextLoads next(loads, items_);
-    Idle idle(items_);
+    IdleItems idle(items_);
     std::vector<bool> in_memory(items_, false);
     std::vector<bool> kept(items_, false);  // by the order
     std::vector<std::size_t> stay_of(items_, 0);
@@ -226,17 +206,6 @@ std::vector<std::uint64_t> batches_to_try(std::uint64_t room, std::uint64_t fast
     }
   }
   return sizes;
-}
-
-double cost_of(const std::vector<Move>& moves, const LoadOrderFacts& bounds) {
-  std::uint64_t loads = 0;
-  std::uint64_t transfers = 0;
-  for (const Move& move : moves) {
-    loads += move.load.size();
-    transfers += move.fast_load.size();
-  }
-  return static_cast<double>(loads) / static_cast<double>(bounds.bound.loads) +
-         static_cast<double>(transfers) / static_cast<double>(bounds.transfer_bound.loads);
 }
 
 std::vector<Move> levels_of(const PairGraph& graph, const LoadOrderFacts& facts,

@@ -22,9 +22,6 @@ namespace changeover {
 [[nodiscard]] std::vector<Move> levels_of(const PairGraph& graph, const LoadOrderFacts& facts,
                                           const std::vector<LoadMove>& loads, std::uint64_t batch);
 
-/// loads / bound + transfers / bound
-[[nodiscard]] double cost_of(const std::vector<Move>& moves, const LoadOrderFacts& bounds);
-
 /// The steps with the least loads / bound + transfers / bound; `facts` has the pairs, both rooms
 /// and both bounds, and is given their description.
 [[nodiscard]] LoadOrder::Maker listed_levels(LoadOrderFacts& facts,

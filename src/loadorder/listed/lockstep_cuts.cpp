@@ -61,7 +61,7 @@ class CutSearch {
       keep(of_parts(parts_.even_cut(parts), not_again));
     }
     for (std::size_t order = 0; order < stretches_.size() && work <= most_work; ++order) {
-      keep(of_stretches(order, even_stretches(order)));
+      keep(of_stretches(order, stretches_[order].even_cut(workers_)));
       work += graph_.pairs();
     }
   }
@@ -113,12 +113,9 @@ class CutSearch {
   // The steps of stretches of an order; nullopt if they are far from the best.
   std::optional<Cut> of_stretches(std::size_t order, std::vector<std::size_t> begins) {
     Cut cut{.order = order, .begins = std::move(begins), .lists = {}};
-    for (const std::size_t patience : {2U, 8U, 32U, 128U, ~0U}) {
-      stop_if_asked();
-      if (auto events = stretches_[order].play(cut.begins, patience, 2 * best_->lists.span)) {
-        take_better(cut.lists, lists_of(std::move(*events), &graph_));
-      }
-    }
+    stretches_[order].play_each(cut.begins, 2 * best_->lists.span, [&](LockstepEvents events) {
+      take_better(cut.lists, lists_of(std::move(events), &graph_));
+    });
     return cut.lists.lists == nullptr ? std::nullopt : std::optional(std::move(cut));
   }
 
@@ -127,16 +124,6 @@ class CutSearch {
         std::pair(lists.span, lists.loads) < std::pair(best.span, best.loads)) {
       best = std::move(lists);
     }
-  }
-
-  [[nodiscard]] std::vector<std::size_t> even_stretches(std::size_t order) const {
-    const std::uint64_t jobs = stretches_[order].jobs();
-    const std::uint64_t count = std::min(workers_, jobs);
-    std::vector<std::size_t> begins;
-    for (std::uint64_t w = 0; w < count; ++w) {
-      begins.push_back(static_cast<std::size_t>(w * jobs / count));
-    }
-    return begins;
   }
 
   void keep(std::optional<Cut> cut) {
@@ -179,7 +166,7 @@ class CutSearch {
     const std::size_t order = below(stretches_.size());
     auto start = kind == 0
                      ? of_parts(parts_.even_cut(workers_ + 1 + below(8 * workers_)), most_tasks)
-                 : kind == 1 ? of_stretches(order, even_stretches(order))
+                 : kind == 1 ? of_stretches(order, stretches_[order].even_cut(workers_))
                              : std::nullopt;
     keep(start);
     return start ? std::move(*start) : *best_;

@@ -96,7 +96,8 @@ WantedPairs as_list(const WantedPairs& wanted) {
   return WantedPairs::listed(std::make_shared<const PairGraph>(
       items,
       [&](const PairGraph::Visit& visit) {
-        for (Element y = static_cast<Element>(wanted.first()); y < items; ++y) {
+        for (auto y = static_cast<Element>(wanted.first()); y < items; ++y) {
+          visit(y, y);  // even if it is in no pair
           const Element end = wanted.kind() == WantedPairs::Kind::between
                                   ? static_cast<Element>(wanted.first())
                                   : y;

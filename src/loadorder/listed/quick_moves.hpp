@@ -33,8 +33,8 @@ inline constexpr std::size_t not_again = ~std::size_t{0};
 [[nodiscard]] std::vector<ItemPair> numbered(std::span<const ItemPair> pairs,
                                              const std::vector<Element>& items);
 
-/// The wanted pairs, some only, as a list. @throws ImpossibleParameters if they are not listed and
-/// more than 10⁷
+/// The wanted pairs as a list; of all pairs it must be known of how many items. @throws
+/// ImpossibleParameters if they are not listed and more than 10⁷
 [[nodiscard]] WantedPairs as_list(const WantedPairs& wanted);
 
 /// A step for each load.

@@ -181,4 +181,24 @@ std::optional<LockstepEvents> StretchesInLockstep::play(const std::vector<std::s
   return Play(*this, begins, patience).run(most_steps);
 }
 
+void StretchesInLockstep::play_each(const std::vector<std::size_t>& begins,
+                                    std::uint64_t most_steps,
+                                    const std::function<void(LockstepEvents)>& visit) const {
+  for (const std::size_t patience : {2U, 8U, 32U, 128U, ~0U}) {
+    stop_if_asked();
+    if (auto events = play(begins, patience, most_steps)) {
+      visit(std::move(*events));
+    }
+  }
+}
+
+std::vector<std::size_t> StretchesInLockstep::even_cut(std::uint64_t workers) const {
+  const std::uint64_t count = std::min<std::uint64_t>(workers, jobs());
+  std::vector<std::size_t> begins;
+  for (std::uint64_t w = 0; w < count; ++w) {
+    begins.push_back(static_cast<std::size_t>(w * jobs() / count));
+  }
+  return begins;
+}
+
 }  // namespace changeover

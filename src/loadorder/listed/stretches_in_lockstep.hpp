@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,9 @@ class StretchesInLockstep {
 
   [[nodiscard]] std::size_t jobs() const { return jobs_.size(); }
 
+  /// The first jobs of workers that have about equally many.
+  [[nodiscard]] std::vector<std::size_t> even_cut(std::uint64_t workers) const;
+
   /// Plays the workers, whose first jobs are `begins`; the first of these is 0. An item that
   /// another worker needs is taken from one that has more than `patience` jobs to do before it
   /// needs it again, or if no worker could go on; that one loads it again. Nullopt if it takes more
@@ -29,6 +33,9 @@ class StretchesInLockstep {
   [[nodiscard]] std::optional<LockstepEvents> play(const std::vector<std::size_t>& begins,
                                                    std::size_t patience,
                                                    std::uint64_t most_steps) const;
+  /// The same for several patiences; calls visit() for each that does not take too long.
+  void play_each(const std::vector<std::size_t>& begins, std::uint64_t most_steps,
+                 const std::function<void(LockstepEvents)>& visit) const;
 
  private:
   struct Stay {

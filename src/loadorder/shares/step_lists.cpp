@@ -1,10 +1,10 @@
 #include "loadorder/shares/step_lists.hpp"
 
 #include <algorithm>
-#include <queue>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
+
+#include "loadorder/shares/idle_items.hpp"
 
 namespace changeover {
 
@@ -17,46 +17,37 @@ std::vector<Move> kept_longer(const std::vector<Move>& moves, std::uint64_t room
   if (sizes != nullptr) {
     room = sizes->memory;
   }
-  constexpr std::size_t never = ~std::size_t{0};
-  // The step in which an evicted item is loaded again.
-  std::unordered_map<Element, std::size_t> next;
-  std::vector<std::vector<std::size_t>> again(moves.size());
-  for (std::size_t i = moves.size(); i > 0; --i) {
-    const Move& move = moves[i - 1];
+  std::size_t items = 0;
+  for (const Move& move : moves) {
     for (const Element x : move.load) {
-      next[x] = i - 1;
-    }
-    for (const Element x : move.evict) {
-      const auto found = next.find(x);
-      again[i - 1].push_back(found == next.end() ? never : found->second);
+      items = std::max<std::size_t>(items, std::size_t{x} + 1);
     }
   }
-  std::priority_queue<std::pair<std::size_t, Element>>
-      idle;  // candidates for eviction, the one needed last first
-  std::unordered_map<Element, std::size_t> is_idle;
+  // The steps that load an item, the next one last.
+  std::vector<std::vector<std::size_t>> loads(items);
+  for (std::size_t i = moves.size(); i > 0; --i) {
+    for (const Element x : moves[i - 1].load) {
+      loads[x].push_back(i - 1);
+    }
+  }
+  IdleItems idle(items);
   std::vector<Move> out;
   std::uint64_t held = 0;  // including idle items
-  for (std::size_t i = 0; i < moves.size(); ++i) {
+  for (const Move& from : moves) {
     Move move;
-    for (std::size_t j = 0; j < moves[i].evict.size(); ++j) {
-      idle.emplace(again[i][j], moves[i].evict[j]);
-      is_idle[moves[i].evict[j]] = again[i][j];
+    for (const Element x : from.evict) {
+      idle.add(x, loads[x].empty() ? IdleItems::never : loads[x].back());
     }
-    for (const Element x : moves[i].load) {
-      if (is_idle.erase(x) == 0) {
+    for (const Element x : from.load) {
+      loads[x].pop_back();
+      if (!idle.erase(x)) {
         move.load.push_back(x);
         held += size(x);
       }
     }
     while (held > room) {
-      const auto [when, item] = idle.top();
-      idle.pop();
-      const auto found = is_idle.find(item);
-      if (found != is_idle.end() && found->second == when) {
-        is_idle.erase(found);
-        move.evict.push_back(item);
-        held -= size(item);
-      }
+      move.evict.push_back(idle.take_last());
+      held -= size(move.evict.back());
     }
     out.push_back(std::move(move));
   }

@@ -15,6 +15,7 @@
 #include "loadorder/listed/neighbourhoods.hpp"
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/order/in_rounds.hpp"
+#include "loadorder/order/levels/level_cost.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/pairs/held/held_blocks.hpp"
 #include "loadorder/shares/few_workers.hpp"
@@ -178,24 +179,16 @@ WorkerSplit split_some_pairs(const WantedPairs& wanted, std::uint64_t room, std:
 
 constexpr std::uint64_t most_pairs_listed = 1'000'000;  // of two sets, or of new items
 
-// What the busiest worker moves, at each level over the bound of all.
-double busiest_cost(const WorkerSplit& split) {
+// What the busiest worker moves, at each level over the bound of all, and what all of them move.
+std::pair<double, double> busiest_cost(const WorkerSplit& split) {
   const LoadOrderFacts& bounds = split.order().facts();
-  const ItemSizes* const sizes = bounds.sizes.get();
-  const auto over = [&](const std::vector<Element>& items, const LoadBound& bound,
-                        const LoadBound& bytes) {
-    return sizes != nullptr
-               ? static_cast<double>(bytes_of(*sizes, items)) / static_cast<double>(bytes.loads)
-               : static_cast<double>(items.size()) / static_cast<double>(bound.loads);
-  };
-  std::vector<double> costs(split.facts().workers.size(), 0);
+  std::vector<MovedAtLevels> moved(split.facts().workers.size());
   const auto steps = split.stream();
   for (Step step; steps->next(step);) {
-    costs[static_cast<std::size_t>(step.worker)] +=
-        over(step.load, bounds.bound, bounds.byte_bound) +
-        over(step.fast_load, bounds.transfer_bound, bounds.transfer_byte_bound);
+    moved[static_cast<std::size_t>(step.worker)].add(step, sizes_in(bounds));
   }
-  return *std::ranges::max_element(costs);
+  const auto cost = [&](const MovedAtLevels& its) { return its.over(bounds); };
+  return {largest_of<double>(moved, cost), sum_of<double>(moved, cost)};
 }
 
 bool is_less_busy(const WorkerSplit& split, const WorkerSplit& other) {
@@ -204,11 +197,9 @@ bool is_less_busy(const WorkerSplit& split, const WorkerSplit& other) {
 
 WorkerSplit best_of_two_levels(std::vector<WorkerSplit> candidates,
                                const LoadOrderOptions& options) {
-  std::vector<double> costs;
-  costs.reserve(candidates.size());
-  for (const WorkerSplit& split : candidates) {
-    costs.push_back(candidates.size() > 1 ? busiest_cost(split) : 0);
-  }
+  const auto costs = each_of<std::pair<double, double>>(candidates, [&](const WorkerSplit& split) {
+    return candidates.size() > 1 ? busiest_cost(split) : std::pair(0.0, 0.0);
+  });
   WorkerSplit split = std::move(
       candidates[static_cast<std::size_t>(std::ranges::min_element(costs) - costs.begin())]);
   SplitMaker::verify(split, options);

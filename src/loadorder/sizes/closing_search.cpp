@@ -22,6 +22,30 @@ std::vector<Move> in_steps(const std::vector<SizedMove>& moves) {
   return steps;
 }
 
+std::vector<SizedMove> one_by_one(const std::vector<Move>& moves, const ItemSizes& sizes) {
+  std::vector<SizedMove> all;
+  std::uint64_t held = 0;
+  for (const Move& move : moves) {
+    auto goes = move.evict.begin();
+    for (const Element x : move.load) {
+      SizedMove& its = all.emplace_back(SizedMove{x, {}});
+      for (held += sizes.bytes[x]; held > sizes.memory; held -= sizes.bytes[*goes++]) {
+        its.evict.push_back(*goes);
+      }
+    }
+  }
+  return all;
+}
+
+void give_names(std::vector<SizedMove>& moves, const std::vector<Element>& items) {
+  for (SizedMove& move : moves) {
+    move.load = items[move.load];
+    for (Element& x : move.evict) {
+      x = items[x];
+    }
+  }
+}
+
 ClosingSearch::ClosingSearch(const ItemSizes& sizes, const PairGraph& graph, std::uint64_t room,
                              std::uint64_t least, std::uint64_t seed)
     : sizes_(sizes),

@@ -30,6 +30,14 @@ struct SizedOffer {
 /// The loads up to the first eviction as one step, and each further load as a step.
 [[nodiscard]] std::vector<Move> in_steps(const std::vector<SizedMove>& moves);
 
+/// The loads one by one, of moves that evict no more than they must: an item goes when its bytes
+/// are needed.
+[[nodiscard]] std::vector<SizedMove> one_by_one(const std::vector<Move>& moves,
+                                                const ItemSizes& sizes);
+
+/// Gives each item, a number below items.size(), the name that stands there.
+void give_names(std::vector<SizedMove>& moves, const std::vector<Element>& items);
+
 class ClosingSearch {
  public:
   /// No order has fewer than `least` bytes; `room`: how many items fit at most.

@@ -23,24 +23,26 @@ std::vector<Element> items_as_they_come(const std::vector<Move>& moves) {
   return items;
 }
 
+std::vector<Element> largest_first(const ItemSizes& sizes, std::span<const Element> items) {
+  std::vector<Element> order(items.begin(), items.end());
+  std::ranges::stable_sort(order, std::ranges::greater(),
+                           [&](const Element x) { return sizes.bytes[x]; });
+  return order;
+}
+
 std::uint64_t largest_of(const ItemSizes& sizes, const Groups& groups) {
   return largest_of(groups,
                     [&](const std::vector<Element>& group) { return bytes_of(sizes, group); });
 }
 
-namespace {
-
-/// The largest items first, each into the group with the fewest bytes.
-Groups even_groups(const ItemSizes& sizes, std::vector<Element> items, std::uint64_t count) {
-  std::ranges::stable_sort(items,
-                           [&](Element a, Element b) { return sizes.bytes[a] > sizes.bytes[b]; });
+Groups even_groups(const ItemSizes& sizes, std::span<const Element> items, std::uint64_t count) {
   Groups groups(static_cast<std::size_t>(count));
   using Filled = std::pair<std::uint64_t, std::size_t>;
   std::priority_queue<Filled, std::vector<Filled>, std::greater<>> next;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     next.emplace(0, g);
   }
-  for (const Element x : items) {
+  for (const Element x : largest_first(sizes, items)) {
     const auto [bytes, g] = next.top();
     next.pop();
     groups[g].push_back(x);
@@ -48,8 +50,6 @@ Groups even_groups(const ItemSizes& sizes, std::vector<Element> items, std::uint
   }
   return groups;
 }
-
-}  // namespace
 
 Groups groups_of_at_most(const ItemSizes& sizes, const std::vector<Element>& items,
                          std::uint64_t most, std::uint64_t least) {
@@ -76,6 +76,15 @@ Groups cut_into_groups(const ItemSizes& sizes, const std::vector<Element>& items
     left -= sizes.bytes[x];
   }
   return groups;
+}
+
+std::vector<Move> of_items(StepSource& steps, const Groups& groups) {
+  std::vector<Move> moves;
+  for (Step step; steps.next(step);) {
+    moves.push_back({items_in(groups, step.evict), items_in(groups, step.load),
+                     items_in(groups, step.fast_evict), items_in(groups, step.fast_load)});
+  }
+  return moves;
 }
 
 WantedPairs between_groups(const Groups& groups, const PairGraph& graph) {

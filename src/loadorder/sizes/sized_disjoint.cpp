@@ -9,6 +9,7 @@
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "core/each.hpp"
 #include "core/words.hpp"
 #include "loadorder/listed/lockstep_events.hpp"
 #include "loadorder/listed/quick_moves.hpp"
@@ -53,9 +54,7 @@ class Ways {
   Ways(const ItemSizes& sizes, std::vector<Element> items, std::uint64_t workers,
        const PairGraph* graph, Best& best)
       : sizes_(sizes), items_(std::move(items)), workers_(workers), graph_(graph), best_(best) {
-    for (const Element x : items_) {
-      largest_ = std::max(largest_, sizes.bytes[x]);
-    }
+    largest_ = largest_of(items_, [&](const Element x) { return sizes.bytes[x]; });
   }
 
   /// For all pairs: groups of even bytes.
@@ -80,21 +79,13 @@ class Ways {
 
   void stretches_of(const LoadOrder& one) {
     const StretchesInLockstep stretches(*graph_, moves_of(*one.stream()));
-    const std::uint64_t count = std::min<std::uint64_t>(workers_, stretches.jobs());
-    std::vector<std::size_t> begins;
-    for (std::uint64_t w = 0; w < count; ++w) {
-      begins.push_back(static_cast<std::size_t>(w * stretches.jobs() / count));
-    }
-    for (const std::size_t patience : {2U, 8U, 32U, 128U, ~0U}) {
-      stop_if_asked();
-      const std::uint64_t most_steps = 4 * (one.facts().loads + 1);
-      if (auto events = stretches.play(begins, patience, most_steps)) {
-        best_.consider(lists_of(std::move(*events), graph_, &sizes_), "stretches",
-                       fmt::format("An order of one worker is cut into {}. A worker waits for an "
-                                   "item that another one holds and needs soon.",
-                                   count_of(count, "stretch", "stretches")));
-      }
-    }
+    const std::vector<std::size_t> begins = stretches.even_cut(workers_);
+    stretches.play_each(begins, 4 * (one.facts().loads + 1), [&](LockstepEvents events) {
+      best_.consider(lists_of(std::move(events), graph_, &sizes_), "stretches",
+                     fmt::format("An order of one worker is cut into {}. A worker waits for an "
+                                 "item that another one holds and needs soon.",
+                                 count_of(begins.size(), "stretch", "stretches")));
+    });
   }
 
  private:
@@ -137,10 +128,8 @@ using CostOf = std::function<double(const LockstepLists&)>;
 Best best_once(const std::shared_ptr<const ItemSizes>& sizes, const WantedPairs& wanted,
                std::uint64_t workers, const LoadOrderOptions& options, CostOf cost_of) {
   const std::uint64_t items = sizes->bytes.size();
-  const WantedPairs list = wanted.graph() == nullptr && items <= most_closed_all
-                               ? listed_among(wanted, items)
-                           : wanted.are_all() ? wanted
-                                              : as_list(wanted);
+  const WantedPairs list =
+      wanted.are_all() && items > most_closed_all ? wanted : as_list(wanted.among(items));
   const PairGraph* const graph = list.graph();
   Best best;
   const bool is_level = cost_of == nullptr;
@@ -212,11 +201,8 @@ LoadOrder plan_disjoint_order(std::shared_ptr<const ItemSizes> sizes, const Want
 
 LoadOrder plan_disjoint_levels(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
                                std::uint64_t workers, const LoadOrderOptions& options) {
-  LoadOrderFacts facts = facts_before(sizes, wanted, workers);
   const ItemSizes fast{sizes->bytes, sizes->fast_memory};
-  facts.fast_room = most_held(fast, wanted);
-  facts.transfer_byte_bound = sized_lower_bound(fast, wanted);
-  facts.transfer_bound = load_lower_bound(wanted.among(facts.items), *facts.fast_room);
+  LoadOrderFacts facts = with_levels(facts_before(sizes, wanted, workers), fast);
   const std::uint64_t least_transfers = sized_makespan_bound(fast, wanted, workers).loads;
   const LevelShape shape{wanted.among(facts.items), facts.room, *facts.fast_room, 1, sizes};
   const auto both_levels = [shape, workers](const LockstepLists& lists) {

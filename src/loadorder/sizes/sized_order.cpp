@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "changeover/core/error.hpp"
@@ -11,8 +12,11 @@
 #include "core/checked.hpp"
 #include "core/each.hpp"
 #include "core/words.hpp"
+#include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/order/in_rounds.hpp"
+#include "loadorder/order/read_order.hpp"
 #include "loadorder/sizes/closing_search.hpp"
+#include "loadorder/sizes/item_groups.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
 
 namespace changeover {
@@ -20,14 +24,11 @@ namespace {
 
 /// Packs groups of at most `most` bytes: the largest items first, each into the first group with
 /// room.
-std::vector<std::vector<Element>> packed(const ItemSizes& sizes, const std::vector<Element>& items,
-                                         std::uint64_t most) {
-  std::vector<Element> order = items;
-  std::ranges::stable_sort(order,
-                           [&](Element a, Element b) { return sizes.bytes[a] > sizes.bytes[b]; });
-  std::vector<std::vector<Element>> groups;
+Groups packed(const ItemSizes& sizes, const std::vector<Element>& largest_first,
+              std::uint64_t most) {
+  Groups groups;
   std::vector<std::uint64_t> left;
-  for (const Element x : order) {
+  for (const Element x : largest_first) {
     std::size_t g = 0;
     while (g < groups.size() && left[g] < sizes.bytes[x]) {
       ++g;
@@ -42,105 +43,35 @@ std::vector<std::vector<Element>> packed(const ItemSizes& sizes, const std::vect
   return groups;
 }
 
-/// An order of groups, item by item. Items of a group that are still in memory are not loaded
-/// again. Evicted groups stay as long as there is room; the item that is needed last is evicted
-/// first.
-class GroupedMoves {
- public:
-  GroupedMoves(const ItemSizes& sizes, const std::vector<std::vector<Element>>& groups,
-               const LoadOrder& order)
-      : sizes_(sizes), groups_(groups), uses_(groups.size()) {
-    const auto steps = order.stream();
-    for (Step step; steps->next(step);) {
-      for (const Element g : step.load) {
-        uses_[g].push_back(step.number);
-      }
-      steps_.push_back(step);
-    }
-    for (std::vector<std::uint64_t>& each : uses_) {
-      std::ranges::reverse(each);
-    }
-  }
-
-  SizedOffer result() {
-    SizedOffer offer;
-    offer.bytes = 0;
-    std::vector<bool> wanted(groups_.size(), false);
-    std::vector<bool> there(sizes_.bytes.size(), false);
-    std::vector<std::pair<Element, Element>> idle;  // item and its group; may be evicted
-    std::uint64_t held = 0;
-    for (const Step& step : steps_) {
-      stop_if_asked();
-      for (const Element g : step.evict) {
-        wanted[g] = false;
-        for (const Element x : groups_[g]) {
-          idle.emplace_back(x, g);
-        }
-      }
-      for (const Element g : step.load) {
-        wanted[g] = true;
-        uses_[g].pop_back();
-        std::erase_if(idle, [&](const auto& each) { return each.second == g; });
-      }
-      for (const Element g : step.load) {
-        for (const Element x : groups_[g]) {
-          if (there[x]) {
-            continue;
-          }
-          SizedMove move{x, {}};
-          while (held + sizes_.bytes[x] > sizes_.memory) {
-            const auto goes = std::ranges::max_element(idle, [&](const auto& a, const auto& b) {
-              return next_use(a.second) < next_use(b.second);
-            });
-            if (goes == idle.end()) {
-              throw InternalError("groups of items do not fit into memory");
-            }
-            there[goes->first] = false;
-            held -= sizes_.bytes[goes->first];
-            move.evict.push_back(goes->first);
-            idle.erase(goes);
-          }
-          there[x] = true;
-          held += sizes_.bytes[x];
-          offer.bytes += sizes_.bytes[x];
-          offer.moves.push_back(std::move(move));
-        }
-      }
-    }
-    return offer;
-  }
-
- private:
-  [[nodiscard]] std::uint64_t next_use(Element group) const {
-    return uses_[group].empty() ? ~std::uint64_t{0} : uses_[group].back();
-  }
-
-  const ItemSizes& sizes_;
-  const std::vector<std::vector<Element>>& groups_;
-  std::vector<std::vector<std::uint64_t>> uses_;  // by group: steps that load it, the next one last
-  std::vector<Step> steps_;
-};
-
-// The best order for each number of groups that fit.
-void consider_packed(const ItemSizes& sizes, const std::vector<Element>& items, std::uint64_t least,
+// The best order for each number of groups that fit. Items of a group that are still in memory are
+// not loaded again.
+void consider_packed(const ItemSizes& given, const std::vector<Element>& items, std::uint64_t least,
                      SizedOffer& best) {
   constexpr std::uint64_t most_room = 64;
   LoadOrderOptions quick;
   quick.closure_rules = false;
-  const std::uint64_t largest = largest_of(items, [&](const Element x) { return sizes.bytes[x]; });
+  // Items are numbered by their sizes, since of those needed equally late the last number goes.
+  std::vector<Element> names = largest_first(given, items);
+  std::ranges::reverse(names);
+  const ItemSizes sizes = sizes_of(given, names);
+  std::vector<Element> numbers(names.size());
+  std::iota(numbers.rbegin(), numbers.rend(), Element{0});
   for (std::uint64_t room = 2; room <= most_room && best.bytes > least; ++room) {
-    if (sizes.memory / room < largest || (must_hurry() && !best.moves.empty())) {
+    if (sizes.memory / room < sizes.bytes.back() || (must_hurry() && !best.moves.empty())) {
       return;
     }
     static_cast<void>(done(!best.moves.empty(), [&] {
-      const auto groups = packed(sizes, items, sizes.memory / room);
+      const Groups groups = packed(sizes, numbers, sizes.memory / room);
       const LoadOrder order = plan_load_order(groups.size(), room, quick);
-      SizedOffer offer = GroupedMoves(sizes, groups, order).result();
-      if (offer.bytes < best.bytes) {
-        best = std::move(offer);
-        best.method = "packed, " + order.facts().method;
-        best.explanation = fmt::format("Items are packed into {} groups, of which {} fit: {}",
-                                       groups.size(), room, order.facts().explanation);
+      const std::vector<Move> moves =
+          lazily(of_items(*order.stream(), groups), sizes.memory, &sizes);
+      const std::uint64_t bytes =
+          sum_of(moves, [&](const Move& move) { return bytes_of(sizes, move.load); });
+      if (bytes < best.bytes) {
+        best = {one_by_one(moves, sizes), bytes, "packed, " + order.facts().method,
+                fmt::format("Items are packed into {} groups, of which {} fit: {}", groups.size(),
+                            room, order.facts().explanation)};
+        give_names(best.moves, names);
       }
     }));
   }
@@ -178,22 +109,6 @@ void each_with_largest(const ItemSizes& sizes, const WantedPairs& wanted, Visit&
 
 }  // namespace
 
-WantedPairs listed_among(const WantedPairs& wanted, std::uint64_t items) {
-  return WantedPairs::listed(std::make_shared<const PairGraph>(
-      items,
-      [&](const PairGraph::Visit& visit) {
-        for (Element y = 0; y < items; ++y) {
-          visit(y, y);
-          for (Element x = 0; x < y; ++x) {
-            if (wanted.contains(x, y)) {
-              visit(x, y);
-            }
-          }
-        }
-      },
-      std::vector<std::string>()));
-}
-
 void refuse_large_items(std::uint64_t items) {
   throw BadInput(fmt::format(
       "{} items, some of them larger than half of memory; give at most {} for all pairs, or split "
@@ -207,6 +122,11 @@ std::uint64_t bytes_of(const ItemSizes& sizes, std::span<const Element> items) {
     sum = checked_add(sum, sizes.bytes[x]);
   }
   return sum;
+}
+
+ItemSizes sizes_of(const ItemSizes& sizes, std::span<const Element> items) {
+  return {each_of<std::uint64_t>(items, [&](const Element x) { return sizes.bytes[x]; }),
+          sizes.memory, sizes.fast_memory};
 }
 
 void check_sizes(const ItemSizes& sizes, const WantedPairs& wanted, const SizePlace& place,
@@ -288,6 +208,13 @@ LoadOrderFacts facts_before(std::shared_ptr<const ItemSizes> sizes, const Wanted
   return facts;
 }
 
+LoadOrderFacts with_levels(LoadOrderFacts facts, const ItemSizes& fast) {
+  facts.transfer_byte_bound = sized_lower_bound(fast, facts.wanted);
+  facts.fast_room = most_held(fast, facts.wanted);
+  facts.transfer_bound = load_lower_bound(facts.wanted.among(facts.items), *facts.fast_room);
+  return facts;
+}
+
 LoadOrder plan_sized_order(std::shared_ptr<const ItemSizes> sizes, const WantedPairs& wanted,
                            const LoadOrderOptions& options) {
   return plan_with_spare(std::move(sizes), wanted, 0, options);
@@ -313,8 +240,7 @@ LoadOrder plan_with_spare(std::shared_ptr<const ItemSizes> sizes, const WantedPa
       consider_packed(used, items, least, best);
     }
     if (best.bytes > least && (wanted.graph() != nullptr || facts.items <= most_closed_all)) {
-      const WantedPairs list =
-          wanted.graph() != nullptr ? wanted : listed_among(wanted, facts.items);
+      const WantedPairs list = as_list(wanted.among(facts.items));
       static_cast<void>(done(!best.moves.empty(), [&] {
         SizedOffer closing = best_closing(used, *list.graph(), facts.room, least, options);
         if (closing.bytes < best.bytes) {
@@ -331,10 +257,10 @@ LoadOrder plan_with_spare(std::shared_ptr<const ItemSizes> sizes, const WantedPa
   facts.method = best.method;
   facts.explanation = best.explanation;
   LoadOrder::Maker maker = in_memory(in_steps(best.moves));
-  const ScheduleVerdict verdict = check_schedule(*maker(), LoadOrder(facts, maker).rules());
-  if (!verdict.valid() || verdict.bytes < least) {
-    throw InternalError(
-        fmt::format("the load order by sizes is wrong: {}{}", verdict.fault, verdict.example));
+  const ScheduleVerdict verdict = read_order(maker, LoadOrder(facts, maker).rules(),
+                                             count_of(facts.items, "item") + " by sizes", false);
+  if (verdict.bytes < least) {
+    throw InternalError("the load order by sizes moves fewer bytes than its bound");
   }
   static_cast<ScheduleFacts&>(facts) = static_cast<const ScheduleFacts&>(verdict);
   facts.every_step_read = true;

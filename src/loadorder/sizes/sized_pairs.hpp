@@ -27,11 +27,11 @@ void check_sizes(const ItemSizes& sizes, const WantedPairs& wanted, const SizePl
 /// What these items have together. @throws ImpossibleParameters if that exceeds 64 bits
 [[nodiscard]] std::uint64_t bytes_of(const ItemSizes& sizes, std::span<const Element> items);
 
+/// Those of some of the items, and the same memory.
+[[nodiscard]] ItemSizes sizes_of(const ItemSizes& sizes, std::span<const Element> items);
+
 /// Orders of closing items are for all pairs of at most so many items.
 inline constexpr std::uint64_t most_closed_all = 2'000;
-
-/// All wanted pairs as a list. O(items²)
-[[nodiscard]] WantedPairs listed_among(const WantedPairs& wanted, std::uint64_t items);
 
 /// @throws BadInput that says that so many items cannot be planned, some being too large
 [[noreturn]] void refuse_large_items(std::uint64_t items);
@@ -65,6 +65,9 @@ void each_partner(const WantedPairs& wanted, std::uint64_t items, Element x, Vis
 /// What is known before there is an order: the sizes, and the bounds of one worker.
 [[nodiscard]] LoadOrderFacts facts_before(std::shared_ptr<const ItemSizes> sizes,
                                           const WantedPairs& wanted);
+
+/// The same for two levels: `fast` is what the accelerator has.
+[[nodiscard]] LoadOrderFacts with_levels(LoadOrderFacts facts, const ItemSizes& fast);
 
 /// The largest number of items that fit into memory.
 [[nodiscard]] std::uint64_t most_held(const ItemSizes& sizes, const WantedPairs& wanted);

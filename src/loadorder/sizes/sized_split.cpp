@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
 #include <limits>
 #include <map>
-#include <queue>
 #include <span>
 #include <utility>
 
@@ -17,6 +17,7 @@
 #include "loadorder/shares/groups/known_shares.hpp"
 #include "loadorder/shares/split_maker.hpp"
 #include "loadorder/sizes/closing_search.hpp"
+#include "loadorder/sizes/item_groups.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
 
 namespace changeover {
@@ -24,34 +25,20 @@ namespace {
 
 constexpr std::uint64_t most_own_pairs = 2'000'000;  // of which workers have orders of their own
 
-/// Items in groups, of bytes as even as can be: the largest first, each into the group with the
-/// fewest bytes.
+/// Items in groups, of bytes as even as can be.
 struct ByteGroups {
   ByteGroups(const ItemSizes& sizes, std::span<const Element> items, std::uint64_t groups)
-      : of(static_cast<std::size_t>(groups)), bytes(of.size(), 0), largest(of.size(), 0) {
-    std::vector<Element> order(items.begin(), items.end());
-    std::ranges::stable_sort(order, std::ranges::greater(),
-                             [&](Element x) { return sizes.bytes[x]; });
-    using Place = std::pair<std::uint64_t, std::size_t>;
-    std::priority_queue<Place, std::vector<Place>, std::greater<>> least;
-    for (std::size_t g = 0; g < of.size(); ++g) {
-      least.emplace(0, g);
-    }
-    for (const Element x : order) {
-      const std::size_t g = least.top().second;
-      least.pop();
-      of[g].push_back(x);
-      bytes[g] += sizes.bytes[x];
-      largest[g] = std::max(largest[g], sizes.bytes[x]);
-      least.emplace(bytes[g], g);
-    }
-  }
+      : of(even_groups(sizes, items, groups)),
+        bytes(each_of<std::uint64_t>(
+            of, [&](const auto& its) { return changeover::bytes_of(sizes, its); })),
+        largest(each_of<std::uint64_t>(
+            of, [&](const auto& its) { return its.empty() ? 0 : sizes.bytes[its.front()]; })) {}
 
   [[nodiscard]] std::uint64_t bytes_of(const std::vector<Element>& groups) const {
     return sum_of(groups, [&](const Element g) { return bytes[g]; });
   }
 
-  std::vector<std::vector<Element>> of;
+  Groups of;
   std::vector<std::uint64_t> bytes;
   std::vector<std::uint64_t> largest;
 };
@@ -172,16 +159,10 @@ class SizedSplit {
       return;
     }
     const ByteGroups& groups = in_groups(best->groups);
-    const auto items_of = [&](const std::vector<Element>& of) {
-      std::vector<Element> items;
-      for (const Element g : of) {
-        items.insert(items.end(), groups.of[g].begin(), groups.of[g].end());
-      }
-      return items;
-    };
     const std::vector<std::vector<Move>> moves =
         each_of<std::vector<Move>>(best->workers, [&](const GroupShare& share) {
-          return held_and_streamed(sizes_, items_of(share.held), items_of(share.streamed));
+          return held_and_streamed(sizes_, items_in(groups.of, share.held),
+                                   items_in(groups.of, share.streamed));
         });
     candidates_.push_back(
         SplitMaker::lists(candidates_.front(), moves, best->method,
@@ -242,8 +223,8 @@ class SizedSplit {
         pairs.emplace_back(x, y);
       }
     }
-    const Part part(*this, pairs, options_.seed);
-    part.search->begin([] { return false; });
+    Part part(*this, pairs, options_.seed);
+    part.search.begin([] { return false; });
     return part.moves();
   }
 
@@ -251,59 +232,46 @@ class SizedSplit {
   struct Part {
     Part(const SizedSplit& split, const std::vector<ItemPair>& pairs, std::uint64_t seed)
         : items(items_of(pairs)),
-          graph(std::make_unique<PairGraph>(items.size(), numbered(pairs, items))),
-          sizes(std::make_unique<ItemSizes>()) {
-      sizes->memory = split.sizes_.memory;
-      std::uint64_t all = 0;
-      for (const Element x : items) {
-        sizes->bytes.push_back(split.sizes_.bytes[x]);
-        all += sizes->bytes.back();
-      }
-      search = std::make_unique<ClosingSearch>(
-          *sizes, *graph, std::min<std::uint64_t>(items.size(), split.items_.size()), all, seed);
-    }
+          graph(items.size(), numbered(pairs, items)),
+          sizes(sizes_of(split.sizes_, items)),
+          search(sizes, graph, items.size(), changeover::bytes_of(split.sizes_, items), seed) {}
 
-    [[nodiscard]] std::vector<Move> moves() const {
-      std::vector<SizedMove> found = search->offer().moves;
-      for (SizedMove& move : found) {
-        move.load = items[move.load];
-        for (Element& x : move.evict) {
-          x = items[x];
-        }
-      }
+    [[nodiscard]] std::vector<Move> moves() {
+      std::vector<SizedMove> found = search.offer().moves;
+      give_names(found, items);
       return in_steps(found);
     }
 
     std::vector<Element> items;
-    std::unique_ptr<PairGraph> graph;
-    std::unique_ptr<ItemSizes> sizes;
-    std::unique_ptr<ClosingSearch> search;
+    PairGraph graph;
+    ItemSizes sizes;
+    ClosingSearch search;
   };
 
   // The orders of workers for their pairs: the busiest one is improved as long as that is of use.
   std::vector<std::vector<Move>> own_moves(const WorkerSplit& split,
                                            const std::vector<std::vector<ItemPair>>& pairs) {
-    std::vector<Part> parts;
+    std::deque<Part> parts;  // which stay where they are
     std::vector<std::uint64_t> bytes(pairs.size(), 0);
     const auto search = [&](std::uint64_t slice, std::uint64_t work, const auto& over) {
       for (std::size_t w = parts.size(); w < pairs.size() && !over(); ++w) {
         parts.emplace_back(*this, pairs[w], options_.seed + w);
         bytes[w] = split.facts().workers[w].bytes;
         if (!pairs[w].empty()) {
-          parts[w].search->begin(over);
-          bytes[w] = std::min(bytes[w], parts[w].search->bytes());
+          parts[w].search.begin(over);
+          bytes[w] = std::min(bytes[w], parts[w].search.bytes());
         }
       }
       while (parts.size() == pairs.size() && work > 0 && !over()) {
         const auto busiest =
             static_cast<std::size_t>(std::ranges::max_element(bytes) - bytes.begin());
         Part& part = parts[busiest];
-        if (pairs[busiest].empty() || part.search->is_done() ||
+        if (pairs[busiest].empty() || part.search.is_done() ||
             bytes[busiest] <= split.facts().makespan_bytes_bound.loads) {
           return;
         }
-        part.search->improve(slice, over);
-        bytes[busiest] = std::min(bytes[busiest], part.search->bytes());
+        part.search.improve(slice, over);
+        bytes[busiest] = std::min(bytes[busiest], part.search.bytes());
         work -= std::min(work, slice);
       }
     };
@@ -319,7 +287,7 @@ class SizedSplit {
     std::vector<std::vector<Move>> moves;
     for (std::size_t w = 0; w < pairs.size(); ++w) {
       const bool is_better = w < parts.size() && !pairs[w].empty() &&
-                             parts[w].search->bytes() < split.facts().workers[w].bytes;
+                             parts[w].search.bytes() < split.facts().workers[w].bytes;
       moves.push_back(is_better ? parts[w].moves() : moves_of(*split.stream(w)));
     }
     return moves;

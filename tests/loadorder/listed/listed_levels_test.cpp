@@ -11,6 +11,7 @@
 #include "changeover/loadorder/workers.hpp"
 #include "loadorder/listed/level_search.hpp"
 #include "loadorder/listed/listed_levels.hpp"
+#include "loadorder/order/levels/level_cost.hpp"
 
 namespace changeover::test::listed_levels_test {
 namespace {

@@ -9,6 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/all_pairs.hpp"
 #include "changeover/loadorder/load_request.hpp"
+#include "loadorder/sizes/closing_search.hpp"
 #include "message_of.hpp"
 #include "sizes/sizes_support.hpp"
 
@@ -248,6 +249,17 @@ TEST(SizedOrder, TheExecutorHoldsNoMoreThanTheMemory) {
     EXPECT_EQ(pairs.size(), 66U + 12U);
     EXPECT_TRUE(!planned || read == split.facts().bytes);
   }
+}
+
+TEST(SizedOrder, MovesOfGroupsOneByOneEvictWhatEachLoadNeeds) {
+  const std::vector<Move> moves{{{}, {0, 1}}, {{0, 1}, {2, 3}}};
+  const std::vector<Move> steps = in_steps(one_by_one(moves, {{3, 1, 2, 2}, 4}));
+  ASSERT_EQ(steps.size(), 3U);
+  EXPECT_EQ(steps[0].load, (std::vector<Element>{0, 1}));
+  EXPECT_EQ(steps[1].load, std::vector<Element>{2});
+  EXPECT_EQ(steps[1].evict, std::vector<Element>{0});
+  EXPECT_EQ(steps[2].load, std::vector<Element>{3});
+  EXPECT_EQ(steps[2].evict, std::vector<Element>{1});
 }
 
 }  // namespace

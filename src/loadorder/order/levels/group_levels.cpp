@@ -31,20 +31,12 @@ std::vector<SizedMove> quick_bytes(const std::vector<ItemPair>& pairs,
   if (items.empty()) {
     return {};
   }
-  ItemSizes fast{{}, sizes.fast_memory};
-  for (const Element x : items) {
-    fast.bytes.push_back(sizes.bytes[x]);
-  }
+  const ItemSizes fast{sizes_of(sizes, items).bytes, sizes.fast_memory};
   const auto graph = std::make_shared<const PairGraph>(items.size(), numbered(pairs, items));
   ClosingSearch search(fast, *graph, most_held(fast, WantedPairs::listed(graph)), 0, 1);
   search.begin([] { return false; });
   std::vector<SizedMove> moves = search.offer().moves;
-  for (SizedMove& move : moves) {
-    move.load = items[move.load];
-    for (Element& x : move.evict) {
-      x = items[x];
-    }
-  }
+  give_names(moves, items);
   return moves;
 }
 

@@ -15,6 +15,7 @@
 #include "loadorder/listed/quick_moves.hpp"
 #include "loadorder/order/in_rounds.hpp"
 #include "loadorder/order/levels/group_levels.hpp"
+#include "loadorder/order/levels/level_cost.hpp"
 #include "loadorder/order/read_order.hpp"
 #include "loadorder/shares/step_lists.hpp"
 #include "loadorder/sizes/sized_pairs.hpp"
@@ -70,17 +71,7 @@ struct LevelOrder {
 
 // The first of the cheapest offers; loads and transfers are each divided by their lower bounds.
 LevelOrder best_of(std::vector<LevelOrder> offers, const LoadOrderFacts& bounds) {
-  const auto cost = [&](const LevelOrder& offer) {
-    std::uint64_t loads = 0;
-    std::uint64_t transfers = 0;
-    const auto steps = offer.maker();
-    for (Step step; steps->next(step);) {
-      loads += step.load.size();
-      transfers += step.fast_load.size();
-    }
-    return static_cast<double>(loads) / static_cast<double>(bounds.bound.loads) +
-           static_cast<double>(transfers) / static_cast<double>(bounds.transfer_bound.loads);
-  };
+  const auto cost = [&](const LevelOrder& offer) { return cost_of(*offer.maker(), bounds, {}); };
   std::size_t best = 0;
   double least = offers.size() == 1 ? 0 : cost(offers[0]);
   for (std::size_t i = 1; i < offers.size() && !must_hurry(); ++i) {
@@ -119,9 +110,7 @@ void improve(LevelOrder& best, const LoadOrderFacts& facts, const WantedPairs& w
   if (wanted.count() > most_pairs_searched) {
     return;
   }
-  const WantedPairs list = wanted.graph() != nullptr ? wanted
-                           : wanted.are_all()        ? listed_among(wanted, facts.items)
-                                                     : as_list(wanted);
+  const WantedPairs list = as_list(wanted);
   const std::vector<Move> start = moves_of(*best.maker());
   const std::vector<Move> found =
       search_levels(*list.graph(), facts, start, seed, [&] { return control.stop_wanted(); });
