@@ -1,6 +1,7 @@
 // Clients that are slow, many, gone, or speak no HTTP.
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -71,11 +72,43 @@ TEST(HardTimes, WhoIsGoneIsNoticed) {
   }
   EXPECT_TRUE(eventually([&] { return own.server->connections() == 0; }));
   EXPECT_EQ(get(own.port(), "/api/search").status, 200);
-  // Who has sent all and says no more is answered.
-  Connection patient(own.port());
-  patient.send("POST /api/verify HTTP/1.1\r\n" + host + "Content-Length: 6\r\n\r\n0 1 2\n");
-  patient.end();
-  EXPECT_EQ(patient.reply().status, 200);
+}
+
+// Nor those that went within the lines of a request.
+TEST(HardTimes, WhoIsGoneWithinAHeadIsNoticed) {
+  serve::ExplorerSettings settings;
+  settings.deadlines.head = std::chrono::hours(1);
+  const OwnServer own(settings);
+  for (int i = 0; i < 200; ++i) {
+    Connection connection(own.port());
+    connection.send("GET / HTTP/1.1\r\n");
+  }
+  EXPECT_TRUE(eventually([&] { return own.server->connections() == 0; }));
+}
+
+// Who has sent all and says no more is answered, however many do so at once.
+TEST(HardTimes, WhoSendsNoMoreIsAnswered) {
+  const OwnServer own;
+  const std::string body = request_text(own.port(), "POST", "/api/verify", {}, "0 1 2\n");
+  const std::string bare = request_text(own.port(), "GET", "/api/bounds?v=9&k=4&kind=circular");
+  std::atomic<int> answered = 0;
+  constexpr int clients = 4;
+  constexpr int requests = 100;
+  std::vector<std::thread> all;
+  for (int i = 0; i < clients; ++i) {
+    all.emplace_back([&] {
+      for (int j = 0; j < requests; ++j) {
+        Connection patient(own.port());
+        patient.send(j % 2 == 0 ? body : bare);
+        patient.end();
+        answered += patient.reply().status == 200 ? 1 : 0;
+      }
+    });
+  }
+  for (std::thread& each : all) {
+    each.join();
+  }
+  EXPECT_EQ(answered, clients * requests);
 }
 
 // Nor do clients that stay and only hold connections keep others out.

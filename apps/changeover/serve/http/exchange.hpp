@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "serve/http/lanes.hpp"
 #include "serve/http/message.hpp"
 #include "serve/http/microhttpd.hpp"
 #include "serve/http/router.hpp"
@@ -30,7 +31,7 @@ struct Exchange {
   std::size_t untaken = 0;     // bytes of the answer, if they are held for this exchange alone
   bool blank_in_name = false;  // of a header: others read "Content-Length : 3" as a length
   bool begun = false;
-  bool dispatched = false;
+  std::optional<Lane> lane = {};  // in which it waits for its answer
   bool refused_at_once = false;
 };
 

@@ -144,8 +144,8 @@ bool Deadlines::is_late(const Open& open, Clock::time_point now) const {
   return false;
 }
 
-// Whether all that came was read, and no more will come: libmicrohttpd does not look while it waits
-// for the rest of a body.
+// Whether all that came was read, and no more will come: libmicrohttpd does not see an end that
+// came with the last bytes, and waits for the rest of a head or a body.
 static bool has_ended(int socket) {
   char byte = 0;
   const ssize_t got = ::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT);
@@ -156,7 +156,8 @@ static bool has_ended(int socket) {
 // What has ended may be a whole request that a thread is about to answer: that takes it no second.
 bool Deadlines::is_abandoned(int socket, Open& open, Clock::time_point now) {
   constexpr std::chrono::seconds about_to_be_answered{1};
-  if (open.stage != Stage::body || !has_ended(socket)) {
+  const bool waits = open.stage == Stage::body || (open.stage == Stage::head && open.begun);
+  if (!waits || !has_ended(socket)) {
     return false;
   }
   open.ended = open.ended.value_or(now);

@@ -75,7 +75,9 @@ struct Server::State {
   void begin(Exchange& exchange, const char* method);
   void check(Exchange& exchange) const;
   void take(Exchange& exchange, const char* bytes, std::size_t count);
+  // Answers at once, or says in which lane it will be answered.
   MHD_Result dispatch(Exchange& exchange);
+  MHD_Result wait_in_lane(Exchange& exchange);
   [[nodiscard]] Response answer(const Exchange& exchange) const;
   void hold(Exchange& exchange);
   MHD_Result send(Exchange& exchange);
@@ -368,7 +370,6 @@ Response Server::State::answer(const Exchange& exchange) const {
 }
 
 MHD_Result Server::State::dispatch(Exchange& exchange) {
-  exchange.dispatched = true;
   deadlines.enter(exchange.socket, Stage::answer);
   Lane lane = Lane::quick;
   try {
@@ -381,6 +382,13 @@ MHD_Result Server::State::dispatch(Exchange& exchange) {
     exchange.response = answer(exchange);
     return send(exchange);
   }
+  // Suspended now, the library would look for more from the client when it resumes, and drop the
+  // request of one that sends no more. It asks again at once, and does not read meanwhile.
+  exchange.lane = lane;
+  return MHD_YES;
+}
+
+MHD_Result Server::State::wait_in_lane(Exchange& exchange) {
   // Who sends no more may still wait for an answer, and cannot be told from who has gone: short
   // answers are made for both.
   exchange.request.left = [socket = exchange.socket, since = std::chrono::steady_clock::now()] {
@@ -390,7 +398,7 @@ MHD_Result Server::State::dispatch(Exchange& exchange) {
            ::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
   };
   MHD_suspend_connection(exchange.connection);
-  lanes.add(lane, [this, &exchange] {
+  lanes.add(*exchange.lane, [this, &exchange] {
     exchange.response = answer(exchange);
     MHD_resume_connection(exchange.connection);
   });
@@ -519,7 +527,7 @@ MHD_Result Server::State::handle(Exchange& exchange, const char* method, const c
   if (exchange.response) {
     return send(exchange);
   }
-  return dispatch(exchange);
+  return exchange.lane ? wait_in_lane(exchange) : dispatch(exchange);
 }
 
 Server::Server(Settings settings) : state_(std::make_unique<State>(std::move(settings))) {
