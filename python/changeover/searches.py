@@ -48,7 +48,8 @@ class Classification(Made):
                               "was stopped.")
 
     def __repr__(self) -> str:
-        return f"<{count_of(self.classes, 'class', 'classes')}>"
+        rest = "" if self.complete else ", not all"
+        return f"<{count_of(self.classes, 'class', 'classes')}{rest}>"
 
 
 def _elements(argument: str, elements: Any) -> List[int]:

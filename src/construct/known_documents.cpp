@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 
 namespace changeover {
@@ -46,6 +47,13 @@ void write_reported(JsonWriter& json, const KnownBounds& known) {
   }
   json.begin_object().key("blocks").value(known.reported->blocks);
   json.key("cites").value(known.reported->cites).end_object();
+}
+
+std::string classified_words(const Classified& all) {
+  return fmt::format("{} in {}{}: counted by classify",
+                     count_of(all.standard_forms, "standard form"),
+                     count_of(all.classes, "class", "classes"),
+                     all.tight > 0 ? fmt::format(", {} tight", all.tight) : "");
 }
 
 // "1:11 3:1" becomes a list.

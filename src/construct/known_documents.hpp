@@ -42,6 +42,9 @@ struct KnownBounds {
 /// The key "reported" of an object, null if there is nothing.
 void write_reported(JsonWriter& json, const KnownBounds& known);
 
+/// "16 standard forms in 2 classes, 2 tight: counted by classify".
+[[nodiscard]] std::string classified_words(const Classified& all);
+
 /// The key "classified" of an object, null if the designs were not counted.
 void write_classified(JsonWriter& json, const KnownBounds& known);
 

@@ -160,6 +160,9 @@ std::string bounds_latex(const KnownBounds& answer, Citations citations) {
     item(fmt::format("b <= {} ({}): {} {}", answer.best->b, by.name(),
                      by.explain(answer.best->recipe), by.citation().to_string()));
   }
+  if (answer.all) {
+    item("all of them: " + classified_words(*answer.all));
+  }
   if (answer.reported) {
     item(fmt::format("{} [{}]: reported, blocks not held here", answer.reported->blocks,
                      answer.reported->cites));

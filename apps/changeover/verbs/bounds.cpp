@@ -4,7 +4,6 @@
 #include "answer/answer.hpp"
 #include "construct/known_tables.hpp"
 #include "core/each.hpp"
-#include "core/words.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
 
@@ -15,14 +14,6 @@ struct BoundsRequest {
   ParameterRequest asked;
   OutputRequest output;
 };
-
-std::string all_of_them(const Classified& all) {
-  std::string text =
-      fmt::format("  all of them  {} in {}", count_of(all.standard_forms, "standard form"),
-                  count_of(all.classes, "class", "classes"));
-  return text + (all.tight > 0 ? fmt::format(", {} tight", all.tight) : "") +
-         ": counted by classify\n";
-}
 
 std::string text(const KnownBounds& answer) {
   std::string text = name(answer.parameters) + "\n";
@@ -39,7 +30,8 @@ std::string text(const KnownBounds& answer) {
   }
   const std::uint64_t gap = answer.best->b - answer.bounds.front().blocks;
   text += fmt::format("  b <= {:<8} {}\n", answer.best->b, answer.best->recipe.construction);
-  const std::string all = answer.all ? all_of_them(*answer.all) : "";
+  const std::string all =
+      answer.all ? fmt::format("  all of them   {}\n", classified_words(*answer.all)) : "";
   return text + all + reported +
          (gap == 0 ? "  minimum: the bound is attained\n"
                    : fmt::format("  open: between {} and {}\n", answer.bounds.front().blocks,

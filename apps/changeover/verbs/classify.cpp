@@ -134,6 +134,17 @@ std::string qualities(const DesignClass& each) {
   return text + (each.fixed > 0 ? ", " + count_of(each.fixed, "element") + " in every block" : "");
 }
 
+std::string how_far(const Classified& answer) {
+  const Classification& found = answer.found;
+  if (answer.complete()) {
+    return found.classes > 0 ? "these are all" : "there is none";
+  }
+  return fmt::format("NOT ALL: stopped ({}) {}", to_string(found.why_stopped),
+                     found.prefixes == 0 ? std::string("at the beginning")
+                                         : fmt::format("with {} of {} prefixes explored",
+                                                       found.prefixes_done, found.prefixes));
+}
+
 std::string text(const Classified& answer) {
   const Classification& found = answer.found;
   std::string text = fmt::format("{}, {}: ", name(answer.parameters), count_of(answer.b, "block"));
@@ -143,12 +154,9 @@ std::string text(const Classified& answer) {
   text += fmt::format("{} in {} {}", count_of(found.standard_forms, "standard form"),
                       count_of(found.classes, "class", "classes"), sameness(answer));
   text += found.tight > 0 ? fmt::format(", {} tight\n", found.tight) : "\n";
-  text += answer.complete()
-              ? "these are all"
-              : fmt::format("NOT ALL: stopped ({}) with {} of {} prefixes explored",
-                            to_string(found.why_stopped), found.prefixes_done, found.prefixes);
-  text += fmt::format("; {} in {:.2f} s; each design verified\n", count_of(found.nodes, "node"),
-                      answer.seconds);
+  text += how_far(answer);
+  text += fmt::format("; {} in {:.2f} s{}\n", count_of(found.nodes, "node"), answer.seconds,
+                      found.classes > 0 ? "; each design verified" : "");
   for (const auto& [order, classes] : found.group_orders) {
     text += fmt::format("group order {}: {}\n", order, count_of(classes, "class", "classes"));
   }

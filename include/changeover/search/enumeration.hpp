@@ -62,7 +62,8 @@ struct EnumerationRun {
   WhyStopped why_stopped = WhyStopped::running;
   std::uint64_t forms = 0;          ///< standard forms passed on
   std::uint64_t nodes = 0;          ///< partial designs that were not pruned
-  std::uint64_t prefixes = 0;       ///< number of parts of the work, over all shares
+  std::uint64_t prefixes = 0;       ///< number of parts of the work, over all shares; 0 if it
+                                    ///< stopped before it was cut into them
   std::uint64_t prefixes_done = 0;  ///< parts that this share explored to their end
 };
 
@@ -97,8 +98,9 @@ struct Classification {
   std::uint64_t classes = 0;
   std::uint64_t tight = 0;  ///< classes of tight designs
   std::uint64_t nodes = 0;
-  std::uint64_t prefixes =
-      0;  ///< number of parts of the work: further shares would have nothing to do
+  /// Number of parts of the work: further shares would have nothing to do. 0 if it stopped before
+  /// it was cut into them.
+  std::uint64_t prefixes = 0;
   std::uint64_t prefixes_done = 0;  ///< parts that this share explored to their end
   std::map<std::string, std::uint64_t> group_orders = {};  ///< number of classes by group order
   std::vector<DesignClass> kept;                           ///< the first `keep` classes

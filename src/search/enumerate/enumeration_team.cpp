@@ -88,7 +88,7 @@ class Team {
     const WhyStopped why = control_.why_stopped();
     result_.why_stopped = why == WhyStopped::running ? WhyStopped::exhausted : why;
     result_.nodes = nodes_;
-    result_.prefixes = prefixes_.size();
+    result_.prefixes = whole_ ? prefixes_.size() : 0;
     result_.prefixes_done = explored_;
     return result_;
   }
@@ -177,6 +177,7 @@ class Team {
       }
       nodes_ += share.index == 0 ? nodes : 0;
     }
+    whole_ = !control_.stop_wanted();
     for (std::size_t i = share.index; i < prefixes_.size();
          i += std::max<std::uint64_t>(share.of, 1)) {
       mine_.push_back(i);
@@ -237,6 +238,7 @@ class Team {
   RunControl& control_;
   std::vector<std::shared_ptr<const DegreeTable>> degrees_;  // by case
   std::vector<Prefix> prefixes_;
+  bool whole_ = false;  // the work was cut to its end
   std::uint64_t list_bytes_ = 0;
   std::vector<std::size_t> mine_;  // prefixes of this share
   std::vector<Slot> slots_;        // by position in mine_
