@@ -55,8 +55,8 @@ class Bounds(Shown, Made):
     best_known: Optional[int] = fact("Blocks of the best design that is known, or None.")
     construction: str = fact("What makes that design.")
     reported: Optional[Tuple[int, str]] = fact(
-        "Fewer blocks that a publication reports and that are not held here, so not verified, and its key in the references; "
-        "or None.")
+        "Fewer blocks that a publication reports and that are not held here, so not verified, "
+        "and its key in the references; or None.")
     classified: Optional[Counted] = fact(
         "How many designs have as many blocks as the best one; None if they were not counted.")
     all: List[Bound] = fact("Every bound that applies, largest first.")

@@ -117,7 +117,8 @@ std::optional<VerifiedDesign> checked(const Parameters& p, const std::optional<D
 void require_wanted(const Parameters& p, const Wanted& wanted, bool from_a_design) {
   if (p.v == p.k) {
     throw BadInput(fmt::format(
-        "v = k = {}: one block holds all elements, and nothing more can be wanted of it; leave that out",
+        "v = k = {}: one block holds all elements, and nothing more can be wanted of it; leave "
+        "that out",
         p.k));
   }
   if (const std::string defect = wanted_defect(p, wanted); !defect.empty()) {
