@@ -213,11 +213,13 @@ class SetupReader {
         names_only_(forgiving && finder_.has_number_as_name()) {}
 
   DoneList read() {
-    for (bool first = true; auto row = reader_.next(); first = false) {
+    bool first = true;
+    for (std::optional<Row> row = reader_.next(); row; row = reader_.next()) {
       finder_.restore_blanks(*row);
       if (!first || !is_header(*row)) {
         take(*std::move(row));
       }
+      first = false;
     }
     return std::move(list_);
   }
