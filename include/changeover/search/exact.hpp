@@ -127,8 +127,8 @@ unsigned require_room(const Parameters& p, std::uint64_t b, const ExactOptions& 
 
 /// The name of the files of a question, without folder and extension: "linear-m1-v9-k4-b11", with
 /// "-t3" before the number of blocks if the strength is 3, and "-with-" and 16 digits made of what
-/// is wanted at the end, if anything is.
-[[nodiscard]] std::string file_stem(const Parameters& p, std::uint64_t b,
+/// is wanted at the end, if anything is. Without b: of all numbers of blocks.
+[[nodiscard]] std::string file_stem(const Parameters& p, std::optional<std::uint64_t> b,
                                     const Wanted& wanted = {});
 
 // The minimum number of blocks: a design, and a proof that excludes every smaller number.

@@ -367,11 +367,12 @@ unsigned require_room(const Parameters& p, std::uint64_t b, const ExactOptions& 
   return needs.threads;
 }
 
-std::string file_stem(const Parameters& p, std::uint64_t b, const Wanted& wanted) {
+std::string file_stem(const Parameters& p, std::optional<std::uint64_t> b, const Wanted& wanted) {
   constexpr std::size_t digits = 16;
   return fmt::format(
-      "{}-m{}-v{}-k{}{}-b{}{}", to_string(p.kind), p.change, p.v, p.k,
-      p.strength == 2 ? std::string() : fmt::format("-t{}", p.strength), b,
+      "{}-m{}-v{}-k{}{}{}{}", to_string(p.kind), p.change, p.v, p.k,
+      p.strength == 2 ? std::string() : fmt::format("-t{}", p.strength),
+      b ? fmt::format("-b{}", *b) : std::string(),
       wanted.any()
           ? "-with-" +
                 to_hex(sha256(wanted_words(wanted, wanted.contained.size()))).substr(0, digits)

@@ -311,6 +311,7 @@ TEST(Decide, StopsInTimeWhereverItIs) {
 
 TEST(Decide, NamesFilesByParameters) {
   EXPECT_EQ(file_stem({.v = 61, .k = 4, .kind = Kind::circular}, 366), "circular-m2-v61-k4-b366");
+  EXPECT_EQ(file_stem({.v = 61, .k = 4}, std::nullopt), "linear-m2-v61-k4");
   EXPECT_EQ(file_stem({.v = 8, .k = 5, .change = 1, .strength = 3}, 9), "linear-m1-v8-k5-t3-b9");
 }
 

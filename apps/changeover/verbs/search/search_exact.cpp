@@ -353,12 +353,8 @@ void explain_proofs(const ExactSearch& request, const MinimumResult& result) {
     return;
   }
   // One number of blocks that was asked for has a file of its own.
-  std::string stem = file_stem(p, request.blocks.value_or(1), request.wanted);
-  if (!request.blocks) {
-    stem.replace(stem.find("-b1"), 3, "");
-  }
-  const std::filesystem::path file =
-      std::filesystem::path(request.proof_directory) / (stem + "-README.md");
+  const std::filesystem::path file = std::filesystem::path(request.proof_directory) /
+                                     (file_stem(p, request.blocks, request.wanted) + "-README.md");
   write_file(file.string(), [&](OutputFile& out) {
     out.write(fmt::format(
         "# Proofs about the {}{}\n\nWritten by changeover {}. At least {}: {}\n\nEach formula "
