@@ -119,6 +119,17 @@ assert changeover.design(61, 4).b == 366' "$root" || fail "Python does not impor
     fail "Python compiled nothing that a purge could forget"
 fi
 
+# The bill of materials lists libraries of either kind, of this machine's architecture only.
+SOURCE_DATE_EPOCH=1700000000 "$python" "$source/.ci/bill_of_materials.py" "$build/changeover" \
+  >"$work/bill.json" || fail "no bill of materials"
+"$python" -c 'import json, sys
+bill = json.load(open(sys.argv[1]))
+links = {link["relatedSpdxElement"]: link["relationshipType"] for link in bill["relationships"]}
+assert links["SPDXRef-libsqlite3-0"] == "DYNAMIC_LINK", links
+assert links["SPDXRef-nlohmann-json3-dev"] == "STATIC_LINK", links
+assert not [name for name in links if "i386" in name], links' "$work/bill.json" ||
+  fail "the bill of materials is not whole"
+
 mapfile -t names < <(state | cut -d ' ' -f 1)
 in_root --purge "${names[@]}"
 left=$(find "$root" -path "$root/var/lib/dpkg" -prune -o -not -type d -print)
