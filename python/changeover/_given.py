@@ -71,7 +71,7 @@ def leads_from_keys(value: Any) -> bool:
 
 
 def is_missing(value: Any) -> bool:
-    """None, a NaN, or what pandas has for them."""
+    """Whether a value is None, NaN, or pandas.NA or NaT."""
     if value is None or type(value).__name__ in ("NAType", "NaTType"):
         return True
     try:

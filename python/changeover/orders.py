@@ -246,8 +246,8 @@ class LoadOrder(_Loads):
         return steps
 
     def steps_from(self, step: int) -> Iterator[Step]:
-        """The steps from `step` on, from 1; the first of them loads everything that is in memory
-        then."""
+        """Yields the steps from number `step` on, counted from 1; the first of them loads all that
+        is in memory then."""
         if not 1 <= step <= self.steps:
             raise IndexError(f"there is no step {step}; they are numbered from 1 to {self.steps}")
         steps: Iterator[Step] = self._core.steps_from(step)

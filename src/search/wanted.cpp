@@ -50,11 +50,12 @@ Block in_parts(const Parameters& p, const Wanted& wanted) {
 
 std::string wanted_defect(const Parameters& p, const Wanted& wanted) {
   if (p.kind == Kind::circular && !(wanted.first.empty() && wanted.last.empty())) {
-    return "a circular design has no first and no last block";
+    return "a circular design has no first and no last block; ask for a linear one";
   }
   for (const auto& [what, block] : {std::pair("first", &wanted.first), {"last", &wanted.last}}) {
     if (block->size() > p.k) {
-      return fmt::format("{} elements are wanted in the {} block of {}", block->size(), what, p.k);
+      return fmt::format("the {} block has {} elements, not {}; name at most so many", what, p.k,
+                         block->size());
     }
   }
   std::vector<const Block*> all{&wanted.first, &wanted.last};
@@ -66,15 +67,16 @@ std::string wanted_defect(const Parameters& p, const Wanted& wanted) {
   }
   for (const Block* block : all) {
     if (has_twice(*block)) {
-      return "an element is named twice";
+      return "an element is named twice; name it once";
     }
     if (!block->empty() && *std::ranges::max_element(*block) >= p.v) {
-      return fmt::format("element {} is not below {}", *std::ranges::max_element(*block), p.v);
+      return fmt::format("element {} does not exist; elements are 0 to {}",
+                         *std::ranges::max_element(*block), p.v - 1);
     }
   }
   for (std::size_t i = 1; i < wanted.contained.size(); ++i) {
     if (difference(wanted.contained[i], wanted.contained[i - 1]).size() != p.change) {
-      return fmt::format("blocks {} and {} of those wanted do not differ in {}", i, i + 1,
+      return fmt::format("blocks {} and {} of those given must differ in {}; correct one", i, i + 1,
                          count_of(p.change, "element"));
     }
   }
@@ -82,8 +84,9 @@ std::string wanted_defect(const Parameters& p, const Wanted& wanted) {
     const std::uint64_t n = p.k - std::min(p.k, p.change);
     const std::size_t rest = in_parts(p, wanted).size();
     if (n == 0 || rest % n != 0) {
-      return fmt::format("{} cannot be parted into unchanged subsets of {}",
-                         count_of(rest, "element"), n);
+      return fmt::format(
+          "{} cannot be divided into unchanged subsets of {}; name others in the first or last block",
+          count_of(rest, "element"), n);
     }
   }
   return "";

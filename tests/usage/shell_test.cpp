@@ -351,7 +351,7 @@ void expect_offers_of_zsh(std::size_t every) {
     }
     expect_offered(offer, offered);
     for (const auto& [words, said] : std::map<std::string, std::string>{
-             {"changeover de", "-- the best design that a construction gives, verified"},
+             {"changeover de", "-- build the best known design, and verify it"},
              {"changeover verify --st", "-- every T elements must meet (2, 3 or 4)"}}) {
       EXPECT_TRUE(offer.words != words || outcome.out.find(said) != std::string::npos)
           << outcome.out;

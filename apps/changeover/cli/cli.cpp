@@ -230,7 +230,7 @@ struct Verb::State {
 struct Program::State {
   CLI::App app{
       "Finds, proves, draws and runs change covering designs: ordered lists of k-element blocks "
-      "over v items in which every pair meets and consecutive blocks differ in exactly m items.",
+      "over v elements in which every pair meets and consecutive blocks differ in m elements.",
       "changeover"};
   std::vector<std::unique_ptr<Verb>> verbs;
   std::vector<GroupDescription> groups;

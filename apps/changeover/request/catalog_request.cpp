@@ -66,12 +66,13 @@ void FilterRequest::add_to(Verb& verb, Unless unless) {
   verb.option("-m,--change", change, "M", "elements in which consecutive blocks differ");
   verb.option("-t,--strength", strength, "T", "every T elements meet");
   add_kind_to(verb, kind, "circular designs only", "linear designs only");
-  verb.choice("--status", status, {"minimum", "best-known", "retracted"}, "only those");
-  verb.option("--gap", gap, "N", "so many blocks over the lower bound, or more");
-  verb.option("--construction", construction, "NAME", "made by that construction");
-  verb.option("--since", since, "DATE", "credited on that day or later, as 2026-11-22");
+  verb.choice("--status", status, {"minimum", "best-known", "retracted"},
+              "only designs of this status");
+  verb.option("--gap", gap, "N", "only designs with N or more blocks over the lower bound");
+  verb.option("--construction", construction, "NAME", "only designs that this construction made");
+  verb.option("--since", since, "DATE", "only designs credited on DATE or later, e.g. 2026-11-22");
   if (unless == Unless::all_is_not_asked_for) {
-    verb.flag("--all", all, "of each cell all designs, not the best only");
+    verb.flag("--all", all, "all designs of each cell, not only the best");
   } else {
     all = true;
     verb.flag(

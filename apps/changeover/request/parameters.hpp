@@ -35,7 +35,8 @@ struct ParameterRequest {
   std::optional<Kind> kind;
 
   /// V K [--change M] [--circular | --linear], V and K required. `linear` as in add_kind_to().
-  void add_to(Verb& verb, bool required = true, const std::string& linear = "they need not be");
+  void add_to(Verb& verb, bool required = true,
+              const std::string& linear = "the first and last block need not be consecutive");
 
   /// LABEL | V K, as they are typed, with what is said after V K.
   void add_beside_label_to(Verb& verb, std::string& what, std::string& k_typed);

@@ -27,9 +27,10 @@ struct RequestFileRequest {
   bool show = false;
 
   void add_to(Verb& verb, std::string_view format) {
-    verb.option("--request", path, "FILE",
-                "what is asked, as JSON (" + std::string(format) + "); options come on top of it");
-    verb.flag("--show-request", show, "say what is asked as such JSON, and do no more");
+    verb.option(
+        "--request", path, "FILE",
+        "read the question from FILE, as JSON (" + std::string(format) + "); options override it");
+    verb.flag("--show-request", show, "print the question as such JSON and stop");
   }
 };
 

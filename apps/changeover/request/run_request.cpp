@@ -106,7 +106,7 @@ void RunRequest::add_limits_to(Verb& verb, const std::string& limit, OutputReque
                             : "stop after so long, e.g. 90s, 5m, 2h (default " +
                                   (limit.empty() ? std::string("no limit") : limit) + ")");
   verb.option("--memory", memory, "SIZE",
-              "refuse tables and formulas above it, e.g. 4G (default: half of the machine's)");
+              "memory for tables and formulas, e.g. 4G (default: half of the machine's)");
   if (uses_threads) {
     verb.option("--threads", threads, "N", "threads to use (default: all cores)");
   }

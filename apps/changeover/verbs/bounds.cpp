@@ -53,7 +53,7 @@ Answer run(const BoundsRequest& request) {
 
 void add_bounds(Program& program) {
   auto [verb, request] = program.add<BoundsRequest>(
-      "bounds", "lower bounds with their reasons, and the best design known", run);
+      "bounds", "show lower bounds with their reasons, and the best design known", run);
   request.asked.add_to(verb);
   request.asked.add_strength_to(verb);
   request.output.add_to(verb, {"text", "latex", "json"});

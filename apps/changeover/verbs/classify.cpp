@@ -236,7 +236,7 @@ Answer run(const ClassifyRequest& request) {
 
 void add_classify(Program& program) {
   auto [verb, request] = program.add<ClassifyRequest>(
-      "classify", "all designs with so many blocks, and how many differ", run);
+      "classify", "count and list all designs with a given number of blocks", run);
   request.asked.add_to(verb);
   verb.positional("B", request.blocks, "number of blocks (default: the lower bound)", false);
   verb.flag("--reversal", request.reversal, "a design and its reversal are the same");

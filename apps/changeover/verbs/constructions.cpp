@@ -43,8 +43,8 @@ Answer run(const OutputRequest& output) {
 }  // namespace
 
 void add_constructions(Program& program) {
-  auto [verb, output] = program.add<OutputRequest>(
-      "constructions", "what can be constructed, and by whom it was found", run);
+  auto [verb, output] =
+      program.add<OutputRequest>("constructions", "list the constructions and their sources", run);
   output.add_to(verb, {"text", "markdown", "json"});
   verb.examples({"changeover constructions", "changeover constructions --json"});
 }

@@ -98,13 +98,13 @@ Answer run(const DescribeRequest& request) {
 }  // namespace
 
 void add_describe(Program& program) {
-  auto [verb, request] = program.add<DescribeRequest>(
-      "describe", "every verb and option of this program, for programs", run);
+  auto [verb, request] =
+      program.add<DescribeRequest>("describe", "list every verb and option, for programs", run);
   request.program = &program;
   verb.choice("--schema", request.schema, {"job", "load-request"},
               "the JSON Schema of requests of this kind instead");
   verb.flag("--doors", request.doors,
-            "which options the command line, the server and Python know instead, in Markdown");
+            "compare the options of command line, server and Python, in Markdown");
   verb.exclude({"--schema", "--doors"});
   request.output.add_to(verb, {"json", "text"});
   verb.examples(

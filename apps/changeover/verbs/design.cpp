@@ -40,8 +40,8 @@ Answer run(const DesignRequest& request) {
 }  // namespace
 
 void add_design(Program& program) {
-  auto [verb, request] = program.add<DesignRequest>(
-      "design", "the best design that a construction gives, verified", run);
+  auto [verb, request] =
+      program.add<DesignRequest>("design", "build the best known design, and verify it", run);
   request.asked.add_to(verb);
   request.asked.add_strength_to(verb);
   verb.option("--construction", request.construction, "NAME", "use this construction only");

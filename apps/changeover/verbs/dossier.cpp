@@ -56,7 +56,8 @@ Answer run(const DossierRequest& request) {
 
 void add_dossier(Program& program) {
   auto [verb, request] = program.add<DossierRequest>(
-      "dossier", "one design for a paper: bounds, construction, blocks, picture, check, citations",
+      "dossier",
+      "write up one design for a paper: bounds, construction, blocks, picture, check, citations",
       run);
   request.asked.add_beside_label_to(verb, request.what, request.k);
   request.catalog.add_to(verb);

@@ -307,7 +307,7 @@ void require_meaning(const DrawRequest& request) {
 
 void add_draw(Program& program) {
   auto [verb, request] =
-      program.add<DrawRequest>("draw", "a picture of a design, a recipe or a table", run);
+      program.add<DrawRequest>("draw", "draw a design, a recipe or a table", run);
   verb.positional(
       "FILE", request.what,
       "a design in any format that verify reads, - is standard input; or a label of the catalog; "

@@ -162,7 +162,7 @@ Answer run(const ExpandRequest& request) {
 
 void add_expand(Program& program) {
   auto [verb, request] = program.add<ExpandRequest>(
-      "expand", "the recursion with expansion sets, applied to your own design", run);
+      "expand", "expand your own design by the recursion with expansion sets", run);
   verb.positional("FILE", request.path, "text, JSON, CSV, GAP, Sage or XML; - is standard input");
   add_kind_to(verb, request.kind, "take it as circular, whatever the file says",
               "take it as linear");

@@ -76,7 +76,7 @@ Answer run(const ExplainRequest& request) {
 
 void add_explain(Program& program) {
   auto [verb, request] = program.add<ExplainRequest>(
-      "explain", "how a design is built: the tree of constructions", run);
+      "explain", "show how a design is built: the tree of its constructions", run);
   request.asked.add_to(verb);
   request.asked.add_strength_to(verb);
   verb.option("--construction", request.construction, "NAME", "explain this construction's design");

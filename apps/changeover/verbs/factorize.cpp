@@ -114,7 +114,7 @@ Answer run(const FactorizeRequest& request) {
 
 void add_factorize(Program& program) {
   auto [verb, request] = program.add<FactorizeRequest>(
-      "factorize", "a 1-factorization of the complete graph K_N", run);
+      "factorize", "make a 1-factorization of the complete graph K_N", run);
   verb.positional("N", request.order, "number of vertices, even (odd with --near)");
   verb.choice("--kind", request.kind, {"circle", "doubled"},
               "circle (GK) or two halves put together (default circle)");

@@ -119,7 +119,7 @@ Answer run(const LoadOrderRequest& typed) {
 
 void add_loadorder(Program& program) {
   auto [verb, request] = program.add<LoadOrderRequest>(
-      "loadorder", "an order of loads that brings all pairs of items together", run);
+      "loadorder", "order loads so that all pairs of items meet", run);
   add_request_options(verb, request.load, load_table());
   request.file.add_to(verb, load_table().format);
   request.run.add_to(verb, "0s", request.output);

@@ -53,7 +53,7 @@ Answer run(const ManualRequest& request) {
 
 void add_manual(Program& program) {
   auto [verb, request] =
-      program.add<ManualRequest>("manual", "the manual page of a verb, for man", run);
+      program.add<ManualRequest>("manual", "print the manual page of a verb, for man", run);
   request.program = &program;
   verb.positional("VERB", request.verb,
                   "as it is typed: design, or catalog show (default: the program's page)", false);

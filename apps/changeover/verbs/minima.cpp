@@ -116,7 +116,7 @@ Answer run(const MinimaRequest& request) {
 
 void add_minima(Program& program) {
   auto [verb, request] = program.add<MinimaRequest>(
-      "minima", "the table of small minima, settled by exact search with checked proofs", run);
+      "minima", "make the table of small minima, by exact search with checked proofs", run);
   verb.option("--data", request.data, "FILE",
               "rows so far, and where new ones go (default minima.csv, written with --time only)");
   verb.option("--v", request.v_to, "V", "elements, at most (new rows: 16; shown: all)");

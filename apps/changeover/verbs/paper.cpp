@@ -38,7 +38,7 @@ Answer run(const PaperRequest& request) {
 
 void add_paper(Program& program) {
   auto [verb, request] = program.add<PaperRequest>(
-      "paper", "the source paper, rebuilt and compared cell by cell", run);
+      "paper", "rebuild the source paper and compare it cell by cell", run);
   verb.option("--figures", request.figures, "DIR", "write its figures there too, as SVG and TikZ");
   request.output.add_to(verb, {"text", "markdown", "json"});
   verb.examples({"changeover paper", "changeover paper --format markdown -o paper.md",

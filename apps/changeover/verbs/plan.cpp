@@ -93,7 +93,7 @@ Answer answer_to(const PlanRequest& request) {
 
 void add_plan(Program& program) {
   auto [verb, request] = program.add<PlanRequest>(
-      "plan", "the cheapest order of tests: a run sheet, from your costs", answer_to);
+      "plan", "find the cheapest order of tests, from your costs: a run sheet", answer_to);
   add_request_options(verb, request.job, job_table());
   request.file.add_to(verb, job_table().format);
   request.run.add_to(verb, "60s", request.output);

@@ -99,8 +99,8 @@ Answer run(const SameRequest& request) {
 }  // namespace
 
 void add_same(Program& program) {
-  auto [verb, request] = program.add<SameRequest>(
-      "same", "are two designs the same up to relabelling and rotation", run);
+  auto [verb, request] =
+      program.add<SameRequest>("same", "compare two designs up to relabelling and rotation", run);
   verb.positional("A", request.one,
                   "a design: text, JSON, CSV, GAP, Sage or XML; - is standard input");
   verb.positional("B", request.other, "another one");

@@ -181,7 +181,7 @@ Answer run(const ServeRequest& request) {
 
 void add_serve(Program& program) {
   auto [verb, request] = program.add<ServeRequest>(
-      "serve", "the explorer: catalog, designs and searches in a browser", run);
+      "serve", "open the explorer in a browser: catalog, designs, searches", run);
   verb.positional("FILE", request.files, "designs to look at: text, JSON, CSV, GAP, Sage, XML",
                   false);
   verb.option("--port", request.port, "N", "listen on this port (default 0: one that is free)");

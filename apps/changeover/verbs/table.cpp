@@ -133,8 +133,8 @@ Answer run(const TableRequest& request) {
 }  // namespace
 
 void add_table(Program& program) {
-  auto [verb, request] =
-      program.add<TableRequest>("table", "the best known design for every v and k of a range", run);
+  auto [verb, request] = program.add<TableRequest>(
+      "table", "list the best known design for every v and k of a range", run);
   verb.option("--k", request.k, "A..B", "block sizes (default 3..8)");
   verb.option("--v", request.v, "C..D", "numbers of elements (default ..40)");
   verb.option("-m,--change", request.change, "M",

@@ -162,9 +162,9 @@ class Catalog {
   std::vector<Added> add(std::span<const CatalogEntry> entries);
   Added add(const CatalogEntry& entry) { return add(std::span(&entry, 1)).front(); }
 
-  /// As add(), with one transaction for each list of next() until one is empty; between two lists
-  /// other processes can write. The file is checked once. Calls done() after each. What was added
-  /// stays if a later list is refused. O(n log s) for n entries and a file of s.
+  /// Adds the lists that next() returns until one is empty, each in a transaction; between two of
+  /// them other processes can write. The file is checked once. Calls done() after each. What was
+  /// added stays if a later list is refused. O(n log s) for n entries and a file of s.
   void add_lists(const std::function<std::vector<CatalogEntry>()>& next,
                  const std::function<void(std::span<const Added>)>& done);
 

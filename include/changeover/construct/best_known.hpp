@@ -110,7 +110,7 @@ enum class Stored : std::uint8_t {
 
 class BestKnownTable {
  public:
-  /// As best_known_table(), which checks the range.
+  /// Fills the table that best_known_table() returns; the range must be valid.
   BestKnownTable(const Registry& registry, const CellRange& range, Stored stored);
 
   [[nodiscard]] const CellRange& range() const { return range_; }

@@ -129,8 +129,9 @@ struct CoverPositions {
 [[nodiscard]] Recipe partial_expansion_recipe(const Recipe& input, const CoverPositions& cover,
                                               std::uint64_t w);
 
-/// How many blocks that has, for an input with parameters p and b blocks; nullopt if w takes more
-/// positions than there are. @throws ImpossibleParameters if w does not fit.
+/// The number of blocks of the partial expansion of an input with parameters p and b blocks;
+/// nullopt if w takes more positions than there are. @throws ImpossibleParameters if w does not
+/// fit.
 [[nodiscard]] std::optional<std::uint64_t> partial_expansion_count(const Parameters& p,
                                                                    std::uint64_t b,
                                                                    const CoverPositions& cover,
@@ -149,7 +150,8 @@ struct CoverPositions {
 /// @throws BadInput if m does not divide M.
 [[nodiscard]] Recipe interpolate_recipe(const Recipe& input, std::uint64_t m);
 
-/// How many blocks that has, for an input with parameters p and b blocks. @throws
+/// The number of blocks of the interpolated design, for an input with parameters p and b blocks.
+/// @throws
 /// ImpossibleParameters if they exceed 64 bits.
 [[nodiscard]] std::uint64_t interpolated_count(const Parameters& p, std::uint64_t m,
                                                std::uint64_t b);

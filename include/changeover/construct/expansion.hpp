@@ -155,7 +155,7 @@ struct UnchangedCover {
 
 struct CoverOptions {
   std::uint64_t new_elements = 2;  ///< w: how many may be left out, and how many positions it takes
-  /// Of each search; nodes are those of the exact cover, and of the branch and bound.
+  /// Limits of each search; nodes are those of the exact cover, and of the branch and bound.
   SearchLimits limits{.nodes = 200'000, .stop = {}};
   /// Designs with more than so many elements times unchanged subsets get a greedy cover only.
   std::uint64_t exact_up_to = std::uint64_t{1} << 18;
@@ -245,7 +245,7 @@ struct IntervalCoverSize {
                                                                    std::uint64_t c,
                                                                    std::uint64_t w);
 
-/// That cover. O(v).
+/// The cover that interval_cover_size() counts. O(v).
 /// @param points the elements of the base blocks besides A; asked only if elements are left out.
 /// @throws BadInput if the points do not suit, or interval_cover_size() has no answer.
 [[nodiscard]] UnchangedCover interval_cover(const Parameters& p, std::uint64_t c, std::uint64_t w,

@@ -90,7 +90,7 @@ class Construction {
   [[nodiscard]] virtual std::optional<OrbitBaseBlocks> orbit_base_blocks(
       const Recipe& recipe) const;
 
-  /// As base_blocks(), for base blocks that share an interval, without writing it out
+  /// The base blocks of base_blocks() that share an interval, without writing it out
   /// (verify/difference.hpp).
   [[nodiscard]] virtual std::optional<IntervalBaseBlocks> interval_base_blocks(
       const Recipe& recipe) const;

@@ -128,7 +128,8 @@ struct OptionRule {
   Says says = Says::exclude;
   std::vector<std::string_view> keys;
   std::vector<std::string_view> others = {};
-  /// Of only_with: this list may be a file that says one of `others`; asked once it was opened.
+  /// For only_with: the key of a list that may be a file, which itself may say one of `others`; so
+  /// the rule is asked once the file was opened.
   std::string_view or_in_file_of = {};
 };
 

@@ -407,7 +407,7 @@ AllPairsReport all_pairs(ItemSource& source, const WorkerSplit& shares, const Pa
 // *What it costs.* Twice the space of the data; one more reading of them at the beginning; a store
 // of what is held for each checkpoint; SHA-256 of what is stored. Loads do not overlap computation.
 
-/// An item in memory that may be written.
+/// An item in memory that the caller may change.
 struct HeldItem {
   Element item = 0;
   std::span<std::byte> bytes;

@@ -83,7 +83,7 @@ class CheckedLoads {
  public:
   [[nodiscard]] const WantedPairs& wanted() const { return wanted_; }
   [[nodiscard]] std::uint64_t items() const { return wanted_.items(); }
-  /// Of items with sizes the most that fit.
+  /// How many items fit in memory; if items have sizes, the most that fit at once.
   [[nodiscard]] std::uint64_t room() const { return room_; }
   /// Null if all items have the same size.
   [[nodiscard]] const std::shared_ptr<const ItemSizes>& sizes() const { return sizes_; }

@@ -81,8 +81,8 @@ class PairGraph {
 struct PairFileOptions {
   std::optional<std::uint64_t> items = {};  ///< there are so many, numbered from 0 or named
   bool groups = false;  ///< a line is a group of items, of which all pairs are wanted
-  /// Of pairs: takes what their third column says, the cost of a pair; unchanged if there is no
-  /// such column. Without it a third column is refused, and `no_costs` ends the message.
+  /// Receives the costs in the third column of a list of pairs; unchanged if there is no such
+  /// column. Without it a third column is refused, and `no_costs` ends the message.
   std::function<double(Element, Element)>* costs = nullptr;
   std::string no_costs = {};
 };

@@ -208,10 +208,11 @@ struct BenchDocument {
   RequestList list = {};                   ///< the benches as they were asked for, for a workbook
 };
 
-/// As written() of sheet_formats.hpp. A page has each bench on a sheet of paper of its own; a
-/// workbook a sheet per bench, `Bench 1`, `Bench 2`, …, as that of one list, then `Plan`, `Parts`
-/// and what else a workbook of one list has, with a sheet `Benches`: it is all that is needed to go
-/// on. read_setups() and read_done() (plan/job.hpp) read the sheet of a bench back.
+/// The run sheets of all benches, in the formats of written() (sheet_formats.hpp). A page has each
+/// bench on its own sheet of paper. A workbook has a sheet per bench, `Bench 1`, `Bench 2`, …, like
+/// that of one list, then `Plan`, `Parts` and the other sheets of such a workbook, and a sheet
+/// `Benches`: it is all that is needed to go on. read_setups() and read_done() (plan/job.hpp) read
+/// the sheet of a bench back.
 [[nodiscard]] std::string written(const BenchDocument& document, std::string_view format,
                                   std::size_t width = 80);
 

@@ -150,7 +150,7 @@ class RunControl {
   [[nodiscard]] WhyStopped why_stopped() const { return why_.load(std::memory_order_relaxed); }
 
   [[nodiscard]] std::chrono::duration<double> elapsed() const { return Clock::now() - begin_; }
-  /// Until the time limit, of this control or its parent; nothing if there is none.
+  /// The time until the limit of this control or its parent; nullopt if there is no limit.
   [[nodiscard]] std::optional<std::chrono::duration<double>> time_left() const;
 
   /// Whether tell() would reach the callback now: enough time has passed.
@@ -221,7 +221,8 @@ class RunScope {
 /// some 30 ns; nothing without a scope.
 void stop_if_asked();
 
-/// RunControl::require_memory() of this thread's scope. @throws MissingResource
+/// Checks that so many bytes are within the memory limit of this thread's scope. @throws
+/// MissingResource if not; `what` begins its message.
 void require_memory(std::uint64_t bytes, std::string_view what);
 
 /// Whether report_progress() would call a callback now; ask before making a long text.

@@ -53,19 +53,32 @@ class Adapter {
   bool end_array() { return close(JsonEvent::Type::end_array); }
 
   bool parse_error(std::size_t byte, const std::string& /*token*/, const json::exception& fault) {
-    // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …"
-    std::string_view what = fault.what();
-    const std::size_t colon = what.find(": ");
-    what = colon == std::string_view::npos ? what : what.substr(colon + 2);
-    what = what.substr(0, what.find("; last read"));  // which can be as long as the file
+    source_.fail(byte > 0 ? byte - 1 : 0, "not JSON: " + in_short(fault.what()) + "; correct it");
+  }
+
+ private:
+  // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while parsing
+  // value - unexpected ']'; expected '[', '{', or a literal", without what the place says, and
+  // without what the file has there, which can be as long as the file.
+  static std::string in_short(std::string_view what) {
+    for (const std::string_view end : {"] ", ": syntax error", " - "}) {
+      const std::size_t at = what.find(end);
+      what = at == std::string_view::npos ? what : what.substr(at + end.size());
+    }
+    for (const std::string_view begin : {"; last read", " parsing '"}) {
+      what = what.substr(0, what.find(begin));
+    }
     std::string line;
     for (const char c : what) {
       line += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
     }
-    source_.fail(byte > 0 ? byte - 1 : 0, "not JSON: " + line + "; correct it");
+    constexpr std::string_view expected = "; expected ";
+    if (const std::size_t at = line.find(expected); at != std::string::npos) {
+      line.replace(at, expected.size(), " instead of ");
+    }
+    return line;
   }
 
- private:
   bool emit(JsonEvent::Type type, std::string_view text, std::uint64_t natural = 0) {
     handler_->on({type, text, natural, start_});
     return true;

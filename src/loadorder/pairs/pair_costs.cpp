@@ -69,8 +69,8 @@ class CostList {
     }
     const auto number = number_in<Element>(field);
     if (!number || *number >= items_) {
-      rows_.fail(field, fmt::format("'{}' is not one of {} items, which have the numbers 0 to {}",
-                                    field.text, items_, items_ - 1));
+      rows_.fail(field,
+                 fmt::format("item {} does not exist; items are 0 to {}", field.text, items_ - 1));
     }
     return *number;
   }

@@ -179,9 +179,8 @@ class PairReader {
     for (const Field& field : row_) {
       const Element item = *item_number(field);
       if (options_.items && item >= *options_.items) {
-        rows_.fail(field,
-                   fmt::format("item {} is not one of {} items, which have the numbers 0 to {}",
-                               item, *options_.items, *options_.items - 1));
+        rows_.fail(field, fmt::format("item {} does not exist; items are 0 to {}", item,
+                                      *options_.items - 1));
       }
       largest_ = std::max(largest_, item);
       items_.push_back(item);

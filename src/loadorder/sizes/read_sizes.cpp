@@ -98,8 +98,7 @@ class SizeList {
     const Element x = columns_ == 1 ? static_cast<Element>(sizes_.size()) : item(row.front());
     if (items_ && x >= *items_) {
       rows_.fail(row.front(),
-                 fmt::format("item {} is not one of {} items, which have the numbers 0 to {}", x,
-                             *items_, *items_ - 1));
+                 fmt::format("item {} does not exist; items are 0 to {}", x, *items_ - 1));
     }
     if (x >= sizes_.size()) {
       sizes_.resize(x + 1, 0);

@@ -43,7 +43,7 @@ void check_benches(const Job& job, const std::vector<Bench>& benches, const std:
   std::vector<std::string> found = bench_defects(job, benches);
   if (found.empty() &&
       std::ranges::all_of(benches, [](const Bench& bench) { return bench.down; })) {
-    found.emplace_back("all benches are down, and nothing can be tested; put one up");
+    found.emplace_back("all benches are down, so nothing can be tested; mark at least one as up");
   }
   if (!found.empty()) {
     throw BadInput(

@@ -55,8 +55,8 @@ class MinimaCells {
   }
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw BadInput(fmt::format("{}:{}: {}; remove the row, it will be filled in again", name_,
-                               row_.front().line, what));
+    throw BadInput(fmt::format("{}:{}: {}; remove the row, and changeover minima fills it in again",
+                               name_, row_.front().line, what));
   }
 
  private:

@@ -159,7 +159,7 @@ TEST(JsonTest, EachFaultHasItsLineColumnAndRemedy) {
       {"{\"recipe\":3}", "f:1:11: expected an object for recipe, found a number; correct it"},
       {"{\"recipe\":{\n}}", "f:2:1: the recipe lacks construction; add it"},
       {"[[0,1]] x",
-       "f:1:9: not JSON: syntax error while parsing value - invalid literal; correct "
+       "f:1:9: not JSON: invalid literal; correct "
        "it"},
   };
   for (const Case& c : cases) {

@@ -63,7 +63,7 @@ void check_way(const SearchOrder& order) {
     }
   }
   if (const std::string defect = wanted_defect(p, wanted); !defect.empty()) {
-    throw Refusal{422, fmt::format("no {} has what is wanted: {}", name(p), defect)};
+    throw Refusal{422, fmt::format("no {} can have what you ask for: {}", name(p), defect)};
   }
   if (order.way == SearchWay::exact && order.blocks) {
     throw Refusal{422, "blocks has no meaning with \"way\":\"exact\", which finds the minimum"};

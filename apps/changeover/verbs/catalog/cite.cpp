@@ -34,9 +34,9 @@ Answer run(const CiteRequest& request) {
 
 void add_catalog_cite(Program& program) {
   auto [verb, request] = program.add<CiteRequest>(
-      "catalog-cite", "BibTeX of a design and what it is from, or of the whole catalog", run);
+      "catalog-cite", "write BibTeX of a design and its sources, or of the whole catalog", run);
   verb.positional("LABEL", request.label,
-                  "of a design, or a key of docs/references.bib; the whole catalog without it",
+                  "label of a design, or a key of docs/references.bib (default: the whole catalog)",
                   false);
   request.catalog.add_to(verb);
   request.output.add_to(verb, {"bibtex"});

@@ -39,7 +39,7 @@ Answer run(const CompletenessRequest& request) {
 
 void add_catalog_completeness(Program& program) {
   auto [verb, request] = program.add<CompletenessRequest>(
-      "catalog-completeness", "how many cells are filled and proved minimum, by block size", run);
+      "catalog-completeness", "count cells that are filled and proved minimum, by block size", run);
   request.filter.add_to(verb);
   request.catalog.add_to(verb);
   request.output.add_to(verb, {"text", "json"});

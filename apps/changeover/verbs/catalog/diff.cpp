@@ -48,8 +48,8 @@ Answer run(const DiffRequest& request) {
 void add_catalog_diff(Program& program) {
   auto [verb, request] =
       program.add<DiffRequest>("catalog-diff",
-                               "cells in which a file of catalog export and the catalog, or "
-                               "another file, differ",
+                               "list the cells in which the catalog and a file of catalog "
+                               "export, or two files, differ",
                                run);
   verb.positional("OLD", request.before, "lines of JSON; - is standard input");
   verb.positional("NEW", request.after, "the same; the catalog if it is not named", false);

@@ -85,7 +85,7 @@ Answer run_import(const ImportRequest& request) {
 
 void add_catalog_export(Program& program) {
   auto [verb, request] = program.add<ExportRequest>(
-      "catalog-export", "designs of the catalog as lines of JSON", run_export);
+      "catalog-export", "write designs of the catalog as lines of JSON", run_export);
   request.filter.add_to(verb, FilterRequest::Unless::best_is_asked_for);
   request.catalog.add_to(verb);
   request.output.add_to(verb, {"jsonl"});
@@ -95,7 +95,7 @@ void add_catalog_export(Program& program) {
 
 void add_catalog_import(Program& program) {
   auto [verb, request] = program.add<ImportRequest>(
-      "catalog-import", "designs from a file that catalog export wrote, each verified", run_import);
+      "catalog-import", "read designs that catalog export wrote, and verify each", run_import);
   verb.positional("FILE", request.path, "lines of JSON; - is standard input");
   verb.flag("--skip-bad", request.skip_bad,
             "leave out what is not as it says, and name it; without it nothing is added then");

@@ -48,7 +48,7 @@ Answer run(const HistoryRequest& request) {
 
 void add_catalog_history(Program& program) {
   auto [verb, request] = program.add<HistoryRequest>(
-      "catalog-history", "how the best design of a cell became better", run);
+      "catalog-history", "show how the best design of a cell improved", run);
   verb.positional("CELL", request.cell, "v.k.m.kind, as 20.5.2.linear; or a design of it");
   request.catalog.add_to(verb);
   request.output.add_to(verb, {"text", "json"});

@@ -98,8 +98,7 @@ void add_catalog_improve(Program& program) {
 
 void add_catalog_submit(Program& program) {
   auto [verb, request] = program.add<SubmitRequest>(
-      "catalog-submit", "your designs that are better than what comes with the program",
-      run_submit);
+      "catalog-submit", "write your improvements to a file for the maintainers", run_submit);
   request.catalog.add_to(verb);
   request.output.add_to(verb, {"jsonl"});
   verb.examples({"changeover catalog submit -o for-the-maintainers.jsonl",

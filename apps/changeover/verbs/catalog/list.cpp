@@ -52,8 +52,8 @@ Answer run(const ListRequest& request) {
 }  // namespace
 
 void add_catalog_list(Program& program) {
-  auto [verb, request] = program.add<ListRequest>(
-      "catalog-list", "the designs of the catalog that filters let through", run);
+  auto [verb, request] =
+      program.add<ListRequest>("catalog-list", "list the designs of the catalog, filtered", run);
   request.filter.add_to(verb);
   request.catalog.add_to(verb);
   request.output.add_to(verb, {"text", "csv", "json"});

@@ -75,8 +75,8 @@ Answer run_alias(const AliasRequest& request) {
 }  // namespace
 
 void add_catalog_retract(Program& program) {
-  auto [verb, request] = program.add<RetractRequest>(
-      "catalog-retract", "a design that is no longer vouched for", run_retract);
+  auto [verb, request] =
+      program.add<RetractRequest>("catalog-retract", "mark a design as withdrawn", run_retract);
   verb.positional("LABEL", request.label, "of the design, or a beginning that only it has");
   verb.option("--why", request.why, "TEXT", "one line (needed)");
   request.catalog.add_to(verb);
@@ -88,7 +88,7 @@ void add_catalog_retract(Program& program) {
 
 void add_catalog_alias(Program& program) {
   auto [verb, request] = program.add<AliasRequest>(
-      "catalog-alias", "another word for a design of the catalog", run_alias);
+      "catalog-alias", "give a design of the catalog a second name", run_alias);
   verb.positional("WORD", request.word, "what is to lead there");
   verb.positional("LABEL", request.label, "of the design", false);
   verb.flag("--remove", request.remove, "take WORD out, whatever it leads to");

@@ -53,6 +53,9 @@ Answer run(const ShowRequest& request) {
   const Catalog& catalog = request.catalog.open();
   const auto named = cells_or_entry(catalog, request.asked, request.what, request.k);
   if (!named) {
+    if (!request.output.json()) {
+      throw MissingResource(has_no_design(request.what) + left_out());
+    }
     return no_design(request.output, exit_code::missing_resource, has_no_design(request.what));
   }
   const std::vector<Parameters>& cells = named->cells;
@@ -107,7 +110,7 @@ Answer run(const ShowRequest& request) {
 
 void add_catalog_show(Program& program) {
   auto [verb, request] = program.add<ShowRequest>(
-      "catalog-show", "what is known of a design, or of all designs of a cell", run);
+      "catalog-show", "show what is known of a design, or of all designs of a cell", run);
   request.asked.add_beside_label_to(verb, request.what, request.k);
   request.catalog.add_to(verb);
   std::vector<std::string> formats = {"summary"};

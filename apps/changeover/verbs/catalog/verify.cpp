@@ -139,8 +139,8 @@ Answer run(const AuditRequest& request) {
 }  // namespace
 
 void add_catalog_verify(Program& program) {
-  auto [verb, request] =
-      program.add<AuditRequest>("catalog-verify", "is all that the catalog says as it says", run);
+  auto [verb, request] = program.add<AuditRequest>(
+      "catalog-verify", "rebuild every design of the catalog, and check its entry", run);
   request.filter.add_to(verb, FilterRequest::Unless::best_is_asked_for);
   verb.option("--resume", request.resume, "FILE", "keep there what is done, and go on from it");
   request.catalog.add_to(verb);
@@ -149,8 +149,8 @@ void add_catalog_verify(Program& program) {
   request.run.add_limits_to(verb, "", request.output);
   verb.examples({"changeover catalog verify --threads 2 --resume done.txt",
                  "changeover catalog verify --users"});
-  verb.outcomes({{exit_code::done, "all as it says"},
-                 {exit_code::refuted, "not all"},
+  verb.outcomes({{exit_code::done, "every entry is correct"},
+                 {exit_code::refuted, "some entry is wrong"},
                  {exit_code::limit_reached, "stopped before the end"}});
 }
 

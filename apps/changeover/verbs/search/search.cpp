@@ -183,7 +183,7 @@ WantedRequest wanted_of(const SearchOptions& given, const Parameters& p) {
       given.asked.reading(),
       given.anew};
   if (const std::string defect = wanted_defect(p, request.wanted); !defect.empty()) {
-    throw UsageError{fmt::format("no {} has what is wanted: {}", name(p), defect)};
+    throw UsageError{fmt::format("no {} can have what you ask for: {}", name(p), defect)};
   }
   return request;
 }
@@ -258,8 +258,8 @@ Answer run(const SearchOptions& given) {
 
 void add_search(Program& program) {
   auto [verb, request] = program.add<SearchOptions>(
-      "search", "designs with fewer blocks, or a proof that there are none", run);
-  request.asked.add_to(verb, false, "they need not be (default)");
+      "search", "search for designs with fewer blocks, or prove that there are none", run);
+  request.asked.add_to(verb, false, "the first and last block need not be consecutive (default)");
   request.asked.add_strength_to(verb);
   verb.option("-b,--blocks", request.blocks, "B",
               "the number of blocks wanted (default: as few as possible)");
