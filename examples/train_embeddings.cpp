@@ -3,14 +3,17 @@
 //     train_embeddings make edges.txt 2000 20000
 //     train_embeddings run edges.txt embeddings.f32 --parts 16 --room 4 --workers 2 --journal job
 //
-// The nodes are in parts, which lie on the disk; a worker holds a few of them and trains on the edges between every two. The order
-// (changeover loadorder --disjoint --write-back) gives no part to two workers at once, so that nobody locks anything. Each part
-// has an owner that is set for the time in which it is trained on; if somebody else owns it then, the program aborts.
+// The nodes are in parts, which lie on the disk; a worker holds a few of them and trains on the
+// edges between every two. The order (changeover loadorder --disjoint --write-back) gives no part
+// to two workers at once, so that no worker needs a lock. Each part has an owner that is set for the
+// time in which it is trained on; if another worker owns it then, the program aborts.
 //
-// The model: sigmoid(a·b) for nodes a and b is near 1 if they share an edge, and near 0 for b replaced by another node of its part.
-// One pass over the edges is one epoch. The same seed gives the same bytes, whatever the threads do, and after a crash.
+// The model: sigmoid(a·b) for nodes a and b is near 1 if they share an edge, and near 0 for b
+// replaced by another node of its part. One pass over the edges is one epoch. The same seed gives
+// the same bytes, whatever the threads do, and after a crash.
 //
-// Exit codes: 0 done, 2 usage, 3 bad input, 4 a file is missing or cannot be written, 30 interrupted (start it again).
+// Exit codes: 0 done, 2 usage, 3 bad input, 4 a file is missing or cannot be written, 30
+// interrupted (start it again).
 #include <fmt/format.h>
 
 #include <atomic>
@@ -106,7 +109,8 @@ int make(const std::string& path, std::uint64_t nodes, std::uint64_t edges) {
   return 0;
 }
 
-/// The edges by the parts of their ends, smaller part first: what the pair of these parts is trained on.
+/// The edges by the parts of their ends, smaller part first: what the pair of these parts is
+/// trained on.
 class Buckets {
  public:
   Buckets(const std::string& path, std::uint64_t parts) : parts_(parts) {
@@ -267,7 +271,8 @@ void begin_embeddings(const Job& job, std::uint64_t item_bytes) {
   file.commit();
 }
 
-// The mean of −log of what the model gives to edges, and to as many pairs of nodes at random that they are none.
+// The mean of −log of what the model gives to edges, and to as many pairs of nodes at random that
+// they are none.
 double loss(const Job& job, const Buckets& buckets) {
   std::ifstream in(job.embeddings, std::ios::binary);
   std::vector<float> all(static_cast<std::size_t>(job.parts * buckets.part_size() * job.dimension));

@@ -1,10 +1,10 @@
-"""Builds the Python package with CMake: what `pip` and `build` call (PEP 517), with nothing from the network.
+"""Builds the Python package with CMake, without a network: what `pip` and `build` call (PEP 517).
 
     python3 -m build --no-isolation            an sdist and a wheel in dist/
-    pip install .                              with Debian's build tools and the -dev packages that ./dev lists
+    pip install .                              with the build tools and -dev packages of ./dev
 
-Settings (--config-setting NAME=VALUE): `build-dir`, a build folder to use and to keep instead of one for this time; `built`, a
-build folder whose package is taken as it is.
+Settings (--config-setting NAME=VALUE): `build-dir`, a build folder to use and to keep instead of
+one for this time; `built`, a build folder whose package is taken as it is.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def metadata() -> str:
 
 
 def sources() -> list[str]:
-    """What belongs to a source archive: what git knows, or without git all but what builds leave behind."""
+    """The files of a source archive: those that git knows, or without git all but what builds leave."""
     listed = subprocess.run(["git", "ls-files", "-z"], cwd=root, capture_output=True, text=True)
     if (root / ".git").exists() and listed.returncode == 0:
         return sorted(
@@ -113,9 +113,10 @@ def build_wheel(
     info = f"{stem}.dist-info"
     files[f"{info}/METADATA"] = metadata().encode()
     files[f"{info}/LICENSE"] = (root / "LICENSE").read_bytes()
-    files[
-        f"{info}/WHEEL"
-    ] = f"Wheel-Version: 1.0\nGenerator: changeover\nRoot-Is-Purelib: false\nTag: {tag}-{tag}-{platform}\n".encode()
+    files[f"{info}/WHEEL"] = (
+        "Wheel-Version: 1.0\nGenerator: changeover\nRoot-Is-Purelib: false\n"
+        f"Tag: {tag}-{tag}-{platform}\n"
+    ).encode()
     record = ""
     for path, content in files.items():
         digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()

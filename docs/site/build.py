@@ -1,12 +1,13 @@
 #!/usr/bin/python3
-"""Builds the site: the guide (Sphinx), the Python reference (autodoc) and the C++ reference (Doxygen).
+"""Builds the site: the guide (Sphinx), the references of Python (autodoc) and C++ (Doxygen).
 
 usage: docs/site/build.py [--out build/site] [--build build/release] [--without-cpp]
 
-The pages are those of docs/ and a few others, which must also be readable on a code host. So they are not
-written for Sphinx; they are copied into one folder, and links between them are turned to where they now are. Needs the
-program and the Python package of BUILD. Ends with exit code 1 at the first warning, and with 77 where something is not installed.
-Nothing of what it writes asks the network for anything.
+The pages are those of docs/ and a few others, which must also be readable on a code host. So they
+are not written for Sphinx; they are copied into one folder, and links between them are turned to
+where they now are. Needs the program and the Python package of BUILD. Ends with exit code 1 at the
+first warning, and with 77 where something is not installed. Nothing of what it writes asks the
+network for anything.
 """
 
 import argparse
@@ -46,7 +47,7 @@ def places() -> dict:
 
 
 def retarget(text: str, source: str, pages: dict) -> tuple:
-    """The text with its relative links turned to the site, and the files outside of it that it links to."""
+    """The text with its relative links turned to the site, and the files outside that it links to."""
     wanted = set()
     folder = os.path.dirname(source)
 
@@ -79,7 +80,8 @@ def commands(described: dict) -> str:
     out = [
         "# Commands",
         "",
-        "Every verb and option, as `changeover describe` has them. `changeover VERB --help` adds examples.",
+        "Every verb and option, as `changeover describe` has them. `changeover VERB --help` adds "
+        "examples.",
         "",
     ]
 
@@ -183,7 +185,8 @@ def build_cpp(build: pathlib.Path, scratch: pathlib.Path, out: pathlib.Path) -> 
     header.write_text(
         header.read_text(encoding="utf-8").replace(
             "</head>",
-            '<script type="text/javascript" src="$relpath^doxygen-awesome-darkmode-toggle.js"></script>\n'
+            '<script type="text/javascript" '
+            'src="$relpath^doxygen-awesome-darkmode-toggle.js"></script>\n'
             '<script type="text/javascript">DoxygenAwesomeDarkModeToggle.init()</script>\n</head>',
         ),
         encoding="utf-8",
@@ -222,7 +225,7 @@ def build_cpp(build: pathlib.Path, scratch: pathlib.Path, out: pathlib.Path) -> 
 
 
 def settled_style(text: str, folder: pathlib.Path) -> str:
-    """Doxygen's style names pictures of parts that are turned off (1.9.8: the search): without them."""
+    """The style without pictures of parts that are turned off (Doxygen 1.9.8: the search)."""
     return re.sub(
         r"url\(\s*(['\"]?)([^'\":)]+)\1\s*\)",
         lambda match: match.group(0) if (folder / match.group(2)).exists() else "none",
@@ -231,7 +234,7 @@ def settled_style(text: str, folder: pathlib.Path) -> str:
 
 
 def settle_anchors(out: pathlib.Path) -> None:
-    """Doxygen links to some private members, of which it says nothing: these links lead to the page."""
+    """Turns links to private members, which Doxygen leaves out, to their page."""
     pages = {page.name: page.read_text(encoding="utf-8") for page in out.glob("*.html")}
     anchors = {
         name: set(re.findall(r'(?:id|name)="([^"]+)"', text)) for name, text in pages.items()
@@ -254,9 +257,10 @@ def settle_anchors(out: pathlib.Path) -> None:
 
 
 def settle_theme(out: pathlib.Path) -> None:
-    """Mends what Debian's build of the theme lost. Its style imports one from the root of a web server, and its script another as a
-    module, neither of which a page that is a file can: what is imported is put in the place of the import. And a reader whose
-    system is dark gets the dark look without asking for it."""
+    """Mends what Debian's build of the theme lost. Its style imports one from the root of a web
+    server, and its script another as a module, neither of which a page that is a file can: what is
+    imported is put in the place of the import. And a reader whose system is dark gets the dark look
+    without asking for it."""
     script = out / "_static/scripts/furo.js"
     text = script.read_text(encoding="utf-8")
     script.write_text(

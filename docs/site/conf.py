@@ -1,4 +1,4 @@
-"""How Sphinx makes the guide and the Python reference; docs/site/build.py calls it and lays out the pages."""
+"""How Sphinx makes the guide and the Python reference; docs/site/build.py calls it."""
 
 import os
 import sys
@@ -18,8 +18,9 @@ nitpicky = True
 nitpick_ignore_regex = [
     (
         r"py:.*",
-        r"(collections\.abc\.|typing\.|decimal\.)?(int|str|bool|float|None|object|list|dict|tuple|range|slice|memoryview|Any"
-        r"|Literal|Union|Callable|Iterable|Iterator|Mapping|Sequence|SupportsIndex|Decimal|\w*Error|Exception)",
+        r"(collections\.abc\.|typing\.|decimal\.)?"
+        r"(int|str|bool|float|None|object|list|dict|tuple|range|slice|memoryview|Any|Literal|Union"
+        r"|Callable|Iterable|Iterator|Mapping|Sequence|SupportsIndex|Decimal|\w*Error|Exception)",
     )
 ]
 # Names for types of arguments, which the page of the reference explains.

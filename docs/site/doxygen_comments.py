@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""What Doxygen reads in the place of a header: its comments, which are plain ones, as comments for Doxygen.
+"""What Doxygen reads in the place of a header: its plain comments as comments for Doxygen.
 
-The comment that opens a header becomes the text of that file; in a C header (/* … */) each comment that stands before a
-declaration becomes that of the declaration. In all of them an example, which is indented by five blanks, becomes a
-piece of code, and a line indented by two to four begins an item. See HACKING.md: headers read as manuals.
+The comment that opens a header becomes the text of that file; in a C header (/* … */) each comment
+that stands before a declaration becomes that of the declaration. In all of them an example, which
+is indented by five blanks, becomes a piece of code, and a line indented by two to four begins an
+item. See HACKING.md: headers read as manuals.
 """
 
 import pathlib
@@ -12,7 +13,7 @@ import sys
 
 
 def escaped(text: str) -> str:
-    """Words that are not for Doxygen to obey; what stands in `…` and the commands of a comment stay."""
+    """Words that Doxygen must not obey; what stands in `…` and the commands of a comment stay."""
     parts = re.split(r"(`[^`]*`)", text)
     for i in range(0, len(parts), 2):
         part = re.sub(r"\\(?=\w)", r"\\\\", parts[i])
@@ -113,7 +114,7 @@ def of_cpp(lines: list) -> list:
 
 
 def of_c(text: str) -> list:
-    """Comments /* … */ on lines of their own are those of what follows, and behind a member, of the member."""
+    """Comments /* … */ on their own lines belong to what follows, and behind a member to the member."""
     out, lines, i, is_head = [], text.split("\n"), 0, True
     while i < len(lines):
         if not lines[i].startswith("/*"):

@@ -1,7 +1,8 @@
 """Formulas that pages write as plain text, for a site that can show them as formulas.
 
-docs/theorems.md is also shown by the explorer and read in editors, so its formulas are text: B_{i+1}, s², ⌈v/k⌉. Nothing is
-guessed here: what is not known is refused, and the page has to be mended or the table below extended.
+docs/theorems.md is also shown by the explorer and read in editors, so its formulas are text:
+B_{i+1}, s², ⌈v/k⌉. Nothing is guessed here: what is not known is refused, and the page has to be
+mended or the table below extended.
 """
 
 import re
@@ -91,7 +92,7 @@ def line_to_latex(line: str) -> str:
 
 
 def to_latex(text: str) -> str:
-    """An indented formula; several lines are rows, and what is said of a row (*if …*) is a column."""
+    """An indented formula; several lines are rows, and the condition of a row (*if …*) is a column."""
     rows = []
     for line in text.split("\n"):
         formula, mark, condition = line.partition("*")
@@ -108,8 +109,8 @@ SCRIPT = re.compile(r"(?<=[\w)\]′*\u0304∞])(?<!_)([_^])(\{[^{}]*\}|\d+|[^\W\
 
 
 def scripts(text: str) -> list:
-    """The text in pieces ("", text), ("_", subscript), ("^", superscript), as the explorer reads it: B_{i+1}, x_p, n^2; a word
-    after a word is a name and no subscript (a_file)."""
+    """The text in pieces ("", text), ("_", subscript), ("^", superscript), as the explorer reads it:
+    B_{i+1}, x_p, n^2; a word after a word is a name and no subscript (a_file)."""
     pieces, seen = [], 0
     for match in SCRIPT.finditer(text):
         if match.start() > seen:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws docs/img/classes.svg: SCCD(v,5) by classes of v modulo 16, how many blocks the best known are over the lower bound.
+"""Draws docs/img/classes.svg: SCCD(v,5) by v modulo 16, blocks of the best known over the bound.
 
     docs/tools/classes_picture.py build/release/changeover > docs/img/classes.svg
 """
@@ -48,13 +48,14 @@ def main(program: str) -> None:
         ' text-anchor="middle" fill="#5A5A5A" font-size="11"',
     )
     print(
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" role="img" '
-        'fill="#1A1A1A" font-size="12" font-family="\'Helvetica Neue\', Arial, \'DejaVu Sans\', sans-serif">'
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
+        f'viewBox="0 0 {width} {height}" role="img" fill="#1A1A1A" font-size="12" '
+        "font-family=\"'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif\">"
     )
     print("<title>SCCD(v,5) by classes of v modulo 16</title>")
     print(
-        "<desc>A square for each v, a column for each class modulo 16; its colour says how many blocks the best known design is over "
-        "the lower bound.</desc>"
+        "<desc>A square for each v, a column for each class modulo 16; its colour says how many "
+        "blocks the best known design is over the lower bound.</desc>"
     )
     print(f'<rect width="{width}" height="{height}" fill="#FFFFFF"/>')
     print(text(16, 28, "SCCD(v,5) by classes of v modulo 16", ' font-size="14" font-weight="bold"'))
@@ -83,8 +84,10 @@ def main(program: str) -> None:
             )
         for v, (blocks, more) in sorted(cells(program, kind).items()):
             print(
-                f'<rect x="{left + v % CLASSES * SIDE + 0.5:g}" y="{TOP + v // CLASSES * SIDE + 0.5:g}" width="{SIDE - 1}" '
-                f'height="{SIDE - 1}" fill="{COLOURS[min(more, 2)]}"><title>{kind} SCCD({v},5): {blocks} blocks, {over(more)}</title></rect>'
+                f'<rect x="{left + v % CLASSES * SIDE + 0.5:g}" '
+                f'y="{TOP + v // CLASSES * SIDE + 0.5:g}" width="{SIDE - 1}" '
+                f'height="{SIDE - 1}" fill="{COLOURS[min(more, 2)]}">'
+                f"<title>{kind} SCCD({v},5): {blocks} blocks, {over(more)}</title></rect>"
             )
     print("</svg>")
 

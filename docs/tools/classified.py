@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes catalog/classified.txt anew: how many designs there are with as few blocks as possible, cell by cell, as
-`changeover classify` counts them within some seconds each.
+"""Writes catalog/classified.txt: how many designs there are with as few blocks as possible, cell by
+cell, as `changeover classify` counts them within some seconds each.
 
     docs/tools/classified.py build/release/changeover > classified.txt
 
@@ -18,10 +18,13 @@ import sys
 SECONDS = 12
 GIVE_UP_AFTER = 3  # cells in a row, of one block size, that take longer
 
-HEAD = """# How many designs there are with as few blocks as possible: written by docs/tools/classified.py, checked by
-# tests/search/enumerate. v, k, change, kind, blocks, standard forms, classes, tight classes; then for each order of a group
-# how many classes have it.
-"""
+HEAD = (
+    "# How many designs there are with as few blocks as possible: written by "
+    "docs/tools/classified.py, checked by\n"
+    "# tests/search/enumerate. v, k, change, kind, blocks, standard forms, classes, tight classes; "
+    "then for each order of a group\n"
+    "# how many classes have it.\n"
+)
 
 
 def answer(program, *arguments):

@@ -2,8 +2,8 @@
 # Writes what constructions and closure rules know today into the catalog that comes with the
 # program: catalog/planned/mM-KIND-kK.jsonl, a file for block sizes from K up to the next, gets a
 # line for each cell of its range (construct/registry.hpp) that has no design yet, or a better one.
-# Lines that are there stay: labels last. New lines carry the day on which they came. Takes some minutes; build the program anew afterwards, and
-# once more from here if designs were added, until nothing is added.
+# Lines that are there stay: labels last. New lines carry the day on which they came. Takes some
+# minutes. Build the program again afterwards, and run this again until no design is added.
 # usage: docs/tools/plan_catalog.sh [M…]   change numbers, all if none is named
 set -euo pipefail
 [[ $# -gt 0 ]] || set -- 1 2 3

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Measures shares of all pairs for several workers: loads of the busiest over the bound, by C·sqrt(W)/P.
+"""Measures shares of all pairs: loads of the busiest worker over the bound, by C·sqrt(W)/P.
 
     docs/tools/share_region.py build/release/changeover region.csv
 
-One run of the program for each number of items, room and workers: items 256, 1024, 4096; rooms P/32 … P in half octaves;
-4 to 64 workers (every fifth with a last argument 5). Prints a summary; the file has a row for each.
+One run of the program for each number of items, room and workers: items 256, 1024, 4096; rooms P/32
+… P in half octaves; 4 to 64 workers (every fifth with a last argument 5). Prints a summary; the
+file has a row for each.
 """
 
 import concurrent.futures
@@ -55,7 +56,8 @@ def main():
         of = [row for row in rows if row["items"] == items]
         worst = max(of, key=lambda row: row["over"])
         print(
-            f"P = {items}: mean {sum(row['over'] for row in of) / len(of):.4f}, worst {worst['over']:.3f} "
+            f"P = {items}: mean {sum(row['over'] for row in of) / len(of):.4f}, "
+            f"worst {worst['over']:.3f} "
             f"at C = {worst['room']}, W = {worst['workers']} ({worst['method']}); "
             f"{sum(row['over'] > 1.15 for row in of)} of {len(of)} above 1.15, "
             f"{sum(row['over'] > 1.25 for row in of)} above 1.25; "

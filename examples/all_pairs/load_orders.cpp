@@ -64,8 +64,9 @@ Step first_step(std::uint64_t count) {
 
 Step exchange(Element in, Element out) { return {0, {out}, {in}}; }
 
-// Rounds of C−1 held items, the last place being the last entry of `memory`. With `hold_the_last`, what
-// passed last counts among those to be held next and one of the old ones becomes the place to pass.
+// Rounds of C−1 held items, the last place being the last entry of `memory`. With `hold_the_last`,
+// what passed last counts among those to be held next and one of the old ones becomes the place to
+// pass.
 Steps rounds(std::uint64_t items, std::uint64_t room, bool hold_the_last) {
   Steps steps{first_step(std::min(items, room))};
   if (items <= room) {

@@ -5,11 +5,12 @@
 //
 //   beta      BETA [MohoneyEtAl2021]: keep C−1 items, pass all others through the last place,
 //             replace the C−1 by others that are not done, repeat on the rest
-//   hold      hold C−1 items and stream the rest, repeat: what one writes down first; where the held items
-//             change, the one that passed last is held too
-//   tiles     square tiles of ⌊C/2⌋ by ⌊C/2⌋ items, row by row, with a least-recently-used cache of C
-//   exhaustive  every block of ⌊C/2⌋ against every block, in both orders of the two, half of the pairs each
-//             time, with a least-recently-used cache of C: exhaustive matching in COLMAP
+//   hold      hold C−1 items and stream the rest, repeat: what one writes down first; where the held
+//             items change, the one that passed last is held too
+//   tiles     square tiles of ⌊C/2⌋ by ⌊C/2⌋ items, row by row, with a least-recently-used cache of
+//             C
+//   exhaustive  every block of ⌊C/2⌋ against every block, in both orders of the two, half of the
+//             pairs each time, with a least-recently-used cache of C: exhaustive matching in COLMAP
 //             [SchonbergerFrahm2016], whose blocks have 50 images
 //
 //   comet     COMET [WaleffeEtAl2023]: BETA of groups of items, which come and go together
@@ -17,8 +18,8 @@
 //             partitions are the points of the affine space over the field of 4 elements, its lines
 //             are what a GPU holds, one parallel class of lines after another
 //
-// Written from the descriptions, for comparison: nothing in the library plans with them. All are load
-// orders in the sense of loadorder/load_order.hpp, held in memory step by step.
+// Written from the descriptions, for comparison: nothing in the library plans with them. All are
+// load orders in the sense of loadorder/load_order.hpp, held in memory step by step.
 #pragma once
 
 #include <cstdint>

@@ -6,9 +6,11 @@ usage: workbook.py make OUT.xlsx SHEET=TABLE.csv...
        workbook.py play RUN.xlsx OUT.xlsx TESTS [FAULT]...
        workbook.py show BOOK.xlsx SHEET
 
-`make` writes a workbook as a spreadsheet program would: a sheet for each CSV file. `fill` does what a person does at the bench: it
-writes a result into the column `result` of the sheet `Run sheet`, or of another one, `RUN.xlsx:North`, in the row of that step. `play` is a bench: the first TESTS of the
-sheet are run, and those fail that have all parts of a FAULT, "CD8" or "X710,CD8". `show` prints a sheet as CSV. The same input makes the same bytes.
+`make` writes a workbook as a spreadsheet program would: a sheet for each CSV file. `fill` does what
+a person does at the bench: it writes a result into the column `result` of the sheet `Run sheet`, or
+of another one, `RUN.xlsx:North`, in the row of that step. `play` is a bench: the first TESTS of the
+sheet are run, and those fail that have all parts of a FAULT, "CD8" or "X710,CD8". `show` prints a
+sheet as CSV. The same input makes the same bytes.
 """
 
 import csv
@@ -76,9 +78,11 @@ def make(path, sheets):
             (
                 "[Content_Types].xml",
                 f'{head}<Types xmlns="{PACKAGE}/content-types"><Default Extension="rels" ContentType='
-                '"application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="xml" ContentType="application/xml"/>'
+                '"application/vnd.openxmlformats-package.relationships+xml"/>'
+                '<Default Extension="xml" ContentType="application/xml"/>'
                 '<Override PartName="/xl/workbook.xml" ContentType='
-                f'"application/vnd.openxmlformats-officedocument.spreadsheetml.sheet.main+xml"/>{types}</Types>',
+                '"application/vnd.openxmlformats-officedocument.spreadsheetml.sheet.main+xml"/>'
+                f"{types}</Types>",
             ),
             (
                 "_rels/.rels",
@@ -87,7 +91,8 @@ def make(path, sheets):
             ),
             (
                 "xl/workbook.xml",
-                f'{head}<workbook xmlns="{MAIN}" xmlns:r="{KIND}"><sheets>{book}</sheets></workbook>',
+                f'{head}<workbook xmlns="{MAIN}" xmlns:r="{KIND}"><sheets>{book}</sheets>'
+                "</workbook>",
             ),
             (
                 "xl/_rels/workbook.xml.rels",
@@ -147,7 +152,8 @@ class Sheet:
 
 
 def fill(book, path, results, name="Run sheet"):
-    """results: what is written in the column `result`, by step; or a function that says it of Sheet.table(). `name` is the sheet, that of a bench if there are several."""
+    """results: what is written in the column `result`, by step; or a function that says it of
+    Sheet.table(). `name` is the sheet, that of a bench if there are several."""
     source, _, named = book.partition(".xlsx:")
     source, name = (source + ".xlsx", named) if named else (book, name)
     run = Sheet(source, name)

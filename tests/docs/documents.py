@@ -1,8 +1,9 @@
 """documents.py ROOT BUILD REQUESTS: requests and answers are what docs/schema says, at every door; docs/doors.md is
 what the program says.
 
-So many requests of plans, and of load orders, are made at random from the schema's own keys; an answer is asked for on
-the command line, of the server and in Python, and is the same document at each of them.
+So many requests of plans, and of load orders, are made at random from the schema's own keys; an
+answer is asked for on the command line, of the server and in Python, and is the same document at
+each of them.
 """
 
 import json

@@ -3,8 +3,9 @@
 
 usage: run_pages.py ROOT BUILD [--slow] [--write] PAGE...
 
-A page is one session in a folder of its own, from top to bottom. A command is a line of an indented block that begins
-with "$ "; what it prints, on either stream, is what stands below it in that block, up to the next command.
+A page is one session in a folder of its own, from top to bottom. A command is a line of an indented
+block that begins with "$ "; what it prints, on either stream, is what stands below it in that
+block, up to the next command.
 
     $ changeover design 6 4 --format text | head -n 1
     # changeover design v=6 k=4 change=2 kind=circular
@@ -18,8 +19,8 @@ Output is compared line by line, but
     nothing               if nothing is shown, what is printed is not looked at; then the command must have succeeded
                           (exit code 0, or 10, 20 or 30 of a search)
 
-"$ cat FILE" of a file that is not there yet makes it: it is shown to be put there. Comments in HTML, which no reader sees,
-say the rest, for the block that comes next:
+"$ cat FILE" of a file that is not there yet makes it: it is shown to be put there. Comments in
+HTML, which no reader sees, say the rest, for the block that comes next:
 
     <!-- not run: why -->     it is not run
     <!-- slow -->             it is run with --slow only
@@ -29,7 +30,8 @@ say the rest, for the block that comes next:
     <!-- needs: PROGRAM -->   it is run where there is such a program; module:NAME, where Python has it
     <!-- is in: FILE -->      the fenced code that comes next is a part of FILE, line for line
 
-Fenced code in C++ (```cpp) must compile. With --write what was printed is put where a difference was found.
+Fenced code in C++ (```cpp) must compile. With --write what was printed is put where a difference
+was found.
 """
 
 import argparse

@@ -11,7 +11,8 @@
 // one more, of elements that are left, into two neighbouring blocks by exchanges that keep all
 // steps. Pairs that are then uncovered are annealed away: a move exchanges two elements in a
 // stretch of blocks in which one of them is and the other is not. What comes out is verified here
-// and again by the program that reads it. Results depend on the design, the numbers and the seed alone.
+// and again by the program that reads it. Results depend on the design, the numbers and the seed
+// alone.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

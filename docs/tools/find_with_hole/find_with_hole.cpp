@@ -4,18 +4,18 @@
 //     find_with_hole [open] K W NEW PARTS LACKING [SEED] [SECONDS] > DESIGN
 //
 // V is a list on W elements, in which PARTS disjoint unchanged subsets of K−1 elements hold all but
-// the *hole*. P has the hole and NEW elements; K−1 elements U of the hole are in its first block and
-// in V's last. P is looked for first: it meets LACKING pairs of the hole, which ones is its choice.
-// V then covers all pairs of its elements but these. Both make a linear design or, with `open`, a
-// list with open ends: U_1, K−1 more elements of the hole, are in V's first block, U_2, K−1 new
-// ones, in P's last, and no pair of the one with the other is asked for.
+// the *hole*. P has the hole and NEW elements; K−1 elements U of the hole are in its first block
+// and in V's last. P is looked for first: it meets LACKING pairs of the hole, which ones is its
+// choice. V then covers all pairs of its elements but these. Both make a linear design or, with
+// `open`, a list with open ends: U_1, K−1 more elements of the hole, are in V's first block, U_2,
+// K−1 new ones, in P's last, and no pair of the one with the other is asked for.
 //
 // Each list is annealed: a move exchanges two elements in a stretch of blocks in which one of them
 // is and the other is not, half of the moves are aimed at a pair that is uncovered. The unchanged
 // subsets of V are at places drawn for each try, and no move touches them. An element has one bit
-// for each block, so a list has at most 64. What comes out is verified here and again by the program
-// that reads it. Results depend on the numbers and the seed, and on SECONDS only in when it gives
-// up.
+// for each block, so a list has at most 64. What comes out is verified here and again by the
+// program that reads it. Results depend on the numbers and the seed, and on SECONDS only in when it
+// gives up.
 #include <algorithm>
 #include <array>
 #include <bit>
