@@ -65,7 +65,7 @@ def compiled_in(program):
 
 def main(program):
     libraries = set(re.findall(r"=> (/\S+)", output("ldd", program)))
-    # What the program loads late is in it by its name, as a string of its own.
+    # What the program loads late is in it by its name, as a separate string.
     names = set(re.findall(rb"\0(lib[a-z]+\.so\.[0-9]+)\0", pathlib.Path(program).read_bytes()))
     for name, place in re.findall(r"(\S+) \([^)]*\) => (/\S+)", output("/sbin/ldconfig", "-p")):
         if name.encode() in names and machine_of(place) == machine_of(program):

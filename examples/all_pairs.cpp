@@ -13,7 +13,7 @@
 //
 //     mpirun -n 4 all_pairs run vectors.f32 1048576 --chunk 8 --memory 512M --journal job
 //
-// Each process takes its share with --memory of its own, and all write to the same FILE.gram: the
+// Each process takes its share with its own --memory, and all write to the same FILE.gram: the
 // result is that of one process, byte by byte. Process i has the journal job.i. If one fails, or is
 // interrupted, all end.
 //
@@ -62,7 +62,7 @@ struct Usage {
   std::string message;
 };
 
-// Somebody asked to stop: by a signal, or another process of the same job.
+// A signal asked to stop, or another process of the same job.
 struct Stopped {};
 
 std::atomic<bool> interrupted = false;
@@ -369,7 +369,7 @@ void describe(const std::vector<Part>& parts) {
                   static_cast<double>(all.buffer_bytes) / 1e6, all.seconds, all.waited_seconds));
 }
 
-// If nobody hears it, the code still says it.
+// If standard error cannot be written, the code still says it.
 int complain(int code, const std::string& message) {
   std::fputs(("all_pairs: " + message + "\n").c_str(), stderr);
   return code;
@@ -433,7 +433,7 @@ int run(const Job& job, Processes& processes) {
     return processes.gather(part);
   };
   std::unique_ptr<Gram> gram;
-  // Nobody writes before all have found that they can.
+  // No process writes before all have found that they can.
   bool asked = false;
   const auto before_writing = [&] {
     asked = true;

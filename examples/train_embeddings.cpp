@@ -5,8 +5,8 @@
 //
 // The nodes are in parts, which lie on the disk; a worker holds a few of them and trains on the
 // edges between every two. The order (changeover loadorder --disjoint --write-back) gives no part
-// to two workers at once, so that no worker needs a lock. Each part has an owner that is set for the
-// time in which it is trained on; if another worker owns it then, the program aborts.
+// to two workers at once, so that no worker needs a lock. Each part has an owner that is set for
+// the time in which it is trained on; if another worker owns it then, the program aborts.
 //
 // The model: sigmoid(a·b) for nodes a and b is near 1 if they share an edge, and near 0 for b
 // replaced by another node of its part. One pass over the edges is one epoch. The same seed gives
@@ -179,10 +179,10 @@ class Owners {
   explicit Owners(std::uint64_t parts) : owner_(static_cast<std::size_t>(parts)) {}
 
   void take(Element part, std::uint64_t worker) {
-    std::uint64_t nobody = 0;
-    if (!owner_[part].compare_exchange_strong(nobody, worker + 1)) {
+    std::uint64_t owner = 0;
+    if (!owner_[part].compare_exchange_strong(owner, worker + 1)) {
       fmt::print(stderr, "train_embeddings: worker {} takes part {}, which worker {} has\n", worker,
-                 part, nobody - 1);
+                 part, owner - 1);
       std::abort();
     }
     ++taken_;

@@ -43,7 +43,7 @@ def metadata() -> str:
 
 
 def sources() -> list[str]:
-    """The files of a source archive: those that git knows, or without git all but what builds leave."""
+    """The files of a source archive: what git knows, or without git all but what builds leave."""
     listed = subprocess.run(["git", "ls-files", "-z"], cwd=root, capture_output=True, text=True)
     if (root / ".git").exists() and listed.returncode == 0:
         return sorted(

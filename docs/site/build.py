@@ -47,7 +47,7 @@ def places() -> dict:
 
 
 def retarget(text: str, source: str, pages: dict) -> tuple:
-    """The text with its relative links turned to the site, and the files outside that it links to."""
+    """The text with relative links turned to the site, and the files outside that it links to."""
     wanted = set()
     folder = os.path.dirname(source)
 
@@ -122,7 +122,7 @@ def stage(folder: pathlib.Path, static: pathlib.Path, program: pathlib.Path) -> 
     wanted = set()
     for source, page in pages.items():
         if page == "index.md":
-            continue  # The site has a first page of its own.
+            continue  # The site has its own first page.
         text, files = retarget((root / source).read_text(encoding="utf-8"), source, pages)
         (folder / page).write_text(text, encoding="utf-8")
         wanted |= files

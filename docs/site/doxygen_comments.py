@@ -114,7 +114,7 @@ def of_cpp(lines: list) -> list:
 
 
 def of_c(text: str) -> list:
-    """Comments /* … */ on their own lines belong to what follows, and behind a member to the member."""
+    """Comments /* … */ on their own lines belong to what follows, behind a member to the member."""
     out, lines, i, is_head = [], text.split("\n"), 0, True
     while i < len(lines):
         if not lines[i].startswith("/*"):

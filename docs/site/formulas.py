@@ -92,7 +92,7 @@ def line_to_latex(line: str) -> str:
 
 
 def to_latex(text: str) -> str:
-    """An indented formula; several lines are rows, and the condition of a row (*if …*) is a column."""
+    """An indented formula; several lines are rows, and what is behind a * in a row is a column."""
     rows = []
     for line in text.split("\n"):
         formula, mark, condition = line.partition("*")
@@ -109,7 +109,7 @@ SCRIPT = re.compile(r"(?<=[\w)\]′*\u0304∞])(?<!_)([_^])(\{[^{}]*\}|\d+|[^\W\
 
 
 def scripts(text: str) -> list:
-    """The text in pieces ("", text), ("_", subscript), ("^", superscript), as the explorer reads it:
+    """The text in pieces ("", text), ("_", subscript), ("^", superscript), as the explorer has it:
     B_{i+1}, x_p, n^2; a word after a word is a name and no subscript (a_file)."""
     pieces, seen = [], 0
     for match in SCRIPT.finditer(text):

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fills docs/minima.csv for at most SECONDS (default 1500) and writes docs/minima.md anew from it.
+# Fills docs/minima.csv for at most SECONDS (default 1500) and writes docs/minima.md from it.
 # It can be stopped and goes on where it was. Rows that are settled stay; open ones are tried again
 # only with more CONFLICTS for a number of blocks (default 100000). Needs a release build.
 # usage: docs/tools/minima.sh [SECONDS [CONFLICTS]]

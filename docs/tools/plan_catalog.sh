@@ -44,7 +44,8 @@ for change in "$@"; do
             getline header[file] < file
             close(file)
           }
-          return index(header[file], credit) ? line : substr(line, 1, length(line) - 1) "," credit "}"
+          if (index(header[file], credit)) return line
+          return substr(line, 1, length(line) - 1) "," credit "}"
         }
         /"label"/ { look($0); if (!(cell in best) || b < best[cell]) best[cell] = b }
         END {

@@ -66,7 +66,7 @@ inline void require_space(const std::string& path, std::uint64_t bytes) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   struct statvfs status {};
   if (::statvfs(folder.empty() ? "." : folder.c_str(), &status) != 0) {
-    return;  // whoever opens the file says better what is wrong
+    return;  // opening the file gives the better message
   }
   const auto pages = static_cast<std::uint64_t>(status.f_bavail);
   if (status.f_frsize != 0 && bytes / status.f_frsize >= pages) {

@@ -5,8 +5,8 @@
 //
 //   beta      BETA [MohoneyEtAl2021]: keep C−1 items, pass all others through the last place,
 //             replace the C−1 by others that are not done, repeat on the rest
-//   hold      hold C−1 items and stream the rest, repeat: what one writes down first; where the held
-//             items change, the one that passed last is held too
+//   hold      hold C−1 items and stream the rest, repeat: what one writes down first; where the
+//             held items change, the one that passed last is held too
 //   tiles     square tiles of ⌊C/2⌋ by ⌊C/2⌋ items, row by row, with a least-recently-used cache of
 //             C
 //   exhaustive  every block of ⌊C/2⌋ against every block, in both orders of the two, half of the

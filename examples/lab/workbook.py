@@ -77,7 +77,8 @@ def make(path, sheets):
         [
             (
                 "[Content_Types].xml",
-                f'{head}<Types xmlns="{PACKAGE}/content-types"><Default Extension="rels" ContentType='
+                f'{head}<Types xmlns="{PACKAGE}/content-types">'
+                '<Default Extension="rels" ContentType='
                 '"application/vnd.openxmlformats-package.relationships+xml"/>'
                 '<Default Extension="xml" ContentType="application/xml"/>'
                 '<Override PartName="/xl/workbook.xml" ContentType='

@@ -1,4 +1,4 @@
-"""Runs on clusters, without one: stretches, the memory of a worker, journals, who does what, simulations."""
+"""Runs on clusters, without one: stretches, memory of a worker, journals, shares, simulations."""
 
 import collections
 import itertools

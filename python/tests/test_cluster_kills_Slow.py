@@ -1,4 +1,4 @@
-"""A hundred workers of a Dask cluster are killed, at any time; every pair comes once all the same."""
+"""A hundred workers of a Dask cluster are killed, at any time; every pair still comes once."""
 
 import itertools
 import logging

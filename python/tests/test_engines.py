@@ -126,8 +126,8 @@ class Bags(unittest.TestCase):
 
 
 class RayStandIn(types.ModuleType):
-    """What the engine uses of Ray, as Ray's manual describes it: actors, calls that are waited for, and
-    actors that die. The real one is used where it is installed (docs/cluster.md)."""
+    """What the engine uses of Ray, as Ray's manual describes it: actors, calls that are waited for,
+    and actors that die. The real one is used where it is installed (docs/cluster.md)."""
 
     class exceptions:
         class RayError(Exception):

@@ -1,5 +1,6 @@
-"""What may go wrong in a run on a cluster, without one: functions that raise anything, results that cannot travel,
-journals that were cut and spliced, workers that hang, jobs that were left, absurd numbers."""
+"""What may go wrong in a run on a cluster, without one: functions that raise anything, results
+that cannot travel, journals that were cut and spliced, workers that hang, jobs that were left,
+absurd numbers."""
 
 import functools
 import gc

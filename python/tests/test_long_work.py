@@ -1,4 +1,4 @@
-"""What takes long: limits, progress, Ctrl-C, threads; searches, plans, load orders, the executor."""
+"""Long work: limits, progress, Ctrl-C, threads; searches, plans, load orders, the executor."""
 
 import contextlib
 import itertools

@@ -1,4 +1,4 @@
-"""Load orders with all that they may be told: pairs of every kind, workers, what steps compute and store."""
+"""Load orders with all their options: pairs of every kind, workers, what steps compute."""
 
 import collections
 import itertools

@@ -1,12 +1,11 @@
 #!/usr/bin/python3
-"""Reads the site as it was built, or the pages of the sources, and says what is wrong with their links.
+"""Reads the site as it was built, or the pages of the sources, and lists their broken links.
 
 usage: check_site.py SITE          all HTML, style sheets and scripts of a folder
-       check_site.py --pages ROOT  README.md and the other pages of the sources, as a code host shows them
+       check_site.py --pages ROOT  the pages of the sources, as a code host shows them
 
 Of a site: nothing that a page loads (scripts, styles, pictures, fonts, frames) is anywhere but in
-the site, links between pages lead to files and anchors that are there, and no script has an address
-of its own to ask. Of the sources: links lead to files and headings that are there.
+the site, links between pages lead to files and anchors that are there, and no script has an address to ask. Of the sources: links lead to files and headings that are there.
 """
 
 import html.parser
@@ -243,7 +242,8 @@ def page_faults(root):
                     and anchor not in headings(there.read_text(encoding="utf-8"))
                 ):
                     faults.append(
-                        f"{page.relative_to(root)}:{number}: leads to {address}, but there is no such heading"
+                        f"{page.relative_to(root)}:{number}: leads to {address}, "
+                        "but there is no such heading"
                     )
     return faults
 

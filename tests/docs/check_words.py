@@ -1,20 +1,28 @@
 #!/usr/bin/env python3
-"""Finds words that readers stumble over (docs/style.md): in what the program, its pages and its documentation say, and in comments.
+"""Finds words that readers stumble over (docs/style.md): in what the program, its pages and its
+documentation say, and in comments.
 
-usage: check_words.py ROOT   prints FILE:LINE: the words, and what to say instead; exit code 1 if there are any
+usage: check_words.py ROOT   prints FILE:LINE: the words, and what to say instead; exit code 1 if
+                             there are any
 """
 
 import pathlib
 import re
 import sys
 
-READ = ("README.md", "src", "apps", "include", "python", "docs", "web/src")
+READ = (
+    "README.md", "CHANGELOG.md", "HACKING.md", "CONTRIBUTING.md", "SECURITY.md", "CITATION.cff",
+    "CMakeLists.txt", "pyproject.toml", "dev", ".ci", ".github", "src", "apps", "include", "python",
+    "docs", "web/src", "examples",
+)
 # Proofs and histories stay as they were written; style.md shows the words.
 LEFT_OUT = ("docs/theorems.md", "docs/style.md")
 SUFFIXES = {
     ".cpp", ".hpp", ".c", ".h", ".py", ".pyi", ".md", ".ts", ".css", ".html", ".json", ".csv",
-    ".bib", ".txt", ".sh", ".in", ".dox", ".cmake", ".svg",
+    ".bib", ".txt", ".sh", ".in", ".dox", ".cmake", ".svg", ".cff", ".toml", ".yml", ".mjs",
 }
+# Programs without a suffix.
+NAMES = {"dev", "artifacts", "bare_machine", "nightly", "release", "run", "pre-commit", "pre-push"}
 
 # Each as a pattern, in which a space is any gap (also one between two lines of a comment), and what
 # to say instead.
@@ -38,7 +46,8 @@ WORDS = [
     ("colou?r says what|what a colou?r says", "Colour by, what a colour shows"),
     ("point at a cell", "select a cell"),
     (
-        "a (test|set-up|part|pair|slot|bench|block|file|line|step|row|item|object|rule) a (line|row|kind|file|bench|cell|block)",
+        "an? (test|set-up|part|pair|slot|bench|block|file|line|step|row|item|object|rule|colou?r|"
+        "script|column|byte) an? (line|row|kind|file|bench|cell|block|part|picture|page|factor)",
         "one … per …",
     ),
     ("parts called", "parts named"),
@@ -65,7 +74,8 @@ def files(root):
     for name in READ:
         top = root / name
         for path in [top] if top.is_file() else sorted(top.rglob("*")):
-            if (path.is_file() and path.suffix in SUFFIXES and "__pycache__" not in path.parts
+            if (path.is_file() and (path.suffix in SUFFIXES or path.name in NAMES)
+                    and not {"__pycache__", "corpus"} & set(path.parts)
                     and path.relative_to(root).as_posix() not in LEFT_OUT):
                 yield path
 

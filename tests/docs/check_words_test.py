@@ -48,12 +48,19 @@ class Words(unittest.TestCase):
     def test_each_room_is_read(self):
         for name in [
             "README.md", "src/a/b.hpp", "apps/a/main.c", "include/a.hpp", "python/a/b.py",
-            "docs/schema/a.json", "docs/a.md", "docs/tools/a.sh", "web/src/a/b.ts",
+            "docs/schema/a.json", "docs/a.md", "docs/tools/a.sh", "web/src/a/b.ts", "CHANGELOG.md",
+            "HACKING.md", "CONTRIBUTING.md", "SECURITY.md", "CMakeLists.txt", "dev", ".ci/run",
+            ".ci/hooks/pre-commit", ".github/workflows/a.yml", "examples/a.cpp",
+            "examples/lab/README.md", "pyproject.toml", "CITATION.cff",
         ]:
             self.assertEqual(
                 self.checked("nobody", name),
                 ([f"{name}:1: 'nobody'; say: {check_words.WORDS[0][1]}"], 1),
             )
+
+    def test_one_per_each(self):
+        for words in ["a file a picture", "A colour a factor", "a script a kind", "a test a bench"]:
+            self.assertEqual(self.checked(f"\n{words}\n")[1], 1, words)
 
     def test_over_the_end_of_a_line(self):
         for text in [
@@ -89,7 +96,7 @@ class Words(unittest.TestCase):
     def test_what_is_left_out(self):
         (self.root / "README.md").write_text("Plain.\n", encoding="utf-8")
         for name in [
-            "docs/theorems.md", "docs/style.md", "CHANGELOG.md", "web/dist/a.js",
+            "docs/theorems.md", "docs/style.md", "web/dist/a.js", "examples/corpus/a.txt",
             "tests/a_test.cpp", "python/__pycache__/a.py", "docs/img/a.png",
         ]:
             self.assertEqual(self.checked("nobody", name), ([], 0), name)

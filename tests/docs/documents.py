@@ -1,5 +1,5 @@
-"""documents.py ROOT BUILD REQUESTS: requests and answers are what docs/schema says, at every door; docs/doors.md is
-what the program says.
+"""documents.py ROOT BUILD REQUESTS: requests and answers are what docs/schema says, at every door;
+docs/doors.md is what the program says.
 
 So many requests of plans, and of load orders, are made at random from the schema's own keys; an
 answer is asked for on the command line, of the server and in Python, and is the same document at
@@ -25,7 +25,7 @@ def check_generated():
         kept = root / f"docs/schema/changeover-{kind}-1.json"
         if run("describe", "--schema", kind).stdout != kept.read_text():
             fault(
-                f"{kept.name} is not what `changeover describe --schema {kind}` says; write it anew"
+                f"{kept.name} is not what `changeover describe --schema {kind}` says; write it again"
             )
     if run("describe", "--doors").stdout not in (root / "docs/doors.md").read_text():
         fault("docs/doors.md is not what `changeover describe --doors` says; write it anew")

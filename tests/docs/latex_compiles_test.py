@@ -2,7 +2,7 @@
 
     latex_compiles_test.py PROGRAM
 
-Runs pdflatex on each answer twice, in a folder of its own, and reads the log: no error, no box more
+Runs pdflatex on each answer twice, in a separate folder, and reads the log: no error, no box more
 than ten points too wide, nothing that floats off its page. Without pdflatex (Debian:
 texlive-latex-recommended) the test says so and is skipped; without TikZ (texlive-pictures) the
 dossiers are left out. Neither is among the packages of ./dev test, for both are large.

@@ -3,7 +3,7 @@
 
 usage: run_pages.py ROOT BUILD [--slow] [--write] PAGE...
 
-A page is one session in a folder of its own, from top to bottom. A command is a line of an indented
+A page is one session in its own folder, from top to bottom. A command is a line of an indented
 block that begins with "$ "; what it prints, on either stream, is what stands below it in that
 block, up to the next command.
 
@@ -14,20 +14,22 @@ Output is compared line by line, but
 
     a line "…"            stands for any lines, and for none
     "…" within a line     for anything
-    times, dates, rates   "0.11 s", "2026-11-21", "3.5 MB/s" and versions of the program stand for any of their kind
+    times, dates, rates   "0.11 s", "2026-11-21", "3.5 MB/s" and versions of the program stand for
+                          any of their kind
     progress              lines that say how far it is, which come after some seconds, do not count
-    nothing               if nothing is shown, what is printed is not looked at; then the command must have succeeded
-                          (exit code 0, or 10, 20 or 30 of a search)
+    nothing               if nothing is shown, what is printed is not looked at; then the command
+                          must have succeeded (exit code 0, or 10, 20 or 30 of a search)
 
 "$ cat FILE" of a file that is not there yet makes it: it is shown to be put there. Comments in
 HTML, which no reader sees, say the rest, for the block that comes next:
 
     <!-- not run: why -->     it is not run
     <!-- slow -->             it is run with --slow only
-    <!-- quick: OPTIONS -->   without --slow, commands of changeover get these options, too: fewer moves of a search whose
-                              figures are not shown
+    <!-- quick: OPTIONS -->   without --slow, commands of changeover get these options, too:
+                              fewer moves of a search whose figures are not shown
     <!-- first: COMMAND -->   COMMAND is run before, at its place in the session
-    <!-- needs: PROGRAM -->   it is run where there is such a program; module:NAME, where Python has it
+    <!-- needs: PROGRAM -->   it is run where there is such a program; module:NAME, where
+                              Python has it
     <!-- is in: FILE -->      the fenced code that comes next is a part of FILE, line for line
 
 Fenced code in C++ (```cpp) must compile. With --write what was printed is put where a difference
@@ -73,7 +75,7 @@ class Code:
 
 
 def parse(text):
-    """The commands and the fenced code of a page, in order. Raises ValueError where a mark leads to nothing."""
+    """The commands and fenced code of a page, in order; ValueError if a mark leads to nothing."""
     found, marks, i = [], [], 0
     lines = text.split("\n")
     while i < len(lines):
@@ -93,7 +95,8 @@ def parse(text):
             before = next((line for line in reversed(lines[:i]) if line.strip()), "")
             if re.match(r"\s*([-*+]|\d+[.)]) |  ", before):
                 raise ValueError(
-                    f"line {i + 1}: this is read as a part of the list before it; put a sentence between them"
+                    f"line {i + 1}: this is read as a part of the list before it; "
+                    "put a sentence between them"
                 )
             kinds = {what for _, what, _ in marks}
             first = [words for _, what, words in marks if what == "first"]

@@ -65,7 +65,7 @@ class Annealing {
     return missing_ == 0;
   }
 
-  /// From shares that are right to others that are, whose base shares have pairs of their own in
+  /// From shares that are right to others that are, whose base shares have their own pairs in
   /// numbers that are more even.
   Shares even_out(long moves) {
     begin_amounts();

@@ -5,7 +5,7 @@
 //     find_shares 20000 7 < TABLE > NEW_TABLE    20,000 tries, seed 7
 //
 // TABLE is src/loadorder/shares/groups/share_table.inc (docs/tools/find_shares.sh compiles it and
-// puts the new table in place.) A program of its own: it includes nothing of the library, which
+// puts the new table in place.) A separate program: it includes nothing of the library, which
 // reads each line of the table again.
 //
 // *A line* "n m | A / S | A / S …" has base shares (A, S) of Z_n, m a divisor of n; the workers are

@@ -147,7 +147,7 @@ inline double unevenness(const Shares& shares, const Orbits& orbits) {
   constexpr int rounds = 300;
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t o = 0; o < all; ++o) {
-      // What is there is poured anew over those that have any of it.
+      // What is there is poured again over those that have any of it.
       std::vector<std::pair<double, std::size_t>> who;
       for (std::size_t b = 0; b < bases; ++b) {
         if (part[o][b] > 0) {

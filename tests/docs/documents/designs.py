@@ -11,7 +11,8 @@ from doors import build, changeover, fault, fits, program, root, run
 
 
 def check_designs(server, count):
-    """The same document at each door; read again, it is the same design; damaged, it is refused or judged anew."""
+    """The same document at each door; read again, it is the same design; damaged, it is refused or
+    judged again."""
     rng = random.Random(3)
     keys = set()
     cells = [

@@ -12,7 +12,8 @@ from doors import fault, fits, root, run
 
 
 def keys_of(said, inside, schemas, found):
-    """Takes out of `found` the optional keys that this answer has: what is left of an object of the schemas was never said."""
+    """Takes out of `found` the optional keys that this answer has: what is left of the schemas was
+    never said."""
     name, at = inside
     while "$ref" in at:
         file, _, path = at["$ref"].partition("#")
@@ -35,7 +36,7 @@ def keys_of(said, inside, schemas, found):
 
 
 def unpack(shelf):
-    """The designs of a file of `serve --export`, as packed_designs.hpp says that they are written."""
+    """The designs of a file of `serve --export`, as packed_designs.hpp says they are written."""
     index, _, rest = shelf.partition(b"\n")
     for design in json.loads(index):
         at, way = design.pop("at"), design.pop("way")
@@ -71,7 +72,8 @@ def unpack(shelf):
 
 
 def check_explorer(server):
-    """What the explorer's pages are answered, and the files of `serve --export`, at each address that the schema has."""
+    """What the explorer's pages are answered, and the files of `serve --export`, at each address of
+    the schema."""
     schemas = {
         file.name: json.loads(file.read_text()) for file in (root / "docs/schema").glob("*.json")
     }
@@ -85,7 +87,8 @@ def check_explorer(server):
         )
         if problem:
             fault(
-                f"{where or method} api/{address}: against its schema ({problem.message}) at {list(problem.absolute_path)}"
+                f"{where or method} api/{address}: against its schema ({problem.message}) "
+                f"at {list(problem.absolute_path)}"
             )
         keys_of(answer, ("explorer-1.json", said[method]["properties"][address]), schemas, found)
         return answer

@@ -7,7 +7,8 @@ from doors import changeover, fault, fits, jsonschema, root, run, schema
 
 
 def check_loads(server, count):
-    """The same refusals by the schema and by the program; the same document at each door that knows the options."""
+    """The same refusals by the schema and by the program; the same document at each door that knows
+    the options."""
     rng = random.Random(2)
     line = schema("changeover-loads-1")
     answered = 0
@@ -95,7 +96,8 @@ def check_loads(server, count):
         }
         if for_all and (by_line.returncode == 0) != ("error" not in by_server):
             fault(
-                f"the server and the command line disagree: {body} {by_line.stderr} {by_server.get('error')}"
+                f"the server and the command line disagree: {body} {by_line.stderr} "
+                f"{by_server.get('error')}"
             )
         if (
             set(ask)

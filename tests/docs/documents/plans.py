@@ -235,7 +235,8 @@ def check_plans(server, count):
 
 
 def check_workbooks(server):
-    """A workbook is the same question at each door: its lists on other sheets, and a run sheet that was filled in."""
+    """A workbook is the same question at each door: its lists on other sheets, and a run sheet that
+    was filled in."""
     tables = {
         "Parts": "part,slot,swap (min),qty\nXeon,CPU,5,1\nEpyc,CPU,4,1\nA,DIMM,2,4\nB,DIMM,2,2\nE810,NIC,3,1\nX710,NIC,1,1\n",
         "Slots": "slot,min,max\nCPU,1,1\nDIMM,3,3\nNIC,1,1\n",
