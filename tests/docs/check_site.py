@@ -5,7 +5,8 @@ usage: check_site.py SITE          all HTML, style sheets and scripts of a folde
        check_site.py --pages ROOT  the pages of the sources, as a code host shows them
 
 Of a site: nothing that a page loads (scripts, styles, pictures, fonts, frames) is anywhere but in
-the site, links between pages lead to files and anchors that are there, and no script has an address to ask. Of the sources: links lead to files and headings that are there.
+the site, links between pages lead to files and anchors that are there, and no script has an address
+to ask. Of the sources: links lead to files and headings that are there.
 """
 
 import html.parser
