@@ -33,11 +33,22 @@ def version() -> str:
     return found.group(1)
 
 
+def listed(name: str) -> list[str]:
+    """The texts of a list in pyproject.toml. (Python has a reader of TOML from 3.11 on only.)"""
+    text = (root / "pyproject.toml").read_text(encoding="utf-8")
+    found = re.search(rf"^{name} = \[(.*?)^\]", text, re.M | re.S)
+    if not found:
+        raise RuntimeError(f"pyproject.toml: no list '{name}'")
+    return re.findall(r'"([^"]+)"', found.group(1))
+
+
 def metadata() -> str:
+    classifiers = "".join(f"Classifier: {each}\n" for each in listed("classifiers"))
     return (
         f"Metadata-Version: 2.1\nName: {name}\nVersion: {version()}\n"
         "Summary: Finds, proves, draws and runs change covering designs\n"
         "License: MIT\nAuthor: The Changeover developers\nRequires-Python: >=3.9\n"
+        f"Keywords: {','.join(listed('keywords'))}\n{classifiers}"
         "Description-Content-Type: text/markdown\n\n" + (root / "docs/python.md").read_text()
     )
 
