@@ -5,7 +5,7 @@ add_library(changeover_c SHARED "${PROJECT_SOURCE_DIR}/src/loadorder/c_interface
 add_library(changeover::c ALIAS changeover_c)
 set(exports "${PROJECT_SOURCE_DIR}/cmake/c_library.map")
 # The number of the binary interface, in the library's soname. It is not the version of the project: it is raised when a
-# program that was linked before would no longer work, and by nothing else (docs/packages.md).
+# program that was linked before would no longer work, and by nothing else (CONTRIBUTING.md).
 set(CHANGEOVER_C_INTERFACE 0)
 # What is exported since when, in the words of Debian's symbols files; tests/install holds the library to it.
 set(CHANGEOVER_C_SYMBOLS "${PROJECT_SOURCE_DIR}/cmake/packages/libchangeover_loadorder.symbols")
