@@ -295,9 +295,11 @@ SearchJobs::Found SearchJobs::search_locally(const Job& job) {
     Design design = (*std::move(result.design)).take();
     found.design = better || !design.recipe ? credited(order, std::move(design), "") : design;
   }
-  const std::string known = count_of(result.started_from.value_or(0), "block");
+  const std::string known = result.started_from
+                                ? count_of(*result.started_from, "block") + " were known"
+                                : "none was known";
   found.message = !found.design               ? stopped_early(result.why_stopped)
-                  : better                    ? fmt::format("{}; {} were known", result.how, known)
+                  : better                    ? fmt::format("{}; {}", result.how, known)
                   : result.unsearched.empty() ? "nothing better was found"
                                               : "no search was made: " + result.unsearched;
   return found;
