@@ -10,6 +10,10 @@ test('what is known, and why', async (explorer) => {
     await page.locator('.known').textContent(),
     /\d+ blocks.*best known.*over the lower bound \d+/s,
   );
+  assert.match(
+    await page.getByRole('list', { name: 'Numbers of blocks' }).textContent(),
+    /^up to \d+impossible\d+( to \d+)?open\d+best known$/,
+  );
   await page.locator('table.bounds math').first().waitFor();
   await page.locator('canvas.thumbnail').waitFor();
   await page.locator('#top a[aria-current=true]', { hasText: 'Catalog' }).waitFor();
@@ -108,6 +112,10 @@ test('around a cell without a design are lower bounds, in italics', async (explo
   assert.equal(await own.textContent(), bound);
   assert.equal(await own.evaluate((it) => getComputedStyle(it).fontStyle), 'italic');
   await page.getByText('In italics: no design is known').waitFor();
+  assert.equal(
+    await page.getByRole('list', { name: 'Numbers of blocks' }).textContent(),
+    `up to ${bound - 1}impossible${bound} or moreopen`,
+  );
 });
 
 test('downloads are files of the server', async (explorer) => {

@@ -288,6 +288,32 @@ test('on a phone nothing scrolls sideways but the frames', async (explorer) => {
   await phone(page, 'loadorder');
 });
 
+test('on a phone what few need comes on demand, and at a fault', async (explorer) => {
+  const page = await explorer.open('#/loadorder', { mayFail: /status of 422/ });
+  await page.setViewportSize({ width: 390, height: 844 });
+  const [fast, epochs] = ['Accelerator', 'Epochs'].map((name) =>
+    page.getByRole('spinbutton', { name, includeHidden: true }),
+  );
+  const more = page.getByRole('button', { name: /^(More|Fewer) options$/ });
+  assert.equal(await more.getAttribute('aria-expanded'), 'false');
+  assert.ok(await fast.isHidden());
+  assert.ok(await page.getByText('Several epochs').isHidden());
+  await more.click();
+  await fast.waitFor();
+  await page.getByText('Several epochs').click();
+  await epochs.fill('0');
+  await more.click();
+  await epochs.waitFor({ state: 'hidden' });
+  await page.getByRole('button', { name: 'Find an order' }).click();
+  await page.getByRole('alert').getByText('Epochs').waitFor();
+  await epochs.waitFor();
+  assert.equal(await more.getAttribute('aria-expanded'), 'true');
+  // What a link asks for is in sight.
+  const other = await explorer.open('#/loadorder?items=20&room=5&fast=3');
+  await other.setViewportSize({ width: 390, height: 844 });
+  await other.getByRole('spinbutton', { name: 'Accelerator' }).waitFor();
+});
+
 test('on a phone the answer comes into sight when it was asked for', async (explorer) => {
   const page = await explorer.open('#/loadorder?items=20&room=5');
   await page.setViewportSize({ width: 390, height: 844 });

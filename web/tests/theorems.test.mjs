@@ -160,6 +160,40 @@ test('on a phone formulas break, and what cannot scrolls in its frame', async (e
   assert.deepEqual(found.cut, []);
 });
 
+test('on a phone a line says which part is read, and leads to the others', async (explorer) => {
+  const page = await explorer.open('#/theorems?theorem=5');
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.reload();
+  await settled(page);
+  const here = page.locator('.contents-here');
+  await here.filter({ hasText: /^5 / }).waitFor();
+  await page.locator('.contents summary').click();
+  await page.locator('.contents a', { hasText: /^27 / }).click();
+  await here.filter({ hasText: /^27 / }).waitFor();
+  assert.equal(await page.locator('.contents details').getAttribute('open'), null);
+  const [line, part] = await Promise.all([
+    page.locator('.contents').boundingBox(),
+    page.locator('#theorem-27 h3').boundingBox(),
+  ]);
+  assert.ok(part.y >= line.y + line.height, 'the heading is below the line');
+  // A table of few columns with much in them: a row below the other, each with its name.
+  await page.locator('#theorem-12 .proof summary').click();
+  const tables = page.locator('#theorem-12 .long');
+  await tables.first().waitFor();
+  const wide = await tables.evaluateAll(
+    (all) => all.filter((table) => table.scrollWidth > table.parentElement.clientWidth).length,
+  );
+  assert.equal(wide, 0);
+  assert.equal(
+    await tables
+      .first()
+      .locator('td')
+      .first()
+      .evaluate((cell) => getComputedStyle(cell, '::before').content),
+    '"window "',
+  );
+});
+
 test('it looks right', async (explorer) => {
   const page = await explorer.open('#/theorems');
   await look(page, 'theorems');

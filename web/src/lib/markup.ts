@@ -102,13 +102,18 @@ function block(part: Part, links: Links): HTMLElement {
         ? h('ol', { start: part.start === 1 ? null : part.start }, items)
         : h('ul', {}, items);
     }
-    case 'table':
+    case 'table': {
+      // Few columns with much in them stand below each other on a phone, with their names.
+      const wide = (row: Inline[][]): number =>
+        row.reduce((sum, cell) => sum + plainLine(cell).length, 0);
+      const long = part.head.length < 6 && Math.max(...part.rows.map(wide)) > 30;
+      const names = part.head.map((cell) => plainLine(cell).replace(/[{}]/g, ''));
       return h(
         'div',
         { class: 'scroll', tabindex: 0, role: 'group', 'aria-label': 'Table' },
         h(
           'table',
-          {},
+          { class: long ? 'long' : null },
           h(
             'thead',
             {},
@@ -127,12 +132,13 @@ function block(part: Part, links: Links): HTMLElement {
               h(
                 'tr',
                 {},
-                row.map((cell) => h('td', {}, ...inside(cell))),
+                row.map((cell, i) => h('td', { 'data-label': names[i]! }, ...inside(cell))),
               ),
             ),
           ),
         ),
       );
+    }
   }
 }
 

@@ -5,6 +5,7 @@ import { announce, field, fill, h, select } from '../lib/dom';
 import { readRange } from '../lib/range';
 import { addGroups, atlasOf, completeness } from '../lib/source';
 import { changes, changeWord, count, kinds, number, ratio } from '../lib/words';
+import { more } from '../parts/more';
 import { badge } from '../parts/status';
 import { isCopy } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
@@ -334,22 +335,6 @@ export const catalog: Page = {
       'Random cell',
     );
 
-    // On a phone the map comes first, and how it is shown on demand.
-    const more = h(
-      'button',
-      {
-        type: 'button',
-        class: 'plain more-controls',
-        'aria-expanded': 'false',
-        onclick: () => {
-          const open = more.getAttribute('aria-expanded') === 'false';
-          more.setAttribute('aria-expanded', String(open));
-          more.textContent = open ? 'Fewer controls' : 'More controls';
-        },
-      },
-      'More controls',
-    );
-
     if (view.params.has('k') || view.params.has('v')) {
       const [k, v] = [readRange(param('k', '')), readRange(param('v', ''))];
       map.look({ ...(k ? { k } : {}), ...(v ? { v } : {}) });
@@ -379,7 +364,7 @@ export const catalog: Page = {
         choice('Change number', 'change', '2', changes),
         choice('Kind', 'kind', 'circular', kinds),
         choice('Covers', 'strength', '2', strengths),
-        more,
+        more('controls').element,
         choice('Colour by', 'measure', 'ratio', measures),
         choice('Numbers', 'number', 'b', writtens),
         field('k, block size', kRange),

@@ -12,6 +12,7 @@ import { command } from '../parts/command';
 import { copyButton } from '../parts/copy';
 import { downloads } from '../parts/downloads';
 import { busyKey, cellOf } from '../parts/fields';
+import { ladder } from '../parts/ladder';
 import { reason, recipeTree } from '../parts/recipe';
 import { badge } from '../parts/status';
 import { thumbnail } from '../parts/thumbnail';
@@ -126,12 +127,20 @@ function summary(
   const best = detail.best;
   if (!best) {
     return h(
-      'p',
-      { class: 'note' },
-      'No design with these parameters is known. ',
-      !frozen && [h('a', { href: link('search', { ...cell }) }, 'Search for one'), '.'],
-      ' ',
-      reported(detail),
+      'div',
+      { class: 'known' },
+      h(
+        'div',
+        { class: 'known-words' },
+        ladder(detail.lower_bound, null),
+        h('p', {}, 'No design with these parameters is known. ', reported(detail)),
+        !frozen &&
+          h(
+            'p',
+            { class: 'buttons' },
+            h('a', { class: 'button', href: link('search', { ...cell }) }, 'Search for one'),
+          ),
+      ),
     );
   }
   const over = detail.lower_bound === null ? 0 : best.b - detail.lower_bound;
@@ -148,6 +157,7 @@ function summary(
     h(
       'div',
       { class: 'known-words' },
+      ladder(detail.lower_bound, best.b),
       over > 0 &&
         h(
           'p',
@@ -414,7 +424,7 @@ export const cell: Page = {
         `${strength > 2 ? `.t${strength}` : ''}`,
     );
     const body = h('div', { class: 'cell-body' });
-    const begin = (): void => fill(view.root, head, under, others(wanted), body);
+    const begin = (): void => fill(view.root, head, under, body);
     walk(view, wanted);
     const frozen = isCopy();
     let detail: CellDetail;
@@ -441,6 +451,7 @@ export const cell: Page = {
     fill(
       body,
       summary(wanted, detail, frozen, figure),
+      others(wanted),
       h(
         'div',
         { class: 'cell-columns' },

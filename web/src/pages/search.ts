@@ -13,6 +13,8 @@ import { listen, retryNow } from '../lib/events';
 import { cellDetail } from '../lib/source';
 import { changes, count, kinds } from '../lib/words';
 import { about } from '../shell/about';
+import { narrow } from '../parts/lead';
+import { more } from '../parts/more';
 import { link, problem, type Page, type View } from '../shell/router';
 import { beginning } from './search/begin';
 import { jobList } from './search/list';
@@ -174,7 +176,11 @@ async function render(view: View): Promise<void> {
       'unchanged subsets hold all other elements, each once',
     ),
   );
-  const start = h('button', { type: 'submit', disabled: hindered !== null }, 'Start');
+  const start = h(
+    'button',
+    { type: 'submit', class: 'always', disabled: hindered !== null },
+    'Start',
+  );
   const known = h('p', { class: 'hint search-known', role: 'status' });
   const fault = h('div', {});
   const stream = h('p', { class: 'hint stream', role: 'status' });
@@ -279,9 +285,13 @@ async function render(view: View): Promise<void> {
     watched = id === null ? null : watch(id, hindered === null, watching.signal);
     fill(place, watched?.element);
     before.element.hidden = watched !== null;
-    if (focus) {
-      watched?.element.scrollIntoView({ block: 'nearest' });
-    }
+    const now = watched;
+    void now?.shown.then(
+      () =>
+        focus &&
+        now === watched &&
+        now.element.scrollIntoView({ block: narrow() ? 'start' : 'nearest' }),
+    );
   }
 
   async function refresh(): Promise<void> {
@@ -365,6 +375,7 @@ async function render(view: View): Promise<void> {
     h(
       'form',
       {
+        class: 'search-form',
         novalidate: true,
         onsubmit: (event) => {
           event.preventDefault();
@@ -386,6 +397,7 @@ async function render(view: View): Promise<void> {
         { class: 'row' },
         field('Method', way),
         field('Time', time),
+        more('options').element,
         field('Threads', threads),
         field('Seed', seed),
         field('Blocks wanted', blocks),
@@ -397,8 +409,7 @@ async function render(view: View): Promise<void> {
     hindered,
     fault,
     stream,
-    place,
-    list.element,
+    h('div', { class: 'search-now' }, place, list.element),
     before.element,
   );
   look();

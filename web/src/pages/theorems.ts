@@ -169,8 +169,13 @@ function land(part: HTMLElement, signal: AbortSignal): void {
   heights.observe(part.closest('.page')!);
 }
 
-/** Marks in the contents which part is read, and keeps that entry in sight. */
-function followReading(root: HTMLElement, contents: HTMLElement, signal: AbortSignal): void {
+/** Marks in the contents which part is read, says it in `here`, and keeps that entry in sight. */
+function followReading(
+  root: HTMLElement,
+  contents: HTMLElement,
+  here: HTMLElement,
+  signal: AbortSignal,
+): void {
   const entries = new Map(
     [...contents.querySelectorAll<HTMLElement>('a[data-part]')].map((entry) => [
       entry.dataset['part']!,
@@ -196,6 +201,7 @@ function followReading(root: HTMLElement, contents: HTMLElement, signal: AbortSi
     marked?.removeAttribute('aria-current');
     now.setAttribute('aria-current', 'location');
     marked = now;
+    here.textContent = now.textContent;
     const [inside, around] = [now.getBoundingClientRect(), contents.getBoundingClientRect()];
     if (
       list.offsetHeight > contents.clientHeight &&
@@ -372,6 +378,7 @@ export const theorems: Page = {
                 },
                 { quiet: true },
               );
+              contents.querySelector('details')!.open = beside.matches;
               statements.rest(); // What is above has its height then.
               const target = document.getElementById(id);
               target && land(target, view.signal);
@@ -381,13 +388,15 @@ export const theorems: Page = {
           words,
         ),
       );
+    const here = h('span', { class: 'contents-here', 'aria-hidden': 'true' });
+    const beside = window.matchMedia('(min-width: 56.01rem)');
     const contents = h(
       'nav',
       { class: 'contents', 'aria-label': 'Contents' },
       h(
         'details',
-        { open: window.innerWidth > 900 },
-        h('summary', {}, 'Contents'),
+        { open: beside.matches },
+        h('summary', {}, h('span', {}, 'Contents'), here),
         h(
           'ul',
           {},
@@ -472,7 +481,7 @@ export const theorems: Page = {
         ),
       ),
     );
-    followReading(view.root, contents, view.signal);
+    followReading(view.root, contents, here, view.signal);
     const chosen = view.root.querySelector<HTMLElement>('.chosen');
     if (chosen) {
       land(chosen, view.signal);

@@ -196,9 +196,12 @@ async function render(view: View): Promise<void> {
       );
       fill(
         result,
-        headline(report),
-        actions(report, body),
-        !report.answer.valid && report.blocks.shown && mend(report, body),
+        h(
+          'div',
+          { class: 'verify-head' },
+          h('div', {}, headline(report), actions(report, body)),
+          !report.answer.valid && report.blocks.shown && mend(report, body),
+        ),
         h(
           'div',
           { class: 'verify-parts' },

@@ -3,6 +3,7 @@ import { field, h, select } from '../../lib/dom';
 import { longestWord, pack, unpack } from '../../lib/share';
 import { count, number } from '../../lib/words';
 import { group } from '../../parts/group';
+import { more } from '../../parts/more';
 import { bytesOf } from './naive';
 import type { Asked } from './order';
 
@@ -93,6 +94,12 @@ export async function loadForm(params: URLSearchParams, submitted: () => void): 
     onchange: touched,
   });
   const go = h('button', { type: 'submit' }, 'Find an order');
+  const others = more(
+    'options',
+    ['fast', 'bytes', 'time', 'prefetch', 'epochs', 'disjoint', ...texts].some((name) =>
+      params.has(name),
+    ),
+  );
 
   const groups = [
     group(
@@ -157,6 +164,7 @@ export async function loadForm(params: URLSearchParams, submitted: () => void): 
     if (folded) {
       folded.open = true;
     }
+    others.open(true);
     return new Error(words);
   }
 
@@ -261,9 +269,10 @@ export async function loadForm(params: URLSearchParams, submitted: () => void): 
       { class: 'row top' },
       field('Items', items, 'partitions, images, …'),
       field('Room', room, 'items in memory at once'),
+      field('Workers', workers, 'each with this room'),
+      others.element,
       field('Accelerator', fast, 'items on it at once'),
       field('Bytes per item', each, 'optional'),
-      field('Workers', workers, 'each with this room'),
       field('Search', time, 'for fewer loads'),
       h(
         'div',
@@ -272,9 +281,13 @@ export async function loadForm(params: URLSearchParams, submitted: () => void): 
         h('label', { class: 'check ahead' }, ahead, 'Load ahead'),
         h('small', { class: 'hint' }, 'while pairs are computed'),
       ),
-      h('div', { class: 'field' }, h('span', { class: 'hint' }, '\u00a0'), go),
+      h('div', { class: 'field always' }, h('span', { class: 'hint' }, '\u00a0'), go),
     ),
-    groups.map((every) => every.element),
+    h(
+      'div',
+      { class: 'groups' },
+      groups.map((every) => every.element),
+    ),
   );
   return { element, go, read, linked };
 }

@@ -3,6 +3,7 @@
 import type { Ordered } from '../../lib/api';
 import { h, scroll, type Child } from '../../lib/dom';
 import { bytes, count, number } from '../../lib/words';
+import { ladder } from '../../parts/ladder';
 import { virtualList } from '../../parts/virtual';
 import { naive } from './naive';
 
@@ -109,6 +110,9 @@ export function headline(answer: Ordered, asked: Asked): HTMLElement {
     'div',
     { class: 'verdict valid', role: 'status' },
     h('h2', {}, `${count(loads, 'load')} in ${count(order.steps, 'step')}`),
+    shared
+      ? ladder(spanBound, makespan, { of: 'loads', reached: 'the busiest' })
+      : asked.sizes === null && ladder(bound, loads, { of: 'loads', reached: 'this order' }),
     h(
       'p',
       {},

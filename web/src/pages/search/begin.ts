@@ -85,7 +85,7 @@ export function beginning(): {
       'Searches to try',
       h(
         'table',
-        { class: 'searches' },
+        { class: 'searches trials' },
         head(['design', false], ['method', false], ['outcome', false], ['time', false]),
         h(
           'tbody',

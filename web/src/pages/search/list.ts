@@ -26,7 +26,7 @@ export function jobList(chosen: (id: string) => void): JobList {
     'Searches',
     h(
       'table',
-      { class: 'searches' },
+      { class: 'searches of-server' },
       h(
         'thead',
         {},

@@ -3,12 +3,15 @@
 import { get, post, type SearchJob } from '../../lib/api';
 import { fill, h, scroll } from '../../lib/dom';
 import { count, nameOf, number } from '../../lib/words';
+import { ladder } from '../../parts/ladder';
 import { plot } from '../../parts/plot';
 import { link, problem } from '../../shell/router';
 import { found, rate, seconds, size, wayWords } from './words';
 
 export interface Watch {
   readonly element: HTMLElement;
+  /** When it is there as the server knows it. */
+  readonly shown: Promise<void>;
   /** News of this search. */
   update(job: SearchJob): void;
 }
@@ -76,6 +79,7 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
   });
   const speeds = h('details', {}, h('summary', {}, 'Speed'), speed.element);
   const figures = h('dl', { class: 'figures' });
+  const reached = h('div', {});
   const advice = h('p', { class: 'advice', role: 'status' });
   const decided = h('div', { class: 'decisions' });
   const element = h(
@@ -83,6 +87,7 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     { class: 'watch' },
     title,
     figures,
+    reached,
     advice,
     h('div', { class: 'row' }, progress, words, stop, open, keep),
     message,
@@ -126,8 +131,10 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
       const points = (job.points ?? []).filter(
         (point, i, all) => i === 0 || point.seconds > all[i - 1]!.seconds,
       );
-      // A curve of less than a second says nothing.
-      chart.element.hidden = speeds.hidden = points.length < 2 || points.at(-1)!.seconds < 1;
+      // A curve of less than a second says nothing, nor do two flat ones.
+      const levels = new Set(points.map((point) => `${point.best} ${point.lower_bound}`));
+      speeds.hidden = points.length < 2 || points.at(-1)!.seconds < 1;
+      chart.element.hidden = speeds.hidden || levels.size < 2;
       if (points.length > 1) {
         chart.set(
           points.map((point) => point.seconds),
@@ -223,6 +230,7 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
       figures,
       facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))),
     );
+    fill(reached, ladder(job.lower_bound, job.best, { start: job.start_best }));
     fill(
       advice,
       gap === 0
@@ -328,9 +336,9 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     keep.hidden = running || job.best === null || !mayAct;
   }
   [stop, open, keep, speeds].forEach((each) => (each.hidden = true));
-  void points();
   return {
     element,
+    shown: points(),
     update(job) {
       show(job);
       advise({ ...job, points: curve });
