@@ -118,7 +118,6 @@ const pages = [
     async (page) => {
       await page.getByRole("button", { name: "Start" }).click();
       await page.waitForTimeout(10_000);
-      await page.evaluate(() => window.scrollTo(0, 0));
     },
   ],
   ["theorems", "#/theorems"],

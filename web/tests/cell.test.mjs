@@ -12,7 +12,7 @@ test('what is known, and why', async (explorer) => {
   );
   assert.match(
     await page.getByRole('list', { name: 'Numbers of blocks' }).textContent(),
-    /^up to \d+impossible\d+( to \d+)?open\d+best known$/,
+    /^up to \d+impossible\d+(–\d+)?open\d+best known$/,
   );
   await page.locator('table.bounds math').first().waitFor();
   await page.locator('canvas.thumbnail').waitFor();

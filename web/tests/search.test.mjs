@@ -56,7 +56,7 @@ test('a search: started, watched, stopped; it survives reloads', async (explorer
   // Flat lines are not drawn: what is open is said, and a curve comes when the best has moved.
   assert.match(
     await watched(page).getByRole('list', { name: 'Numbers of blocks' }).textContent(),
-    /^up to \d+impossible\d+( to \d+)?open\d+best known/,
+    /^up to \d+impossible\d+(–\d+)?open\d+best known/,
   );
   assert.match(page.url(), /id=\d+/);
   // The gap and what follows from it come first, the speed is folded.

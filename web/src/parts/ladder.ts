@@ -4,7 +4,7 @@ import { h } from '../lib/dom';
 import { number } from '../lib/words';
 
 const span = (from: number, to: number): string =>
-  from === to ? number(from) : `${number(from)} to ${number(to)}`;
+  from === to ? number(from) : `${number(from)}–${number(to)}`;
 
 /** Null: not known. `start`: the best before a search; `reached`: what the best is. */
 export function ladder(
