@@ -21,7 +21,8 @@ REFUSERS = {"fail", "refuse", "refused", "doubtful"}
 MAKERS = (
     r"\w*_defect",
     "defect", "defect_of", "complaint", "how_to_mend", "has_no_design", "left_out", "impossibility",
-    "why_forbidden", "refusal", "fault_of_entry", r"simple_reason", "model_defect",
+    "why_forbidden", "refusal", "fault_of_entry", r"simple_reason", "model_defect", "broken_line",
+    "rules",  # between options: their lines are data
 )
 
 LITERAL = re.compile(r'(?:u8|L)?"((?:[^"\\\n]|\\.)*)"')

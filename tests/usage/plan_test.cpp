@@ -87,8 +87,8 @@ TEST(Plan, SaysInOneLineWhatIsWrong) {
   spit(folder.file("all.csv"), "A,B\nA,C\nA,D\nB,C\nB,D\nC,D\n");
   const std::string costs = " costs.csv -k 3 --test-cost 1 ";
   for (const Case& c : std::vector<Case>{
-           {"", 2, "either a parts list or --items"},
-           {"costs.csv --items 3", 2, "either a parts list or --items"},
+           {"", 2, "PARTS is missing: give a list of parts"},
+           {"costs.csv --items 3", 2, "give either PARTS or --items N, not both"},
            {"costs.csv", 2, "give --test-cost X"},
            {"costs.csv --test-cost 1", 2, "give --at-once K, how many parts fit at once"},
            {"--items 3 --test-cost 1 --change-cost 1", 2, "--items N needs --at-once K"},

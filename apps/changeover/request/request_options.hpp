@@ -98,11 +98,15 @@ void add_request_options(Verb& verb, Request& request, const RequestTable<Reques
     all.reserve(keys.size());
     for (const std::string_view key : keys) {
       all.push_back(spelled(option_of(table, key).record, Door::command_line));
+      if (const std::string value(value_in(key)); !value.empty()) {
+        all.back() += " " + value;
+      }
     }
     return all;
   };
   for (const OptionRule& rule : table.rules) {
-    verb.rule(sentence_of(rule.says, spelled_all(rule.keys), spelled_all(rule.others)));
+    verb.rule(sentence_of(rule.says, spelled_all(rule.keys), spelled_all(rule.others),
+                          spelled_all(rule.where)));
   }
 }
 

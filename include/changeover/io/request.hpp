@@ -117,19 +117,23 @@ struct OptionRecord {
   bool of_every_search = false;  ///< on the command line every verb that searches has it
 };
 
-/// Which keys exclude or need others.
+/// Which keys exclude or need others. A key with a value, as "strength=3", is given if it has that.
 struct OptionRule {
   enum class Says {
     exclude,    ///< at most one of `keys` is given
-    needs,      ///< each of `keys` needs each of `others`
+    needs,      ///< each of `keys` needs one of `others`; without `keys` every request does
     only_with,  ///< each of `keys` means something only with one of `others`
     never_with  ///< none of `keys` means anything with one of `others`
   };
   Says says = Says::exclude;
   std::vector<std::string_view> keys;
   std::vector<std::string_view> others = {};
-  /// For only_with: the key of a list that may be a file, which itself may say one of `others`; so
-  /// the rule is asked once the file was opened.
+  /// The message where the general one does not say enough: "{}" is the key at fault, "{key}"
+  /// another, "{key=}" that with its value ("--at-once K"), "{where}" those of `where`.
+  std::string_view line = {};
+  std::vector<std::string_view> where = {};  ///< it holds only with one of these; empty: always
+  /// A list that may be a file, which itself may say one of `others`; so the rule is asked once the
+  /// file was opened.
   std::string_view or_in_file_of = {};
 };
 

@@ -4,6 +4,7 @@
 //     JobRequest request = read_request(job_table(), document);
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -91,14 +92,41 @@ bool is_given(const Request& request, const RequestOption<Request>& option) {
       option.field);
 }
 
+/// The value that stands with a key of a rule, "3" of "strength=3"; or nothing.
+[[nodiscard]] inline std::string_view value_in(std::string_view key) {
+  return key.substr(std::min(key.find('='), key.size() - 1) + 1);
+}
+
+/// The option of a key, which may stand with a value (OptionRule).
 template <typename Request>
 const RequestOption<Request>& option_of(const RequestTable<Request>& table, std::string_view key) {
+  key = key.substr(0, key.find('='));
   for (const auto& option : table.options) {
     if (option.record.key == key) {
       return option;
     }
   }
   throw InternalError("no option has the key " + std::string(key));
+}
+
+/// The same for a key that may stand with a value (OptionRule).
+template <typename Request>
+bool is_given(const RequestTable<Request>& table, const Request& request, std::string_view key) {
+  const auto& option = option_of(table, key);
+  const std::string_view wanted = value_in(key);
+  return wanted.empty() ? is_given(request, option)
+                        : std::visit(
+                              [&](auto field) {
+                                const auto& value = request.*field;
+                                if constexpr (requires { value == wanted; }) {
+                                  return value == wanted;
+                                } else if constexpr (requires { std::to_string(*value); }) {
+                                  return value && std::to_string(*value) == wanted;
+                                } else {
+                                  return false;
+                                }
+                              },
+                              option.field);
 }
 
 /// Reads a request. @throws BadInput for keys that are not in the table, or values of another kind.

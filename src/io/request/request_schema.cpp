@@ -6,6 +6,7 @@
 
 #include "changeover/run/control.hpp"
 #include "core/each.hpp"
+#include "io/request/request_document.hpp"
 #include "io/write/json_writer.hpp"
 
 namespace changeover {
@@ -115,14 +116,45 @@ std::string type_of(const OptionRecord& record) {
   return "{}";
 }
 
-// The condition that a key is given.
+// The condition that a key of a rule is given.
 std::string given(std::string_view key, const std::vector<OptionRecord>& records) {
+  const std::string_view wanted = value_in(key);
+  key = key.substr(0, key.find('='));
   const auto record = std::ranges::find(records, key, &OptionRecord::key);
-  if (record->kind == ValueKind::flag) {
-    return fmt::format(R"({{"required":["{0}"],"properties":{{"{0}":{{"const":true}}}}}})", key);
+  const std::string value = record->kind == ValueKind::flag ? R"("const":true)"
+                            : wanted.empty()                ? R"("not":{"type":"null"})"
+                            : record->kind == ValueKind::number
+                                ? fmt::format(R"("const":{})", wanted)
+                                : fmt::format(R"("const":"{}")", wanted);
+  return fmt::format(R"({{"required":["{0}"],"properties":{{"{0}":{{{1}}}}}}})", key, value);
+}
+
+// The condition that one of them is.
+std::string one_given(const OptionRule& rule, const std::vector<std::string_view>& keys,
+                      const std::vector<OptionRecord>& records) {
+  std::string any = joined(keys, ",", [&](std::string_view key) { return given(key, records); });
+  if (!rule.or_in_file_of.empty() && &keys == &rule.others) {
+    any += fmt::format(R"(,{{"required":["{0}"],"properties":{{"{0}":{{"type":"object"}}}}}})",
+                       rule.or_in_file_of);
   }
-  return fmt::format(R"({{"required":["{0}"],"properties":{{"{0}":{{"not":{{"type":"null"}}}}}}}})",
-                     key);
+  return fmt::format(R"({{"anyOf":[{}]}})", any);
+}
+
+// What a rule asks of a request that gives the key number `i` of it.
+std::string asked(const OptionRule& rule, std::size_t i, const std::vector<OptionRecord>& records) {
+  switch (rule.says) {
+    case OptionRule::Says::exclude: {
+      const std::vector<std::string_view> rest(rule.keys.begin() + std::ptrdiff_t(i) + 1,
+                                               rule.keys.end());
+      return rest.empty() ? "" : fmt::format(R"({{"not":{}}})", one_given(rule, rest, records));
+    }
+    case OptionRule::Says::never_with:
+      return fmt::format(R"({{"not":{}}})", one_given(rule, rule.others, records));
+    case OptionRule::Says::needs:
+    case OptionRule::Says::only_with:
+      return one_given(rule, rule.others, records);
+  }
+  return "";
 }
 
 }  // namespace
@@ -144,39 +176,17 @@ std::string request_schema(std::string_view format, std::string_view title,
     json.end_object();
   }
   json.end_object().key("allOf").begin_array();
-  const auto never = [&](std::string_view a, std::string_view b) {
-    json.raw(fmt::format(R"({{"not":{{"allOf":[{},{}]}}}})", given(a, records), given(b, records)));
-  };
+  // Not what every request needs: options may come on top of a document.
   for (const OptionRule& rule : rules) {
     for (std::size_t i = 0; i < rule.keys.size(); ++i) {
-      switch (rule.says) {
-        case OptionRule::Says::exclude:
-          for (std::size_t j = i + 1; j < rule.keys.size(); ++j) {
-            never(rule.keys[i], rule.keys[j]);
-          }
-          break;
-        case OptionRule::Says::never_with:
-          for (const std::string_view other : rule.others) {
-            never(rule.keys[i], other);
-          }
-          break;
-        case OptionRule::Says::needs:
-          for (const std::string_view other : rule.others) {
-            json.raw(fmt::format(R"({{"if":{},"then":{}}})", given(rule.keys[i], records),
-                                 given(other, records)));
-          }
-          break;
-        case OptionRule::Says::only_with: {
-          std::string any = joined(rule.others, ",",
-                                   [&](std::string_view other) { return given(other, records); });
-          if (!rule.or_in_file_of.empty()) {
-            any +=
-                fmt::format(R"(,{{"required":["{0}"],"properties":{{"{0}":{{"type":"object"}}}}}})",
-                            rule.or_in_file_of);
-          }
-          json.raw(fmt::format(R"({{"if":{},"then":{{"anyOf":[{}]}}}})",
-                               given(rule.keys[i], records), any));
-        }
+      const std::string then = asked(rule, i, records);
+      std::string condition = given(rule.keys[i], records);
+      if (!rule.where.empty()) {
+        condition =
+            fmt::format(R"({{"allOf":[{},{}]}})", condition, one_given(rule, rule.where, records));
+      }
+      if (!then.empty()) {
+        json.raw(fmt::format(R"({{"if":{},"then":{}}})", condition, then));
       }
     }
   }

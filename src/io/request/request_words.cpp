@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "core/each.hpp"
 #include "io/scan/place.hpp"
 
 namespace changeover {
@@ -54,18 +55,82 @@ std::string help_of(const OptionRecord& record) {
 }
 
 std::string sentence_of(OptionRule::Says says, const std::vector<std::string>& keys,
-                        const std::vector<std::string>& others) {
+                        const std::vector<std::string>& others,
+                        const std::vector<std::string>& where) {
   const bool one = keys.size() == 1;
-  switch (says) {
+  const auto sentence = [&]() -> std::string {
+    switch (says) {
+      case OptionRule::Says::exclude:
+        return " exclude each other";
+      case OptionRule::Says::needs:
+        return (one ? " needs " : " need ") + enumerated(others, " or ");
+      case OptionRule::Says::only_with:
+        return (one ? " is for " : " are for ") + enumerated(others, " or ") + " only";
+      case OptionRule::Says::never_with:
+        return (one ? " has" : " have") + (" no meaning with " + enumerated(others));
+    }
+    return "";
+  };
+  return (keys.empty() ? enumerated(others, " or ") + " is required"
+                       : enumerated(keys) + sentence()) +
+         (where.empty() ? "" : " where " + enumerated(where, " or ") + " is given");
+}
+
+bool is_broken(const OptionRule& rule, const OptionRule& given) {
+  if ((given.keys.empty() && !rule.keys.empty()) || (given.where.empty() && !rule.where.empty())) {
+    return false;
+  }
+  switch (rule.says) {
     case OptionRule::Says::exclude:
-      return enumerated(keys) + " exclude each other";
+      return given.keys.size() > 1;
     case OptionRule::Says::needs:
-      return enumerated(keys) + (one ? " needs " : " need ") + enumerated(others);
     case OptionRule::Says::only_with:
-      return enumerated(keys) + (one ? " is" : " are") + " for " + enumerated(others, " or ") +
-             " only";
+      return given.others.empty();
     case OptionRule::Says::never_with:
-      return enumerated(keys) + (one ? " has" : " have") + " no meaning with " + enumerated(others);
+      return !given.others.empty();
+  }
+  return false;
+}
+
+// A line of a rule with its keys spelled.
+static std::string filled(std::string_view line,
+                          const std::function<std::string(std::string_view)>& spell) {
+  std::string all;
+  while (!line.empty()) {
+    const std::size_t open = std::min(line.find('{'), line.size());
+    const std::size_t close = std::min(line.find('}', open), line.size());
+    all += line.substr(0, open);
+    all += open < close ? spell(line.substr(open + 1, close - open - 1)) : "";
+    line.remove_prefix(std::min(close + 1, line.size()));
+  }
+  return all;
+}
+
+std::string broken_line(const OptionRule& rule, const OptionRule& given,
+                        const std::function<std::string(std::string_view)>& word) {
+  const auto words = [&](const std::vector<std::string_view>& keys, std::string_view end = "") {
+    return each_of<std::string>(
+        keys, [&](std::string_view key) { return word(std::string(key).append(end)); });
+  };
+  const std::string key(given.keys.empty() ? "" : given.keys.front());
+  if (!rule.line.empty()) {
+    return filled(rule.line, [&](std::string_view name) {
+      return name == "where" ? enumerated(words(given.where)) : word(name.empty() ? key : name);
+    });
+  }
+  switch (rule.says) {
+    case OptionRule::Says::exclude:
+      return enumerated(words(rule.keys)) + " exclude each other";
+    case OptionRule::Says::needs:
+      return fmt::format("{} needs {}; give it, too", word(key + "="),
+                         enumerated(words(rule.others, "="), " or "));
+    case OptionRule::Says::only_with:
+      return fmt::format("{} is for {}; {}", word(key + "="),
+                         enumerated(words(rule.others), " or "),
+                         rule.others.size() == 1 ? "give both" : "give one of them, too");
+    case OptionRule::Says::never_with:
+      return fmt::format("{} has no meaning with {}; leave it out", word(key + "="),
+                         enumerated(words(given.others)));
   }
   return "";
 }

@@ -6,10 +6,8 @@
 //                                              // job.json:1:9: room 1: … or --room 1: …
 #pragma once
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <iterator>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -17,7 +15,6 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/io/request.hpp"
-#include "core/each.hpp"
 #include "io/request/request_document.hpp"
 
 namespace changeover {
@@ -32,7 +29,9 @@ class RequestWords {
 
   /// "--at-once", "at_once".
   [[nodiscard]] std::string key(std::string_view key) const {
-    return spelled(option_of(table_, key).record, door_of(key));
+    const std::string_view value = value_in(key);
+    return spelled(option_of(table_, key).record, door_of(key)) +
+           (value.empty() ? "" : " " + std::string(value));
   }
   /// "--at-once K", "at_once".
   [[nodiscard]] std::string with_value(std::string_view key) const {
@@ -57,8 +56,9 @@ class RequestWords {
 
  private:
   [[nodiscard]] std::string place_of(std::string_view key) const {
-    return is_given(request_, option_of(table_, key)) ? request_.places.before(key)
-                                                      : request_.places.before_all();
+    const auto& option = option_of(table_, key);
+    return is_given(request_, option) ? request_.places.before(option.record.key)
+                                      : request_.places.before_all();
   }
 
   const RequestTable<Request>& table_;
@@ -83,51 +83,41 @@ auto with_places(const RequestPlaces& places, Read&& read) {
 
 /// A rule as a sentence: "--header and --no-header exclude each other".
 [[nodiscard]] std::string sentence_of(OptionRule::Says says, const std::vector<std::string>& keys,
-                                      const std::vector<std::string>& others);
+                                      const std::vector<std::string>& others,
+                                      const std::vector<std::string>& where = {});
 
 /// "--a, --b and --c".
 [[nodiscard]] std::string enumerated(const std::vector<std::string>& names,
                                      std::string_view last = " and ");
 
+/// Whether a rule is broken. @param given  the rule with those of its keys that a request gives
+[[nodiscard]] bool is_broken(const OptionRule& rule, const OptionRule& given);
+
+/// What is said of it then. @param word  spells a key, and one with "=" behind it with its value
+[[nodiscard]] std::string broken_line(const OptionRule& rule, const OptionRule& given,
+                                      const std::function<std::string(std::string_view)>& word);
+
 /// Refuses the first rule that the request breaks, in the words of `words`. @throws BadInput,
 /// BadOption
 template <typename Request, typename Words>
 void check_rules(const RequestTable<Request>& table, const Request& request, const Words& words) {
-  const auto given = [&](std::string_view key) { return is_given(request, option_of(table, key)); };
-  const auto named = [&](const std::vector<std::string_view>& keys) {
-    return each_of<std::string>(keys, [&](const std::string_view key) { return words.key(key); });
-  };
-  const auto those_given = [&](const std::vector<std::string_view>& keys) {
-    std::vector<std::string_view> present;
-    std::ranges::copy_if(keys, std::back_inserter(present), given);
-    return present;
+  const auto word = [&](std::string_view key) {
+    return key.ends_with('=') ? words.with_value(key.substr(0, key.size() - 1)) : words.key(key);
   };
   for (const OptionRule& rule : table.rules) {
-    const std::vector<std::string_view> keys = those_given(rule.keys);
-    const std::vector<std::string_view> others = those_given(rule.others);
-    if (rule.says == OptionRule::Says::exclude && keys.size() > 1) {
-      // At the one that stands in a document.
-      const auto at = std::ranges::find_if(
-          keys, [&](std::string_view key) { return words.door_of(key) == Door::document; });
-      words.refuse(at == keys.end() ? keys.front() : *at,
-                   enumerated(named(rule.keys)) + " exclude each other");
+    OptionRule given = rule;
+    for (auto* const keys : {&given.keys, &given.others, &given.where}) {
+      std::erase_if(*keys, [&](std::string_view key) { return !is_given(table, request, key); });
     }
-    for (const std::string_view key : keys) {
-      if (rule.says == OptionRule::Says::needs && others.size() < rule.others.size()) {
-        const auto missing = std::ranges::find_if_not(rule.others, given);
-        words.refuse(key, fmt::format("{} needs {}; give it, too", words.with_value(key),
-                                      words.with_value(*missing)));
-      }
-      if (rule.says == OptionRule::Says::only_with && others.empty()) {
-        words.refuse(key,
-                     fmt::format("{} is for {}; {}", words.with_value(key),
-                                 enumerated(named(rule.others), " or "),
-                                 rule.others.size() == 1 ? "give both" : "give one of them, too"));
-      }
-      if (rule.says == OptionRule::Says::never_with && !others.empty()) {
-        words.refuse(key, fmt::format("{} has no meaning with {}; leave it out",
-                                      words.with_value(key), enumerated(named(others))));
-      }
+    if (is_broken(rule, given)) {
+      // Of those that exclude each other, at the one that stands in a document.
+      const auto at = std::ranges::find_if(given.keys, [&](std::string_view key) {
+        return rule.says != OptionRule::Says::exclude || words.door_of(key) == Door::document;
+      });
+      words.refuse(at != given.keys.end() ? *at
+                   : rule.keys.empty()    ? rule.others.front()
+                                          : given.keys.front(),
+                   broken_line(rule, given, word));
     }
   }
 }

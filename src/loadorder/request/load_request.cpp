@@ -109,12 +109,16 @@ std::vector<RequestOption<R>> options() {
 std::vector<OptionRule> rules() {
   using Says = OptionRule::Says;
   return {
+      {Says::never_with,
+       {"fast_room"},
+       {"sizes"},
+       "{} counts items, not their bytes; with {sizes} give {fast_memory=}"},
       {Says::exclude, {"new_pairs", "prefetch"}},
       {Says::needs, {"sizes"}, {"memory"}},
       {Says::only_with, {"memory"}, {"sizes"}},
       {Says::only_with, {"fast_memory"}, {"sizes"}},
       // How many items fit depends on which they are.
-      {Says::never_with, {"sizes"}, {"room", "fast_room", "item_bytes"}},
+      {Says::never_with, {"sizes"}, {"room", "item_bytes"}},
       {Says::only_with,
        {"disjoint", "worker", "balance", "first_holder", "pair_cost"},
        {"workers"}},
@@ -135,6 +139,17 @@ std::vector<OptionRule> rules() {
       {Says::never_with, {"epochs"}, {"first_holder"}},
       {Says::exclude, {"pairs", "groups", "against", "done_items"}},
       {Says::only_with, {"threads"}, {"seconds"}},
+      // A search of some seconds found no order of one level with fewer loads than groups have.
+      {Says::needs,
+       {"seconds"},
+       {"disjoint", "fast_room", "sizes"},
+       "{seconds=} with {where} is for {disjoint}, {fast_room} or {sizes}; leave it out",
+       {"against", "done_items"}},
+      {Says::needs,
+       {"write_back"},
+       {"disjoint"},
+       "{} {workers}: two workers would change one item at once; add {disjoint}",
+       {"workers"}},
   };
 }
 
@@ -165,11 +180,6 @@ void check_workers_of(const LoadRequest& request, const Words& words) {
     words.refuse("worker",
                  fmt::format("{} {}: of {} {} give 0 to {}", words.key("worker"), *request.worker,
                              words.key("workers"), *request.workers, *request.workers - 1));
-  }
-  if (request.write_back && request.workers && !request.disjoint) {
-    words.refuse("write_back",
-                 fmt::format("{} {}: two workers would change one item at once; add {}",
-                             words.key("write_back"), words.key("workers"), words.key("disjoint")));
   }
 }
 
@@ -277,32 +287,14 @@ void check_together(const LoadRequest& request, const Words& words, bool all) {
   }
 }
 
-// Said before the rules are, which only say that it has no meaning.
-void refuse_places_for_bytes(const LoadRequest& request, const Words& words) {
-  if (request.sizes.is_given() && request.fast_room) {
-    words.refuse("fast_room", fmt::format("{} counts items, not their bytes; with {} give {}",
-                                          words.key("fast_room"), words.key("sizes"),
-                                          words.with_value("fast_memory")));
-  }
-}
-
 void check(const LoadRequest& request, const Words& words, bool has_pairs) {
-  refuse_places_for_bytes(request, words);
   check_rules(load_table(), request, words);
   check_threads(request, words);
-  // A search of some seconds found no order of one level with fewer loads than groups have.
-  if (request.seconds && !request.disjoint && !request.fast_room && !request.sizes.is_given() &&
-      (request.against || request.done_items)) {
-    words.refuse(
-        "seconds",
-        fmt::format("{} with {} is for {}, {} or {}; leave it out", words.with_value("seconds"),
-                    words.key(request.against ? "against" : "done_items"), words.key("disjoint"),
-                    words.key("fast_room"), words.key("sizes")));
-  }
   if (request.sizes.is_given()) {
     at_least_two_fit(request, words);
     return;
   }
+  // No rule of the table: a caller may have the pairs, beside the request.
   if (!request.room || (!has_pairs && !request.items)) {
     words.refuse(request.room ? "items" : "room",
                  has_pairs ? fmt::format("{} is required", words.with_value("room"))

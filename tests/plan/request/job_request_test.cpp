@@ -9,6 +9,7 @@
 
 #include "changeover/core/error.hpp"
 #include "io/request/request_document.hpp"
+#include "io/request/request_words.hpp"
 #include "run_program.hpp"
 
 namespace changeover::job_request_test {
@@ -112,51 +113,81 @@ TEST(JobRequest, EveryKeyAndFlagIsThereOnceAndEveryRuleKnowsItsKeys) {
     EXPECT_EQ(option.record.help.find("default"), std::string_view::npos) << option.record.key;
   }
   for (const OptionRule& rule : job_table().rules) {
-    for (const auto* const list : {&rule.keys, &rule.others}) {
+    for (const auto* const list : {&rule.keys, &rule.others, &rule.where}) {
       for (const std::string_view key : *list) {
-        EXPECT_TRUE(keys.contains(key)) << key;
+        const OptionRecord& record = option_of(job_table(), key).record;
+        EXPECT_TRUE(value_in(key).empty() || record.words.empty() ||
+                    std::ranges::count(record.words, value_in(key)) == 1)
+            << key;
       }
     }
   }
 }
 
-// Every rule refuses each of its pairs of keys, at both doors, in the words of the door.
+// Every rule alone refuses each of its keys, and nothing where its condition is not met, at both
+// doors, in the words of the door.
 TEST(JobRequest, RulesHold) {
-  std::mt19937_64 random(2);
   const auto set = [](JobRequest& request, std::string_view key) {
-    const auto& option = option_of(job_table(), key);
+    const std::string value(value_in(key));
     std::visit(
         [&](auto field) {
-          auto& value = request.*field;
-          using Value = std::remove_cvref_t<decltype(value)>;
+          auto& kept = request.*field;
+          using Value = std::remove_cvref_t<decltype(kept)>;
           if constexpr (std::is_same_v<Value, bool>) {
-            value = true;
+            kept = true;
           } else if constexpr (std::is_same_v<Value, std::string>) {
-            value = "1";
+            kept = value.empty() ? "1" : value;
           } else if constexpr (std::is_same_v<Value, RequestList>) {
-            value.text = "x";
+            kept.text = "x";
           } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
-            value = {"1"};
+            kept = {"1"};
           } else {
-            value = 1;
+            kept = value.empty() ? 1 : std::stoul(value);
           }
         },
-        option.field);
+        option_of(job_table(), key).field);
   };
+  const auto said = [](const OptionRule& rule, const JobRequest& request, Door door) {
+    const RequestTable<JobRequest> alone{job_table().format, job_table().options, {rule}};
+    try {
+      check_rules(alone, request, RequestWords(alone, request, door));
+      return std::string();
+    } catch (const BadOption& fault) {
+      return std::string(fault.what());
+    }
+  };
+  using Says = OptionRule::Says;
   for (const OptionRule& rule : job_table().rules) {
-    const auto& others = rule.says == OptionRule::Says::exclude ? rule.keys : rule.others;
-    for (const std::string_view key : rule.keys) {
-      for (const std::string_view other : others) {
+    const bool wants = rule.says == Says::only_with || rule.says == Says::needs;
+    for (const std::string_view key :
+         rule.keys.empty() ? std::vector<std::string_view>{""} : rule.keys) {
+      for (const std::string_view other : rule.says == Says::exclude ? rule.keys : rule.others) {
         if (key == other) {
           continue;
         }
-        JobRequest request;
-        set(request, key);
-        if (rule.says != OptionRule::Says::only_with) {
-          set(request, other);
+        JobRequest good;
+        JobRequest bad;
+        for (JobRequest* const request : {&good, &bad}) {
+          for (const std::string_view each : {key, rule.where.empty() ? "" : rule.where.front()}) {
+            if (!each.empty()) {
+              set(*request, each);
+            }
+          }
         }
-        EXPECT_THROW(check_options(request, Door::document), BadOption) << key << ' ' << other;
-        EXPECT_THROW(check_options(request, Door::command_line), BadOption) << key << ' ' << other;
+        set(wants ? good : bad, other);
+        for (const Door door : {Door::document, Door::command_line}) {
+          const std::string line = said(rule, bad, door);
+          EXPECT_FALSE(line.empty()) << key << ' ' << other;
+          EXPECT_EQ(line.find_first_of("{}"), std::string::npos) << line;
+          EXPECT_EQ(line.find("--") == std::string::npos, door == Door::document) << line;
+          EXPECT_EQ(said(rule, good, door), "") << key << ' ' << other;
+          if (!rule.where.empty()) {
+            JobRequest elsewhere = bad;
+            std::visit([&](auto field) { elsewhere.*field = {}; },
+                       option_of(job_table(), rule.where.front()).field);
+            EXPECT_EQ(said(rule, elsewhere, door), "") << key << ' ' << other;
+          }
+        }
       }
     }
   }
