@@ -170,14 +170,22 @@ bool OutputRequest::name_allows(const std::string& word) const {
          (known->name == ".txt" && is_text(word));
 }
 
+std::optional<std::string> OutputRequest::refusal(const std::string& option,
+                                                  const std::vector<std::string>& formats) const {
+  const std::string word = format();
+  if (contains(formats, word)) {
+    return std::nullopt;
+  }
+  const bool by_name = !is_asked_for() && !ending_of(path).empty();
+  return fmt::format("{} has no meaning with {}; it is for {}", option,
+                     by_name ? "a file named " + ending_of(path) : "--format " + word,
+                     fmt::join(formats, ", "));
+}
+
 void OutputRequest::require(const std::string& option,
                             const std::vector<std::string>& formats) const {
-  const std::string word = format();
-  if (!contains(formats, word)) {
-    const bool by_name = !is_asked_for() && !ending_of(path).empty();
-    throw UsageError{fmt::format("{} has no meaning with {}; it is for {}", option,
-                                 by_name ? "a file named " + ending_of(path) : "--format " + word,
-                                 fmt::join(formats, ", "))};
+  if (const auto defect = refusal(option, formats)) {
+    throw UsageError{*defect};
   }
 }
 

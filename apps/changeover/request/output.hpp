@@ -40,6 +40,9 @@ struct OutputRequest {
   /// @throws UsageError if the format is none of `formats`, in which alone `option` means
   /// something.
   void require(const std::string& option, const std::vector<std::string>& formats) const;
+  /// What require() says, if it does.
+  [[nodiscard]] std::optional<std::string> refusal(const std::string& option,
+                                                   const std::vector<std::string>& formats) const;
 
   /// Tries whether FILE can be written, so that long work is not done in vain, and what cannot be
   /// undone not without an answer. @throws MissingResource.

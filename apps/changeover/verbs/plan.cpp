@@ -20,17 +20,17 @@ struct PlanRequest {
 
 // In which formats such an answer is written.
 void check_format(const JobRequest& job, const OutputRequest& output) {
-  if (job.diagnose) {
-    output.require("--diagnose", {"table", "json", "markdown", "html", "xlsx"});
-  }
-  if (job.what_if) {
-    output.require("--what-if", {"table", "csv", "json", "markdown"});
-  }
-  if (job.compact) {
-    output.require("--compact", {"table", "html"});
-  }
-  if (!job.title.empty()) {
-    output.require("--title", {"table", "json", "markdown", "html", "xlsx"});
+  const std::vector<std::pair<std::string_view, std::vector<std::string>>> formats_of{
+      {"diagnose", {"table", "json", "markdown", "html", "xlsx"}},
+      {"what_if", {"table", "csv", "json", "markdown"}},
+      {"compact", {"table", "html"}},
+      {"title", {"table", "json", "markdown", "html", "xlsx"}}};
+  const RequestWords words(job_table(), job, Door::command_line);
+  for (const auto& [key, formats] : formats_of) {
+    const auto refusal = output.refusal(words.key(key), formats);
+    if (refusal && is_given(job_table(), job, key)) {
+      words.refuse(key, *refusal);
+    }
   }
 }
 
