@@ -90,6 +90,8 @@ TEST(Search, ProvesWhatCannotBeHadBesides) {
   expect({{given + "--exact --circular --contains two.txt --quiet", 10, "that contains {0,1,2}, "},
           {given + "--exact --contains two.txt --blocks 2 --quiet", 20,
            "none that contains {0,1,2}, {1,2,3} one after another; DRAT proof"},
+          {given + "--exact --contains two.txt --blocks 1 --quiet", 20,
+           "with 1 block has what is wanted: 2 blocks are given"},
           {given + "--exact --first 0,4 --contains two.txt --quiet | head -n 1", 0, "SCCD(5,3)"},
           {"$changeover search 6 3 -m 1 --exact --expansion-set --first 1,3 --quiet", 10,
            "partition the other elements"},

@@ -392,6 +392,13 @@ Answer search(const ExactSearch& asked) {
     return decision;
   };
 
+  if (request.blocks && !impossibility(p)) {
+    // More blocks given than there may be need no formula.
+    const Bound given = wanted_bound(p, {.contained = request.wanted.contained}, Bound());
+    if (*request.blocks < given.blocks) {
+      return final_answer(running, none_for(request, p, given.reason, " has what is wanted"));
+    }
+  }
   MinimumResult result;
   if (request.blocks && !impossibility(p)) {
     result.parameters = p;
