@@ -12,7 +12,10 @@ TEST(Classify, CountsTheStandardFormsOfTheLiterature) {
           // If the number of blocks is not given, the lower bound.
           {"$changeover classify 8 5 --circular --reversal --json", 0,
            "\"b\":5,\"reversal\":true,\"complete\":true,\"stopped\":\"exhausted\",\"reason\":null,"
-           "\"standard_forms\":25,\"classes\":4"}},
+           "\"standard_forms\":25,\"classes\":4"},
+          // As in the bounds.
+          {"$changeover classify 9 4 12 --change 1 --circular --json", 0,
+           "\"groups\":[{\"order\":1,\"classes\":1},{\"order\":3,\"classes\":1}]"}},
          folder);
 }
 

@@ -193,6 +193,9 @@ std::string json(const Classified& answer) {
     json.key(order).value(classes);
   }
   json.end_object();
+  json.objects("groups", found.group_orders, [&](const auto& group) {
+    json.key("order").raw(group.first).key("classes").value(group.second);
+  });
   json.objects("representatives", found.kept, [&](const DesignClass& each) {
     json.key("standard_forms").value(each.forms);
     json.key("group_order").value(each.group_order).key("rotations").value(each.rotations);
