@@ -185,6 +185,12 @@ TEST(Proofs, StandBesideAReadme) {
   EXPECT_EQ(slurp(readme), text);
   EXPECT_THAT(slurp(folder.file("proofs/linear-m2-v9-k5-b5-README.md")),
               HasSubstr("## No linear DCCD(9,5) with 5 blocks"));
+  // Parts are counted as people do.
+  run("$changeover search 9 5 --blocks 5 --linear --exact --proof parts --quiet --threads 2",
+      folder.path());
+  const std::string parts = slurp(folder.file("parts/linear-m2-v9-k5-b5-README.md"));
+  EXPECT_LT(parts.find("-part2of"), parts.find("-part10of")) << parts;
+  EXPECT_NE(parts.find("-part10of"), std::string::npos) << parts;
   // A find without a proof leaves none.
   EXPECT_EQ(
       run("$changeover search 8 5 --blocks 9 --exact --proof other --quiet", folder.path()).code,

@@ -308,7 +308,10 @@ class Question {
     decision_.outcome = Outcome::none;
     decision_.proved = options_.prove;
     decision_.in_share = share.of > 1;
-    std::ranges::sort(decision_.parts, {}, &CheckedPart::cnf_path);
+    std::ranges::sort(decision_.parts, {}, [](const CheckedPart& part) {
+      return std::pair(part.cnf_path.size(),
+                       std::string_view(part.cnf_path));  // part 2 before part 10
+    });
     if (cubes_.size() > 1 && options_.prove && !options_.proof_directory.empty()) {
       write_cubes();
     }
