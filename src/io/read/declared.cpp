@@ -125,6 +125,14 @@ Declared merged(const std::string& name, const ReadOptions& caller, const ReadOp
   require("k", caller.k, 1, max_elements_in_memory);
   require("change", caller.change, 1, max_elements_in_memory);
   require("strength", caller.strength, 2, max_strength);
+  const auto refuse_other = [&](std::string_view key, const auto& asked, const auto& said) {
+    if (caller.no_other && asked && said && *asked != *said) {
+      throw BadInput(fmt::format("{}: the file says {} = {}, not {}; give one for {} = {}", name,
+                                 key, *said, *asked, key, *asked));
+    }
+  };
+  refuse_other("v", caller.v, file.v);
+  refuse_other("k", caller.k, file.k);
   Declared both{caller, caller};
   const auto take = [](auto& into, const auto& from) {
     if (!into) {
