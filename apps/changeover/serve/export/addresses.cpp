@@ -6,6 +6,7 @@
 
 #include "changeover/catalog/entry.hpp"
 #include "cli/cli.hpp"
+#include "core/parsed.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/table/table.hpp"
@@ -18,34 +19,38 @@ std::string time_of(const std::string& day) {
   return (day.empty() ? std::string("2026-01-01") : day) + "T00:00:00Z";
 }
 
-// Whether it is absolute, of http or https, without a query.
-bool is_plain_address(const std::string& given) {
+// @throws UsageError unless it is absolute, of http or https, without a query. `what` says what it
+// should be.
+void require_address(std::string_view option, const std::string& given, std::string_view what) {
   const bool absolute = given.starts_with("https://") || given.starts_with("http://");
   const std::size_t host = given.find("//") + 2;
   const bool plain = std::ranges::all_of(given, [](char c) {
     return is_letter(c) || is_digit(c) ||
            std::string_view(":/.-_~%").find(c) != std::string_view::npos;
   });
-  return absolute && plain && given.size() > host && given[host] != '/';
+  if (!absolute || !plain || given.size() <= host || given[host] == '/') {
+    throw cli::UsageError{fmt::format("{} {}: write {}", option, printable(given), what)};
+  }
+  constexpr std::uint64_t most_port = 65'535;
+  const std::string authority = given.substr(host, given.find('/', host) - host);
+  const std::size_t colon = authority.find(':');
+  if (colon != std::string::npos &&
+      parsed<std::uint64_t>(authority.substr(colon + 1)).value_or(most_port + 1) > most_port) {
+    throw cli::UsageError{fmt::format("{} {}: a port is a number up to {}; correct it", option,
+                                      printable(given), most_port)};
+  }
 }
 
 }  // namespace
 
 std::string site_address(const std::string& given) {
-  if (!is_plain_address(given)) {
-    throw cli::UsageError{
-        fmt::format("--address {}: write where the site will be, as https://example.org/designs/",
-                    printable(given))};
-  }
+  require_address("--address", given, "where the site will be, as https://example.org/designs/");
   return given.ends_with('/') ? given : given + "/";
 }
 
 std::string sources_address(const std::string& given) {
-  if (!is_plain_address(given)) {
-    throw cli::UsageError{fmt::format(
-        "--sources {}: write where the program can be got, as https://example.org/changeover",
-        printable(given))};
-  }
+  require_address("--sources", given,
+                  "where the program can be got, as https://example.org/changeover");
   return given;
 }
 
