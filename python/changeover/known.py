@@ -106,11 +106,7 @@ class Cell(Made):
 
 
 class Table(List[Cell]):
-    """Cells by kind, k, v: a list, which notebooks show with a row for each v. It can be a key, and
-    is not to be changed as long as it is one."""
-
-    def __hash__(self) -> int:  # type: ignore[override]
-        return hash(tuple(self))
+    """Cells by kind, k, v: a list, which notebooks show with a row for each v."""
 
     def to_frame(self) -> Any:
         """A pandas.DataFrame with one row for each cell. Raises ImportError without pandas."""

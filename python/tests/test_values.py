@@ -137,7 +137,8 @@ class Values(unittest.TestCase):
             for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
                 again = pickle.loads(pickle.dumps(one, protocol))
                 self.assertEqual(again, one)
-                self.assertEqual(hash(again), hash(one))
+                if type(one).__hash__:
+                    self.assertEqual(hash(again), hash(one))
                 self.assertEqual(repr(again), repr(one))
             for name in dir(type(one)):
                 if isinstance(getattr(type(one), name), property):
@@ -148,7 +149,11 @@ class Values(unittest.TestCase):
     def test_copies_are_equal_and_keys(self):
         for one in self.each():
             self.assertEqual(copy.copy(one), one)
-            self.assertEqual(len({copy.deepcopy(one), one}), 1)
+            self.assertEqual(copy.deepcopy(one), one)
+            # What can be changed is no key.
+            self.assertEqual(type(one).__hash__ is None, isinstance(one, list))
+            if type(one).__hash__:
+                self.assertEqual(len({copy.deepcopy(one), one}), 1)
 
     def test_different_ones_are_told_apart(self):
         of_four, of_five = changeover.design(9, 4).blocks[:0], changeover.design(8, 5).blocks[:0]
