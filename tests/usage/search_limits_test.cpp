@@ -20,6 +20,18 @@ TEST(SearchLimits, CtrlCEndsTheSearchForAFirstDesign) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
 }
 
+TEST(SearchLimits, CtrlCEndsAnAnswerThatItsReaderDoesNotRead) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run("mkfifo pipe; exec 3<>pipe; $changeover search 300 4 --time 100ms --quiet -f text >pipe "
+          "3<&- & pid=$!; until now=$(cut -d ' ' -f 14 /proc/$pid/stat); ((now > 0)) && "
+          "[[ $now == \"$before\" ]]; do before=$now; sleep 1; done; "
+          "kill -INT $pid; for i in {1..100}; do kill -0 $pid || break; sleep 0.1; done; "
+          "kill -KILL $pid; wait $pid; exit $?",
+          folder.path());
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+}
+
 TEST(SearchLimits, WhatIsTooLargeToSearchIsShownAsItIsKnown) {
   const TemporaryFolder folder;
   const Outcome outcome =

@@ -24,8 +24,11 @@ namespace {
 using Seconds = std::chrono::duration<double>;
 
 std::atomic<bool> interrupted = false;
+std::atomic<bool> is_over = false;  // the search: its answer is written
+std::atomic<int> first_signal = 0;
 std::atomic<std::int64_t> first_asked = 0;  // milliseconds of the monotonic clock
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler sets it");
 static_assert(std::atomic<std::int64_t>::is_always_lock_free, "a signal handler sets it");
 
 // The first signal asks, the next one ends the process: unless it is the same once more, for a
@@ -35,12 +38,19 @@ void ask_to_stop(int signal) {
   timespec time{};
   ::clock_gettime(CLOCK_MONOTONIC, &time);
   const std::int64_t now = std::int64_t{time.tv_sec} * 1000 + time.tv_nsec / 1'000'000;
+  constexpr unsigned seconds_to_write = 3;
   if (!interrupted.exchange(true)) {
     first_asked = now;
+    first_signal = signal;
+    if (is_over) {
+      ::alarm(seconds_to_write);  // a pipe may be full, and its reader not read
+    }
   } else if (now - first_asked > at_once) {
     end_by_signal(signal);
   }
 }
+
+void end_by_first_signal(int /*alarm*/) { end_by_signal(first_signal); }
 
 std::uint64_t half_of_the_memory() {
   const auto pages = ::sysconf(_SC_PHYS_PAGES);
@@ -142,7 +152,7 @@ RunControl::Settings RunRequest::settings() const {
 struct Running::State {
   std::unique_ptr<RunControl> control;
   std::optional<RunScope> scope;
-  static constexpr std::array<int, 4> signals{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+  static constexpr std::array<int, 5> signals{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM};
   std::array<struct sigaction, signals.size()> old_actions{};
 };
 
@@ -167,15 +177,15 @@ Running::Running(const RunRequest& request, const OutputRequest& output)
   state_->control = std::make_unique<RunControl>(std::move(settings));
   state_->scope.emplace(*state_->control);
 
-  interrupted = false;
+  interrupted = is_over = false;
   struct sigaction action {};
-  action.sa_handler = ask_to_stop;
   action.sa_flags = SA_RESTART;
   ::sigemptyset(&action.sa_mask);
   for (std::size_t i = 0; i < State::signals.size(); ++i) {
     ::sigaction(State::signals[i], nullptr, &state_->old_actions[i]);
     const bool by_nohup =
         State::signals[i] == SIGHUP && state_->old_actions[i].sa_handler == SIG_IGN;
+    action.sa_handler = State::signals[i] == SIGALRM ? end_by_first_signal : ask_to_stop;
     if (!by_nohup) {
       ::sigaction(State::signals[i], &action, nullptr);
     }
@@ -184,6 +194,7 @@ Running::Running(const RunRequest& request, const OutputRequest& output)
 
 Running::~Running() {
   finish();
+  ::alarm(0);
   for (std::size_t i = 0; i < State::signals.size(); ++i) {
     ::sigaction(State::signals[i], &state_->old_actions[i], nullptr);
   }
@@ -194,6 +205,7 @@ RunControl& Running::control() { return *state_->control; }
 void Running::finish() {
   state_->scope.reset();
   status_line().clear();
+  is_over = true;
 }
 
 Answer final_answer(std::shared_ptr<Running> running, Answer answer) {
