@@ -1,11 +1,14 @@
 #!/usr/bin/python3
-"""All pairs on a Dask cluster of this machine, against Dask's own graph of the same job, in one run.
+"""All pairs on a Dask cluster of this machine, against Dask's own graph of the same job, in one
+run.
 
-usage: PYTHONPATH=build/release/python bench/cluster_bench.py [bytes] [straggler] [kills] [simulated] [scale]
+usage: PYTHONPATH=build/release/python bench/cluster_bench.py [bytes] [straggler] [kills]
+[simulated] [scale]
 
-bytes      32 items of 8 MiB in files, two workers that may take 260 MB each: a graph of one task for each load and for each pair,
-           and changeover.cluster.all_pairs() with room for 8 items
-straggler  one worker of two takes ten times as long for a pair: shares that stay as they are, and shares that are stolen
+bytes      32 items of 8 MiB in files, two workers that may take 260 MB each: a graph of one task
+           for each load and for each pair, and changeover.cluster.all_pairs() with room for 8 items
+straggler  one worker of two takes ten times as long for a pair: shares that stay as they are, and
+           shares that are stolen
 kills      a hundred workers are killed (python/tests/test_cluster_kills_Slow.py)
 simulated  what simulate() says of jobs, and what Dask takes for them
 scale      simulate(): 1,000,000 items on 10,000 workers
@@ -50,7 +53,8 @@ def product(_i, _j, first, second):
 
 
 def moved(client):
-    """Bytes that the worker processes have read from files and written to files: items, and what they spilled."""
+    """Bytes that the worker processes have read from files and written to files: items, and what
+    they spilled."""
     def of_process():
         with open("/proc/self/io") as file:
             counts = dict(line.split(":") for line in file)
@@ -106,7 +110,8 @@ def bench_bytes():
                 counts = moved(client) - before
             rows.append((name, *counts, seconds, total))
             print(
-                f"{name}: {counts[0] / 1e9:.2f} GB read, {counts[1] / 1e9:.2f} GB written, {seconds:.1f} s; {loads or ''}",
+                f"{name}: {counts[0] / 1e9:.2f} GB read, {counts[1] / 1e9:.2f} GB written, "
+                f"{seconds:.1f} s; {loads or ''}",
                 flush=True,
             )
         assert max(row[4] for row in rows) - min(row[4] for row in rows) < 1e-3 * abs(rows[0][4])
@@ -115,7 +120,8 @@ def bench_bytes():
             return statistics.mean(row[column] for row in rows if row[0] == name)
         both = [mean(name, 1) + mean(name, 2) for name in ("graph", "stretches")]
         print(
-            f"graph / ours: bytes read {mean('graph', 1) / mean('stretches', 1):.1f}, read and written {both[0] / both[1]:.1f}, "
+            f"graph / ours: bytes read {mean('graph', 1) / mean('stretches', 1):.1f}, read and "
+            f"written {both[0] / both[1]:.1f}, "
             f"seconds {mean('graph', 3) / mean('stretches', 3):.1f}"
         )
 
@@ -144,13 +150,15 @@ def bench_straggler():
             taken["stolen"].append(each)
         static, stolen = (statistics.median(each) for each in taken.values())
         print(
-            f"straggler: shares that stay {static:.1f} s, stolen {stolen:.1f} s, ratio {static / stolen:.1f}; {report}"
+            f"straggler: shares that stay {static:.1f} s, stolen {stolen:.1f} s, ratio "
+            f"{static / stolen:.1f}; {report}"
         )
 
 
 def bench_simulated():
     print(
-        "| items | room | workers | a load, ms | a pair, ms | overlap | loads | simulated loads | s | simulated s | ratio |"
+        "| items | room | workers | a load, ms | a pair, ms | overlap | loads | simulated loads | "
+        "s | simulated s | ratio |"
     )
     print("|---:|---:|---:|---:|---:|:---|---:|---:|---:|---:|---:|")
     for count in (1, 2, 4):
@@ -183,8 +191,10 @@ def bench_simulated():
                     overhead=0.02,
                 )
                 print(
-                    f"| {items} | {room} | {count} | {1000 * load:.0f} | {1000 * pair:.0f} | {'yes' if overlap else ''} | {report.loads} | "
-                    f"{said.loads} | {seconds:.2f} | {said.seconds:.2f} | {said.seconds / seconds:.2f} |",
+                    f"| {items} | {room} | {count} | {1000 * load:.0f} | {1000 * pair:.0f} | "
+                    f"{'yes' if overlap else ''} | {report.loads} | "
+                    f"{said.loads} | {seconds:.2f} | {said.seconds:.2f} | "
+                    f"{said.seconds / seconds:.2f} |",
                     flush=True,
                 )
 
@@ -202,8 +212,10 @@ def bench_scale():
                 **named,
             )
             print(
-                f"{named} room {room}: {said}; planned {said.planned_loads} loads, computing {said.computing:.1%}, loading "
-                f"{said.loading:.1%}, waiting {said.waiting:.1%}, stolen {said.stolen}, retried {said.retried}; simulated in "
+                f"{named} room {room}: {said}; planned {said.planned_loads} loads, computing "
+                f"{said.computing:.1%}, loading "
+                f"{said.loading:.1%}, waiting {said.waiting:.1%}, stolen {said.stolen}, retried "
+                f"{said.retried}; simulated in "
                 f"{time.perf_counter() - begin:.1f} s",
                 flush=True,
             )

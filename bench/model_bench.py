@@ -1,12 +1,13 @@
 #!/usr/bin/python3
-"""Models of parameters against PICT, in one run: how many tests, and how many values they change in their order.
+"""Models of parameters against PICT, in one run: how many tests, and how many values they change in
+their order.
 
 usage: python3 bench/model_bench.py CHANGEOVER PICT [SECONDS]
 
-CHANGEOVER and PICT are programs. The models are those that PICT's authors publish figures of: parameters
-by their numbers of values, without rules. PICT runs with its own seed and with twenty others, and the
-run with the fewest tests, and then the fewest changes, counts. Ours has one thread and SECONDS for a model.
-Changes are counted here, from the tests that both write.
+CHANGEOVER and PICT are programs. The models are those that PICT's authors publish figures of:
+parameters by their numbers of values, without rules. PICT runs with its own seed and with twenty
+others, and the run with the fewest tests, and then the fewest changes, counts. Ours has one thread
+and SECONDS for a model. Changes are counted here, from the tests that both write.
 """
 
 import csv
@@ -56,7 +57,8 @@ def main():
     ours, pict = (str(pathlib.Path(program).resolve()) for program in sys.argv[1:3])
     seconds = float(sys.argv[3]) if len(sys.argv) > 3 else 20
     print(
-        "| model | PICT: tests | changes | s | ours: tests | no fewer than | changes | of PICT's | s |"
+        "| model | PICT: tests | changes | s | ours: tests | no fewer than | changes | of PICT's | "
+        "s |"
     )
     print("|:---|---:|---:|---:|---:|---:|---:|---:|---:|")
     with tempfile.TemporaryDirectory() as folder:
@@ -86,7 +88,8 @@ def main():
             check(rows, sizes)
             bound = bound_of(ours, file)
             print(
-                f"| {name} | {theirs[0]} | {theirs[1]} | {their_time:.1f} | {len(rows)} | {bound} | {changes(rows)} | "
+                f"| {name} | {theirs[0]} | {theirs[1]} | {their_time:.1f} | {len(rows)} | {bound} "
+                f"| {changes(rows)} | "
                 f"{changes(rows) / theirs[1]:.0%} | {our_time:.1f} |",
                 flush=True,
             )

@@ -9,8 +9,8 @@
 
 namespace changeover::bench {
 
-/// Runs `peer` and `ours` in turn as long as the state asks, and reports the median of peer/ours as the
-/// counter `ratio` (1: as fast as the peer), with the medians of both in milliseconds.
+/// Runs `peer` and `ours` in turn as long as the state asks, and reports the median of peer/ours as
+/// the counter `ratio` (1: as fast as the peer), with the medians of both in milliseconds.
 template <typename Peer, typename Ours>
 void run_paired(benchmark::State& state, Peer&& peer, Ours&& ours) {
   using Clock = std::chrono::steady_clock;

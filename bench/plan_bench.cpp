@@ -1,5 +1,5 @@
-// What run sheets cost after some seconds of processor time, ours and those of a plain annealer (plan_peer.hpp), one
-// thread each.
+// What run sheets cost after some seconds of processor time, ours and those of a plain annealer
+// (plan_peer.hpp), one thread each.
 #include <benchmark/benchmark.h>
 #include <sys/syscall.h>
 #include <time.h>
@@ -19,8 +19,9 @@
 
 std::atomic<bool> changeover::bench::clock_of_processor = false;
 
-// While the library plans, its clock is the processor time of this program, so that other work on the machine takes
-// nothing from it. It stands for the one of the C library, from which std::chrono::steady_clock has its time.
+// While the library plans, its clock is the processor time of this program, so that other work on
+// the machine takes nothing from it. It stands for the one of the C library, from which
+// std::chrono::steady_clock has its time.
 extern "C" int clock_gettime(clockid_t clock, timespec* now) noexcept {
   const bool other = clock == CLOCK_MONOTONIC &&
                      changeover::bench::clock_of_processor.load(std::memory_order_relaxed);

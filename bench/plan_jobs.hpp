@@ -1,4 +1,5 @@
-// Jobs for comparisons of run sheets: parts that differ in price, all pairs, always the same for a seed.
+// Jobs for comparisons of run sheets: parts that differ in price, all pairs, always the same for a
+// seed.
 #pragma once
 
 #include <algorithm>
@@ -27,8 +28,9 @@ inline Job priced_job(std::uint64_t parts, std::uint64_t at_once, const std::str
 }
 
 /// 8 to 40 parts in 2 to 6 slots; half of the jobs have room for one part of each slot, as with
-/// parameters, the others for up to four. The change costs are one for all, multiples of 0.50 to 9.50, or a few
-/// dear ones; half of the jobs have forbidden pairs; a test costs 0.2 to 20 times what a change does.
+/// parameters, the others for up to four. The change costs are one for all, multiples of 0.50 to
+/// 9.50, or a few dear ones; half of the jobs have forbidden pairs; a test costs 0.2 to 20 times
+/// what a change does.
 inline Job slotted_job(std::uint64_t seed) {
   for (std::uint64_t turn = 0;; ++turn) {
     Random random(seed, 1000 + turn);
@@ -73,8 +75,8 @@ inline Job slotted_job(std::uint64_t seed) {
   }
 }
 
-/// A job for two to four benches with less of some parts than there are benches, of 10 to 50 parts: every third with
-/// slots, half of the others with forbidden pairs. No search was tuned for these.
+/// A job for two to four benches with less of some parts than there are benches, of 10 to 50 parts:
+/// every third with slots, half of the others with forbidden pairs. No search was tuned for these.
 struct HeldOutJob {
   Job job;
   std::uint32_t benches = 2;

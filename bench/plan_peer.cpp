@@ -313,7 +313,8 @@ class PlainAnnealer {
     keep_best();
   }
 
-  // A set-up comes once more right after itself: it costs a test only, and moves make something of it.
+  // A set-up comes once more right after itself: it costs a test only, and moves make something of
+  // it.
   void twice() {
     const std::size_t at = below(list_.size());
     if (accept(test_)) {

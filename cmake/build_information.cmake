@@ -1,9 +1,11 @@
 # changeover_build_information(<variable>)
 #
-# Makes the source of what the program says of its own build (apps/changeover/shell/build_information.hpp) and stores its path in
+# Makes the source of what the program says of its own build
+# (apps/changeover/shell/build_information.hpp) and stores its path in
 # <variable>.
 
-# changeover_debian_version(<variable> <file>): the version of the Debian package that brought <file>, or nothing.
+# changeover_debian_version(<variable> <file>): the version of the Debian package that brought
+# <file>, or nothing.
 function(changeover_debian_version variable file)
   set(${variable} "" PARENT_SCOPE)
   find_program(CHANGEOVER_DPKG_QUERY dpkg-query)

@@ -1,13 +1,15 @@
-# Load orders for programs in C: libchangeover_loadorder.so, which needs nothing else of ours and exports what
-# changeover_loadorder.h declares and no more. Installed with a .pc file, and as the component C of the CMake
-# package, which a project without C++ can ask for.
+# Load orders for programs in C: libchangeover_loadorder.so, which needs nothing else of ours and
+# exports what changeover_loadorder.h declares and no more. Installed with a .pc file, and as the
+# component C of the CMake package, which a project without C++ can ask for.
 add_library(changeover_c SHARED "${PROJECT_SOURCE_DIR}/src/loadorder/c_interface.cpp")
 add_library(changeover::c ALIAS changeover_c)
 set(exports "${PROJECT_SOURCE_DIR}/cmake/c_library.map")
-# The number of the binary interface, in the library's soname. It is not the version of the project: it is raised when a
-# program that was linked before would no longer work, and by nothing else (CONTRIBUTING.md).
+# The number of the binary interface, in the library's soname. It is not the version of the project:
+# it is raised when a program that was linked before would no longer work, and by nothing else
+# (CONTRIBUTING.md).
 set(CHANGEOVER_C_INTERFACE 0)
-# What is exported since when, in the words of Debian's symbols files; tests/install holds the library to it.
+# What is exported since when, in the words of Debian's symbols files; tests/install holds the
+# library to it.
 set(CHANGEOVER_C_SYMBOLS "${PROJECT_SOURCE_DIR}/cmake/packages/libchangeover_loadorder.symbols")
 set_target_properties(changeover_c PROPERTIES
   EXPORT_NAME c
@@ -15,7 +17,8 @@ set_target_properties(changeover_c PROPERTIES
   VERSION "${CHANGEOVER_C_INTERFACE}.${PROJECT_VERSION}"
   SOVERSION "${CHANGEOVER_C_INTERFACE}"
   LINK_DEPENDS "${exports}")
-target_link_options(changeover_c PRIVATE "LINKER:--version-script=${exports}" LINKER:--gc-sections LINKER:-z,defs)
+target_link_options(changeover_c PRIVATE "LINKER:--version-script=${exports}" LINKER:--gc-sections
+  LINKER:-z,defs)
 target_include_directories(changeover_c PRIVATE "${PROJECT_SOURCE_DIR}/src" INTERFACE
   "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>"
   "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")

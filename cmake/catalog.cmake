@@ -1,8 +1,9 @@
 # changeover_shipped_catalog(<variable>)
 #
-# Makes the database of the designs that come with the program from the lines in catalog/, and stores the path of a source
-# that holds it in <variable>: the library needs no files where it is installed. The program that makes it links the rooms
-# below construct/, which is who has the database.
+# Makes the database of the designs that come with the program from the lines in catalog/, and
+# stores the path of a source that holds it in <variable>: the library needs no files where it is
+# installed. The program that makes it links the rooms below construct/, which is who has the
+# database.
 function(changeover_shipped_catalog variable)
   file(GLOB_RECURSE files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/catalog/*.jsonl")
   list(SORT files)
@@ -52,6 +53,7 @@ std::span<const std::byte> shipped_catalog() {
     OBJECT_DEPENDS "${image}" SKIP_PRECOMPILE_HEADERS ON)
   add_library(changeover_shipped OBJECT "${source}")
   target_include_directories(changeover_shipped PRIVATE "${PROJECT_SOURCE_DIR}/src")
-  set_target_properties(changeover_shipped PROPERTIES CXX_COMPILER_LAUNCHER "" INTERPROCEDURAL_OPTIMIZATION OFF)
+  set_target_properties(changeover_shipped PROPERTIES CXX_COMPILER_LAUNCHER ""
+    INTERPROCEDURAL_OPTIMIZATION OFF)
   set(${variable} "$<TARGET_OBJECTS:changeover_shipped>" PARENT_SCOPE)
 endfunction()

@@ -1,13 +1,16 @@
 # changeover_room(<name> [DEPENDS <room>...] [LIBRARIES <target>...] [SOURCES <file>...]
-#                 [GENERATED_HEADERS <dir>] [NOT_INSTALLED] [WARM | COLD [ONLY <regex> | UNLESS <regex>]])
+#                 [GENERATED_HEADERS <dir>] [NOT_INSTALLED] [WARM | COLD [ONLY <regex> | UNLESS
+#                 <regex>]])
 #
 # Adds the library changeover_<name>, alias changeover::<name>, from src/<name>/**.cpp and
-# include/changeover/<name>/**.hpp and **.h. Sources are globbed, so that adding a file touches nothing
-# else. DEPENDS are rooms and public; LIBRARIES are private; SOURCES are generated files to add;
-# GENERATED_HEADERS is a directory laid out like include/. Other headers of a room, src/<name>/**.hpp,
-# are private: who is built in this tree may include them, as "<name>/….hpp", through the target changeover_internals.
+# include/changeover/<name>/**.hpp and **.h. Sources are globbed, so that adding a file touches
+# nothing else. DEPENDS are rooms and public; LIBRARIES are private; SOURCES are generated files to
+# add; GENERATED_HEADERS is a directory laid out like include/. Other headers of a room,
+# src/<name>/**.hpp, are private: who is built in this tree may include them, as "<name>/….hpp",
+# through the target changeover_internals.
 function(changeover_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "NOT_INSTALLED;WARM;COLD" "GENERATED_HEADERS;ONLY;UNLESS" "DEPENDS;LIBRARIES;SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 1 room "NOT_INSTALLED;WARM;COLD" "GENERATED_HEADERS;ONLY;UNLESS"
+    "DEPENDS;LIBRARIES;SOURCES")
   if(room_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "changeover_room(${name}): unknown arguments ${room_UNPARSED_ARGUMENTS}")
   endif()
@@ -54,7 +57,8 @@ function(changeover_room name)
   if(room_NOT_INSTALLED OR NOT CHANGEOVER_INSTALL)
     return()
   endif()
-  # An export of its own, so that strangers can have this room without what higher ones need: cmake/install.cmake.
+  # An export of its own, so that strangers can have this room without what higher ones need:
+  # cmake/install.cmake.
   install(TARGETS ${target} EXPORT changeover-${name}
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development
     FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT development)

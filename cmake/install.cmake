@@ -1,6 +1,7 @@
-# Installation as a CMake package: find_package(changeover) then link changeover::changeover or one room, as
-# changeover::core. Each room is a component, so that who asks for one needs only what that one links:
-# docs/packages.md. `cmake --install DIR --component NAME` has the names library, development, tools, python.
+# Installation as a CMake package: find_package(changeover) then link changeover::changeover or one
+# room, as changeover::core. Each room is a component, so that who asks for one needs only what that
+# one links: docs/packages.md. `cmake --install DIR --component NAME` has the names library,
+# development, tools, python.
 include(CMakePackageConfigHelpers)
 
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/changeover")
@@ -12,8 +13,8 @@ foreach(name IN LISTS installed_rooms ITEMS changeover C)
     DESTINATION "${package_dir}" COMPONENT development)
 endforeach()
 
-# What each room needs, for the package file: rooms below it, and packages by the name that find_package() knows. The
-# headers of nlohmann_json are compiled in.
+# What each room needs, for the package file: rooms below it, and packages by the name that
+# find_package() knows. The headers of nlohmann_json are compiled in.
 set(needs_of_rooms "")
 foreach(room IN LISTS installed_rooms)
   set(packages "")
@@ -53,9 +54,11 @@ foreach(room IN LISTS installed_rooms)
 endforeach()
 file(RELATIVE_PATH up "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 string(REGEX REPLACE "/$" "" up "${up}")
-configure_file("${PROJECT_SOURCE_DIR}/cmake/changeover.pc.in" "${PROJECT_BINARY_DIR}/generated/changeover.pc" @ONLY)
+configure_file("${PROJECT_SOURCE_DIR}/cmake/changeover.pc.in"
+  "${PROJECT_BINARY_DIR}/generated/changeover.pc" @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/generated/changeover.pc"
   DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT development)
 
 # Not in a Debian package, which has a copyright file.
-install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT license)
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT
+  license)

@@ -1,7 +1,7 @@
-# changeover_late(<target> <definition> <linked> <library>): the target loads a shared library when it
-# first uses it (apps/changeover/cli/late_library.hpp); <definition> is the name by which the loader
-# knows it. Where that is not known, and with sanitizers, <linked> is linked as any other. The
-# libraries are in the global property CHANGEOVER_LATE.
+# changeover_late(<target> <definition> <linked> <library>): the target loads a shared library when
+# it first uses it (apps/changeover/cli/late_library.hpp); <definition> is the name by which the
+# loader knows it. Where that is not known, and with sanitizers, <linked> is linked as any other.
+# The libraries are in the global property CHANGEOVER_LATE.
 function(changeover_late target definition linked library)
   if(CMAKE_OBJDUMP AND NOT CHANGEOVER_SANITIZE)
     execute_process(COMMAND "${CMAKE_OBJDUMP}" -p "${library}" OUTPUT_VARIABLE headers ERROR_QUIET)

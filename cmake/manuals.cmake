@@ -1,4 +1,5 @@
-# What man and the shells know of the programs: manual pages and completion scripts, which the program itself writes.
+# What man and the shells know of the programs: manual pages and completion scripts, which the
+# program itself writes.
 set(manuals "${PROJECT_BINARY_DIR}/man/man1")
 set(completions "${PROJECT_BINARY_DIR}/completions")
 set(checkdesign_page "${PROJECT_SOURCE_DIR}/apps/checkdesign/checkdesign.1")
@@ -19,11 +20,12 @@ if(NOT CHANGEOVER_INSTALL)
   return()
 endif()
 install(DIRECTORY "${manuals}" DESTINATION "${CMAKE_INSTALL_MANDIR}")
-install(FILES "${completions}/changeover" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
+install(FILES "${completions}/changeover" DESTINATION
+  "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
 install(FILES "${completions}/changeover.fish"
   DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d")
-# Below usr Debian's zsh looks into a folder of its own; elsewhere all look into the other one. The prefix is known when it is
-# installed: packages are made of a build for another.
+# Below usr Debian's zsh looks into a folder of its own; elsewhere all look into the other one. The
+# prefix is known when it is installed: packages are made of a build for another.
 set(zsh_script "${completions}/_changeover")
 set(zsh_folder "\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/zsh")
 install(CODE "

@@ -1,8 +1,11 @@
-# Debian packages, one a component, made by `./dev package` out of a build as it is (docs/packages.md).
+# Debian packages, one a component, made by `./dev package` out of a build as it is
+# (docs/packages.md).
 #
 #     libchangeover-loadorder0   library       the library for C
-#     libchangeover-dev          development   headers, static libraries, what CMake and pkg-config ask
-#     changeover                 tools         programs, and all that is installed without a component's name
+#     libchangeover-dev          development   headers, static libraries, what CMake and pkg-config
+#                                              ask
+#     changeover                 tools         programs, and all that is installed without a
+#                                              component's name
 #     python3-changeover         python
 if(NOT CHANGEOVER_INSTALL OR NOT CHANGEOVER_PROGRAM OR NOT EXISTS "/etc/debian_version")
   return()
@@ -102,29 +105,35 @@ if(TARGET changeover_python)
   get_directory_property(major DIRECTORY python DEFINITION Python_VERSION_MAJOR)
   get_directory_property(minor DIRECTORY python DEFINITION Python_VERSION_MINOR)
   math(EXPR next_minor "${minor} + 1")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${major}.${minor}~), python3 (<< ${major}.${next_minor})")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= ${major}.${minor}~), python3 (<< ${major}.${next_minor})")
 endif()
 
-# What goes beside a package's files: of the library which programs may start with it, of Python its compiled files.
+# What goes beside a package's files: of the library which programs may start with it, of Python its
+# compiled files.
 configure_file("${CHANGEOVER_C_SYMBOLS}" "${packages_dir}/library/symbols" COPYONLY)
 file(CONFIGURE OUTPUT "${packages_dir}/library/shlibs"
-  CONTENT "libchangeover_loadorder ${CHANGEOVER_C_INTERFACE} ${library_package} (>= ${PROJECT_VERSION})\n")
+  CONTENT
+  "libchangeover_loadorder ${CHANGEOVER_C_INTERFACE} ${library_package} (>= ${PROJECT_VERSION})\n")
 file(CONFIGURE OUTPUT "${packages_dir}/library/triggers" CONTENT "activate-noawait ldconfig\n")
 set(scripts OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 foreach(script IN ITEMS library.postinst library.postrm python.postinst python.prerm)
   string(REPLACE "." "/" to "${script}")
-  configure_file("${PROJECT_SOURCE_DIR}/cmake/packages/${script}" "${packages_dir}/${to}" FILE_PERMISSIONS ${scripts} COPYONLY)
+  configure_file("${PROJECT_SOURCE_DIR}/cmake/packages/${script}" "${packages_dir}/${to}"
+    FILE_PERMISSIONS ${scripts} COPYONLY)
 endforeach()
 foreach(file IN ITEMS symbols shlibs triggers postinst postrm)
   list(APPEND CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA "${packages_dir}/library/${file}")
 endforeach()
-set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${packages_dir}/python/postinst;${packages_dir}/python/prerm")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+  "${packages_dir}/python/postinst;${packages_dir}/python/prerm")
 
 set(folders "")
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   string(TOUPPER "${component}" upper)
   list(APPEND folders "${component}:${CPACK_DEBIAN_${upper}_PACKAGE_NAME}")
 endforeach()
-configure_file("${PROJECT_SOURCE_DIR}/cmake/packages/prepare.cmake.in" "${packages_dir}/prepare.cmake" @ONLY)
+configure_file("${PROJECT_SOURCE_DIR}/cmake/packages/prepare.cmake.in"
+  "${packages_dir}/prepare.cmake" @ONLY)
 set(CPACK_PRE_BUILD_SCRIPTS "${packages_dir}/prepare.cmake")
 include(CPack)

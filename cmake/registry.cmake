@@ -2,7 +2,8 @@
 #
 # Writes registry_entries.cpp, which lists every construction, and stores its path in <variable>.
 # Each src/construct/entries/**/NAME.cpp defines
-# `const Construction& construction()` in namespace changeover::NAME_entry; the list is sorted by NAME.
+# `const Construction& construction()` in namespace changeover::NAME_entry; the list is sorted by
+# NAME.
 #
 # The list is generated rather than collected by objects that register themselves: a linker takes
 # from a static library only the object files that something refers to, so a self-registering

@@ -2,7 +2,8 @@
 # place that says so: the libraries are linked from it, and tests/architecture holds the includes
 # to it. A room's public headers are include/changeover/<room>/, all the rest of it is src/<room>/.
 
-set(CHANGEOVER_ROOMS core run verify bounds io catalog construct draw paper proof isomorphism search curator loadorder plan)
+set(CHANGEOVER_ROOMS core run verify bounds io catalog construct draw paper proof isomorphism search
+  curator loadorder plan)
 
 # Rooms that are built with the others but are no part of the installed library.
 set(CHANGEOVER_ROOMS_OF_THE_HOUSE paper)
@@ -23,8 +24,8 @@ set(CHANGEOVER_KNOWS_curator core run verify bounds io catalog construct isomorp
 set(CHANGEOVER_KNOWS_plan core run verify bounds io catalog construct search)
 set(CHANGEOVER_KNOWS_loadorder core run verify bounds io catalog construct search)
 
-# Rooms that nobody waits for while they run (cmake/cold.cmake), or which of their sources are such; WARM: as fast
-# with fewer passes of the compiler.
+# Rooms that nobody waits for while they run (cmake/cold.cmake), or which of their sources are such;
+# WARM: as fast with fewer passes of the compiler.
 set(CHANGEOVER_COLD_catalog COLD UNLESS "catalog/entry/")
 set(CHANGEOVER_COLD_construct WARM)
 set(CHANGEOVER_COLD_curator COLD)

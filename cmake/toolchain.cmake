@@ -8,8 +8,8 @@ set(CMAKE_C_STANDARD_REQUIRED ON)
 set(CMAKE_C_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
-# The rooms are static libraries, and the shared library for C (cmake/c_library.cmake) is linked from them.
-# Programs are compiled as they are, so that one precompiled header serves both.
+# The rooms are static libraries, and the shared library for C (cmake/c_library.cmake) is linked
+# from them. Programs are compiled as they are, so that one precompiled header serves both.
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_C_COMPILE_OPTIONS_PIE -fPIC)
 set(CMAKE_CXX_COMPILE_OPTIONS_PIE -fPIC)
@@ -24,11 +24,13 @@ find_program(CHANGEOVER_CCACHE ccache)
 mark_as_advanced(CHANGEOVER_CCACHE)
 set(ccache_fails TRUE)
 if(CHANGEOVER_CCACHE)
-  execute_process(COMMAND "${CHANGEOVER_CCACHE}" --version RESULT_VARIABLE ccache_fails OUTPUT_QUIET ERROR_QUIET)
+  execute_process(COMMAND "${CHANGEOVER_CCACHE}" --version RESULT_VARIABLE ccache_fails OUTPUT_QUIET
+    ERROR_QUIET)
 endif()
 if(NOT ccache_fails AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # Precompiled headers are cached only by a ccache that may be careless about these two things, which
-  # no source of ours makes use of. With DEPEND, what is not in the cache is not preprocessed twice.
+  # Precompiled headers are cached only by a ccache that may be careless about these two things,
+  # which no source of ours makes use of. With DEPEND, what is not in the cache is not preprocessed
+  # twice.
   set(launcher env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_DEPEND=1 "${CHANGEOVER_CCACHE}")
   set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
   set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
@@ -48,8 +50,8 @@ if(CMAKE_BUILD_TYPE STREQUAL "Debug")
   add_compile_definitions($<$<COMPILE_LANGUAGE:CXX>:_GLIBCXX_ASSERTIONS>)
 endif()
 
-# A search with a seed has the same answer on every machine: no operation is fused with another, which rounds once for two.
-# Plain x86-64 has no such operations.
+# A search with a seed has the same answer on every machine: no operation is fused with another,
+# which rounds once for two. Plain x86-64 has no such operations.
 if(NOT CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" OR CMAKE_CXX_FLAGS MATCHES "-march|-mfma")
   add_compile_options(-ffp-contract=off)
 endif()

@@ -1,5 +1,6 @@
-// The checkpoint of a search, from any bytes, as they are and with the checksum made right. Its first line here says which
-// parameters are searched: "v k m kind". What is accepted is written and read as it was, and leads to a design that is one.
+// The checkpoint of a search, from any bytes, as they are and with the checksum made right. Its
+// first line here says which parameters are searched: "v k m kind". What is accepted is written and
+// read as it was, and leads to a design that is one.
 #include <sstream>
 
 #include "changeover/io/formats.hpp"

@@ -1,4 +1,5 @@
-// Cubes: lists of literals, a byte each, between zero bytes. What is said of them is held to all assignments.
+// Cubes: lists of literals, a byte each, between zero bytes. What is said of them is held to all
+// assignments.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>

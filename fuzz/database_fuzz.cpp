@@ -1,5 +1,6 @@
-// A user's database of designs whose content is anything: the bytes of the file, or rows between tabs, a line each, that are put
-// into one which is well made. It is read, or left aside in one line; what is read is what it says; what is damaged is not written to.
+// A user's database of designs whose content is anything: the bytes of the file, or rows between
+// tabs, a line each, that are put into one which is well made. It is read, or left aside in one
+// line; what is read is what it says; what is damaged is not written to.
 #include <algorithm>
 #include <array>
 #include <sstream>

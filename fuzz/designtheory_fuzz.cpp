@@ -1,4 +1,5 @@
-// Any bytes, read as XML of designtheory.org, as text of the La Jolla repository, and as a design of whatever format.
+// Any bytes, read as XML of designtheory.org, as text of the La Jolla repository, and as a design
+// of whatever format.
 #include <set>
 #include <span>
 

@@ -1,4 +1,5 @@
-// A stranger's catalog, from any bytes: what is taken is what it says, is found afterwards, and is written and read as it was.
+// A stranger's catalog, from any bytes: what is taken is what it says, is found afterwards, and is
+// written and read as it was.
 #include <chrono>
 
 #include "changeover/catalog/catalog.hpp"

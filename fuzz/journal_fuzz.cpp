@@ -1,5 +1,6 @@
-// The journal of a job, from any bytes, as they are and with the checksums of its lines made right: what counts was a step of
-// the job, reading changes nothing, and what is recorded afterwards is read.
+// The journal of a job, from any bytes, as they are and with the checksums of its lines made right:
+// what counts was a step of the job, reading changes nothing, and what is recorded afterwards is
+// read.
 #include "loadorder/run/journal.hpp"
 
 #include "support/chain.hpp"

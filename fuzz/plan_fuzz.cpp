@@ -1,4 +1,5 @@
-// Any bytes, read as each kind of list that an experimenter gives: an answer or one line, and what is written is read back.
+// Any bytes, read as each kind of list that an experimenter gives: an answer or one line, and what
+// is written is read back.
 #include "changeover/plan/job.hpp"
 #include "support/promises.hpp"
 

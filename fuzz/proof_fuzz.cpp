@@ -1,4 +1,5 @@
-// A formula and a proof that it has no solution, from any bytes: what is verified is held to all assignments.
+// A formula and a proof that it has no solution, from any bytes: what is verified is held to all
+// assignments.
 #include <algorithm>
 #include <cstdint>
 #include <sstream>
@@ -11,7 +12,8 @@ namespace {
 
 constexpr std::uint64_t most_variables_here = 16;
 
-// The clauses of a formula that was accepted: comments begin with c, the line that says how many there are with p.
+// The clauses of a formula that was accepted: comments begin with c, the line that says how many
+// there are with p.
 std::vector<std::vector<int>> clauses_of(const std::string& cnf) {
   std::vector<std::vector<int>> clauses(1);
   std::istringstream lines(cnf);

@@ -1,5 +1,5 @@
-// Any bytes, read as the JSON of a recipe and built within limits: whoever builds it gets the same blocks, and what is made of
-// constructions alone is a design.
+// Any bytes, read as the JSON of a recipe and built within limits: whoever builds it gets the same
+// blocks, and what is made of constructions alone is a design.
 #include <algorithm>
 #include <chrono>
 

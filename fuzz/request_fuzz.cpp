@@ -1,6 +1,7 @@
-// Requests to the explorer's server, from any bytes: up to three, one after another, each a line "METHOD TARGET", lines of headers, an
-// empty line and a body. They go through the guard, the router and the code that answers, with the token where a header asks
-// "TOKEN". Every answer has a status that is documented, and is what its type says.
+// Requests to the explorer's server, from any bytes: up to three, one after another, each a line
+// "METHOD TARGET", lines of headers, an empty line and a body. They go through the guard, the
+// router and the code that answers, with the token where a header asks "TOKEN". Every answer has a
+// status that is documented, and is what its type says.
 #include <algorithm>
 #include <cctype>
 #include <new>

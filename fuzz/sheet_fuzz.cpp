@@ -1,5 +1,5 @@
-// A parts list and a run sheet with results, as they come back from a bench: what was done is taken off, a sheet is made of
-// what is left and read again, and the results are diagnosed.
+// A parts list and a run sheet with results, as they come back from a bench: what was done is taken
+// off, a sheet is made of what is left and read again, and the results are diagnosed.
 #include <algorithm>
 
 #include "changeover/plan/diagnosis.hpp"

@@ -1,5 +1,6 @@
-// A job that changes its items and finds the journal and the second file of items of somebody: journal, data, second file. A
-// journal names the data's path, which is DATA here. What is refused has changed nothing; a job that ends well from the beginning has done what it does on good days.
+// A job that changes its items and finds the journal and the second file of items of somebody:
+// journal, data, second file. A journal names the data's path, which is DATA here. What is refused
+// has changed nothing; a job that ends well from the beginning has done what it does on good days.
 #include <cstring>
 #include <optional>
 

@@ -1,5 +1,6 @@
-// A workbook, from any bytes: those of the file, or the text of its members, each after a line "==== NAME", that are packed here. A
-// sheet is read to its end or refused in one line, and so is a list of parts on it.
+// A workbook, from any bytes: those of the file, or the text of its members, each after a line
+// "==== NAME", that are packed here. A sheet is read to its end or refused in one line, and so is a
+// list of parts on it.
 #include <zip.h>
 
 #include "changeover/plan/job_request.hpp"

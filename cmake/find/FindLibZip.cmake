@@ -1,5 +1,5 @@
-# libzip, which reads zip archives: the target LibZip::LibZip. Its own package file asks for programs that the library
-# does not need.
+# libzip, which reads zip archives: the target LibZip::LibZip. Its own package file asks for
+# programs that the library does not need.
 find_path(LibZip_INCLUDE_DIR zip.h)
 find_library(LibZip_LIBRARY zip)
 mark_as_advanced(LibZip_INCLUDE_DIR LibZip_LIBRARY)

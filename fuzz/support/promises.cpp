@@ -12,8 +12,8 @@
 namespace changeover::fuzz {
 namespace {
 
-// The length of the UTF-8 character at the front; 0 if there is none, or one that a terminal obeys. Shares nothing with
-// src/core/printable.hpp, which made what is judged here.
+// The length of the UTF-8 character at the front; 0 if there is none, or one that a terminal obeys.
+// Shares nothing with src/core/printable.hpp, which made what is judged here.
 std::size_t plain_character(std::string_view text) {
   const auto byte = [&](std::size_t i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;

@@ -41,7 +41,8 @@ bool accepts(Work&& work) {
   return false;
 }
 
-/// The parts of an input between lines that are "----": exactly `count`, empty ones for those that are missing; the last has the rest.
+/// The parts of an input between lines that are "----": exactly `count`, empty ones for those that
+/// are missing; the last has the rest.
 [[nodiscard]] std::vector<std::string> parts_of(const std::string& bytes, std::size_t count);
 
 /// What `write` writes of it.
@@ -52,7 +53,8 @@ std::string written(const Thing& thing, Write&& write) {
   return sink.take();
 }
 
-/// `read` makes a design of a string, `write` writes one to a sink: what is read and written is read as it was and written as it was.
+/// `read` makes a design of a string, `write` writes one to a sink: what is read and written is
+/// read as it was and written as it was.
 template <typename Read, typename Write>
 void read_write_read(const std::string& bytes, Read&& read, Write&& write) {
   std::string once;

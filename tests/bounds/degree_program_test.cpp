@@ -137,8 +137,8 @@ TEST(DegreeProgram, IsTheBruteForceAnswerFromAnyNumberOn) {
   }
 }
 
-// Where some elements in every block allow fewer blocks than the program without them: by counting one stay too many
-// or too few for them, the answer would be another.
+// Where some elements in every block allow fewer blocks than the program without them: by counting
+// one stay too many or too few for them, the answer would be another.
 TEST(DegreeProgram, IsTheBruteForceAnswerWhereFixedElementsDecide) {
   const std::vector<std::pair<std::uint64_t, std::uint64_t>> all{
       {15, 6}, {16, 6}, {16, 7}, {19, 8}, {20, 8}};

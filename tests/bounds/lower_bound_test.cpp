@@ -174,8 +174,8 @@ std::string reason_named(const Parameters& p, const std::string& name) {
   return "";
 }
 
-/// The counting bound of a circular design for pairs over every number f of elements in every block, with an
-/// excess of `each` or more at the v − f others and what it forces at the f.
+/// The counting bound of a circular design for pairs over every number f of elements in every
+/// block, with an excess of `each` or more at the v − f others and what it forces at the f.
 std::uint64_t counted_over_every_f(const Parameters& p, std::uint64_t each) {
   const auto pairs = [](std::uint64_t n) { return n * (n - 1) / 2; };
   const auto most = [&](std::uint64_t k) { return pairs(k) - pairs(k - p.change); };

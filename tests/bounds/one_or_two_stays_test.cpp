@@ -32,9 +32,9 @@ struct Placed {
 ///
 /// A *meeting* of two elements is a run of blocks with both; one begins for each of the k−1
 /// elements beside the one that comes. b blocks have `spare` of them more than there are pairs. An
-/// element with a stay of L blocks has L + k − 2 meetings in it. So it is in v − 1 − (k−2) blocks if
-/// it has one stay, in v − 1 − 2(k−2) if it has two, and in one more for each of its meetings that
-/// is not the first of that pair.
+/// element with a stay of L blocks has L + k − 2 meetings in it. So it is in v − 1 − (k−2) blocks
+/// if it has one stay, in v − 1 − 2(k−2) if it has two, and in one more for each of its meetings
+/// that is not the first of that pair.
 class Stays {
  public:
   Stays(int v, int k, int b)

@@ -11,8 +11,8 @@
 namespace changeover::stays_test {
 namespace {
 
-// Random sets until every `strength` elements were together, with a taste: some runs keep much of the set before,
-// some jump, some have small sets.
+// Random sets until every `strength` elements were together, with a taste: some runs keep much of
+// the set before, some jump, some have small sets.
 std::vector<Block> random_cover(std::uint64_t v, std::uint64_t k, std::uint64_t strength,
                                 Random& random) {
   std::set<Block> missing;

@@ -1,5 +1,6 @@
-// No construction and no rule of the registry is left without a property: what offers designs is asked at random, what
-// works on a design is given random ones, and a name that is in neither table fails.
+// No construction and no rule of the registry is left without a property: what offers designs is
+// asked at random, what works on a design is given random ones, and a name that is in neither table
+// fails.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
@@ -24,7 +25,7 @@ std::uint64_t below(std::mt19937& random, std::uint64_t n) {
   return std::uniform_int_distribution<std::uint64_t>(0, n - 1)(random);
 }
 
-// ---- What offers designs ------------------------------------------------------------------------------------
+// ---- What offers designs ------------------------------------------------------------------------
 
 using Offers = std::map<std::string, std::vector<Offer>, std::less<>>;
 
@@ -84,10 +85,10 @@ RC_GTEST_PROP(EveryConstruction, BuildsWhatItPromises, (std::uint32_t seed)) {
   }
 }
 
-// ---- What works on a design -----------------------------------------------------------------------------------
+// ---- What works on a design ---------------------------------------------------------------------
 
-/// A design that a random walk makes: each step exchanges m elements, until all pairs were there and, if it is
-/// circular, the first block is one step away. nullopt if that takes too long.
+/// A design that a random walk makes: each step exchanges m elements, until all pairs were there
+/// and, if it is circular, the first block is one step away. nullopt if that takes too long.
 std::optional<Design> walk(const Parameters& p, std::mt19937& random) {
   std::vector<Element> elements(static_cast<std::size_t>(p.v));
   std::iota(elements.begin(), elements.end(), Element{0});
@@ -337,8 +338,8 @@ TEST(EveryRule, IsAppliedSometimes) {
   }
 }
 
-// The tables and the registry are the same set: a new construction that offers nothing in the box, and is no
-// rule of the table, has no property yet.
+// The tables and the registry are the same set: a new construction that offers nothing in the box,
+// and is no rule of the table, has no property yet.
 TEST(EveryConstruction, HasAProperty) {
   std::set<std::string, std::less<>> names;
   for (const Construction* one : standard().constructions()) {

@@ -234,7 +234,8 @@ TEST(Same, ManyAsEachPairByItself) {
 }
 
 TEST(Gains, AreBuiltAndBetter) {
-  // A design that nothing in the catalog serves, so that everything around is a gain or is not, as the registry says.
+  // A design that nothing in the catalog serves, so that everything around is a gain or is not, as
+  // the registry says.
   const Design design = best_design({.v = 6, .k = 4, .change = 2, .kind = Kind::circular});
   for (const Gain& gain : gains_of(*newcomer_of(design, {}).entry)) {
     EXPECT_TRUE(!gain.before || gain.b < *gain.before) << gain.rule;

@@ -1,5 +1,5 @@
-// A stranger's catalog at random: taken as it was written; damaged, what is taken of it is what it says, and nothing passes for a
-// design that was in the file before with other blocks.
+// A stranger's catalog at random: taken as it was written; damaged, what is taken of it is what it
+// says, and nothing passes for a design that was in the file before with other blocks.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

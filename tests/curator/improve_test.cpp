@@ -14,7 +14,8 @@ namespace {
 using testing::HasSubstr;
 using testing::SizeIs;
 
-// A design with one block more than needed: the last one comes twice over a detour, so nothing is better known here.
+// A design with one block more than needed: the last one comes twice over a detour, so nothing is
+// better known here.
 CatalogEntry poor_entry() {
   const Parameters p{.v = 4, .k = 3, .change = 1, .kind = Kind::linear};
   const Design design(p, std::vector<Block>{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}});
@@ -67,7 +68,8 @@ std::string submitted(const Catalog& catalog, std::size_t left_out = 0) {
   return sink.text();
 }
 
-// What the user has is held against what is shipped, here a poor design of a cell that no construction serves better.
+// What the user has is held against what is shipped, here a poor design of a cell that no
+// construction serves better.
 TEST(Submission, IsWhatIsBetterThanWhatIsShipped) {
   const TemporaryFolder folder;
   const Parameters p{.v = 20, .k = 9, .change = 4, .kind = Kind::linear};
@@ -85,7 +87,8 @@ TEST(Submission, IsWhatIsBetterThanWhatIsShipped) {
   Catalog catalog({.shipped = image, .user = folder.file("mine.db")});
   EXPECT_EQ(submitted(catalog), header_line({}) + "\n");
   catalog.add(good_entry);
-  // A tree that makes fewer blocks than all that is shipped is news; a list of blocks that a construction equals is none.
+  // A tree that makes fewer blocks than all that is shipped is news; a list of blocks that a
+  // construction equals is none.
   const bool is_tree = !good_entry.carries_blocks();
   EXPECT_EQ(submitted(catalog),
             header_line({}) + "\n" + (is_tree ? line_of(good_entry, {}) + "\n" : ""));

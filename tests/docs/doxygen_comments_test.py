@@ -63,7 +63,8 @@ class Comments(unittest.TestCase):
 
     def test_c(self):
         said = doxygen_comments.of_c(
-            "/* Orders.\n *\n *     open();\n */\n/* One step. */\nstruct step {\n  int number; /* from 1 */\n};"
+            "/* Orders.\n *\n *     open();\n */\n/* One step. */\nstruct step {\n  int number; /* "
+            "from 1 */\n};"
         )
         self.assertEqual(
             said,

@@ -26,7 +26,8 @@ class Formulas(unittest.TestCase):
     def test_rows(self):
         self.same(
             "2v    *if v ≤ 2k,*\n3v    *if v > 2k.*",
-            "\\begin{array}{ll}\n2v & \\text{if} v \\le 2k, \\\\\n3v & \\text{if} v > 2k.\n\\end{array}",
+            "\\begin{array}{ll}\n2v & \\text{if} v \\le 2k, \\\\\n3v & \\text{if} v > "
+            "2k.\n\\end{array}",
         )
 
     def test_nothing_is_guessed(self):

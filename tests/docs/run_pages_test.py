@@ -55,7 +55,8 @@ class Pages(unittest.TestCase):
         )
         self.wrong("    $ echo '4 blocks in 0.25 s'\n    3 blocks in 0.25 s\n")
         self.right(
-            "    $ echo 'changeover: search; 9 k moves; 1:11 min, 4 s left' >&2; echo done\n    done\n"
+            "    $ echo 'changeover: search; 9 k moves; 1:11 min, 4 s left' >&2; echo done\n    "
+            "done\n"
         )
 
     def test_commands_without_output(self):
@@ -109,7 +110,8 @@ class Pages(unittest.TestCase):
         )[2]
         self.assertEqual(
             page,
-            "Before.\n\n    $ echo a\n    a\n    $ printf 'c\\n\\nd\\n'\n    c\n\n    d\n\nAfter.\n",
+            "Before.\n\n    $ echo a\n    a\n    $ printf 'c\\n\\nd\\n'\n    c\n\n    "
+            "d\n\nAfter.\n",
         )
 
 

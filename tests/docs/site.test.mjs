@@ -1,6 +1,6 @@
-// The site in a real browser, opened as files: nothing is asked of the network, nothing is missing, formulas are drawn, and
-// both searches find things. CHANGEOVER_SITE is its folder. With CHANGEOVER_SCREENSHOTS, where pictures of it go, every page
-// is opened, else one in six.
+// The site in a real browser, opened as files: nothing is asked of the network, nothing is missing,
+// formulas are drawn, and both searches find things. CHANGEOVER_SITE is its folder. With
+// CHANGEOVER_SCREENSHOTS, where pictures of it go, every page is opened, else one in six.
 import assert from 'node:assert/strict';
 import { existsSync, mkdirSync, readdirSync, statSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,4 +1,5 @@
-// Pictures read back, by a parser that shares nothing with their writers: expat for SVG, braces for TikZ.
+// Pictures read back, by a parser that shares nothing with their writers: expat for SVG, braces for
+// TikZ.
 #pragma once
 
 #include <expat.h>

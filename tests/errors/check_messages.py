@@ -3,9 +3,9 @@
 
 usage: check_messages.py ROOT
 
-A message is accounted for if a row of the table (tests/data/errors, which errors.py runs) says its words, if a test of the
-project holds them, or else if tests/data/errors/elsewhere.txt names it with a reason. What is thrown as an InternalError is a bug
-of ours, and no row can show it.
+A message is accounted for if a row of the table (tests/data/errors, which errors.py runs) says its
+words, if a test of the project holds them, or else if tests/data/errors/elsewhere.txt names it with
+a reason. What is thrown as an InternalError is a bug of ours, and no row can show it.
 """
 
 import pathlib
@@ -27,7 +27,8 @@ LITERALS = re.compile(r'"((?:[^"\\\n]|\\.)*)"|\'((?:[^\'\\\n]|\\.)*)\'')
 
 
 def words_of_tests(root):
-    """The literals of the tests that can hold a message: those with blanks, and long enough to be of no other message."""
+    """The literals of the tests that can hold a message: those with blanks, and long enough to be
+    of no other message."""
     words = set()
     for top in TESTS:
         for path in sorted((root / top).rglob("*")) if (root / top).is_dir() else []:
@@ -50,8 +51,8 @@ def words_of_tests(root):
 
 
 def held(found, tests):
-    """The messages, as they are shown, that a test holds: it has all their words, with what fills the holes, or words that are of no
-    other message."""
+    """The messages, as they are shown, that a test holds: it has all their words, with what fills
+    the holes, or words that are of no other message."""
     by_longest, shown = {}, set()
     for message in found:
         by_longest.setdefault(longest(message), []).append(message)
@@ -95,7 +96,8 @@ def longest(message):
 
 
 def accounts(root, found):
-    """For each message how it is accounted for: "row", "test", "elsewhere", "bug" or ""; and the rows of elsewhere that were used."""
+    """For each message how it is accounted for: "row", "test", "elsewhere", "bug" or ""; and the
+    rows of elsewhere that were used."""
     said = [row.message for section in errors.table(root) for row in section.rows()]
     in_tests = held(found, words_of_tests(root))
     reasons = elsewhere(root)
@@ -124,7 +126,8 @@ def faults(root):
     found, bare = messages.of_sources(root)
     how, used = accounts(root, found)
     missing = [
-        f"{message.path}:{message.line}: '{message.shown}': no row of {errors.TABLE} says it, and no test"
+        f"{message.path}:{message.line}: '{message.shown}': no row of {errors.TABLE} says it, and "
+        "no test"
         for message, account in zip(found, how)
         if not account
     ]
@@ -132,7 +135,8 @@ def faults(root):
         place = f"{errors.TABLE}/elsewhere.txt:{number}"
         if not shown or not reason:
             missing.append(
-                f"{place}: words of a message on a line, and below it a reason, indented by four blanks"
+                f"{place}: words of a message on a line, and below it a reason, indented by four "
+                "blanks"
             )
         elif number not in used:
             missing.append(
@@ -142,7 +146,8 @@ def faults(root):
             if not (root / test).exists():
                 missing.append(f"{place}: there is no {test}")
     missing += [
-        f"{path}:{line}: {kind} is thrown with words that come from nowhere; word it here or in a function ..._defect()"
+        f"{path}:{line}: {kind} is thrown with words that come from nowhere; word it here or in a "
+        "function ..._defect()"
         for path, line, kind in bare
     ]
     counts = {account: how.count(account) for account in ("row", "test", "elsewhere", "bug")}
@@ -157,7 +162,8 @@ def main(arguments):
     for line in missing:
         print(line)
     print(
-        f"{sum(counts.values())} messages: {counts['row']} in the table, {counts['test']} in other tests, "
+        f"{sum(counts.values())} messages: {counts['row']} in the table, {counts['test']} in other "
+        "tests, "
         f"{counts['elsewhere']} with a reason, {counts['bug']} bugs of ours; {len(missing)} faults"
     )
     return 1 if missing or not counts["row"] else 0

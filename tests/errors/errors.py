@@ -1,26 +1,35 @@
 #!/usr/bin/env python3
-"""The table of all messages of faults, tests/data/errors/*.txt: runs it, and makes docs/errors.md of it.
+"""The table of all messages of faults, tests/data/errors/*.txt: runs it, and makes docs/errors.md
+of it.
 
-usage: errors.py run ROOT BUILD [--write] [NAME...]   runs all rows, or those of the files that are named (without .txt);
-                                                      with --write the table gets what was said where it said otherwise
+usage: errors.py run ROOT BUILD [--write] [NAME...]   runs all rows, or those of the files that are
+                                                      named (without .txt); with --write the table
+                                                      gets what was said where it said otherwise
        errors.py page ROOT                            writes the page to standard output
 
-A file of the table is one session in a folder of its own, from top to bottom; blank lines separate what follows.
+A file of the table is one session in a folder of its own, from top to bottom; blank lines separate
+what follows.
 
-    # Heading of the page            the first lines of a file; what stands below it until a blank line is put there
-    file NAME                        makes a file of the lines below, which are indented by four blanks
+    # Heading of the page            the first lines of a file; what stands below it until a blank
+                                     line is put there
+    file NAME                        makes a file of the lines below, which are indented by four
+                                     blanks
     setup COMMAND                    a line for bash that makes one which cannot stand here
     python STATEMENT                 a line of Python that rows of Python need
     needs PROGRAM                    the row that comes next is run where there is such a program
     $ COMMAND                        a row: a line for bash, below it
-    3 parts.csv:1:1: MESSAGE         the exit code and the message, without "changeover: " before it, and below that, if the
-      WHAT IT MEANS                  message alone does not say it, indented by two blanks, what the page says of it
-    >>> EXPRESSION                   a row of Python, and a class of exceptions in place of the exit code
-    GET /api/ADDRESS                 a row of `changeover serve`, and the status in place of the exit code
-    POST /api/ADDRESS BODY           the same with a body, JSON; {"text":…} sent as text where BODY begins with "text "
+    3 parts.csv:1:1: MESSAGE         the exit code and the message, without "changeover: " before it
+      WHAT IT MEANS                  below that, if the message alone does not say it, indented by
+                                     two blanks, what the page says of it
+    >>> EXPRESSION                   a row of Python, and a class of exceptions in place of the exit
+                                     code
+    GET /api/ADDRESS                 a row of `changeover serve`, and the status in place of the
+                                     exit code
+    POST /api/ADDRESS BODY           the same with a body, JSON; {"text":…} sent as text where BODY
+                                     begins with "text "
 
-"…" in a message stands for anything: numbers that vary, words of the system. To add a row, write "?" in place of the exit
-code and the message, run the table with --write, and read what it says.
+"…" in a message stands for anything: numbers that vary, words of the system. To add a row, write
+"?" in place of the exit code and the message, run the table with --write, and read what it says.
 """
 
 import concurrent.futures
@@ -258,7 +267,8 @@ class Session:
         if answer == step.answer and step.is_said(said) and not out:
             return None, None
         return (
-            f"{step.place}: {step.typed}\n  the table: {step.answer} {step.message}\n  the run:   {answer} {said}"
+            f"{step.place}: {step.typed}\n  the table: {step.answer} {step.message}\n  the run:   "
+            f"{answer} {said}"
             + (f"\n  and on standard output: {out[:200]}" if out else ""),
             f"{answer} {said}",
         )

@@ -1,8 +1,9 @@
 """Finds the messages of the sources: what is thrown, and what is given to functions that throw.
 
-A message is the words of one literal (adjacent literals are one) with a blank in it, inside a `throw` of an exception of
-ours, a call of a function that is marked [[noreturn]], a call or the body of a function of MAKERS, which words messages for
-others to throw, or a `raise` of Python. Holes, which are filled at run time, stand as "{}".
+A message is the words of one literal (adjacent literals are one) with a blank in it, inside a
+`throw` of an exception of ours, a call of a function that is marked [[noreturn]], a call or the
+body of a function of MAKERS, which words messages for others to throw, or a `raise` of Python.
+Holes, which are filled at run time, stand as "{}".
 """
 
 import ast
@@ -82,7 +83,8 @@ def without_comments(text):
 
 
 def scanned(text, opening):
-    """The literals between the bracket at `opening` and the one that closes it, adjacent ones as one; and where that ends."""
+    """The literals between the bracket at `opening` and the one that closes it, adjacent ones as
+    one; and where that ends."""
     depth, at, found, current = 0, opening, [], None
     while at < len(text):
         raw, plain, character = (each.match(text, at) for each in (RAW, LITERAL, CHARACTER))
@@ -107,7 +109,8 @@ def scanned(text, opening):
 
 
 def worded(text, opening, offset=0):
-    """The literals between two brackets that are words of a message: with a blank, and longer than a connective."""
+    """The literals between two brackets that are words of a message: with a blank, and longer than
+    a connective."""
     return [
         (at + offset, words)
         for at, words in scanned(text, opening)[0]
@@ -194,7 +197,8 @@ def of_python(path, text):
 
 
 def of_sources(root):
-    """All messages of the sources below `root`, and the sites without words of their own: (path, line, kind)."""
+    """All messages of the sources below `root`, and the sites without words of their own: (path,
+    line, kind)."""
     files = [
         path
         for top in SOURCES

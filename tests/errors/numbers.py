@@ -3,8 +3,9 @@
 
 usage: numbers.py PROGRAM
 
-Options are those of `changeover describe`; each is given far too large, beyond 64 bits, zero, negative and unreadable beside
-arguments that are right. The program takes the value, or its message names the option (or the parameter: "change = 0").
+Options are those of `changeover describe`; each is given far too large, beyond 64 bits, zero,
+negative and unreadable beside arguments that are right. The program takes the value, or its message
+names the option (or the parameter: "change = 0").
 """
 
 import json

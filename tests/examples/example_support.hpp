@@ -1,5 +1,5 @@
-// What the examples of the headers have around them: a folder of their own, and what they write to standard
-// output.
+// What the examples of the headers have around them: a folder of their own, and what they write to
+// standard output.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -41,7 +41,8 @@ class InAFolder : public testing::Test {
   std::filesystem::path folder_;
 };
 
-/// The lines of an example of a format, which stand in the test with a line before them and four blanks in front.
+/// The lines of an example of a format, which stand in the test with a line before them and four
+/// blanks in front.
 inline std::string without_margin(const std::string& text) {
   std::istringstream lines(text.substr(1));
   std::string result;

@@ -4,7 +4,8 @@
 namespace changeover::test::isomorphism_examples_test {
 namespace {
 
-// The cyclic circular DCCD(11,4,11), and the same read backwards from another block, with other names.
+// The cyclic circular DCCD(11,4,11), and the same read backwards from another block, with other
+// names.
 Design cyclic() {
   DevelopedSource source({{.v = 11, .k = 4, .kind = Kind::circular}, {{0, 1, 2, 5}}});
   return read_all(source);

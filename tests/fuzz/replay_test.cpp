@@ -1,4 +1,5 @@
-// Every file of fuzz/corpus goes to its target, and what the target promises holds. A crash that was mended stays there as a file.
+// Every file of fuzz/corpus goes to its target, and what the target promises holds. A crash that
+// was mended stays there as a file.
 #include <gtest/gtest.h>
 
 #include <algorithm>

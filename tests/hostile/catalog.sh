@@ -110,8 +110,8 @@ for ((i = 1; i <= kills; ++i)); do
 done
 ((rounds == 1)) || [[ -s $scratch/tools/said_added ]] || fault 'nothing was ever added: the moments are too early'
 
-# An import of several batches, killed, while another process writes: what is there is whole, the other gets its turn, and
-# importing the file again adds the rest.
+# An import of several batches, killed, while another process writes: what is there is whole, the
+# other gets its turn, and importing the file again adds the rest.
 (cd "$scratch/tools/many" && add "$scratch/ground/many.db" ./*) >"$scratch/tools/answer" ||
   fault "designs cannot be added: $(head -c 300 "$scratch/tools/answer")"
 "$CHANGEOVER" catalog export --users --catalog many.db -o many.jsonl
@@ -176,7 +176,8 @@ for place in folder nowhere/x own.db/x; do
   [[ $code == 4 && ! -e fresh.db ]] || fault "catalog add -o $place: exit code $code, and the design was added"
 done
 
-# All k-subsets in an order in which one element changes: of strength 3, and so many blocks that a search finds fewer at once.
+# All k-subsets in an order in which one element changes: of strength 3, and so many blocks that a
+# search finds fewer at once.
 subsets() { # V K
   awk -v v="$1" -v k="$2" '
     function door(n, k,   kept, others, lines, i, text) {
@@ -228,7 +229,8 @@ for ((i = 1; i <= (rounds > 1 ? rounds * 4 : 2); ++i)); do
   ended=$?
   improved "$tried" search.db
   if ((signal == 2)); then
-    # An answer, or one line if it came before there was anything to answer; a signal before the program minds it ends it.
+    # An answer, or one line if it came before there was anything to answer; a signal before the
+    # program minds it ends it.
     [[ $ended == 10 || $ended == 30 || $ended == 130 ]] || fault "$tried: exit code $ended: $(head -c 300 "$scratch/said/search.err")"
     if ((ended == 10)); then
       sed -nE 's/^better: .* ([0-9a-z]+\.[0-9.a-z]+); .*/\1/p' "$scratch/said/search" | sort >"$scratch/tools/found"

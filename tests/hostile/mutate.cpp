@@ -3,8 +3,8 @@
 //     mutate SEED COUNT FILE FOLDER             FOLDER/0, FOLDER/1, …
 //     mutate SEED COUNT FILE FOLDER checkpoint  every other copy gets the right checksum again
 //
-// The same seed gives the same copies everywhere. Exit code 2 if the command line is not understood, 4 if a
-// file cannot be read or written.
+// The same seed gives the same copies everywhere. Exit code 2 if the command line is not
+// understood, 4 if a file cannot be read or written.
 #include <algorithm>
 #include <array>
 #include <charconv>

@@ -1,16 +1,18 @@
-# Components of the installed package: each is there with what it links and needs no more, and what is wrong is said.
+# Components of the installed package: each is there with what it links and needs no more, and what
+# is wrong is said.
 cmake_minimum_required(VERSION 3.25)
 set(others CaDiCaL Bliss SQLite3 EXPAT LibZip XlsxWriter)
 string(REPLACE "," ";" all_rooms "${rooms}")
 
-# configure(<languages> [<definition>...]): leaves `result` and `said`. What CMake found out about the compilers stays, what it
-# found of packages does not.
+# configure(<languages> [<definition>...]): leaves `result` and `said`. What CMake found out about
+# the compilers stays, what it found of packages does not.
 file(REMOVE_RECURSE "${work}/components")
 function(configure languages)
   file(REMOVE "${work}/components/CMakeCache.txt")
   execute_process(RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE error
     COMMAND "${CMAKE_COMMAND}" -S "${here}/components" -B "${work}/components" -G "${generator}"
-      "-DCMAKE_PREFIX_PATH=${prefix}" "-Dwanted=${version}" "-DCMAKE_C_COMPILER=${c_compiler}" "-DCMAKE_CXX_COMPILER=${cxx_compiler}"
+      "-DCMAKE_PREFIX_PATH=${prefix}" "-Dwanted=${version}" "-DCMAKE_C_COMPILER=${c_compiler}"
+      "-DCMAKE_CXX_COMPILER=${cxx_compiler}"
       "-DCMAKE_CXX_FLAGS=${flags}" "-Dlanguages=${languages}" ${ARGN})
   set(result "${result}" PARENT_SCOPE)
   # CMake breaks the lines of its messages.
@@ -22,13 +24,15 @@ function(build_and_run)
   if(NOT result EQUAL 0)
     message(FATAL_ERROR "${said}")
   endif()
-  execute_process(COMMAND "${CMAKE_COMMAND}" --build "${work}/components" OUTPUT_VARIABLE output ERROR_VARIABLE output
+  execute_process(COMMAND "${CMAKE_COMMAND}" --build "${work}/components" OUTPUT_VARIABLE output
+    ERROR_VARIABLE output
     RESULT_VARIABLE result)
   if(NOT result EQUAL 0)
     message(FATAL_ERROR "${output}")
   endif()
   foreach(room IN LISTS ARGN)
-    execute_process(COMMAND "${work}/components/all_of_${room}" OUTPUT_VARIABLE answer COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND "${work}/components/all_of_${room}" OUTPUT_VARIABLE answer
+      COMMAND_ERROR_IS_FATAL ANY)
     if(NOT answer STREQUAL "${version}\n")
       message(FATAL_ERROR "all_of_${room} printed '${answer}'")
     endif()
@@ -47,7 +51,8 @@ set(without "")
 foreach(other IN LISTS others)
   list(APPEND without "-DCMAKE_DISABLE_FIND_PACKAGE_${other}=TRUE")
 endforeach()
-configure(CXX -Dcomponents=verify -Drooms=core,run,verify -Dabsent=search,catalog,changeover,c ${without})
+configure(CXX -Dcomponents=verify -Drooms=core,run,verify -Dabsent=search,catalog,changeover,c
+  ${without})
 build_and_run(core run verify)
 configure(CXX -Dcomponents=bounds,proof -Dabsent=verify -Drooms=proof ${without})
 build_and_run(proof)
@@ -57,7 +62,8 @@ build_and_run(${all_rooms})
 
 configure(CXX -Dcomponents=verify -Doptional=search,no_such_room,plan -Dabsent=search
   -DCMAKE_DISABLE_FIND_PACKAGE_CaDiCaL=TRUE)
-if(NOT result EQUAL 0 OR NOT said MATCHES "verify found: TRUE.*search found: FALSE.*no_such_room found: FALSE.*plan found: FALSE")
+if(NOT result EQUAL 0 OR NOT said MATCHES
+  "verify found: TRUE.*search found: FALSE.*no_such_room found: FALSE.*plan found: FALSE")
   message(FATAL_ERROR "components that may be missing: ${said}")
 endif()
 

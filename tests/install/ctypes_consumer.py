@@ -1,4 +1,5 @@
-"""The shared library, called from Python: prints the loads of the order that the program in C goes through."""
+"""The shared library, called from Python: prints the loads of the order that the program in C goes
+through."""
 
 import ctypes
 import sys

@@ -1,4 +1,5 @@
-# Installs `build`, and moves the tree to `prefix`: whoever uses it must not mind. Nothing in it names the folders it was made in.
+# Installs `build`, and moves the tree to `prefix`: whoever uses it must not mind. Nothing in it
+# names the folders it was made in.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE "${work}/installed" "${prefix}")
 execute_process(COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET

@@ -23,7 +23,8 @@ execute_process(COMMAND "${meson_build}/in_cpp" OUTPUT_VARIABLE answer COMMAND_E
 if(NOT answer STREQUAL "${version}\n")
   message(FATAL_ERROR "in_cpp printed '${answer}', not the version ${version}")
 endif()
-execute_process(COMMAND "${CMAKE_COMMAND}" -E env "LD_LIBRARY_PATH=${prefix}/${libdir}" "${meson_build}/in_c"
+execute_process(COMMAND "${CMAKE_COMMAND}" -E env "LD_LIBRARY_PATH=${prefix}/${libdir}"
+  "${meson_build}/in_c"
   OUTPUT_VARIABLE answer COMMAND_ERROR_IS_FATAL ANY)
 if(NOT answer MATCHES "^[1-9][0-9]*\n$")
   message(FATAL_ERROR "in_c printed '${answer}', not a number of loads")

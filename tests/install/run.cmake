@@ -23,8 +23,10 @@ if(EXISTS "${prefix}/bin/changeover")
 endif()
 
 # What man and the shells look for.
-foreach(file IN ITEMS man/man1/changeover.1 man/man1/changeover-catalog-show.1 man/man1/checkdesign.1
-    bash-completion/completions/changeover zsh/site-functions/_changeover fish/vendor_completions.d/changeover.fish)
+foreach(file IN ITEMS man/man1/changeover.1 man/man1/changeover-catalog-show.1
+  man/man1/checkdesign.1
+    bash-completion/completions/changeover zsh/site-functions/_changeover
+    fish/vendor_completions.d/changeover.fish)
   if(NOT EXISTS "${prefix}/share/${file}")
     message(FATAL_ERROR "share/${file} was not installed")
   endif()

@@ -1,5 +1,6 @@
-# The source archive, as git would make it of the files as they are now, is a part of another project: that one gets the
-# library `room`, and neither programs nor tests nor anything installed of ours.
+# The source archive, as git would make it of the files as they are now, is a part of another
+# project: that one gets the library `room`, and neither programs nor tests nor anything installed
+# of ours.
 cmake_minimum_required(VERSION 3.25)
 find_program(git NAMES git)
 if(git)
@@ -23,7 +24,8 @@ foreach(file IN LISTS files)
 endforeach()
 file(WRITE "${folder}/files" "${there}")
 file(CREATE_LINK "${source}" "${folder}/changeover-${version}" SYMBOLIC)
-execute_process(COMMAND "${CMAKE_COMMAND}" -E tar czf changeover.tar.gz --files-from=files WORKING_DIRECTORY "${folder}"
+execute_process(COMMAND "${CMAKE_COMMAND}" -E tar czf changeover.tar.gz --files-from=files
+  WORKING_DIRECTORY "${folder}"
   COMMAND_ERROR_IS_FATAL ANY)
 file(REMOVE "${folder}/changeover-${version}")
 
@@ -35,8 +37,10 @@ function(run)
   set(said "${said}" PARENT_SCOPE)
 endfunction()
 run("${CMAKE_COMMAND}" -E env GIT_DIR=/nonexistent
-  "${CMAKE_COMMAND}" -S "${here}/source_consumer" -B "${folder}/build" -G "${generator}" "-Darchive=${folder}/changeover.tar.gz"
-  "-Droom=${room}" "-DCMAKE_C_COMPILER=${c_compiler}" "-DCMAKE_CXX_COMPILER=${cxx_compiler}" "-DCMAKE_CXX_FLAGS=${flags}")
+  "${CMAKE_COMMAND}" -S "${here}/source_consumer" -B "${folder}/build" -G "${generator}"
+  "-Darchive=${folder}/changeover.tar.gz"
+  "-Droom=${room}" "-DCMAKE_C_COMPILER=${c_compiler}" "-DCMAKE_CXX_COMPILER=${cxx_compiler}"
+  "-DCMAKE_CXX_FLAGS=${flags}")
 run("${CMAKE_COMMAND}" --build "${folder}/build")
 run("${folder}/build/consumer")
 if(NOT said STREQUAL "${version}\n")

@@ -116,8 +116,8 @@ inline std::string mutated(std::string text, std::mt19937& random) {
   return text;
 }
 
-/// Such a file gives a design that is written and read back the same, or one line with a place. The functions
-/// are read(text), of a file named f, and written(design).
+/// Such a file gives a design that is written and read back the same, or one line with a place. The
+/// functions are read(text), of a file named f, and written(design).
 template <typename Read, typename Written>
 void read_mutated_file(std::uint32_t seed, Read&& read, Written&& written) {
   std::mt19937 random(seed);

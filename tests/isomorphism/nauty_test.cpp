@@ -1,5 +1,5 @@
-// A second library's opinion: nauty on a directed graph, where the order of blocks is a path or a circle of
-// arrows, against sorting columns.
+// A second library's opinion: nauty on a directed graph, where the order of blocks is a path or a
+// circle of arrows, against sorting columns.
 #include <gtest/gtest.h>
 
 #include "changeover/isomorphism/isomorphism.hpp"
@@ -19,8 +19,8 @@ struct Opinion {
   double group_order = 0;
 };
 
-// Elements 0, …, v−1, then blocks; edges both ways between a block and its elements, an arrow from each block
-// to the next.
+// Elements 0, …, v−1, then blocks; edges both ways between a block and its elements, an arrow from
+// each block to the next.
 Opinion ask_nauty(const Design& design) {
   const int v = static_cast<int>(design.v());
   const int b = static_cast<int>(design.block_count());

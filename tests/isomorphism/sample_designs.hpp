@@ -23,7 +23,8 @@ void shuffle(Generator& random, std::vector<T>& items) {
   }
 }
 
-/// Any blocks, whether they are a design or not; repetitions are likely when few blocks are possible.
+/// Any blocks, whether they are a design or not; repetitions are likely when few blocks are
+/// possible.
 inline Design random_blocks(Generator& random, std::size_t v, std::size_t k, std::size_t b,
                             Kind kind) {
   Design design(Parameters{.v = v, .k = k, .change = 1, .kind = kind});
@@ -36,7 +37,8 @@ inline Design random_blocks(Generator& random, std::size_t v, std::size_t k, std
   return design;
 }
 
-/// A map that may act on the design: any permutation, a rotation if it is circular, a reversal if allowed.
+/// A map that may act on the design: any permutation, a rotation if it is circular, a reversal if
+/// allowed.
 inline Isomorphism random_map(Generator& random, const Design& design, bool reversal) {
   const std::size_t b = design.block_count();
   Isomorphism map = identity(design.v());

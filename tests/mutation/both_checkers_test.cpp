@@ -1,4 +1,5 @@
-// The verifier and checkdesign share no code: they must say the same of every design and every mutation.
+// The verifier and checkdesign share no code: they must say the same of every design and every
+// mutation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -118,10 +119,10 @@ TEST(BothCheckers, AcceptThePapersLargerDesigns) {
   comparison.expect_all_accepted();
 }
 
-// Mutations of minimum designs. Those that must break one are rejected always: a design with a block fewer
-// than the minimum, with a step that changes nothing, with an element that is nowhere. Those that are read from
-// another block on are designs, the linear ones too, which can be read as circular. Of the others it is known
-// how many are no designs.
+// Mutations of minimum designs. Those that must break one are rejected always: a design with a
+// block fewer than the minimum, with a step that changes nothing, with an element that is nowhere.
+// Those that are read from another block on are designs, the linear ones too, which can be read as
+// circular. Of the others it is known how many are no designs.
 TEST(BothCheckers, RejectMutationsAtMarginOne) {
   const Registry& registry = Registry::standard();
   std::mt19937 random(5);

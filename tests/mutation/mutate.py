@@ -3,13 +3,14 @@
 
 usage: mutate.py [--list] [--again] [-j N] [ROOM | FILE]...      ./dev mutate is the door
 
-Rooms are verify, bounds and proof; without one, all of them. Every fault is a small change at one line
-of the source (planted.py). A room is built once, with all its faults in it; the tests of the room then run once
-for each fault that they reach. A fault is *killed* if a test fails, crashes or takes far longer than without it.
-What survives must be in survivors.txt, with the reason why it changes nothing that can be told from outside; a
-survivor that is not there is a fault of the tests and fails. A line there that does not survive any more is said,
-and fails as well. --list writes the faults and runs nothing; --again
-runs only those that the last run did not kill, after tests were added. The sources are never touched: build/mutation has all.
+Rooms are verify, bounds and proof; without one, all of them. Every fault is a small change at one
+line of the source (planted.py). A room is built once, with all its faults in it; the tests of the
+room then run once for each fault that they reach. A fault is *killed* if a test fails, crashes or
+takes far longer than without it. What survives must be in survivors.txt, with the reason why it
+changes nothing that can be told from outside; a survivor that is not there is a fault of the tests
+and fails. A line there that does not survive any more is said, and fails as well. --list writes the
+faults and runs nothing; --again runs only those that the last run did not kill, after tests were
+added. The sources are never touched: build/mutation has all.
 
 Exit code: 0 all is as survivors.txt says, 1 not, 2 wrong usage.
 """
@@ -82,7 +83,8 @@ def planted_into(path):
 
 
 def write_list(room, only):
-    """Reading a file takes libclang seconds: what is found is written before the next one is begun."""
+    """Reading a file takes libclang seconds: what is found is written before the next one is
+    begun."""
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # whoever reads may have seen enough
     for path in files_of(room):
         if only and path not in only:
@@ -93,7 +95,8 @@ def write_list(room, only):
 
 
 def keys_of(faults, lines):
-    """What a fault is called in survivors.txt: no number of a line, so that it outlives changes elsewhere."""
+    """What a fault is called in survivors.txt: no number of a line, so that it outlives changes
+    elsewhere."""
     times = collections.Counter()
     for fault in faults:
         key = fault.key(lines[fault.line - 1])
@@ -102,7 +105,8 @@ def keys_of(faults, lines):
 
 
 def cheapest(tests):
-    """Of (name, milliseconds) those that take four tenths of the time together: most faults need no others."""
+    """Of (name, milliseconds) those that take four tenths of the time together: most faults need no
+    others."""
     left = 0.4 * sum(int(ms) for _, ms in tests)
     out = []
     for name, ms in sorted(tests, key=lambda t: int(t[1])):
@@ -201,7 +205,8 @@ class Room:
         )
 
     def drop_what_fails(self, errors):
-        """Not every change is C++: takes out the faults that the compiler names. False if there is none."""
+        """Not every change is C++: takes out the faults that the compiler names. False if there is
+        none."""
         dropped = False
         for file, line, column in set(
             re.findall(r"^(\S+?):(\d+):(\d+): error:", errors, flags=re.M)
@@ -335,7 +340,8 @@ class Room:
         return {key: how for how, _, key in rows if how not in ("survived", "not reached")}
 
     def look(self):
-        """@return {number: how it was killed}, '' for survivors, 'not reached' for what no test comes to."""
+        """@return {number: how it was killed}, '' for survivors, 'not reached' for what no test
+        comes to."""
         reached_file = os.path.join(self.folder, "reached")
         if os.path.exists(reached_file):
             os.remove(reached_file)
@@ -372,7 +378,8 @@ class Room:
 
 
 def read_explained(path):
-    """{fault: why it may survive}. A line of survivors.txt is "why" with the faults below it, each after two blanks."""
+    """{fault: why it may survive}. A line of survivors.txt is "why" with the faults below it, each
+    after two blanks."""
     out, why = {}, ""
     for line in open(path, encoding="utf-8").read().split("\n"):
         if line.startswith("  "):
@@ -445,7 +452,8 @@ def main():
                 print(f"survivors.txt: this does not survive: {key}")
         table.append((name, len(results), len(results) - len(survivors), len(survivors)))
         say(
-            f"{name}: {len(results) - len(survivors)} of {len(results)} killed in {time.time() - began:.0f} s"
+            f"{name}: {len(results) - len(survivors)} of {len(results)} killed in "
+            f"{time.time() - began:.0f} s"
         )
     for row in table:
         print("%-12s %5d faults %5d killed %4d survive" % row)

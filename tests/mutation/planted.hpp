@@ -1,7 +1,7 @@
 // What planted sources ask: is this fault real in this run? (tests/mutation/mutate.py)
 //
-// CHANGEOVER_FAULT=17 makes fault 17 real. With CHANGEOVER_FAULTS_REACHED=FILE the numbers that were asked for are
-// written to FILE at the end, so that faults which no test reaches need no run.
+// CHANGEOVER_FAULT=17 makes fault 17 real. With CHANGEOVER_FAULTS_REACHED=FILE the numbers that
+// were asked for are written to FILE at the end, so that faults which no test reaches need no run.
 #pragma once
 
 #include <cstdio>

@@ -3,14 +3,15 @@
     faults = find_faults("src/verify/verdict.cpp", arguments)      # what the compiler is given
     text = plant(source, faults, without=set())
 
-Each fault is a small change at one place: another operator, a constant that is one off, a condition that is
-negated or lost, a statement that is dropped, two arguments exchanged. The text that `plant` returns has them all,
-each behind a question that is asked when the program runs:
+Each fault is a small change at one place: another operator, a constant that is one off, a condition
+that is negated or lost, a statement that is dropped, two arguments exchanged. The text that `plant`
+returns has them all, each behind a question that is asked when the program runs:
 
-    a < b     becomes     (planted_fault(17) ? ((a) <= (b)) : planted_fault(18) ? ((a) >= (b)) : (a < b))
+    a < b     becomes     (planted_fault(17) ? ((a) <= (b)) : planted_fault(18) ? ((a) >= (b)) : (a
+                          < b))
 
-so that one build serves every fault: the environment variable CHANGEOVER_FAULT says which of them is real. The
-lines of the text are those of the source.
+so that one build serves every fault: the environment variable CHANGEOVER_FAULT says which of them
+is real. The lines of the text are those of the source.
 
 Where expressions begin and end is asked of libclang, not guessed.
 """
@@ -61,7 +62,8 @@ FUNCTIONS = {
 
 @dataclass
 class Fault:
-    """One change. Where it stands is a place of the source; `how` tells it apart from others there."""
+    """One change. Where it stands is a place of the source; `how` tells it apart from others
+    there."""
     path: str
     line: int
     start: int
@@ -186,7 +188,8 @@ class Finder:
             self.visit(child, cursor, in_loop)
 
     def variable(self, cursor):
-        """Whether faults may be planted in what it is initialised with. Constants are made at run time."""
+        """Whether faults may be planted in what it is initialised with. Constants are made at run
+        time."""
         start, end = self.range(cursor)
         text = self.bytes[start:end].decode()
         head = re.match(r"(static\s+)?(inline\s+)?constexpr\b", text)

@@ -1,5 +1,5 @@
-// The verifier, checkdesign and the definition word by word say the same of every file: the verdict, the
-// counts, and whether there is anything to judge at all.
+// The verifier, checkdesign and the definition word by word say the same of every file: the
+// verdict, the counts, and whether there is anything to judge at all.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -83,8 +83,8 @@ std::string checkdesign_says(int code, const std::string& report) {
   return result.str();
 }
 
-/// Files with a full header: walks that keep some elements for ever, blocks that share nothing with the
-/// one before, more change and strength than a block has elements, one and two blocks.
+/// Files with a full header: walks that keep some elements for ever, blocks that share nothing with
+/// the one before, more change and strength than a block has elements, one and two blocks.
 std::string random_file(std::mt19937& random) {
   const auto below = [&](std::uint64_t n) { return static_cast<std::uint64_t>(random() % n); };
   const std::uint64_t v = 1 + below(9);

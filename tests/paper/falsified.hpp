@@ -45,7 +45,8 @@ inline std::string places(const std::vector<PaperItem>& items) {
   return text;
 }
 
-// The falsified print must give an item at `place`, about `what`, that differs and does not so otherwise.
+// The falsified print must give an item at `place`, about `what`, that differs and does not so
+// otherwise.
 inline void expect_found(Section section, const std::function<void(Paper&)>& falsify,
                          const std::string& place, const std::string& what = "") {
   Paper paper = printed_paper();

@@ -71,7 +71,8 @@ TEST(PaperReport, refutes_exactly_the_statements_that_are_false) {
                  });
 }
 
-// What two or more elements in every block do to other statements is said once, as consequences of one item.
+// What two or more elements in every block do to other statements is said once, as consequences of
+// one item.
 TEST(PaperReport, groups_what_has_one_cause) {
   const std::vector<std::pair<std::string, PaperStatus>> expected = {
       {"any economical DCCD is minimum", PaperStatus::refuted},

@@ -14,10 +14,10 @@ namespace changeover::test {
 /// What cannot be done.
 inline constexpr auto no_cost = std::numeric_limits<std::uint64_t>::max();
 
-/// By set of needed pairs, one bit each in the order of PairSet, or of needed triples if there are any: the least cost, in
-/// millionths, of a list that covers these and no others. A dynamic program over what is covered and the last set-up: a
-/// step that covers nothing new can be left out, since going straight to the next set-up introduces no more. For jobs of
-/// up to six parts.
+/// By set of needed pairs, one bit each in the order of PairSet, or of needed triples if there are
+/// any: the least cost, in millionths, of a list that covers these and no others. A dynamic program
+/// over what is covered and the last set-up: a step that covers nothing new can be left out, since
+/// going straight to the next set-up introduces no more. For jobs of up to six parts.
 inline std::vector<std::uint64_t> least_costs(const Job& job) {
   const std::size_t v = job.names.size();
   std::vector<unsigned> needed;  // the parts of each
@@ -102,8 +102,8 @@ inline std::vector<std::uint64_t> least_costs(const Job& job) {
   return least;
 }
 
-/// The least cost, in millionths, of covering at least so many needed pairs or triples (all of them by default); nullopt if that is
-/// impossible.
+/// The least cost, in millionths, of covering at least so many needed pairs or triples (all of them
+/// by default); nullopt if that is impossible.
 inline std::optional<std::uint64_t> least_cost(const Job& job,
                                                std::optional<std::uint64_t> pairs = {}) {
   const std::vector<std::uint64_t> least = least_costs(job);

@@ -6,7 +6,8 @@
 
 namespace changeover::test {
 
-/// A job of up to `most` parts with whatever constraints the numbers say. Always the same for a seed.
+/// A job of up to `most` parts with whatever constraints the numbers say. Always the same for a
+/// seed.
 inline Job random_job(std::uint64_t seed, std::uint32_t most, bool constraints = true) {
   for (std::uint64_t stream = 0;; ++stream) {
     Random random(seed, stream);

@@ -1,4 +1,5 @@
-// Jobs whose change costs depend on what is replaced, and their cheapest plans by looking at all lists.
+// Jobs whose change costs depend on what is replaced, and their cheapest plans by looking at all
+// lists.
 #pragma once
 
 #include <algorithm>
@@ -67,8 +68,9 @@ inline std::uint64_t cost_of_changes(const Job& job, unsigned from, unsigned to)
   return cost;
 }
 
-/// The least cost of a list for the job, in millionths: the shortest way, from nothing done, among what is covered and the
-/// last set-up, steps that cover nothing new included. For jobs of up to five parts.
+/// The least cost of a list for the job, in millionths: the shortest way, from nothing done, among
+/// what is covered and the last set-up, steps that cover nothing new included. For jobs of up to
+/// five parts.
 inline std::uint64_t least_cost_of_replacing(const Job& job) {
   std::vector<unsigned> needed;
   job.needed.for_each(1000, [&](Element x, Element y) { needed.push_back(1U << x | 1U << y); });

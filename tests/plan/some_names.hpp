@@ -1,5 +1,5 @@
-// Names as people give them to parts, at random, none twice: with what separates fields, what a spreadsheet computes, what begins
-// a comment, numbers, and words of headers.
+// Names as people give them to parts, at random, none twice: with what separates fields, what a
+// spreadsheet computes, what begins a comment, numbers, and words of headers.
 #pragma once
 
 #include <rapidcheck.h>

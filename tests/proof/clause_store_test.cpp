@@ -1,5 +1,6 @@
-// The store of clauses against unit propagation by definition: clauses are looked at again and again until none has
-// anything to say. What a store answers must not depend on what it was asked before.
+// The store of clauses against unit propagation by definition: clauses are looked at again and
+// again until none has anything to say. What a store answers must not depend on what it was asked
+// before.
 #include "proof/clause_store.hpp"
 
 #include <gtest/gtest.h>
@@ -175,7 +176,8 @@ TEST(ClauseStore, KeepsEachClauseThatFixedALiteral) {
   }
 }
 
-// Dead clauses are swept away once they are half of what is stored; those that moved are found where they are.
+// Dead clauses are swept away once they are half of what is stored; those that moved are found
+// where they are.
 TEST(ClauseStore, FindsWhatIsLeftAfterDeadClausesWereSweptAway) {
   constexpr std::int32_t many = 30'000;
   const auto clause = [](std::int32_t i) { return Clause{i, -(many + i % 97 + 1), many + 100}; };

@@ -1,5 +1,6 @@
-// The proof checker where a small fault of it would hide: signs and lengths of binary proofs, what is counted, what
-// deletion may take away, when it asks whether to stop. Most of these were missing until planted faults survived.
+// The proof checker where a small fault of it would hide: signs and lengths of binary proofs, what
+// is counted, what deletion may take away, when it asks whether to stop. Most of these were missing
+// until planted faults survived.
 #include <istream>
 #include <set>
 #include <streambuf>
@@ -17,7 +18,7 @@ using Outcome = ProofVerdict::Outcome;
 
 const ProofOptions binary{.format = ProofFormat::binary};
 
-// ---- Binary proofs ----------------------------------------------------------------------------------------------
+// ---- Binary proofs ------------------------------------------------------------------------------
 
 TEST(DratBinary, KnowsALiteralFromItsNegation) {
   // 1 follows, −1 does not; 3 and then −3 do.
@@ -78,7 +79,7 @@ TEST(DratBinary, EndsAtTheNumberOfItsSteps) {
   EXPECT_EQ(check_text(eight, "1 2 0\n1 2 9 0\n\n").line, 4U);
 }
 
-// ---- Text ---------------------------------------------------------------------------------------------------------
+// ---- Text ---------------------------------------------------------------------------------------
 
 TEST(DratText, TakesBlanksCommentsAndLinesAsTheyCome) {
   EXPECT_TRUE(
@@ -149,7 +150,7 @@ TEST(DratText, ShowsEightLiteralsOfAClause) {
   EXPECT_THAT(shown("1 5 -3 2"), HasSubstr("resolution on 1"));
 }
 
-// ---- Counting -----------------------------------------------------------------------------------------------------
+// ---- Counting -----------------------------------------------------------------------------------
 
 TEST(DratCounts, AreExact) {
   const ProofVerdict verdict = check_text(eight, "1 2 0\n7 -7 0\n1 0\n2 0\n0\n");
@@ -171,7 +172,7 @@ TEST(DratCounts, ClausesAfterAContradictionToo) {
   EXPECT_EQ(check_text("p cnf 2 4\n1 0\n-1 0\n2 -2 0\n1 2 0\n", "").clauses, 4U);
 }
 
-// ---- Deletion -----------------------------------------------------------------------------------------------------
+// ---- Deletion -----------------------------------------------------------------------------------
 
 TEST(DratDeletion, FindsAClauseHoweverItIsWritten) {
   const auto counts = [](const std::string& cnf, const std::string& proof) {
@@ -235,7 +236,8 @@ TEST(DratDeletion, FindsEachOfThousandsOfClauses) {
   EXPECT_EQ(verdict.ignored_deletions, 5000U);
 }
 
-// What one resolvent assumed is forgotten before the next: −2 makes 3 true, and then the second would follow.
+// What one resolvent assumed is forgotten before the next: −2 makes 3 true, and then the second
+// would follow.
 TEST(DratResolvents, AreTriedEachByItself) {
   const ProofVerdict verdict =
       check_text("p cnf 4 5\n-1 2 0\n-1 3 0\n1 2 3 0\n1 2 4 0\n1 2 -4 0\n", "1 0\n");
@@ -248,7 +250,7 @@ TEST(DratResolvents, AreTriedEachByItself) {
             1U);
 }
 
-// ---- Limits and stopping ------------------------------------------------------------------------------------------
+// ---- Limits and stopping ------------------------------------------------------------------------
 
 TEST(DratLimits, AreMetExactly) {
   // Eight clauses of three literals, three words more for each.

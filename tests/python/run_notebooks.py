@@ -1,5 +1,6 @@
-"""run_notebooks.py FOLDER: runs the cells of each notebook, in order and in one process a notebook, and shows what each
-last line gives as a notebook would: as HTML, a picture or text. Nothing of it may fail."""
+"""run_notebooks.py FOLDER: runs the cells of each notebook, in order and in one process a notebook,
+and shows what each last line gives as a notebook would: as HTML, a picture or text. Nothing of it
+may fail."""
 
 import ast
 import json

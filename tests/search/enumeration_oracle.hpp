@@ -1,5 +1,5 @@
-// Every list of blocks with the change property, one after another, and what is left of them up to names:
-// obviously right and hopelessly slow. Shares nothing with the search.
+// Every list of blocks with the change property, one after another, and what is left of them up to
+// names: obviously right and hopelessly slow. Shares nothing with the search.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 
 namespace changeover::test {
 
-/// What a list is up to names: for each element the blocks that hold it, as a word of 0 and 1; sorted.
+/// What a list is up to names: for each element the blocks that hold it, as a word of 0 and 1;
+/// sorted.
 using Columns = std::vector<std::string>;
 
 inline Columns columns_of(const std::vector<Subset>& blocks, std::uint64_t v) {

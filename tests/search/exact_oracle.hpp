@@ -1,5 +1,5 @@
-// Whether a change covering design exists, by plain depth-first search over lists of blocks. Shares nothing with
-// the library but the parameters.
+// Whether a change covering design exists, by plain depth-first search over lists of blocks. Shares
+// nothing with the library but the parameters.
 #pragma once
 
 #include <bit>

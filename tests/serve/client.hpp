@@ -40,7 +40,8 @@ struct Reply {
   }
 };
 
-/// A connection to the server that is at home on this port. Nothing is waited for longer than a minute.
+/// A connection to the server that is at home on this port. Nothing is waited for longer than a
+/// minute.
 class Connection {
  public:
   explicit Connection(std::uint16_t port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
@@ -156,7 +157,8 @@ class Connection {
 
 using Headers = std::map<std::string, std::string>;
 
-/// A request as a browser of this machine would send it; other headers replace those that go with it.
+/// A request as a browser of this machine would send it; other headers replace those that go with
+/// it.
 inline std::string request_text(std::uint16_t port, const std::string& method,
                                 const std::string& target, const Headers& others = {},
                                 const std::string& body = "") {

@@ -133,8 +133,9 @@ inline std::ostream& operator<<(std::ostream& out, const Damage& damage) {
   return out;
 }
 
-/// Whether `work` ends without a fault. If not, it throws BadInput (or another fault that is named), which says so in one line that
-/// begins with the name of the file; whatever else is thrown fails the property.
+/// Whether `work` ends without a fault. If not, it throws BadInput (or another fault that is
+/// named), which says so in one line that begins with the name of the file; whatever else is thrown
+/// fails the property.
 template <typename Fault = BadInput, typename Work>
 bool accepted(const std::string& file, Work&& work) {
   try {

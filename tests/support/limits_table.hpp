@@ -17,7 +17,8 @@ struct LimitRow {
   std::string line;  ///< what one sees one beyond it
 };
 
-/// The rows between one heading and the next, by name. Numbers are written with commas; lines stand between backticks.
+/// The rows between one heading and the next, by name. Numbers are written with commas; lines stand
+/// between backticks.
 inline std::map<std::string, LimitRow> limit_rows(const std::string& page,
                                                   const std::string& heading) {
   std::ifstream file(page);

@@ -1,4 +1,5 @@
-// The inequality of stays (docs/theorems.md, Theorem 5), counted from a list of sets. Shares no code with bounds/.
+// The inequality of stays (docs/theorems.md, Theorem 5), counted from a list of sets. Shares no
+// code with bounds/.
 #pragma once
 
 #include <algorithm>
@@ -26,8 +27,8 @@ inline std::vector<std::uint64_t> stays(std::uint64_t v, const std::vector<Block
   return stays;
 }
 
-/// The first s for which the inequality fails, for sets of at most k elements in which every `strength` elements
-/// meet; nullopt if it holds for all s.
+/// The first s for which the inequality fails, for sets of at most k elements in which every
+/// `strength` elements meet; nullopt if it holds for all s.
 inline std::optional<std::uint64_t> broken_inequality_of_stays(std::uint64_t v, std::uint64_t k,
                                                                std::uint64_t strength,
                                                                const std::vector<Block>& sets) {

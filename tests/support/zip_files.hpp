@@ -67,7 +67,8 @@ inline Members unzipped(const std::string& bytes) {
   return members;
 }
 
-/// A workbook as programs write it: the XML of its sheets by name, the texts and formats that they share.
+/// A workbook as programs write it: the XML of its sheets by name, the texts and formats that they
+/// share.
 inline Members workbook_of(const std::map<std::string, std::string>& sheets,
                            const std::string& texts = "", const std::string& styles = "") {
   const std::string kind = "http://schemas.openxmlformats.org/officeDocument/2006/relationships/";

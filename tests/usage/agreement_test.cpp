@@ -1,4 +1,5 @@
-// All verbs say the same of a cell, whether it comes planned or lies just outside, and whether the user has a better design there.
+// All verbs say the same of a cell, whether it comes planned or lies just outside, and whether the
+// user has a better design there.
 #include <gtest/gtest.h>
 
 #include <random>

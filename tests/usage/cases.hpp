@@ -42,8 +42,8 @@ inline std::size_t count(const std::string& text, const std::string& part) {
   return times;
 }
 
-/// Without the lines of progress ("changeover: planning v = 9; 11 s", "…; 1:08 min") that a command writes once it has taken ten
-/// seconds.
+/// Without the lines of progress ("changeover: planning v = 9; 11 s", "…; 1:08 min") that a command
+/// writes once it has taken ten seconds.
 inline std::string without_progress(const std::string& err) {
   static const std::regex progress("changeover: .*; [0-9:]+ (s|min|h)\n");
   std::string rest;
@@ -56,7 +56,8 @@ inline std::string without_progress(const std::string& err) {
   return rest;
 }
 
-/// The exit codes of each verb's answers, as `changeover describe` has them: "catalog verify" -> {0, 1, 30}.
+/// The exit codes of each verb's answers, as `changeover describe` has them: "catalog verify" ->
+/// {0, 1, 30}.
 inline const std::map<std::string, std::set<int>>& described_outcomes() {
   static const std::map<std::string, std::set<int>> all = [] {
     std::map<std::string, std::set<int>> codes;
@@ -72,7 +73,8 @@ inline const std::map<std::string, std::set<int>>& described_outcomes() {
   return all;
 }
 
-/// The verb of a line that runs changeover once and nothing else: "catalog verify"; empty otherwise.
+/// The verb of a line that runs changeover once and nothing else: "catalog verify"; empty
+/// otherwise.
 inline std::string only_verb(const std::string& command) {
   constexpr std::string_view program = "$changeover ";
   if (!command.starts_with(program) || command.find_first_of("|;&\n") != std::string::npos ||
@@ -88,8 +90,8 @@ inline std::string only_verb(const std::string& command) {
                                               : std::string();
 }
 
-/// An answer is on standard output and nothing on stderr; a refusal is one clean line on stderr and nothing else.
-/// That nothing serves some parameters (4) is an answer as well.
+/// An answer is on standard output and nothing on stderr; a refusal is one clean line on stderr and
+/// nothing else. That nothing serves some parameters (4) is an answer as well.
 inline void expect(const std::vector<Case>& cases, const TemporaryFolder& folder) {
   for (const Case& each : cases) {
     if (each.command.find("/dev/full") != std::string::npos && !has_full_device()) {
@@ -118,8 +120,9 @@ inline void expect(const std::vector<Case>& cases, const TemporaryFolder& folder
   }
 }
 
-/// Open MPI refuses to run as root, or with more processes than cores, unless told otherwise. It leaves memory to modules
-/// that it has unloaded when it ends, of which a leak sanitizer cannot even say where it was taken.
+/// Open MPI refuses to run as root, or with more processes than cores, unless told otherwise. It
+/// leaves memory to modules that it has unloaded when it ends, of which a leak sanitizer cannot
+/// even say where it was taken.
 inline const std::string mpirun =
     "ASAN_OPTIONS=\"$ASAN_OPTIONS:detect_leaks=0\" "
     "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "

@@ -1,4 +1,5 @@
-// changeover dossier: one design for a paper; LaTeX of tables and bounds; what stands beside proofs.
+// changeover dossier: one design for a paper; LaTeX of tables and bounds; what stands beside
+// proofs.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -69,7 +70,8 @@ TEST(Dossier, ItsCommandsMakeItsDesign) {
   }
 }
 
-// Names of environments that are open at the end of a text, and of those that close another than the last one opened.
+// Names of environments that are open at the end of a text, and of those that close another than
+// the last one opened.
 std::vector<std::string> unbalanced(const std::string& latex) {
   static const std::regex mark(R"(\\(begin|end)\{([a-z*]+)\})");
   std::vector<std::string> open;

@@ -210,7 +210,8 @@ TEST(ExitCodes, AreThoseOfTheTable) {
 TEST(Output, LeavesTheOldFileIntactAfterAnyFailure) {
   const TemporaryFolder folder;
   prepare(folder);
-  // The input is read before the output is touched, and a full disk strikes only the temporary file.
+  // The input is read before the output is touched, and a full disk strikes only the temporary
+  // file.
   EXPECT_EQ(run("$changeover expand ragged.txt -o old.json", folder.path()).code, 3);
   EXPECT_EQ(slurp(folder.file("old.json")), "precious\n");
   EXPECT_EQ(run("$changeover design 4 2 -o old.json", folder.path()).code, 4);

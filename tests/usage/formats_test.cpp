@@ -1,4 +1,5 @@
-// The end of a file's name says its format, in every verb: what is written is read back, what cannot be is refused.
+// The end of a file's name says its format, in every verb: what is written is read back, what
+// cannot be is refused.
 #include <gmock/gmock.h>
 
 #include <filesystem>

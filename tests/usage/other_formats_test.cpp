@@ -26,7 +26,8 @@ TEST(OtherFormats, ADesignComesBack) {
          folder);
 }
 
-// Through GAP itself, where it is installed; with its package DESIGN or, without it, a function of that name.
+// Through GAP itself, where it is installed; with its package DESIGN or, without it, a function of
+// that name.
 TEST(OtherFormats, GapReadsAndWrites) {
   const TemporaryFolder folder;
   if (run("echo 'QUIT;' | gap -q", folder.path()).code != 0) {

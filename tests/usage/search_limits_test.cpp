@@ -1,4 +1,5 @@
-// changeover search at its limits: stopped, without room for its checkpoint, asked for what cannot be.
+// changeover search at its limits: stopped, without room for its checkpoint, asked for what cannot
+// be.
 #include <chrono>
 
 #include "cases.hpp"
@@ -126,7 +127,8 @@ TEST(SearchLimits, EachOfSeveralProcessesHasItsCheckpoint) {
       0);
 }
 
-// Words never replace a file of designs; the JSON document goes where it was to go, whatever it says.
+// Words never replace a file of designs; the JSON document goes where it was to go, whatever it
+// says.
 TEST(SearchLimits, ThatThereIsNoDesignIsAnAnswerInEveryForm) {
   const TemporaryFolder folder;
   spit(folder.path() / "list.txt", "0 1 2\n3 4 5\n0 3 1\n");

@@ -1,4 +1,5 @@
-// Streams that are closed, full or gone, and answers whose place went away: no result is lost for it.
+// Streams that are closed, full or gone, and answers whose place went away: no result is lost for
+// it.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -10,8 +11,8 @@ namespace {
 
 constexpr const char* search = "$changeover search 41 6 --time 1s --threads 1 ";
 
-// A search in the background that writes its answer to `place`. Once it is under way, its checkpoint
-// is there; then `meanwhile` happens, and `signal` ends it.
+// A search in the background that writes its answer to `place`. Once it is under way, its
+// checkpoint is there; then `meanwhile` happens, and `signal` ends it.
 std::string searching(const std::string& place, const std::string& meanwhile,
                       const std::string& signal) {
   return "$changeover search 41 6 --time 10m --threads 1 --quiet --format text --checkpoint state -o " +

@@ -1,4 +1,5 @@
-// The example that trains embeddings: the same bytes for the same seed, whoever works and whatever kills it.
+// The example that trains embeddings: the same bytes for the same seed, whoever works and whatever
+// kills it.
 #include <filesystem>
 
 #include "cases.hpp"

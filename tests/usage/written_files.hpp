@@ -20,7 +20,8 @@ inline bool is_xml(const std::string& text) {
   return good;
 }
 
-/// The rows of CSV as RFC 4180 has it; none if a quote stands where it may not. Lines with # before the first row are passed over.
+/// The rows of CSV as RFC 4180 has it; none if a quote stands where it may not. Lines with # before
+/// the first row are passed over.
 inline std::vector<std::vector<std::string>> csv_rows(const std::string& text) {
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> row{""};

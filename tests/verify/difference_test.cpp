@@ -129,8 +129,9 @@ TEST(DifferenceVerdict, EqualsTheFullVerificationOnEveryBaseBlockOfSmallParamete
 }
 
 TEST(DifferenceVerdict, DemandsTheLink) {
-  // The two base blocks of the tight DCCD(21,4,42). With the block that contains k − 2 = 2 last, the
-  // step to the next round keeps two elements; in the other order it keeps one, and all pairs still occur.
+  // The two base blocks of the tight DCCD(21,4,42). With the block that contains k − 2 = 2 last,
+  // the step to the next round keeps two elements; in the other order it keeps one, and all pairs
+  // still occur.
   const Parameters p{.v = 21, .k = 4, .kind = Kind::circular};
   const BaseBlocks right{p, {{0, 1, 4, 12}, {0, 1, 2, 7}}};
   const BaseBlocks wrong{p, {{0, 1, 2, 7}, {0, 1, 4, 12}}};

@@ -1,4 +1,5 @@
-// The sets behind verification by themselves, against std::set: rows of bits and subsets one by one say the same.
+// The sets behind verification by themselves, against std::set: rows of bits and subsets one by one
+// say the same.
 #include "verify/subset_set.hpp"
 
 #include <gtest/gtest.h>

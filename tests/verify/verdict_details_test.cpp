@@ -1,5 +1,5 @@
-// Verdicts where a small fault of them would hide: what is true of nothing, how many examples are listed, messages
-// with their numbers. Most of these were missing until planted faults survived.
+// Verdicts where a small fault of them would hide: what is true of nothing, how many examples are
+// listed, messages with their numbers. Most of these were missing until planted faults survived.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -97,7 +97,8 @@ TEST(VerdictDetails, CountsPairsOfElementsForStrengthTwoOnly) {
   }
 }
 
-// By hand: ⌈(C(v,t) − C(k,t)) / p⌉ + 1 and ⌈C(v,t) / p⌉, with p the t-subsets of a block that have a new element.
+// By hand: ⌈(C(v,t) − C(k,t)) / p⌉ + 1 and ⌈C(v,t) / p⌉, with p the t-subsets of a block that have
+// a new element.
 TEST(VerdictDetails, CountingBoundsAreThoseOfTheTheorem) {
   const auto bound = [](const Parameters& p) { return verify(Design(p)).counting_bound; };
   EXPECT_EQ(bound({.v = 10, .k = 4, .change = 2}), 9U);  // (45 − 6) / 5
@@ -171,7 +172,8 @@ TEST(VerdictDetails, RefusesWhatNoDesignCanBe) {
             "a block of 3 elements, not k = 4");
 }
 
-// Blocks with many new elements are taken as rows of bits, several blocks together: none has a part of the next one.
+// Blocks with many new elements are taken as rows of bits, several blocks together: none has a part
+// of the next one.
 TEST(VerdictDetails, BlocksTakenTogetherAreApart) {
   constexpr Element k = 64;
   std::vector<Block> blocks(4, Block(k));
@@ -219,7 +221,8 @@ TEST(VerifiedDesigns, AreValidOrThereIsNone) {
   }
 }
 
-// The largest difference is v/2: where the bits of the differences fill their words, there is one word more.
+// The largest difference is v/2: where the bits of the differences fill their words, there is one
+// word more.
 TEST(DifferenceDetails, HasRoomForEachDifference) {
   for (const std::uint64_t v : {126U, 127U, 128U, 129U, 400U}) {
     for (std::uint64_t d = 1; d <= v / 2; ++d) {

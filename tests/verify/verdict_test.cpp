@@ -216,7 +216,8 @@ TEST(Verdict, SeesABrokenLinkOnlyInACircularDesign) {
 }
 
 TEST(Verdict, CountsPairsThatLieInEveryBlockApart) {
-  // A circular DCCD(8,6) with fewer blocks than ⌈g₂⌉ = 4: pairs of fixed elements are never newly covered.
+  // A circular DCCD(8,6) with fewer blocks than ⌈g₂⌉ = 4: pairs of fixed elements are never newly
+  // covered.
   const Design design(
       {.v = 8, .k = 6, .kind = Kind::circular},
       std::vector<Block>{{2, 3, 4, 5, 6, 7}, {0, 1, 4, 5, 6, 7}, {0, 1, 2, 3, 6, 7}});

@@ -1,4 +1,5 @@
-// Entries and files at random: read as they were written; damaged, entries that are well made or one line.
+// Entries and files at random: read as they were written; damaged, entries that are well made or
+// one line.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

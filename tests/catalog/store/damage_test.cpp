@@ -28,7 +28,8 @@ CatalogEntry some_entry(std::uint64_t b = 5, unsigned seed = 1) {
   return random_entry(cell, b, random);
 }
 
-// Everything that reads, without a fault; then everything that writes, refused, and the file as it was.
+// Everything that reads, without a fault; then everything that writes, refused, and the file as it
+// was.
 void expect_unusable(const std::string& path, const std::string& words) {
   const bool is_file = std::filesystem::is_regular_file(path);
   const std::string before = is_file ? slurp(path) : "";
@@ -129,8 +130,9 @@ TEST(CatalogFile, ReadOnly) {
   std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
 }
 
-// Bytes are changed at random. Whatever the file then is, reading ends without a fault of ours, what it hands out has the label that
-// was asked for, and a file that is found damaged is not written to.
+// Bytes are changed at random. Whatever the file then is, reading ends without a fault of ours,
+// what it hands out has the label that was asked for, and a file that is found damaged is not
+// written to.
 TEST(CatalogFile, WithBytesChanged) {
   const TemporaryFolder folder;
   const std::string path = folder.file("mine.db");
@@ -251,7 +253,8 @@ TEST(Migration, KeepsACopy) {
   EXPECT_THAT(Catalog({.user = path}).problem(), HasSubstr("newer program"));
 }
 
-// Killed at random moments: the file is of one version or the other, with all that was in it, and each copy is whole.
+// Killed at random moments: the file is of one version or the other, with all that was in it, and
+// each copy is whole.
 TEST(Migration, KilledOnItsWay) {
   const TemporaryFolder folder;
   const std::string path = folder.file("mine.db");

@@ -1,5 +1,5 @@
-// A user's database with entries at random: read as they were added; with a row that was damaged, what is handed out is what was
-// asked for, and the rest is said in one line.
+// A user's database with entries at random: read as they were added; with a row that was damaged,
+// what is handed out is what was asked for, and the rest is said in one line.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -92,8 +92,8 @@ Parameters cell_of(const Database& database, const std::string& label) {
           .strength = static_cast<std::uint32_t>(row.integer(4))};
 }
 
-// Another value in a column of a row, as it may be after a fault of a disk; SQLite keeps no checksums. Returns what the row
-// is of now.
+// Another value in a column of a row, as it may be after a fault of a disk; SQLite keeps no
+// checksums. Returns what the row is of now.
 Parameters damage_row(const std::string& path, const std::string& label, const Damage& damage) {
   const Database database = Database::open(path, Access::read_write);
   database.run("PRAGMA synchronous = OFF");

@@ -2,12 +2,14 @@
 # What the attacks share; each script begins with `source "$(dirname "$0")/support/attack.sh"`.
 #
 #     CHANGEOVER, CHECKDESIGN, ALL_PAIRS   paths of the programs
-#     HOSTILE_ROUNDS                       how often each attack is repeated with other values (default 1)
+#     HOSTILE_ROUNDS                       how often each attack is repeated with other values
+#                                          (default 1)
 #     HOSTILE_SEED                         of the random choices (default 1)
 #
-# A script works in a fresh folder that goes away with it, counts every attempt in `attacks`, tells each
-# fault in one line with the command that shows it, and ends with `finish`: "N attacks, M faults", exit
-# code 0 or 1. Exit code 77 means that this machine cannot be attacked in that way, and why.
+# A script works in a fresh folder that goes away with it, counts every attempt in `attacks`, tells
+# each fault in one line with the command that shows it, and ends with `finish`: "N attacks, M
+# faults", exit code 0 or 1. Exit code 77 means that this machine cannot be attacked in that way,
+# and why.
 set -u
 export LC_ALL=C
 
@@ -81,7 +83,8 @@ finish() {
   exit 0
 }
 
-# run SECONDS PROGRAM ARGUMENT...: sets code, out, err (files) and said (the text on standard error).
+# run SECONDS PROGRAM ARGUMENT...: sets code, out, err (files) and said (the text on standard
+# error).
 out=$scratch/said/out
 err=$scratch/said/err
 run() {
@@ -101,7 +104,8 @@ documented() {
   case $1 in 0 | 1 | 2 | 3 | 4 | 10 | 20 | 30) return 0 ;; *) return 1 ;; esac
 }
 
-# True if the text holds control characters (C0 but for line ends and tabs, DEL, C1) or is not UTF-8.
+# True if the text holds control characters (C0 but for line ends and tabs, DEL, C1) or is not
+# UTF-8.
 unclean() {
   local text=$1
   [[ $text != *[$'\x01'-$'\x08'$'\x0b'-$'\x1f'$'\x7f']* ]] || return 0
@@ -110,7 +114,8 @@ unclean() {
   ! printf '%s' "$text" | iconv -f UTF-8 -t UTF-8 >/dev/null 2>&1
 }
 
-# What is wrong with how the program ended, into `defect`; empty if nothing is. `code`, `said` are of `run`.
+# What is wrong with how the program ended, into `defect`; empty if nothing is. `code`, `said` are
+# of `run`.
 judge_ending() {
   defect=
   local lines=${said//[!$'\n']/}

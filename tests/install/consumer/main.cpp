@@ -1,5 +1,5 @@
-// A program outside the project: includes the whole public door, calls into the library and prints its
-// version.
+// A program outside the project: includes the whole public door, calls into the library and prints
+// its version.
 #include <changeover/changeover.hpp>
 #include <iostream>
 

@@ -1,5 +1,5 @@
-// Sheets at random are read as they were written, and a workbook that was damaged never says something else: its parts have
-// checksums.
+// Sheets at random are read as they were written, and a workbook that was damaged never says
+// something else: its parts have checksums.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -153,7 +153,8 @@ std::vector<std::string> read_again(const std::vector<std::string>& texts) {
   return again;
 }
 
-// Where the parts themselves are written wrongly, with right checksums: a sheet that is one, or one line.
+// Where the parts themselves are written wrongly, with right checksums: a sheet that is one, or one
+// line.
 RC_GTEST_PROP(WorkbookProperty, DamagedXmlIsRefusedOrASheet,
               (const std::array<Damage, 4>& damages)) {
   const Book book = some_book();

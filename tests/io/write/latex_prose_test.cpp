@@ -74,7 +74,8 @@ TEST(LatexProse, CitesWhatThereIsAKeyFor) {
   EXPECT_EQ(latex_prose("[Other, 1]", keys), "[Other, 1]");
 }
 
-// Dollars come in pairs and braces close, whatever is written; so nothing runs into the text behind it.
+// Dollars come in pairs and braces close, whatever is written; so nothing runs into the text behind
+// it.
 RC_GTEST_PROP(LatexProseProperty, ClosesWhatItOpens, ()) {
   const std::vector<std::string> pieces{
       "b",  ">=", "_", "x", "{", "}",  "(",      ")", "ceil(", "[K", "]", ", ", "∞",  "²", "$",

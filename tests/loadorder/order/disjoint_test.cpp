@@ -1,4 +1,5 @@
-// Workers that never hold one item twice: against plain sets, against all orders of small parameters, and wrong ones refused.
+// Workers that never hold one item twice: against plain sets, against all orders of small
+// parameters, and wrong ones refused.
 #include "changeover/loadorder/workers.hpp"
 
 #include <gtest/gtest.h>
@@ -148,7 +149,8 @@ TEST(Disjoint, EveryRuleGrowsOrdersToTheirEndAndCutsGoOn) {
   }
 }
 
-// The fewest loads of all workers together: a search through everything that two workers can hold and have done.
+// The fewest loads of all workers together: a search through everything that two workers can hold
+// and have done.
 std::uint64_t fewest_loads(unsigned items, unsigned room) {
   using State =
       std::pair<std::pair<unsigned, unsigned>, std::uint32_t>;  // memories, pairs that met

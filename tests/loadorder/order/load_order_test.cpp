@@ -189,7 +189,8 @@ TEST(LoadOrder, OfADesignLoadsWhatBlocksIntroduce) {
                  "a load order needs a linear design with at least one block");
 }
 
-// The bound is reached by exhaustive minima and never passed: it holds for steps that load several too.
+// The bound is reached by exhaustive minima and never passed: it holds for steps that load several
+// too.
 TEST(LoadOrder, BoundIsThatOfSingleChangeDesigns) {
   EXPECT_EQ(load_lower_bound(12, 4).loads, 24U);
   EXPECT_EQ(load_lower_bound(20, 5).loads, 50U);

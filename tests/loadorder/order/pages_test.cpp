@@ -65,7 +65,8 @@ TEST(Pages, BenchSaysHowManyLoadsThereAre) {
   EXPECT_EQ(near, 14U);    // "within 3 % of the bound in 14"
 }
 
-// docs/loadorder.md: | P/C | C = 8 | 16 | 24 | 32 | 48 | 64 | bound | orders | over it | of 15 within 2 % |
+// docs/loadorder.md: | P/C | C = 8 | 16 | 24 | 32 | 48 | 64 | bound | orders | over it | of 15
+// within 2 % |
 TEST(Pages, LoadorderSaysHowFarOrdersAreFromTheBound) {
   const std::string text = slurp(CHANGEOVER_TEST_DATA "/../../docs/loadorder.md");
   const std::vector<std::uint64_t> shown = {8, 16, 24, 32, 48, 64};

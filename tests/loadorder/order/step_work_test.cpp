@@ -1,4 +1,5 @@
-// What steps compute: each pair once, in the first step that has it, in all the ways that can be asked for.
+// What steps compute: each pair once, in the first step that has it, in all the ways that can be
+// asked for.
 #include "changeover/loadorder/load_order.hpp"
 
 #include <gtest/gtest.h>

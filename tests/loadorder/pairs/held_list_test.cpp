@@ -1,5 +1,5 @@
-// Groups of a list that stay in turn: played step by step, and held to closing and to all pairs; and
-// the check of lists that are dense, and of lists that are not.
+// Groups of a list that stay in turn: played step by step, and held to closing and to all pairs;
+// and the check of lists that are dense, and of lists that are not.
 #include <gtest/gtest.h>
 
 #include <set>

@@ -1,4 +1,5 @@
-// Orders for listed pairs against everything there is, on small lists, and against orders that are known.
+// Orders for listed pairs against everything there is, on small lists, and against orders that are
+// known.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -207,8 +208,8 @@ TEST(PairBounds, CountPairsOneLoadAfterAnother) {
   }
 }
 
-// Each look at an order costs work, also where all that a look sees is closed: otherwise a search of so much work
-// would have no end. Counted, not timed.
+// Each look at an order costs work, also where all that a look sees is closed: otherwise a search
+// of so much work would have no end. Counted, not timed.
 TEST(ListedOrder, ASearchLooksNoMoreOftenThanItsWorkAllows) {
   using Pairs = std::vector<ItemPair>;
   constexpr Element n = 600;

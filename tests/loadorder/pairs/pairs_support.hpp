@@ -16,7 +16,8 @@
 
 namespace changeover::test {
 
-/// Breadth first over what is in memory and which pairs have met. Loads one by one, evictions at any time.
+/// Breadth first over what is in memory and which pairs have met. Loads one by one, evictions at
+/// any time.
 inline std::uint64_t fewest_loads(std::uint64_t items, const std::vector<ItemPair>& pairs,
                                   std::uint64_t room) {
   using State = std::pair<std::uint32_t, std::uint32_t>;

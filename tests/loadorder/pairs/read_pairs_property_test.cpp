@@ -1,4 +1,5 @@
-// Lists of pairs at random, written in every way: read as they were written; damaged, pairs or one line.
+// Lists of pairs at random, written in every way: read as they were written; damaged, pairs or one
+// line.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -24,7 +25,8 @@ struct List {
   std::string text;
 };
 
-// A file in one of the ways in which people write them. Numbers, or names of which one at least is no number.
+// A file in one of the ways in which people write them. Numbers, or names of which one at least is
+// no number.
 List some_list() {
   const bool named = some_number(1) == 1;
   std::vector<std::string> words;
@@ -97,8 +99,8 @@ Pairs without_needless(Pairs pairs) {
   return pairs;
 }
 
-// A file of these pairs. A list with names begins with one of them, so that nothing is taken for a number before, and has it twice,
-// so that it is no header.
+// A file of these pairs. A list with names begins with one of them, so that nothing is taken for a
+// number before, and has it twice, so that it is no header.
 std::string written(const Pairs& pairs) {
   std::string beginning;
   std::string rest;

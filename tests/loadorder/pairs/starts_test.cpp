@@ -1,4 +1,5 @@
-// Orders of closing items, and what finds better ones, on graphs of every size that is treated differently.
+// Orders of closing items, and what finds better ones, on graphs of every size that is treated
+// differently.
 #include "loadorder/pairs/starts.hpp"
 
 #include <gtest/gtest.h>

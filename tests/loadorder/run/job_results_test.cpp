@@ -1,4 +1,5 @@
-// Results that are lost, changed or claimed falsely, and those who want the same file at the same time.
+// Results that are lost, changed or claimed falsely, and those who want the same file at the same
+// time.
 #include "changeover/loadorder/all_pairs.hpp"
 
 #include <fcntl.h>

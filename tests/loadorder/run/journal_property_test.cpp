@@ -1,5 +1,5 @@
-// Journals at random: read as they were written; damaged, whole lines from the beginning count and nothing else does, and what is
-// recorded from there on is read.
+// Journals at random: read as they were written; damaged, whole lines from the beginning count and
+// nothing else does, and what is recorded from there on is read.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -161,7 +161,8 @@ RC_GTEST_PROP(JournalProperty, WhatIsRecordedAfterDamageIsRead, (const Damage& d
   RC_ASSERT(journal.note().empty());
 }
 
-// A line that continues those before it, as somebody may write who knows how: only steps of the job are taken.
+// A line that continues those before it, as somebody may write who knows how: only steps of the job
+// are taken.
 RC_GTEST_PROP(JournalProperty, WithRightChecksumsOnlyStepsOfTheJobCount,
               (const std::vector<Damage>& damages)) {
   const Story story = some_story();

@@ -1,4 +1,5 @@
-// Items that change, killed at every write: the result is that of a run without a crash, byte for byte.
+// Items that change, killed at every write: the result is that of a run without a crash, byte for
+// byte.
 #include "changeover/loadorder/all_pairs.hpp"
 
 #include <gmock/gmock.h>

@@ -32,8 +32,8 @@ inline std::shared_ptr<const ItemSizes> random_sizes(std::mt19937& random, std::
   return sizes_of(bytes, sorted[0] + sorted[1] + random() % (spare + 1));
 }
 
-/// The definition in plain code, for one worker: bytes that are loaded, and a fault. Pairs that meet
-/// are added to `met`.
+/// The definition in plain code, for one worker: bytes that are loaded, and a fault. Pairs that
+/// meet are added to `met`.
 inline std::pair<std::uint64_t, std::string> play(StepSource& steps, const ItemSizes& sizes,
                                                   std::set<ItemPair>& met) {
   std::set<Element> memory;

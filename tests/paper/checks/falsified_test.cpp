@@ -109,11 +109,13 @@ TEST(FalsifiedPaper, cited) {
 }
 
 TEST(FalsifiedPaper, tightness) {
-  // With a smaller formula designs of (15,12) and the like are no longer economical: other items, or none.
+  // With a smaller formula designs of (15,12) and the like are no longer economical: other items,
+  // or none.
   Paper other = printed_paper();
   other.circular_bound = "\\frac{\\binom{v}{2}}{2k-3}-1";
   EXPECT_NE(differing(check_tightness, other), differing(check_tightness));
-  // The statement is right where no two elements are in every block: the counterexamples all have such.
+  // The statement is right where no two elements are in every block: the counterexamples all have
+  // such.
   for (const PaperItem& item : differing(check_tightness)) {
     EXPECT_EQ(item.status, PaperStatus::refuted);
     EXPECT_EQ(item.follows, "Theorem 1");

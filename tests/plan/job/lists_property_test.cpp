@@ -1,4 +1,5 @@
-// Lists that an experimenter writes, at random and in every way: read as they were written; damaged, lists or one line.
+// Lists that an experimenter writes, at random and in every way: read as they were written;
+// damaged, lists or one line.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -48,7 +49,8 @@ std::string written(const Rows& rows) {
 
 Amount some_amount() { return {some_number(3) * 1'000'000 + some_number(99) * 10'000}; }
 
-// Every damage to a text: what is read of it, if it is not refused, is read again as it was from what `write` makes of it.
+// Every damage to a text: what is read of it, if it is not refused, is read again as it was from
+// what `write` makes of it.
 template <typename Read, typename Write>
 void read_damaged(const std::string& good, const std::vector<Damage>& damages, Read&& read,
                   Write&& write) {
@@ -63,7 +65,7 @@ void read_damaged(const std::string& good, const std::vector<Damage>& damages, R
   }
 }
 
-// ---- Parts ----------------------------------------------------------------------------------------------
+// ---- Parts --------------------------------------------------------------------------------------
 
 struct Parts {
   Fields names;
@@ -119,7 +121,7 @@ RC_GTEST_PROP(ListsProperty, DamagedPartsAreRefusedOrParts, (const std::vector<D
                [](const Parts& parts) { return written(parts); });
 }
 
-// ---- Pairs and what they are worth ------------------------------------------------------------------------
+// ---- Pairs and what they are worth --------------------------------------------------------------
 
 using Pairs = std::set<std::pair<Element, Element>>;
 
@@ -224,7 +226,7 @@ RC_GTEST_PROP(ListsProperty, DamagedWeightsAreRefusedOrWeights,
       [&](const Weights& weights) { return written(weights, names); });
 }
 
-// ---- Costs by what is replaced -----------------------------------------------------------------------------
+// ---- Costs by what is replaced ------------------------------------------------------------------
 
 std::vector<Amount> some_costs(std::uint64_t v) {
   std::vector<Amount> costs(v * v);
@@ -273,7 +275,7 @@ RC_GTEST_PROP(ListsProperty, DamagedCostsAreRefusedOrCosts, (const std::vector<D
       [&](const std::vector<Amount>& costs) { return written(costs, names); });
 }
 
-// ---- Slots -------------------------------------------------------------------------------------------------
+// ---- Slots --------------------------------------------------------------------------------------
 
 using Slots = std::vector<std::tuple<std::string, std::uint64_t, std::uint64_t>>;
 

@@ -1,4 +1,5 @@
-// Requests as documents: read back as they are, refused as they should be, and the same job whichever way a list comes.
+// Requests as documents: read back as they are, refused as they should be, and the same job
+// whichever way a list comes.
 #include "changeover/plan/job_request.hpp"
 
 #include <gmock/gmock.h>
@@ -361,8 +362,8 @@ TEST(JobRequest, DoneTestsCountAsTheyAreSent) {
   EXPECT_EQ(asked.job->tests_done, 2U);
 }
 
-// Every row was once held against all pairs and all other rows, which took minutes. The clock is the
-// number of questions that the work asks (run/control.hpp), so the test depends on no machine's
+// Every row was once held against all pairs and all other rows, which took minutes. The clock is
+// the number of questions that the work asks (run/control.hpp), so the test depends on no machine's
 // speed: one for each row, and some for a plan that is there with 10'000.
 TEST(JobRequest, ALongListOfTestsIsTakenRowByRow) {
   constexpr std::uint64_t count = 300'000;
@@ -389,7 +390,8 @@ TEST(JobRequest, ALongListOfTestsIsTakenRowByRow) {
   EXPECT_EQ(asked.job->tests_done, 200U);
 }
 
-// A row without a result was done; one whose result is empty was not, where another has one, as on a run sheet.
+// A row without a result was done; one whose result is empty was not, where another has one, as on
+// a run sheet.
 TEST(JobRequest, ATestWithAnEmptyResultWasNotRun) {
   const auto tests_done = [](const std::string& rows) {
     return checked_job(

@@ -134,7 +134,8 @@ TEST(RunPlan, DearPartsStandWhereIntroductionsAreRare) {
   EXPECT_EQ(dear, 3U);
 }
 
-// Where parts differ in price, lists with any number of changes a step are far cheaper than what they start from.
+// Where parts differ in price, lists with any number of changes a step are far cheaper than what
+// they start from.
 TEST(RunPlan, TheSearchLeavesItsStartsFarBehind) {
   for (const std::uint64_t test : {1U, 2U}) {
     Job job = make_job(30, 5, units(test), Amount{});

@@ -111,7 +111,8 @@ TEST(Slots, PairsThatCannotMeetAreThoseThatNoSetUpHolds) {
   EXPECT_GT(apart_in_all, 100U);
 }
 
-// Whatever fills the slots of y and x at last stands against what is taken first, so that many choices fail.
+// Whatever fills the slots of y and x at last stands against what is taken first, so that many
+// choices fail.
 TEST(Slots, WhatAloneCompletesASetUpIsFound) {
   Job job = make_job(70, 8, units(1), units(1));
   std::vector<std::string> slots = {"Y", "X", "Y", "Y", "A", "A", "A", "A", "A"};
@@ -164,7 +165,8 @@ TEST(Slots, AJobThatWasCheckedHasTheSamePlan) {
   }
 }
 
-// Three processors and two power supplies, exactly one of each in a set-up, and eight disks, two to four.
+// Three processors and two power supplies, exactly one of each in a set-up, and eight disks, two to
+// four.
 Job server() {
   Job job = make_job(13, 6, units(5), units(1));
   std::vector<std::string> slots(3, "CPU");

@@ -95,7 +95,8 @@ TEST(Weighted, NoBudgetPaysForMorePairsThanTheBound) {
       }
     }
   }
-  // Seven parts, three at a time, 1 a change and 0 a test: 3 pairs for 3, then one change each brings 2.
+  // Seven parts, three at a time, 1 a change and 0 a test: 3 pairs for 3, then one change each
+  // brings 2.
   const Job job = make_job(7, 3, Amount{}, units(1));
   EXPECT_EQ(most_pairs_within(job, units(2)), 1U);
   EXPECT_EQ(most_pairs_within(job, units(3)), 3U);

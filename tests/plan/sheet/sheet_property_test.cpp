@@ -1,5 +1,5 @@
-// Run sheets of jobs at random: what people fill in and hand back is read as it was written; damaged, a workbook says the same or
-// is refused, and CSV holds set-ups or is refused.
+// Run sheets of jobs at random: what people fill in and hand back is read as it was written;
+// damaged, a workbook says the same or is refused, and CSV holds set-ups or is refused.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

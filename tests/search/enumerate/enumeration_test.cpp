@@ -1,4 +1,5 @@
-// Enumeration against all lists of tiny parameters, against the numbers of the literature, and its promises.
+// Enumeration against all lists of tiny parameters, against the numbers of the literature, and its
+// promises.
 #include "changeover/search/enumeration.hpp"
 
 #include <gtest/gtest.h>
@@ -91,7 +92,8 @@ TEST(Enumeration, FindsEachStandardFormOnceAndEachClassOnceForAllTinyParameters)
 }
 
 TEST(Enumeration, FindsCircularDesignsWithTwoFixedElements) {
-  // {2..7}, {0,1,4..7}, {0,1,2,3,6,7}: two elements in every block, fewer blocks than the counting bound.
+  // {2..7}, {0,1,4..7}, {0,1,2,3,6,7}: two elements in every block, fewer blocks than the counting
+  // bound.
   const Classification answer = classes(parameters(8, 6, 2, Kind::circular), 3);
   ASSERT_EQ(answer.classes, 1U);
   EXPECT_EQ(answer.kept.front().fixed, 2U);

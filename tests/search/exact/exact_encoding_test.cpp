@@ -79,7 +79,8 @@ TEST(ExactEncoding, IsRightWithALargeBudget) {
 
 TEST(ExactEncoding, IsRightForMoreElementsSlow) { hold_against_oracle(8, 12, 2'000'000, {}, 500); }
 
-// Elements in every block, whose pairs are never newly covered, let a circular design have fewer blocks.
+// Elements in every block, whose pairs are never newly covered, let a circular design have fewer
+// blocks.
 TEST(ExactEncoding, AllowsForFixedElements) {
   for (std::uint64_t k = 3; k <= 8; ++k) {
     const Parameters p{.v = k + 1, .k = k, .change = 1, .kind = Kind::circular};

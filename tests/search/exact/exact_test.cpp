@@ -295,7 +295,8 @@ TEST(Decide, TakesFewerThreadsWhereMemoryIsShort) {
   EXPECT_TRUE(decide(p, 11, {}, control).excluded());
 }
 
-// Building the formula, splitting it, writing it, handing it to the solver, solving: wherever it is then.
+// Building the formula, splitting it, writing it, handing it to the solver, solving: wherever it is
+// then.
 TEST(Decide, StopsInTimeWhereverItIs) {
   for (const auto time : {0, 50, 300, 1000}) {
     for (const unsigned threads : {1U, 2U}) {

@@ -1,4 +1,5 @@
-// docs/minima.csv holds what exact search settled, docs/minima.md shows it: both say what the program says today.
+// docs/minima.csv holds what exact search settled, docs/minima.md shows it: both say what the
+// program says today.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -40,8 +41,8 @@ TEST(MinimaFile, IsWhatThePageShows) {
       << "`changeover minima --data docs/minima.csv -o docs/minima.md` writes both anew";
 }
 
-// A design with a fixed element, blown up or cut open is one with other parameters, so what is excluded there is
-// excluded here; no bound that proofs gave says more than those here know.
+// A design with a fixed element, blown up or cut open is one with other parameters, so what is
+// excluded there is excluded here; no bound that proofs gave says more than those here know.
 TEST(MinimaFile, ExcludesNothingThatIsNotExcludedWhereRulesLeadThere) {
   std::size_t compared = 0;
   for (const MinimaRow& row : read_minima(*open_input(docs + "minima.csv"))) {

@@ -64,7 +64,8 @@ TEST(FindMinimum, ProvesTheKnownMinimaAgain) {
   EXPECT_GE(beyond_paper, 4U);
 }
 
-// Everything that is needed is excluded; some designs with the minimum take longer to find than this.
+// Everything that is needed is excluded; some designs with the minimum take longer to find than
+// this.
 TEST(FindMinimum, ProvesThatNoKnownMinimumCanBeBeatenSlow) {
   std::size_t beyond_paper = 0;
   std::size_t settled = 0;

@@ -196,7 +196,8 @@ std::string with_word(const std::string& line, std::size_t at, const std::string
   return text;
 }
 
-// What a search with these parameters cannot have is refused, and the search goes well with all else.
+// What a search with these parameters cannot have is refused, and the search goes well with all
+// else.
 TEST_F(Checkpoints, HostileNumbersWithARightSumAreRefusedOrHarmless) {
   const Parameters p{.v = 130, .k = 6};
   RunControl first({.seed = 1});

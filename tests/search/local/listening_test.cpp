@@ -1,4 +1,5 @@
-// Every search holds its limits of time and memory, also where the parameters are large, and loses nothing by it.
+// Every search holds its limits of time and memory, also where the parameters are large, and loses
+// nothing by it.
 #include <gtest/gtest.h>
 
 #include <algorithm>

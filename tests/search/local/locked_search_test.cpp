@@ -218,7 +218,8 @@ TEST(LockedSearch, FindsPartsInTheBlocksAtTheEnds) {
   expect_as_wanted(searched({8, 4, 1, Kind::linear, 2}, single, 9), single);
 }
 
-// Too few blocks for all the parts, or places that do not fit: nothing is found, and nothing is lost.
+// Too few blocks for all the parts, or places that do not fit: nothing is found, and nothing is
+// lost.
 TEST(LockedSearch, NeverLosesWhatIsWanted) {
   for (std::uint64_t v = 6; v <= 14; ++v) {
     for (const Kind kind : {Kind::linear, Kind::circular}) {

@@ -216,7 +216,8 @@ TEST(OrderForChange, NoneIsSaidBySatAndByAllPermutationsAlike) {
                 exists ? Outcome::found : Outcome::none);
     }
   }
-  // A bipartite graph with sides of 3 and 5, all degrees at least 3: no cheap argument, none all the same.
+  // A bipartite graph with sides of 3 and 5, all degrees at least 3: no cheap argument, none all
+  // the same.
   const std::vector<Block> pairs{{0, 3}, {1, 3}, {2, 3}, {0, 4}, {1, 4}, {2, 4}, {0, 5}};
   const ChangeWanted wanted{6, 2, Kind::circular};
   const ChangeOrder order = ordered(pairs, wanted, {.rotations = 1000});

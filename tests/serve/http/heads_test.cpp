@@ -1,4 +1,5 @@
-// Heads of requests that are large, long, many or malformed: each gets one answer, and nobody else gets it.
+// Heads of requests that are large, long, many or malformed: each gets one answer, and nobody else
+// gets it.
 #include <gmock/gmock.h>
 
 #include <array>

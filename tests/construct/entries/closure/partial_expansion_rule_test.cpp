@@ -1,4 +1,5 @@
-// Partial expansion of any design at hand: the cover by unchanged subsets that a recipe names by positions.
+// Partial expansion of any design at hand: the cover by unchanged subsets that a recipe names by
+// positions.
 #include <gtest/gtest.h>
 
 #include "changeover/catalog/catalog.hpp"

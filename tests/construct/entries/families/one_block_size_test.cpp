@@ -1,4 +1,5 @@
-// The families that serve one block size and every v from some number on: pairs, triples and quadruples.
+// The families that serve one block size and every v from some number on: pairs, triples and
+// quadruples.
 #include <gtest/gtest.h>
 
 #include "changeover/bounds/lower_bound.hpp"

@@ -11,7 +11,8 @@ using namespace test;
 Parameters linear(std::uint64_t v, std::uint64_t k) { return {v, k, 1, Kind::linear, 2}; }
 Parameters circular(std::uint64_t v, std::uint64_t k) { return {v, k, 1, Kind::circular, 2}; }
 
-// Neighbouring parameters are served too, and often the other kind, so only the rest of a recipe can be spoilt.
+// Neighbouring parameters are served too, and often the other kind, so only the rest of a recipe
+// can be spoilt.
 void expect_spoilt_refused(const Recipe& recipe) {
   const auto spoil = [&](const std::string& how, const auto& change) {
     Recipe spoilt = recipe;

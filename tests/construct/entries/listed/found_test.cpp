@@ -15,7 +15,8 @@ namespace {
 
 using namespace test;
 
-// What comes with the program: the entries that carry their blocks, and the best of each cell as it is offered.
+// What comes with the program: the entries that carry their blocks, and the best of each cell as it
+// is offered.
 const std::vector<CatalogEntry>& entries() {
   static const std::vector<CatalogEntry> all = [] {
     std::vector<CatalogEntry> carrying;
@@ -77,7 +78,8 @@ TEST(Found, EveryDesignIsWhatItSays) {
   }
 }
 
-// Lines last: what a search found stays in the catalog when a family reaches it later, and then the family is offered.
+// Lines last: what a search found stays in the catalog when a family reaches it later, and then the
+// family is offered.
 TEST(Found, IsOfferedOnlyBeforeConstructionsWithMoreBlocks) {
   std::vector<const Construction*> others(standard().constructions().begin(),
                                           standard().constructions().end());

@@ -28,7 +28,8 @@ std::uint64_t least_by_trying(const std::vector<Amount>& prices, std::uint64_t r
     for (const std::uint64_t i : stays) {
       sum += i < s + 1 ? s + 1 - i : 0;
     }
-    // Pairs within these parts, counted: at the number of parts for which that says most, n = (s+1)(room-1).
+    // Pairs within these parts, counted: at the number of parts for which that says most, n =
+    // (s+1)(room-1).
     if (sum > (s * s - s + 1) * room || (room > 1 && 2 * sum > s * ((s + 2) * room - (s + 1)))) {
       return std::numeric_limits<std::uint64_t>::max();
     }
@@ -58,7 +59,8 @@ TEST(StaysCost, CountsWhatTheTheoremAsks) {
   EXPECT_EQ(stays_cost(prices, 10).extra, 20U);  // 3·25 − 3·10 in all, 25 of them the first ones
   EXPECT_EQ(stays_cost(prices, 25).extra, 0U);
   EXPECT_EQ(stays_cost({}, 3).extra, 0U);
-  // 25 parts, room for 3: c_1, …, c_6 are 3, 9, 16, 26, 37, 51, so Y_1, …, Y_6 are 22, 19, 18, 15, 14, 11, and so on.
+  // 25 parts, room for 3: c_1, …, c_6 are 3, 9, 16, 26, 37, 51, so Y_1, …, Y_6 are 22, 19, 18, 15,
+  // 14, 11, and so on.
   EXPECT_EQ(stays_cost(prices, 3).extra, 22U + 19 + 18 + 15 + 14 + 11 + 10 + 7 + 6 + 3 + 2);
 }
 
