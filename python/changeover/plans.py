@@ -443,7 +443,7 @@ def plan(
     they are worked on. With benches, done and first may have dicts with parts, bench and result.
     without: parts that broke; other arguments may name them. time: seconds of search; None: a fixed
     amount of it, or steps, moves of each local search. done_first: only so many of done were done.
-    shuffle: a seed by which parts are exchanged that nothing tells apart. title, compact: of what
+    shuffle: a seed with which interchangeable parts are swapped. title, compact: of what
     is written.
 
     model: instead of parts and at_once, parameters with their values and rules in the language of

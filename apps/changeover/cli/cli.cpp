@@ -303,7 +303,7 @@ void Verb::exclude(const std::vector<std::string>& names) {
   state_->rules.emplace_back([state = state_.get(), names] {
     if (std::ranges::count_if(names, [state](const auto& name) { return state->given(name); }) >
         1) {
-      throw UsageError{enumerated(names) + " exclude each other"};
+      throw UsageError{enumerated(names) + " exclude each other; give one of them"};
     }
   });
 }

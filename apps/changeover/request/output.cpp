@@ -139,7 +139,7 @@ void OutputRequest::add_file_to(Verb& verb, const std::vector<std::string>& endi
 
 std::string OutputRequest::format() const {
   if (json_ && !asked_.empty() && asked_ != json_word_) {
-    throw UsageError{"--json and --format " + asked_ + " exclude each other"};
+    throw UsageError{"--json and --format " + asked_ + " exclude each other; give one of them"};
   }
   const std::string ending = ending_of(path);
   const std::string& asked = json_ ? json_word_ : asked_;

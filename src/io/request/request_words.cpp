@@ -120,7 +120,7 @@ std::string broken_line(const OptionRule& rule, const OptionRule& given,
   }
   switch (rule.says) {
     case OptionRule::Says::exclude:
-      return enumerated(words(rule.keys)) + " exclude each other";
+      return enumerated(words(rule.keys)) + " exclude each other; give one of them";
     case OptionRule::Says::needs:
       return fmt::format("{} needs {}; give it, too", word(key + "="),
                          enumerated(words(rule.others, "="), " or "));

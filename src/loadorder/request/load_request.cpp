@@ -28,7 +28,7 @@ std::vector<RequestOption<R>> options() {
   return with_search_options<R>(
       {
           option("items", "P", "items, e.g. partitions of a file", &R::items, {.unit = "items"}),
-          option("room", "C", "how many are in memory at once", &R::room, {.unit = "items"}),
+          option("room", "C", "how many items fit in memory at once", &R::room, {.unit = "items"}),
           option("pairs", "FILE",
                  "only the pairs listed there, two items per line (text, CSV, .xlsx); \"-\": "
                  "standard input; with --workers a third column may say what a pair costs",
@@ -71,8 +71,8 @@ std::vector<RequestOption<R>> options() {
                  &R::pair_cost,
                  {.by_default = "1 each", .shape = RowShape::weights, .not_in_server = of_pages}),
           option("from_step", "N",
-                 "begin at step N, which loads what is in memory then; not of workers, whose steps "
-                 "have numbers of their own, nor with new pairs, which depend on the steps before",
+                 "begin at step N, which loads all that is in memory then; not for workers or new "
+                 "pairs",
                  &R::from_step,
                  {.not_in_server = of_pages, .not_in_python = "there steps_from(N) begins at it"}),
           option("epochs", "N",

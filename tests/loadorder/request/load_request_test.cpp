@@ -164,7 +164,7 @@ TEST(LoadRequest, FaultsOfADocumentHaveTheirPlace) {
       {"{\"items\":9,\n\"room\":3,\n \"epochs\": 0}", "3:12: epochs 0: give 1 to "},
       {"{\"items\":9,\"room\":3,\n\"disjoint\":true}", "2:12: disjoint is for workers; give both"},
       {"{\"items\":9,\"room\":3,\"against\":2,\n\"done_items\":2}",
-       "1:31: pairs, groups, against and done_items exclude each other"},
+       "1:31: pairs, groups, against and done_items exclude each other; give one of them"},
       {"{\"items\":9,\"room\":3,\"workers\":2,\n\"worker\":2}", "2:10: worker 2: of workers 2 "},
       {"\n {\"items\":9}", "2:2: items and room are required"},
       {"{\"room\":3,\"pairs\":[[0,1],\n [1,9],[2,3]],\"items\":9}", "2:2: pairs[1]: "},
