@@ -63,7 +63,7 @@ export type Job = {
         | {workbook: string; sheet?: string}
       )
     | null;
-  /** pairs that must not be in one set-up, and why if you like: A,B,why a line */
+  /** pairs that must never share a set-up, one A,B,why per line (why may be left out) */
   never?:
     | (
         | [string | number | null, string | number | null]
@@ -73,7 +73,7 @@ export type Job = {
         | {workbook: string; sheet?: string}
       )
     | null;
-  /** how many parts of each slot a set-up has: slot,least,most a line */
+  /** how many parts a set-up has in each slot, one slot,least,most per line */
   slots?:
     | (
         | {
@@ -86,13 +86,13 @@ export type Job = {
         | {workbook: string; sheet?: string}
       )
     | null;
-  /** the same in one line, as in CPU=1,disk=2..4,fan=..2 */
+  /** the same in one line, e.g. CPU=1,disk=2..4,fan=..2 */
   slot?: string | null;
   /** parts that stay mounted in every set-up */
   mounted?: (string | number | null)[] | null;
   /** parts that are mounted before the first test */
   start?: (string | number | null)[] | null;
-  /** the set-ups that must be run first, in this order: the parts of one a line */
+  /** set-ups to run first, in this order, the parts of one per line */
   first?:
     | (
         | (
@@ -108,7 +108,7 @@ export type Job = {
         | {workbook: string; sheet?: string}
       )
     | null;
-  /** what pairs are worth, A,B,weight a line (default: each is worth 1) */
+  /** what pairs are worth, one A,B,weight per line (default: each is worth 1) */
   weights?:
     | (
         | [string | number | null, string | number | null, string | number | null][]
@@ -141,7 +141,7 @@ export type Job = {
   trust_failed?: boolean | null;
   /** parts that broke: they are left out from now on, and what was done stays done */
   without?: (string | number | null)[] | null;
-  /** on so many benches side by side, or on those of a list, a file with one bench per line */
+  /** how many benches work side by side, or a file that lists them, one per line */
   benches?:
     | (
         | number
@@ -177,17 +177,17 @@ export type Job = {
    * of a model: the least cost or the fewest tests (default: makespan of benches, cost of a model)
    */
   objective?: ('makespan' | 'cost' | 'tests') | null;
-  /** hours of work a day on each bench that says nothing else, with costs in hours */
+  /** hours of work a day, for benches that give none; costs are then in hours */
   hours?: (number | string) | null;
-  /** the day of the first tests, as 2025-03-31: steps then have dates */
+  /** the day of the first tests, e.g. 2025-03-31; steps then have dates */
   first_day?: string | null;
-  /** Saturdays and Sundays are worked on, too */
+  /** work on Saturdays and Sundays, too */
   weekends?: boolean | null;
-  /** which plan is cheapest at which ratio of change to test cost */
+  /** show which plan is cheapest at which ratio of change cost to test cost */
   what_if?: boolean | null;
-  /** without the whole set-ups, in two columns on paper */
+  /** leave out the whole set-ups; on paper, two columns */
   compact?: boolean | null;
-  /** exchange parts at random that nothing tells apart */
+  /** swap interchangeable parts at random, with this seed */
   shuffle?: number | null;
   /** find the part or pair that explains the failed tests, and the next test to run */
   diagnose?: boolean | null;
@@ -206,7 +206,7 @@ export type LoadRequest = {
   format?: 'changeover-load-request/1';
   /** items, e.g. partitions of a file */
   items?: number | null;
-  /** how many are in memory at once */
+  /** how many items fit in memory at once */
   room?: number | null;
   /**
    * only the pairs listed there, two items per line (text, CSV, .xlsx); "-": standard input; with
@@ -274,10 +274,7 @@ export type LoadRequest = {
         | {workbook: string; sheet?: string}
       )
     | null;
-  /**
-   * begin at step N, which loads what is in memory then; not of workers, whose steps have numbers
-   * of their own, nor with new pairs, which depend on the steps before
-   */
+  /** begin at step N, which loads all that is in memory then; not for workers or new pairs */
   from_step?: number | null;
   /**
    * every pair meets in each of N epochs, back and forth: what is in memory at the end of one

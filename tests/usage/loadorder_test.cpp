@@ -443,7 +443,7 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
            {"--pairs edges --room 3 -o edges", 2, "the same file as --pairs"},
            {"--items 4 --room 2 --workers 2 --pair-cost edges -o edges", 2,
             "the same file as --pair-cost"},
-           {"--pairs edges --room 3 --items 3", 3, "edges:4:3: item 3 is not one of 3 items"},
+           {"--pairs edges --room 3 --items 3", 3, "edges:4:3: item 3 does not exist; items are 0 to 2"},
            {"--pairs old --room 3", 3, "old:1:1: one item stands alone"},
            {"--pairs absent --room 3", 4, "absent: cannot read"},
            {"--items 0 --room 4", 2, "at least 1 item"},

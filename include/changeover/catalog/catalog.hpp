@@ -58,6 +58,10 @@ struct Reported {
 [[nodiscard]] std::optional<Reported> reported_below(const Parameters& p,
                                                      std::optional<std::uint64_t> held);
 
+/// The publications that report a design with exactly these parameters and number of blocks, as
+/// keys of docs/references.bib. Linear in the number of reports.
+[[nodiscard]] std::vector<std::string> reporters_of(const Parameters& p, std::uint64_t blocks);
+
 /// The version of a user's file that this program reads and writes.
 inline constexpr int catalog_schema_version = 1;
 

@@ -161,10 +161,12 @@ constexpr std::array reports{
     Reported{"PreeceEtAl1995", {12, 4, 1, linear}, 21},
     Reported{"PreeceEtAl1995", {15, 4, 1, linear}, 34},
     Reported{"PreeceEtAl1995", {18, 4, 1, linear}, 50},
+    Reported{"Phillips1999", {12, 4, 1, linear}, 21},
     Reported{"Phillips2001", {20, 5, 1, linear}, 46},
     Reported{"McSorley1999", {9, 4, 1, circular}, 12},
     Reported{"McSorley1999", {10, 4, 1, circular}, 15},
     Reported{"Bean2026", {26, 6, 1, linear}, 63},
+    Reported{"ChafeeStevens2025", {61, 4, 2, circular}, 366},
     // Corollary 15 of the paper, its two misprints as its formula has them.
     Reported{"ChafeeStevens2025", {15, 3, 2, circular}, 35},
     Reported{"ChafeeStevens2025", {21, 5, 2, circular}, 30},
@@ -189,6 +191,16 @@ std::optional<Reported> reported_below(const Parameters& p, std::optional<std::u
     }
   }
   return fewest;
+}
+
+std::vector<std::string> reporters_of(const Parameters& p, std::uint64_t blocks) {
+  std::vector<std::string> keys;
+  for (const Reported& each : reports) {
+    if (each.parameters == p && each.blocks == blocks) {
+      keys.emplace_back(each.cites);
+    }
+  }
+  return keys;
 }
 
 }  // namespace changeover

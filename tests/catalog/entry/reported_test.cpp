@@ -37,6 +37,15 @@ TEST(Reported, for_exactly_these_parameters) {
   EXPECT_FALSE(reported_below(p, std::nullopt));
 }
 
+TEST(Reported, who_reports_as_many_blocks) {
+  using Keys = std::vector<std::string>;
+  EXPECT_EQ(reporters_of({12, 4, 1, Kind::linear}, 21), (Keys{"PreeceEtAl1995", "Phillips1999"}));
+  EXPECT_EQ(reporters_of({20, 5, 1, Kind::linear}, 46), Keys{"Phillips2001"});
+  EXPECT_EQ(reporters_of({61, 4, 2, Kind::circular}, 366), Keys{"ChafeeStevens2025"});
+  EXPECT_EQ(reporters_of({20, 5, 1, Kind::linear}, 47), Keys{});
+  EXPECT_EQ(reporters_of({20, 5, 1, Kind::circular}, 46), Keys{});
+}
+
 TEST(Reported, nothing_is_below_a_bound_and_all_sources_are_in_the_references) {
   std::ifstream file(CHANGEOVER_TEST_DATA "/../../docs/references.bib");
   const std::string references(std::istreambuf_iterator<char>(file), {});

@@ -52,6 +52,7 @@ function others(cell: Cell): HTMLElement {
             href: link('catalog', {
               change: cell.change,
               kind: cell.kind,
+              strength: cell.strength === 2 ? null : cell.strength,
               at: `${cell.v}.${cell.k}`,
             }),
           },

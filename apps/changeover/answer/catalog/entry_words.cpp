@@ -42,12 +42,21 @@ std::string bibtex_text(const std::string& words) {
   return text;
 }
 
+// "A and B" as BibTeX has two names, each in braces: a name is one, whatever else is in it.
+std::string names_of(std::string names) {
+  constexpr std::string_view between = " and ";
+  for (std::size_t at = 0; (at = names.find(between, at)) != std::string::npos;) {
+    names.replace(at, between.size(), "} and {");
+    at += between.size() + 2;
+  }
+  return names;
+}
+
 std::string misc(const std::string& key, const std::string& author, const std::string& title,
                  const std::string& date, const std::string& note) {
   std::string text = fmt::format("@misc{{{},\n", key);
   if (!author.empty()) {
-    text += fmt::format("  author = {{{{{}}}}},\n",
-                        bibtex_text(author));  // one name, whatever is in it
+    text += "  author = {{" + names_of(bibtex_text(author)) + "}},\n";
   }
   text += fmt::format("  title  = {{{{{}}}}},\n", title);
   if (!date.empty()) {
@@ -111,6 +120,11 @@ std::string entry_row(const CatalogEntry& entry) {
 std::vector<std::string> references_of(const CatalogEntry& entry) {
   std::vector<std::string> keys = entry.cites;
   collect(entry.recipe, keys);
+  for (const std::string& key : reporters_of(entry.parameters, entry.b)) {
+    if (std::ranges::find(keys, key) == keys.end()) {
+      keys.push_back(key);
+    }
+  }
   return keys;
 }
 

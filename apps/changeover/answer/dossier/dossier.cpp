@@ -118,7 +118,7 @@ Dossier dossier_of(const ChosenDesign& chosen, const std::optional<CatalogEntry>
     const Parameters& p = dossier.parameters;
     dossier.proof_commands = {
         fmt::format("changeover search {} --exact --proof proofs", options_of(p)),
-        "drat-trim proofs/NAME.cnf proofs/NAME.drat"};
+        "for cnf in proofs/*.cnf; do drat-trim \"$cnf\" \"${cnf%.cnf}.drat\"; done"};
   }
   return dossier;
 }

@@ -102,8 +102,12 @@ void say_construction(const Dossier& dossier, Form& form) {
   }
   form.end_of_items();
   if (!dossier.label.empty()) {
-    form.paragraph(fmt::format("Catalog label {}. {}", dossier.label,
-                               dossier.credit.empty() ? "" : "Credit: " + dossier.credit + "."));
+    form.paragraph(
+        fmt::format("Catalog label {}. {}", dossier.label,
+                    dossier.credit.empty() ? "" : "Credit of its blocks: " + dossier.credit + "."));
+  }
+  for (const std::string& key : reporters_of(dossier.parameters, dossier.b)) {
+    form.paragraph(fmt::format("A design with as few blocks was reported before, in [{}].", key));
   }
   form.paragraph("SHA-256 of the blocks, one block per line:");
   form.code(to_hex(dossier.checksum) + "\n");
@@ -119,8 +123,8 @@ void say_how_to_check(const Dossier& dossier, Form& form) {
   if (!dossier.proof_commands.empty()) {
     form.paragraph(
         "That no design has fewer blocks rests on proofs by a SAT solver. The first command makes "
-        "formulas and proofs in DIMACS and DRAT. Any DRAT checker reads them; drat-trim prints "
-        "s VERIFIED for each.");
+        "formulas and proofs in DIMACS and DRAT, and ends with exit code 10, for a design was found "
+        "too. Any DRAT checker reads them; drat-trim prints s VERIFIED for each.");
     const std::string commands = joined(dossier.proof_commands, "",
                                         [&](const std::string& command) { return command + "\n"; });
     form.code(commands);

@@ -34,7 +34,8 @@ struct Arrival {
   std::optional<std::uint64_t> built;    // blocks that the registry offers
   std::optional<std::string> same_as;
   std::vector<Gain> gains;
-  std::string outcome;  // "improved", "added", "already there", "isomorphic", "invalid"
+  bool closes_up = false;  // linear, and its last and first block are consecutive, too
+  std::string outcome;     // "improved", "added", "already there", "isomorphic", "invalid"
 };
 
 std::vector<std::string> words_of(const std::string& list) {
@@ -45,6 +46,12 @@ std::vector<std::string> words_of(const std::string& list) {
     at = comma + 1;
   }
   return words;
+}
+
+bool closes_up(const Design& design) {
+  const Parameters& p = design.parameters();
+  return p.kind == Kind::linear && design.block_count() > 2 &&
+         difference(design.blocks().front(), design.blocks().back()).size() == p.change;
 }
 
 std::string text_of(const Arrival& arrival) {
@@ -71,6 +78,9 @@ std::string text_of(const Arrival& arrival) {
     text += fmt::format("  the best that is known of its cell has {}: {}\n",
                         count_of(arrival.before->b, "block"), arrival.before->label);
   }
+  if (arrival.closes_up) {
+    text += "  its last and first block are consecutive, too: --circular adds it as circular\n";
+  }
   if (arrival.same_as) {
     text += fmt::format("  it is {} up to names, rotation and reversal\n", *arrival.same_as);
   }
@@ -86,6 +96,7 @@ std::string text_of(const Arrival& arrival) {
 void write_json(JsonWriter& json, const Arrival& arrival) {
   json.begin_object().key("file").value(printable(arrival.path));
   json.key("label").value(arrival.entry.label()).key("outcome").value(arrival.outcome);
+  json.key("closes_up").value(arrival.closes_up);
   if (arrival.before) {
     json.key("before").begin_object().key("label").value(arrival.before->label);
     json.key("b").value(arrival.before->b).end_object();
@@ -119,12 +130,13 @@ Answer run(const AddRequest& request) {
   SameDesigns same(catalog);
   for (const std::string& path : request.paths) {
     const auto input = open_design(path, request.declared.reading());
-    const Newcomer newcomer = newcomer_of(read_all(*input), introduction);
+    const Design design = read_all(*input);
+    const Newcomer newcomer = newcomer_of(design, introduction);
     if (!newcomer.entry) {
       refusals += fmt::format("INVALID: {}: {}\n", printable(path), newcomer.refused);
       continue;
     }
-    Arrival arrival{path, *newcomer.entry, {}, {}, {}, {}, ""};
+    Arrival arrival{path, *newcomer.entry, {}, {}, {}, {}, closes_up(design), ""};
     const CatalogEntry& entry = arrival.entry;
     if (const auto there = catalog.find(entry.label());
         !there || there->checksum != entry.checksum) {

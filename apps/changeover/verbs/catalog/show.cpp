@@ -41,6 +41,10 @@ std::string text_of(const CatalogEntry& entry, bool is_shipped) {
   if (!cites.empty()) {
     text += fmt::format("  from: {}\n", cites);
   }
+  const std::string reporters = joined(reporters_of(entry.parameters, entry.b));
+  if (!reporters.empty()) {
+    text += fmt::format("  as few blocks are reported in: {}\n", reporters);
+  }
   return text + fmt::format("  SHA-256 of its blocks: {}\n", to_hex(entry.checksum));
 }
 
