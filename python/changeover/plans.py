@@ -68,6 +68,9 @@ class _Sheets(Shown, Made):
     cost: Decimal = fact("Exact, of all benches.")
     lower_bound: Decimal = fact("No list of tests that does the job costs less.")
     reason: str = fact("Of the bound.")
+    why_stopped: str = fact(
+        "'found' (nothing better is possible), 'step limit' (it ended by itself), 'time limit' or "
+        "'interrupted'.")
     interrupted: bool = fact("Ctrl-C ended the search.")
     candidates: List[Dict[str, Any]] = fact(
         "What it was compared with, the best first: dicts with name, how, tests, changes, cost, "
@@ -336,7 +339,7 @@ def _facts(core: Any) -> Dict[str, Any]:
     said: Dict[str, Any] = json.loads(core.written("json"), parse_float=Decimal)
     bound = said["lower_bound"]
     facts = {
-        **said, "complete": core.complete, "interrupted": core.interrupted,
+        **said, "complete": core.complete, "interrupted": said["why_stopped"] == "interrupted",
         "cost": _decimal(said["cost"]),
         "lower_bound": _decimal(bound["cost"]), "candidates": [
             {key: _decimal(each[key]) if key in ("cost", "makespan") else each[key]

@@ -33,7 +33,6 @@ std::unique_ptr<Planned> plan(const std::string& document, std::optional<double>
   work.run([&](RunControl& control) {
     planned->answer = answer_to(planned->request, planned->asked, control);
   });
-  planned->interrupted = work.interrupted();
   return planned;
 }
 
@@ -167,7 +166,6 @@ void bind_plan(py::module_& module) {
       .def_static("of", &plan)
       .def_static("again", &planned_again)
       .def("state", &state_of)
-      .def_readonly("interrupted", &Planned::interrupted)
       .def_property_readonly("complete",
                              [](const Planned& self) {
                                return self.answer.benches ? self.answer.benches->does_the_job()

@@ -34,7 +34,7 @@ using PlanState = std::tuple<std::vector<CandidateState>, std::optional<Candidat
 using BenchPlanState =
     std::tuple<std::vector<std::vector<StepState>>, std::vector<BenchCandidateState>,
                std::optional<BenchCandidateState>, BoundState, std::uint64_t, std::string,
-               MaybeNumber, std::uint64_t, MaybeText>;
+               MaybeNumber, std::uint64_t, int, MaybeText>;
 
 MaybeNumber number_of(const std::optional<Amount>& amount) {
   return amount ? MaybeNumber(amount->millionths) : std::nullopt;
@@ -130,12 +130,13 @@ BenchPlanState kept(const BenchPlan& plan) {
           plan.makespan_reason,
           number_of(plan.most_weight),
           plan.steps,
+          static_cast<int>(plan.why_stopped),
           plan.shortage};
 }
 
 BenchPlan plan_of(const Job& job, const std::vector<Bench>& benches, const BenchPlanState& state) {
   const auto& [steps_of_benches, candidates, complete, bound, makespan_bound, makespan_reason,
-               most_weight, steps, shortage] = state;
+               most_weight, steps, why, shortage] = state;
   BenchSchedule schedule;
   for (const std::vector<StepState>& bench : steps_of_benches) {
     schedule.push_back(each_of<BenchStep>(bench, [&](const StepState& step) {
@@ -158,6 +159,7 @@ BenchPlan plan_of(const Job& job, const std::vector<Bench>& benches, const Bench
   plan.makespan_reason = makespan_reason;
   plan.most_weight = amount_of(most_weight);
   plan.steps = steps;
+  plan.why_stopped = static_cast<WhyStopped>(why);
   plan.shortage = shortage;
   return plan;
 }
@@ -205,13 +207,13 @@ py::tuple state_of(const Planned& plan) {
         "read the parts from a regular file");
   }
   const PlanAnswer& answer = plan.answer;
-  return py::make_tuple(to_json(plan.request), to_json(*plan.whole), plan.interrupted, answer.notes,
+  return py::make_tuple(to_json(plan.request), to_json(*plan.whole), answer.notes,
                         answer.plan ? std::optional(kept(*answer.plan)) : std::nullopt,
                         answer.benches ? std::optional(kept(*answer.benches)) : std::nullopt);
 }
 
 std::unique_ptr<Planned> planned_again(const py::tuple& state) {
-  using Fields = std::tuple<std::string, std::string, bool, std::vector<std::string>,
+  using Fields = std::tuple<std::string, std::string, std::vector<std::string>,
                             std::optional<PlanState>, std::optional<BenchPlanState>>;
   const auto fields = state.cast<Fields>();
   const auto& plan = std::get<std::optional<PlanState>>(fields);
@@ -219,7 +221,6 @@ std::unique_ptr<Planned> planned_again(const py::tuple& state) {
   auto again = std::make_unique<Planned>();
   again->request = job_request(std::get<0>(fields));
   again->whole = job_request(std::get<1>(fields));
-  again->interrupted = std::get<bool>(fields);
   again->asked = checked_in_time({.request = *again->whole, .notes = {}});
   PlanAnswer& answer = again->answer;
   answer.notes = std::get<std::vector<std::string>>(fields);

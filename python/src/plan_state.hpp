@@ -17,7 +17,6 @@ struct Planned {
   std::optional<JobRequest> whole = {};
   ParsedJob asked = {};
   PlanAnswer answer = {};
-  bool interrupted = false;
 
   [[nodiscard]] const Job& job() const { return *asked.job; }
 };

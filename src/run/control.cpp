@@ -48,9 +48,11 @@ std::string_view to_string(WhyStopped why) {
 RunControl::RunControl(Settings settings)
     : settings_(std::move(settings)), end_(end_after(begin_, settings_.time)) {}
 
-RunControl::RunControl(RunControl& parent, std::chrono::duration<double> time)
+RunControl::RunControl(RunControl& parent, std::chrono::duration<double> time,
+                       std::optional<std::uint64_t> seed)
     : settings_(parent.settings_), parent_(&parent), end_(end_after(begin_, time)) {
   settings_.time = time;
+  settings_.seed = seed.value_or(settings_.seed);
 }
 
 RunControl::RunControl(RunControl& parent, Questions questions)
@@ -100,6 +102,9 @@ bool RunControl::stops(bool by_its_limit) {
   const Clock::time_point now = Clock::now();
   if (by_its_limit && end_ && now >= *end_) {
     stop(WhyStopped::time_limit);
+    for (RunControl* each = this; each != nullptr; each = each->parent_) {
+      each->time_was_up_.store(true, std::memory_order_relaxed);
+    }
     return true;
   }
   if (by_its_limit && questions_ && asked_++ >= *questions_) {

@@ -49,6 +49,20 @@ TEST(RunControl, StopsWhenAnotherProcessFoundIt) {
   EXPECT_EQ(control.why_stopped(), WhyStopped::elsewhere);
 }
 
+TEST(RunControl, KnowsThatAPartOfItHadTooLittleTime) {
+  RunControl whole({.time = std::chrono::hours(1), .seed = 5});
+  RunControl part(whole, seconds(1));
+  EXPECT_FALSE(part.stop_wanted());
+  EXPECT_FALSE(whole.time_was_up());
+  RunControl within(part, seconds(0), 9);
+  EXPECT_EQ(within.seed(), 9U);
+  EXPECT_EQ(part.seed(), 5U);
+  EXPECT_TRUE(within.stop_wanted());
+  EXPECT_TRUE(part.time_was_up());
+  EXPECT_TRUE(whole.time_was_up());
+  EXPECT_FALSE(whole.stop_wanted());
+}
+
 TEST(RunControl, EndsAPhaseWithoutEndingTheWhole) {
   RunControl whole({});
   RunControl phase(whole, seconds(0));

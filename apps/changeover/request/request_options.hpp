@@ -37,6 +37,11 @@ struct RequestFileRequest {
 /// The longest request document that is read from a file.
 inline constexpr std::size_t most_request_bytes = std::size_t{1} << 28;
 
+/// As RunRequest::add_to() takes it: "60s".
+[[nodiscard]] inline std::string seconds_text(double seconds) {
+  return fmt::format("{}s", seconds);
+}
+
 /// "3" is a number, "benches.csv" a file, as "./3" is.
 [[nodiscard]] inline RequestList number_or_file(const std::string& text) {
   const auto number = parsed<std::uint64_t>(text);

@@ -122,7 +122,7 @@ void add_loadorder(Program& program) {
       "loadorder", "order loads so that all pairs of items meet", run);
   add_request_options(verb, request.load, load_table());
   request.file.add_to(verb, load_table().format);
-  request.run.add_to(verb, "0s", request.output);
+  request.run.add_to(verb, seconds_text(load_table().times.command_line), request.output);
   request.output.add_to(verb, {"text", "jsonl", "csv", "marius", "colmap"});
   verb.require([&asked = request] {
     if (!asked.run.memory.empty() && asked.run.time.empty() && asked.file.path.empty() &&

@@ -96,7 +96,7 @@ void add_plan(Program& program) {
       "plan", "find the cheapest order of tests, from your costs: a run sheet", answer_to);
   add_request_options(verb, request.job, job_table());
   request.file.add_to(verb, job_table().format);
-  request.run.add_to(verb, "60s", request.output);
+  request.run.add_to(verb, seconds_text(job_table().times.command_line), request.output);
   request.output.add_to(verb, {"table", "csv", "json", "markdown", "html", "xlsx"});
   verb.examples(
       {"changeover plan --items 9 --at-once 3 --test-cost 1 --change-cost 5",

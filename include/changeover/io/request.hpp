@@ -99,6 +99,16 @@ struct RequestPlaces {
   bool operator==(const RequestPlaces& /*other*/) const { return true; }
 };
 
+/// How long searches take where a request does not say, in seconds, and the longest that the server
+/// takes.
+struct SearchTimes {
+  double command_line = 0;  ///< 0: no search
+  double server = 0;
+  double most_of_server = 0;
+  double followed = 0;  ///< where the server does not wait for the answer; 0: it always does
+  double most_followed = 0;
+};
+
 /// One option, for the command line, documents, the server and Python.
 struct OptionRecord {
   std::string_view key = {};  ///< in documents and in Python
@@ -107,8 +117,8 @@ struct OptionRecord {
   ValueKind kind = ValueKind::flag;
   std::string_view value = {};  ///< the name of its value in the help: "K", "FILE"
   std::string_view help = {};
-  std::string_view unit = {};        ///< what its number counts: "parts", "bytes"; empty: no unit
-  std::string_view by_default = {};  ///< what holds where it is not given; empty: not said
+  std::string_view unit = {};   ///< what its number counts: "parts", "bytes"; empty: no unit
+  std::string by_default = {};  ///< what holds where it is not given; empty: not said
   RowShape shape = RowShape::none;
   std::vector<std::string_view> words = {};  ///< of a word
   std::string_view python = {};              ///< the argument there, if it has another name
@@ -156,6 +166,7 @@ struct RequestTable {
   std::string_view format;  ///< "changeover-job/1"
   std::vector<RequestOption<Request>> options;
   std::vector<OptionRule> rules;
+  SearchTimes times;
 };
 
 /// How this door spells the key of an option: "--at-once" on the command line, "at_once" in a

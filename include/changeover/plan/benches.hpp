@@ -172,8 +172,9 @@ struct BenchPlan : BenchCount {
   std::string makespan_reason;  ///< one line
   std::optional<Amount>
       most_weight;  ///< with a budget and weights: no plan within the budget tests more weight
-  std::uint64_t steps = 0;              ///< moves of local search
-  std::optional<std::string> shortage;  ///< as in RunPlan
+  std::uint64_t steps = 0;                       ///< moves of local search
+  WhyStopped why_stopped = WhyStopped::running;  ///< as in RunPlan
+  std::optional<std::string> shortage;           ///< as in RunPlan
 };
 
 /// Returns the best plan found for these benches; there always is one. The plan for one bench is
@@ -189,7 +190,7 @@ struct BenchPlan : BenchCount {
 
 /// The documents of sheet_formats.hpp for all benches: one table per bench; CSV with a column
 /// `bench`; JSON, format "changeover-benches/1": title, benches, objective, cost, makespan, tests,
-/// changes, pairs_needed, pairs_tested, triples_needed, triples_tested, lower_bound {cost,
+/// changes, why_stopped, pairs_needed, pairs_tested, triples_needed, triples_tested, lower_bound {cost,
 /// makespan, cost_reason, makespan_reason}, cost_unit, places, sheets [{bench, tests, changes,
 /// cost, steps [{step, take_out, put_in, set_up, places, new_pairs (their number), cost,
 /// cost_so_far, begin, end}]}], candidates [{name, how, tests, changes, cost, makespan}], notes; in

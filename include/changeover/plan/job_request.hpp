@@ -159,6 +159,8 @@ struct PlanAnswer {
 
   /// RunPlan::shortage of the answer.
   [[nodiscard]] const std::optional<std::string>& shortage() const;
+  /// RunPlan::why_stopped of the answer; `exhausted` for a diagnosis.
+  [[nodiscard]] WhyStopped why_stopped() const;
 };
 
 /// The search options of a request.

@@ -181,6 +181,7 @@ struct RunPlan {
   std::optional<Amount>
       most_weight;          ///< with a budget and weights: no list within the budget tests more
   std::uint64_t steps = 0;  ///< moves of local search in all attempts
+  /// `found`: nothing better is possible. `time_limit`: a clock stopped the search or a part of it.
   WhyStopped why_stopped = WhyStopped::running;
   PlanObjective objective = PlanObjective::cost;  ///< the order of the candidates
   /// If the search ended early because memory, threads or another resource ran out: what was
@@ -249,6 +250,7 @@ struct WhatIf {
   };
   bool by_factor = false;  ///< change costs differ: ratios are factors of all change costs
   std::vector<Range> ranges;
+  WhyStopped why_stopped = WhyStopped::running;  ///< as in RunPlan
   std::optional<Ratio> asked;  ///< the ratio of the job itself; nullopt if its tests cost nothing
   std::optional<std::string> shortage;  ///< as in RunPlan
   std::vector<std::string> notes;  ///< remarks on the job, one per line; what_if() leaves it empty
@@ -297,7 +299,7 @@ struct WhatIf {
 // JSON, one object: format "changeover-plan/1", title, parts [{name, change_cost, slot (or null;
 // with slots only)}], at_once, slots [{name, least, most}], test_cost, mounted, start, first
 // [[part]], tests_done, met_only_in_failed, trust_failed, tests, changes, cost, pairs_needed,
-// pairs_tested, proved_cheapest, lower_bound {cost, tests, changes, reason}, budget (or null),
+// pairs_tested, proved_cheapest, why_stopped, lower_bound {cost, tests, changes, reason}, budget (or null),
 // triples_needed, triples_tested, weight {needed, tested, most (or null)} (or null), cost_unit (or
 // null), places [{number, slot (or null)}], steps [{step, take_out, put_in, set_up, places [part or
 // null, in the order of places], new_pairs [[a,b]], cost, cost_so_far, weight_so_far (where pairs

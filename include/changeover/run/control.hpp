@@ -109,8 +109,10 @@ class RunControl {
   explicit RunControl(Settings settings);
 
   /// A control for one phase of a longer search: it stops with its parent, or after `time`. It
-  /// shares the parent's settings and callback, and stopping it does not stop the parent.
-  RunControl(RunControl& parent, std::chrono::duration<double> time);
+  /// shares the parent's settings, but for a seed of its own, and its callback; stopping it does
+  /// not stop the parent.
+  RunControl(RunControl& parent, std::chrono::duration<double> time,
+             std::optional<std::uint64_t> seed = {});
 
   /// The same with a limit of work instead of a time: what it leads to depends on no clock.
   RunControl(RunControl& parent, Questions questions);
@@ -149,6 +151,10 @@ class RunControl {
   /// `running` until stop() or a limit.
   [[nodiscard]] WhyStopped why_stopped() const { return why_.load(std::memory_order_relaxed); }
 
+  /// Whether a time limit stopped this work, or a part of it that had a limit of its own: what was
+  /// found then depends on the clock.
+  [[nodiscard]] bool time_was_up() const { return time_was_up_.load(std::memory_order_relaxed); }
+
   [[nodiscard]] std::chrono::duration<double> elapsed() const { return Clock::now() - begin_; }
   /// The time until the limit of this control or its parent; nullopt if there is no limit.
   [[nodiscard]] std::optional<std::chrono::duration<double>> time_left() const;
@@ -172,6 +178,7 @@ class RunControl {
   Clock::time_point begin_ = Clock::now();
   std::optional<Clock::time_point> end_;
   std::atomic<WhyStopped> why_{WhyStopped::running};
+  std::atomic<bool> time_was_up_{false};
   std::atomic<Clock::rep> next_progress_{0};
   std::atomic<Clock::rep> next_question_{0};
   std::mutex asking_;

@@ -11,26 +11,36 @@
 
 namespace changeover {
 
+/// "command line: 60; server: 10, at most 60; Python: until it ends by itself".
+[[nodiscard]] inline std::string words_of(const SearchTimes& times) {
+  const auto one = [](double seconds) {
+    return seconds > 0 ? fmt::format("{}", seconds) : std::string("no search");
+  };
+  return fmt::format("command line: {}; server: {}, at most {}{}; Python: {}",
+                     one(times.command_line), one(times.server), times.most_of_server,
+                     times.followed > 0 ? fmt::format(", and {}, at most {}, of what is followed",
+                                                      times.followed, times.most_followed)
+                                        : "",
+                     times.command_line > 0 ? "until it ends by itself" : "no search");
+}
+
 /// Adds them. @param how_long  help of the time
-/// @param no_time_in_server  why the server does not take a time; empty: it does
 template <typename Request>
 [[nodiscard]] std::vector<RequestOption<Request>> with_search_options(
     std::vector<RequestOption<Request>> options, std::string_view how_long,
-    std::string_view no_time_in_server = {}) {
+    const SearchTimes& times) {
   options.push_back(option("seconds", "DURATION", how_long, &Request::seconds,
                            {.flags = "--time",
                             .unit = "seconds",
+                            .by_default = words_of(times),
                             .python = "time",
-                            .not_in_server = no_time_in_server,
                             .of_every_search = true}));
-  options.push_back(option(
-      "threads", "N", "threads to use", &Request::threads,
-      {.not_in_server = "the server gives each request its share", .of_every_search = true}));
-  options.push_back(
-      option("seed", "N", "seed of the random numbers", &Request::seed,
-             {.by_default = "1",
-              .not_in_server = "the same request has the same answer for every caller",
-              .of_every_search = true}));
+  options.push_back(option("threads", "N", "threads to use", &Request::threads,
+                           {.by_default = "command line: all cores; Python: 1",
+                            .not_in_server = "the server gives each request its share",
+                            .of_every_search = true}));
+  options.push_back(option("seed", "N", "seed of the random numbers", &Request::seed,
+                           {.by_default = "1", .of_every_search = true}));
   return options;
 }
 

@@ -21,6 +21,9 @@ namespace {
 
 using R = LoadRequest;
 
+// A search leaves the server time to read what it finds.
+constexpr SearchTimes times{.command_line = 0, .server = 0, .most_of_server = 30};
+
 constexpr std::string_view of_pages =
     "its answer is what the page draws: the loads and evictions of one worker or of several";
 
@@ -103,7 +106,7 @@ std::vector<RequestOption<R>> options() {
                  "--seed",
                  &R::spread, {.not_in_server = of_pages}),
       },
-      "search so long for a better order");
+      "search so long for a better order", times);
 }
 
 std::vector<OptionRule> rules() {
@@ -308,8 +311,10 @@ void check(const LoadRequest& request, const Words& words, bool has_pairs) {
 }  // namespace
 
 const RequestTable<LoadRequest>& load_table() {
-  static const RequestTable<LoadRequest> table{
-      .format = "changeover-load-request/1", .options = options(), .rules = rules()};
+  static const RequestTable<LoadRequest> table{.format = "changeover-load-request/1",
+                                               .options = options(),
+                                               .rules = rules(),
+                                               .times = times};
   return table;
 }
 

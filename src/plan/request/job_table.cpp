@@ -11,6 +11,9 @@ namespace {
 using R = JobRequest;
 using K = ValueKind;
 
+constexpr SearchTimes times{
+    .command_line = 60, .server = 10, .most_of_server = 60, .followed = 60, .most_followed = 3'600};
+
 constexpr std::string_view of_files =
     "it is about how a file is read; rows that are sent say what they are";
 
@@ -112,7 +115,7 @@ std::vector<RequestOption<R>> options() {
           option("steps", "N", "moves of each local search", &R::steps,
                  {.unit = "moves", .by_default = "as suits"}),
       },
-      "search so long");
+      "search so long", times);
 }
 
 std::vector<OptionRule> rules() {
@@ -193,7 +196,7 @@ std::vector<OptionRule> rules() {
 
 const RequestTable<JobRequest>& job_table() {
   static const RequestTable<JobRequest> table{
-      .format = "changeover-job/1", .options = options(), .rules = rules()};
+      .format = "changeover-job/1", .options = options(), .rules = rules(), .times = times};
   return table;
 }
 

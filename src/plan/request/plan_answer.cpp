@@ -102,6 +102,13 @@ const std::optional<std::string>& PlanAnswer::shortage() const {
   return what_if ? what_if->shortage : plan ? plan->shortage : benches ? benches->shortage : none;
 }
 
+WhyStopped PlanAnswer::why_stopped() const {
+  return what_if   ? what_if->why_stopped
+         : plan    ? plan->why_stopped
+         : benches ? benches->why_stopped
+                   : WhyStopped::exhausted;
+}
+
 PlanOptions plan_options(const JobRequest& request, const ParsedJob& asked) {
   PlanOptions options;
   if (request.model.is_given() && request.objective == "tests") {
@@ -116,25 +123,30 @@ PlanOptions plan_options(const JobRequest& request, const ParsedJob& asked) {
   return options;
 }
 
-PlanAnswer answer_to(const JobRequest& request, const ParsedJob& asked, RunControl& control,
-                     std::function<void(const PlanNews&)> on_better) {
-  PlanAnswer answer;
-  answer.notes = asked.notes;
-  if (request.diagnose) {
-    diagnose_results(asked, answer);
-    return answer;
+namespace {
+
+// A time that was asked for is used up; another limit changes the answer, which then says so.
+void note_limit(PlanAnswer& answer) {
+  if (answer.why_stopped() == WhyStopped::time_limit && !answer.options.until_stopped) {
+    answer.notes.emplace_back(
+        "the time limit stopped the search; with more time the plan may be better");
   }
+}
+
+void search(const JobRequest& request, const ParsedJob& asked, RunControl& control,
+            std::function<void(const PlanNews&)> on_better, PlanAnswer& answer) {
   answer.options = plan_options(request, asked);
-  PlanOptions search = answer.options;
-  search.on_better = std::move(on_better);
+  PlanOptions options = answer.options;
+  options.on_better = std::move(on_better);
   answer.objective = request.objective == "cost" ? BenchObjective::cost : BenchObjective::makespan;
   if (!asked.benches.empty()) {
     answer.benches = make_bench_plan(
         asked.job,
-        {.objective = answer.objective, .plan = std::move(search), .each = asked.benches}, control);
-    return answer;
+        {.objective = answer.objective, .plan = std::move(options), .each = asked.benches},
+        control);
+    return;
   }
-  answer.plan = with_first_pieces(*asked.job, make_run_plan(asked.job, search, control));
+  answer.plan = with_first_pieces(*asked.job, make_run_plan(asked.job, options, control));
   if (request.shuffle) {
     std::uint64_t exchanged = 0;
     answer.plan = shuffled(*asked.job, std::move(*answer.plan), *request.shuffle, exchanged);
@@ -144,6 +156,22 @@ PlanAnswer answer_to(const JobRequest& request, const ParsedJob& asked, RunContr
   }
   if (request.what_if) {
     answer.what_if = what_if(*asked.job, *answer.plan, answer.options, control);
+  }
+}
+
+}  // namespace
+
+PlanAnswer answer_to(const JobRequest& request, const ParsedJob& asked, RunControl& control,
+                     std::function<void(const PlanNews&)> on_better) {
+  PlanAnswer answer;
+  answer.notes = asked.notes;
+  if (request.diagnose) {
+    diagnose_results(asked, answer);
+    return answer;
+  }
+  search(request, asked, control, std::move(on_better), answer);
+  note_limit(answer);
+  if (answer.what_if) {
     answer.what_if->notes = answer.notes;
   }
   return answer;

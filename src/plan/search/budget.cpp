@@ -32,6 +32,14 @@ bool Rounds::go_on(bool better, const Limits& limits) {
                                      (round_ < limits.least || idle_ < limits.most_idle));
 }
 
+WhyStopped why_it_ended(const RunControl& control, bool proved) {
+  const WhyStopped why = control.why_stopped();
+  return why != WhyStopped::running ? why
+         : proved                   ? WhyStopped::found
+         : control.time_was_up()    ? WhyStopped::time_limit
+                                    : WhyStopped::step_limit;
+}
+
 void keep_what_there_is(std::optional<std::string>& shortage, const std::function<void()>& work,
                         const std::function<std::string()>& no_memory) {
   try {

@@ -55,6 +55,10 @@ class Rounds {
   unsigned idle_ = 0;
 };
 
+/// Why a search is over. A clock that stopped a part of it counts as the time limit; `proved` says
+/// that nothing better is possible.
+[[nodiscard]] WhyStopped why_it_ended(const RunControl& control, bool proved);
+
 /// Does what may go on for long, or want more than there is: what there is by then stays, and
 /// `shortage` says what was missing; `no_memory` does so if it was memory for the next step.
 void keep_what_there_is(std::optional<std::string>& shortage, const std::function<void()>& work,

@@ -188,10 +188,7 @@ void keep_what_there_is(RunPlan& plan, const std::function<void()>& work) {
 
 void settle(const Job& job, RunPlan& plan, const RunControl& control) {
   plan.sheet = run_sheet(job, plan.candidates.front().setups);
-  plan.why_stopped = control.why_stopped();
-  if (plan.why_stopped == WhyStopped::running) {
-    plan.why_stopped = plan.proved_cheapest() ? WhyStopped::found : WhyStopped::step_limit;
-  }
+  plan.why_stopped = why_it_ended(control, plan.proved_cheapest());
 }
 
 void Candidate::take_figures(const RunSheet& sheet) {

@@ -213,6 +213,7 @@ WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
                      [] { return "not enough memory to search at all ratios"; });
   WhatIf answer = envelope(job, candidates);
   answer.shortage = shortage;
+  answer.why_stopped = why_it_ended(control, false);
   return answer;
 }
 

@@ -82,6 +82,7 @@ std::string json_of(const SheetDocument& document) {
   json.key("cost").raw(money(sheet.cost)).key("pairs_needed").value(sheet.pairs_needed);
   json.key("pairs_tested").value(sheet.pairs_tested);
   json.key("proved_cheapest").value(plan.proved_cheapest());
+  json.key("why_stopped").value(to_string(plan.why_stopped));
   json.key("lower_bound").begin_object().key("cost").raw(money(plan.bound.cost));
   json.key("tests").value(plan.bound.tests).key("changes").value(plan.bound.introductions);
   json.key("reason").value(plan.bound.reason).end_object().key("budget");
@@ -138,6 +139,7 @@ std::string json_of(const Job& job, const WhatIf& answer) {
                                         : "ratio of change cost to test cost");
   json.key("asked");
   write_ratio(json, answer.asked);
+  json.key("why_stopped").value(to_string(answer.why_stopped));
   json.objects("ranges", answer.ranges, [&](const WhatIf::Range& range) {
     json.key("from");
     write_ratio(json, range.from);

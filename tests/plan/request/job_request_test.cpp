@@ -125,6 +125,42 @@ TEST(JobRequest, EveryKeyAndFlagIsThereOnceAndEveryRuleKnowsItsKeys) {
   }
 }
 
+PlanAnswer answer_in(double seconds, const JobRequest& request) {
+  RunControl control({.time = std::chrono::duration<double>(seconds)});
+  return answer_to(request, checked_job(request, Door::document), control);
+}
+
+TEST(JobRequest, AnswersSayThatALimitStoppedThem) {
+  const std::string note =
+      "the time limit stopped the search; with more time the plan may be better";
+  const JobRequest one{.items = 14, .at_once = 4, .test_cost = "1", .change_cost = "5"};
+  JobRequest benches = one;
+  benches.benches.number = 2;
+  JobRequest ratios = one;
+  ratios.what_if = true;
+  for (const JobRequest& request : {one, benches, ratios}) {
+    PlanAnswer cut = answer_in(0, request);
+    EXPECT_EQ(cut.why_stopped(), WhyStopped::time_limit);
+    EXPECT_THAT(cut.notes, ::testing::ElementsAre(note));
+    const std::string json = written(request, checked_job(request, Door::document), cut, "json");
+    EXPECT_THAT(json, HasSubstr("\"why_stopped\":\"time limit\""));
+    EXPECT_THAT(json, HasSubstr(note));
+    // A time that was asked for is used up as it should be.
+    JobRequest timed = request;
+    timed.seconds = 0;
+    cut = answer_in(0, timed);
+    EXPECT_EQ(cut.why_stopped(), WhyStopped::time_limit);
+    EXPECT_EQ(cut.notes.empty(), !request.what_if);
+    JobRequest small = request;
+    small.items = 6;
+    small.at_once = 3;
+    small.steps = 300;
+    const PlanAnswer whole = answer_in(3600, small);
+    EXPECT_NE(whole.why_stopped(), WhyStopped::time_limit);
+    EXPECT_THAT(whole.notes, ::testing::IsEmpty());
+  }
+}
+
 // Every rule alone refuses each of its keys, and nothing where its condition is not met, at both
 // doors, in the words of the door.
 TEST(JobRequest, RulesHold) {

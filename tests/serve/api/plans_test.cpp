@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <set>
+
 #include "changeover/plan/run_plan.hpp"
 #include "io/scan/base64.hpp"
 #include "run_workbooks.hpp"
@@ -41,6 +43,38 @@ TEST(Plans, FollowedThatEndAreWhatIsWaitedForAndFiles) {
   EXPECT_THAT(file("xlsx").body, ::testing::StartsWith("PK"));
   EXPECT_THAT(file("html").header("content-disposition"), HasSubstr("run_sheet.html"));
   EXPECT_EQ(file("exe").status, 400);
+}
+
+TEST(Plans, ThatAClockStoppedSaySo) {
+  const OwnServer own;
+  json large = nine;
+  large["parts"] = 40;
+  large["at_once"] = 6;
+  large["benches"] = 2;
+  large["seconds"] = 0.2;
+  EXPECT_EQ(asked(own, "/api/plan", large)["benches"]["why_stopped"], "time limit");
+  json quick = nine;
+  quick["steps"] = 300;
+  EXPECT_NE(asked(own, "/api/plan", quick)["plan"]["why_stopped"], "time limit");
+}
+
+TEST(Plans, TakeASeed) {
+  const OwnServer own;
+  json job = nine;
+  job["parts"] = 20;
+  job["at_once"] = 5;
+  job["steps"] = 200;
+  std::set<std::string> plans;
+  for (int seed = 1; seed <= 4; ++seed) {
+    job["seed"] = seed;
+    const json answer = asked(own, "/api/plan", job);
+    EXPECT_EQ(answer, asked(own, "/api/plan", job)) << seed;
+    plans.insert(answer["csv"]);
+    const int id = asked(own, "/api/plan/start", job)["id"];
+    ASSERT_TRUE(eventually([&] { return followed(own, id)["state"] != "running"; }));
+    EXPECT_EQ(followed(own, id)["answer"], answer) << seed;
+  }
+  EXPECT_GT(plans.size(), 1U);
 }
 
 TEST(Plans, ThatAreStoppedHaveTheBestSoFar) {

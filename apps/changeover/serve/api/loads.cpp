@@ -42,18 +42,7 @@ std::optional<std::uint64_t> take_bytes_per_item(RequestDocument& document) {
                               most_bytes);
 }
 
-// A search leaves time to read what it finds.
-double search_time(const LoadRequest& request, const Limits& limits) {
-  const double most = limits.seconds.count() / 2;
-  const double seconds = request.seconds.value_or(0);
-  if (seconds < 0 || seconds > most) {
-    throw malformed(fmt::format("{}seconds: write 0 to {}; changeover loadorder takes more",
-                                request.places.before("seconds"), most));
-  }
-  return seconds;
-}
-
-LoadQuestion question_of(const Explorer& explorer, const Request& sent) {
+LoadQuestion question_of(const Request& sent) {
   RequestDocument document(load_table().format, sent.body, std::string(name_of_body));
   const std::optional<std::uint64_t> bytes = take_bytes_per_item(document);
   const auto request = read_request(load_table(), document);
@@ -66,10 +55,11 @@ LoadQuestion question_of(const Explorer& explorer, const Request& sent) {
     throw malformed(fmt::format("{}items: write 1 to {}; changeover loadorder takes more",
                                 request.places.before("items"), most_items_of_a_page));
   }
+  const SearchTimes& times = load_table().times;
   LoadQuestion question{.request = request,
                         .loads = from_body([&] { return checked_loads(request, Door::document); }),
                         .bytes_per_item = bytes.value_or(1),
-                        .seconds = search_time(request, explorer.limits)};
+                        .seconds = search_seconds(request, times.server, times.most_of_server)};
   if (question.loads.items() > most_items_of_a_page) {
     throw Refusal{422, fmt::format("{} items; at most {} here; changeover loadorder takes more",
                                    question.loads.items(), most_items_of_a_page)};
@@ -266,11 +256,11 @@ void write_lockstep(JsonWriter& json, const LoadOrderFacts& facts, const Memorie
 }
 
 Response load_order(const Explorer& explorer, const Request& request) {
-  const LoadQuestion question = question_of(explorer, request);
+  const LoadQuestion question = question_of(request);
   const CheckedLoads& asked = question.loads;
   // What is not done in this time is left out; the rest is for reading what has been found.
   RunControl limit(*RunScope::current(), explorer.limits.seconds / 2);
-  RunControl control(limit, std::chrono::duration<double>(question.seconds));
+  RunControl control(limit, std::chrono::duration<double>(question.seconds), question.request.seed);
   LoadOrderOptions options;
   options.seed = question.request.seed.value_or(1);
   options.search_pairs = [&control](const std::function<void()>& search) {

@@ -26,7 +26,6 @@ JobRequest job_in(const std::string& body) {
 // What the question of a workbook says for the machine on which it was made.
 void forget_the_machine(JobRequest& request) {
   request.threads.reset();
-  request.seed.reset();
   request.compact = false;
 }
 

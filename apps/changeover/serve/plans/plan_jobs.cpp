@@ -78,6 +78,7 @@ std::uint64_t PlanJobs::start(OpenedRequest opened, ParsedJob asked, double seco
         job.limit = seconds;
         RunControl::Settings settings;
         settings.time = std::chrono::duration<double>(seconds);
+        settings.seed = job.opened.request.seed.value_or(settings.seed);
         settings.memory_bytes = settings_.memory_bytes;
         settings.progress_interval = std::chrono::duration<double>(0.25);
         settings.on_progress = [this, one = &job](const Progress& progress) {

@@ -13,24 +13,13 @@
 namespace changeover::serve {
 namespace {
 
-constexpr double usual_seconds = 10;     // of a plan that is waited for
-constexpr double most_followed = 3'600;  // of one that is followed
-constexpr double followed_seconds = 60;  // the same if nothing is said
-
-double seconds_of(const JobRequest& request, double usual, double most) {
-  const double seconds = request.seconds.value_or(usual);
-  if (seconds <= 0 || seconds > most) {
-    throw malformed(fmt::format("{}seconds: write more than 0 and at most {}",
-                                request.places.before("seconds"), most));
-  }
-  return seconds;
-}
-
 Response plan(const Explorer& explorer, const Request& sent) {
   const OpenedRequest opened = sent_job(sent.body);
   const ParsedJob asked = from_body([&] { return checked_job(opened, Door::document); });
-  const double seconds = seconds_of(opened.request, usual_seconds, explorer.limits.seconds.count());
-  RunControl control(*RunScope::current(), std::chrono::duration<double>(seconds));
+  const SearchTimes& times = job_table().times;
+  const double seconds = search_seconds(opened.request, times.server, times.most_of_server);
+  RunControl control(*RunScope::current(), std::chrono::duration<double>(seconds),
+                     opened.request.seed);
   const PlanAnswer answer = answer_to(opened.request, asked, control);
   stop_if_asked();  // the client may have gone
   return json_response(plan_json(opened.request, asked, answer, explorer.limits.plan_bytes));
@@ -39,7 +28,8 @@ Response plan(const Explorer& explorer, const Request& sent) {
 Response start(Explorer& explorer, const Request& sent) {
   OpenedRequest opened = sent_job(sent.body);
   ParsedJob asked = from_body([&] { return checked_job(opened, Door::document); });
-  const double seconds = seconds_of(opened.request, followed_seconds, most_followed);
+  const SearchTimes& times = job_table().times;
+  const double seconds = search_seconds(opened.request, times.followed, times.most_followed);
   return json_response(fmt::format(
       "{{\"id\":{}}}\n", explorer.plans->start(std::move(opened), std::move(asked), seconds)));
 }

@@ -61,6 +61,7 @@ class BenchPlanner {
                                           ? std::move(count_)
                                           : count_benches(field_.asked(), field_.benches(),
                                                           field_.schedule(without_first(lists)));
+    plan_.why_stopped = why_it_ended(*control_, !options_->plan.budget && is_best_possible());
     return std::move(plan_);
   }
 

@@ -72,6 +72,7 @@ std::string json_of(const BenchDocument& document) {
   json.key("objective").value(document.objective == BenchObjective::cost ? "cost" : "makespan");
   json.key("cost").raw(money(plan.cost)).key("makespan").raw(money(plan.makespan));
   json.key("tests").value(plan.tests).key("changes").value(plan.changes);
+  json.key("why_stopped").value(to_string(plan.why_stopped));
   json.key("pairs_needed").value(plan.pairs_needed).key("pairs_tested").value(plan.pairs_tested);
   json.key("triples_needed").value(plan.triples_needed);
   json.key("triples_tested").value(plan.triples_tested);

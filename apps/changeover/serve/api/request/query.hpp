@@ -118,6 +118,18 @@ void require_of_server(const Request& request, const RequestTable<Request>& tabl
   }
 }
 
+/// The time of a search that a request asks for, or what holds where it does not. @throws Refusal
+/// 422 for more than `most`.
+template <typename Request>
+[[nodiscard]] double search_seconds(const Request& request, double usual, double most) {
+  const double seconds = request.seconds.value_or(usual);
+  if (seconds < 0 || seconds > most) {
+    throw malformed(fmt::format("{}seconds: write 0 to {}; the command line takes more",
+                                request.places.before("seconds"), most));
+  }
+  return seconds;
+}
+
 /// What is wrong with the body, whichever of its keys, is 422. Calls `read`.
 template <typename Read>
 auto from_body(Read&& read) {
