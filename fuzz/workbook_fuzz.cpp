@@ -78,14 +78,16 @@ const Target target("workbook", [](const std::string& bytes) {
     if (opened.request.items.value_or(0) > most_parts_here) {
       return;
     }
-    const ParsedJob asked = checked_job(opened, Door::document);
-    for (const std::string& note : asked.notes) {
+    const CheckedJobRequest asked = checked_job(opened, Door::document);
+    for (const std::string& note : asked->notes) {
       must(is_one_plain_line(note), "a note is one line");
     }
-    must(!asked.question.parts.workbook && asked.question.parts.file.empty(),
+    must(!asked->question.parts.workbook && asked->question.parts.file.empty(),
          "the question stands by itself");
-    const ParsedJob again = checked_job(job_request(to_json(asked.question)), Door::document);
-    must(again.job->names == asked.job->names && again.job->never.size() == asked.job->never.size(),
+    const CheckedJobRequest again =
+        checked_job(job_request(to_json(asked->question)), Door::document);
+    must(again->job->names == asked->job->names &&
+             again->job->never.size() == asked->job->never.size(),
          "the question asks for the same job");
   });
 });

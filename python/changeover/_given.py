@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import collections
 import collections.abc
+import math
 import operator
-from typing import Any, Callable, Iterable, NoReturn, Optional, Tuple, TypeVar
+from typing import Any, Callable, Dict, Iterable, NoReturn, Optional, Tuple, TypeVar
 
 from . import _core
 from .errors import BadInput
@@ -53,6 +54,13 @@ def share_of(share: Any) -> Tuple[int, int]:
     if not 0 <= part < parts < 1 << 64:
         raise BadInput("share is (part, parts), two numbers, the first from 0 and below the second")
     return part, parts
+
+
+def of_search(time: Optional[float], threads: int, seed: int) -> Dict[str, Any]:
+    """The keys of a request for the arguments of a search."""
+    limits = {"seconds": time if time is None or math.isfinite(time) else str(time),
+              "threads": None if threads == 1 else threads, "seed": None if seed == 1 else seed}
+    return {key: value for key, value in limits.items() if value is not None}
 
 
 def is_whole(value: Any) -> bool:

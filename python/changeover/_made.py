@@ -109,6 +109,11 @@ def made(kind: Type[T], facts: dict[str, Any], core: Any = None) -> T:
     return typing.cast(T, one)
 
 
+def fact_names(kind: Type[Any]) -> list[str]:
+    return [name for owner in kind.__mro__ for name, each in vars(owner).items()
+            if isinstance(each, _Fact)]
+
+
 def known(about: str, **asked: Any) -> Any:
     """The document of "bounds", of a "table", of the "tree" of a design, or of "constructions"."""
     return json.loads(_core.known(about, **asked))
@@ -140,8 +145,7 @@ def _made_again(kind: Any, *state: Any) -> Any:
     if zlib.crc32(state[0]) != state[1]:
         raise BadInput(f"this pickle of a {kind.__name__} is damaged; make it anew")
     facts, kept = pickle.loads(state[0])
-    for name in (*kind._hidden, *(name for owner in kind.__mro__ for name, each in
-                                  vars(owner).items() if isinstance(each, _Fact))):
+    for name in (*kind._hidden, *fact_names(kind)):
         if name not in facts:
             raise BadInput(f"another version of changeover pickled this {kind.__name__}, which has "
                            f"no {name}; make it anew")
@@ -187,8 +191,10 @@ def whole(value: Any) -> int:
     text: Decimal(2), an array of one number."""
     try:
         number = operator.index(value)
+        if isinstance(value, bool):
+            raise ValueError
     except Exception:
-        if isinstance(value, (float, str, bytes, bytearray)):
+        if isinstance(value, (bool, float, str, bytes, bytearray)):
             raise
         number = int(value)
         if not bool(number == value):  # Decimal("2.5"), numpy.float32(2.5)

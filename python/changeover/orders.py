@@ -13,13 +13,14 @@ import zlib
 from array import array
 from typing import (
     Any, Callable, Dict, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Set,
-    SupportsIndex, Tuple, Union, overload,
+    Tuple, Union, overload,
 )
 
 from . import _core
 from ._given import (
-    attempt, file_name, is_text, leads_from_keys, listed, rows_of, share_of, words_of)
-from ._made import Made, Progress, check_calls, count_of, fact, frozen, in_a_line, made
+    attempt, file_name, is_text, leads_from_keys, listed, of_search, rows_of, share_of, words_of)
+from ._made import (
+    Made, Progress, check_calls, count_of, fact, fact_names, frozen, in_a_line, made)
 from ._notebook import Prose, Shown
 from .errors import BadInput, InternalError
 from .pictures import Picture, Theme, stays_of
@@ -103,11 +104,11 @@ def _made_again(kind: Any, state: bytes, checksum: int) -> Any:
     """The content of pickles: the request, or the steps if making them took a search."""
     if zlib.crc32(state) != checksum:
         raise BadInput(f"this pickle of a {kind.__name__} is damaged; make it anew")
-    facts, asked, ends, seed, text = pickle.loads(state)
+    facts, asked, ends, text = pickle.loads(state)
     core: Any = _Recorded(text) if text is not None else None
     if core is None:
-        core, again = _core.Loads.planned(
-            json.dumps({**asked, "verify_beside": False}), ends, None, 1, seed, None)
+        core = _core.Loads.planned(json.dumps({**asked, "verify_beside": False}), ends, None)
+        again = _facts(core, kind)
         # One that is verified beside the work is read at once when it is made again.
         if {**again, "certificate": ""} != {**facts, "certificate": ""}:
             raise BadInput(
@@ -115,7 +116,16 @@ def _made_again(kind: Any, state: bytes, checksum: int) -> Any:
                 "one; make it anew"
             )
         facts = again
-    return made(kind, {**facts, "_asked": (asked, ends, seed, text)}, core)
+    return made(kind, {**facts, "_asked": (asked, ends, text)}, core)
+
+
+def _facts(core: Any, kind: Any) -> Dict[str, Any]:
+    """What the first line of the document says, under the names that it has in Python."""
+    head: Dict[str, Any] = json.loads(core.head())
+    said = {**head, "certificate": head["verified"], "bytes": head.get("bytes_loaded"),
+            "reason": head.get("makespan_bound_reason", head["lower_bound_reason"]),
+            "steps": head["steps"] - ("stores" in head)}  # without the one that only stores
+    return {name: said.get(name) for name in fact_names(kind)}
 
 
 def _panel(headline: str, note: str, items: int, steps: Iterable[Step]
@@ -188,17 +198,27 @@ class _Loads(Shown, Made):
         text: str = self._core.in_format("colmap")
         return text
 
+    def request_json(self) -> str:
+        """What was asked, as the document that `changeover loadorder --request` reads."""
+        asked, ends, _ = self._facts["_asked"]
+        if ends is not None:
+            items = array("I", ends)
+            asked = {**asked, "pairs": list(zip(items[::2], items[1::2]))}
+        text: str = _core.load_request_json(json.dumps(asked))
+        return text
+
     def _said(self) -> Any:
         facts = dict(self._facts)
-        *asked, text = facts.pop("_asked")
-        return facts, asked, text if text is None else self.to_json()
+        asked, ends, text = facts.pop("_asked")
+        asked = {key: value for key, value in asked.items() if key not in ("seconds", "threads")}
+        return facts, asked, ends, text if text is None else self.to_json()
 
     def __reduce_ex__(self, _protocol: Any = 2) -> Any:
         facts = dict(self._facts)
-        asked, ends, seed, text = facts.pop("_asked")
+        asked, ends, text = facts.pop("_asked")
         if text == "":
             text = self.to_json()
-        state = pickle.dumps((facts, asked, ends, seed, text), 4)
+        state = pickle.dumps((facts, asked, ends, text), 4)
         return _made_again, (type(self), state, zlib.crc32(state))
 
 
@@ -446,43 +466,22 @@ def _size_rows(sizes: Any) -> List[Any]:
 
 
 @overload
-def load_order(
-    items: Optional[int], room: Optional[int] = None, *,
-    pairs: Optional[Iterable[Iterable[Any]]] = None,
-    groups: Optional[Iterable[Iterable[SupportsIndex]]] = None,
-    against: Optional[int] = None, done_items: Optional[int] = None, workers: None = None,
-    disjoint: bool = False, write_back: bool = False, new_pairs: bool = False,
-    prefetch: bool = False, ordered: bool = False, with_self: bool = False, shuffle: bool = False,
-    first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
-    epochs: int = 1, spread: bool = False, sizes: Any = None, memory: Optional[int] = None,
-    fast_room: Optional[int] = None, fast_memory: Optional[int] = None,
-    time: Optional[float] = None, threads: int = 1, seed: int = 1, progress: Progress = None,
-) -> LoadOrder: ...
+def load_order(*given: Any, workers: None = None, **named: Any) -> LoadOrder: ...
 @overload
-def load_order(
+def load_order(*given: Any, workers: int, **named: Any) -> WorkerLoads: ...
+
+
+def load_order(  # type: ignore[misc]  # the others say what it returns
     items: Optional[int], room: Optional[int] = None, *,
-    pairs: Optional[Iterable[Iterable[Any]]] = None,
-    groups: Optional[Iterable[Iterable[SupportsIndex]]] = None,
-    against: Optional[int] = None, done_items: Optional[int] = None, workers: int,
+    pairs: Any = None, groups: Any = None, against: Optional[int] = None,
+    done_items: Optional[int] = None, workers: Optional[int] = None,
     disjoint: bool = False, write_back: bool = False, new_pairs: bool = False,
     prefetch: bool = False, ordered: bool = False, with_self: bool = False, shuffle: bool = False,
     first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
-    epochs: int = 1, spread: bool = False, sizes: Any = None, memory: Optional[int] = None,
-    fast_room: Optional[int] = None, fast_memory: Optional[int] = None,
-    time: Optional[float] = None, threads: int = 1, seed: int = 1, progress: Progress = None,
-) -> WorkerLoads: ...
-
-
-def load_order(
-    items: Optional[int], room: Optional[int] = None, *, pairs: Any = None, groups: Any = None,
-    against: Optional[int] = None, done_items: Optional[int] = None, workers: Optional[int] = None,
-    disjoint: bool = False,
-    write_back: bool = False, new_pairs: bool = False, prefetch: bool = False,
-    ordered: bool = False, with_self: bool = False, shuffle: bool = False,
-    first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
-    epochs: int = 1, spread: bool = False, sizes: Any = None, memory: Optional[int] = None,
-    fast_room: Optional[int] = None, fast_memory: Optional[int] = None,
-    time: Optional[float] = None, threads: int = 1, seed: int = 1, progress: Progress = None,
+    epochs: Optional[int] = None, spread: bool = False, sizes: Any = None,
+    memory: Optional[int] = None, fast_room: Optional[int] = None,
+    fast_memory: Optional[int] = None, time: Optional[float] = None, threads: int = 1,
+    seed: int = 1, progress: Progress = None,
 ) -> Union[LoadOrder, WorkerLoads]:
     """Returns a load order with room for `room` items, after which every pair of `items` items has
     been in memory together. Searches for a better one for `time` seconds. Verified. Iterating gives
@@ -512,42 +511,28 @@ def load_order(
     verify_beside: return before the steps are verified; verified() waits for that. Raises BadInput,
     ImpossibleParameters.
     """
-    if sum(each is not None for each in (pairs, groups, against, done_items)) > 1:
-        raise BadInput("give one of pairs, groups, against and done_items")
-    if items is None and pairs is None and groups is None and sizes is None:
-        raise BadInput("give items, how many there are")
-    if room is None and sizes is None:
-        raise BadInput("give room, how many items are in memory at once, or sizes and memory")
-    if time is not None and not 0 <= time <= 3153600000:
-        raise ValueError("time is a number of seconds, 0 to 3153600000")
-    asked: Dict[str, Any] = {"items": items, "room": room, "against": against,
-                             "done_items": done_items, "workers": workers,
-                             "epochs": None if epochs == 1 else epochs, "memory": memory,
-                             "fast_room": fast_room, "fast_memory": fast_memory}
-    asked.update({key: True for key, given in (
-        ("disjoint", disjoint), ("write_back", write_back), ("new_pairs", new_pairs),
-        ("prefetch", prefetch), ("ordered", ordered), ("self", with_self), ("shuffle", shuffle),
-        ("first_holder", first_holder), ("verify_beside", verify_beside),
-        ("spread", spread)) if given})
-    if pair_cost is not None:
-        asked["pair_cost"] = _cost_rows(pair_cost)
-    if sizes is not None:
-        asked["sizes"] = _size_rows(sizes)
-    if groups is not None:
-        asked["groups"] = _group_rows(groups)
     costs: List[List[str]] = []
     ends = None if pairs is None else _ends(pairs, costs).tobytes()
-    if costs:
-        if workers is None or pair_cost is not None:
-            raise BadInput("pairs: costs are for workers, and without pair_cost; give rows of two "
-                           "items")
-        asked["pair_cost"] = costs
-    core, facts = _core.Loads.planned(json.dumps(asked), ends, time, threads, seed, progress)
+    if costs and (workers is None or pair_cost is not None):
+        raise BadInput("pairs: costs are for workers, and without pair_cost; give rows of two "
+                       "items")
+    given: Dict[str, Any] = {
+        "items": items, "room": room, "pairs": None if ends is None else [],
+        "groups": None if groups is None else _group_rows(groups), "against": against,
+        "done_items": done_items, "workers": workers, "disjoint": disjoint,
+        "write_back": write_back, "new_pairs": new_pairs, "prefetch": prefetch,
+        "ordered": ordered, "self": with_self, "shuffle": shuffle, "first_holder": first_holder,
+        "pair_cost": costs or (None if pair_cost is None else _cost_rows(pair_cost)),
+        "verify_beside": verify_beside, "epochs": epochs, "spread": spread,
+        "sizes": None if sizes is None else _size_rows(sizes), "memory": memory,
+        "fast_room": fast_room, "fast_memory": fast_memory, **of_search(time, threads, seed)}
+    asked = {key: value for key, value in given.items() if value is not None and value is not False}
+    core = _core.Loads.planned(json.dumps(asked), ends, progress)
+    kind: Any = LoadOrder if workers is None else WorkerLoads
     # What a search finds is not found again: a pickle holds its steps.
-    facts["_asked"] = (asked, ends, seed, None if time is None else "")
-    if workers is None:
-        return made(LoadOrder, facts, core)
-    return made(WorkerLoads, facts, core)
+    facts = {**_facts(core, kind), "_asked": (asked, ends, None if time is None else "")}
+    order: Union[LoadOrder, WorkerLoads] = made(kind, facts, core)
+    return order
 
 
 def all_pairs(

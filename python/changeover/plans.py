@@ -11,6 +11,7 @@ from typing import Any, Dict, Iterable, List, Literal, Mapping, Optional, Tuple,
 
 from . import _core
 from ._job import benches_of, document_of, names_in, result_of
+from ._given import of_search
 from ._made import Made, Progress, check_calls, count_of, fact, made
 from ._notebook import Shown
 from .errors import BadInput
@@ -20,12 +21,9 @@ Cost = Union[int, float, str, Decimal]
 Part = Union[str, int]
 Pair = Tuple[Part, Part]
 Parts = Union[int, Iterable[Part], Mapping[Any, Cost], "os.PathLike[str]"]
-Pairs = Optional[Iterable[Iterable[Part]]]
 Room = Union[int, Tuple[Optional[int], Optional[int]]]
 Result = Union[bool, str, None]
-Done = Union[Iterable[Optional[Part]], Tuple[Iterable[Optional[Part]], Result], Dict[str, Any]]
 CostUnit = Literal["money", "seconds", "minutes", "hours"]
-First = Union[Iterable[Part], Mapping[str, Any]]
 Benches = Union[int, Iterable[Union[str, Mapping[str, Any]]]]
 Objective = Literal["makespan", "cost", "tests"]
 Model = Union[str, "os.PathLike[str]"]
@@ -52,6 +50,21 @@ def _bench_step(step: Dict[str, Any]) -> Dict[str, Any]:
     return {**_step(step),
             **{key: _decimal(step[key]) for key in ("begin", "end", "hour") if key in step},
             **{key: step[key] for key in ("day", "date", "again") if key in step}}
+
+
+class Answer(Dict[str, Any]):
+    """A dict, with the document that it was made of."""
+
+    def __init__(self, entries: Dict[str, Any], text: str) -> None:
+        super().__init__(entries)
+        self._text = text
+
+    def to_json(self) -> str:
+        """The document that the command line writes with --json."""
+        return self._text
+
+    def __reduce__(self) -> Any:
+        return Answer, (dict(self), self._text)
 
 
 class _Sheets(Shown, Made):
@@ -188,7 +201,7 @@ class RunSheet(_Sheets):
     def what_if(
         self, *, time: Optional[float] = None, threads: int = 1, seed: int = 1,
         progress: Progress = None,
-    ) -> Dict[str, Any]:
+    ) -> Answer:
         """Which plan is cheapest when changes become dearer or cheaper against tests, and where it
         breaks even.
 
@@ -200,17 +213,22 @@ class RunSheet(_Sheets):
 
         Raises BadInput if costs depend on what is replaced.
         """
-        def ratio(two: Optional[Tuple[int, int]]) -> Optional[Fraction]:
-            return two and Fraction(*two)
+        text: str = self._core.what_if(time, threads, seed, progress)
+        said: Dict[str, Any] = json.loads(text)
 
-        answer: Dict[str, Any] = self._core.what_if(time, threads, seed, progress)
-        ranges = [{**each, "from": ratio(each["from"]), "to": ratio(each["to"])}
-                  for each in answer["ranges"]]
-        return {**answer, "asked": ratio(answer["asked"]), "ranges": ranges}
+        def ratio(exactly: Optional[str]) -> Optional[Fraction]:
+            return None if exactly is None else Fraction(exactly)
+
+        ranges = [{"from": ratio(each["from_exact"]), "to": ratio(each["to_exact"]),
+                   **{key: each["plan"][key] for key in ("name", "how", "tests", "changes")},
+                   "setups": each["plan"]["set_ups"]} for each in said["ranges"]]
+        return Answer({"by_factor": said["by"].startswith("factor"),
+                       "asked": ratio(said["asked_exact"]), "ranges": ranges,
+                       "interrupted": said["why_stopped"] == "interrupted"}, text)
 
     def diagnose(self,
         results: Iterable[Union[Result,
-                                Tuple[Iterable[Part], Union[bool, str]]]]) -> Dict[str, Any]:
+                                Tuple[Iterable[Part], Union[bool, str]]]]) -> Answer:
         """Which faults explain the results, and the one test to run next.
 
         results: for each of the first tests of the sheet True if it passed, False if it failed,
@@ -261,7 +279,8 @@ class RunSheet(_Sheets):
                                read == "fail"))
             elif read == "unread":
                 unread.append((place, result))
-        found: Dict[str, Any] = json.loads(self._core.diagnose(tested), parse_float=Decimal)
+        text: str = self._core.diagnose(tested)
+        found: Dict[str, Any] = json.loads(text, parse_float=Decimal)
 
         def suspects(all_of_them: List[List[str]]) -> List[Tuple[str, ...]]:
             return [tuple(each) for each in all_of_them]
@@ -273,7 +292,7 @@ class RunSheet(_Sheets):
             return {"left": result["left"], "explanations": sets(result["explanations"])}
 
         then: Optional[Dict[str, Any]] = found["next"]
-        return {
+        return Answer({
             **{key: found[key] for key in ("passed", "failed", "at_least", "explanations_known",
                                            "all_explanations", "looked_at", "least_tests")},
             "faults": suspects(found["faults"]), "suspects": suspects(found["suspects"]),
@@ -286,7 +305,7 @@ class RunSheet(_Sheets):
                 "cost": _decimal(then["cost"]), "why": then["why"],
                 "proves": then["proves"] and tuple(then["proves"]),
                 "if_it_fails": after(then["if_it_fails"]),
-                "if_it_passes": after(then["if_it_passes"])}, "unread": unread}
+                "if_it_passes": after(then["if_it_passes"])}, "unread": unread}, text)
 
     def _rows(self) -> List[Dict[str, Any]]:
         return self.steps
@@ -359,44 +378,12 @@ def _facts(core: Any) -> Dict[str, Any]:
 
 
 @overload
-def plan(
-    parts: Optional[Parts] = None, at_once: Optional[int] = None, *,
-    model: Optional[Model] = None, test_cost: Optional[Cost] = None,
-    change_cost: Optional[Cost] = None, change_costs: Optional[Mapping[Any, Cost]] = None,
-    cost_column: Optional[str] = None, cost_unit: Optional[CostUnit] = None, strength: int = 2,
-    pairs: Pairs = None, never: Pairs = (), slots: Optional[Mapping[str, Room]] = None,
-    slot_of: Optional[Mapping[Any, str]] = None, mounted: Iterable[Part] = (),
-    start: Iterable[Part] = (), first: Iterable[First] = (),
-    weights: Optional[Mapping[Pair, Cost]] = None, done: Iterable[Done] = (),
-    trust_failed: bool = False, budget: Optional[Cost] = None, benches: None = None,
-    objective: Optional[Objective] = None, time: Optional[float] = None, threads: int = 1,
-    seed: int = 1, progress: Progress = None, done_first: Optional[int] = None,
-    shuffle: Optional[int] = None, title: Optional[str] = None, compact: bool = False,
-    steps: Optional[int] = None, without: Iterable[Part] = (),
-    quantities: Optional[Mapping[Any, int]] = None, hours: Optional[Cost] = None,
-    first_day: Optional[str] = None, weekends: bool = False,
-) -> RunSheet: ...
+def plan(*given: Any, benches: None = None, **named: Any) -> RunSheet: ...
 @overload
-def plan(
-    parts: Optional[Parts] = None, at_once: Optional[int] = None, *,
-    model: Optional[Model] = None, test_cost: Optional[Cost] = None,
-    change_cost: Optional[Cost] = None, change_costs: Optional[Mapping[Any, Cost]] = None,
-    cost_column: Optional[str] = None, cost_unit: Optional[CostUnit] = None, strength: int = 2,
-    pairs: Pairs = None, never: Pairs = (), slots: Optional[Mapping[str, Room]] = None,
-    slot_of: Optional[Mapping[Any, str]] = None, mounted: Iterable[Part] = (),
-    start: Iterable[Part] = (), first: Iterable[First] = (),
-    weights: Optional[Mapping[Pair, Cost]] = None, done: Iterable[Done] = (),
-    trust_failed: bool = False, budget: Optional[Cost] = None, benches: Benches,
-    objective: Optional[Objective] = None, time: Optional[float] = None, threads: int = 1,
-    seed: int = 1, progress: Progress = None, done_first: Optional[int] = None,
-    shuffle: Optional[int] = None, title: Optional[str] = None, compact: bool = False,
-    steps: Optional[int] = None, without: Iterable[Part] = (),
-    quantities: Optional[Mapping[Any, int]] = None, hours: Optional[Cost] = None,
-    first_day: Optional[str] = None, weekends: bool = False,
-) -> BenchSheets: ...
+def plan(*given: Any, benches: Benches, **named: Any) -> BenchSheets: ...
 
 
-def plan(
+def plan(  # type: ignore[misc]  # the others say what it returns
     parts: Optional[Parts] = None, at_once: Optional[int] = None, *,
     model: Optional[Model] = None, test_cost: Optional[Cost] = None,
     change_cost: Optional[Cost] = None, change_costs: Optional[Mapping[Any, Cost]] = None,
@@ -461,9 +448,6 @@ def plan(
     """
     given = locals()
     document = document_of(given)
-    if objective not in (None, "makespan", "cost", "tests"):
-        raise BadInput("objective is 'makespan', when the last test ends, 'cost', of all benches "
-                       "or tests, or 'tests' where there is a model")
     if benches is not None:
         document["benches"] = benches_of(benches)
     for argument in ("at_once", "cost_column", "cost_unit", "strength", "objective", "done_first",
@@ -473,7 +457,8 @@ def plan(
     document.update({key: value for key,
         value in (("trust_failed", trust_failed), ("compact", compact), ("title", title),
                   ("first_day", first_day), ("weekends", weekends)) if value})
-    core = _core.Planned.of(json.dumps(document), time, threads, seed, progress)
+    document.update(of_search(time, threads, seed))
+    core = _core.Planned.of(json.dumps(document), progress)
     facts = _facts(core)  # What a workbook asks for may be of several benches.
     return made(BenchSheets, facts, core) if "sheets" in facts else made(RunSheet, facts, core)
 

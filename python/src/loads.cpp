@@ -4,9 +4,10 @@
 #include <atomic>
 #include <chrono>
 #include <cstring>
+#include <functional>
 #include <future>
+#include <limits>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/control.hpp"
 #include "gil.hpp"
+#include "loadorder/order/searched.hpp"
 #include "loadorder/show/loads_answer.hpp"
 #include "long_work.hpp"
 #include "memory.hpp"
@@ -129,8 +131,6 @@ struct Loads {
 
   [[nodiscard]] const LoadOrder* one() const { return answer->order(); }
   [[nodiscard]] const WorkerSplit& split() const { return *answer->split(); }
-  /// Of the order for one worker, or of workers in lockstep, with the room for what is on its way.
-  [[nodiscard]] std::uint64_t room() const { return answer->room(); }
   [[nodiscard]] std::string in_format(const std::string& format) const {
     const GilReleased released;
     StringSink sink;
@@ -267,150 +267,43 @@ py::bytes shapes_of(const Loads& loads) {
   return {reinterpret_cast<const char*>(shapes.data()), shapes.size() * sizeof(shapes[0])};
 }
 
-// Of two levels.
-void add_transfers(py::dict& said, const LoadOrderFacts& whole, std::uint64_t transfers) {
-  const bool fast = whole.fast_room.has_value();
-  const bool weighed = fast && whole.sizes;
-  const auto given = [](bool is_given, std::uint64_t count) {
-    return is_given ? std::optional(count) : std::nullopt;
-  };
-  said["fast_room"] = whole.fast_room;
-  said["transfers"] = given(fast, transfers);
-  said["transfer_bound"] = given(fast, whole.transfer_bound.loads);
-  said["bytes_transferred"] = given(weighed, whole.transfer_bytes);
-  said["transfer_bytes_bound"] = given(weighed, whole.transfer_byte_bound.loads);
-}
-
-// What both kinds of facts say.
-template <typename Facts>
-py::dict facts_in(const Facts& facts, const Loads& loads) {
-  py::dict said(py::arg("items") = facts.items, py::arg("room") = loads.room(),
-                py::arg("loads") = facts.loads, py::arg("certificate") = facts.certificate);
-  said["epoch_loads"] = facts.epochs > 1 ? std::optional(facts.epoch_loads) : std::nullopt;
-  return said;
-}
-
-// Of workers, if items have sizes; the span of workers in lockstep.
-void add_bytes(py::dict& said, const std::optional<std::vector<std::uint64_t>>& each,
-               std::uint64_t bound, std::optional<std::uint64_t> span) {
-  using Count = std::optional<std::uint64_t>;
-  said["bytes"] =
-      each ? Count(std::accumulate(each->begin(), each->end(), std::uint64_t{0})) : Count();
-  said["worker_bytes"] = each;
-  said["makespan_bytes"] = each ? Count(*std::ranges::max_element(*each)) : Count();
-  said["makespan_bytes_bound"] = each ? Count(bound) : Count();
-  said["span_bytes"] = span;
-}
-
-py::dict facts_of(const LoadOrder& order, const Loads& loads) {
-  const LoadOrderFacts& facts = order.facts();
-  py::dict said = facts_in(facts, loads);
-  add_transfers(said, facts, facts.transfers);
-  said["method"] = facts.method;
-  if (facts.lockstep == 0) {
-    said["steps"] = facts.steps;
-    said["lower_bound"] = facts.bound.loads;
-    said["reason"] = facts.bound.reason;
-    said["bytes"] = facts.sizes ? std::optional(facts.bytes) : std::nullopt;
-    said["bytes_bound"] = facts.sizes ? std::optional(facts.byte_bound.loads) : std::nullopt;
-    return said;
-  }
-  said["worker_loads"] = facts.worker_loads;
-  said["makespan"] = facts.makespan();
-  said["makespan_bound"] = facts.makespan_bound.loads;
-  said["reason"] = facts.makespan_bound.reason;
-  said["worker_pairs"] =
-      facts.worker_pairs.empty() ? std::nullopt : std::optional(facts.worker_pairs);
-  said["worker_costs"] = py::none();
-  said["span"] = facts.span;
-  if (facts.sizes) {
-    add_bytes(said, facts.worker_bytes, facts.makespan_byte_bound.loads, facts.span_bytes);
-  } else {
-    add_bytes(said, std::nullopt, 0, std::nullopt);
-  }
-  return said;
-}
-
-py::dict facts_of(const Loads& loads) {
-  if (const LoadOrder* const one = loads.one()) {
-    return facts_of(*one, loads);
-  }
-  const SplitFacts& facts = loads.split().facts();
-  py::list of_workers;
-  py::list pairs;
-  py::list costs;
-  std::vector<std::uint64_t> bytes;
-  for (const WorkerFacts& worker : facts.workers) {
-    bytes.push_back(worker.bytes);
-    of_workers.append(worker.loads);
-    pairs.append(worker.pairs);
-    costs.append(worker.cost);
-  }
-  py::dict said = facts_in(facts, loads);
-  add_transfers(said, loads.split().order().facts(), facts.transfers);
-  said["method"] = loads.split().order().facts().method;
-  said["worker_loads"] = of_workers;
-  said["makespan"] = facts.makespan;
-  said["makespan_bound"] = facts.makespan_bound.loads;
-  said["reason"] = facts.makespan_bound.reason;
-  said["worker_pairs"] = facts.pairs_are_known ? py::object(pairs) : py::none();
-  said["worker_costs"] = facts.has_costs ? py::object(costs) : py::none();
-  said["span"] = py::none();
-  add_bytes(said, facts.makespan_bytes > 0 ? std::optional(bytes) : std::nullopt,
-            facts.makespan_bytes_bound.loads, std::nullopt);
-  return said;
-}
-
-py::tuple order(const std::string& document, const std::optional<py::bytes>& pairs,
-                std::optional<double> time, std::uint64_t threads, std::uint64_t seed,
-                py::object progress) {
-  LoadRequest request = load_request(document);
-  request.seconds = time;
-  request.seed = seed;
+Loads planned(const std::string& document, const std::optional<py::bytes>& pairs,
+              py::object progress) {
+  const LoadRequest request = load_request(document, "", Door::python);
   const std::string_view ends = pairs ? static_cast<std::string_view>(*pairs) : std::string_view();
   const CheckedLoads asked = stoppable([&] {
-    return checked_loads(request, Door::document, pairs ? pairs_in(request.items, ends) : nullptr);
+    return checked_loads(request, Door::python, pairs ? pairs_in(request.items, ends) : nullptr);
   });
-  LongWork work({.threads = threads,
+  const double seconds = request.seconds.value_or(0);
+  const std::uint64_t seed = request.seed.value_or(1);
+  LongWork work({.threads = request.threads.value_or(1),
                  .seed = seed,
                  .progress = std::move(progress),
-                 .keeps_best = time.has_value()});
+                 .keeps_best = request.seconds.has_value()});
   Loads loads;
-  const auto plan = [&](const LoadOrderOptions& options) {
-    loads.answer = std::make_shared<const LoadsAnswer>(asked, request, options);
-  };
   work.run([&](RunControl& control) {
+    // What Ctrl-C stops in a search is kept, and what follows is done as without it.
+    bool keeps_best = false;
+    RunControl::Settings settings = control.settings();
+    settings.found_elsewhere = [&] { return !keeps_best && control.stop_wanted(); };
+    RunControl planning(std::move(settings));
+    const RunScope scope(planning);
     LoadOrderOptions options;
     options.seed = seed;
-    // The search of a list has an order as soon as its first start is over.
-    if (!time || asked.wanted().graph() == nullptr) {
-      plan(options);
+    if (seconds > 0) {
+      options = searched(seconds, seed, [&](const std::function<void(RunControl&)>& search) {
+        RunControl part(control, std::chrono::duration<double>(seconds));
+        search(part);
+        keeps_best = keeps_best || control.stop_wanted();
+      });
     }
-    if (time) {
-      RunControl limited(control, std::chrono::duration<double>(*time));
-      options.improve = improve_by_search(limited);
-      options.search_pairs = [&](const std::function<void()>& search) {
-        const RunScope scope(limited);
-        search();
-      };
-      try {
-        plan(options);
-      } catch (const Stopped&) {
-        // Ctrl-C: the order that needed no search is the best so far.
-        if (!loads.answer) {
-          throw;
-        }
-      }
-    }
+    loads.answer = std::make_shared<const LoadsAnswer>(asked, options);
   });
   // What steps compute and store is verified now, or beside, as loads are.
   if (request.verify_beside) {
     loads.check = std::make_shared<const Check>(loads.answer);
-  } else if (loads.answer->shows_work()) {
-    stoppable([&] { return loads.answer->head(); });
   }
-  const py::dict facts = facts_of(loads);
-  return py::make_tuple(std::move(loads), facts);
+  return loads;
 }
 
 // Says which pair compute() was given: as a note of the exception, where Python has notes (3.11).
@@ -441,9 +334,8 @@ py::dict run(const std::string& path, std::uint64_t item_bytes, std::uint64_t ro
              const py::function& compute, std::uint64_t header_bytes, std::uint64_t threads,
              const std::string& journal, std::uint64_t share, std::uint64_t shares,
              const std::vector<std::string>& earlier, bool verify_beside) {
-  constexpr std::uint64_t most_threads = 4096;
-  if (threads < 1 || threads > most_threads) {
-    throw BadInput("threads is a number from 1 to 4096");
+  if (threads == 0) {
+    throw BadInput("threads 0: give at least 1");
   }
   AllPairsReport report;
   LongWork work({.threads = 1});
@@ -454,7 +346,8 @@ py::dict run(const std::string& path, std::uint64_t item_bytes, std::uint64_t ro
     const LoadOrder loads = plan_load_order(file.item_count(), room, planning);
     std::atomic<bool> cancelled = false;
     AllPairsOptions options;
-    options.threads = static_cast<unsigned>(threads);
+    options.threads = static_cast<unsigned>(
+        std::min<std::uint64_t>(threads, std::numeric_limits<unsigned>::max()));
     options.journal = journal;
     options.share = {share, shares};
     options.earlier = earlier;
@@ -553,7 +446,8 @@ void bind_loads(py::module_& module) {
       .def("__iter__", [](py::object self) { return self; })
       .def("__next__", &next_full);
   py::class_<Loads>(module, "Loads")
-      .def_static("planned", &order)
+      .def_static("planned", &planned)
+      .def("head", [](const Loads& self) { return stoppable([&] { return self.answer->head(); }); })
       .def("work", &work_of)
       .def("shapes", &shapes_of)
       .def("in_format", &Loads::in_format)
@@ -574,6 +468,8 @@ void bind_loads(py::module_& module) {
                                                          : self.one()->stream(worker)};
       });
   module.attr("most_items") = most_items;
+  module.def("load_request_json",
+             [](const std::string& document) { return to_json(load_request(document)); });
   module.def("all_pairs", &run);
   module.def("update_pairs", &run_updates);
 }

@@ -142,12 +142,11 @@ void stop_long_work_at_the_end() {
 }
 
 LongWork::LongWork(LongOptions options) : options_(std::move(options)) {
-  constexpr std::uint64_t most_threads = 4096;
   if (options_.seconds && !(*options_.seconds >= 0 && *options_.seconds <= most_seconds)) {
     throw py::value_error(fmt::format("time is a number of seconds, 0 to {}", most_seconds));
   }
   if (options_.threads < 1 || options_.threads > most_threads) {
-    throw py::value_error("threads is a number from 1 to 4096");
+    throw py::value_error(fmt::format("threads is a number from 1 to {}", most_threads));
   }
 }
 

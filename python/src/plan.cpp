@@ -18,54 +18,26 @@
 namespace changeover::python {
 namespace {
 
-std::unique_ptr<Planned> plan(const std::string& document, std::optional<double> time,
-                              std::uint64_t threads, std::uint64_t seed, py::object progress) {
-  auto planned = std::make_unique<Planned>();
-  const OpenedRequest opened = stoppable([&] {
-    JobRequest request = job_request(document);
-    request.seconds = time;
-    return open_workbook(std::move(request));
-  });
-  planned->request = opened.request;
-  planned->asked = checked_in_time(opened);
-  planned->whole = without_files(planned->request);
-  LongWork work(limits(time, threads, seed, std::move(progress)));
-  work.run([&](RunControl& control) {
-    planned->answer = answer_to(planned->request, planned->asked, control);
-  });
+std::unique_ptr<Planned> plan(const std::string& document, py::object progress) {
+  const OpenedRequest opened =
+      stoppable([&] { return open_workbook(job_request(document, "", Door::python)); });
+  const JobRequest& request = opened.request;
+  auto planned = std::make_unique<Planned>(
+      Planned{.request = request, .asked = checked(opened), .whole = without_files(request)});
+  LongWork work(limits(request.seconds, request.threads.value_or(1), request.seed.value_or(1),
+                       std::move(progress)));
+  work.run([&](RunControl& control) { planned->answer = answer_to(planned->asked, control); });
   return planned;
 }
 
-std::vector<std::string> names(const Job& job, const Block& parts) {
-  return each_of<std::string>(parts, [&](const Element part) { return job.names[part]; });
-}
-
-// A fraction as (over, under).
-py::object two_of(const std::optional<Ratio>& ratio) {
-  return ratio ? py::object(py::make_tuple(ratio->over, ratio->under)) : py::none();
-}
-
-py::dict ratios(const Planned& self, std::optional<double> time, std::uint64_t threads,
-                std::uint64_t seed, py::object progress) {
+std::string what_if_of(const Planned& self, std::optional<double> time, std::uint64_t threads,
+                       std::uint64_t seed, py::object progress) {
   LongWork work(limits(time, threads, seed, std::move(progress)));
   WhatIf answer;
   work.run([&](RunControl& control) {
-    answer = changeover::what_if(self.job(), *self.answer.plan, self.answer.options, control);
+    answer = what_if(self.job(), *self.answer.plan, self.answer.options, control);
   });
-  py::list ranges;
-  for (const WhatIf::Range& range : answer.ranges) {
-    std::vector<std::vector<std::string>> setups;
-    setups.reserve(range.plan.setups.size());
-    for (const Block& setup : range.plan.setups) {
-      setups.push_back(names(self.job(), setup));
-    }
-    ranges.append(py::dict(py::arg("from") = two_of(range.from), py::arg("to") = two_of(range.to),
-                           py::arg("name") = range.plan.name, py::arg("how") = range.plan.how,
-                           py::arg("tests") = range.plan.tests(),
-                           py::arg("changes") = range.plan.changes, py::arg("setups") = setups));
-  }
-  return py::dict(py::arg("by_factor") = answer.by_factor, py::arg("asked") = two_of(answer.asked),
-                  py::arg("ranges") = ranges, py::arg("interrupted") = work.interrupted());
+  return written(self.job(), answer, "json");
 }
 
 std::string diagnosis_of(const Planned& self,
@@ -153,14 +125,6 @@ std::string read_as(const std::string& what, const std::string& text) {
 
 }  // namespace
 
-ParsedJob checked_in_time(const OpenedRequest& opened) {
-  constexpr double more_seconds = 3;  // for rules of a model, as the command line has them
-  const std::optional<double> time = opened.request.seconds;
-  return stoppable(
-      [&] { return checked_job(opened, Door::document); },
-      time ? std::optional(std::min<double>(*time + more_seconds, most_seconds)) : std::nullopt);
-}
-
 void bind_plan(py::module_& module) {
   py::class_<Planned>(module, "Planned")
       .def_static("of", &plan)
@@ -173,14 +137,14 @@ void bind_plan(py::module_& module) {
                              })
       .def("written",
            [](const Planned& self, const std::string& format) {
-             return py::bytes(written(self.request, self.asked, self.answer, format));
+             return py::bytes(written(self.asked, self.answer, format));
            })
       .def("request_json", [](const Planned& self) { return to_json(self.request); })
       .def("check_parts",
            [](const Planned& self, const std::vector<std::string>& parts) {
              static_cast<void>(parts_named(parts, self.job()));
            })
-      .def("what_if", &ratios)
+      .def("what_if", &what_if_of)
       .def("diagnose", &diagnosis_of);
   module.def("quoted", &quoted);
   module.def("check_amount", &check_amount);

@@ -218,20 +218,20 @@ std::unique_ptr<Planned> planned_again(const py::tuple& state) {
   const auto fields = state.cast<Fields>();
   const auto& plan = std::get<std::optional<PlanState>>(fields);
   const auto& benches = std::get<std::optional<BenchPlanState>>(fields);
-  auto again = std::make_unique<Planned>();
-  again->request = job_request(std::get<0>(fields));
-  again->whole = job_request(std::get<1>(fields));
-  again->asked = checked_in_time({.request = *again->whole, .notes = {}});
+  const JobRequest whole = job_request(std::get<1>(fields));
+  auto again = std::make_unique<Planned>(Planned{.request = job_request(std::get<0>(fields)),
+                                                 .asked = checked({.request = whole, .notes = {}}),
+                                                 .whole = whole});
   PlanAnswer& answer = again->answer;
   answer.notes = std::get<std::vector<std::string>>(fields);
-  answer.options = plan_options(again->request, again->asked);
+  answer.options = plan_options(again->asked);
   answer.objective =
       again->request.objective == "cost" ? BenchObjective::cost : BenchObjective::makespan;
   stoppable([&] {
     if (plan) {
       answer.plan = plan_of(again->job(), *plan);
     } else if (benches) {
-      answer.benches = plan_of(again->job(), again->asked.benches, *benches);
+      answer.benches = plan_of(again->job(), again->asked->benches, *benches);
     } else {
       throw BadInput("a plan has set-ups");
     }

@@ -7,26 +7,28 @@
 
 #include "bind.hpp"
 #include "changeover/plan/job_request.hpp"
+#include "long_work.hpp"
 
 namespace changeover::python {
 
 /// A plan that Python holds.
 struct Planned {
   JobRequest request;
+  CheckedJobRequest asked;
   /// The same request without names of files; nullopt if one of them can be read only once.
   std::optional<JobRequest> whole = {};
-  ParsedJob asked = {};
   PlanAnswer answer = {};
 
-  [[nodiscard]] const Job& job() const { return *asked.job; }
+  [[nodiscard]] const Job& job() const { return *asked->job; }
 };
 
 /// The request with the content of its files in place of their names.
 [[nodiscard]] std::optional<JobRequest> without_files(const JobRequest& request);
 
-/// The request checked: in its time, and as much more as the command line has for rules of a
-/// model.
-[[nodiscard]] ParsedJob checked_in_time(const OpenedRequest& opened);
+/// The request checked in its time.
+[[nodiscard]] inline CheckedJobRequest checked(const OpenedRequest& opened) {
+  return stoppable([&] { return checked_job(opened, Door::python, opened.request.seconds); });
+}
 
 /// Numbers, texts and tuples of them. @throws BadInput if a file was one that can be read only
 /// once.

@@ -41,6 +41,7 @@ class Benches(unittest.TestCase):
             self.assertGreaterEqual(both.cost, both.lower_bound)
             self.assertGreaterEqual(both.makespan, both.makespan_bound)
             self.assertFalse(both.interrupted)
+            self.assertIn(both.why_stopped, ("found", "step limit"))
 
     def test_wrong_ones_are_refused(self):
         for wrong in (

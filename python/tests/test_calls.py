@@ -294,7 +294,7 @@ class Calls(unittest.TestCase):
 
     def test_what_fits_is_not_blamed(self):
         design = changeover.design(6, 4)
-        for six in (6, Fraction(6), Decimal(6), True):
+        for six in (6, Fraction(6), Decimal(6)):
             self.assertIn("design(): k is ", self.said(changeover.design, six, "4"))
         self.assertIn("compute is ", self.said(changeover.all_pairs, b"items", 1, 2, 3))
         self.assertIn(
@@ -303,7 +303,7 @@ class Calls(unittest.TestCase):
         self.assertTrue(design.is_same_as(design, 1))
 
     def test_no_part_of_a_number_is_dropped(self):
-        for given in (Fraction(13, 2), Decimal("6.000001"), Decimal("nan"), 6.0):
+        for given in (Fraction(13, 2), Decimal("6.000001"), Decimal("nan"), 6.0, True):
             self.assertIn(
                 "v is a whole number from 0 to 2**64 - 1, not ",
                 self.said(changeover.design, given, 4),

@@ -498,10 +498,10 @@ class Questions(unittest.TestCase):
                          set(itertools.combinations_with_replacement(range(5), 2)))
 
     def test_pairs_are_said_in_one_way(self):
-        with self.assertRaisesRegex(
-            changeover.BadInput, "give one of pairs, groups, against and done_items"
-        ):
-            wanted(5, 3, [(0, 1)], against=2)
+        for ask, fault in ((lambda: wanted(5, 3, [(0, 1)], against=2), "give one of pairs, groups"),
+                           (lambda: wanted(None, 3), "give items, how many there are")):
+            with self.assertRaisesRegex(changeover.BadInput, fault):
+                ask()
         for groups, fault in (([], "groups has no pair"), ([[1], [2]], "groups has no pair"),
                               ([[0, 7]], "groups: there are 5 items, .* a group has number 7"),
                               ([[0, -1]], "groups: items are numbered"),

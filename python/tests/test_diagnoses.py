@@ -1,7 +1,9 @@
 """What is asked of a job beside its sheet: ranges of ratios, what failed tests say, Ctrl-C."""
 
 import itertools
+import json
 import pathlib
+import pickle
 import signal
 import tempfile
 import unittest
@@ -34,6 +36,17 @@ class Ratios(unittest.TestCase):
             self.assertEqual(
                 each["changes"], sum(len(b - a) for a, b in zip([set(), *setups], setups))
             )
+
+    def test_answers_are_documents(self):
+        sheet = changeover.plan(7, 3, test_cost=3, change_cost=1)
+        document = json.loads(sheet.what_if().to_json())
+        self.assertEqual(document["format"], "changeover-what-if/1")
+        self.assertEqual([Fraction(each["to_exact"]) for each in document["ranges"][:-1]],
+                         [each["to"] for each in sheet.what_if()["ranges"][:-1]])
+        found = sheet.diagnose([False])
+        self.assertEqual(json.loads(found.to_json())["format"], "changeover-diagnosis/1")
+        again = pickle.loads(pickle.dumps(found))
+        self.assertEqual((again, again.to_json()), (found, found.to_json()))
 
     def test_it_has_limits_and_hands_out_progress(self):
         sheet = changeover.plan(30, 6, test_cost=3, change_cost=1)

@@ -2,6 +2,7 @@
 
 import collections
 import itertools
+import json
 import os
 import pathlib
 import pickle
@@ -90,13 +91,13 @@ class Loads(unittest.TestCase):
             ({"groups": [(1, 2), (8, 9)]}, "item 8 is not one of 8 items"),
             ({"groups": [(1, -2)]}, "groups: items are numbered from 0"),
             ({"groups": [(1,)]}, "no pair is in a group"),
-            ({"groups": [(1, 2)], "pairs": [(1, 2)]}, "one of pairs, groups, against and"),
+            ({"groups": [(1, 2)], "pairs": [(1, 2)]}, "pairs, groups, against and done_items"),
             ({"pairs": [(1, 2), (1,)]}, "row 1 has fewer than two items"),
             ({"pairs": [itertools.repeat(1)]}, "row 0 has more than two items"),
             ({"pairs": [(1, -2)]}, "items are numbered from 0"),
             ({"pairs": [(1, 10**8)]}, "items are numbered from 0"),
             ({"pairs": [(1, 9)]}, "9"),
-            ({"pairs": [(1, 2)], "against": 3}, "one of pairs, groups, against and done_items"),
+            ({"pairs": [(1, 2)], "against": 3}, "pairs, groups, against and done_items exclude"),
             ({"done_items": 8}, ""),
         ):
             with self.subTest(wrong=wrong), self.assertRaisesRegex(
@@ -106,7 +107,7 @@ class Loads(unittest.TestCase):
             self.assertNotIn("\n", str(caught.exception))
         with self.assertRaises(TypeError):
             changeover.load_order(8, 3, pairs=[("a", "b")])
-        with self.assertRaisesRegex(changeover.BadInput, "give items"):
+        with self.assertRaisesRegex(changeover.BadInput, "items and room are required"):
             changeover.load_order(None, 3)
 
 
@@ -196,6 +197,26 @@ class Orders(unittest.TestCase):
             call, (kind, state, checksum) = each.__reduce_ex__(4)
             with self.assertRaisesRegex(changeover.BadInput, "is damaged"):
                 call(kind, state[:-1] + b"x", checksum)
+
+    def test_what_was_asked_is_a_document(self):
+        for asked in (
+            dict(items=9, room=3),
+            dict(items=9, room=3, workers=2, disjoint=True, new_pairs=True, with_self=True),
+            dict(items=None, room=3, pairs=[(0, 1), (1, 4)]),
+            dict(items=None, memory=9, sizes=[3, 4, 5]),
+            dict(items=9, room=3, time=0.1, seed=5),
+        ):
+            order = changeover.load_order(**asked)
+            with self.subTest(asked=asked):
+                said = json.loads(order.request_json())
+                self.assertEqual(said["format"], "changeover-load-request/1")
+                self.assertEqual(said.get("items"), asked["items"])
+                self.assertEqual(said.get("seconds"), asked.get("time"))
+                self.assertEqual(said.get("self"), asked.get("with_self"))
+                if "pairs" in asked:
+                    self.assertEqual(said["pairs"], [["0", "1"], ["1", "4"]])
+                again = pickle.loads(pickle.dumps(order))
+                self.assertEqual(again.request_json(), order.request_json())
 
     def test_orders_may_be_verified_beside(self):
         order = changeover.load_order(300, 20, verify_beside=True)
@@ -379,7 +400,7 @@ class Sizes(unittest.TestCase):
             ({"sizes": [3, 6], "memory": 9, "fast_room": 2}, "fast_memory"),
             ({"sizes": [3, 6]}, "memory"),
             ({"sizes": [3, 0.5], "memory": 9}, "whole number of bytes"),
-            ({}, "give items"),
+            ({}, "items and room are required"),
         ):
             with self.assertRaisesRegex(changeover.BadInput, why):
                 changeover.load_order(None, **more)

@@ -272,12 +272,12 @@ class Values(unittest.TestCase):
         one = plan(**BENCHES["different ones"])
         rebuild, (kind, state, _) = one.__reduce_ex__(4)
         facts, kept = pickle.loads(state)
-        place, bench = next((i, bench) for i, bench in enumerate(kept[5][0]) if bench)
+        place, bench = next((i, bench) for i, bench in enumerate(kept[4][0]) if bench)
         (setup, begin, _), *later = bench
         for again in ([8], [77777]):
-            benches = [*kept[5][0]]
+            benches = [*kept[4][0]]
             benches[place] = [(setup, begin, again), *later]
-            text = pickle.dumps((facts, (*kept[:5], (benches, *kept[5][1:]))), 4)
+            text = pickle.dumps((facts, (*kept[:4], (benches, *kept[4][1:]))), 4)
             with self.assertRaisesRegex(changeover.BadInput, "put in again is none of the job"):
                 rebuild(kind, text, zlib.crc32(text))
 

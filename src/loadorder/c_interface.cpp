@@ -16,6 +16,7 @@
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/control.hpp"
 #include "loadorder/order/of_worker.hpp"
+#include "loadorder/order/searched.hpp"
 #include "loadorder/pairs/listed_rows.hpp"
 
 struct changeover_loadorder {
@@ -204,23 +205,17 @@ changeover_loadorder* opened(std::uint64_t items, std::uint64_t room,
     check_disjoint_options(asked);
   }
   const WantedPairs wanted = wanted_by(asked, items);
+  constexpr double most_seconds = 1e9;
+  const std::uint64_t seed = asked.seed == 0 ? 1 : asked.seed;
   LoadOrderOptions options;
+  options.seed = seed;
+  if (asked.seconds > 0) {
+    options = searched(std::min(asked.seconds, most_seconds), seed, control);
+  }
   options.balance = asked.first_holder == 0;
   options.read_first = asked.unread == 0;
-  options.seed = asked.seed == 0 ? 1 : asked.seed;
   if (asked.pair_cost != nullptr) {
     options.pair_cost = [&](Element x, Element y) { return asked.pair_cost(x, y, asked.data); };
-  }
-  std::optional<RunControl> searching;
-  if (asked.seconds > 0) {
-    constexpr double most_seconds = 1e9;
-    searching.emplace(control,
-                      std::chrono::duration<double>(std::min(asked.seconds, most_seconds)));
-    options.improve = improve_by_search(*searching);
-    options.search_pairs = [&](const std::function<void()>& search) {
-      const RunScope inner(*searching);
-      search();
-    };
   }
   const bool with_pairs = asked.with_pairs != 0;
   if (asked.disjoint != 0) {

@@ -73,9 +73,9 @@ TEST(PlanExamples, JobRequest) {
   EXPECT_EQ(
       to_json(request),
       "{\"format\":\"changeover-job/1\",\"items\":9,\"at_once\":3,\"test_cost\":\"1\",\"change_cost\":\"5\"}\n");
-  const ParsedJob asked = checked_job(request, Door::document);
+  const CheckedJobRequest asked = checked_job(request, Door::document);
   RunControl control({.threads = 1});
-  const PlanAnswer answer = answer_to(request, asked, control);
+  const PlanAnswer answer = answer_to(asked, control);
   EXPECT_EQ(answer.plan->sheet.steps.size(), 17U);
 }
 

@@ -155,9 +155,9 @@ Request whole_request(Request request, RunRequest& run, const RequestTable<Reque
   if (!file.path.empty()) {
     check_inputs(output, files);
     const auto input = open_input(file.path);
-    complete(
-        table, request,
-        read(read_to_end(*input, most_request_bytes, "name its lists by files"), input->name()));
+    complete(table, request,
+             read(read_to_end(*input, most_request_bytes, "name its lists by files"), input->name(),
+                  Door::document));
   }
   std::ranges::move(files_of(request, table), std::back_inserter(files));
   check_inputs(output, files);

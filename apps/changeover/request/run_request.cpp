@@ -132,7 +132,6 @@ std::string RunRequest::command() const {
 }
 
 RunControl::Settings RunRequest::settings() const {
-  constexpr std::uint64_t most_threads = 1024;
   RunControl::Settings settings;
   const std::string& limit = time.empty() ? default_time : time;
   if (!limit.empty()) {

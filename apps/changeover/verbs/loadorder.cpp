@@ -1,14 +1,10 @@
 // changeover loadorder: loads and evictions after which every pair of items has been in memory
 // together.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <chrono>
 #include <functional>
-#include <optional>
+#include <memory>
 
-#include "changeover/core/error.hpp"
 #include "changeover/loadorder/load_request.hpp"
+#include "loadorder/order/searched.hpp"
 #include "loadorder/show/loads_answer.hpp"
 #include "request/request_options.hpp"
 #include "verbs.hpp"
@@ -31,42 +27,15 @@ void take_memory_of_items(LoadRequest& request, RunRequest& run) {
   }
 }
 
-// So long an order that is searched may take at least, in all.
-constexpr std::chrono::seconds shortest{10};
-
-// When memory is full for the first time, all pairs in it are new.
-void require_memory_for_a_step(const CheckedLoads& asked, bool ordered) {
-  const std::uint64_t room = asked.room();
-  const std::uint64_t there = std::min(room, asked.items());
-  const std::uint64_t pairs = std::min(there * (there - 1) / 2, asked.wanted().count());
-  const std::uint64_t copies = ordered ? 3 : 2;  // as they are found, and as they are said
-  require_memory(pairs * copies * sizeof(ItemPair),
-                 fmt::format("a step of --new-pairs with --room {}", room));
-}
-
 Answer run(const LoadOrderRequest& typed) {
   RunRequest run = typed.run;
   LoadRequest request =
       whole_request(typed.load, run, load_table(), typed.file, typed.output, load_request);
   take_memory_of_items(request, run);
-  if (typed.output.format() == "marius") {
-    if (request.workers || request.fast_room || request.fast_memory || request.prefetch ||
-        request.write_back || request.from_step || request.verify_beside) {
-      throw UsageError{
-          "--format marius is for one buffer: without --workers, --fast-room, --fast-memory, "
-          "--prefetch, --write-back, --from-step and --verify-beside"};
-    }
-    request.new_pairs = request.ordered = request.self = true;
-  }
-  if (typed.output.format() == "colmap") {
-    if (request.prefetch || request.epochs || request.ordered || request.self ||
-        request.from_step || request.write_back) {
-      throw UsageError{
-          "--format colmap has each pair once: without --prefetch, --epochs, --ordered, --self, "
-          "--from-step and --write-back"};
-    }
-    request.new_pairs = true;
-  }
+  const std::string format = typed.output.format();
+  // These formats are of the pairs of steps, which prefetch does not have.
+  const bool of_pairs = format == "marius" || format == "colmap";
+  request.new_pairs = request.new_pairs || (of_pairs && !request.prefetch);
   check_options(request, Door::command_line);
   OutputRequest output = typed.output;
   output.precious = false;  // Without a search the same command makes it again.
@@ -74,43 +43,22 @@ Answer run(const LoadOrderRequest& typed) {
     return text_answer(to_json(request), output);
   }
   const CheckedLoads asked = checked_loads(request, Door::command_line);
-  if (request.new_pairs) {
-    require_memory_for_a_step(asked, request.ordered);
-  }
-  if (typed.output.format() == "marius") {
-    check_whole_epochs(request, asked.wanted(), Door::command_line);
-  }
+  check_format(asked, format);
+  output.check_writable();
   LoadOrderOptions options;
   options.seed = request.seed.value_or(1);
-  output.check_writable();
-  if (run.settings().time->count() > 0) {
+  if (const double seconds = run.settings().time->count(); seconds > 0) {
     // The time is for the searches alone.
-    const auto searching = [&](const std::function<void(RunControl&)>& search) {
+    options = searched(seconds, options.seed, [&](const std::function<void(RunControl&)>& search) {
       output.precious = true;
       Running running(run, typed.output);
       search(running.control());
-    };
-    options.improve = [=](const Design& start, std::uint64_t blocks) {
-      std::optional<Design> found;
-      searching([&](RunControl& control) { found = improve_by_search(control)(start, blocks); });
-      return found;
-    };
-    options.search_pairs = [=](const std::function<void()>& search) {
-      searching([&](RunControl&) { search(); });
-    };
-    options.time_in_all = std::max<std::chrono::duration<double>>(*run.settings().time, shortest);
+    });
   }
   // Made now, so that what cannot be is said before anything is written.
-  const auto loads = std::make_shared<const LoadsAnswer>(asked, request, options);
-  if (request.from_step) {
-    try {
-      static_cast<void>(loads->order()->stream_from(*request.from_step));
-    } catch (const BadInput& fault) {
-      throw BadInput(fmt::format("--from-step {}: {}", *request.from_step, fault.what()));
-    }
-  }
+  const auto loads = std::make_shared<const LoadsAnswer>(asked, options);
   Answer answer;
-  answer.write = [format = output.format(), loads](OutputFile& out) { loads->write(format, out); };
+  answer.write = [format, loads](OutputFile& out) { loads->write(format, out); };
   answer.output = output;
   return answer;
 }

@@ -1,5 +1,4 @@
 // changeover plan: the cheapest run sheet.
-#include <chrono>
 #include <memory>
 
 #include "changeover/core/error.hpp"
@@ -40,19 +39,6 @@ Answer show(const JobRequest& job, const OutputRequest& output) {
   return text_answer(to_json(job), cheap);
 }
 
-// What a job needs is decided whole, also when there is no time left; but rules of a model can be
-// harder than any machine is fast.
-ParsedJob checked_in_time(const OpenedRequest& opened, const RunRequest& run) {
-  constexpr std::chrono::seconds more{3};
-  RunControl::Settings settings = run.settings();
-  if (settings.time) {
-    *settings.time += more;
-  }
-  RunControl limited(settings);
-  const RunScope scope(limited);
-  return checked_job(opened, Door::command_line);
-}
-
 Answer answer_to(const PlanRequest& request) {
   RunRequest run = request.run;
   const OpenedRequest opened = open_workbook(
@@ -63,23 +49,22 @@ Answer answer_to(const PlanRequest& request) {
     return show(job, request.output);
   }
   check_format(job, request.output);
-  const auto parsed = std::make_shared<const ParsedJob>(checked_in_time(opened, run));
-  const ParsedJob& asked = *parsed;
+  const CheckedJobRequest asked =
+      checked_job(opened, Door::command_line, run.settings().time->count());
   // A plan may be large: it is written where it is, and never copied.
   const auto write = [&](std::shared_ptr<const PlanAnswer> found) {
-    return
-        [job, parsed, found = std::move(found), format = request.output.format()](OutputFile& out) {
-          out.write(written(job, *parsed, *found, format, terminal_width(out)));
-        };
+    return [asked, found = std::move(found), format = request.output.format()](OutputFile& out) {
+      out.write(written(asked, *found, format, terminal_width(out)));
+    };
   };
   if (job.diagnose) {
     RunControl unlimited({});
     return {.output = request.output,
-            .write = write(std::make_shared<PlanAnswer>(answer_to(job, asked, unlimited)))};
+            .write = write(std::make_shared<PlanAnswer>(answer_to(asked, unlimited)))};
   }
   // Ctrl-C ends the program at once while it reads, and from here on asks for the best so far.
   const auto running = std::make_shared<Running>(run, request.output);
-  const auto found = std::make_shared<PlanAnswer>(answer_to(job, asked, running->control()));
+  const auto found = std::make_shared<PlanAnswer>(answer_to(asked, running->control()));
   running->finish();
   Answer answer{.output = request.output, .write = write(found)};
   if (found->shortage()) {

@@ -22,8 +22,9 @@
 
 namespace changeover {
 
-/// Where a request came from, which decides how messages spell its keys: "--at-once" or "at_once".
-enum class Door { command_line, document };
+/// Where a request came from, which decides how messages spell its keys: "--time", "seconds" or
+/// "time".
+enum class Door { command_line, document, python };
 
 /// The kind of a key's value.
 enum class ValueKind {

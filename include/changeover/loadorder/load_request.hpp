@@ -66,10 +66,12 @@ struct LoadRequest {
 /// Writes one line of JSON that load_request() reads back as the same request.
 [[nodiscard]] std::string to_json(const LoadRequest& request);
 
-/// Reads a request document; `name` is the name of its file, or empty. Files that it names are not
-/// opened. The older key "bytes_per_item", which the server accepts, is unknown here. @throws
-/// BadInput with one line, and a place in the file if there is one, if the document is invalid.
-[[nodiscard]] LoadRequest load_request(std::string json, std::string name = "");
+/// Reads a request document; `name` is the name of its file, or empty; `door` says how messages
+/// spell its keys. Files that it names are not opened. The older name "bytes_per_item" of
+/// "item_bytes", which the server accepts, is unknown here. @throws BadInput with one line, and a
+/// place in the file if there is one, if the document is invalid.
+[[nodiscard]] LoadRequest load_request(std::string json, std::string name = "",
+                                       Door door = Door::document);
 
 /// Returns a JSON Schema (draft 2020-12) of the document.
 [[nodiscard]] std::string load_request_schema();
@@ -81,6 +83,9 @@ void check_options(const LoadRequest& request, Door door);
 /// A request that was read and checked completely; only checked_loads() makes one.
 class CheckedLoads {
  public:
+  [[nodiscard]] const LoadRequest& request() const { return request_; }
+  /// Where it came from.
+  [[nodiscard]] Door door() const { return door_; }
   [[nodiscard]] const WantedPairs& wanted() const { return wanted_; }
   [[nodiscard]] std::uint64_t items() const { return wanted_.items(); }
   /// How many items fit in memory; if items have sizes, the most that fit at once.
@@ -91,24 +96,26 @@ class CheckedLoads {
   [[nodiscard]] const std::function<double(Element, Element)>& pair_cost() const { return cost_; }
 
  private:
-  friend CheckedLoads checked_loads(const LoadRequest& request, Door door,
+  friend CheckedLoads checked_loads(LoadRequest request, Door door,
                                     std::shared_ptr<const PairGraph> pairs);
   CheckedLoads() = default;
+  LoadRequest request_;
+  Door door_ = Door::document;
   WantedPairs wanted_;
   std::uint64_t room_ = 0;
   std::shared_ptr<const ItemSizes> sizes_;
   std::function<double(Element, Element)> cost_;
 };
 
-/// Several epochs are kept in memory for "spread" and for Marius. checked_loads() calls this for
-/// "spread". @throws BadOption, naming options as the door does, if all epochs together have more
-/// than 10⁸ pairs.
-void check_whole_epochs(const LoadRequest& request, const WantedPairs& wanted, Door door);
-
 /// Reads the pairs of a request and checks all of it, for every door. `pairs`, if given, replace
 /// those of the request. @throws BadOption, naming options as the door does, for wrong keys;
 /// BadInput for wrong pairs; MissingResource for a file that cannot be read. O(pairs · log pairs).
-[[nodiscard]] CheckedLoads checked_loads(const LoadRequest& request, Door door,
+[[nodiscard]] CheckedLoads checked_loads(LoadRequest request, Door door,
                                          std::shared_ptr<const PairGraph> pairs = nullptr);
+
+/// Whether a request can be written in this format: that of Marius has one buffer, that of COLMAP
+/// each pair once. @throws BadOption, naming options as the door does, if it cannot; BadInput for
+/// more items than a list for COLMAP has.
+void check_format(const CheckedLoads& asked, std::string_view format);
 
 }  // namespace changeover

@@ -4,9 +4,9 @@
 //     JobRequest request{.items = 9, .at_once = 3, .test_cost = "1", .change_cost = "5"};
 //     // {"format":"changeover-job/1","items":9,"at_once":3,"test_cost":"1","change_cost":"5"}
 //     to_json(request);
-//     const ParsedJob asked = checked_job(request, Door::document);
+//     const CheckedJobRequest asked = checked_job(request, Door::document);
 //     RunControl control({.threads = 1});
-//     const PlanAnswer answer = answer_to(request, asked, control);
+//     const PlanAnswer answer = answer_to(asked, control);
 //     answer.plan->sheet.steps.size();                        // 17
 //
 // The document, format "changeover-job/1": the keys of job_table(), with numbers, texts and truth
@@ -19,8 +19,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "changeover/io/request.hpp"
@@ -85,10 +87,11 @@ struct JobRequest {
 /// Writes one line of JSON that job_request() reads back as the same request.
 [[nodiscard]] std::string to_json(const JobRequest& request);
 
-/// Reads a request document; `name` is the name of its file, or empty. Files that it names are not
-/// opened. @throws BadInput with one line, and a place in the file if there is one, if the document
-/// is invalid.
-[[nodiscard]] JobRequest job_request(std::string json, std::string name = "");
+/// Reads a request document; `name` is the name of its file, or empty; `door` says how messages
+/// spell its keys. Files that it names are not opened. @throws BadInput with one line, and a place
+/// in the file if there is one, if the document is invalid.
+[[nodiscard]] JobRequest job_request(std::string json, std::string name = "",
+                                     Door door = Door::document);
 
 /// Returns a JSON Schema (draft 2020-12) of the document.
 [[nodiscard]] std::string job_request_schema();
@@ -121,8 +124,8 @@ struct OpenedRequest {
 /// options as the door does.
 void check_options(const JobRequest& request, Door door);
 
-/// A request that was read and checked completely.
-struct ParsedJob {
+/// What the lists of a request say.
+struct ReadJob {
   CheckedJob job;
   std::vector<std::string> notes;  ///< remarks on the job, one per line
   std::string done_from;           ///< where the tests that were done were read from
@@ -138,13 +141,35 @@ struct ParsedJob {
   JobRequest question;
 };
 
+/// A request that was read and checked completely, with what was read; only checked_job() makes
+/// one. Copies share it. *asked is a ReadJob.
+class CheckedJobRequest {
+ public:
+  [[nodiscard]] const JobRequest& request() const { return *request_; }
+  [[nodiscard]] const ReadJob& operator*() const { return *read_; }
+  [[nodiscard]] const ReadJob* operator->() const { return read_.get(); }
+
+ private:
+  friend CheckedJobRequest checked_job(const OpenedRequest& opened, Door door,
+                                       std::optional<double> seconds);
+  CheckedJobRequest(JobRequest request, ReadJob read)
+      : request_(std::make_shared<const JobRequest>(std::move(request))),
+        read_(std::make_shared<const ReadJob>(std::move(read))) {}
+
+  std::shared_ptr<const JobRequest> request_;
+  std::shared_ptr<const ReadJob> read_;
+};
+
 /// Reads the lists of a request and checks all of it: the only way from a request to a job, for
 /// every door. The scope of this thread (run/control.hpp) limits its time. @throws BadOption,
 /// naming options as the door does, for wrong keys; BadInput for wrong lists; MissingResource for
 /// files that cannot be read. O(v³ + size of the lists).
-[[nodiscard]] ParsedJob checked_job(const JobRequest& request, Door door);
-/// The same for a request from a workbook; its notes come first.
-[[nodiscard]] ParsedJob checked_job(const OpenedRequest& opened, Door door);
+[[nodiscard]] CheckedJobRequest checked_job(const JobRequest& request, Door door);
+/// The same for a request from a workbook; its notes come first. With `seconds` of a search it takes
+/// these and three more: what a job needs is decided whole, but the rules of a model can be harder
+/// than any machine is fast. @throws Stopped
+[[nodiscard]] CheckedJobRequest checked_job(const OpenedRequest& opened, Door door,
+                                            std::optional<double> seconds = {});
 
 /// The answer: a plan, a plan for several benches, the ranges of ratios, or a diagnosis.
 struct PlanAnswer {
@@ -164,22 +189,20 @@ struct PlanAnswer {
 };
 
 /// The search options of a request.
-[[nodiscard]] PlanOptions plan_options(const JobRequest& request, const ParsedJob& asked);
+[[nodiscard]] PlanOptions plan_options(const CheckedJobRequest& asked);
 
 /// Plans or diagnoses. Time and threads are those of the control. A requested time is used up;
 /// otherwise the search ends by itself, so that answers are reproducible. @throws as
 /// make_run_plan(), make_bench_plan(), what_if() and diagnose(); BadInput if there is no result to
 /// diagnose. `on_better` as in PlanOptions.
-[[nodiscard]] PlanAnswer answer_to(const JobRequest& request, const ParsedJob& asked,
-                                   RunControl& control,
+[[nodiscard]] PlanAnswer answer_to(const CheckedJobRequest& asked, RunControl& control,
                                    std::function<void(const PlanNews&)> on_better = {});
 
 /// Writes the answer in one of the formats table, csv, markdown, html, xlsx, json; `width` is that
 /// of a terminal. "json" is "changeover-plan/1", "changeover-benches/1", "changeover-what-if/1" or
 /// "changeover-diagnosis/1", with the same bytes at every door. @throws BadOption for a format that
 /// the answer does not have; as written() of sheet_formats.hpp.
-[[nodiscard]] std::string written(const JobRequest& request, const ParsedJob& asked,
-                                  const PlanAnswer& answer, const std::string& format,
-                                  std::size_t width = 80);
+[[nodiscard]] std::string written(const CheckedJobRequest& asked, const PlanAnswer& answer,
+                                  const std::string& format, std::size_t width = 80);
 
 }  // namespace changeover

@@ -81,6 +81,9 @@ struct Questions {
 /// The longest time limit: 36500 days.
 inline constexpr std::uint64_t most_seconds = 3'153'600'000;
 
+/// The most threads of one search.
+inline constexpr std::uint64_t most_threads = 1024;
+
 /// The part of a search that this process takes when several share it: every `of`-th, from `index`.
 struct WorkShare {
   std::uint64_t index = 0;

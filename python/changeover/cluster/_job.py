@@ -135,12 +135,12 @@ class Wanted:
                 ends.extend((x, x))
         seconds = None if ends is None else min(5.0, max(0.05, len(ends) / 4000))
         asked = {**self.asked, **self.place, "workers": workers if workers > 1 else None}
-        core, facts = _plan(asked, ends, seconds)
+        core = _plan(asked, ends, seconds)
         shares = [Run(trimmed(steps), self.cost) for steps in self._steps(core)]
         planned = sum(run.pairs for run in shares)
         if planned != self.count:
             raise InternalError(f"{planned} of {self.count} pairs are planned: this is a bug")
-        return shares, facts["lower_bound"] if workers <= 1 else 0
+        return shares, json.loads(core.head())["lower_bound"] if workers <= 1 else 0
 
     def _steps(self, core: Any) -> Iterator[List[Step]]:
         alone = set(self.alone)
@@ -177,10 +177,10 @@ def _pairs_within(groups: Any) -> Set[Pair]:
 
 
 def _plan(asked: Dict[str, Any], ends: Optional[array[int]],
-          seconds: Optional[float] = None) -> Tuple[Any, Dict[str, Any]]:
-    core, facts = _core.Loads.planned(
-        json.dumps(asked), None if ends is None else ends.tobytes(), seconds, 1, 1, None)
-    return core, facts
+          seconds: Optional[float] = None) -> Any:
+    limits = {} if seconds is None else {"seconds": seconds}
+    return _core.Loads.planned(
+        json.dumps({**asked, **limits}), None if ends is None else ends.tobytes(), None)
 
 
 def _costs_of(rows: List[Pair], cost: Any) -> Dict[Pair, float]:
@@ -305,7 +305,7 @@ class Work:
         alone = {i for i, j in pairs if i == j}
         asked = {"items": self.wanted.items, **self.wanted.place,
                  "workers": workers if workers > 1 else None}
-        core, _ = _plan(asked, ends_of(iter(pairs)), _replan_seconds)
+        core = _plan(asked, ends_of(iter(pairs)), _replan_seconds)
         part = object.__new__(Wanted)
         part.alone, part.cost = alone, self.wanted.cost
         return [[run] for run in

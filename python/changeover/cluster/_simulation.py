@@ -348,7 +348,7 @@ class _Bulk:
 
 def _bulk_shares(wanted: Wanted, workers: int) -> List[List[Any]]:
     asked = json.dumps({**wanted.asked, **wanted.place, "workers": workers})
-    core, _ = _core.Loads.planned(asked, None, None, 1, 1, None)
+    core = _core.Loads.planned(asked, None, None)
     shapes: array[int] = array("Q")
     shapes.frombytes(core.shapes())
     rows = list(zip(shapes[::3], shapes[1::3], shapes[2::3]))

@@ -29,8 +29,11 @@ GivenRows::Fields sheet_header(std::size_t parts) {
 
 }  // namespace
 
-RequestDocument::RequestDocument(std::string_view format, std::string text, std::string name)
-    : text_(std::make_shared<const std::string>(std::move(text))), name_(std::move(name)) {
+RequestDocument::RequestDocument(std::string_view format, std::string text, std::string name,
+                                 Door door)
+    : text_(std::make_shared<const std::string>(std::move(text))),
+      name_(std::move(name)),
+      door_(door) {
   const std::string shown_name = name_.empty() ? "<text>" : name_;
   object_ = json_tree({.text = *text_, .name = shown_name});
   if (!object_.is_object()) {
@@ -57,17 +60,6 @@ void RequestDocument::rename(std::string_view from, std::string_view to) {
       return;
     }
   }
-}
-
-std::optional<std::uint64_t> RequestDocument::take_number(const OptionRecord& record,
-                                                          std::uint64_t least, std::uint64_t most) {
-  const JsonNode* const node = find(record.key);
-  const auto value = node == nullptr ? std::nullopt : std::optional(number(record, *node));
-  if (value && (*value < least || *value > most)) {
-    fail(*node, record.key, fmt::format("write {} to {}", least, most));
-  }
-  std::erase_if(object_.members, [&](const auto& member) { return member.key == record.key; });
-  return value;
 }
 
 void RequestDocument::fail(const JsonNode& at, std::string_view key, std::string_view what) const {
@@ -117,10 +109,10 @@ double RequestDocument::seconds(const OptionRecord& record, const JsonNode& node
     std::from_chars(node.text.data(), node.text.data() + node.text.size(), number);
   }
   if (!std::isfinite(number) || number < 0) {
-    fail(node, record.key, "write a number of seconds");
+    fail(node, spelled(record, door_), "write a number of seconds");
   }
   if (number > most_seconds) {
-    fail(node, record.key, fmt::format("write at most {} seconds", most_seconds));
+    fail(node, spelled(record, door_), fmt::format("write at most {} seconds", most_seconds));
   }
   return number;
 }

@@ -25,7 +25,8 @@ class RequestDocument {
  public:
   /// Parses `text`. `name` is that of the file; if it is empty, messages have no place. @throws
   /// BadInput unless it is a JSON object, of this format if it names one.
-  RequestDocument(std::string_view format, std::string text, std::string name);
+  RequestDocument(std::string_view format, std::string text, std::string name,
+                  Door door = Door::document);
 
   [[nodiscard]] const JsonNode& object() const { return object_; }
   /// The value of a key; nothing if it is missing or null.
@@ -33,9 +34,6 @@ class RequestDocument {
   /// Takes `from` as another name of the key `to`, by which messages go on to call it. Both are
   /// literals.
   void rename(std::string_view from, std::string_view to);
-  /// Takes a number out of the document, whose key does not belong to the request.
-  std::optional<std::uint64_t> take_number(const OptionRecord& record, std::uint64_t least,
-                                           std::uint64_t most);
   [[noreturn]] void fail(const JsonNode& at, std::string_view key, std::string_view what) const;
 
   /// @throws BadInput for a member that is not one of these.
@@ -56,6 +54,7 @@ class RequestDocument {
  private:
   std::shared_ptr<const std::string> text_;
   std::string name_;
+  Door door_;
   JsonNode object_;
   std::pair<std::string_view, std::string_view> renamed_;  // from, to
 };

@@ -36,8 +36,9 @@ std::string placed(const RequestPlaces& places, std::string_view line) {
 }
 
 std::string spelled(const OptionRecord& record, Door door) {
-  if (door == Door::document) {
-    return std::string(record.key);
+  if (door != Door::command_line) {
+    const bool other = door == Door::python && !record.python.empty();
+    return std::string(other ? record.python : record.key);
   }
   const std::size_t comma = record.flags.find(",--");
   return comma == std::string::npos ? record.flags : record.flags.substr(comma + 1);
@@ -45,8 +46,9 @@ std::string spelled(const OptionRecord& record, Door door) {
 
 std::string spelled_with_value(const OptionRecord& record, Door door) {
   const std::string key = spelled(record, door);
-  return door == Door::document || record.value.empty() ? key
-                                                        : fmt::format("{} {}", key, record.value);
+  return door != Door::command_line || record.value.empty()
+             ? key
+             : fmt::format("{} {}", key, record.value);
 }
 
 std::string help_of(const OptionRecord& record) {

@@ -7,21 +7,22 @@
 #include <vector>
 
 #include "changeover/io/request.hpp"
+#include "changeover/run/control.hpp"
 #include "io/request/option.hpp"
 
 namespace changeover {
 
-/// "command line: 60; server: 10, at most 60; Python: until it ends by itself".
+/// "command line: 60; server: 10, at most 60 (followed: 60, at most 3600); Python: until it ends".
 [[nodiscard]] inline std::string words_of(const SearchTimes& times) {
   const auto one = [](double seconds) {
     return seconds > 0 ? fmt::format("{}", seconds) : std::string("no search");
   };
   return fmt::format("command line: {}; server: {}, at most {}{}; Python: {}",
                      one(times.command_line), one(times.server), times.most_of_server,
-                     times.followed > 0 ? fmt::format(", and {}, at most {}, of what is followed",
-                                                      times.followed, times.most_followed)
+                     times.followed > 0 ? fmt::format(" (followed: {}, at most {})", times.followed,
+                                                      times.most_followed)
                                         : "",
-                     times.command_line > 0 ? "until it ends by itself" : "no search");
+                     times.command_line > 0 ? "until it ends" : "no search");
 }
 
 /// Adds them. @param how_long  help of the time
@@ -47,7 +48,6 @@ template <typename Request>
 /// @throws BadInput, BadOption for more threads than any search takes, or none.
 template <typename Request, typename Words>
 void check_threads(const Request& request, const Words& words) {
-  constexpr std::uint64_t most_threads = 1024;
   if (request.threads && (*request.threads == 0 || *request.threads > most_threads)) {
     words.refuse("threads", fmt::format("{} {} is out of range; give 1 to {}", words.key("threads"),
                                         *request.threads, most_threads));

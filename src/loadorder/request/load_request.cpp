@@ -22,10 +22,7 @@ namespace {
 using R = LoadRequest;
 
 // A search leaves the server time to read what it finds.
-constexpr SearchTimes times{.command_line = 0, .server = 0, .most_of_server = 30};
-
-constexpr std::string_view of_pages =
-    "its answer is what the page draws: the loads and evictions of one worker or of several";
+constexpr SearchTimes times_of_orders{.command_line = 0, .server = 0, .most_of_server = 30};
 
 std::vector<RequestOption<R>> options() {
   return with_search_options<R>(
@@ -46,10 +43,8 @@ std::vector<RequestOption<R>> options() {
           option("fast_room", "C",
                  "so many of those in memory are on an accelerator, where pairs meet",
                  &R::fast_room, {.unit = "items"}),
-          option("item_bytes", "N", "bytes an item, to say what both levels move", &R::item_bytes,
-                 {.unit = "bytes",
-                  .not_in_server = "it has bytes_per_item",
-                  .not_in_python = "what is moved is the loads times the bytes"}),
+          option("item_bytes", "N", "bytes an item, to say how many are moved", &R::item_bytes,
+                 {.unit = "bytes", .not_in_python = "what is moved is the loads times the bytes"}),
           option("sizes", "FILE",
                  "items differ in size: an item and its bytes per line, or the bytes of items "
                  "0, 1, … in turn; --memory says how many fit",
@@ -62,7 +57,8 @@ std::vector<RequestOption<R>> options() {
           option("workers", "W", "split it for W workers with room C each", &R::workers,
                  {.unit = "workers", .by_default = "1"}),
           option("worker", "I", "only the steps of worker I of these, from 0", &R::worker,
-                 {.not_in_server = of_pages, .not_in_python = "there steps(I) has them"}),
+                 {.not_in_server = "its figures are of all workers, and its steps name theirs",
+                  .not_in_python = "there steps(I) has them"}),
           option("balance", "", "spread pairs evenly over the workers that have them", &R::balance,
                  {.by_default = "yes",
                   .not_in_python = "it is the default, and first_holder is an argument"}),
@@ -71,13 +67,11 @@ std::vector<RequestOption<R>> options() {
           option("pair_cost", "FILE",
                  "what pairs cost to compute, two items and a number per line; costs are spread "
                  "evenly over workers",
-                 &R::pair_cost,
-                 {.by_default = "1 each", .shape = RowShape::weights, .not_in_server = of_pages}),
+                 &R::pair_cost, {.by_default = "1 each", .shape = RowShape::weights}),
           option("from_step", "N",
                  "begin at step N, which loads all that is in memory then; not for workers or new "
                  "pairs",
-                 &R::from_step,
-                 {.not_in_server = of_pages, .not_in_python = "there steps_from(N) begins at it"}),
+                 &R::from_step, {.not_in_python = "there steps_from(N) begins at it"}),
           option("epochs", "N",
                  "every pair meets in each of N epochs, back and forth: what is in memory at "
                  "the end of one stays for the next",
@@ -85,28 +79,25 @@ std::vector<RequestOption<R>> options() {
           option("verify_beside", "",
                  "begin at once: steps are read while they are written, and the end says whether "
                  "they are right",
-                 &R::verify_beside, {.not_in_server = of_pages}),
+                 &R::verify_beside, {.not_in_server = "it sends an answer when that is verified"}),
           option("disjoint", "",
                  "workers step together and never hold one item twice, so that items may change",
                  &R::disjoint),
           option("write_back", "", "items change while they are held: say what is stored when",
-                 &R::write_back, {.not_in_server = of_pages}),
+                 &R::write_back),
           option("prefetch", "", "say what is computed when, so that loads overlap computation",
                  &R::prefetch),
-          option("new_pairs", "", "say of each step which pairs are computed", &R::new_pairs,
-                 {.not_in_server = of_pages}),
-          option("ordered", "", "pairs both ways: (i,j) and (j,i)", &R::ordered,
-                 {.not_in_server = of_pages}),
+          option("new_pairs", "", "say of each step which pairs are computed", &R::new_pairs),
+          option("ordered", "", "pairs both ways: (i,j) and (j,i)", &R::ordered),
           option("self", "", "each item with itself, too: (i,i)", &R::self,
-                 {.python = "with_self", .not_in_server = of_pages}),
-          option("shuffle", "", "pairs of a step in random order, by --seed", &R::shuffle,
-                 {.not_in_server = of_pages}),
+                 {.python = "with_self"}),
+          option("shuffle", "", "pairs of a step in random order, by --seed", &R::shuffle),
           option("spread", "",
                  "each pair at random in one of the steps that hold both items, evenly, by "
                  "--seed",
-                 &R::spread, {.not_in_server = of_pages}),
+                 &R::spread),
       },
-      "search so long for a better order", times);
+      "search so long for a better order", times_of_orders);
 }
 
 std::vector<OptionRule> rules() {
@@ -132,7 +123,6 @@ std::vector<OptionRule> rules() {
        {"disjoint", "fast_room", "fast_memory", "prefetch", "write_back"}},
       {Says::never_with, {"from_step"}, {"workers", "new_pairs", "verify_beside"}},
       {Says::never_with, {"balance", "first_holder", "pair_cost"}, {"disjoint"}},
-      {Says::only_with, {"item_bytes"}, {"fast_room"}},
       {Says::never_with, {"disjoint"}, {"prefetch"}},
       {Says::only_with, {"ordered", "self", "shuffle"}, {"new_pairs", "write_back", "prefetch"}},
       {Says::only_with, {"spread"}, {"new_pairs", "write_back"}},
@@ -314,15 +304,15 @@ const RequestTable<LoadRequest>& load_table() {
   static const RequestTable<LoadRequest> table{.format = "changeover-load-request/1",
                                                .options = options(),
                                                .rules = rules(),
-                                               .times = times};
+                                               .times = times_of_orders};
   return table;
 }
 
 std::string to_json(const LoadRequest& request) { return request_as_json(load_table(), request); }
 
-LoadRequest load_request(std::string json, std::string name) {
+LoadRequest load_request(std::string json, std::string name, Door door) {
   return read_request(load_table(),
-                      RequestDocument(load_table().format, std::move(json), std::move(name)));
+                      RequestDocument(load_table().format, std::move(json), std::move(name), door));
 }
 
 std::string load_request_schema() {
@@ -403,9 +393,11 @@ void check_options(const LoadRequest& request, Door door) {
   check(request, Words(load_table(), request, door), lists_pairs(request));
 }
 
-void check_whole_epochs(const LoadRequest& request, const WantedPairs& wanted, Door door) {
+namespace {
+
+// Several epochs are kept in memory for "spread" and for Marius.
+void check_whole_epochs(const LoadRequest& request, const WantedPairs& wanted, const Words& words) {
   constexpr std::uint64_t most_pairs = 100'000'000;
-  const Words words(load_table(), request, door);
   const std::uint64_t epochs = request.epochs.value_or(1);
   const std::uint64_t pairs = wanted.count();
   if (epochs > 1 && pairs > most_pairs / epochs) {
@@ -413,21 +405,54 @@ void check_whole_epochs(const LoadRequest& request, const WantedPairs& wanted, D
     words.refuse(
         "epochs",
         fmt::format(
-            "{} {}: with {} or {} all epochs have at most {} pairs; give {}", words.key("epochs"),
-            epochs, words.key("spread"),
-            door == Door::command_line ? "--format marius" : "for Marius", most_pairs,
+            "{} {}: with {} or for Marius all epochs have at most {} pairs; give {}",
+            words.key("epochs"), epochs, words.key("spread"), most_pairs,
             most < 2 ? "fewer items" : fmt::format("{} {} or less", words.key("epochs"), most)));
   }
 }
 
-CheckedLoads checked_loads(const LoadRequest& request, Door door,
-                           std::shared_ptr<const PairGraph> pairs) {
+// The keys that such a list has no place for.
+void refuse_in_format(const CheckedLoads& asked, std::string_view why,
+                      std::initializer_list<std::string_view> keys) {
+  const Words words(load_table(), asked.request(), asked.door());
+  for (const std::string_view key : keys) {
+    if (is_given(asked.request(), option_of(load_table(), key))) {
+      words.refuse(key, fmt::format("{}; leave out {}", why, words.key(key)));
+    }
+  }
+}
+
+}  // namespace
+
+void check_format(const CheckedLoads& asked, std::string_view format) {
+  if (format == "marius") {
+    refuse_in_format(asked, "Marius has one buffer, and its order from the first step",
+                     {"workers", "fast_room", "fast_memory", "prefetch", "from_step"});
+    check_whole_epochs(asked.request(), asked.wanted(),
+                       Words(load_table(), asked.request(), asked.door()));
+  }
+  if (format == "colmap") {
+    refuse_in_format(asked, "a list for COLMAP has each pair once",
+                     {"prefetch", "epochs", "ordered", "self", "from_step"});
+    if (asked.wanted().graph() == nullptr && asked.items() > max_elements_in_memory) {
+      throw BadInput(
+          fmt::format("a list for COLMAP has each pair once: give at most {} items, or "
+                      "list the pairs",
+                      max_elements_in_memory));
+    }
+  }
+}
+
+CheckedLoads checked_loads(LoadRequest asked, Door door, std::shared_ptr<const PairGraph> pairs) {
+  CheckedLoads checked;
+  checked.request_ = std::move(asked);
+  checked.door_ = door;
+  const LoadRequest& request = checked.request_;
   const Words words(load_table(), request, door);
   check(request, words, lists_pairs(request) || pairs != nullptr);
-  return with_places(request.places, [&] {
-    CheckedLoads checked;
+  with_places(request.places, [&] {
     checked.room_ = request.room.value_or(0);
-    if (lists_pairs(request)) {
+    if (pairs == nullptr && lists_pairs(request)) {
       pairs = listed_pairs(request, words, checked.cost_);
     }
     const bool listed = pairs != nullptr;
@@ -454,13 +479,13 @@ CheckedLoads checked_loads(const LoadRequest& request, Door door,
       checked.room_ = most_held(*checked.sizes_, checked.wanted_);
     }
     if (request.spread) {
-      check_whole_epochs(request, checked.wanted_, door);
+      check_whole_epochs(request, checked.wanted_, words);
     }
     if (request.pair_cost.is_given()) {
       checked.cost_ = read_pair_costs(*words.open("pair_cost", request.pair_cost), checked.wanted_);
     }
-    return checked;
   });
+  return checked;
 }
 
 }  // namespace changeover

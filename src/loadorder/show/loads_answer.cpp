@@ -2,10 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/workers.hpp"
+#include "changeover/run/control.hpp"
+#include "io/request/request_words.hpp"
 #include "loadorder/order/in_rounds.hpp"
 #include "loadorder/order/of_worker.hpp"
 
@@ -23,20 +28,23 @@ bool starts_early(const LoadRequest& request) {
   return request.prefetch && (request.fast_room || request.fast_memory);
 }
 
-LoadsShown shown_as_asked(const LoadRequest& request) {
+LoadsShown shown_as_asked(const CheckedLoads& asked) {
+  const LoadRequest& request = asked.request();
   const std::uint64_t seed = request.seed.value_or(1);
-  LoadsShown how{.format = {},
-                 .compute = {.ordered = request.ordered, .self = request.self},
-                 .new_pairs = request.new_pairs || starts_early(request),
-                 .early = starts_early(request),
-                 .write_back = request.write_back,
-                 .searched = request.seconds.has_value(),
-                 .seed = seed,
-                 .item_bytes = request.item_bytes,
-                 .worker = request.worker,
-                 .worker_by_itself = is_worker_by_itself(request),
-                 .from_step = request.from_step,
-                 .beside = request.verify_beside};
+  LoadsShown how{
+      .format = {},
+      .compute = {.ordered = request.ordered, .self = request.self},
+      .new_pairs = request.new_pairs || starts_early(request),
+      .early = starts_early(request),
+      .write_back = request.write_back,
+      .searched = request.seconds.has_value(),
+      .seed = seed,
+      .item_bytes = request.item_bytes,
+      .item_bytes_key = spelled(option_of(load_table(), "item_bytes").record, asked.door()),
+      .worker = request.worker,
+      .worker_by_itself = is_worker_by_itself(request),
+      .from_step = request.from_step,
+      .beside = request.verify_beside};
   if (request.shuffle) {
     how.compute.shuffle = seed;
   }
@@ -46,7 +54,8 @@ LoadsShown shown_as_asked(const LoadRequest& request) {
   return how;
 }
 
-AnyLoads planned(const CheckedLoads& asked, const LoadRequest& request, LoadOrderOptions options) {
+AnyLoads planned(const CheckedLoads& asked, LoadOrderOptions options) {
+  const LoadRequest& request = asked.request();
   options.balance = !request.first_holder;
   options.pair_cost = asked.pair_cost();
   options.read_first = !request.verify_beside && !is_worker_by_itself(request);
@@ -116,10 +125,10 @@ AnyLoads started_early(AnyLoads loads) {
 
 // Of workers in lockstep what has a small span forward may have a large one backward: with a search
 // the better of the two orders is taken, with it and without.
-AnyLoads repeated_lockstep(const CheckedLoads& asked, const LoadRequest& request,
-                           const LoadOrderOptions& options) {
-  AnyLoads without = repeated(planned(asked, request, fixed_work(options)), *request.epochs);
-  AnyLoads with = repeated(planned(asked, request, options), *request.epochs);
+AnyLoads repeated_lockstep(const CheckedLoads& asked, const LoadOrderOptions& options) {
+  const std::uint64_t epochs = *asked.request().epochs;
+  AnyLoads without = repeated(planned(asked, fixed_work(options)), epochs);
+  AnyLoads with = repeated(planned(asked, options), epochs);
   const auto span_of = [](const AnyLoads& loads) {
     const LoadOrderFacts& facts = std::get<LoadOrder>(loads).facts();
     return facts.sizes ? std::pair(facts.span_bytes, facts.bytes)
@@ -128,13 +137,13 @@ AnyLoads repeated_lockstep(const CheckedLoads& asked, const LoadRequest& request
   return span_of(with) < span_of(without) ? std::move(with) : std::move(without);
 }
 
-AnyLoads loads_for(const CheckedLoads& asked, const LoadRequest& request,
-                   const LoadOrderOptions& options) {
+AnyLoads loads_for(const CheckedLoads& asked, const LoadOrderOptions& options) {
+  const LoadRequest& request = asked.request();
   const bool one_level = !request.fast_room && !request.fast_memory;
   if (request.disjoint && one_level && request.epochs.value_or(1) > 1 && options.search_pairs) {
-    return repeated_lockstep(asked, request, options);
+    return repeated_lockstep(asked, options);
   }
-  AnyLoads loads = repeated(planned(asked, request, options), request.epochs.value_or(1));
+  AnyLoads loads = repeated(planned(asked, options), request.epochs.value_or(1));
   return starts_early(request) ? started_early(std::move(loads)) : std::move(loads);
 }
 
@@ -143,13 +152,38 @@ LoadOrderOptions told_when_cut_short(LoadOrderOptions options, bool& is_cut_shor
   return options;
 }
 
+// When memory is full for the first time, all pairs in it are new.
+void require_memory_for_a_step(const CheckedLoads& asked) {
+  const LoadRequest& request = asked.request();
+  if (!request.new_pairs) {
+    return;
+  }
+  const RequestWords<LoadRequest> words(load_table(), request, asked.door());
+  const std::uint64_t there = std::min(asked.room(), asked.items());
+  const std::uint64_t pairs = std::min(there * (there - 1) / 2, asked.wanted().count());
+  const std::uint64_t copies = request.ordered ? 3 : 2;  // as they are found, and as they are said
+  require_memory(pairs * copies * sizeof(ItemPair),
+                 fmt::format("a step of {} with {} {}", words.key("new_pairs"), words.key("room"),
+                             asked.room()));
+}
+
 }  // namespace
 
-LoadsAnswer::LoadsAnswer(const CheckedLoads& asked, const LoadRequest& request,
-                         const LoadOrderOptions& options)
-    : room_(asked.room()),
-      how_(shown_as_asked(request)),
-      loads_(loads_for(asked, request, told_when_cut_short(options, how_.time_is_up))) {}
+LoadsAnswer::LoadsAnswer(CheckedLoads asked, const LoadOrderOptions& options)
+    : asked_(std::move(asked)), room_(asked_.room()), how_(shown_as_asked(asked_)), loads_([&] {
+        require_memory_for_a_step(asked_);
+        return loads_for(asked_, told_when_cut_short(options, how_.time_is_up));
+      }()) {
+  if (how_.from_step) {
+    const RequestWords<LoadRequest> words(load_table(), asked_.request(), asked_.door());
+    try {
+      static_cast<void>(order()->stream_from(*how_.from_step));
+    } catch (const BadInput& fault) {
+      throw BadInput(
+          fmt::format("{} {}: {}", words.key("from_step"), *how_.from_step, fault.what()));
+    }
+  }
+}
 
 namespace {
 
@@ -231,26 +265,13 @@ std::string LoadsAnswer::fault() const {
 void LoadsAnswer::write(const std::string& format, Sink& sink) const {
   LoadsShown how = how_;
   how.format = format;
-  if (format == "marius") {  // pairs are edge buckets
-    how.new_pairs = how.compute.ordered = how.compute.self = true;
-    how.write_back = false;
-    const ScheduleRules all = rules();
-    check_whole_epochs({.epochs = all.epochs}, all.wanted.among(all.items), Door::document);
-  }
-  if (format == "colmap") {
-    const ScheduleRules all = rules();
-    if (all.overlap || all.epochs > 1 || how.compute.ordered || how.compute.self) {
-      throw BadInput(
-          "a list for COLMAP has each pair once; ask without prefetch, epochs, ordered and self");
-    }
-    if (all.wanted.graph() == nullptr && all.items > max_elements_in_memory) {
-      throw BadInput(
-          fmt::format("a list for COLMAP has each pair once: give at most {} items, or "
-                      "list the pairs",
-                      max_elements_in_memory));
-    }
+  check_format(asked_, format);
+  if (format == "marius" || format == "colmap") {
     how.new_pairs = true;
-    how.write_back = false;
+    how.write_back = how.beside = false;
+  }
+  if (format == "marius") {  // pairs are edge buckets
+    how.compute.ordered = how.compute.self = true;
   }
   std::visit([&](const auto& loads) { show_loads(loads, how, sink); }, loads_);
 }

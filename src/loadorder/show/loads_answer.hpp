@@ -1,6 +1,6 @@
 // The answer to a load request, for every door: the requested schedule, and its formats.
 //
-//     const LoadsAnswer answer(asked, request, options);
+//     const LoadsAnswer answer(asked, options);
 //     answer.write("jsonl", sink);   // the output of --json
 //     answer.head();                 // its first line
 #pragma once
@@ -23,10 +23,11 @@ using AnyLoads = std::variant<LoadOrder, WorkerSplit, PrefetchPlan, PrefetchSpli
 /// (docs/schema/changeover-loads-1.json).
 class LoadsAnswer {
  public:
-  /// Plans the schedule; `request` is the checked request. @throws as plan_load_order(),
-  /// split_load_order(), plan_disjoint_order(), plan_two_levels() and plan_prefetch()
-  LoadsAnswer(const CheckedLoads& asked, const LoadRequest& request,
-              const LoadOrderOptions& options);
+  /// Plans the schedule. @throws as plan_load_order(), split_load_order(), plan_disjoint_order(),
+  /// plan_two_levels() and plan_prefetch(); BadInput if it has fewer steps than the one that it is
+  /// to begin at; MissingResource if the new pairs of a step need more memory than this thread may
+  /// use (run/control.hpp)
+  LoadsAnswer(CheckedLoads asked, const LoadOrderOptions& options);
 
   /// The order, or null if it is one for workers one after another, which is split().
   [[nodiscard]] const LoadOrder* order() const;
@@ -56,8 +57,7 @@ class LoadsAnswer {
   [[nodiscard]] std::unique_ptr<StepSource> steps(std::optional<std::uint64_t> worker) const;
 
   /// Writes the format "jsonl", "csv", "text", "colmap" (show/step_writer.hpp) or "marius"
-  /// (show/marius_writer.hpp; @throws BadInput unless one worker and one level). @throws
-  /// InternalError if a step is wrong
+  /// (show/marius_writer.hpp). @throws as check_format(); InternalError if a step is wrong
   void write(const std::string& format, Sink& sink) const;
 
   /// The first line of "jsonl", without its line end.
@@ -67,6 +67,7 @@ class LoadsAnswer {
   [[nodiscard]] ScheduleRules rules(const std::optional<ComputeRules>& compute) const;
   [[nodiscard]] ScheduleRules rules() const;
 
+  CheckedLoads asked_;
   std::uint64_t room_;
   LoadsShown how_;
   AnyLoads loads_;

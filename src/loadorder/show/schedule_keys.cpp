@@ -12,7 +12,7 @@ std::uint64_t workers_of(const LoadOrderFacts& facts, const SplitFacts* split) {
 }
 
 std::uint64_t bytes_of_moves(std::uint64_t count, const LoadsShown& how, const std::string& what) {
-  return bytes_moved(count, *how.item_bytes, "--item-bytes", what + "s");
+  return bytes_moved(count, *how.item_bytes, how.item_bytes_key, what + "s");
 }
 
 void ScheduleKeys::say_question(JsonWriter& json) const {
@@ -50,15 +50,17 @@ void ScheduleKeys::say_bytes(const ScheduleVerdict& checked, JsonWriter& json) c
 }
 
 void ScheduleKeys::say_levels_or_method(JsonWriter& json) const {
+  json.key("method").value(facts_.method);
+  if (how_.item_bytes) {
+    json.key("item_bytes").value(*how_.item_bytes);
+    json.key("bytes_loaded").value(bytes_of_moves(facts_.loads, how_, "load"));
+  }
   if (!facts_.fast_room) {
-    json.key("method").value(facts_.method);
     return;
   }
   json.key("transfer_bound").value(facts_.transfer_bound.loads);
   json.key("transfer_bound_reason").value(facts_.transfer_bound.reason);
   if (how_.item_bytes) {
-    json.key("item_bytes").value(*how_.item_bytes);
-    json.key("bytes_loaded").value(bytes_of_moves(facts_.loads, how_, "load"));
     json.key("bytes_transferred").value(bytes_of_moves(facts_.transfers, how_, "transfer"));
   }
   if (facts_.group_items > 0) {

@@ -200,6 +200,9 @@ class ScheduleText {
     const std::string method = facts_.fast_room ? facts_.explanation + "\n"
                                                 : facts_.method + ": " + facts_.explanation + "\n";
     spread += how_.time_is_up ? say_that_time_is_up(json) : "";
+    if (how_.item_bytes && !facts_.fast_room) {
+      spread += fmt::format("{} bytes are loaded\n", bytes_of_moves(facts_.loads, how_, "load"));
+    }
     return in_short(bound, steps) + epochs_in_words(facts_) + spread + stores +
            (plain ? hint() : "") + method + bounds(bound);
   }
@@ -407,12 +410,11 @@ class ScheduleText {
 
   // For a single buffer whose pairs were checked.
   void write_for_marius(Sink& out) const {
-    if (split_ != nullptr || facts_.lockstep > 0 || facts_.fast_room || spare_ || how_.from_step ||
-        how_.beside || !checked_.valid() ||
+    if (!checked_.valid() ||
         (facts_.wanted.graph() != nullptr && !facts_.wanted.graph()->names().empty())) {
       throw BadInput(
-          "Marius has one buffer of numbered partitions, whose buckets are known: give one worker, "
-          "one level, and at most 65535 items");
+          "Marius has numbered partitions, whose buckets are known: number the items, at most "
+          "65535");
     }
     write_steps_for_marius(facts_, *steps(), out);
   }

@@ -20,7 +20,8 @@ struct LoadsShown {
   bool time_is_up = false;  ///< whether what is tried without a search was cut short
   std::uint64_t seed =
       1;  ///< seed for choosing the items that are tracked while an unverified order is written
-  std::optional<std::uint64_t> item_bytes = {};  ///< for two levels
+  std::optional<std::uint64_t> item_bytes = {};  ///< to say how many bytes are moved
+  std::string item_bytes_key = {};               ///< what messages call it
   bool head_only = false;                        ///< omits the steps
   std::optional<std::uint64_t> worker = {};      ///< only the steps of this worker
   bool worker_by_itself = false;  ///< and only its steps are checked, while they are written

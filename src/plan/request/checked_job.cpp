@@ -31,7 +31,7 @@ class JobMaker {
  public:
   JobMaker(const JobRequest& request, Door door) : question_(request, door) {}
 
-  ParsedJob make() {
+  ReadJob make() {
     whole_ = *question_;
     take_parts();
     take_constraints();
@@ -39,7 +39,7 @@ class JobMaker {
     take_first_and_weights();
     check_job(job_);
     finish_question();
-    ParsedJob asked;
+    ReadJob asked;
     if (question_->done.is_given()) {
       asked = done_of_job();
     }
@@ -538,7 +538,7 @@ class JobMaker {
     }
   }
 
-  ParsedJob done_of_job() {
+  ReadJob done_of_job() {
     const JobRequest& asked = *question_;
     DoneWords words{.done_first = question_.key("done_first"),
                     .trust_failed = question_.key("trust_failed"),
@@ -568,7 +568,7 @@ class JobMaker {
   std::string first_tests_;
 };
 
-ParsedJob checked_job(const JobRequest& request, Door door) {
+ReadJob read_job(const JobRequest& request, Door door) {
   check_options(request, door);
   const Question question(request, door);
   try {
@@ -587,13 +587,6 @@ ParsedJob checked_job(const JobRequest& request, Door door) {
     }
     throw BadInput(request.places.before_all() + what);
   }
-}
-
-ParsedJob checked_job(const OpenedRequest& opened, Door door) {
-  ParsedJob asked = checked_job(opened.request, door);
-  asked.notes.insert(asked.notes.begin(), opened.notes.begin(), opened.notes.end());
-  complete(asked.question, opened.kept);
-  return asked;
 }
 
 }  // namespace changeover

@@ -25,7 +25,7 @@ Block in_order(Block setup) {
   return setup;
 }
 
-void note_unread(const DoneOptions& options, const DoneWords& words, ParsedJob& answer) {
+void note_unread(const DoneOptions& options, const DoneWords& words, ReadJob& answer) {
   if (answer.unread == 0 || options.for_diagnosis) {
     return;
   }
@@ -184,7 +184,7 @@ class DoneTaker {
         benches_(&benches),
         on_bench_(benches.size()) {}
 
-  ParsedJob take(const std::vector<std::unique_ptr<Input>>& inputs) {
+  ReadJob take(const std::vector<std::unique_ptr<Input>>& inputs) {
     name_ = inputs.back()->name();
     answer_.done_from = name_;
     read(inputs);
@@ -367,13 +367,13 @@ class DoneTaker {
   std::uint64_t failed_with_gone_ = 0;
   std::uint64_t not_run_ = 0;
   bool has_results_ = false;
-  ParsedJob answer_;
+  ReadJob answer_;
 };
 
 }  // namespace
 
-ParsedJob take_done(const std::vector<std::unique_ptr<Input>>& inputs, const DoneOptions& options,
-                    const DoneWords& words, Job& job, std::vector<Bench>& benches) {
+ReadJob take_done(const std::vector<std::unique_ptr<Input>>& inputs, const DoneOptions& options,
+                  const DoneWords& words, Job& job, std::vector<Bench>& benches) {
   return DoneTaker(options, words, job, benches).take(inputs);
 }
 

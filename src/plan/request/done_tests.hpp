@@ -37,8 +37,8 @@ struct DoneWords {
 /// none any more, or of none, count all the same. Fills all of the answer but its job and its
 /// benches. O(size of the lists), besides mark_tested(). @throws BadOption, BadInput,
 /// MissingResource
-[[nodiscard]] ParsedJob take_done(const std::vector<std::unique_ptr<Input>>& inputs,
-                                  const DoneOptions& options, const DoneWords& words, Job& job,
-                                  std::vector<Bench>& benches);
+[[nodiscard]] ReadJob take_done(const std::vector<std::unique_ptr<Input>>& inputs,
+                                const DoneOptions& options, const DoneWords& words, Job& job,
+                                std::vector<Bench>& benches);
 
 }  // namespace changeover

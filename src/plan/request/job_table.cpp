@@ -11,7 +11,7 @@ namespace {
 using R = JobRequest;
 using K = ValueKind;
 
-constexpr SearchTimes times{
+constexpr SearchTimes times_of_plans{
     .command_line = 60, .server = 10, .most_of_server = 60, .followed = 60, .most_followed = 3'600};
 
 constexpr std::string_view of_files =
@@ -115,7 +115,7 @@ std::vector<RequestOption<R>> options() {
           option("steps", "N", "moves of each local search", &R::steps,
                  {.unit = "moves", .by_default = "as suits"}),
       },
-      "search so long", times);
+      "search so long", times_of_plans);
 }
 
 std::vector<OptionRule> rules() {
@@ -195,15 +195,17 @@ std::vector<OptionRule> rules() {
 }  // namespace
 
 const RequestTable<JobRequest>& job_table() {
-  static const RequestTable<JobRequest> table{
-      .format = "changeover-job/1", .options = options(), .rules = rules(), .times = times};
+  static const RequestTable<JobRequest> table{.format = "changeover-job/1",
+                                              .options = options(),
+                                              .rules = rules(),
+                                              .times = times_of_plans};
   return table;
 }
 
 std::string to_json(const JobRequest& request) { return request_as_json(job_table(), request); }
 
-JobRequest job_request(std::string json, std::string name) {
-  RequestDocument document(job_table().format, std::move(json), std::move(name));
+JobRequest job_request(std::string json, std::string name, Door door) {
+  RequestDocument document(job_table().format, std::move(json), std::move(name), door);
   if (const JsonNode* const parts = document.find("parts");
       parts != nullptr && parts->is_number()) {
     document.rename("parts", "items");

@@ -21,15 +21,15 @@ namespace changeover {
 namespace {
 
 // The job of the bench that the next test is for.
-Job diagnosed_job(const ParsedJob& asked, std::size_t bench) {
-  return asked.benches.empty() ? *asked.job : job_by_itself(*asked.job, asked.benches[bench]);
+Job diagnosed_job(const CheckedJobRequest& asked, std::size_t bench) {
+  return asked->benches.empty() ? *asked->job : job_by_itself(*asked->job, asked->benches[bench]);
 }
 
 // What comes next on each bench: the next test where it is for, and what was planned.
-BenchPlan next_on_benches(const ParsedJob& asked, std::size_t on, const Job& own,
+BenchPlan next_on_benches(const CheckedJobRequest& asked, std::size_t on, const Job& own,
                           const Diagnosis& found) {
   BenchPlan next;
-  next.benches = asked.benches;
+  next.benches = asked->benches;
   for (std::size_t b = 0; b < next.benches.size(); ++b) {
     Bench& bench = next.benches[b];
     std::vector<Block> setups;
@@ -38,7 +38,7 @@ BenchPlan next_on_benches(const ParsedJob& asked, std::size_t on, const Job& own
     }
     std::ranges::copy_if(bench.rest, std::back_inserter(setups),
                          [](const Block& setup) { return !setup.empty(); });
-    Job job = bench.down ? own : job_of_bench(*asked.job, bench);
+    Job job = bench.down ? own : job_of_bench(*asked->job, bench);
     job.first.clear();
     next.sheets.push_back(run_sheet(job, bench.down ? std::vector<Block>() : setups));
   }
@@ -57,38 +57,38 @@ std::tuple<bool, std::size_t, Amount> worth_of(const Diagnosis& found) {
 
 // Which faults the results leave, and what to test next: of benches, where that tells most for the
 // least.
-void diagnose_results(const ParsedJob& asked, PlanAnswer& answer) {
-  if (asked.results.empty()) {
+void diagnose_results(const CheckedJobRequest& asked, PlanAnswer& answer) {
+  if (asked->results.empty()) {
     throw BadInput(
-        asked.unread == 0
-            ? asked.done_from + ": no result says pass or fail; fill in the column result"
+        asked->unread == 0
+            ? asked->done_from + ": no result says pass or fail; fill in the column result"
             : fmt::format("{}: {} is not a result, and no other row has one; write pass or fail",
-                          asked.first_unread.front().place,
-                          shown(asked.first_unread.front().text)));
+                          asked->first_unread.front().place,
+                          shown(asked->first_unread.front().text)));
   }
   constexpr std::size_t most_looked_at = 8;
   const std::vector<std::size_t> benches =
-      asked.benches.empty() ? std::vector<std::size_t>{0}
-                            : benches_with_most_parts(*asked.job, asked.benches, most_looked_at);
+      asked->benches.empty() ? std::vector<std::size_t>{0}
+                             : benches_with_most_parts(*asked->job, asked->benches, most_looked_at);
   for (const std::size_t bench : benches) {
-    Diagnosis on_it = diagnose(diagnosed_job(asked, bench), asked.results);
+    Diagnosis on_it = diagnose(diagnosed_job(asked, bench), asked->results);
     if (!answer.diagnosis || worth_of(on_it) < worth_of(*answer.diagnosis)) {
       answer.diagnosis = std::move(on_it);
       answer.bench = bench;
     }
   }
   Diagnosis& found = *answer.diagnosis;
-  found.unread = asked.unread;
-  found.first_unread = asked.first_unread;
-  found.notes = asked.notes;
-  if (asked.benches.size() > 1 && found.next) {
-    found.notes.push_back("the next test is for " + name_of(asked.benches, answer.bench));
+  found.unread = asked->unread;
+  found.first_unread = asked->first_unread;
+  found.notes = asked->notes;
+  if (asked->benches.size() > 1 && found.next) {
+    found.notes.push_back("the next test is for " + name_of(asked->benches, answer.bench));
   }
 }
 
 // The request for a workbook, below its head.
-std::vector<std::string> question_in_pieces(const ParsedJob& asked) {
-  std::string document = to_json(asked.question);
+std::vector<std::string> question_in_pieces(const CheckedJobRequest& asked) {
+  std::string document = to_json(asked->question);
   document.pop_back();  // its line end
   std::vector<std::string> pieces = question_pieces(document);
   pieces.insert(pieces.begin(), std::string(job_table().format));
@@ -109,7 +109,8 @@ WhyStopped PlanAnswer::why_stopped() const {
                    : WhyStopped::exhausted;
 }
 
-PlanOptions plan_options(const JobRequest& request, const ParsedJob& asked) {
+PlanOptions plan_options(const CheckedJobRequest& asked) {
+  const JobRequest& request = asked.request();
   PlanOptions options;
   if (request.model.is_given() && request.objective == "tests") {
     options.objective = PlanObjective::tests;
@@ -119,7 +120,7 @@ PlanOptions plan_options(const JobRequest& request, const ParsedJob& asked) {
   }
   options.until_stopped = request.seconds.has_value() && !request.steps && !request.what_if;
   options.steps = request.steps.value_or(0);
-  options.rest = asked.rest;
+  options.rest = asked->rest;
   return options;
 }
 
@@ -133,43 +134,44 @@ void note_limit(PlanAnswer& answer) {
   }
 }
 
-void search(const JobRequest& request, const ParsedJob& asked, RunControl& control,
+void search(const CheckedJobRequest& asked, RunControl& control,
             std::function<void(const PlanNews&)> on_better, PlanAnswer& answer) {
-  answer.options = plan_options(request, asked);
+  const JobRequest& request = asked.request();
+  answer.options = plan_options(asked);
   PlanOptions options = answer.options;
   options.on_better = std::move(on_better);
   answer.objective = request.objective == "cost" ? BenchObjective::cost : BenchObjective::makespan;
-  if (!asked.benches.empty()) {
+  if (!asked->benches.empty()) {
     answer.benches = make_bench_plan(
-        asked.job,
-        {.objective = answer.objective, .plan = std::move(options), .each = asked.benches},
+        asked->job,
+        {.objective = answer.objective, .plan = std::move(options), .each = asked->benches},
         control);
     return;
   }
-  answer.plan = with_first_pieces(*asked.job, make_run_plan(asked.job, options, control));
+  answer.plan = with_first_pieces(*asked->job, make_run_plan(asked->job, options, control));
   if (request.shuffle) {
     std::uint64_t exchanged = 0;
-    answer.plan = shuffled(*asked.job, std::move(*answer.plan), *request.shuffle, exchanged);
+    answer.plan = shuffled(*asked->job, std::move(*answer.plan), *request.shuffle, exchanged);
     answer.notes.push_back(
         fmt::format("shuffled with seed {}: {} stand where others stood that nothing tells apart",
                     *request.shuffle, count_of(exchanged, "part")));
   }
   if (request.what_if) {
-    answer.what_if = what_if(*asked.job, *answer.plan, answer.options, control);
+    answer.what_if = what_if(*asked->job, *answer.plan, answer.options, control);
   }
 }
 
 }  // namespace
 
-PlanAnswer answer_to(const JobRequest& request, const ParsedJob& asked, RunControl& control,
+PlanAnswer answer_to(const CheckedJobRequest& asked, RunControl& control,
                      std::function<void(const PlanNews&)> on_better) {
   PlanAnswer answer;
-  answer.notes = asked.notes;
-  if (request.diagnose) {
+  answer.notes = asked->notes;
+  if (asked.request().diagnose) {
     diagnose_results(asked, answer);
     return answer;
   }
-  search(request, asked, control, std::move(on_better), answer);
+  search(asked, control, std::move(on_better), answer);
   note_limit(answer);
   if (answer.what_if) {
     answer.what_if->notes = answer.notes;
@@ -177,19 +179,20 @@ PlanAnswer answer_to(const JobRequest& request, const ParsedJob& asked, RunContr
   return answer;
 }
 
-std::string written(const JobRequest& request, const ParsedJob& asked, const PlanAnswer& answer,
+std::string written(const CheckedJobRequest& asked, const PlanAnswer& answer,
                     const std::string& format, std::size_t width) {
-  const Job& job = *asked.job;
+  const JobRequest& request = asked.request();
+  const Job& job = *asked->job;
   if (answer.diagnosis) {
     const Job own = diagnosed_job(asked, answer.bench);
     DiagnosisDocument document{.job = &own,
                                .found = &*answer.diagnosis,
-                               .rest = asked.rest,
-                               .done = &asked.record,
+                               .rest = asked->rest,
+                               .done = &asked->record,
                                .question = question_in_pieces(asked),
-                               .list = asked.question.benches};
+                               .list = asked->question.benches};
     BenchPlan next;
-    if (!asked.benches.empty()) {
+    if (!asked->benches.empty()) {
       next = next_on_benches(asked, answer.bench, own, *answer.diagnosis);
       document.benches = &next;
       document.of_benches = &job;
@@ -207,9 +210,9 @@ std::string written(const JobRequest& request, const ParsedJob& asked, const Pla
                            .budget = answer.options.budget,
                            .first_day = request.first_day,
                            .weekends = request.weekends,
-                           .done = &asked.record,
+                           .done = &asked->record,
                            .question = question_in_pieces(asked),
-                           .list = asked.question.benches};
+                           .list = asked->question.benches};
     document.title = request.title.empty() ? document.title : request.title;
     return written(document, format, width);
   }
@@ -217,7 +220,7 @@ std::string written(const JobRequest& request, const ParsedJob& asked, const Pla
   document.notes = answer.notes;
   document.compact = request.compact;
   document.title = request.title.empty() ? document.title : request.title;
-  document.done = &asked.record;
+  document.done = &asked->record;
   document.question = question_in_pieces(asked);
   return written(document, format, width);
 }

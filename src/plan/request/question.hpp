@@ -78,4 +78,7 @@ class Question {
   RequestWords<JobRequest> words_;
 };
 
+/// Reads the lists of a request and checks all of it. @throws as checked_job()
+[[nodiscard]] ReadJob read_job(const JobRequest& request, Door door);
+
 }  // namespace changeover

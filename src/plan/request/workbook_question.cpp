@@ -124,7 +124,7 @@ void put_aside_what_does_not_fit(JobRequest& question, const JobRequest& request
 
 // What is written on the run sheets of a workbook, and the job that they were made for.
 struct Written {
-  ParsedJob before;  // after the tests on the sheet of those that were done
+  CheckedJobRequest before;  // after the tests on the sheet of those that were done
   std::vector<DoneList> lists;
 
   [[nodiscard]] bool has_results() const {
@@ -139,13 +139,13 @@ Written written_on(const RunWorkbook& book, const std::vector<std::string>& run,
     before.done = book.on_sheet(std::string(done_sheet));
   }
   Written written{.before = checked_job(before, Door::document), .lists = {}};
-  const Job& job = *written.before.job;
+  const Job& job = *written.before->job;
   for (const std::string& sheet : run) {
     const auto input = book.open(sheet);
     written.lists.push_back(
         job.model != nullptr
             ? read_done(*input, job)
-            : read_done(*input, job.names, most_at_once(job, written.before.benches)));
+            : read_done(*input, job.names, most_at_once(job, written.before->benches)));
   }
   return written;
 }
@@ -153,7 +153,7 @@ Written written_on(const RunWorkbook& book, const std::vector<std::string>& run,
 // A bench whose sheet was taken out of the workbook takes its results along.
 void note_lost_sheets(const RunWorkbook& book, const Written& written,
                       std::vector<std::string>& notes) {
-  const std::vector<Bench>& benches = written.before.benches;
+  const std::vector<Bench>& benches = written.before->benches;
   if (written.lists.size() >= benches.size()) {
     return;
   }
@@ -180,8 +180,8 @@ void note_lost_sheets(const RunWorkbook& book, const Written& written,
 // What tests on run sheets cost that have a result: so much of the budget is gone.
 void take_off_budget(JobRequest& question, const std::string& name, const Written& written,
                      std::vector<std::string>& notes) {
-  const Job& job = *written.before.job;
-  const std::vector<Bench>& benches = written.before.benches;
+  const Job& job = *written.before->job;
+  const std::vector<Bench>& benches = written.before->benches;
   std::vector<std::vector<Block>> done(std::max<std::size_t>(1, benches.size()));
   std::uint64_t tests = 0;
   for (const DoneList& list : written.lists) {
@@ -427,13 +427,13 @@ JobRequest with_question(JobRequest request, const RunWorkbook& book,
       if (!question.first_day.empty() && request.first_day.empty()) {
         begin_where_it_ends(question, book, run, notes);
       }
-      if (written.before.benches.empty()) {
+      if (written.before->benches.empty()) {
         question.start.clear();  // that was before the first of them
       }
     }
   }
-  const ParsedJob as_made = checked_job(question, Door::document);
-  take_changed_sheets(request, question, book, *as_made.job, notes);
+  const CheckedJobRequest as_made = checked_job(question, Door::document);
+  take_changed_sheets(request, question, book, *as_made->job, notes);
   if (request.what_if && question.benches.is_given()) {
     notes.push_back(book.name +
                     ": its question is of several benches; the ratios are those of all "

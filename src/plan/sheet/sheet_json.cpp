@@ -1,8 +1,12 @@
 // Writes run sheets as JSON.
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <numeric>
 #include <optional>
 #include <ranges>
+#include <string>
 
 #include "changeover/plan/job.hpp"
 #include "io/write/json_writer.hpp"
@@ -14,13 +18,13 @@
 namespace changeover {
 namespace {
 
-void write_candidate(JsonWriter& json, const Money& money, const Candidate& candidate) {
-  json.begin_object().key("name").value(candidate.name).key("how").value(candidate.how);
+void write_figures(JsonWriter& json, const Money& money, const Candidate& candidate) {
+  json.key("name").value(candidate.name).key("how").value(candidate.how);
   json.key("tests").value(candidate.tests()).key("changes").value(candidate.changes);
   json.key("cost").raw(money(candidate.cost));
   json.key("pairs_tested").value(candidate.pairs_tested);
   json.key("triples_tested").value(candidate.triples_tested);
-  json.key("weight").raw(to_string(candidate.weight)).end_object();
+  json.key("weight").raw(to_string(candidate.weight));
 }
 
 // The parameters of a model, and the part of each value.
@@ -35,8 +39,14 @@ void write_parameters(JsonWriter& json, const Job& job) {
   });
 }
 
-void write_ratio(JsonWriter& json, const std::optional<Ratio>& ratio) {
+// As a number, and exactly as a text: 0.625, "5/8".
+void write_ratio(JsonWriter& json, const std::string& key, const std::optional<Ratio>& ratio) {
+  json.key(key);
   ratio ? json.value(static_cast<double>(ratio->over) / static_cast<double>(ratio->under))
+        : json.null();
+  json.key(key + "_exact");
+  const std::uint64_t divisor = ratio ? std::gcd(ratio->over, ratio->under) : 1;
+  ratio ? json.value(fmt::format("{}/{}", ratio->over / divisor, ratio->under / divisor))
         : json.null();
 }
 
@@ -125,8 +135,8 @@ std::string json_of(const SheetDocument& document) {
       json.key("weight_so_far").raw(to_string(sheet.steps[at].weight_so_far));
     }
   });
-  json.list("candidates", plan.candidates,
-            [&](const Candidate& candidate) { write_candidate(json, money, candidate); });
+  json.objects("candidates", plan.candidates,
+               [&](const Candidate& candidate) { write_figures(json, money, candidate); });
   json.key("notes").value(document.notes).end_object();
   return json.take() + "\n";
 }
@@ -137,16 +147,16 @@ std::string json_of(const Job& job, const WhatIf& answer) {
   json.begin_object().key("format").value("changeover-what-if/1");
   json.key("by").value(answer.by_factor ? "factor of all change costs"
                                         : "ratio of change cost to test cost");
-  json.key("asked");
-  write_ratio(json, answer.asked);
+  write_ratio(json, "asked", answer.asked);
   json.key("why_stopped").value(to_string(answer.why_stopped));
   json.objects("ranges", answer.ranges, [&](const WhatIf::Range& range) {
-    json.key("from");
-    write_ratio(json, range.from);
-    json.key("to");
-    write_ratio(json, range.to);
-    json.key("plan");
-    write_candidate(json, money, range.plan);
+    write_ratio(json, "from", range.from);
+    write_ratio(json, "to", range.to);
+    json.key("plan").begin_object();
+    write_figures(json, money, range.plan);
+    json.list("set_ups", range.plan.setups,
+              [&](const Block& setup) { json.value(names_of(job, setup)); });
+    json.end_object();
   });
   json.key("met_only_in_failed").value(job.met_only_in_failed);
   json.key("trust_failed").value(job.trust_failed).key("notes").value(answer.notes).end_object();

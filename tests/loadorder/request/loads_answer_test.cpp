@@ -23,7 +23,7 @@ std::unique_ptr<LoadsAnswer> answer(const LoadRequest& request,
                                     std::shared_ptr<const PairGraph> pairs = nullptr) {
   try {
     const CheckedLoads asked = checked_loads(request, Door::document, std::move(pairs));
-    return std::make_unique<LoadsAnswer>(asked, request, LoadOrderOptions());
+    return std::make_unique<LoadsAnswer>(asked, LoadOrderOptions());
   } catch (const Error&) {
     return nullptr;
   }
@@ -250,7 +250,7 @@ TEST(LoadsAnswer, MostBytesAreThoseWhileItemsLoad) {
         fmt::format(R"({{"items":10,"done_items":{},"memory":100,"prefetch":true,"sizes":[{}]}})",
                     4 + seed % 6, sizes));
     const CheckedLoads asked = checked_loads(request, Door::document);
-    const LoadsAnswer loads(asked, request, LoadOrderOptions());
+    const LoadsAnswer loads(asked, LoadOrderOptions());
     std::uint64_t held = 0, most = 0;
     const auto steps = loads.steps(std::nullopt);
     for (Step step; steps->next(step);) {
@@ -279,7 +279,7 @@ TEST(LoadsAnswer, AWorkerWithoutWorkHasItsPlaceInEachList) {
   const LoadRequest request = load_request(
       R"({"items":6,"done_items":5,"workers":3,"disjoint":true,"memory":2,"sizes":[1,1,1,1,1,1]})");
   const CheckedLoads asked = checked_loads(request, Door::document);
-  const std::string head = LoadsAnswer(asked, request, LoadOrderOptions()).head();
+  const std::string head = LoadsAnswer(asked, LoadOrderOptions()).head();
   for (const char* key : {"worker_loads", "worker_bytes", "worker_pairs"}) {
     const std::string list = list_in(head, key);
     EXPECT_EQ(std::count(list.begin(), list.end(), ','), 2) << key << " " << head;
@@ -303,6 +303,44 @@ TEST(LoadsAnswer, ColmapIsGivenNoPairTwiceAndNoNameThatItCannotRead) {
         HasSubstr("rename the image"))
         << name;
   }
+}
+
+TEST(LoadsAnswer, FormatsRefuseWhatTheyHaveNoPlaceForAtEachDoor) {
+  LoadRequest request;
+  request.items = 9;
+  request.room = 3;
+  const auto fault = [&](Door door, const std::string& format) {
+    const CheckedLoads asked = checked_loads(request, door);
+    try {
+      check_format(asked, format);
+    } catch (const BadInput& refused) {
+      StringSink sink;
+      EXPECT_THROW(LoadsAnswer(asked, {}).write(format, sink), BadInput);
+      return std::string(refused.what());
+    }
+    StringSink sink;
+    LoadsAnswer(asked, {}).write(format, sink);
+    return std::string(sink.text().empty() ? "nothing" : "");
+  };
+  request.write_back = true;
+  request.verify_beside = false;
+  EXPECT_EQ(fault(Door::command_line, "marius"), "");
+  EXPECT_EQ(fault(Door::command_line, "colmap"), "");
+  request.write_back = false;
+  request.verify_beside = true;
+  EXPECT_EQ(fault(Door::python, "marius"), "");
+  request.verify_beside = false;
+  request.new_pairs = true;
+  request.self = true;
+  EXPECT_EQ(fault(Door::command_line, "colmap"),
+            "a list for COLMAP has each pair once; leave out --self");
+  EXPECT_EQ(fault(Door::document, "colmap"),
+            "a list for COLMAP has each pair once; leave out self");
+  EXPECT_EQ(fault(Door::python, "colmap"),
+            "a list for COLMAP has each pair once; leave out with_self");
+  request.workers = 2;
+  EXPECT_EQ(fault(Door::command_line, "marius"),
+            "Marius has one buffer, and its order from the first step; leave out --workers");
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ class BenchWorkbook : public test::PlannedWorkbook {
 
 TEST_F(BenchWorkbook, AsksTheSameQuestionAgain) {
   const std::string bytes = planned();
-  const std::string before = written(request, asked, answer, "csv");
+  const std::string before = written(*checked, answer, "csv");
   const std::vector<Bench> benches = asked.benches;
   const OpenedRequest again = opened(bytes);
   EXPECT_THAT(again.notes,
@@ -62,7 +62,7 @@ TEST_F(BenchWorkbook, AsksTheSameQuestionAgain) {
   EXPECT_EQ(again.request.title, "Week 12");
   planned(again);
   EXPECT_EQ(asked.benches, benches);
-  EXPECT_EQ(written(again.request, asked, answer, "csv"), before);
+  EXPECT_EQ(written(*checked, answer, "csv"), before);
 }
 
 TEST_F(BenchWorkbook, IsPlannedAnewWithTheResultsOfEachBenchAgainAndAgain) {
@@ -114,10 +114,10 @@ TEST_F(BenchWorkbook, ALostSheetIsNoted) {
 TEST_F(BenchWorkbook, ResultsStandWithTheirBench) {
   const std::string bytes =
       filled_in(filled_in(planned(), {"pass"}, "North"), {"fail", "ok"}, "South");
-  const ParsedJob again = checked_job(opened(bytes), Door::document);
-  ASSERT_EQ(again.record.tests.size(), 3U);
+  const CheckedJobRequest again = checked_job(opened(bytes), Door::document);
+  ASSERT_EQ(again->record.tests.size(), 3U);
   std::vector<std::string> said;
-  for (const DoneRecord::Test& test : again.record.tests) {
+  for (const DoneRecord::Test& test : again->record.tests) {
     said.push_back(test.bench + ": " + test.result);
   }
   EXPECT_THAT(said, ElementsAre("North: pass", "South: fail", "South: ok"));
@@ -166,9 +166,10 @@ TEST_F(BenchWorkbook, APartThatBrokeIsLeftOut) {
   bytes = planned(opened(bytes, more));
   EXPECT_EQ(asked.done.size(), 1U);
   EXPECT_THAT(asked.job->names, Not(Contains("A40")));
-  const ParsedJob again = checked_job(opened(filled_in(bytes, {"pass"}, "North")), Door::document);
-  EXPECT_THAT(again.job->names, Not(Contains("A40")));
-  EXPECT_EQ(again.done.size(), 2U);
+  const CheckedJobRequest again =
+      checked_job(opened(filled_in(bytes, {"pass"}, "North")), Door::document);
+  EXPECT_THAT(again->job->names, Not(Contains("A40")));
+  EXPECT_EQ(again->done.size(), 2U);
 }
 
 TEST_F(BenchWorkbook, HoldsEveryListOfItsQuestion) {
@@ -178,16 +179,16 @@ TEST_F(BenchWorkbook, HoldsEveryListOfItsQuestion) {
   request.budget = "40";
   request.mounted = {};
   const std::string bytes = planned();
-  const ParsedJob again = checked_job(opened(bytes), Door::document);
-  EXPECT_EQ(again.benches, asked.benches);
-  EXPECT_EQ(again.job->names, asked.job->names);
-  EXPECT_EQ(again.job->change_costs, asked.job->change_costs);
-  EXPECT_EQ(again.job->quantities, asked.job->quantities);
-  EXPECT_EQ(again.job->needed.size(), asked.job->needed.size());
-  EXPECT_EQ(to_json(again.question), to_json(asked.question));
-  ASSERT_TRUE(again.benches[0].first);
-  EXPECT_EQ(again.benches[0].first->size(), 1U);
-  EXPECT_EQ(again.benches[1].first->size(), 1U);
+  const CheckedJobRequest again = checked_job(opened(bytes), Door::document);
+  EXPECT_EQ(again->benches, asked.benches);
+  EXPECT_EQ(again->job->names, asked.job->names);
+  EXPECT_EQ(again->job->change_costs, asked.job->change_costs);
+  EXPECT_EQ(again->job->quantities, asked.job->quantities);
+  EXPECT_EQ(again->job->needed.size(), asked.job->needed.size());
+  EXPECT_EQ(to_json(again->question), to_json(asked.question));
+  ASSERT_TRUE(again->benches[0].first);
+  EXPECT_EQ(again->benches[0].first->size(), 1U);
+  EXPECT_EQ(again->benches[1].first->size(), 1U);
 }
 
 TEST_F(BenchWorkbook, ABudgetIsLessByWhatWasDoneOnEachBench) {
@@ -218,7 +219,7 @@ TEST_F(BenchWorkbook, TheRestBeginsOnTheDayAfterWhatWasDone) {
   const std::string filled =
       filled_in(filled_in(bytes, first_day_of(0, "8"), "North"), first_day_of(1, "10"), "South");
   const OpenedRequest again = opened(filled);
-  if (checked_job(again, Door::document).done.size() < answer.benches->tests) {
+  if (checked_job(again, Door::document)->done.size() < answer.benches->tests) {
     EXPECT_EQ(again.request.first_day, "2025-04-01");
     EXPECT_THAT(again.notes, Contains(HasSubstr("the rest begins on 2025-04-01")));
   }
@@ -236,10 +237,10 @@ TEST_F(BenchWorkbook, ItsRatiosAreThoseOfOneBench) {
   const OpenedRequest again = opened(bytes, more);
   check_options(again.request, Door::document);
   EXPECT_THAT(again.notes, Contains(HasSubstr("all tests on one bench")));
-  const ParsedJob left = checked_job(again, Door::document);
-  EXPECT_EQ(left.done.size(), 1U);
+  const CheckedJobRequest left = checked_job(again, Door::document);
+  EXPECT_EQ(left->done.size(), 1U);
   RunControl control({.threads = 1});
-  EXPECT_FALSE(answer_to(again.request, left, control).what_if->ranges.empty());
+  EXPECT_FALSE(answer_to(left, control).what_if->ranges.empty());
 }
 
 TEST_F(BenchWorkbook, IsDiagnosedAndGoesOn) {
@@ -250,13 +251,13 @@ TEST_F(BenchWorkbook, IsDiagnosedAndGoesOn) {
   for (std::uint64_t round = 2; round < 4; ++round) {
     const OpenedRequest again = opened(bytes, more);
     check_options(again.request, Door::document);
-    const ParsedJob of_results = checked_job(again, Door::document);
-    EXPECT_EQ(of_results.results.size(), round);
+    const CheckedJobRequest of_results = checked_job(again, Door::document);
+    EXPECT_EQ(of_results->results.size(), round);
     RunControl control({.threads = 1});
-    const PlanAnswer found = answer_to(again.request, of_results, control);
+    const PlanAnswer found = answer_to(of_results, control);
     ASSERT_TRUE(found.diagnosis->next);
     // The next test is on a sheet to fill in, and its result counts for its bench.
-    bytes = filled_in(written(again.request, of_results, found, "xlsx"), {"pass"});
+    bytes = filled_in(written(of_results, found, "xlsx"), {"pass"});
   }
   planned(opened(bytes));
   EXPECT_EQ(asked.question.title, "Week 12");
@@ -287,14 +288,14 @@ TEST_F(BenchWorkbook, AsTestsThatWereDone) {
       filled_in(filled_in(planned(), {"pass"}, "North"), {"fail", "ok"}, "South");
   JobRequest with = request;
   with.done.workbook = bytes;
-  const ParsedJob read = checked_job(with, Door::document);
-  EXPECT_EQ(read.benches[0].tests_done, 1U);
-  EXPECT_EQ(read.benches[1].tests_done, 2U);
+  const CheckedJobRequest read = checked_job(with, Door::document);
+  EXPECT_EQ(read->benches[0].tests_done, 1U);
+  EXPECT_EQ(read->benches[1].tests_done, 2U);
   // On one bench all of them count.
   with.benches = {};
   with.hours.clear();
   with.first_day.clear();
-  EXPECT_EQ(checked_job(with, Door::document).done.size(), 3U);
+  EXPECT_EQ(checked_job(with, Door::document)->done.size(), 3U);
 }
 
 // Whatever the names.
@@ -309,19 +310,19 @@ RC_GTEST_PROP(BenchWorkbookProperty, NamesComeBack, ()) {
   for (const std::string& name : test::some_names(2 + test::some_number(3))) {
     request.benches.rows->push_back({{name}});
   }
-  ParsedJob asked = checked_job(request, Door::document);
+  CheckedJobRequest asked = checked_job(request, Door::document);
   RunControl control({.threads = 1});
-  const PlanAnswer answer = answer_to(request, asked, control);
-  const std::string bytes = written(request, asked, answer, "xlsx");
+  const PlanAnswer answer = answer_to(asked, control);
+  const std::string bytes = written(asked, answer, "xlsx");
   const auto sheets = workbook_sheets(bytes, "f");
-  const ParsedJob again =
+  const CheckedJobRequest again =
       checked_job(opened(filled_in(bytes, {"pass", "fail"}, sheets.front().name)), Door::document);
-  RC_ASSERT(again.job->names == asked.job->names);
-  RC_ASSERT(again.benches.size() == asked.benches.size());
-  for (std::size_t b = 0; b < asked.benches.size(); ++b) {
-    RC_ASSERT(again.benches[b].name == asked.benches[b].name);
+  RC_ASSERT(again->job->names == asked->job->names);
+  RC_ASSERT(again->benches.size() == asked->benches.size());
+  for (std::size_t b = 0; b < asked->benches.size(); ++b) {
+    RC_ASSERT(again->benches[b].name == asked->benches[b].name);
   }
-  RC_ASSERT(again.benches[0].tests_done ==
+  RC_ASSERT(again->benches[0].tests_done ==
             std::min<std::uint64_t>(2, answer.benches->sheets[0].steps.size()));
 }
 

@@ -127,7 +127,7 @@ TEST(JobRequest, EveryKeyAndFlagIsThereOnceAndEveryRuleKnowsItsKeys) {
 
 PlanAnswer answer_in(double seconds, const JobRequest& request) {
   RunControl control({.time = std::chrono::duration<double>(seconds)});
-  return answer_to(request, checked_job(request, Door::document), control);
+  return answer_to(checked_job(request, Door::document), control);
 }
 
 TEST(JobRequest, AnswersSayThatALimitStoppedThem) {
@@ -142,7 +142,7 @@ TEST(JobRequest, AnswersSayThatALimitStoppedThem) {
     PlanAnswer cut = answer_in(0, request);
     EXPECT_EQ(cut.why_stopped(), WhyStopped::time_limit);
     EXPECT_THAT(cut.notes, ::testing::ElementsAre(note));
-    const std::string json = written(request, checked_job(request, Door::document), cut, "json");
+    const std::string json = written(checked_job(request, Door::document), cut, "json");
     EXPECT_THAT(json, HasSubstr("\"why_stopped\":\"time limit\""));
     EXPECT_THAT(json, HasSubstr(note));
     // A time that was asked for is used up as it should be.
@@ -269,13 +269,13 @@ TEST(JobRequest, TheSameJobByFileTextAndRows) {
           R"({"name":"d1","cost":1,"slot":"disk"},{"name":"d2","cost":1,"slot":"disk"},{"name":"d3","cost":1,"slot":"disk"}],)"
           R"("never":[["d1","d2"]],"weights":[["Xeon","d1",5]],)"
           R"("slots":[{"name":"CPU","least":1,"most":1},{"name":"disk","least":1,"most":2}],"first":[["Xeon","d1","d3"]])")};
-  std::vector<ParsedJob> asked;
+  std::vector<CheckedJobRequest> asked;
   for (const std::string& json : three) {
     asked.push_back(checked_job(job_request(json), Door::document));
   }
-  for (const ParsedJob& each : asked) {
-    const Job& job = *each.job;
-    const Job& one = *asked.front().job;
+  for (const CheckedJobRequest& each : asked) {
+    const Job& job = *each->job;
+    const Job& one = *asked.front()->job;
     EXPECT_EQ(job.names, one.names);
     EXPECT_EQ(job.change_costs, one.change_costs);
     EXPECT_EQ(job.slot_of, one.slot_of);
@@ -392,10 +392,10 @@ TEST(JobRequest, DoneTestsCountAsTheyAreSent) {
           R"({"parts":["slot_1","result","step","take_out"],"at_once":2,"test_cost":1,"change_cost":1,)"
           R"("done":[["slot_1","result"],{"parts":["slot_1","step"],"result":"FAILED"},{"parts":["result","step"],"result":"skipped"}]})"),
       Door::document);
-  EXPECT_EQ(asked.done.size(), 2U);
-  EXPECT_EQ(asked.job->met_only_in_failed, 1U);
-  EXPECT_EQ(asked.job->needed.size(), 5U);
-  EXPECT_EQ(asked.job->tests_done, 2U);
+  EXPECT_EQ(asked->done.size(), 2U);
+  EXPECT_EQ(asked->job->met_only_in_failed, 1U);
+  EXPECT_EQ(asked->job->needed.size(), 5U);
+  EXPECT_EQ(asked->job->tests_done, 2U);
 }
 
 // Every row was once held against all pairs and all other rows, which took minutes. The clock is
@@ -417,13 +417,13 @@ TEST(JobRequest, ALongListOfTestsIsTakenRowByRow) {
   RunControl whole({.threads = 1});
   RunControl control(whole, Questions{count + 50'000});
   const RunScope scope(control);
-  const ParsedJob asked = checked_job(request, Door::document);
-  EXPECT_EQ(asked.done.size(), 200U);
-  EXPECT_EQ(asked.rest.size(), count - 200);
-  const PlanAnswer answer = answer_to(request, asked, control);
+  const CheckedJobRequest asked = checked_job(request, Door::document);
+  EXPECT_EQ(asked->done.size(), 200U);
+  EXPECT_EQ(asked->rest.size(), count - 200);
+  const PlanAnswer answer = answer_to(asked, control);
   ASSERT_TRUE(answer.plan);
   EXPECT_TRUE(answer.plan->sheet.does_the_job());
-  EXPECT_EQ(asked.job->tests_done, 200U);
+  EXPECT_EQ(asked->job->tests_done, 200U);
 }
 
 // A row without a result was done; one whose result is empty was not, where another has one, as on
@@ -434,7 +434,7 @@ TEST(JobRequest, ATestWithAnEmptyResultWasNotRun) {
                job_request(R"({"items":6,"at_once":2,"test_cost":1,"change_cost":1,"done":[)" +
                            rows + "]}"),
                Door::document)
-        .job->tests_done;
+        ->job->tests_done;
   };
   const std::string passed = R"({"parts":["1","2"],"result":"pass"})";
   EXPECT_EQ(tests_done(passed + R"(,["3","4"])"), 2U);

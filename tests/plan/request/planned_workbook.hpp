@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -20,15 +21,17 @@ class PlannedWorkbook : public testing::Test {
  protected:
   std::string planned(const OpenedRequest& what) {
     check_options(what.request, Door::document);
-    asked = checked_job(what, Door::document);
+    checked.emplace(checked_job(what, Door::document));
+    asked = **checked;
     RunControl control({.threads = 1});
-    answer = answer_to(what.request, asked, control);
-    return written(what.request, asked, answer, "xlsx");
+    answer = answer_to(*checked, control);
+    return written(*checked, answer, "xlsx");
   }
   std::string planned() { return planned({.request = request, .notes = {}}); }
 
   JobRequest request;
-  ParsedJob asked;
+  std::optional<CheckedJobRequest> checked;
+  ReadJob asked;  // what it has read
   PlanAnswer answer;
 };
 

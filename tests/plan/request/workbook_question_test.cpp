@@ -75,15 +75,15 @@ TEST(WorkbookQuestion, SlotsAndForbiddenPairsAreFoundByTheNamesOfTheirSheets) {
   EXPECT_THAT(book.notes,
               ElementsAre("parts: parts from 'Components', forbidden pairs from 'Forbidden pairs', "
                           "slots from 'SLOTS', by the names of its sheets"));
-  const ParsedJob asked = checked_job(book, Door::document);
-  EXPECT_EQ(asked.job->parts(), 6U);
-  EXPECT_EQ(asked.job->at_once, 4U);
-  EXPECT_EQ(asked.job->cost_unit, CostUnit::minutes);
-  EXPECT_TRUE(asked.job->never.contains(1, 3));
-  EXPECT_EQ(asked.job->why_never(1, 3), "no driver");
-  EXPECT_EQ(asked.notes.front(), book.notes.front());
-  EXPECT_THAT(asked.notes, Contains("4 parts fit at once, as many as the slots hold"));
-  EXPECT_THAT(asked.notes, Contains(HasSubstr("costs are minutes, by the list")));
+  const CheckedJobRequest asked = checked_job(book, Door::document);
+  EXPECT_EQ(asked->job->parts(), 6U);
+  EXPECT_EQ(asked->job->at_once, 4U);
+  EXPECT_EQ(asked->job->cost_unit, CostUnit::minutes);
+  EXPECT_TRUE(asked->job->never.contains(1, 3));
+  EXPECT_EQ(asked->job->why_never(1, 3), "no driver");
+  EXPECT_EQ(asked->notes.front(), book.notes.front());
+  EXPECT_THAT(asked->notes, Contains("4 parts fit at once, as many as the slots hold"));
+  EXPECT_THAT(asked->notes, Contains(HasSubstr("costs are minutes, by the list")));
 }
 
 TEST(WorkbookQuestion, WhatIsSaidWinsOverSheets) {
@@ -94,9 +94,9 @@ TEST(WorkbookQuestion, WhatIsSaidWinsOverSheets) {
   request.never.rows.emplace();
   OpenedRequest book = opened(bytes, request);
   EXPECT_THAT(book.notes, ElementsAre("parts: parts from 'Parts', by the names of its sheets"));
-  ParsedJob asked = checked_job(book, Door::document);
-  EXPECT_EQ(asked.job->at_once, 3U);
-  EXPECT_EQ(asked.job->never.size(), 0U);
+  CheckedJobRequest asked = checked_job(book, Door::document);
+  EXPECT_EQ(asked->job->at_once, 3U);
+  EXPECT_EQ(asked->job->never.size(), 0U);
   // A sheet that is named is all that is read.
   request = {.at_once = 2, .test_cost = "25"};
   request.parts.sheet = "Parts";
@@ -106,7 +106,7 @@ TEST(WorkbookQuestion, WhatIsSaidWinsOverSheets) {
 TEST(WorkbookQuestion, SheetsThatAreWrongAreNamed) {
   const std::string bad = zipped(
       workbook_of({{"Parts", stock}, {"Never", rows({{"Epyc", "X71"}})}, {"Slots", limits}}));
-  EXPECT_THAT(checked_job(opened(bad, {.test_cost = "1"}), Door::document).notes,
+  EXPECT_THAT(checked_job(opened(bad, {.test_cost = "1"}), Door::document)->notes,
               testing::Contains(HasSubstr("no longer in the parts list, and left out: X71")));
   EXPECT_THAT(
       fault_of([&] {
@@ -125,9 +125,9 @@ TEST(WorkbookQuestion, RoomIsNotKnownWherePartsAreInNoSlot) {
   EXPECT_THAT(
       fault_of([&] { (void)checked_job(opened(bytes, {.test_cost = "1"}), Door::document); }),
       HasSubstr("give at_once, how many parts fit at once: Cable is in no slot"));
-  const ParsedJob asked =
+  const CheckedJobRequest asked =
       checked_job(opened(bytes, {.at_once = 3, .test_cost = "1"}), Door::document);
-  EXPECT_EQ(asked.job->at_once, 3U);
+  EXPECT_EQ(asked->job->at_once, 3U);
 }
 
 TEST(WorkbookQuestion, SeveralPiecesOfAPartFillASlot) {
@@ -140,22 +140,22 @@ TEST(WorkbookQuestion, SeveralPiecesOfAPartFillASlot) {
   JobRequest request{.test_cost = "1"};
   request.change_cost = "1";
   const OpenedRequest book = opened(bytes, request);
-  const ParsedJob asked = checked_job(book, Door::document);
-  EXPECT_THAT(asked.job->names, ElementsAre("A", "B", "C", "A #2", "A #3"));
-  EXPECT_EQ(asked.job->at_once, 4U);
-  EXPECT_EQ(asked.job->needed.size(), 3U) << "nothing has to meet further pieces";
-  EXPECT_THAT(asked.notes,
+  const CheckedJobRequest asked = checked_job(book, Door::document);
+  EXPECT_THAT(asked->job->names, ElementsAre("A", "B", "C", "A #2", "A #3"));
+  EXPECT_EQ(asked->job->at_once, 4U);
+  EXPECT_EQ(asked->job->needed.size(), 3U) << "nothing has to meet further pieces";
+  EXPECT_THAT(asked->notes,
               Contains(HasSubstr("2 further pieces may fill slots that need several: A #2, A #3")));
   RunControl control({.threads = 1});
-  const PlanAnswer answer = answer_to(book.request, asked, control);
+  const PlanAnswer answer = answer_to(asked, control);
   EXPECT_EQ(answer.plan->sheet.steps.size(), 1U);
   EXPECT_EQ(answer.plan->sheet.steps[0].setup, (Block{0, 1, 2, 3}));
   EXPECT_EQ(answer.plan->candidates.front().cost, answer.plan->sheet.cost);
   // The workbook lists parts, not pieces.
-  const std::string run = written(book.request, asked, answer, "xlsx");
-  const ParsedJob again = checked_job(opened(run), Door::document);
-  EXPECT_EQ(again.job->names, asked.job->names);
-  EXPECT_EQ(again.job->needed.size(), 3U);
+  const std::string run = written(asked, answer, "xlsx");
+  const CheckedJobRequest again = checked_job(opened(run), Door::document);
+  EXPECT_EQ(again->job->names, asked->job->names);
+  EXPECT_EQ(again->job->needed.size(), 3U);
 }
 
 class RunSheetWorkbook : public test::PlannedWorkbook {
@@ -178,13 +178,13 @@ class RunSheetWorkbook : public test::PlannedWorkbook {
 
 TEST_F(RunSheetWorkbook, AsksTheSameQuestionAgain) {
   const std::string bytes = planned();
-  const std::string before = written(request, asked, answer, "csv");
+  const std::string before = written(*checked, answer, "csv");
   const OpenedRequest again = opened(bytes);
   EXPECT_THAT(again.notes,
               ElementsAre("parts: the question is that of its hidden sheet changeover-question"));
   EXPECT_FALSE(again.request.done.is_given()) << "nothing was filled in";
   planned(again);
-  EXPECT_EQ(written(again.request, asked, answer, "csv"), before);
+  EXPECT_EQ(written(*checked, answer, "csv"), before);
   EXPECT_EQ(asked.job->why_never(1, 3), "no driver");
 }
 
@@ -225,14 +225,14 @@ TEST_F(RunSheetWorkbook, OptionsWinOverItsQuestion) {
   EXPECT_EQ(again.request.at_once, 4U);
   EXPECT_FALSE(again.request.slots.is_given());
   EXPECT_THAT(again.notes.front(), HasSubstr("but for what is asked now"));
-  const ParsedJob asked_now = checked_job(again, Door::document);
-  EXPECT_EQ(asked_now.job->slots[1].most, 2U);
-  EXPECT_TRUE(asked_now.job->trust_failed);
+  const CheckedJobRequest asked_now = checked_job(again, Door::document);
+  EXPECT_EQ(asked_now->job->slots[1].most, 2U);
+  EXPECT_TRUE(asked_now->job->trust_failed);
   // Other tests that were done are those that count.
   JobRequest other;
   other.done.rows.emplace();
   other.done.rows->push_back({{"Xeon", "E810"}});
-  EXPECT_EQ(checked_job(opened(bytes, other), Door::document).record.tests.size(), 1U);
+  EXPECT_EQ(checked_job(opened(bytes, other), Door::document)->record.tests.size(), 1U);
 }
 
 // As long as nothing is done there is nothing to trust; the wish is kept for then.
@@ -284,32 +284,32 @@ TEST_F(RunSheetWorkbook, TestsWithPartsThatAreGoneAreReadAgain) {
 TEST_F(RunSheetWorkbook, ListsThatWereChangedOnItsSheetsCount) {
   const std::string bytes = filled_in(planned(), {"pass"});
   const std::uint64_t parts = request.parts.rows->size();
-  const ParsedJob same = checked_job(opened(bytes), Door::document);
+  const CheckedJobRequest same = checked_job(opened(bytes), Door::document);
   const std::string with_part = with_row(bytes, "Parts", {"P5800", "2.5"});
   const OpenedRequest more = opened(with_part);
   EXPECT_THAT(more.notes.back(), HasSubstr("parts from 'Parts', slots from 'Slots', forbidden "
                                            "pairs from 'Never', changed since the plan was made"));
-  const ParsedJob with_more = checked_job(more, Door::document);
-  EXPECT_EQ(with_more.job->parts(), parts + 1);
-  EXPECT_EQ(to_string(with_more.job->change_costs.back()), "2.50");
-  EXPECT_EQ(with_more.job->needed.size(), same.job->needed.size() + parts);
-  EXPECT_EQ(with_more.job->tests_done, 1U);
-  EXPECT_EQ(with_more.job->why_never(1, 3), "no driver");
+  const CheckedJobRequest with_more = checked_job(more, Door::document);
+  EXPECT_EQ(with_more->job->parts(), parts + 1);
+  EXPECT_EQ(to_string(with_more->job->change_costs.back()), "2.50");
+  EXPECT_EQ(with_more->job->needed.size(), same->job->needed.size() + parts);
+  EXPECT_EQ(with_more->job->tests_done, 1U);
+  EXPECT_EQ(with_more->job->why_never(1, 3), "no driver");
   const OpenedRequest apart = opened(with_row(bytes, "Never", {"Xeon", "PM9A3", "too hot"}));
   EXPECT_THAT(apart.notes.back(), HasSubstr(": forbidden pairs from 'Never', changed since"));
-  EXPECT_EQ(checked_job(apart, Door::document).job->why_never(0, 4), "too hot");
+  EXPECT_EQ(checked_job(apart, Door::document)->job->why_never(0, 4), "too hot");
   // What is asked for wins, and what is wrong there is named with its place.
   JobRequest other;
   other.never.rows.emplace();
   other.never.rows->push_back({{"Epyc", "D7"}});
   EXPECT_EQ(checked_job(opened(with_row(bytes, "Never", {"Xeon", "PM9A3"}), other), Door::document)
-                .job->never.size(),
+                ->job->never.size(),
             1U);
-  EXPECT_THAT(checked_job(opened(with_row(bytes, "Never", {"Xeon", "P4"})), Door::document).notes,
+  EXPECT_THAT(checked_job(opened(with_row(bytes, "Never", {"Xeon", "P4"})), Door::document)->notes,
               testing::Contains(HasSubstr("no longer in the parts list, and left out: P4")));
   // The question goes on with them.
   planned(more);
-  EXPECT_EQ(checked_job(opened(planned(more)), Door::document).job->parts(), parts + 1);
+  EXPECT_EQ(checked_job(opened(planned(more)), Door::document)->job->parts(), parts + 1);
 }
 
 TEST_F(RunSheetWorkbook, IsDiagnosed) {
@@ -322,18 +322,18 @@ TEST_F(RunSheetWorkbook, IsDiagnosed) {
   JobRequest more;
   more.diagnose = true;
   const OpenedRequest again = opened(bytes, more);
-  const ParsedJob of_results = checked_job(again, Door::document);
+  const CheckedJobRequest of_results = checked_job(again, Door::document);
   check_options(again.request, Door::document);
   RunControl control({.threads = 1});
-  const PlanAnswer found = answer_to(again.request, of_results, control);
+  const PlanAnswer found = answer_to(of_results, control);
   EXPECT_EQ(found.diagnosis->failed, 1U);
   ASSERT_TRUE(found.diagnosis->next);
   // The next test is on a sheet to fill in, and its result counts.
-  const std::string sheet = written(again.request, of_results, found, "xlsx");
+  const std::string sheet = written(of_results, found, "xlsx");
   const OpenedRequest third = opened(filled_in(sheet, {"fail"}), more);
-  const ParsedJob then = checked_job(third, Door::document);
-  EXPECT_EQ(then.results.size(), 3U);
-  EXPECT_EQ(answer_to(third.request, then, control).diagnosis->failed, 2U);
+  const CheckedJobRequest then = checked_job(third, Door::document);
+  EXPECT_EQ(then->results.size(), 3U);
+  EXPECT_EQ(answer_to(then, control).diagnosis->failed, 2U);
   // What a diagnosis makes no use of is there for the plan that comes after it.
   const OpenedRequest plan = opened(sheet);
   EXPECT_EQ(plan.request.title, whole.title);
@@ -363,7 +363,7 @@ TEST_F(RunSheetWorkbook, WhatIsMountedAtTheStartIsThatOfTheLastTest) {
   EXPECT_THAT(opened(bytes).request.start, ElementsAre("Epyc", "E810"));
   const OpenedRequest again = opened(filled_in(bytes, {"pass"}));
   EXPECT_THAT(again.request.start, IsEmpty());
-  EXPECT_EQ(checked_job(again, Door::document).job->start.size(),
+  EXPECT_EQ(checked_job(again, Door::document)->job->start.size(),
             answer.plan->sheet.steps[0].setup.size());
 }
 
@@ -378,8 +378,8 @@ TEST_F(RunSheetWorkbook, HoldsEveryListOfItsQuestion) {
   request.cost_unit = "hours";
   const std::string bytes = planned();
   const Job before = *asked.job;
-  const ParsedJob again = checked_job(opened(bytes), Door::document);
-  const Job& after = *again.job;
+  const CheckedJobRequest again = checked_job(opened(bytes), Door::document);
+  const Job& after = *again->job;
   EXPECT_EQ(after.names, before.names);
   EXPECT_EQ(after.change_costs, before.change_costs);
   EXPECT_EQ(after.needed.size(), before.needed.size());
@@ -389,7 +389,7 @@ TEST_F(RunSheetWorkbook, HoldsEveryListOfItsQuestion) {
   EXPECT_EQ(after.mounted, before.mounted);
   EXPECT_EQ(after.first, before.first);
   EXPECT_EQ(after.cost_unit, CostUnit::hours);
-  EXPECT_EQ(to_json(again.question), to_json(asked.question));
+  EXPECT_EQ(to_json(again->question), to_json(asked.question));
 }
 
 TEST_F(RunSheetWorkbook, ADamagedOrForeignQuestionIsOneLine) {
@@ -437,9 +437,9 @@ TEST_F(RunSheetWorkbook, AnyWorkbookOfThisKindIsReadInItsWholeOrRefused) {
       member->second[random() % member->second.size()] = "<>\"'a0{}"[random() % 8];
     }
     try {
-      const ParsedJob again = checked_job(opened(zipped(bad)), Door::document);
+      const CheckedJobRequest again = checked_job(opened(zipped(bad)), Door::document);
       ++taken;
-      EXPECT_TRUE(defects(*again.job).empty());
+      EXPECT_TRUE(defects(*again->job).empty());
     } catch (const BadInput& fault) {
       EXPECT_EQ(std::string(fault.what()).find('\n'), std::string::npos);
     }
@@ -470,13 +470,14 @@ RC_GTEST_PROP(WorkbookQuestionProperty, NamesComeBack, ()) {
   for (const std::string& name : test::some_names(4 + some_number(4))) {
     request.parts.rows->push_back({{name}});
   }
-  ParsedJob asked = checked_job(request, Door::document);
+  CheckedJobRequest asked = checked_job(request, Door::document);
   RunControl control({.threads = 1});
-  const PlanAnswer answer = answer_to(request, asked, control);
-  const std::string bytes = written(request, asked, answer, "xlsx");
-  const ParsedJob again = checked_job(opened(filled_in(bytes, {"pass", "fail"})), Door::document);
-  RC_ASSERT(again.job->names == asked.job->names);
-  RC_ASSERT(again.job->tests_done == std::min<std::uint64_t>(2, answer.plan->sheet.steps.size()));
+  const PlanAnswer answer = answer_to(asked, control);
+  const std::string bytes = written(asked, answer, "xlsx");
+  const CheckedJobRequest again =
+      checked_job(opened(filled_in(bytes, {"pass", "fail"})), Door::document);
+  RC_ASSERT(again->job->names == asked->job->names);
+  RC_ASSERT(again->job->tests_done == std::min<std::uint64_t>(2, answer.plan->sheet.steps.size()));
 }
 
 }  // namespace

@@ -240,9 +240,9 @@ TEST(Places, AReplanGoesOnWhereTheSheetEnds) {
                                       std::to_string(std::min<std::uint64_t>(slot.most, 99))}});
     }
     const auto csv_of = [&] {
-      const ParsedJob asked = checked_job(request, Door::document);
+      const CheckedJobRequest asked = checked_job(request, Door::document);
       RunControl control({.threads = 1});
-      return written(request, asked, answer_to(request, asked, control), "csv");
+      return written(asked, answer_to(asked, control), "csv");
     };
     std::string csv;
     try {
@@ -286,14 +286,14 @@ TEST(Places, AreKeptInDocuments) {
   JobRequest request{.at_once = 3, .test_cost = "1", .change_cost = "1"};
   request.parts.rows = {{{{"A"}}, {{"B"}}, {{"C"}}, {{"D"}}, {{"E"}}}};
   request.done.rows = {{{.fields = {"", "C", "A"}, .result = "pass"}}};
-  const ParsedJob asked = checked_job(request, Door::document);
-  ASSERT_EQ(asked.job->places.size(), 3U);
-  EXPECT_EQ(asked.job->places[1].part, 2U);
+  const CheckedJobRequest asked = checked_job(request, Door::document);
+  ASSERT_EQ(asked->job->places.size(), 3U);
+  EXPECT_EQ(asked->job->places[1].part, 2U);
   RunControl control({.threads = 1});
-  const PlanAnswer answer = answer_to(request, asked, control);
-  const std::string json = written(request, asked, answer, "json");
+  const PlanAnswer answer = answer_to(asked, control);
+  const std::string json = written(asked, answer, "json");
   EXPECT_THAT(json, HasSubstr(R"("places":[{"number":1,"slot":null},{"number":2,)"));
-  const PlacedSheets all = placed({{&*asked.job, &answer.plan->sheet}});
+  const PlacedSheets all = placed({{&*asked->job, &answer.plan->sheet}});
   EXPECT_EQ(all.sheets[0].before, (MountedParts{std::nullopt, 2U, 0U}));
 }
 

@@ -296,9 +296,51 @@ TEST_F(Answers, PlansKnowWhatTheCommandLineKnows) {
   EXPECT_EQ(in_slots["plan"]["pairs_needed"], 5) << in_slots;
 }
 
+TEST_F(Answers, LoadOrdersSayWhatIsComputedAndStored) {
+  const auto asked = [&](const std::string& more) {
+    return json_of(
+        post("/api/loadorder", R"({"items":12,"room":4,)" + more + "}", "application/json"));
+  };
+  const auto computed = [](const nlohmann::json& answer) {
+    std::vector<nlohmann::json> pairs;
+    for (const auto& step : answer["steps"]) {
+      pairs.insert(pairs.end(), step["new_pairs"].begin(), step["new_pairs"].end());
+    }
+    return pairs;
+  };
+  const auto each = asked(R"("new_pairs":true,"ordered":true,"self":true)");
+  EXPECT_EQ(computed(each).size(), 144U) << each;
+  const auto in_order = asked(R"("new_pairs":true)");
+  EXPECT_EQ(computed(in_order).size(), 66U);
+  const auto shuffled = asked(R"("new_pairs":true,"shuffle":true,"seed":7)");
+  EXPECT_NE(computed(shuffled), computed(in_order));
+  EXPECT_EQ(shuffled, asked(R"("new_pairs":true,"shuffle":true,"seed":7)"));
+  EXPECT_TRUE(asked(R"("new_pairs":true,"spread":true)")["order"].contains("pairs_per_step"));
+  EXPECT_TRUE(asked(R"("write_back":true)")["order"].contains("stores"));
+  const auto costs = asked(R"("workers":2,"pair_cost":[[0,1,50]])");
+  EXPECT_EQ(costs["order"]["worker_costs"].size(), 2U) << costs;
+  const auto later = asked(R"("from_step":5)");
+  EXPECT_EQ(later["steps"][0]["step"], 5);
+  EXPECT_EQ(later["step_count"], in_order["step_count"]);
+  EXPECT_EQ(asked(R"("item_bytes":8)")["order"]["bytes_loaded"],
+            asked(R"("bytes_per_item":8)")["bytes"]);
+}
+
+TEST_F(Answers, LoadOrdersAreCutWhereTheyAreLong) {
+  serve::ExplorerSettings settings;
+  settings.limits.plan_bytes = 3'000;
+  const OwnServer own(std::move(settings));
+  const auto answer =
+      json_of(ask(own.port(), "POST", "/api/loadorder", {{"Content-Type", "application/json"}},
+                  R"({"items":30,"room":8,"new_pairs":true})"));
+  EXPECT_EQ(answer["truncated"], true);
+  EXPECT_LT(answer["steps"].size(), answer["step_count"].get<std::size_t>());
+  EXPECT_EQ(answer["pairs"], 30 * 29 / 2);
+}
+
 TEST_F(Answers, LoadOrdersBringAllPairsTogether) {
-  const auto order = json_of(post(
-      "/api/loadorder", R"({"items":64,"room":16,"bytes_per_item":1000})", "application/json"));
+  const auto order = json_of(
+      post("/api/loadorder", R"({"items":64,"room":16,"item_bytes":1000})", "application/json"));
   EXPECT_EQ(order["lower_bound"], 144);  // loadorder/load_order.hpp
   EXPECT_EQ(order["bytes"], order["loads"].get<std::uint64_t>() * 1000);
   EXPECT_EQ(order["pairs"], 64 * 63 / 2);

@@ -75,8 +75,7 @@ TEST_F(Limits, EachRowOfThePageHoldsAtTheLimitAndOneBeyond) {
        }},
       {"item-bytes",
        [](std::uint64_t n) {
-         return send("/api/loadorder",
-                     R"({"items":10,"room":3,"bytes_per_item":)" + number(n) + "}");
+         return send("/api/loadorder", R"({"items":10,"room":3,"item_bytes":)" + number(n) + "}");
        }},
       {"parts",
        [](std::uint64_t n) {

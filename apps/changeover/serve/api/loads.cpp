@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <ranges>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "core/each.hpp"
 #include "io/request/request_document.hpp"
 #include "io/write/json_writer.hpp"
+#include "loadorder/order/searched.hpp"
 #include "loadorder/show/bytes_moved.hpp"
 #include "loadorder/show/loads_answer.hpp"
 #include "serve/api/request/query.hpp"
@@ -25,46 +25,31 @@ namespace changeover::serve {
 namespace {
 
 constexpr std::uint64_t most_items_of_a_page = 20'000;
+constexpr std::uint64_t most_item_bytes = 1'000'000'000'000;
 constexpr std::uint64_t most_steps = 5000;
 constexpr std::uint64_t most_samples = 2000;
 
-struct LoadQuestion {
-  LoadRequest request;
-  CheckedLoads loads;
-  std::uint64_t bytes_per_item = 1;
-  double seconds = 0;  // of a search; 0: none
-};
-
-// The page's own key, beside those of the document.
-std::optional<std::uint64_t> take_bytes_per_item(RequestDocument& document) {
-  constexpr std::uint64_t most_bytes = 1'000'000'000'000;
-  return document.take_number({.key = "bytes_per_item", .flags = "", .kind = ValueKind::number}, 1,
-                              most_bytes);
+void require_at_most(const LoadRequest& request, std::string_view key,
+                     const std::optional<std::uint64_t>& value, std::uint64_t most) {
+  if (value && (*value < 1 || *value > most)) {
+    throw malformed(fmt::format("{}{}: write 1 to {}; changeover loadorder takes more",
+                                request.places.before(key), key, most));
+  }
 }
 
-LoadQuestion question_of(const Request& sent) {
+CheckedLoads sent_loads(const Request& sent) {
   RequestDocument document(load_table().format, sent.body, std::string(name_of_body));
-  const std::optional<std::uint64_t> bytes = take_bytes_per_item(document);
-  const auto request = read_request(load_table(), document);
+  document.rename("bytes_per_item", "item_bytes");  // its older name
+  const LoadRequest request = read_request(load_table(), document);
   require_of_server(request, load_table());
-  if (bytes && request.sizes.is_given()) {
-    throw malformed(fmt::format("{}sizes says how many bytes items have; leave out bytes_per_item",
-                                request.places.before("sizes")));
-  }
-  if (request.items.value_or(1) > most_items_of_a_page) {
-    throw malformed(fmt::format("{}items: write 1 to {}; changeover loadorder takes more",
-                                request.places.before("items"), most_items_of_a_page));
-  }
-  const SearchTimes& times = load_table().times;
-  LoadQuestion question{.request = request,
-                        .loads = from_body([&] { return checked_loads(request, Door::document); }),
-                        .bytes_per_item = bytes.value_or(1),
-                        .seconds = search_seconds(request, times.server, times.most_of_server)};
-  if (question.loads.items() > most_items_of_a_page) {
+  require_at_most(request, "items", request.items, most_items_of_a_page);
+  require_at_most(request, "item_bytes", request.item_bytes, most_item_bytes);
+  CheckedLoads asked = from_body([&] { return checked_loads(request, Door::document); });
+  if (asked.items() > most_items_of_a_page) {
     throw Refusal{422, fmt::format("{} items; at most {} here; changeover loadorder takes more",
-                                   question.loads.items(), most_items_of_a_page)};
+                                   asked.items(), most_items_of_a_page)};
   }
-  return question;
+  return asked;
 }
 
 // Follows all steps: samples for curves, and the referee.
@@ -191,20 +176,31 @@ class Account {
   std::vector<std::uint64_t> done_;
 };
 
-// The first lines of a document; what follows is let through.
+// The first lines of a document, up to so many bytes; what follows is let through.
 class FirstLines final : public Sink {
  public:
-  explicit FirstLines(std::uint64_t most) : left_(most) {}
+  FirstLines(std::uint64_t lines, std::size_t bytes) : lines_(lines), bytes_(bytes) {}
 
   void write(std::string_view bytes) override {
-    while (left_ > 0 && !bytes.empty()) {
+    stop_if_asked();
+    while (lines_ > 0 && !bytes.empty()) {
       const std::size_t end = std::min(bytes.find('\n'), bytes.size() - 1) + 1;
+      if (whole_ > 0 && text_.size() + end > bytes_) {
+        text_.resize(whole_);
+        lines_ = 0;
+        break;
+      }
       text_.append(bytes.substr(0, end));
-      left_ -= bytes[end - 1] == '\n' ? 1U : 0U;
+      if (bytes[end - 1] == '\n') {
+        whole_ = text_.size();
+        --lines_;
+      }
       bytes.remove_prefix(end);
     }
+    truncated_ = truncated_ || !bytes.empty();
   }
 
+  [[nodiscard]] bool truncated() const { return truncated_; }
   /// The first line, and the others as an array.
   [[nodiscard]] std::string head() const { return text_.substr(0, text_.find('\n')); }
   [[nodiscard]] std::string others() const {
@@ -215,7 +211,10 @@ class FirstLines final : public Sink {
   }
 
  private:
-  std::uint64_t left_;
+  std::uint64_t lines_;  // that are still taken
+  std::size_t bytes_;
+  std::size_t whole_ = 0;  // bytes of whole lines
+  bool truncated_ = false;
   std::string text_;
 };
 
@@ -256,21 +255,14 @@ void write_lockstep(JsonWriter& json, const LoadOrderFacts& facts, const Memorie
 }
 
 Response load_order(const Explorer& explorer, const Request& request) {
-  const LoadQuestion question = question_of(request);
-  const CheckedLoads& asked = question.loads;
+  const CheckedLoads asked = sent_loads(request);
+  const LoadRequest& said = asked.request();
+  const SearchTimes& times = load_table().times;
+  const double seconds = search_seconds(said, times.server, times.most_of_server);
   // What is not done in this time is left out; the rest is for reading what has been found.
   RunControl limit(*RunScope::current(), explorer.limits.seconds / 2);
-  RunControl control(limit, std::chrono::duration<double>(question.seconds), question.request.seed);
-  LoadOrderOptions options;
-  options.seed = question.request.seed.value_or(1);
-  options.search_pairs = [&control](const std::function<void()>& search) {
-    const RunScope scope(control);
-    search();
-  };
-  if (question.seconds > 0) {
-    options.improve = improve_by_search(control);
-  }
-  const LoadsAnswer answer(asked, question.request, options);
+  const LoadsAnswer answer = from_body(
+      [&] { return LoadsAnswer(asked, searched(seconds, said.seed.value_or(1), limit)); });
   stop_if_asked();  // The client may have gone.
   const WorkerSplit* const split = answer.split();
   const LoadOrder& order = split != nullptr ? split->order() : *answer.order();
@@ -280,11 +272,11 @@ Response load_order(const Explorer& explorer, const Request& request) {
                                   ? sum_of(split->facts().workers, &WorkerFacts::steps)
                                   : facts.steps * std::max<std::uint64_t>(1, facts.lockstep);
   const LoadBound bound = answer.bound();
-  FirstLines lines(most_steps + 1);
+  FirstLines lines(most_steps + 1, explorer.limits.plan_bytes);
   answer.write("jsonl", lines);
   ScheduleRules rules = split != nullptr ? split->rules() : order.rules();
   rules.room = asked.room();
-  Account account(asked, steps, rules, question.request.epochs.value_or(1) > 1);
+  Account account(asked, steps, rules, said.epochs.value_or(1) > 1);
   const auto stream = split != nullptr ? split->stream() : order.stream();
   for (Step step; stream->next(step);) {
     account.read(step);
@@ -297,12 +289,12 @@ Response load_order(const Explorer& explorer, const Request& request) {
   json.value(split != nullptr ? split->facts().explanation : facts.explanation);
   const bool has_sizes = asked.sizes() != nullptr;
   const auto bytes_of = [&](std::uint64_t count) {
-    return bytes_moved(count, question.bytes_per_item, "bytes_per_item", "loads");
+    return bytes_moved(count, said.item_bytes.value_or(1), "item_bytes", "loads");
   };
   json.key("bytes").value(has_sizes ? facts.bytes : bytes_of(loads));
   json.key("bytes_bound").value(has_sizes ? facts.byte_bound.loads : bytes_of(bound.loads));
   json.key("step_count").value(steps);
-  json.key("steps").raw(lines.others()).key("truncated").value(steps > most_steps);
+  json.key("steps").raw(lines.others()).key("truncated").value(lines.truncated());
   json.key("sample_every").value(account.every());
   json.key("memory").value(account.held()).key("pairs_done").value(account.done());
   json.key("pairs").value(account.pairs());
@@ -314,7 +306,8 @@ Response load_order(const Explorer& explorer, const Request& request) {
   if (answer.spare()) {
     json.key("spare").value(*answer.spare());
   }
-  json.key("time_is_up").value(limit.why_stopped() == WhyStopped::time_limit);
+  json.key("time_is_up")
+      .value(answer.time_is_up() || limit.why_stopped() == WhyStopped::time_limit);
   json.key("verified").value(true).end_object();
   return json_response(json.take() + "\n");
 }

@@ -68,11 +68,11 @@ void write_alternatives(JsonWriter& json, const Job& job, const RunPlan& plan) {
 }
 
 // The keys that the explorer's pages read, from before there was a document of a plan.
-void write_plan(JsonWriter& json, const ParsedJob& asked, const PlanAnswer& answer) {
-  const Job& job = *asked.job;
+void write_plan(JsonWriter& json, const CheckedJobRequest& asked, const PlanAnswer& answer) {
+  const Job& job = *asked->job;
   const RunPlan& found = *answer.plan;
   const RunSheet& sheet = found.sheet;
-  write_tests(json, job, asked.done, sheet);
+  write_tests(json, job, asked->done, sheet);
   json.key("cost").raw(to_string(sheet.cost)).key("changes").value(sheet.changes);
   json.key("bound").raw(to_string(found.bound.cost)).key("reason").value(found.bound.reason);
   json.key("cheapest").value(found.proved_cheapest());
@@ -107,12 +107,12 @@ void require_small(std::size_t bytes, std::size_t most) {
 }
 
 // Every writer names the parts of each test: what has too many names is not written first.
-void require_few_names(const ParsedJob& asked, const PlanAnswer& answer, std::size_t most) {
+void require_few_names(const CheckedJobRequest& asked, const PlanAnswer& answer, std::size_t most) {
   std::size_t bytes = 0;
   for (const RunSheet* const sheet : sheets_of(answer)) {
     for (const RunStep& step : sheet->steps) {
       for (const Element part : step.setup) {
-        bytes += asked.job->names[part].size();
+        bytes += asked->job->names[part].size();
       }
       require_small(bytes, most);
     }
@@ -148,18 +148,16 @@ RequestList slots_named(const PartList& parts) {
   return {.rows = std::move(rows)};
 }
 
-// The same with some number of parts at once, which is not said in the answer.
-ParsedJob checked_without_room(OpenedRequest& opened) {
+// The same with some number of parts at once.
+CheckedJobRequest checked_without_room(OpenedRequest& opened) {
   constexpr std::uint64_t some = 2;
   const bool of_triples = opened.request.strength.value_or(some) > some;
   opened.request.at_once = of_triples ? some + 1 : some;
-  ParsedJob asked = checked_job(opened, Door::document);
-  asked.question.at_once.reset();
-  return asked;
+  return checked_job(opened, Door::document);
 }
 
 // Of a job that does not say how much fits, all but that is read.
-ParsedJob checked_for_reading(OpenedRequest& opened, bool has_limits) {
+CheckedJobRequest checked_for_reading(OpenedRequest& opened, bool has_limits) {
   const JobRequest& request = opened.request;
   const bool needs_room = !request.at_once && !request.model.is_given();
   if (needs_room && !has_limits) {
@@ -204,7 +202,7 @@ OpenedRequest sent_job(const std::string& body) {
   return opened;
 }
 
-std::string plan_json(const JobRequest& request, const ParsedJob& asked, const PlanAnswer& answer,
+std::string plan_json(const CheckedJobRequest& asked, const PlanAnswer& answer,
                       std::size_t most_bytes) {
   require_few_names(asked, answer, most_bytes);
   JsonWriter json;
@@ -216,17 +214,17 @@ std::string plan_json(const JobRequest& request, const ParsedJob& asked, const P
            : answer.what_if ? "what_if"
            : answer.benches ? "benches"
                             : "plan");
-  std::string document = written(request, asked, answer, "json");
+  std::string document = written(asked, answer, "json");
   document.pop_back();  // its end of line
   std::string text = json.raw(document).end_object().take() + "\n";
   require_small(text.size(), most_bytes);
   return text;
 }
 
-std::string plan_file(const JobRequest& request, const ParsedJob& asked, const PlanAnswer& answer,
+std::string plan_file(const CheckedJobRequest& asked, const PlanAnswer& answer,
                       const std::string& format, std::size_t most_bytes) {
   require_few_names(asked, answer, most_bytes);
-  std::string text = written(request, asked, answer, format);
+  std::string text = written(asked, answer, format);
   require_small(text.size(), most_bytes);
   return text;
 }
@@ -279,8 +277,12 @@ std::string read_job_json(const std::string& body) {
         request.slots = slots_named(*parts);
       }
     }
-    const ParsedJob asked = checked_for_reading(opened, has_limits);
-    JobRequest found = asked.question;
+    const bool says_room = request.at_once.has_value();
+    const CheckedJobRequest asked = checked_for_reading(opened, has_limits);
+    JobRequest found = asked->question;
+    if (!says_room && request.at_once) {
+      found.at_once.reset();
+    }
     found.test_cost = test_cost;
     found.change_cost = change_cost;
     if (parts) {
@@ -290,8 +292,8 @@ std::string read_job_json(const std::string& body) {
     std::string document = to_json(found);
     document.pop_back();  // its end of line
     json.begin_object().key("request").raw(document);
-    write_done(json, asked.record);
-    json.key("notes").value(asked.notes);
+    write_done(json, asked->record);
+    json.key("notes").value(asked->notes);
     return json.end_object().take() + "\n";
   });
 }

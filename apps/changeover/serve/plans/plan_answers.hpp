@@ -1,9 +1,9 @@
 // Jobs as the server takes them, and what it answers.
 //
 //     const OpenedRequest opened = sent_job(request.body);
-//     const ParsedJob asked = from_body([&] { return checked_job(opened, Door::document); });
+//     const auto asked = from_body([&] { return checked_job(opened, Door::document); });
 //     …
-//     json_response(plan_json(opened.request, asked, answer));
+//     json_response(plan_json(asked, answer));
 #pragma once
 
 #include <cstddef>
@@ -19,13 +19,12 @@ namespace changeover::serve {
 
 /// The answer as a document, and for a plan the keys that there were before it. @throws Refusal 413
 /// if it has more than so many bytes, as below; most of those are not written first.
-[[nodiscard]] std::string plan_json(const JobRequest& request, const ParsedJob& asked,
-                                    const PlanAnswer& answer, std::size_t most_bytes);
+[[nodiscard]] std::string plan_json(const CheckedJobRequest& asked, const PlanAnswer& answer,
+                                    std::size_t most_bytes);
 
 /// The answer in a format of changeover plan. @throws Refusal 413; BadOption
-[[nodiscard]] std::string plan_file(const JobRequest& request, const ParsedJob& asked,
-                                    const PlanAnswer& answer, const std::string& format,
-                                    std::size_t most_bytes);
+[[nodiscard]] std::string plan_file(const CheckedJobRequest& asked, const PlanAnswer& answer,
+                                    const std::string& format, std::size_t most_bytes);
 
 /// How much memory an answer takes, about.
 [[nodiscard]] std::size_t bytes_of(const PlanAnswer& answer);

@@ -23,8 +23,7 @@ struct PlanJobs::Job : ListedJob {
     return fmt::format("plan {} is not remembered any more; plan again", id);
   }
 
-  OpenedRequest opened;
-  ParsedJob asked;
+  std::optional<CheckedJobRequest> asked = {};
   double limit = 0;
   std::string message = {};  // why there is no answer, or that it may not be the best
   std::string phase = "reading the job";
@@ -69,16 +68,15 @@ PlanJobs::PlanJobs(EventHub& events, const Settings& settings)
 
 PlanJobs::~PlanJobs() = default;
 
-std::uint64_t PlanJobs::start(OpenedRequest opened, ParsedJob asked, double seconds) {
+std::uint64_t PlanJobs::start(const CheckedJobRequest& asked, double seconds) {
   return jobs_->start(
       "plans that are searched for",
       [&](Job& job) {
-        job.opened = std::move(opened);
-        job.asked = std::move(asked);
+        job.asked = asked;
         job.limit = seconds;
         RunControl::Settings settings;
         settings.time = std::chrono::duration<double>(seconds);
-        settings.seed = job.opened.request.seed.value_or(settings.seed);
+        settings.seed = asked.request().seed.value_or(settings.seed);
         settings.memory_bytes = settings_.memory_bytes;
         settings.progress_interval = std::chrono::duration<double>(0.25);
         settings.on_progress = [this, one = &job](const Progress& progress) {
@@ -102,7 +100,7 @@ void PlanJobs::run(Job& job) {
   std::string shortage;
   try {
     const RunScope scope(*job.control);
-    answer = answer_to(job.opened.request, job.asked, *job.control, [&](const PlanNews& news) {
+    answer = answer_to(*job.asked, *job.control, [&](const PlanNews& news) {
       {
         const std::scoped_lock lock(job.mutex);
         job.best = news;
@@ -113,7 +111,7 @@ void PlanJobs::run(Job& job) {
     if (const auto& short_of = answer->shortage()) {
       shortage = "the plan may not be the best that could be found: " + *short_of;
     }
-    json = plan_json(job.opened.request, job.asked, *answer, settings_.answer_bytes);
+    json = plan_json(*job.asked, *answer, settings_.answer_bytes);
     json->pop_back();  // its end of line
   } catch (const Refusal& refusal) {
     shortage = refusal.message;
@@ -175,7 +173,7 @@ std::string PlanJobs::file(std::uint64_t id, const std::string& format) const {
                            ? fmt::format("plan {} has no answer yet; wait for it, or stop it", id)
                            : fmt::format("plan {} ended without an answer; plan anew", id)};
   }
-  return plan_file(job->opened.request, job->asked, *job->answer, format, settings_.answer_bytes);
+  return plan_file(*job->asked, *job->answer, format, settings_.answer_bytes);
 }
 
 }  // namespace changeover::serve

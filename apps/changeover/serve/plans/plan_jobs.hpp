@@ -42,7 +42,7 @@ class PlanJobs {
 
   /// Begins to plan, for so many seconds at most. @throws Refusal 429 if as many plans are searched
   /// for as may be.
-  std::uint64_t start(OpenedRequest opened, ParsedJob asked, double seconds);
+  std::uint64_t start(const CheckedJobRequest& asked, double seconds);
 
   /// Asks for the best so far. @throws Refusal 404, as all below.
   void stop(std::uint64_t id);

@@ -15,23 +15,22 @@ namespace {
 
 Response plan(const Explorer& explorer, const Request& sent) {
   const OpenedRequest opened = sent_job(sent.body);
-  const ParsedJob asked = from_body([&] { return checked_job(opened, Door::document); });
+  const CheckedJobRequest asked = from_body([&] { return checked_job(opened, Door::document); });
   const SearchTimes& times = job_table().times;
   const double seconds = search_seconds(opened.request, times.server, times.most_of_server);
   RunControl control(*RunScope::current(), std::chrono::duration<double>(seconds),
                      opened.request.seed);
-  const PlanAnswer answer = answer_to(opened.request, asked, control);
+  const PlanAnswer answer = answer_to(asked, control);
   stop_if_asked();  // the client may have gone
-  return json_response(plan_json(opened.request, asked, answer, explorer.limits.plan_bytes));
+  return json_response(plan_json(asked, answer, explorer.limits.plan_bytes));
 }
 
 Response start(Explorer& explorer, const Request& sent) {
-  OpenedRequest opened = sent_job(sent.body);
-  ParsedJob asked = from_body([&] { return checked_job(opened, Door::document); });
+  const OpenedRequest opened = sent_job(sent.body);
+  const CheckedJobRequest asked = from_body([&] { return checked_job(opened, Door::document); });
   const SearchTimes& times = job_table().times;
   const double seconds = search_seconds(opened.request, times.followed, times.most_followed);
-  return json_response(fmt::format(
-      "{{\"id\":{}}}\n", explorer.plans->start(std::move(opened), std::move(asked), seconds)));
+  return json_response(fmt::format("{{\"id\":{}}}\n", explorer.plans->start(asked, seconds)));
 }
 
 Response file(Explorer& explorer, const Request& request) {
