@@ -6,6 +6,7 @@ answer is asked for on the command line, of the server and in Python, and is the
 each of them.
 """
 
+import inspect
 import json
 import os
 import pathlib
@@ -14,7 +15,9 @@ import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent / "documents"))
 from designs import check_designs, check_dossiers  # noqa: E402
-from doors import Server, fault, faults, jsonschema, requests, root, run  # noqa: E402
+from doors import (  # noqa: E402
+    Server, changeover, fault, faults, jsonschema, requests, root, run, takes,
+)
 from explorer import check_explorer  # noqa: E402
 from loads import check_loads  # noqa: E402
 from plans import check_plans, check_workbooks  # noqa: E402
@@ -29,6 +32,13 @@ def check_generated():
             )
     if run("describe", "--doors").stdout not in (root / "docs/doors.md").read_text():
         fault("docs/doors.md is not what `changeover describe --doors` says; write it anew")
+    for call, request, more in (
+        (changeover.plan, "changeover-job/1", {"slot_of", "quantities"}),
+        (changeover.load_order, "changeover-load-request/1", set()),
+    ):
+        arguments = {*inspect.signature(call).parameters} - {"progress", *more}
+        if arguments != {*takes(request, "python").values()}:
+            fault(f"docs/doors.md has other arguments than {call.__name__}(): {arguments}")
     for file in sorted((root / "docs/schema").glob("*.json")):
         jsonschema.Draft202012Validator.check_schema(json.loads(file.read_text()))
 

@@ -6,6 +6,7 @@ The command line of the program that imports it is ROOT BUILD REQUESTS.
 import functools
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import urllib.error
@@ -29,6 +30,16 @@ faults = []
 def fault(text):
     faults.append(text)
     print(text[:2000])
+
+
+@functools.cache
+def takes(request, door):
+    """The keys that the server takes, or the arguments in Python by key, as docs/doors.md says."""
+    page = (root / "docs/doors.md").read_text()
+    table = page[page.index(f"format `{request}`") :]
+    rows = re.findall(r"^\| `(\w+)` \| `[^`]+` \| (\w+) \| (\S+) \|", table.split("\n## ")[0], re.M)
+    at = {"server": 1, "python": 2}[door]
+    return {row[0]: row[at].strip("`") for row in rows if row[at] != "no"}
 
 
 def run(*arguments, stdin=None):
