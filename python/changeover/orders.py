@@ -466,12 +466,22 @@ def _size_rows(sizes: Any) -> List[Any]:
 
 
 @overload
-def load_order(*given: Any, workers: None = None, **named: Any) -> LoadOrder: ...
+def load_order(
+    items: Optional[int], room: Optional[int] = None, *,
+    pairs: Any = None, groups: Any = None, against: Optional[int] = None,
+    done_items: Optional[int] = None, workers: None = None, disjoint: bool = False,
+    write_back: bool = False, new_pairs: bool = False, prefetch: bool = False,
+    ordered: bool = False, with_self: bool = False, shuffle: bool = False,
+    first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
+    epochs: Optional[int] = None, spread: bool = False, sizes: Any = None,
+    memory: Optional[int] = None, fast_room: Optional[int] = None,
+    fast_memory: Optional[int] = None, time: Optional[float] = None, threads: int = 1,
+    seed: int = 1, progress: Progress = None) -> LoadOrder: ...
 @overload
 def load_order(*given: Any, workers: int, **named: Any) -> WorkerLoads: ...
 
 
-def load_order(  # type: ignore[misc]  # the others say what it returns
+def load_order(
     items: Optional[int], room: Optional[int] = None, *,
     pairs: Any = None, groups: Any = None, against: Optional[int] = None,
     done_items: Optional[int] = None, workers: Optional[int] = None,

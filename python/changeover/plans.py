@@ -378,12 +378,27 @@ def _facts(core: Any) -> Dict[str, Any]:
 
 
 @overload
-def plan(*given: Any, benches: None = None, **named: Any) -> RunSheet: ...
+def plan(
+    parts: Optional[Parts] = None, at_once: Optional[int] = None, *,
+    model: Optional[Model] = None, test_cost: Optional[Cost] = None,
+    change_cost: Optional[Cost] = None, change_costs: Optional[Mapping[Any, Cost]] = None,
+    cost_column: Optional[str] = None, cost_unit: Optional[CostUnit] = None, strength: int = 2,
+    pairs: Any = None, never: Any = (), slots: Optional[Mapping[str, Room]] = None,
+    slot_of: Optional[Mapping[Any, str]] = None, mounted: Any = (), start: Any = (),
+    first: Any = (), weights: Optional[Mapping[Pair, Cost]] = None, done: Any = (),
+    trust_failed: bool = False, budget: Optional[Cost] = None, benches: None = None,
+    objective: Optional[Objective] = None, time: Optional[float] = None, threads: int = 1,
+    seed: int = 1, progress: Progress = None, done_first: Optional[int] = None,
+    shuffle: Optional[int] = None, title: Optional[str] = None, compact: bool = False,
+    steps: Optional[int] = None, without: Iterable[Part] = (),
+    quantities: Optional[Mapping[Any, int]] = None, hours: Optional[Cost] = None,
+    first_day: Optional[str] = None, weekends: bool = False,
+) -> RunSheet: ...
 @overload
 def plan(*given: Any, benches: Benches, **named: Any) -> BenchSheets: ...
 
 
-def plan(  # type: ignore[misc]  # the others say what it returns
+def plan(
     parts: Optional[Parts] = None, at_once: Optional[int] = None, *,
     model: Optional[Model] = None, test_cost: Optional[Cost] = None,
     change_cost: Optional[Cost] = None, change_costs: Optional[Mapping[Any, Cost]] = None,

@@ -32,9 +32,11 @@ changeover.design(61, 4, kind="round")
 changeover.bounds("v", 4)
 changeover.plan(9, 3, test_cost=1, change_cost=5).makespan
 changeover.load_order(12, 4, workers=2).lower_bound
+changeover.plan(9, 3, test_costs=1)
+changeover.load_order(12, 4, epochs="2")
 END
 if "$python" -m mypy --strict wrong.py >said; then
   printf 'wrong uses were not found\n' >&2
   exit 1
 fi
-[[ $(grep -c 'error:' said) -eq 4 ]]
+[[ $(grep -c 'error:' said) -eq 6 ]]
