@@ -195,9 +195,12 @@ export type Job = {
   title?: string | null;
   /** moves of each local search (default: as suits) */
   steps?: number | null;
-  /** search so long */
+  /**
+   * search so long (default: command line: 60; server: 10, at most 60 (followed: 60, at most
+   * 3600); Python: until it ends)
+   */
   seconds?: number | null;
-  /** threads to use */
+  /** threads to use (default: command line: all cores; Python: 1) */
   threads?: number | null;
   /** seed of the random numbers (default: 1) */
   seed?: number | null;
@@ -236,7 +239,7 @@ export type LoadRequest = {
   done_items?: number | null;
   /** so many of those in memory are on an accelerator, where pairs meet */
   fast_room?: number | null;
-  /** bytes an item, to say what both levels move */
+  /** bytes an item, to say how many are moved */
   item_bytes?: number | null;
   /**
    * items differ in size: an item and its bytes per line, or the bytes of items 0, 1, … in turn;
@@ -301,9 +304,12 @@ export type LoadRequest = {
   shuffle?: boolean | null;
   /** each pair at random in one of the steps that hold both items, evenly, by --seed */
   spread?: boolean | null;
-  /** search so long for a better order */
+  /**
+   * search so long for a better order (default: command line: no search; server: no search, at
+   * most 30; Python: no search)
+   */
   seconds?: number | null;
-  /** threads to use */
+  /** threads to use (default: command line: all cores; Python: 1) */
   threads?: number | null;
   /** seed of the random numbers (default: 1) */
   seed?: number | null;
@@ -395,6 +401,11 @@ export interface Benches {
     pairs_tested: number;
     triples_tested: number;
   }[];
+  /**
+   * why the search ended: nothing better is possible, it was over by itself, a clock stopped it or
+   * a part of it, or the user did
+   */
+  why_stopped: 'found' | 'step limit' | 'time limit' | 'interrupted';
   notes: string[];
 }
 export interface Design {
@@ -708,6 +719,11 @@ export interface Plan {
     triples_tested: number;
     weight: number;
   }[];
+  /**
+   * why the search ended: nothing better is possible, it was over by itself, a clock stopped it or
+   * a part of it, or the user did
+   */
+  why_stopped: 'found' | 'step limit' | 'time limit' | 'interrupted';
   notes: string[];
   replace_costs?: (null | number)[][];
   parameters?: {
@@ -722,9 +738,15 @@ export interface WhatIf {
   format: 'changeover-what-if/1';
   by: string;
   asked: null | number;
+  /** the same exactly, over/under */
+  asked_exact: null | string;
   ranges: {
     from: null | number;
+    /** the same exactly, over/under */
+    from_exact: null | string;
     to: null | number;
+    /** the same exactly, over/under */
+    to_exact: null | string;
     plan: {
       name: string;
       how: string;
@@ -734,10 +756,17 @@ export interface WhatIf {
       pairs_tested: number;
       triples_tested: number;
       weight: number;
+      /** the parts of each test */
+      set_ups: string[][];
     };
   }[];
   met_only_in_failed: number;
   trust_failed: boolean;
+  /**
+   * why the search ended: nothing better is possible, it was over by itself, a clock stopped it or
+   * a part of it, or the user did
+   */
+  why_stopped: 'found' | 'step limit' | 'time limit' | 'interrupted';
   notes: string[];
 }
 export interface Explorer {
@@ -796,7 +825,7 @@ export interface Explorer {
     run: RunToKeep;
     'run/result': ResultToKeep;
     search: SearchOrder;
-    /** changeover-load-request-1.json, and a key of these pages. */
+    /** changeover-load-request-1.json; bytes_per_item is an older name of its item_bytes. */
     loadorder: {bytes_per_item?: number};
   };
 }
