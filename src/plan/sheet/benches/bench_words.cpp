@@ -82,11 +82,13 @@ std::string makespan_line(const BenchDocument& document, const BenchCalendar& ca
   const Amount found = plan.complete ? plan.complete->makespan : plan.makespan;
   const Amount bound = plan.makespan_bound;
   if (calendar.has_days()) {
-    return calendar.last_day(found) == calendar.last_day(bound)
-               ? fmt::format("no plan for all is done before day {}: {}", calendar.last_day(bound),
-                             plan.makespan_reason)
-               : fmt::format("no plan for all is done before {}, since {}",
-                             day_words(calendar, money, bound), plan.makespan_reason);
+    return fmt::format("no plan for all is done before {}{}{}", day_words(calendar, money, bound),
+                       found == bound          ? ": "
+                       : bound.millionths == 0 ? ", since "
+                                               : fmt::format(" (this plan is at most {} above the "
+                                                             "least possible), since ",
+                                                             per_cent_above(found, bound)),
+                       plan.makespan_reason);
   }
   if (found == bound) {
     return fmt::format("no plan is done for less than {} on each bench: {}", money(bound),
