@@ -60,9 +60,14 @@ struct Bench {
   std::optional<Amount> hours = {};  ///< working hours per day; costs are hours, or Job::cost_unit
   bool down = false;                 ///< out of order: no test is planned for it
   std::uint64_t tests_done = 0;      ///< number of earlier tests; only for numbering
+  std::uint64_t last_step = 0;       ///< highest number of an earlier test, if they have numbers
   std::vector<Block> rest = {};      ///< remaining set-ups of its current plan
   std::vector<MountedPlace> places = {};  ///< known places, with the parts in them
 
+  /// The number that the last earlier test has; new tests go on after it.
+  [[nodiscard]] std::uint64_t steps_before() const {
+    return tests_done < last_step ? last_step : tests_done;
+  }
   bool operator==(const Bench&) const = default;
 };
 

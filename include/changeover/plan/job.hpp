@@ -180,6 +180,7 @@ struct Job {
   std::vector<Element> piece_of;  ///< by part: the part of which it is a further piece, or itself;
                                   ///< empty if there are no pieces; for display only
   std::uint64_t tests_done = 0;   ///< number of earlier tests; only for numbering
+  std::uint64_t last_step = 0;    ///< highest number of an earlier test, if they have numbers
   /// Pairs or triples that had to meet and met only in tests that did not pass (mark_tested()); for
   /// display only.
   std::uint64_t met_only_in_failed = 0;
@@ -210,6 +211,10 @@ struct Job {
     return replaces() ? replace_costs[out * names.size() + in] : change_costs[in];
   }
   [[nodiscard]] std::uint64_t parts() const { return names.size(); }
+  /// The number that the last earlier test has; new tests go on after it.
+  [[nodiscard]] std::uint64_t steps_before() const {
+    return tests_done < last_step ? last_step : tests_done;
+  }
   /// The most parts that a set-up can have: at_once, or the number of parts if that is less.
   [[nodiscard]] std::uint64_t room() const { return at_once < parts() ? at_once : parts(); }
   /// Whether all change costs are the same, whatever is replaced.
@@ -381,6 +386,8 @@ struct PartListOptions {
   /// Known slot names: if no column is named "slot", a column in which more than half of the fields
   /// are such names is taken.
   std::vector<std::string> slots = {};
+  /// Whether "-" and "n/a" are no cost, as an empty field; else they are refused with their place.
+  bool costs_may_lack = false;
 };
 
 struct PartList {
@@ -460,8 +467,9 @@ struct DoneRow {
   std::uint64_t line = 0;
   bool lacks = false;                                 ///< whether some of its parts are gone
   std::vector<std::optional<Element>> in_place = {};  ///< by place; nullopt: none, or it is gone
-  std::vector<std::string> written = {};  ///< the same as written, including parts that are gone
-  std::vector<std::string> gone = {};     ///< the names of its parts that are gone
+  std::vector<std::string> written = {};   ///< the same as written, including parts that are gone
+  std::vector<std::string> gone = {};      ///< the names of its parts that are gone
+  std::optional<std::uint64_t> step = {};  ///< its number on the sheet, if it has one
 };
 
 /// A list of tests that were done, possibly a run sheet of a parts list that has changed since.
@@ -470,6 +478,7 @@ struct DoneList {
   std::vector<DonePlace> places;  ///< of a run sheet with a column for each place; otherwise empty
   std::vector<std::string>
       gone;  ///< names on a run sheet that no part has any more, without repetition
+  std::vector<std::string> notes;  ///< how it was read, where people may expect another way
 
   [[nodiscard]] bool has_results() const;
   [[nodiscard]] std::vector<Block> setups() const;
@@ -481,7 +490,8 @@ struct DoneRecord {
     std::vector<std::string> parts;  ///< by place, "" for an empty one; may be shorter than places
     std::string result;
     std::string notes;
-    std::string bench = {};  ///< on which it was, by name; "" if that is not known
+    std::string bench = {};                  ///< on which it was, by name; "" if that is not known
+    std::optional<std::uint64_t> step = {};  ///< its number where it was planned, if it had one
   };
   std::vector<DonePlace> places;
   std::vector<Test> tests;

@@ -117,6 +117,7 @@ Job whole_job_of_bench(const Job& job, const Bench& bench) {
   own.places = bench.places;
   own.first = bench.first.value_or(job.first);
   own.tests_done = bench.tests_done;
+  own.last_step = bench.last_step;
   limit_slots(own, bench);
   const std::vector<bool> barred = barred_parts(job, bench);
   if (contains(barred, true)) {

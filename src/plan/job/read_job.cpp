@@ -18,148 +18,11 @@
 #include "io/scan/row_reader.hpp"
 #include "io/write/csv_cell.hpp"
 #include "plan/job/part_finder.hpp"
+#include "plan/job/setup_columns.hpp"
 #include "plan/job/setup_list.hpp"
 
 namespace changeover {
 namespace {
-
-// The fields of a row that hold a set-up.
-struct SetupColumns {
-  std::optional<std::size_t> list;      // all parts in one field
-  std::vector<std::size_t> slots;       // one part in each; increasing
-  std::vector<std::size_t> parameters;  // for a model, by slot: the fields with its values
-  std::optional<std::size_t> result;
-  std::optional<std::size_t> notes;
-  std::optional<std::size_t> bench;
-  bool header = false;  // the first row is a header
-};
-
-// The place of "slot_7", or of "slot_7 CPU".
-std::optional<DonePlace> place_in(std::string_view head) {
-  constexpr std::string_view prefix = "slot_";
-  if (!head.starts_with(prefix)) {
-    return std::nullopt;
-  }
-  head.remove_prefix(prefix.size());
-  DonePlace place;
-  const char* const end = head.data() + head.size();
-  const auto [rest, failure] = std::from_chars(head.data(), end, place.number);
-  if (failure != std::errc() || (rest != end && *rest != ' ')) {
-    return std::nullopt;
-  }
-  place.slot = rest == end ? "" : std::string(rest + 1, end);
-  return place;
-}
-
-// The parameter of a column, with the heading that sheets give it: "slot_3 cost" if another column
-// has its name.
-struct HeadedParameter {
-  std::size_t parameter = 0;
-  bool by_slot = false;
-};
-
-std::optional<HeadedParameter> headed_parameter(const ModelNames& model, const std::string& cell) {
-  const std::string head(csv_text(cell));
-  if (const auto place = place_in(head); place && !place->slot.empty()) {
-    if (const auto found = model.parameter(place->slot)) {
-      return HeadedParameter{*found, true};
-    }
-  }
-  const auto found = model.parameter(head);
-  return found ? std::optional(HeadedParameter{*found, false}) : std::nullopt;
-}
-
-// A first row that has more names of parameters than values.
-SetupColumns parameter_columns(const Row& first, const PartFinder& finder) {
-  struct Column {
-    std::size_t at = 0;
-    bool by_slot = false;
-  };
-  std::map<std::size_t, Column> by_parameter;
-  SetupColumns columns;
-  std::size_t values = 0;
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    const std::string& head = first[i].text;
-    values += finder.find(head) ? 1U : 0U;
-    if (const auto headed = headed_parameter(*finder.model(), head)) {
-      const auto [known, is_new] =
-          by_parameter.emplace(headed->parameter, Column{i, headed->by_slot});
-      if (!is_new && headed->by_slot && !known->second.by_slot) {
-        known->second = {i, true};
-      }
-    }
-  }
-  std::vector<std::size_t> of_column(first.size(), by_parameter.size());
-  for (const auto& [parameter, column] : by_parameter) {
-    of_column[column.at] = parameter;
-    columns.slots.push_back(column.at);
-  }
-  std::ranges::sort(columns.slots);
-  for (const std::size_t at : columns.slots) {
-    columns.parameters.push_back(of_column[at]);
-  }
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    const bool taken = std::ranges::find(columns.slots, i) != columns.slots.end();
-    if (!taken && lower_case(first[i].text) == "result") {
-      columns.result = i;
-    } else if (!taken && lower_case(first[i].text) == "notes") {
-      columns.notes = i;
-    }
-  }
-  columns.header = columns.slots.size() > values;
-  return columns.header ? columns : SetupColumns();
-}
-
-// A first row with such words is the header of a sheet, unless they are names of parts; then only
-// if it is certainly a header.
-SetupColumns setup_columns(const Row& first, const PartFinder& finder, bool is_given) {
-  if (finder.model() != nullptr && !is_given) {
-    SetupColumns columns = parameter_columns(first, finder);
-    if (columns.header) {
-      return columns;
-    }
-  }
-  const auto has_all = [&](std::initializer_list<std::string_view> words) {
-    return std::ranges::all_of(words, [&](std::string_view word) {
-      return std::ranges::any_of(first, [&](const Field& field) { return field.text == word; });
-    });
-  };
-  const bool beyond_doubt = has_all({"step", "take_out", "put_in", "cost_so_far"}) ||
-                            has_all({"step", "result", "notes"});
-  SetupColumns columns;
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    if (finder.is_name(first[i].text) && !beyond_doubt) {
-      continue;
-    }
-    if (first[i].text == "set_up") {
-      columns.list = i;
-    } else if (place_in(first[i].text)) {
-      columns.slots.push_back(i);
-    } else if (lower_case(first[i].text) == "result") {
-      columns.result = i;
-    } else if (lower_case(first[i].text) == "notes") {
-      columns.notes = i;
-    } else if (lower_case(first[i].text) == "bench") {
-      columns.bench = i;
-    }
-  }
-  columns.header = beyond_doubt || columns.list || !columns.slots.empty();
-  return columns;
-}
-
-// The places of a row: for a model, each parameter is a place.
-std::vector<DonePlace> places_of(const SetupColumns& columns, const Row& header,
-                                 const PartFinder& finder) {
-  std::vector<DonePlace> places = each_of<DonePlace>(columns.parameters, [&](const std::size_t p) {
-    return DonePlace{.number = p + 1, .slot = finder.model()->model().parameters[p].name};
-  });
-  for (const std::size_t i : columns.slots) {
-    if (columns.parameters.empty()) {
-      places.push_back(*place_in(header[i].text));
-    }
-  }
-  return places;
-}
 
 // Two columns with the same name cannot be told apart.
 void check_header(const Row& header, const RowReader& reader) {
@@ -214,18 +77,135 @@ class SetupReader {
         names_only_(forgiving && finder_.has_number_as_name()) {}
 
   DoneList read() {
-    bool first = true;
+    std::vector<Row> above;  // the first row, and those that follow a title
+    bool is_begun = false;
     for (std::optional<Row> row = reader_.next(); row; row = reader_.next()) {
       finder_.restore_blanks(*row);
-      if (!first || !is_header(*row)) {
+      if (is_begun) {
         take(*std::move(row));
+        continue;
       }
-      first = false;
+      is_begun = is_header(*row);
+      if (is_begun) {
+        continue;  // what is above it are titles
+      }
+      const bool may_be_title = is_title(*row);
+      above.push_back(*std::move(row));
+      if (!may_be_title || above.size() > most_titles) {
+        is_begun = true;
+        take_all_of(above);
+      }
+    }
+    if (!is_begun) {
+      take_all_of(above);
+    }
+    if (columns_.header && forgiving_) {
+      say_what_was_taken();
+      put_in_order();
     }
     return std::move(list_);
   }
 
  private:
+  // A row of one field that is no part, as it may stand above a header.
+  [[nodiscard]] bool is_title(const Row& row) const {
+    const auto is_filled = [](const Field& field) { return !field.text.empty(); };
+    const auto filled = std::ranges::find_if(row, is_filled);
+    return !reader_.is_given() && std::ranges::count_if(row, is_filled) == 1 &&
+           !are_parts(filled->text);
+  }
+
+  // Whether a text is a part, or parts between blanks.
+  [[nodiscard]] bool are_parts(const std::string& text) const {
+    if (finder_.find(text)) {
+      return true;
+    }
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+      const std::size_t end = std::min(text.find(' ', begin), text.size());
+      if (end > begin && !finder_.find(text.substr(begin, end - begin))) {
+        return false;
+      }
+      begin = end + 1;
+    }
+    return true;
+  }
+
+  void take_all_of(std::vector<Row>& rows) {
+    for (Row& row : rows) {
+      take(std::move(row));
+    }
+  }
+
+  // A column of results that is not called so, and results that are where none is looked for.
+  void say_what_was_taken() {
+    if (columns_.result && lower_case(header_[*columns_.result].text) != "result") {
+      const Field& head = header_[*columns_.result];
+      list_.notes.push_back(fmt::format("{}: the results are those of the column {}",
+                                        reader_.place(head), shown(head.text)));
+    }
+    const auto is_result = [](const DoneRow& row) {
+      const TestResult said = result_of(row.notes);
+      return said == TestResult::pass || said == TestResult::fail;
+    };
+    const auto found = std::ranges::find_if(list_.rows, is_result);
+    if (columns_.notes && !list_.has_results() && found != list_.rows.end()) {
+      list_.notes.push_back(
+          fmt::format("{}: {} is among the notes, which are no results; write it in the column of "
+                      "results",
+                      reader_.place(header_[*columns_.notes]), shown(found->notes)));
+    }
+  }
+
+  // Tests in the order of their steps, whatever the order of the rows: spreadsheets sort them. A
+  // row without a number belongs to the one above it. Rows of a bench keep the places of its rows.
+  void put_in_order() {
+    std::map<std::string, std::vector<std::size_t>> by_bench;
+    for (std::size_t i = 0; i < list_.rows.size(); ++i) {
+      by_bench[list_.rows[i].bench].push_back(i);
+    }
+    bool is_moved = false;
+    for (const auto& [bench, at] : by_bench) {
+      is_moved = put_in_order(at) || is_moved;
+    }
+    if (is_moved) {
+      list_.notes.push_back(fmt::format(
+          "{}: the rows are not in the order of their steps; they are taken in the order "
+          "of this column",
+          reader_.place(header_[*columns_.step])));
+    }
+  }
+
+  // The same for the rows of a bench. Returns whether it moved one. A number that occurs twice says
+  // nothing about the order.
+  bool put_in_order(const std::vector<std::size_t>& at) {
+    std::set<std::uint64_t> seen;
+    std::vector<std::pair<std::uint64_t, std::size_t>> order;
+    std::uint64_t last = 0;
+    for (const std::size_t i : at) {
+      if (const auto step = list_.rows[i].step) {
+        if (!seen.insert(*step).second) {
+          return false;
+        }
+        last = *step;
+      }
+      order.emplace_back(last, i);
+    }
+    const auto before = [](const auto& a, const auto& b) { return a.first < b.first; };
+    if (std::ranges::is_sorted(order, before)) {
+      return false;
+    }
+    std::ranges::stable_sort(order, before);
+    std::vector<DoneRow> sorted;
+    for (const auto& [step, i] : order) {
+      sorted.push_back(std::move(list_.rows[i]));
+    }
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      list_.rows[at[k]] = std::move(sorted[k]);
+    }
+    return true;
+  }
+
   // Whether the first row is a header, which is then kept.
   bool is_header(const Row& row) {
     if (reader_.is_given() && row.front().line != 0) {
@@ -242,6 +222,9 @@ class SetupReader {
 
   void take(Row row) {
     if (columns_.header) {
+      if (reader_.is_workbook() && row.size() < header_.size()) {
+        row.resize(header_.size(), Field{.text = {}, .line = row.front().line});
+      }
       check_shape(row, header_, columns_, reader_);
     }
     const std::size_t place = row.front().offset;
@@ -276,9 +259,18 @@ class SetupReader {
     done.notes = text_in(columns_.notes);
     done.bench = text_in(columns_.bench);
     done.result = text_in(columns_.result);
+    done.step = number_in(text_in(columns_.step));
     if (result_of(done.result) == TestResult::unread) {
       done.unread = reader_.place(row[*columns_.result]);
     }
+  }
+
+  // A whole number; nothing for any other text.
+  [[nodiscard]] static std::optional<std::uint64_t> number_in(const std::string& text) {
+    std::uint64_t number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, failure] = std::from_chars(text.data(), end, number);
+    return failure == std::errc() && rest == end ? std::optional(number) : std::nullopt;
   }
 
   // A row without a header: all fields are parts.

@@ -136,8 +136,11 @@ bool is_not_run(const std::string& word) {
 
 // The result if it is only this word.
 TestResult of_one_word(const std::string& word) {
-  constexpr std::string_view pass = " p yes good ja oui si sim bon bien gut goed bom buono ";
-  constexpr std::string_view fail = " f no bad nein non nee nao mal mauvais schlecht ";
+  constexpr std::string_view pass =
+      " p yes good true wahr vrai verdadero vero verdadeiro waar ja oui si sim bon bien gut goed"
+      " bom buono ";
+  constexpr std::string_view fail =
+      " f no bad false falsch faux falso onwaar nein non nee nao mal mauvais schlecht ";
   constexpr std::string_view done =
       " done ran tested complete completed finished executed erledigt getestet fertig fait"
       " faite termine hecho terminado fatto feito gedaan 済 済み 完了 完成 ";

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -111,6 +112,7 @@ void append(DoneList& list, DoneList more) {
     row.written = moved(std::move(row.written), to, list.places.size());
     list.rows.push_back(std::move(row));
   }
+  std::ranges::move(more.notes, std::back_inserter(list.notes));
   for (std::string& name : more.gone) {
     if (std::ranges::find(list.gone, name) == list.gone.end()) {
       list.gone.push_back(std::move(name));
@@ -139,6 +141,7 @@ void record_test(DoneRecord& record, std::vector<DonePlace> places, const DoneRo
   kept.result = test.result.empty() ? "done" : test.result;
   kept.notes = test.notes;
   kept.bench = bench;
+  kept.step = test.step;
 }
 
 // The places of the bench after the test from which the plan continues, with their parts.
@@ -266,6 +269,7 @@ class DoneTaker {
 
   void say_notes() {
     std::vector<std::string>& notes = answer_.notes;
+    notes.insert(notes.end(), list_.notes.begin(), list_.notes.end());
     if (failed_with_gone_ > 0) {
       notes.push_back(fmt::format(
           "{}: {} failed with a part that is gone, which may be to blame: a diagnosis leaves {} "
@@ -304,6 +308,9 @@ class DoneTaker {
       std::vector<Block> setups = each_of<Block>(answer_.done, &DoneTest::setup);
       take_first_off(setups, job_->first);
       mark_tested(*job_, answer_.done, options_->failed);
+      for (const DoneRecord::Test& test : answer_.record.tests) {
+        job_->last_step = std::max(job_->last_step, test.step.value_or(0));
+      }
       if (last_) {
         job_->places = places_after(list_, *last_, *job_);
       }
@@ -323,6 +330,9 @@ class DoneTaker {
       const std::vector<Block> setups = each_of<Block>(
           on_bench_[b], [&](const std::size_t test) { return list_.rows[test].setup; });
       bench.tests_done = setups.size();
+      for (const std::size_t test : on_bench_[b]) {
+        bench.last_step = std::max(bench.last_step, list_.rows[test].step.value_or(0));
+      }
       std::vector<Block> first = bench.first.value_or(job_->first);
       take_first_off(setups, first);
       bench.first = std::move(first);

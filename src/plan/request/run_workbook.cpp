@@ -1,12 +1,17 @@
 #include "plan/request/run_workbook.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <system_error>
 #include <utility>
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
+#include "core/each.hpp"
+#include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/request/request_document.hpp"
 #include "io/scan/peeked_input.hpp"
@@ -62,33 +67,130 @@ WorkbookSheet RunWorkbook::rows(const std::string& wanted) const {
   return WorkbookSheet(*bytes, name, wanted);
 }
 
-bool RunWorkbook::heads_steps_of_benches(const std::string& wanted) const {
+std::optional<HeadRow> head_row(WorkbookSheet& sheet) {
+  for (std::size_t above = 0; above <= most_titles; ++above) {
+    const auto row = sheet.next();
+    if (!row) {
+      return std::nullopt;
+    }
+    HeadRow head{.number = row->number, .heads = Heads(row->cells.back().column + 1)};
+    for (const SheetCell& cell : row->cells) {
+      head.heads[cell.column] = cell.text;
+    }
+    if (shape_of(head.heads) != SheetShape::other) {
+      return head;
+    }
+    if (row->cells.size() > 1) {
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string cell_text(const SheetRow& row, std::size_t column) {
+  const auto found = std::ranges::find(row.cells, column, &SheetCell::column);
+  return found == row.cells.end() ? std::string() : found->text;
+}
+
+SheetShape RunWorkbook::shape(const std::string& wanted) const {
   try {
-    const auto head = rows(wanted).next();
-    const auto has = [&](std::string_view word) {
-      return std::ranges::find(head->cells, word, &SheetCell::text) != head->cells.end();
-    };
-    return head && has("bench") && has("step") && has("result");
+    WorkbookSheet sheet = rows(wanted);
+    const auto head = head_row(sheet);
+    return head ? shape_of(head->heads) : SheetShape::other;
   } catch (const BadInput&) {
-    return false;  // What is wrong on a sheet is said where it is read.
+    return SheetShape::other;  // What is wrong on a sheet is said where it is read.
   }
 }
 
-std::vector<std::string> RunWorkbook::run_sheets() const {
+namespace {
+
+// What copies of a sheet share, and how many results this one has.
+struct SheetOfSteps {
+  std::string name;
+  std::set<std::vector<std::string>> tests;  // bench, step and set-up of each
+  std::size_t results = 0;
+};
+
+SheetOfSteps steps_on(const RunWorkbook& book, const std::string& name) {
+  SheetOfSteps steps{.name = name, .tests = {}};
+  try {
+    WorkbookSheet sheet = book.rows(name);
+    const auto head = head_row(sheet);
+    const auto result = head ? result_column(head->heads) : std::nullopt;
+    const auto step = head ? step_column(head->heads) : std::nullopt;
+    while (const auto row = head ? sheet.next() : std::nullopt) {
+      std::vector<std::string> test;
+      for (std::size_t c = 0; c < head->heads.size(); ++c) {
+        if (c == step || place_in(head->heads[c]) || lower_case(head->heads[c]) == "bench") {
+          test.push_back(cell_text(*row, c));
+        }
+      }
+      steps.tests.insert(std::move(test));
+      steps.results += result && !cell_text(*row, *result).empty() ? 1U : 0U;
+    }
+  } catch (const BadInput&) {
+    steps.tests.clear();  // What is wrong on a sheet is said where it is read.
+  }
+  return steps;
+}
+
+// Whether half of the tests of the shorter sheet are on both.
+bool are_copies(const SheetOfSteps& one, const SheetOfSteps& other) {
+  const auto shared = static_cast<std::size_t>(std::ranges::count_if(
+      one.tests, [&](const auto& test) { return other.tests.count(test) != 0; }));
+  return shared > 0 && 2 * shared >= std::min(one.tests.size(), other.tests.size());
+}
+
+// Leaves out copies of sheets that have fewer results.
+std::vector<std::string> without_copies(const RunWorkbook& book,
+                                        const std::vector<std::string>& found,
+                                        std::vector<std::string>* notes) {
+  std::vector<SheetOfSteps> kept;
+  for (const std::string& name : found) {
+    SheetOfSteps next = steps_on(book, name);
+    const auto same = std::ranges::find_if(
+        kept, [&](const SheetOfSteps& each) { return are_copies(each, next); });
+    if (same == kept.end()) {
+      kept.push_back(std::move(next));
+      continue;
+    }
+    if (next.results > same->results) {
+      std::swap(*same, next);
+    }
+    if (notes != nullptr) {
+      notes->push_back(fmt::format(
+          "{}: {} is read, with {}, and not its copy {}, with {}; delete the one that is not meant",
+          book.name, shown(same->name), count_of(same->results, "result"), shown(next.name),
+          next.results));
+    }
+  }
+  return each_of<std::string>(kept, &SheetOfSteps::name);
+}
+
+}  // namespace
+
+std::vector<std::string> RunWorkbook::run_sheets(std::vector<std::string>* notes) const {
   std::vector<std::string> found;
   for (const SheetName& each : sheets) {
-    if (each.hidden || lower_case(each.name) == lower_case(done_sheet)) {
-      continue;
-    }
-    if (lower_case(each.name) == lower_case(steps_sheet)) {
-      found.push_back(each.name);
-      continue;
-    }
-    if (heads_steps_of_benches(each.name)) {
+    if (!each.hidden && lower_case(each.name) != lower_case(done_sheet) &&
+        (lower_case(each.name) == lower_case(steps_sheet) ||
+         shape(each.name) == SheetShape::steps)) {
       found.push_back(each.name);
     }
   }
-  return found;
+  return found.size() < 2 ? found : without_copies(*this, found, notes);
+}
+
+std::optional<std::string> RunWorkbook::tests_done() const {
+  const SheetName* const named = sheet(done_sheet);
+  if (named != nullptr) {
+    return named->name;
+  }
+  const auto found = std::ranges::find_if(sheets, [&](const SheetName& each) {
+    return !each.hidden && lower_case(each.name) != lower_case(steps_sheet) &&
+           shape(each.name) == SheetShape::done;
+  });
+  return found == sheets.end() ? std::nullopt : std::optional(found->name);
 }
 
 std::optional<RunWorkbook> run_workbook(const RequestList& list, const std::string& spelled) {
@@ -124,8 +226,8 @@ std::vector<std::unique_ptr<Input>> open_done(const RequestList& list, const std
   std::vector<std::unique_ptr<Input>> inputs;
   if (const auto book = run_workbook(list, spelled)) {
     const std::vector<std::string> run = book->run_sheets();
-    if (!run.empty() && book->sheet(done_sheet) != nullptr) {
-      inputs.push_back(book->open(done_sheet));
+    if (const auto done = run.empty() ? std::nullopt : book->tests_done()) {
+      inputs.push_back(book->open(*done));
     }
     for (const std::string& sheet : run) {
       inputs.push_back(book->open(sheet));

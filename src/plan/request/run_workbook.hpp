@@ -11,6 +11,7 @@
 #include "changeover/io/input.hpp"
 #include "changeover/io/request.hpp"
 #include "io/workbook/workbook_sheet.hpp"
+#include "plan/job/setup_columns.hpp"
 
 namespace changeover {
 
@@ -37,13 +38,28 @@ struct RunWorkbook {
   [[nodiscard]] std::unique_ptr<Input> open(std::string_view wanted) const;
   /// A sheet, row by row.
   [[nodiscard]] WorkbookSheet rows(const std::string& wanted) const;
-  /// The sheets with what is to be done, in their order: that of one bench, or those whose head
-  /// names a bench, a step and a result.
-  [[nodiscard]] std::vector<std::string> run_sheets() const;
+  /// The sheets with what is to be done, in their order: that of this name, and those whose heads
+  /// are those of steps, whatever their tabs are called. Of copies, the one with most results; a
+  /// line in `notes` says which.
+  [[nodiscard]] std::vector<std::string> run_sheets(
+      std::vector<std::string>* notes = nullptr) const;
+  /// The sheet of the tests that were done before: that of this name, or the first with such heads.
+  [[nodiscard]] std::optional<std::string> tests_done() const;
 
  private:
-  [[nodiscard]] bool heads_steps_of_benches(const std::string& wanted) const;
+  [[nodiscard]] SheetShape shape(const std::string& wanted) const;
 };
+
+/// The first row of a sheet, or that below its titles, which has the heads of a run sheet. The next
+/// row of the sheet is then the first below it.
+struct HeadRow {
+  std::uint64_t number = 0;
+  Heads heads;
+};
+[[nodiscard]] std::optional<HeadRow> head_row(WorkbookSheet& sheet);
+
+/// The text of a cell in this column; "" if it is empty.
+[[nodiscard]] std::string cell_text(const SheetRow& row, std::size_t column);
 
 /// The workbook that a list is, if no sheet of it is named. A file that can be read once only is
 /// left alone. @throws BadInput for one that cannot be read; MissingResource

@@ -135,8 +135,8 @@ struct Written {
 Written written_on(const RunWorkbook& book, const std::vector<std::string>& run,
                    const JobRequest& question) {
   JobRequest before = question;
-  if (book.sheet(done_sheet) != nullptr) {
-    before.done = book.on_sheet(std::string(done_sheet));
+  if (const auto done = book.tests_done()) {
+    before.done = book.on_sheet(*done);
   }
   Written written{.before = checked_job(before, Door::document), .lists = {}};
   const Job& job = *written.before->job;
@@ -175,6 +175,21 @@ void note_lost_sheets(const RunWorkbook& book, const Written& written,
                               count_of(written.lists.size(), "sheet"),
                               count_of(benches.size(), "bench", "benches"),
                               without.empty() ? "" : ", none with tests of " + without));
+}
+
+// Why no result was found on run sheets: no column for them, or what their reader says.
+void note_no_results(const RunWorkbook& book, const std::vector<std::string>& run,
+                     const Written& written, std::vector<std::string>& notes) {
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    notes.insert(notes.end(), written.lists[i].notes.begin(), written.lists[i].notes.end());
+    WorkbookSheet sheet = book.rows(run[i]);
+    const auto head = head_row(sheet);
+    if (!head || !result_column(head->heads)) {
+      notes.push_back(fmt::format(
+          "{}: the sheet has no column of results, so none are read; give it the head result again",
+          sheet.place(0, head ? head->number : 1)));
+    }
+  }
 }
 
 // What tests on run sheets cost that have a result: so much of the budget is gone.
@@ -224,23 +239,17 @@ void begin_where_it_ends(JobRequest& question, const RunWorkbook& book,
   std::string first_left;
   for (const std::string& name : run) {
     WorkbookSheet sheet = book.rows(name);
-    const auto head = sheet.next();
-    const auto column = [&](std::string_view word) {
-      const auto found = std::ranges::find(head->cells, word, &SheetCell::text);
-      return found == head->cells.end() ? std::optional<std::uint64_t>() : found->column;
-    };
-    const auto date = column("date");
-    const auto result = column("result");
-    while (const auto row = date && result ? sheet.next() : std::nullopt) {
-      const auto text = [&](std::uint64_t wanted) {
-        const auto found = std::ranges::find(row->cells, wanted, &SheetCell::column);
-        return found == row->cells.end() ? std::string() : found->text;
-      };
-      const std::string day = text(*date);
+    const auto head = head_row(sheet);
+    const auto found = head ? std::ranges::find(head->heads, "date") : Heads::const_iterator();
+    const auto result = head ? result_column(head->heads) : std::nullopt;
+    const bool is_dated = head && found != head->heads.end() && result;
+    while (const auto row = is_dated ? sheet.next() : std::nullopt) {
+      const auto date = static_cast<std::size_t>(found - head->heads.begin());
+      const std::string day = cell_text(*row, date);
       if (!is_day(day)) {
         continue;
       }
-      const TestResult said = result_of(text(*result));
+      const TestResult said = result_of(cell_text(*row, *result));
       if (said != TestResult::none && said != TestResult::not_run) {
         last_done = std::max(last_done, day);
       } else if (first_left.empty() || day < first_left) {
@@ -277,7 +286,10 @@ struct KnownSheet {
 
 const std::array<KnownSheet, 5>& known_sheets() {
   static const std::array<KnownSheet, 5> known{
-      {{"slots", &JobRequest::slots, "slots", {"slots", "slot", "slot limits", "sockets", "bays"}},
+      {{"slots",
+        &JobRequest::slots,
+        "slots",
+        {"slots", "slot", "slot limits", "sockets", "bays", "steckplätze"}},
        {"never",
         &JobRequest::never,
         "forbidden pairs",
@@ -404,14 +416,25 @@ JobRequest with_question(JobRequest request, const RunWorkbook& book,
   const bool trusts_failed = std::exchange(question.trust_failed, false);
   JobRequest plain = request;
   plain.parts = {};
+  plain.places = {};
+  plain.steps.reset();  // how long is searched, and how, is no part of the question
+  plain.seconds.reset();
+  plain.threads.reset();
+  plain.seed.reset();
   notes.push_back(fmt::format("{}: the question is that of its hidden sheet {}{}", book.name,
                               question_sheet,
                               plain == JobRequest() ? "" : ", but for what is asked now"));
   request.parts = {};
-  const std::vector<std::string> run = book.run_sheets();
-  const bool has_done = book.sheet(done_sheet) != nullptr;
+  const std::vector<std::string> run = book.run_sheets(request.done.is_given() ? nullptr : &notes);
+  const auto done = book.tests_done();
+  const bool has_done = done.has_value();
   if (has_done && run.empty() && !request.done.is_given()) {
-    request.done = book.on_sheet(std::string(done_sheet));
+    request.done = book.on_sheet(*done);
+  }
+  if (!request.done.is_given() && run.empty()) {
+    notes.push_back(book.name +
+                    ": none of its sheets has the columns of a run sheet, so no results "
+                    "are read; give that sheet its heads step and slot_1, slot_2, … again");
   }
   if (!run.empty() && !request.done.is_given()) {
     const Written written = written_on(book, run, question);
@@ -419,6 +442,8 @@ JobRequest with_question(JobRequest request, const RunWorkbook& book,
     note_lost_sheets(book, written, notes);
     if (has_results || has_done || request.diagnose) {
       request.done = book.list;
+    } else {
+      note_no_results(book, run, written, notes);
     }
     if (has_results) {
       if (!question.budget.empty() && request.budget.empty()) {
@@ -443,6 +468,29 @@ JobRequest with_question(JobRequest request, const RunWorkbook& book,
   put_aside_what_does_not_fit(question, request, kept);
   complete(request, std::move(question));
   return request;
+}
+
+// A sheet whose name says nothing may have rules that people count on.
+void note_skipped_sheets(const RunWorkbook& book, const SheetName* parts,
+                         std::vector<std::string>& notes) {
+  const std::vector<std::string> run = book.run_sheets();
+  const auto done = book.tests_done();
+  std::vector<std::string> skipped;
+  for (const SheetName& sheet : book.sheets) {
+    const bool is_read_or_named = &sheet == parts || known_as(sheet) != nullptr ||
+                                  sheet.name == done ||
+                                  std::ranges::find(run, sheet.name) != run.end();
+    if (!sheet.hidden && !is_read_or_named) {
+      skipped.push_back(sheet.name);
+    }
+  }
+  if (!skipped.empty()) {
+    notes.push_back(fmt::format(
+        "{}: not read, since {}: {}; rules are read from sheets called "
+        "Slots, Never, Priorities, Change costs and Benches",
+        book.name, skipped.size() == 1 ? "its name says no list" : "their names say none",
+        joined(skipped, shown)));
+  }
 }
 
 JobRequest with_other_sheets(JobRequest request, const RunWorkbook& book,
@@ -471,6 +519,7 @@ JobRequest with_other_sheets(JobRequest request, const RunWorkbook& book,
   if (!taken.empty()) {
     notes.push_back(fmt::format("{}: {}, by the names of its sheets", book.name, taken));
   }
+  note_skipped_sheets(book, parts, notes);
   // Without results they count as a plan and not as tests, so they are not taken unasked.
   const std::vector<std::string> run =
       request.done.is_given() ? std::vector<std::string>() : book.run_sheets();

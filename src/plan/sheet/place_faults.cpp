@@ -93,7 +93,7 @@ std::vector<std::string> place_faults(const std::vector<ShownSheet>& sheets,
     PlaceOfPart before = check.mounted("what is mounted before", sheet.before, job.start);
     check.stays("what is mounted before", known, before);
     for (std::size_t i = 0; i < steps.size(); ++i) {
-      const std::string where = fmt::format("step {}", i + 1 + job.tests_done);
+      const std::string where = fmt::format("step {}", i + 1 + job.steps_before());
       PlaceOfPart now = check.mounted(where, sheet.steps.at(i), steps[i].setup);
       check.stays(where, before, now);
       before = std::move(now);

@@ -40,7 +40,7 @@ class PlacesInJson {
     const Job& job = *sheets_[of].job;
     std::size_t at = 0;
     json.objects("steps", sheets_[of].sheet->steps, [&](const RunStep& step) {
-      json.key("step").value(job.tests_done + at + 1);
+      json.key("step").value(job.steps_before() + at + 1);
       first(at);
       json.key("take_out").value(names_of(job, step.take_out));
       json.key("put_in").value(names_of(job, step.put_in));

@@ -147,7 +147,7 @@ class SheetCounter {
 
   // The set-up that is being added, in messages.
   [[nodiscard]] std::string where() const {
-    return fmt::format("set-up {}", sheet_.steps.size() + 1 + job_->tests_done);
+    return fmt::format("set-up {}", sheet_.steps.size() + 1 + job_->steps_before());
   }
 
   void check_parts(const Block& setup) {

@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/model.hpp"
@@ -209,12 +210,22 @@ Table tests_done(const DoneRecord& done) {
   heads.emplace_back("notes", ColumnStyle{.kind = ColumnKind::notes});
   std::vector<std::vector<std::string>> rows;
   std::map<std::string, std::uint64_t> steps;  // by bench
+  std::set<std::string> numbered;              // benches whose tests have numbers
+  for (const DoneRecord::Test& test : done.tests) {
+    if (test.step) {
+      numbered.insert(test.bench);
+    }
+  }
   for (const DoneRecord::Test& test : done.tests) {
     std::vector<std::string>& row = rows.emplace_back();
     if (on_benches) {
       row.push_back(test.bench);
     }
-    row.push_back(std::to_string(++steps[test.bench]));
+    // A test that was added by hand belongs to the one above it.
+    const bool is_counted = numbered.count(test.bench) == 0;
+    row.push_back(test.step    ? std::to_string(*test.step)
+                  : is_counted ? std::to_string(++steps[test.bench])
+                               : "");
     const std::size_t places = row.size();
     row.insert(row.end(), test.parts.begin(), test.parts.end());
     row.resize(places + done.places.size());

@@ -45,7 +45,7 @@ std::string weight_line(const Job& job, const RunPlan& plan, const Money& money)
       const RunStep& step = sheet.steps[i];
       if (static_cast<double>(step.weight_so_far.millionths) >=
           share * static_cast<double>(sheet.weight_needed.millionths)) {
-        return fmt::format("after step {} (cost {})", i + 1 + job.tests_done,
+        return fmt::format("after step {} (cost {})", i + 1 + job.steps_before(),
                            money(step.cost_so_far));
       }
     }

@@ -40,7 +40,7 @@ std::shared_ptr<const Steps> steps_of(const std::vector<ShownSheet>& sheets) {
     const PlacedSheet& list = made->placed.sheets[bench];
     const MountedParts* before = &list.before;
     for (std::size_t i = 0; i < list.steps.size(); ++i) {
-      made->lines.push_back({bench, job->tests_done + i + 1, &sheet->steps[i],
+      made->lines.push_back({bench, job->steps_before() + i + 1, &sheet->steps[i],
                              times == nullptr ? nullptr : &(*times)[i], before, &list.steps[i], i});
       before = &list.steps[i];
     }

@@ -74,7 +74,9 @@ TEST(WorkbookQuestion, SlotsAndForbiddenPairsAreFoundByTheNamesOfTheirSheets) {
   const OpenedRequest book = opened(bytes, {.test_cost = "25"});
   EXPECT_THAT(book.notes,
               ElementsAre("parts: parts from 'Components', forbidden pairs from 'Forbidden pairs', "
-                          "slots from 'SLOTS', by the names of its sheets"));
+                          "slots from 'SLOTS', by the names of its sheets",
+                          "parts: not read, since its name says no list: 'A cover'; rules are read "
+                          "from sheets called Slots, Never, Priorities, Change costs and Benches"));
   const CheckedJobRequest asked = checked_job(book, Door::document);
   EXPECT_EQ(asked->job->parts(), 6U);
   EXPECT_EQ(asked->job->at_once, 4U);

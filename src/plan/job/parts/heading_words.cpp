@@ -249,4 +249,26 @@ bool heads_part_of_pair(std::string_view text) {
   return heads_parts(text) || is_among(word, others) || heads_names(without_number(word));
 }
 
+bool heads_results(std::string_view text) {
+  constexpr auto all = std::to_array<std::string_view>(
+      {"result",     "results",    "outcome",   "outcomes",     "verdict",      "verdicts",
+       "ergebnis",   "ergebnisse", "resultat",  "testergebnis", "prüfergebnis", "befund",
+       "résultat",   "résultats",  "resultado", "resultados",   "risultato",    "risultati",
+       "esito",      "resultaat",  "uitslag",   "結果",         "结果",         "결과",
+       "testresult", "pass",       "passed"});
+  return has_one_of(heading_words(text), all);
+}
+
+bool heads_steps(std::string_view text) {
+  constexpr auto all = std::to_array<std::string_view>(
+      {"step", "steps", "test", "tests", "schritt", "étape", "etape", "paso", "passo", "stap",
+       "essai", "prueba", "prova", "teste", "ステップ", "步骤", "단계"});
+  constexpr auto beside =
+      std::to_array<std::string_view>({"no", "nr", "number", "nummer", "num", "id", ""});
+  const std::vector<std::string> words = heading_words(text);
+  return has_one_of(words, all) && std::ranges::all_of(words, [&](const std::string& word) {
+           return is_among(word, all) || is_among(word, beside);
+         });
+}
+
 }  // namespace changeover

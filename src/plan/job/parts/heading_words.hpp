@@ -42,4 +42,9 @@ namespace changeover {
 /// One of the two parts of a pair: as heads_parts(), or "A", "Part B", "with".
 [[nodiscard]] bool heads_part_of_pair(std::string_view text);
 
+/// The results of tests: "result", "Result (pass/fail)", "Ergebnis", "Verdict".
+[[nodiscard]] bool heads_results(std::string_view text);
+/// The numbers of steps or tests: "step", "Test no.", "Schritt".
+[[nodiscard]] bool heads_steps(std::string_view text);
+
 }  // namespace changeover

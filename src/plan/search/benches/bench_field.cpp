@@ -18,6 +18,7 @@ Bench kind_of(const Bench& bench) {
   kind.own.clear();
   kind.hours.reset();
   kind.tests_done = 0;
+  kind.last_step = 0;
   kind.rest.clear();
   kind.places.clear();
   return kind;

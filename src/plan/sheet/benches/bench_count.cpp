@@ -44,6 +44,7 @@ Job question_of(const Job& left, const Bench& bench) {
   own.start = bench.start.value_or(left.start);
   own.first = bench.first.value_or(left.first);
   own.tests_done = bench.tests_done;
+  own.last_step = bench.last_step;
   return own;
 }
 
@@ -142,7 +143,7 @@ class BenchReferee {
             x < job_->quantities.size() && job_->quantities[x] == 0 && !contains(bench.own, x);
         if (contains(bench.without, x) || there_is_none) {
           fault(number, fmt::format("set-up {} has {}, which the bench cannot have",
-                                    i + 1 + bench.tests_done, job_->names[x]));
+                                    i + 1 + bench.steps_before(), job_->names[x]));
         }
       }
     }
@@ -157,7 +158,7 @@ class BenchReferee {
       for (const Element x : (*schedule_)[number][i].again) {
         if (!contains(before, x) || !contains(step.setup, x) || contains(step.put_in, x)) {
           fault(number,
-                fmt::format("set-up {} puts in again what did not stay", i + 1 + own.tests_done));
+                fmt::format("set-up {} puts in again what did not stay", i + 1 + own.steps_before()));
           continue;
         }
         step.put_in.push_back(x);
@@ -186,7 +187,7 @@ class BenchReferee {
     for (std::size_t i = 0; i < sheet.steps.size(); ++i) {
       const Amount begin = (*schedule_)[number][i].begin;
       Amount left = sheet.steps[i].cost;
-      const auto step = [&] { return fmt::format("step {}", i + 1 + bench.tests_done); };
+      const auto step = [&] { return fmt::format("step {}", i + 1 + bench.steps_before()); };
       if (begin < free) {
         fault(number, fmt::format("{} begins at {}, before the one before it ends at {}", step(),
                                   to_string(begin), to_string(free)));

@@ -85,6 +85,7 @@ BenchSheets::BenchSheets(const BenchDocument& document)
     jobs[b].start = bench.start.value_or(document.job->start);
     jobs[b].places = bench.places;
     jobs[b].tests_done = bench.tests_done;
+    jobs[b].last_step = bench.last_step;
     shown.push_back({&jobs[b], &plan.sheets[b], name_of(plan.benches, b)});
   }
   const std::vector<MountedPlace> places = placed(shown).places;

@@ -1,0 +1,209 @@
+#include "plan/job/setup_columns.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <map>
+
+#include "core/each.hpp"
+#include "core/words.hpp"
+#include "io/write/csv_cell.hpp"
+#include "plan/job/parts/heading_words.hpp"
+
+namespace changeover {
+
+std::optional<DonePlace> place_in(std::string_view head) {
+  constexpr std::string_view prefix = "slot_";
+  if (!head.starts_with(prefix)) {
+    return std::nullopt;
+  }
+  head.remove_prefix(prefix.size());
+  DonePlace place;
+  const char* const end = head.data() + head.size();
+  const auto [rest, failure] = std::from_chars(head.data(), end, place.number);
+  if (failure != std::errc() || (rest != end && *rest != ' ')) {
+    return std::nullopt;
+  }
+  place.slot = rest == end ? "" : std::string(rest + 1, end);
+  return place;
+}
+
+namespace {
+
+// The first column that is not taken and whose head is as asked.
+template <class Is>
+std::optional<std::size_t> first_column(const Heads& heads, const std::vector<bool>& taken,
+                                        Is&& is) {
+  for (std::size_t i = 0; i < heads.size(); ++i) {
+    if ((i >= taken.size() || !taken[i]) && is(heads[i])) {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
+
+// What is written before the column of results, and in no other list.
+bool is_figure(std::string_view head) {
+  constexpr auto figures = std::to_array<std::string_view>(
+      {"new_pairs", "new_triples", "cost", "cost_so_far", "clock", "weight_so_far"});
+  return std::ranges::find(figures, head) != figures.end();
+}
+
+bool is_new_here(std::string_view head) { return head == "new_pairs" || head == "new_triples"; }
+
+bool heads_a_setup(std::string_view head) {
+  return head == "set_up" || head == "put_in" || head == "set" || place_in(head).has_value();
+}
+
+// The column that follows the figures, if there is one of them that no list but a run sheet has.
+std::optional<std::size_t> column_after_figures(const Heads& heads,
+                                                const std::vector<bool>& taken) {
+  const auto last = std::ranges::find_if(heads.rbegin(), heads.rend(), is_figure);
+  const auto column = static_cast<std::size_t>(heads.rend() - last);
+  const bool is_free = column < heads.size() && lower_case(heads[column]) != "notes" &&
+                       (column >= taken.size() || !taken[column]);
+  return is_free && std::ranges::any_of(heads, is_new_here) ? std::optional(column) : std::nullopt;
+}
+
+// The parameter of a column, with the heading that sheets give it: "slot_3 cost" if another column
+// has its name.
+struct HeadedParameter {
+  std::size_t parameter = 0;
+  bool by_slot = false;
+};
+
+std::optional<HeadedParameter> headed_parameter(const ModelNames& model, const std::string& cell) {
+  const std::string head(csv_text(cell));
+  if (const auto place = place_in(head); place && !place->slot.empty()) {
+    if (const auto found = model.parameter(place->slot)) {
+      return HeadedParameter{*found, true};
+    }
+  }
+  const auto found = model.parameter(head);
+  return found ? std::optional(HeadedParameter{*found, false}) : std::nullopt;
+}
+
+// The columns beside the set-up.
+void find_beside(const Row& first, const std::vector<bool>& taken, SetupColumns& columns) {
+  const Heads heads = each_of<std::string>(first, &Field::text);
+  const auto called = [&](std::string_view word) {
+    return first_column(heads, taken,
+                        [&](const std::string& head) { return lower_case(head) == word; });
+  };
+  columns.step = step_column(heads, taken);
+  columns.result = result_column(heads, taken);
+  columns.notes = called("notes");
+  columns.bench = called("bench");
+}
+
+// A first row that has more names of parameters than values.
+SetupColumns parameter_columns(const Row& first, const PartFinder& finder) {
+  struct Column {
+    std::size_t at = 0;
+    bool by_slot = false;
+  };
+  std::map<std::size_t, Column> by_parameter;
+  SetupColumns columns;
+  std::size_t values = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const std::string& head = first[i].text;
+    values += finder.find(head) ? 1U : 0U;
+    if (const auto headed = headed_parameter(*finder.model(), head)) {
+      const auto [known, is_new] =
+          by_parameter.emplace(headed->parameter, Column{i, headed->by_slot});
+      if (!is_new && headed->by_slot && !known->second.by_slot) {
+        known->second = {i, true};
+      }
+    }
+  }
+  std::vector<std::size_t> of_column(first.size(), by_parameter.size());
+  for (const auto& [parameter, column] : by_parameter) {
+    of_column[column.at] = parameter;
+    columns.slots.push_back(column.at);
+  }
+  std::ranges::sort(columns.slots);
+  for (const std::size_t at : columns.slots) {
+    columns.parameters.push_back(of_column[at]);
+  }
+  std::vector<bool> taken(first.size(), false);
+  for (const std::size_t at : columns.slots) {
+    taken[at] = true;
+  }
+  find_beside(first, taken, columns);
+  columns.header = columns.slots.size() > values;
+  return columns.header ? columns : SetupColumns();
+}
+
+}  // namespace
+
+// A first row with such words is the header of a sheet, unless they are names of parts; then only
+// if it is certainly a header.
+SetupColumns setup_columns(const Row& first, const PartFinder& finder, bool is_given) {
+  if (finder.model() != nullptr && !is_given) {
+    SetupColumns columns = parameter_columns(first, finder);
+    if (columns.header) {
+      return columns;
+    }
+  }
+  const auto has_all = [&](std::initializer_list<std::string_view> words) {
+    return std::ranges::all_of(words, [&](std::string_view word) {
+      return std::ranges::any_of(first, [&](const Field& field) { return field.text == word; });
+    });
+  };
+  const bool beyond_doubt = has_all({"step", "take_out", "put_in", "cost_so_far"}) ||
+                            has_all({"step", "result", "notes"});
+  SetupColumns columns;
+  std::vector<bool> taken(first.size(), false);
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (finder.is_name(first[i].text) && !beyond_doubt) {
+      taken[i] = true;
+    } else if (first[i].text == "set_up") {
+      columns.list = i;
+      taken[i] = true;
+    } else if (place_in(first[i].text)) {
+      columns.slots.push_back(i);
+      taken[i] = true;
+    }
+  }
+  find_beside(first, taken, columns);
+  columns.header = beyond_doubt || columns.list || !columns.slots.empty();
+  return columns;
+}
+
+std::vector<DonePlace> places_of(const SetupColumns& columns, const Row& header,
+                                 const PartFinder& finder) {
+  std::vector<DonePlace> places = each_of<DonePlace>(columns.parameters, [&](const std::size_t p) {
+    return DonePlace{.number = p + 1, .slot = finder.model()->model().parameters[p].name};
+  });
+  for (const std::size_t i : columns.slots) {
+    if (columns.parameters.empty()) {
+      places.push_back(*place_in(header[i].text));
+    }
+  }
+  return places;
+}
+
+SheetShape shape_of(const Heads& heads) {
+  const bool has_figures = std::ranges::any_of(heads, is_new_here);
+  const bool has_setups = std::ranges::any_of(heads, heads_a_setup);
+  if (has_setups && has_figures) {
+    return SheetShape::steps;
+  }
+  return has_setups && first_column(heads, {}, heads_results) ? SheetShape::done
+                                                              : SheetShape::other;
+}
+
+std::optional<std::size_t> result_column(const Heads& heads, const std::vector<bool>& taken) {
+  const auto ours = first_column(
+      heads, taken, [](const std::string& head) { return lower_case(head) == "result"; });
+  const auto meant = ours ? ours : first_column(heads, taken, heads_results);
+  return meant ? meant : column_after_figures(heads, taken);
+}
+
+std::optional<std::size_t> step_column(const Heads& heads, const std::vector<bool>& taken) {
+  const auto ours = first_column(
+      heads, taken, [](const std::string& head) { return lower_case(head) == "step"; });
+  return ours ? ours : first_column(heads, taken, heads_steps);
+}
+
+}  // namespace changeover

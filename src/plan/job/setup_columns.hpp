@@ -1,0 +1,64 @@
+// The columns of a run sheet or of a list of tests, by their heads: as they were written, or as
+// people rename them.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "changeover/plan/job.hpp"
+#include "io/scan/row_reader.hpp"
+#include "plan/job/part_finder.hpp"
+
+namespace changeover {
+
+/// The fields of a row that hold a set-up, and what is beside it.
+struct SetupColumns {
+  std::optional<std::size_t> list;      // all parts in one field
+  std::vector<std::size_t> slots;       // one part in each; increasing
+  std::vector<std::size_t> parameters;  // for a model, by slot: the fields with its values
+  std::optional<std::size_t> step;
+  std::optional<std::size_t> result;
+  std::optional<std::size_t> notes;
+  std::optional<std::size_t> bench;
+  bool header = false;  // the first row is a header
+};
+
+/// The columns below this row, if it is a header. Words of heads that are names of parts count only
+/// if the row is certainly a header.
+[[nodiscard]] SetupColumns setup_columns(const Row& first, const PartFinder& finder, bool is_given);
+
+/// The places of a row: for a model, each parameter is a place.
+[[nodiscard]] std::vector<DonePlace> places_of(const SetupColumns& columns, const Row& header,
+                                               const PartFinder& finder);
+
+/// The place of "slot_7", or of "slot_7 CPU".
+[[nodiscard]] std::optional<DonePlace> place_in(std::string_view head);
+
+/// The heads of a table, by column; "" for a column without a head.
+using Heads = std::vector<std::string>;
+
+/// What a table is, by its heads alone.
+enum class SheetShape {
+  other,
+  steps,  ///< what is to be done: steps with their set-ups and figures
+  done    ///< tests with their set-ups and results, without figures
+};
+[[nodiscard]] SheetShape shape_of(const Heads& heads);
+
+/// The column of results: that called "result", else the one whose head means it ("Ergebnis",
+/// "Result (pass/fail)"), else the one that follows the figures of a step, where it was written.
+/// `taken` are columns that have another meaning.
+[[nodiscard]] std::optional<std::size_t> result_column(const Heads& heads,
+                                                       const std::vector<bool>& taken = {});
+
+/// The column with the numbers of the steps.
+[[nodiscard]] std::optional<std::size_t> step_column(const Heads& heads,
+                                                     const std::vector<bool>& taken = {});
+
+/// The most rows of one field, as titles are, that may stand above a header.
+inline constexpr std::size_t most_titles = 10;
+
+}  // namespace changeover
