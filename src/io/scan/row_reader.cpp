@@ -249,8 +249,10 @@ bool RowReader::next_line() {
 }
 
 std::optional<Row> RowReader::next_of_sheet() {
+  const std::uint64_t before = sheet_row_;
   while (auto cells = sheet_->next()) {
     sheet_row_ = cells->number;
+    after_blank_ = sheet_row_ > before + 1;
     Row row;
     for (SheetCell& cell : cells->cells) {
       const std::size_t start = cell.text.find_first_not_of(' ');
@@ -303,6 +305,7 @@ bool RowReader::split(Row& row) {
     if (const std::size_t at = line.find('\r'); at != std::string_view::npos) {
       fail(at, lone_carriage_return);
     }
+    after_blank_ = after_blank_ || std::ranges::all_of(rest, is_blank);
     return false;
   }
   if (const auto defect = first_defect(line, true)) {
@@ -323,10 +326,13 @@ bool RowReader::split(Row& row) {
   if (++rows_ > options_.most_rows) {
     fail(0, fmt::format("more than {} rows; give a list without repetitions", options_.most_rows));
   }
-  return !std::ranges::all_of(row, is_empty);
+  const bool is_blank_row = std::ranges::all_of(row, is_empty);
+  after_blank_ = after_blank_ || is_blank_row;
+  return !is_blank_row;
 }
 
 std::optional<Row> RowReader::next() {
+  after_blank_ = false;
   Row row;
   while (next_line()) {
     if (split(row)) {

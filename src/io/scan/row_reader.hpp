@@ -116,6 +116,9 @@ class RowReader {
   /// Its fields; false if it is a comment or blank.
   [[nodiscard]] bool split(Row& row);
 
+  /// Whether the last row of next() came below an empty line; a comment is none.
+  [[nodiscard]] bool after_blank() const { return after_blank_; }
+
   /// @throws BadInput with the place of this offset in the line of the last row.
   [[noreturn]] void fail(std::size_t offset, std::string_view what) const;
   /// @throws BadInput with the place of this field, of any row.
@@ -150,6 +153,7 @@ class RowReader {
   std::size_t width_ = 0;         // of the first row of the sheet
   std::uint64_t rows_ = 0;
   char separator_ = '\0';  // not known yet
+  bool after_blank_ = false;
 };
 
 /// Splits a row of one field at blanks; quotes hold a field with blanks together, and empty fields

@@ -9,12 +9,15 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "core/each.hpp"
 #include "core/printable.hpp"
+#include "core/spelling.hpp"
 #include "core/words.hpp"
 #include "io/request/request_rows.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/part_finder.hpp"
+#include "plan/job/parts/heading_words.hpp"
 
 namespace changeover {
 namespace {
@@ -66,9 +69,12 @@ class BenchReader {
   BenchReader(Input& input, const std::vector<std::string>& names, std::vector<std::string>* gone)
       : rows_(input), finder_(names, numbers_in(rows_)), gone_(gone) {}
 
+  // The heads of columns that say nothing of benches.
+  [[nodiscard]] const std::vector<std::string>& unused() const { return unused_; }
+
   std::vector<Bench> read() {
     std::vector<Bench> benches;
-    std::vector<BenchColumn> columns;
+    std::vector<std::optional<BenchColumn>> columns;
     while (const auto row = rows_.next()) {
       if (columns.empty()) {
         columns = columns_of(*row);
@@ -85,8 +91,8 @@ class BenchReader {
   }
 
  private:
-  std::vector<BenchColumn> columns_of(const Row& header) {
-    std::vector<BenchColumn> columns;
+  std::vector<std::optional<BenchColumn>> columns_of(const Row& header) {
+    std::vector<std::optional<BenchColumn>> columns;
     for (const Field& field : header) {
       const auto column = bench_column(field.text);
       if (!column && header.size() == 1) {
@@ -94,18 +100,40 @@ class BenchReader {
         return {BenchColumn::name};
       }
       if (!column) {
-        rows_.fail(field, fmt::format("there is no column {} of benches; there are {}",
-                                      shown(field.text), fmt::join(bench_columns(), ", ")));
-      }
-      if (std::ranges::find(columns, *column) != columns.end()) {
+        pass_over(field);
+      } else if (std::ranges::find(columns, column) != columns.end()) {
         rows_.fail(field, fmt::format("a second column {}; remove one", shown(field.text)));
       }
-      columns.push_back(*column);
+      columns.push_back(column);
+    }
+    if (std::ranges::none_of(columns, [](const auto& column) { return column.has_value(); })) {
+      no_such_column(header.front());
     }
     return columns;
   }
 
-  Bench bench_of(const Row& row, const std::vector<BenchColumn>& columns) {
+  [[noreturn]] void no_such_column(const Field& field) const {
+    rows_.fail(field, fmt::format("there is no column {} of benches; there are {}",
+                                  shown(field.text), fmt::join(bench_columns(), ", ")));
+  }
+
+  // A column of another kind, as of a parts list; but no misspelled one, whose rules would be lost.
+  void pass_over(const Field& field) {
+    const std::vector<std::string> known(bench_columns().begin(), bench_columns().end());
+    const auto nearest = nearest_word(plain_heading(field.text), known);
+    if (nearest) {
+      rows_.fail(field, fmt::format("there is no column {} of benches; did you mean {}?",
+                                    shown(field.text), *nearest));
+    }
+    if (rows_.is_given()) {
+      no_such_column(field);
+    }
+    if (!field.text.empty()) {
+      unused_.push_back(field.text);
+    }
+  }
+
+  Bench bench_of(const Row& row, const std::vector<std::optional<BenchColumn>>& columns) {
     Bench bench;
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (i >= columns.size()) {
@@ -114,8 +142,8 @@ class BenchReader {
                                          "a comma",
                                          columns.size()));
         }
-      } else if (!row[i].text.empty()) {
-        take(bench, columns[i], row[i]);
+      } else if (columns[i] && !row[i].text.empty()) {
+        take(bench, *columns[i], row[i]);
       }
     }
     return bench;
@@ -147,7 +175,7 @@ class BenchReader {
         bench.change_factor = amount(field, "factor");
         break;
       case BenchColumn::hours:
-        bench.hours = amount(field, "number of hours");
+        bench.hours = amount(without_hours(field), "number of hours");
         break;
       case BenchColumn::slots:
         bench.slots = at(field, [&] { return parse_slots(field.text); });
@@ -189,6 +217,16 @@ class BenchReader {
     return at(field, [&] { return parse_measure(text, what); });
   }
 
+  // The field without a sign of hours, as in "8 h".
+  static Field without_hours(Field field) {
+    const std::size_t end = field.text.find_last_of("0123456789");
+    const std::string sign = end == std::string::npos ? "" : field.text.substr(end + 1);
+    if (unit_in_heading("(" + sign + ")") == CostUnit::hours) {
+      field.text.resize(end + 1);
+    }
+    return field;
+  }
+
   bool is_down(const Field& field) {
     const std::string word = lower_case(field.text);
     constexpr std::array<std::string_view, 6> yes{"yes", "true", "1", "x", "down", "y"};
@@ -205,7 +243,14 @@ class BenchReader {
 
   Block parts(const Field& field) {
     Row words = at(field, [&] { return split_row(field.text); });
-    if (finder_.some_gone(words, rows_, gone_)) {
+    if (words.size() == 1 && !finder_.find(field.text)) {
+      between_semicolons(field, words);
+    }
+    for (Field& word : words) {
+      word.offset = field.offset;
+      word.line = field.line;
+    }
+    if (finder_.some_gone(words, rows_, gone_, true)) {
       std::erase_if(words, [&](const Field& word) { return finder_.may_be_gone(word.text); });
     }
     return find_parts(
@@ -213,9 +258,21 @@ class BenchReader {
         [&](const Field&, const std::string& what) { rows_.fail(field, what); });
   }
 
+  // Several parts with semicolons between them.
+  void between_semicolons(const Field& field, Row& words) const {
+    const std::vector<std::string> names = finder_.names_between(field.text, ";");
+    if (!names.empty()) {
+      words.clear();
+      for (const std::string& name : names) {
+        words.push_back({.text = name});
+      }
+    }
+  }
+
   RowReader rows_;
   PartFinder finder_;
   std::vector<std::string>* gone_;
+  std::vector<std::string> unused_;
   bool only_names_ = false;
 };
 
@@ -235,10 +292,15 @@ Amount parse_measure(std::string_view text, std::string_view what) {
 const std::vector<std::string_view>& bench_columns() { return row_keys(RowShape::benches); }
 
 std::vector<Bench> read_benches(Input& input, const std::vector<std::string>& names,
-                                std::vector<std::string>* gone) {
-  std::vector<Bench> benches = BenchReader(input, names, gone).read();
+                                std::vector<std::string>* gone, std::vector<std::string>* notes) {
+  BenchReader reader(input, names, gone);
+  std::vector<Bench> benches = reader.read();
   if (benches.empty()) {
     fail(input.name(), {}, "no bench is listed; write one per line below a header");
+  }
+  if (notes != nullptr && !reader.unused().empty()) {
+    notes->push_back(fmt::format("{}: not used of the benches: {}", input.name(),
+                                 joined(reader.unused(), shown)));
   }
   return benches;
 }

@@ -15,6 +15,7 @@
 #include "changeover/core/block.hpp"
 #include "changeover/plan/job.hpp"
 #include "core/printable.hpp"
+#include "core/spelling.hpp"
 #include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
@@ -52,6 +53,9 @@ class PartFinder {
     for (std::size_t i = 0; i < names.size(); ++i) {
       by_name_.emplace(names[i], static_cast<Element>(i));
       in_small_letters_.insert(lower_case(names[i]));
+      if (const std::string look = visible(names[i]); look != names[i]) {
+        by_look_.emplace(look, static_cast<Element>(i));
+      }
     }
   }
 
@@ -61,6 +65,12 @@ class PartFinder {
     }
     if (of_model_) {
       return of_model_->part(word);
+    }
+    // A name with other kinds of blanks: no two names of a list look the same.
+    if (!by_look_.empty()) {
+      if (const auto found = by_look_.find(visible(word)); found != by_look_.end()) {
+        return found->second;
+      }
     }
     if (!numbers_count_) {
       return std::nullopt;
@@ -105,10 +115,10 @@ class PartFinder {
     return word.find_first_not_of("0123456789") != std::string::npos && !find(word) &&
            !is_name_in_any_case(word);
   }
-  // Whether one of these fields is such a name; these are added to `gone`, each once. Rows that
-  // were sent are not an old list, so they have none.
+  // Whether one of these fields is such a name; these are added to `gone`, each once, on request
+  // with their places. Rows that were sent are not an old list, so they have none.
   [[nodiscard]] bool some_gone(std::span<const Field> fields, const RowReader& reader,
-                               std::vector<std::string>* gone) {
+                               std::vector<std::string>* gone, bool with_places = false) {
     if (gone == nullptr || reader.is_given()) {
       return false;
     }
@@ -117,7 +127,8 @@ class PartFinder {
       if (may_be_gone(field.text)) {
         some = true;
         if (gone_.insert(field.text).second) {
-          gone->push_back(field.text);
+          gone->push_back(with_places ? fmt::format("{} ({})", field.text, reader.place(field))
+                                      : field.text);
         }
       }
     }
@@ -143,6 +154,17 @@ class PartFinder {
         return fmt::format("there is no part {}; did you mean {}?", shown(word), shown(name));
       }
     }
+    if (are_several(word)) {
+      return fmt::format("{} is several parts; write one part per field", shown(word));
+    }
+    // Of short names and numbers any other is near.
+    constexpr std::size_t least_letters = 3;
+    const bool is_word =
+        word.size() >= least_letters && word.find_first_not_of("0123456789") != std::string::npos;
+    if (const auto nearest = is_word ? nearest_word(word, *names_) : std::nullopt) {
+      return fmt::format("there is no part {}; did you mean {}?", shown(word),
+                         shown(without_piece(*nearest)));
+    }
     return numbers_count_
                ? fmt::format(
                      "there is no part {}; give a name of the parts list or a number from 1 to {}",
@@ -150,11 +172,40 @@ class PartFinder {
                : fmt::format("there is no part {}; give a name of the parts list", shown(word));
   }
 
+  // The names of parts in a text between these separators; nothing if one of them is no name.
+  [[nodiscard]] std::vector<std::string> names_between(const std::string& text,
+                                                       std::string_view separators) const {
+    std::vector<std::string> found;
+    std::size_t begin = 0;
+    while (begin <= text.size()) {
+      const std::size_t end = std::min(text.find_first_of(separators, begin), text.size());
+      const std::size_t first = std::min(text.find_first_not_of(' ', begin), end);
+      const std::size_t last = text.find_last_not_of(' ', end - 1);
+      found.push_back(first == end ? "" : text.substr(first, last + 1 - first));
+      if (!is_name(found.back())) {
+        return {};
+      }
+      begin = end + 1;
+    }
+    return found;
+  }
+
  private:
+  // The part of which this is a further piece: "DIMM A #2" without its number.
+  [[nodiscard]] std::string without_piece(const std::string& name) const {
+    const std::string part = name.substr(0, name.rfind(" #"));
+    return is_name(part) ? part : name;
+  }
+
+  [[nodiscard]] bool are_several(const std::string& word) const {
+    return names_between(word, ",;/+&").size() > 1;
+  }
+
   const std::vector<std::string>* names_;
   bool numbers_count_;
   std::optional<ModelNames> of_model_;
   std::unordered_map<std::string, Element> by_name_;
+  std::unordered_map<std::string, Element> by_look_;  // of names that do not look as written
   std::unordered_set<std::string> in_small_letters_;
   std::unordered_set<std::string> gone_;
 };

@@ -4,13 +4,17 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
 #include "changeover/run/control.hpp"
+#include "core/each.hpp"
 #include "core/printable.hpp"
+#include "core/spelling.hpp"
+#include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/choices.hpp"
@@ -30,8 +34,10 @@ std::optional<std::uint64_t> number(std::string_view text) {
                                                                      : std::nullopt;
 }
 
+using Range = std::pair<std::uint64_t, std::uint64_t>;
+
 // "2", "2..4", "2..", "..4".
-std::optional<std::pair<std::uint64_t, std::uint64_t>> range_of(std::string_view text) {
+std::optional<Range> range_of(std::string_view text) {
   const std::size_t dots = text.find("..");
   if (dots == std::string_view::npos) {
     const auto both = number(text);
@@ -43,6 +49,20 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> range_of(std::string_view
   const auto most = to.empty() ? std::optional(Slot{}.most) : number(to);
   return least && most && !(from.empty() && to.empty()) ? std::optional(std::pair(*least, *most))
                                                         : std::nullopt;
+}
+
+// The same in a cell, where "2-4" and "2–4" are no other numbers.
+std::optional<Range> range_in_cell(std::string_view text) {
+  for (const std::string_view hyphen : {"-", "–"}) {
+    const std::size_t at = text.find(hyphen);
+    const auto least = number(text.substr(0, std::min(at, text.size())));
+    const auto most =
+        at == std::string_view::npos ? std::nullopt : number(text.substr(at + hyphen.size()));
+    if (least && most) {
+      return Range(*least, *most);
+    }
+  }
+  return range_of(text);
 }
 
 // The columns of a list of slots.
@@ -82,6 +102,22 @@ SlotTable slot_table(const Row& first, const RowReader& reader) {
   return table.name ? table : SlotTable();
 }
 
+// The slot of this name, or else the only one whose name differs in case alone.
+std::optional<std::size_t> slot_called(const std::vector<Slot>& slots, const std::string& name) {
+  std::optional<std::size_t> alike;
+  bool several = false;
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    if (slots[i].name == name) {
+      return i;
+    }
+    if (lower_case(slots[i].name) == lower_case(name)) {
+      several = alike.has_value();
+      alike = i;
+    }
+  }
+  return several ? std::nullopt : alike;
+}
+
 }  // namespace
 
 std::vector<Slot> read_slots(Input& input) {
@@ -116,7 +152,13 @@ std::vector<Slot> read_slots(Input& input) {
     };
     Slot slot{.name = name->text};
     if (const Field* const exactly = field(table.exactly)) {
-      slot.least = slot.most = limit(*exactly);
+      const auto range = range_in_cell(exactly->text);
+      if (!range) {
+        reader.fail(*exactly, fmt::format("{} is not a number of parts; write one as 2, or a range "
+                                          "as 2..4",
+                                          shown(exactly->text)));
+      }
+      std::tie(slot.least, slot.most) = *range;
     }
     if (const Field* const least = field(table.least)) {
       slot.least = limit(*least);
@@ -181,14 +223,17 @@ void set_slots(Job& job, const std::vector<std::string>& of_parts, std::vector<S
     if (of_parts[x].empty()) {
       continue;
     }
-    const auto found = std::ranges::find(slots, of_parts[x], &Slot::name);
-    if (found == slots.end()) {
+    const auto found = slot_called(slots, of_parts[x]);
+    if (!found) {
+      const std::vector<std::string> names = each_of<std::string>(slots, &Slot::name);
+      const auto nearest = nearest_word(of_parts[x], names);
       throw BadInput(
-          fmt::format("{} is in slot {}, which has no limits; give least and most, or "
+          fmt::format("{} is in slot {}, which has no limits; {}give least and most, or "
                       "leave its field empty",
-                      job.names[x], shown(of_parts[x])));
+                      job.names[x], shown(of_parts[x]),
+                      nearest ? fmt::format("did you mean {}? if not, ", shown(*nearest)) : ""));
     }
-    slot_of[x] = static_cast<std::uint32_t>(found - slots.begin());
+    slot_of[x] = static_cast<std::uint32_t>(*found);
   }
   job.slots = std::move(slots);
   job.slot_of = std::move(slot_of);

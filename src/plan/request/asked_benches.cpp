@@ -17,7 +17,7 @@ namespace changeover {
 namespace {}  // namespace
 
 std::vector<Bench> listed_benches(Input& input, const OldListOptions& options) {
-  std::vector<Bench> benches = read_benches(input, *options.names, options.gone);
+  std::vector<Bench> benches = read_benches(input, *options.names, options.gone, options.notes);
   const PartsLeft& left = *options.left;
   for (Bench& bench : benches) {
     bench.own = left(bench.own);

@@ -14,7 +14,8 @@ namespace changeover {
 struct OldListOptions {
   const std::vector<std::string>* names = nullptr;  ///< of all parts of the list
   const PartsLeft* left = nullptr;
-  std::vector<std::string>* gone = nullptr;  ///< receives unknown names, which are left out
+  std::vector<std::string>* gone = nullptr;   ///< receives unknown names, which are left out
+  std::vector<std::string>* notes = nullptr;  ///< receives what else people should know
 };
 
 /// The benches of a list, with the current numbers of parts. @throws as read_benches()

@@ -57,12 +57,13 @@ class JobMaker {
  private:
   [[nodiscard]] bool has_benches() const { return question_->benches.is_given(); }
 
-  // Reads a list that may be older than the parts list: unknown names are left out, with a note.
-  // Parts that broke may be named, too.
+  // Reads a list that may be older than the parts list if something is done or broke: unknown names
+  // are left out, with a note. Before, they are misspelled.
   template <typename Read>
   auto read_old(Input& input, Read&& read) {
     std::vector<std::string> gone;
-    auto found = read(input, names_, &gone);
+    const bool old = question_->done.is_given() || !question_->without.empty();
+    auto found = read(input, names_, old ? &gone : nullptr);
     if (!gone.empty()) {
       notes_.push_back(gone_note(input.name(), gone));
     }
@@ -100,7 +101,6 @@ class JobMaker {
     notes_.push_back(fmt::format("without: left out from now on: {}", parts_text(without, names_)));
   }
 
-  // The parts and their costs.
   void take_parts() {
     const JobRequest& asked = *question_;
     if (asked.model.is_given()) {
@@ -140,6 +140,7 @@ class JobMaker {
                                                         : Header::guessed,
                             .cost_column = asked.cost_column};
     std::ranges::transform(slots, std::back_inserter(options.slots), &Slot::name);
+    options.costs_may_lack = change || asked.change_costs.is_given();
     const auto input = question_.open("parts", asked.parts);
     PartList list = read_parts(*input, options);
     if (list.names.size() < 2) {
@@ -181,7 +182,7 @@ class JobMaker {
     } else {
       const auto input = question_.open("benches", asked.benches);
       benches_ = read_old(*input, [&](Input& list, const auto&, std::vector<std::string>* gone) {
-        return listed_benches(list, {&names_, &left_, asked.benches.rows ? nullptr : gone});
+        return listed_benches(list, {&names_, &left_, gone, &notes_});
       });
       whole_.benches = bench_rows(benches_, job_);
     }

@@ -99,7 +99,7 @@ class PairReader {
     bool some = false;
     for (const std::size_t i : {columns_.one, columns_.other}) {
       if (i < row.size() && came_in_fields_) {
-        some = finder_.some_gone({&row[i], 1}, reader_, gone) || some;
+        some = finder_.some_gone({&row[i], 1}, reader_, gone, true) || some;
       }
     }
     return some;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <unordered_set>
 #include <utility>
@@ -38,15 +39,33 @@ void check_name(const RowReader& reader, const Field& name) {
   }
 }
 
+// Whether a field says that there is nothing in it.
+bool says_none(const std::string& text) {
+  constexpr auto words =
+      std::to_array<std::string_view>({"", "-", "–", "—", "n/a", "na", "n.a.", "none"});
+  return std::ranges::find(words, lower_case(text)) != words.end();
+}
+
 // Reads a parts list row by row, once the columns are known.
 class PartReader {
  public:
   PartReader(const Input& input, const RowReader& reader, const PartColumns& columns,
-             std::size_t fields)
-      : input_(&input), reader_(&reader), columns_(columns), fields_(fields), costs_(reader) {}
+             std::size_t fields, bool costs_may_lack)
+      : input_(&input),
+        reader_(&reader),
+        columns_(columns),
+        fields_(fields),
+        costs_may_lack_(costs_may_lack),
+        costs_(reader) {}
 
-  void take(const Row& row) {
+  void take(const Row& row, bool after_blank) {
     check_fields(row);
+    if (after_blank) {
+      check_footnote(row);
+    }
+    if (fields_in(row) < 2) {
+      only_full_ = false;
+    }
     if (columns_.name >= row.size() || row[columns_.name].text.empty()) {
       reader_->fail(row.front(), "a row without a name; name the part");
     }
@@ -60,11 +79,12 @@ class PartReader {
     }
     list_.names.push_back(name.text);
     list_.change_costs.emplace_back();
-    if (columns_.cost && *columns_.cost < row.size() && !row[*columns_.cost].text.empty()) {
+    if (columns_.cost && *columns_.cost < row.size() && !has_no_cost(row[*columns_.cost].text)) {
       list_.change_costs.back() = costs_.read(row[*columns_.cost]);
     }
     if (columns_.slot) {
-      list_.slots.push_back(*columns_.slot < row.size() ? row[*columns_.slot].text : "");
+      const bool is_in_one = *columns_.slot < row.size() && !says_none(row[*columns_.slot].text);
+      list_.slots.push_back(is_in_one ? row[*columns_.slot].text : "");
       if (!list_.slots.back().empty()) {
         check_name(*reader_, row[*columns_.slot]);
       }
@@ -97,6 +117,29 @@ class PartReader {
     }
   }
 
+  [[nodiscard]] bool has_no_cost(const std::string& text) const {
+    return text.empty() || (costs_may_lack_ && says_none(text));
+  }
+
+  static std::ptrdiff_t fields_in(const Row& row) {
+    return std::ranges::count_if(row, [](const Field& field) { return !field.text.empty(); });
+  }
+
+  // A line alone below an empty one, where all parts above have more fields: the date of the list,
+  // say, which would be a part with the cost of parts without one.
+  void check_footnote(const Row& row) const {
+    const bool is_shorter = reader_->is_workbook() || row.size() < fields_;
+    if (columns_.header && !list_.names.empty() && only_full_ && is_shorter &&
+        fields_in(row) == 1) {
+      const Field& text =
+          *std::ranges::find_if(row, [](const Field& f) { return !f.text.empty(); });
+      reader_->fail(text,
+                    fmt::format("{} stands alone below an empty line and may be a footnote or "
+                                "a part; remove it, or the empty line",
+                                shown(text.text)));
+    }
+  }
+
   void take_name(const Field& name) {
     check_name(*reader_, name);
     if (!seen_.insert(name.text).second) {
@@ -113,17 +156,26 @@ class PartReader {
     }
   }
 
+  // Whether a text behind a number says that it counts pieces: "", "pcs", "x".
+  static bool is_of_pieces(std::string_view rest) {
+    constexpr auto words = std::to_array<std::string_view>(
+        {"",    "x",    "×",     "pc",  "pcs", "pc.",  "pcs.",  "piece", "pieces", "off", "ea",
+         "stk", "stk.", "stück", "st.", "pce", "unit", "units", "個",    "个",     "개"});
+    rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+    return std::ranges::find(words, lower_case(rest)) != words.end();
+  }
+
   // Reads the quantity; false if there are no pieces of the part.
   bool take_quantity(const Row& row, const Field& name) {
     if (!columns_.quantity) {
       return true;
     }
     std::uint64_t quantity = 1;
-    if (*columns_.quantity < row.size() && !row[*columns_.quantity].text.empty()) {
+    if (*columns_.quantity < row.size() && !says_none(row[*columns_.quantity].text)) {
       const Field& field = row[*columns_.quantity];
       const char* const end = field.text.data() + field.text.size();
       const auto [rest, failure] = std::from_chars(field.text.data(), end, quantity);
-      if (failure != std::errc() || rest != end) {
+      if (failure != std::errc() || !is_of_pieces({rest, end})) {
         reader_->fail(field, fmt::format("{} is not a number of pieces; write a whole number, as 4",
                                          shown(field.text)));
       }
@@ -179,12 +231,14 @@ class PartReader {
   const RowReader* reader_;
   PartColumns columns_;
   std::size_t fields_;
+  bool costs_may_lack_;
   CostReader costs_;
   PartList list_;
   std::unordered_set<std::string> seen_;
   std::unordered_set<std::string> looks_;
   std::vector<std::string> none_left_;
   std::string total_;
+  bool only_full_ = true;  // all rows so far have more than one field
 };
 
 }  // namespace
@@ -197,8 +251,10 @@ PartList read_parts(Input& input, const PartListOptions& options) {
   constexpr std::size_t most_above = 12;  // a header, and what is above it
   RowReader reader(input);
   std::vector<Row> rows;  // more than a header can need
+  std::vector<bool> after_blank;
   while (auto next = rows.size() < max_parts + most_above ? reader.next() : std::nullopt) {
     rows.push_back(std::move(*next));
+    after_blank.push_back(reader.after_blank());
   }
   if (rows.empty()) {
     fail(input.name(), {}, "no part is listed; write one per line");
@@ -206,9 +262,10 @@ PartList read_parts(Input& input, const PartListOptions& options) {
   const PartColumns columns = part_columns(rows, options, reader);
   constexpr std::size_t most_without_header = 2;
   PartReader parts(input, reader, columns,
-                   columns.header ? rows[columns.above].size() : most_without_header);
+                   columns.header ? rows[columns.above].size() : most_without_header,
+                   options.costs_may_lack);
   for (std::size_t i = columns.above + (columns.header ? 1 : 0); i < rows.size(); ++i) {
-    parts.take(rows[i]);
+    parts.take(rows[i], after_blank[i]);
   }
   return parts.finish();
 }
