@@ -167,7 +167,7 @@ SetupColumns setup_columns(const Row& first, const PartFinder& finder, bool is_g
   }
   find_beside(first, taken, columns);
   columns.header = beyond_doubt || columns.list || !columns.slots.empty();
-  return columns;
+  return columns.header ? columns : SetupColumns();
 }
 
 std::vector<DonePlace> places_of(const SetupColumns& columns, const Row& header,

@@ -79,7 +79,7 @@ TEST(PlanBenches, SayWhatIsWrong) {
     spit(folder.file(name), list);
     return plan("parts.csv --benches " + name);
   };
-  expect({{bench("bench,colour\nNorth,red\n"), 3, ".csv:1:7: there is no column 'colour' of bench"},
+  expect({{bench("bench,withuot\nNorth,L4\n"), 3, "no column 'withuot' of benches; did you mean"},
           {bench("bench,start\nNorth,h100\n"), 3, "did you mean 'H100'?"},
           {bench("bench,hours\nNorth,25\n"), 3, "North: 25 hours a day; give at most 24"},
           {bench("bench,hours\nNorth,soon\n"), 3, ".csv:2:7: "},
