@@ -22,16 +22,16 @@ from .known import Bound, Bounds, Cell, Counted, Table, bounds, table, to_pandas
 from .orders import (
     LoadOrder, Report, UpdateReport, WorkerLoads, WorkStep, all_pairs, load_order, update_pairs)
 from .pictures import Picture
-from .plans import BenchSheets, RunSheet, plan
+from .plans import Answer, BenchSheets, RunSheet, plan
 from .searches import Classification, SearchResult, classify, search
 
 __version__: str = _core.__version__
 
 __all__ = [
-    "BadInput", "BenchSheets", "Blocks", "Bound", "Bounds", "Cell", "Classification", "Counted",
-    "Design", "Entry", "Error", "ImpossibleParameters", "InternalError", "LoadOrder", "MissingResource",
-    "Picture", "Report", "RunSheet", "SearchResult", "Stream", "Table", "UpdateReport", "Verdict",
-    "WorkStep", "WorkerLoads", "__version__", "all_pairs", "bounds", "catalog", "classify",
-    "constructions", "design", "explain", "load_order", "loads", "plan", "read", "search", "stream",
-    "table", "to_pandas", "to_sage", "update_pairs", "verify",
+    "Answer", "BadInput", "BenchSheets", "Blocks", "Bound", "Bounds", "Cell", "Classification",
+    "Counted", "Design", "Entry", "Error", "ImpossibleParameters", "InternalError", "LoadOrder",
+    "MissingResource", "Picture", "Report", "RunSheet", "SearchResult", "Stream", "Table",
+    "UpdateReport", "Verdict", "WorkStep", "WorkerLoads", "__version__", "all_pairs", "bounds",
+    "catalog", "classify", "constructions", "design", "explain", "load_order", "loads", "plan",
+    "read", "search", "stream", "table", "to_pandas", "to_sage", "update_pairs", "verify",
 ]

@@ -88,7 +88,7 @@ class Loads(unittest.TestCase):
             ),
             ({"pairs": [(1, 2), (2, 3, 1)], "workers": 2}, "only some of the rows"),
             ({"pairs": [(1, 2, 3, 4)]}, "row 0 has more than two items"),
-            ({"groups": [(1, 2), (8, 9)]}, "item 8 is not one of 8 items"),
+            ({"groups": [(1, 2), (8, 9)]}, "item 8 does not exist; items are 0 to 7"),
             ({"groups": [(1, -2)]}, "groups: items are numbered from 0"),
             ({"groups": [(1,)]}, "no pair is in a group"),
             ({"groups": [(1, 2)], "pairs": [(1, 2)]}, "pairs, groups, against and done_items"),

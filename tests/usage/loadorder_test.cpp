@@ -368,7 +368,7 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
            {"--items 40 --room 12 --fast-room 1", 2, "give 2 to 12"},
            {"--items 70000 --room 12 --fast-room 4", 2, "at most 65535"},
            {"--items 40 --room 12 --fast-room 4 --item-bytes 0", 2, "--item-bytes 0"},
-           {"--items 40 --room 12 --item-bytes 9", 2, "--item-bytes"},
+           {"--items 40 --room 12 --item-bytes 9", 0, "756 bytes are loaded"},
            {"--items 40 --room 12 --fast-room 4 --workers 2", 0, "for 2 workers, the busiest has"},
            {"--items 40 --room 12 --fast-room 4 --workers 2 --json", 0, "\"worker\":1,\"step\":1"},
            {"--items 40 --room 12 --fast-room 4 --workers 2 --write-back", 2, "add --disjoint"},

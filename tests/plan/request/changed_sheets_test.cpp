@@ -94,14 +94,14 @@ class ChangedSheets : public test::PlannedWorkbook {
   // How many tests of it count as done; its notes are kept.
   std::uint64_t done_in(const std::string& book) {
     const OpenedRequest again = opened(book);
-    now = checked_job(again, Door::document);
+    now = *checked_job(again, Door::document);
     return now.job->tests_done;
   }
 
   std::string bytes;
   std::string filled;
   RunSheet sheet;
-  ParsedJob now;
+  ReadJob now;
 };
 
 TEST_F(ChangedSheets, ARunSheetIsKnownWhateverItsTabIsCalled) {
