@@ -481,7 +481,7 @@ def load_order(
 def load_order(*given: Any, workers: int, **named: Any) -> WorkerLoads: ...
 
 
-def load_order(
+def load_order(  # type: ignore[misc]  # the second one says only what comes of workers
     items: Optional[int], room: Optional[int] = None, *,
     pairs: Any = None, groups: Any = None, against: Optional[int] = None,
     done_items: Optional[int] = None, workers: Optional[int] = None,

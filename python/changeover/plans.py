@@ -55,6 +55,8 @@ def _bench_step(step: Dict[str, Any]) -> Dict[str, Any]:
 class Answer(Dict[str, Any]):
     """A dict, with the document that it was made of."""
 
+    _text = ""
+
     def __init__(self, entries: Dict[str, Any], text: str) -> None:
         super().__init__(entries)
         self._text = text
@@ -398,7 +400,7 @@ def plan(
 def plan(*given: Any, benches: Benches, **named: Any) -> BenchSheets: ...
 
 
-def plan(
+def plan(  # type: ignore[misc]  # the second one says only what comes of benches
     parts: Optional[Parts] = None, at_once: Optional[int] = None, *,
     model: Optional[Model] = None, test_cost: Optional[Cost] = None,
     change_cost: Optional[Cost] = None, change_costs: Optional[Mapping[Any, Cost]] = None,

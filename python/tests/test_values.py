@@ -81,6 +81,8 @@ OBJECTS = {
     changeover.Picture: lambda: [DESIGN.draw(), changeover.design(61, 4).draw("stays")],
     changeover.Bound: lambda: changeover.bounds(9, 4).all,
     changeover.Bounds: lambda: [changeover.bounds(9, 4), changeover.bounds(4, 2, change=1)],
+    changeover.Answer: lambda: [
+        changeover.plan(9, 3, test_cost=1, change_cost=5, steps=300).what_if()],
     changeover.Counted: lambda: [changeover.bounds(9, 4, 1, "circular").classified],
     changeover.Cell: lambda: list(changeover.table(4, (4, 9))),
     changeover.Table: lambda: [changeover.table((2, 4), (4, 9))],

@@ -185,7 +185,8 @@ TEST(JobRequest, RulesHold) {
         option_of(job_table(), key).field);
   };
   const auto said = [](const OptionRule& rule, const JobRequest& request, Door door) {
-    const RequestTable<JobRequest> alone{job_table().format, job_table().options, {rule}};
+    const RequestTable<JobRequest> alone{
+        job_table().format, job_table().options, {rule}, job_table().times};
     try {
       check_rules(alone, request, RequestWords(alone, request, door));
       return std::string();
