@@ -5,7 +5,7 @@ export const terms = {
   change: 'number of elements in which consecutive blocks differ',
   kind: 'circular: the last block and the first are consecutive, too; linear: they need not be',
   blocks: 'number of blocks in the list, b for short',
-  bound: 'proved: no design with these parameters has fewer blocks',
+  bound: 'proved: no design with these parameters has fewer blocks than this',
   valid: 'every pair of elements is in some block, and every step changes exactly m elements',
   tight: 'every pair is newly covered exactly once, so nothing is wasted',
   economical: 'has exactly as many blocks as counting pairs requires',

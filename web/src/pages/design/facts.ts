@@ -46,9 +46,9 @@ export function facts(design: Design): HTMLElement {
         terms.bound,
       ],
       ['valid', yes(verdict.valid, true), terms.valid],
-      ['minimum', status, terms.minimum],
-      ['tight', yes(verdict.tight), terms.tight],
-      ['economical', yes(verdict.economical), terms.economical],
+      ['minimum', status, `means: ${terms.minimum}`],
+      ['tight', yes(verdict.tight), `means: ${terms.tight}`],
+      ['economical', yes(verdict.economical), `means: it ${terms.economical}`],
     );
   }
   return h(

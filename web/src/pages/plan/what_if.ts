@@ -135,15 +135,23 @@ export function whatIf(
         : 'Replan to see what is cheapest at these costs.';
       return;
     }
-    const best = rangeAt(here * unitOf());
+    const at = here * unitOf();
+    const best = rangeAt(at);
+    const other = found.ranges.find(({ to }) => to === at); // costs as much just here
     const mine = rangeAt(unitOf());
     said.textContent = !best
       ? ''
-      : best === mine
-        ? `${same ? 'These are your costs. ' : ''}The ${best.plan.name} is cheapest here: ` +
-          `${count(best.plan.tests, 'test')}, ${count(best.plan.changes, 'change')}.`
-        : `The ${best.plan.name} would be cheaper: ${count(best.plan.tests, 'test')}, ` +
-          `${count(best.plan.changes, 'change')}. Replan to get it, or a better one.`;
+      : other && other !== best
+        ? `${same ? 'These are your costs. ' : ''}Two plans are cheapest here: ` +
+          [other, best]
+            .map(({ plan }) => `${count(plan.tests, 'test')} with ${count(plan.changes, 'change')}`)
+            .join(', and ') +
+          '.'
+        : best === mine
+          ? `${same ? 'These are your costs. ' : ''}The ${best.plan.name} is cheapest here: ` +
+            `${count(best.plan.tests, 'test')}, ${count(best.plan.changes, 'change')}.`
+          : `The ${best.plan.name} would be cheaper: ${count(best.plan.tests, 'test')}, ` +
+            `${count(best.plan.changes, 'change')}. Replan to get it, or a better one.`;
     redraw();
   }
 

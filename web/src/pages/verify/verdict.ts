@@ -130,12 +130,12 @@ export function facts({ answer, blocks }: Report): HTMLElement {
       terms.bound,
     ],
     ['valid', yes(answer.valid), terms.valid],
-    ['tight', yes(verdict.tight), terms.tight],
-    ['economical', yes(verdict.economical), terms.economical],
+    ['tight', yes(verdict.tight), `means: ${terms.tight}`],
+    ['economical', yes(verdict.economical), `means: it ${terms.economical}`],
     [
       'minimum',
       verdict.minimum === 'proved' ? 'yes, proved' : answer.valid ? 'not known' : 'no',
-      terms.minimum,
+      `means: ${terms.minimum}`,
     ],
     [
       'excess',
