@@ -1,9 +1,9 @@
 // Lists of plan out of workbooks: the same rows as from a text.
 #include <gmock/gmock.h>
 
-#include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
 #include "core/each.hpp"
+#include "message_of.hpp"
 #include "run_program.hpp"
 #include "zip_files.hpp"
 
@@ -24,16 +24,6 @@ std::unique_ptr<Input> book(const std::string& rows) {
   return input_from_text(zipped(workbook_of({{"S", rows}})), "f.xlsx");
 }
 
-template <typename Read>
-std::string fault(Read&& read) {
-  try {
-    read();
-    return "none";
-  } catch (const BadInput& bad) {
-    return bad.what();
-  }
-}
-
 TEST(WorkbookJob, Parts) {
   const PartList list = read_parts(
       *book("<row>" + text_cell("component") + text_cell("change\ncost") + "</row>" + "<row>" +
@@ -50,7 +40,7 @@ TEST(WorkbookJob, Parts) {
 
 TEST(WorkbookJob, SaysWhichCell) {
   const auto parts = [](const std::string& rows) {
-    return fault([&] { (void)read_parts(*book(rows)); });
+    return message_of([&] { (void)read_parts(*book(rows)); });
   };
   const std::string head = "<row>" + text_cell("part") + text_cell("cost") + "</row>";
   EXPECT_EQ(parts(head + "<row r='4'>" + text_cell("A") + text_cell("much") + "</row>"),
@@ -70,7 +60,7 @@ TEST(WorkbookJob, SaysWhichCell) {
               HasSubstr("f.xlsx:S!CZZ2: a cell beyond column 2048"));
   EXPECT_THAT(parts(""), HasSubstr("no part is listed"));
   EXPECT_THAT(
-      fault([] {
+      message_of([] {
         (void)read_pairs(*book("<row>" + text_cell("A") + text_cell("X") + "</row>"), {"A", "B"});
       }),
       HasSubstr("f.xlsx:S!B1: there is no part 'X'"));
@@ -115,8 +105,9 @@ TEST(WorkbookJob, OneSheetOfSeveral) {
   EXPECT_THAT(names("f.xlsx"), ElementsAre("x"));
   EXPECT_THAT(names("f.xlsx:b"), ElementsAre("y"));
   EXPECT_THAT(names("odd:name"), ElementsAre("c"));
-  EXPECT_THAT(fault([&] { names("f.csv:b"); }), HasSubstr("not a workbook (.xlsx), so it has no"));
-  EXPECT_THAT(fault([&] { names("f.xlsx:C"); }), HasSubstr("there is no sheet 'C'"));
+  EXPECT_THAT(message_of([&] { names("f.csv:b"); }),
+              HasSubstr("not a workbook (.xlsx), so it has no"));
+  EXPECT_THAT(message_of([&] { names("f.xlsx:C"); }), HasSubstr("there is no sheet 'C'"));
   EXPECT_THROW(names("none.xlsx:b"), MissingResource);
   EXPECT_EQ(list_file(folder.file("f.xlsx:b")), folder.file("f.xlsx"));
   EXPECT_EQ(list_file(folder.file("odd:name")), folder.file("odd:name"));
