@@ -187,7 +187,7 @@ test('only some pairs: they are in the link', async (explorer) => {
   await page.getByRole('button', { name: 'Find an order' }).click();
   await page
     .getByRole('alert')
-    .getByText('pairs:2:3: item 9 is not one of 6 items, which have the numbers 0 to 5')
+    .getByText('pairs:2:3: item 9 does not exist; items are 0 to 5')
     .waitFor();
   await pairs.fill('0 1\n1 2\n# the end\n2 3\n');
   await page.getByRole('button', { name: 'Find an order' }).click();

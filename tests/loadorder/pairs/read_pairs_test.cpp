@@ -104,7 +104,8 @@ TEST(ReadPairs, LinesAreReadTheSameHoweverTheyAreWritten) {
   EXPECT_EQ(WantedPairs::listed(plain).hash(), WantedPairs::listed(other).hash());
   EXPECT_EQ(plain->items(), 10'000'000U);
   EXPECT_THAT(fault("0 1\n0 10000000\n1\n"), HasSubstr("f:3:1: one item"));
-  EXPECT_THAT(fault("0 1\n5 9\n", {.items = 9}), HasSubstr("f:2:3: item 9 is not one of 9 items"));
+  EXPECT_THAT(fault("0 1\n5 9\n", {.items = 9}),
+              HasSubstr("f:2:3: item 9 does not exist; items are 0 to 8"));
 }
 
 TEST(ReadPairs, AreCsvIfTheyAreWrittenSo) {
@@ -138,7 +139,8 @@ TEST(ReadPairs, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(fault("# 1 2\n"), HasSubstr("no pair is listed"));
   EXPECT_THAT(fault("0 1\n2\n"), HasSubstr("f:2:1: one item stands alone"));
   EXPECT_THAT(fault("0 1 0.5\n"), HasSubstr("f:1:5: more than two items"));
-  EXPECT_THAT(fault("0 1\n0 9\n", {.items = 9}), HasSubstr("f:2:3: item 9 is not one of 9 items"));
+  EXPECT_THAT(fault("0 1\n0 9\n", {.items = 9}),
+              HasSubstr("f:2:3: item 9 does not exist; items are 0 to 8"));
   EXPECT_THAT(fault("a b\nc d\n", {.items = 3}), HasSubstr("f:2:3: 'd' is one name more"));
   EXPECT_THAT(fault("a b\na \x01z\n"), HasSubstr("f:2:3: control byte 0x01"));
   EXPECT_THAT(fault("a " + std::string(300, 'b')), HasSubstr("f:1:3: a name of more than 255"));
@@ -203,7 +205,7 @@ TEST(ReadPairs, AGroupThatCannotBeIsRefusedWithItsPlace) {
   EXPECT_EQ(fault("1\n2\n", groups), "f: no pair is in a group; give two items or more per line");
   EXPECT_THAT(fault("0 1 2\n1 03\n", groups), HasSubstr("f:2:3: '03' is not written like"));
   EXPECT_THAT(fault("0 1 2\n1 9 3\n", {.items = 4, .groups = true}),
-              HasSubstr("f:2:3: item 9 is not one of 4 items"));
+              HasSubstr("f:2:3: item 9 does not exist; items are 0 to 3"));
   EXPECT_THAT(fault("a b\nc d\n", {.items = 3, .groups = true}), HasSubstr("f:2:3: 'd' is one"));
   EXPECT_THAT(fault("0 1,2\n", groups), HasSubstr("'0 1' is more than one number"));
   std::string all;

@@ -10,7 +10,7 @@ import { memory, shares } from './loadorder/memory';
 import { comparison, headline, jsonLines, levels, stepList, type Asked } from './loadorder/order';
 
 function commandOf(asked: Asked): string {
-  const { fastRoom, fastMemory, workers, epochs, seconds } = asked;
+  const { fastRoom, fastMemory, bytesPerItem, workers, epochs, seconds } = asked;
   const words = [
     'changeover loadorder',
     asked.pairs && '--pairs pairs.txt',
@@ -18,6 +18,7 @@ function commandOf(asked: Asked): string {
     asked.sizes === null ? `--room ${asked.room}` : `--sizes sizes.txt --memory ${asked.memory}`,
     fastRoom !== null && `--fast-room ${fastRoom}`,
     fastMemory !== null && `--fast-memory ${fastMemory}`,
+    bytesPerItem !== null && `--item-bytes ${bytesPerItem}`,
     workers > 1 && `--workers ${workers}`,
     asked.disjoint && '--disjoint',
     epochs > 1 && `--epochs ${epochs}`,
@@ -43,7 +44,7 @@ function requestOf(asked: Asked): Record<string, unknown> {
     ...(asked.epochs > 1 ? { epochs: asked.epochs } : {}),
     ...(asked.seconds > 0 ? { seconds: asked.seconds } : {}),
     ...(asked.prefetch ? { prefetch: true } : {}),
-    ...(bytesPerItem !== null ? { bytes_per_item: bytesPerItem } : {}),
+    ...(bytesPerItem !== null ? { item_bytes: bytesPerItem } : {}),
     ...(asked.pairs ? { pairs: { text: asked.pairs } } : {}),
   };
 }
