@@ -451,7 +451,10 @@ class ScheduleCheck::State {
       } else {
         is_new = computed()->insert(x, y);
       }
-      ++verdict_.computed;
+      constexpr std::uint64_t pairs_between_looks = std::uint64_t{1} << 16;  // a step can have 10^8
+      if (++verdict_.computed % pairs_between_looks == 0) {
+        stop_if_asked();
+      }
       ++count_at(verdict_.worker_pairs, step.worker);
       verdict_.repeated += is_new ? 0U : 1U;
       verdict_.overlapped += overlapped ? 1U : 0U;

@@ -144,7 +144,8 @@ TEST(SizedOrder, IsReadFromRequests) {
   EXPECT_THAT(facts(R"({"pairs":[["a","b"]],"sizes":{"text":"b 7\nc 8\n"},"memory":30})"),
               HasSubstr("'c' is not in the listed pairs"));
   EXPECT_THAT(facts(R"({"sizes":[[0,5],[2,2]],"memory":30})"), HasSubstr("item 1 has no size"));
-  EXPECT_THAT(facts(R"({"items":2,"sizes":[[0,5],[2,2]],"memory":30})"), HasSubstr("2 items"));
+  EXPECT_THAT(facts(R"({"items":2,"sizes":[[0,5],[2,2]],"memory":30})"),
+              HasSubstr("items are 0 to 1"));
   EXPECT_THAT(facts(R"({"sizes":{"text":"0 5\n0 6\n"},"memory":30})"), HasSubstr("already"));
   EXPECT_THAT(facts(R"({"sizes":{"text":"0 5\n1 -6\n"},"memory":30})"), HasSubstr(":2:3: '-6'"));
   EXPECT_THAT(facts(R"({"sizes":{"text":"0 5\n1 6 7\n"},"memory":30})"),

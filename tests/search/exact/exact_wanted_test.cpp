@@ -444,7 +444,7 @@ TEST(ExactWanted, RefusesWhatHasNoMeaning) {
   RunControl control({});
   const Parameters p{6, 3, 1, Kind::linear, 2};
   EXPECT_THAT(message_of([&] { (void)decide(p, 7, {.wanted = {.first = {6}}}, control); }),
-              HasSubstr("element 6 is not below 6"));
+              HasSubstr("element 6 does not exist; elements are 0 to 5"));
   MinimumOptions options;
   options.exact.wanted = {.first = {0}};
   EXPECT_THAT(message_of([&] {

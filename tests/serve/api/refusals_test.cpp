@@ -238,7 +238,7 @@ TEST_F(Refusals, JsonThatIsNotWhatWasAsked) {
        "at_once 1: no pair can meet"},
       {R"({"parts":1,"at_once":3,"test_cost":1,"change_cost":1})", 422, "two parts"},
       {R"({"parts":99999,"at_once":3,"test_cost":1,"change_cost":1})", 422, ""},
-      {R"({"parts":9,"at_once":3,"test_cost":-1})", 422, "test_cost"},
+      {R"({"parts":9,"at_once":3,"test_cost":-1,"change_cost":1})", 422, "test_cost"},
       {R"({"parts":9,"at_once":3,"test_cost":true})", 422, "test_cost"},
       {R"({"parts":{"file":"/etc/hostname"},"at_once":3,"test_cost":1,"change_cost":1})", 422,
        "the server opens no files"},
