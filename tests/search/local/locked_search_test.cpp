@@ -285,9 +285,10 @@ TEST(LockedSearch, RefusesWhatNoDesignHas) {
   EXPECT_NE(wanted_defect(linear, {.first = {0, 1, 2, 3, 4}}), "");
   EXPECT_NE(wanted_defect(linear, {.last = {1, 1}}), "");
   EXPECT_NE(wanted_defect(linear, {.last = {12}}), "");
-  EXPECT_EQ(wanted_defect({13, 4, 1, Kind::linear, 2}, {.expansion_set = true}),
-            "13 elements cannot be divided into unchanged subsets of 3; name others in the first or "
-            "last block");
+  EXPECT_EQ(
+      wanted_defect({13, 4, 1, Kind::linear, 2}, {.expansion_set = true}),
+      "13 elements cannot be divided into unchanged subsets of 3; name others in the first or "
+      "last block");
   EXPECT_EQ(wanted_defect(linear, {.contained = {{0, 1, 2}}}),
             "a block has 4 elements, not 3; give whole blocks");
   EXPECT_NE(wanted_defect(linear, {.contained = {{0, 1, 2, 3}, {0, 1, 4, 5}}}), "");

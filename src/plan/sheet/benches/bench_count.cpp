@@ -157,8 +157,8 @@ class BenchReferee {
       RunStep& step = sheet.steps[i];
       for (const Element x : (*schedule_)[number][i].again) {
         if (!contains(before, x) || !contains(step.setup, x) || contains(step.put_in, x)) {
-          fault(number,
-                fmt::format("set-up {} puts in again what did not stay", i + 1 + own.steps_before()));
+          fault(number, fmt::format("set-up {} puts in again what did not stay",
+                                    i + 1 + own.steps_before()));
           continue;
         }
         step.put_in.push_back(x);
