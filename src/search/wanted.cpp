@@ -85,7 +85,8 @@ std::string wanted_defect(const Parameters& p, const Wanted& wanted) {
     const std::size_t rest = in_parts(p, wanted).size();
     if (n == 0 || rest % n != 0) {
       return fmt::format(
-          "{} cannot be divided into unchanged subsets of {}; name others in the first or last block",
+          "{} cannot be divided into unchanged subsets of {}; name others in the first or last "
+          "block",
           count_of(rest, "element"), n);
     }
   }

@@ -196,8 +196,8 @@ struct BenchPlan : BenchCount {
 /// The documents of sheet_formats.hpp for all benches: one table per bench; CSV with a column
 /// `bench`; JSON, format "changeover-benches/1": title, benches, objective, cost, makespan, tests,
 /// changes, why_stopped, pairs_needed, pairs_tested, triples_needed, triples_tested, lower_bound
-/// {cost, makespan, cost_reason, makespan_reason}, cost_unit, places, sheets [{bench, tests, changes,
-/// cost, steps [{step, take_out, put_in, set_up, places, new_pairs (their number), cost,
+/// {cost, makespan, cost_reason, makespan_reason}, cost_unit, places, sheets [{bench, tests,
+/// changes, cost, steps [{step, take_out, put_in, set_up, places, new_pairs (their number), cost,
 /// cost_so_far, begin, end}]}], candidates [{name, how, tests, changes, cost, makespan}], notes; in
 /// each step replaced [[out, in]] if costs depend on what is replaced.
 struct BenchDocument {

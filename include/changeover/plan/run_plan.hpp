@@ -299,15 +299,16 @@ struct WhatIf {
 // JSON, one object: format "changeover-plan/1", title, parts [{name, change_cost, slot (or null;
 // with slots only)}], at_once, slots [{name, least, most}], test_cost, mounted, start, first
 // [[part]], tests_done, met_only_in_failed, trust_failed, tests, changes, cost, pairs_needed,
-// pairs_tested, proved_cheapest, why_stopped, lower_bound {cost, tests, changes, reason}, budget (or
-// null), triples_needed, triples_tested, weight {needed, tested, most (or null)} (or null),
+// pairs_tested, proved_cheapest, why_stopped, lower_bound {cost, tests, changes, reason}, budget
+// (or null), triples_needed, triples_tested, weight {needed, tested, most (or null)} (or null),
 // cost_unit (or null), places [{number, slot (or null)}], steps [{step, take_out, put_in, set_up,
-// places [part or null, in the order of places], new_pairs [[a,b]], cost, cost_so_far, weight_so_far (where pairs
-// are weighed)}], candidates [{name, how, tests, changes, cost, pairs_tested, triples_tested,
-// weight}], notes [text]. If costs depend on what is replaced, also replace_costs [[number, or null
-// where a part meets itself or one of another slot]] by part out and part in, and in each step
-// replaced [[out, in]]. For a model also parameters [{name, values [{value, part, names,
-// out_of_range}]}], rules (how many), objective, proved_fewest_tests, and in each step values
+// places [part or null, in the order of places], new_pairs [[a,b]], cost, cost_so_far,
+// weight_so_far (where pairs are weighed)}], candidates [{name, how, tests, changes, cost,
+// pairs_tested, triples_tested, weight}], notes [text]. If costs depend on what is replaced, also
+// replace_costs [[number, or null where a part meets itself or one of another slot]] by part out
+// and part in, and in each step replaced [[out, in]]. For a model also parameters [{name, values
+// [{value, part, names, out_of_range}]}], rules (how many), objective, proved_fewest_tests, and in
+// each step values
 // {parameter: value}. Costs are exact decimals.
 //
 // For a model all formats say for each step what to set, and the value of each parameter. CSV and

@@ -20,8 +20,8 @@ namespace changeover {
 /// Reads the benches in the order of their rows; an empty field takes the value of the job. The
 /// first row names the columns, with blanks or underscores, in any case; `bench` stands for the
 /// name. A list with one column may have names only. Several parts in a field are separated by
-/// commas or semicolons; slots are written as CPU=1,disk=2..4. If `gone` is given, unknown parts are
-/// left out and each name with its place is added to it once. Columns of other kinds are passed
+/// commas or semicolons; slots are written as CPU=1,disk=2..4. If `gone` is given, unknown parts
+/// are left out and each name with its place is added to it once. Columns of other kinds are passed
 /// over, with a line in `notes` if that is given. @throws BadInput with a place for malformed
 /// fields, a misspelled column, more than max_benches; MissingResource if reading fails.
 [[nodiscard]] std::vector<Bench> read_benches(Input& input, const std::vector<std::string>& names,
