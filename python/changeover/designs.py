@@ -10,13 +10,13 @@ import operator
 import zlib
 from array import array
 from typing import (
-    Any, Dict, Iterator, List, Literal, Optional, SupportsIndex, Tuple, Union, overload,
+    Any, Dict, Iterator, List, Literal, Optional, Sequence, SupportsIndex, Tuple, Union, overload,
 )
 
 from . import _core
 from ._given import attempt, listed, rows_of, words_of
 from ._made import Kind, Made, check_calls, count_of, fact, in_a_line, known, made
-from ._notebook import Shown, shown, table
+from ._notebook import Shown, latex, shown, table
 from .errors import BadInput
 from .pictures import Picture, PictureKind, Theme, picture_of
 
@@ -292,19 +292,23 @@ class Design(Made):
     def __getitem__(self, index: Any) -> Any:
         return self.blocks[index]
 
-    def _repr_html_(self) -> str:
+    def _title(self) -> str:
         known = self.verdict
         quality = ", ".join(
             [word for word in ("tight", "economical", "minimum") if getattr(known, word)]
             if known.valid else ["not valid"])
-        title = (f"{self._facts['name']}, {count_of(self.b, 'block')}"
-                 + (f": {quality}" if quality else ""))
-        drawn = self._repr_svg_()
-        if drawn is not None:
-            return shown(title, (), drawn)
+        return (f"{self._facts['name']}, {count_of(self.b, 'block')}"
+                + (f": {quality}" if quality else ""))
+
+    def _rows(self) -> Tuple[Sequence[str], Iterator[Tuple[int, List[str]]], int]:
+        """Heads, rows and their number of a table of the blocks."""
         names = self.labels or range(self.v)
-        rows = ((i, [names[x] for x in block]) for i, block in enumerate(self.blocks, 1))
-        return shown(title, (), table(("block", "elements"), rows, self.b))
+        rows = ((i, [str(names[x]) for x in block]) for i, block in enumerate(self.blocks, 1))
+        return ("block", "elements"), rows, self.b
+
+    def _repr_html_(self) -> str:
+        drawn = self._repr_svg_()
+        return shown(self._title(), (), table(*self._rows()) if drawn is None else drawn)
 
     def _repr_svg_(self) -> Optional[str]:
         most_blocks, most_elements = 48, 600
@@ -312,10 +316,10 @@ class Design(Made):
             return None
         return self.draw().svg
 
-    def _repr_latex_(self) -> Optional[str]:
+    def _repr_latex_(self) -> str:
         most_blocks, most_elements = 24, 300
         if self.b > most_blocks or self.b * self.k > most_elements:
-            return None
+            return latex(self._title(), (), *self._rows(), 60, "row")
         heads = " & ".join(f"B_{{{i + 1}}}" for i in range(self.b))
         names = self.labels or range(self.v)
         rows = [" & ".join(_math(str(names[block[row]])) for block in self.blocks)

@@ -38,7 +38,10 @@ class Shown(unittest.TestCase):
         self.assertTrue(well_formed(small._repr_svg_()).tag.endswith("svg"))
         large = changeover.design(61, 4)
         self.assertIsNone(large._repr_svg_())
-        self.assertIsNone(large._repr_latex_())
+        latex = large._repr_latex_()
+        self.assertIn("60 of 366 rows", latex)
+        self.assertEqual(latex.count(r"\\"), 1 + 60)
+        self.assertIn(r"\textbf{circular DCCD(61,4), 366 blocks", latex)
         self.assertIn("60 of 366 rows", large._repr_html_())
         well_formed(large._repr_html_())
 
