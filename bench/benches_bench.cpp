@@ -49,7 +49,7 @@ void plan_on_benches(benchmark::State& state) {
   count_plan(state, job, std::vector<Bench>(static_cast<std::size_t>(state.range(3))));
 }
 
-// There is one of each of the dearest parts, so many of them.
+// There is one of each of the most expensive parts; the argument says of how many.
 void plan_on_benches_with_stock(benchmark::State& state) {
   Job job =
       priced_job(static_cast<std::uint64_t>(state.range(0)),

@@ -29,7 +29,8 @@ inline Job priced_job(std::uint64_t parts, std::uint64_t at_once, const std::str
 
 /// 8 to 40 parts in 2 to 6 slots; half of the jobs have room for one part of each slot, as with
 /// parameters, the others for up to four. The change costs are one for all, multiples of 0.50 to
-/// 9.50, or a few dear ones; half of the jobs have forbidden pairs; a test costs 0.2 to 20 times
+/// 9.50, or a few expensive ones; half of the jobs have forbidden pairs; a test costs 0.2 to 20
+/// times
 /// what a change does.
 inline Job slotted_job(std::uint64_t seed) {
   for (std::uint64_t turn = 0;; ++turn) {

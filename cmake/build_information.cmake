@@ -1,6 +1,6 @@
 # changeover_build_information(<variable>)
 #
-# Makes the source of what the program says of its own build
+# Makes the source of what the program says about its build
 # (apps/changeover/shell/build_information.hpp) and stores its path in
 # <variable>.
 

@@ -57,7 +57,7 @@ function(changeover_room name)
   if(room_NOT_INSTALLED OR NOT CHANGEOVER_INSTALL)
     return()
   endif()
-  # An export of its own, so that strangers can have this room without what higher ones need:
+  # A separate export, so that other projects can use this room without what higher ones need:
   # cmake/install.cmake.
   install(TARGETS ${target} EXPORT changeover-${name}
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development

@@ -20,7 +20,7 @@ endif()
 
 # changeover_cold(<target> [ONLY <regex> | UNLESS <regex>])
 #
-# What nobody waits for while it runs is compiled for a fast build: -Og instead of -O2 takes about
+# Code whose speed does not matter at run time is compiled for a fast build: -Og instead of -O2 takes about
 # 0.6 of the compiler's time. That is all of the target, those of its sources whose path matches, or
 # all others; what computes (designs, searches, plans, streams of blocks and steps) stays at -O2.
 # The sources that match become objects of their own, <target>_apart, so that they, too, are

@@ -24,7 +24,7 @@ install(FILES "${completions}/changeover" DESTINATION
   "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
 install(FILES "${completions}/changeover.fish"
   DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d")
-# Below usr Debian's zsh looks into a folder of its own; elsewhere all look into the other one. The
+# Below usr Debian's zsh looks into a separate folder; elsewhere all look into the other one. The
 # prefix is known when it is installed: packages are made of a build for another.
 set(zsh_script "${completions}/_changeover")
 set(zsh_folder "\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/zsh")

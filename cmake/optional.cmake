@@ -1,5 +1,5 @@
-# An optional part never breaks the build: what it needs is tried first, in a project of its own and
-# a CMake of its own. Half of a package makes CMake's own modules and package files end the
+# An optional part never breaks the build: what it needs is tried first, in a separate project and
+# a separate CMake process. Half of a package makes CMake's own modules and package files end the
 # configuration; so it ends there.
 
 # changeover_try_optional(<variable> <name> <project> <source>)

@@ -24,7 +24,7 @@ set(CHANGEOVER_KNOWS_curator core run verify bounds io catalog construct isomorp
 set(CHANGEOVER_KNOWS_plan core run verify bounds io catalog construct search)
 set(CHANGEOVER_KNOWS_loadorder core run verify bounds io catalog construct search)
 
-# Rooms that nobody waits for while they run (cmake/cold.cmake), or which of their sources are such;
+# Rooms whose speed does not matter at run time (cmake/cold.cmake), or which of their sources;
 # WARM: as fast with fewer passes of the compiler.
 set(CHANGEOVER_COLD_catalog COLD UNLESS "catalog/entry/")
 set(CHANGEOVER_COLD_construct WARM)

@@ -224,14 +224,16 @@ PrefetchPlan plan_of(const Job& job, std::uint64_t items, std::uint64_t room) {
       return {std::move(order), 0};
     }
   }
-  throw Usage{fmt::format("--order {}: is none of beta, hold, tiles, exhaustive", job.order)};
+  throw Usage{
+      fmt::format("--order {}: unknown order; use beta, hold, tiles or exhaustive", job.order)};
 }
 
 std::uint64_t vectors_in(const Job& job, const FileItems& file) {
   const std::uint64_t vector_bytes = product(job.dimension, sizeof(float));
   if (file.data_bytes() % vector_bytes != 0) {
-    throw BadInput(fmt::format("{}: {} bytes are no whole number of vectors of {} bytes", job.path,
-                               file.data_bytes(), vector_bytes));
+    throw BadInput(
+        fmt::format("{}: {} bytes are not a whole number of vectors of {} bytes; check DIMENSION",
+                    job.path, file.data_bytes(), vector_bytes));
   }
   return file.data_bytes() / vector_bytes;
 }
@@ -481,7 +483,7 @@ int run(const Job& job, Processes& processes) {
 // A file that is opened must not become a standard stream because that was closed.
 void keep_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    // Not for writing: what is said there is lost, and that shall be noticed.
+    // Not for writing: what is written there is lost, which must be reported.
     if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDONLY) != stream) {
       std::_Exit(4);
     }

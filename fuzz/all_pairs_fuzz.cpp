@@ -1,4 +1,5 @@
-// A job of all pairs that finds a journal and results of somebody: first the journal, then the
+// A job of all pairs that finds a journal and results of another program: first the journal, then
+// the
 // bytes of the results. Whatever these are, a job that ends well has the right results.
 #include <cstring>
 #include <vector>

@@ -1,4 +1,4 @@
-// Any bytes, read as the JSON of a recipe and built within limits: whoever builds it gets the same
+// Any bytes, read as the JSON of a recipe and built within limits: each build gives the same
 // blocks, and what is made of constructions alone is a design.
 #include <algorithm>
 #include <chrono>
@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t most_v_here = 400;
 constexpr std::uint64_t most_blocks_here = 20'000;
 
-// Whether nobody's blocks are in it, of which a recipe cannot know what they are.
+// Whether it has no given blocks, which a recipe cannot know to be a design.
 bool is_made_of_constructions(const Recipe& recipe) {
   return recipe.blocks.empty() && recipe.construction != "literal" &&
          recipe.construction != "developed" &&

@@ -111,7 +111,7 @@ Request request_of(const std::string& bytes, const std::string& token) {
   return request;
 }
 
-// As server.cpp, but that what is no refusal goes on to whoever judges it.
+// As server.cpp, but exceptions other than refusals are passed on to the caller.
 Response answer(Place& place, const Request& request) {
   try {
     place.guard.check(request, Action::asks);

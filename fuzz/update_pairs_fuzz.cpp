@@ -1,4 +1,5 @@
-// A job that changes its items and finds the journal and the second file of items of somebody:
+// A job that changes its items and finds the journal and the second file of items of another
+// program:
 // journal, data, second file. A journal names the data's path, which is DATA here. What is refused
 // has changed nothing; a job that ends well from the beginning has done what it does on good days.
 #include <cstring>

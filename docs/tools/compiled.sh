@@ -20,7 +20,7 @@ compile() {
 run() {
   name=$1
   shift
-  # What runs in the background reads nothing unless it is told to.
+  # What runs in the background reads nothing unless it is asked to.
   exec 3<&0
   "$work/$name" "$@" <&3 &
   running=$!

@@ -2,7 +2,7 @@
 //
 //     const Target parts("parts", [](const std::string& bytes) { … must(b == a, "it changed"); });
 //
-// Each NAME_fuzz.cpp has one, called NAME. With libFuzzer it is a program of its own
+// Each NAME_fuzz.cpp has one, called NAME. With libFuzzer it is a separate program
 // (libfuzzer.cpp); tests/fuzz holds all of them in one program that feeds them fuzz/corpus/NAME.
 #pragma once
 
@@ -29,7 +29,8 @@ class Target {
   Take take_;
 };
 
-/// What is thrown by must(): no fault of the library derives from the same, so nobody else catches
+/// What is thrown by must(): no fault of the library derives from the same class, so no other code
+/// catches
 /// it.
 struct Broken {
   std::string promise;

@@ -33,7 +33,7 @@ def is_bytes(value: Any) -> bool:
 def file_name(argument: str, name: str) -> str:
     """The name; BadInput for one with a zero byte, of which what opens files takes the beginning."""
     if "\0" in name:
-        raise BadInput(f"{argument}: {_core.quoted(name)} is no name of a file")
+        raise BadInput(f"{argument}: {_core.quoted(name)} is not a file name; remove the zero byte")
     return name
 
 
@@ -97,13 +97,13 @@ def listed(argument: str, holds: str, value: Any, ordered: bool = False) -> Iter
     """The value, if going through it gives what is meant; TypeError for a string, whose letters
     that would be, and the like."""
     def refuse(what: str) -> NoReturn:
-        raise TypeError(f"{argument} has {holds}{what}")
+        raise TypeError(f"{argument} must be a list of {holds}{what}")
     if is_text(value):
-        refuse(", and is a list of them, not a string")
+        refuse(", not a string")
     if is_bytes(value):
-        refuse(", and is a list of them, not bytes")
+        refuse(", not bytes")
     if isinstance(value, collections.abc.Mapping):
-        refuse(", and is a list of them, not a dict; what its keys lead to would be lost")
+        refuse(", not a dict, whose values would be lost")
     if is_data_frame(value):
         refuse(", not a DataFrame; give its rows, or one of its columns")
     if not isinstance(value, collections.abc.Iterable):

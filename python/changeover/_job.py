@@ -58,7 +58,7 @@ def _rows(argument: str, rows: Iterable[Any]) -> Iterator[Any]:
 def _pair(argument: str, pair: Any) -> list[str]:
     names = names_in(argument, pair)
     if len(names) != 2 or names[0] == names[1]:
-        raise BadInput(f"{argument} is pairs of two parts")
+        raise BadInput(f"{argument} has a pair that is not two different parts; correct it")
     return names
 
 
@@ -73,7 +73,8 @@ def _forbidden(pairs: Any) -> list[list[str]]:
     for row in _rows("never", rows_of("never", "pairs of parts", pairs)):
         names = names_in("never", row)
         if len(names) not in (2, 3) or names[0] == names[1]:
-            raise BadInput("never is pairs of two parts, each alone or with why as (a, b, why)")
+            raise BadInput("never has a row that is not two different parts; give (a, b) or "
+                           "(a, b, why)")
         forbidden.append(names)
     return forbidden
 
@@ -106,7 +107,8 @@ def _test(test: Any, of_model: bool) -> Any:
     bench: dict[str, str] = {}
     if isinstance(test, dict):
         if not {"parts"} <= test.keys() <= {"parts", "result", "bench"}:
-            raise BadInput('done has dicts with "parts", "result" and "bench" only')
+            raise BadInput('a dict in done has "parts", and may have "result" and "bench"; '
+                           "remove other keys")
         bench = _bench_of(test)
         if "result" not in test:
             names = _done_setup(test["parts"], of_model)
@@ -133,7 +135,7 @@ def _first(setup: Any, of_model: bool) -> Any:
     if of_model or not isinstance(setup, dict):
         return _setup("first", setup, of_model)
     if not {"parts"} <= setup.keys() <= {"parts", "bench"}:
-        raise BadInput('first has dicts with "parts" and "bench" only')
+        raise BadInput('a dict in first has "parts", and may have "bench"; remove other keys')
     return {"parts": names_in("first", setup["parts"]), **_bench_of(setup)}
 
 
@@ -152,7 +154,7 @@ def _bench(given: Any) -> Any:
         kind = _of_benches.get(key)
         argument = f"benches: {key}"
         if kind is None:
-            raise BadInput(f"benches has dicts with {', '.join(_of_benches)} only, not "
+            raise BadInput(f"a dict in benches has the keys {', '.join(_of_benches)} only; remove "
                            f"{_core.quoted(words_of(key))}")
         if is_missing(value):
             continue
@@ -316,8 +318,8 @@ def _parts(given: Any, slots: Any, slot_of: Any, quantities: Any, needs_costs: b
     if (slots is None) == (has_column or slot_of is not None):
         raise BadInput(
             "parts has a column slot; give slots, how many parts each has, or leave the column out"
-            if has_column else "slots and slot_of come together: how many parts a slot has, and "
-            "which parts are in it")
+            if has_column else "slots (how many parts a slot has) and slot_of (the slot of each "
+            "part) belong together; give both")
     by_name = {part["name"]: part for part in parts}
     for argument, key, said in (("slot_of", "slot", slot_of),
                                 ("quantities", "quantity", quantities)):
@@ -349,8 +351,8 @@ def _value_costs(costs: Any) -> list[list[str]]:
     for key, cost in _items("change_costs", costs):
         names = [words_of(key)] if is_text(key) else names_in("change_costs", key)
         if not 1 <= len(names) <= 3:
-            raise BadInput("change_costs has keys parameter, (parameter, value) or "
-                           "(parameter, value taken out, value put in)")
+            raise BadInput("a key of change_costs does not fit; give parameter, "
+                           "(parameter, value) or (parameter, value taken out, value put in)")
         rows.append([*names, _amount("change_costs", cost)])
     return rows
 
@@ -373,7 +375,7 @@ def document_of(given: dict[str, Any]) -> dict[str, Any]:
                 raise BadInput(f"{argument} has no meaning with model; leave it out")
         document["model"] = _model(given["model"])
     elif given["parts"] is None:
-        raise TypeError("plan() wants parts or a model")
+        raise TypeError("plan() needs parts or model; give one of them")
     if given["parts"] is not None:
         document["parts"] = _parts(given["parts"], given["slots"], given["slot_of"],
                                    given["quantities"],

@@ -35,7 +35,8 @@ class _Closed(type):
 
 def _not_pickled(self: Any, _protocol: Any = 2) -> Any:
     name = type(self).__name__
-    raise TypeError(f"{'an' if name[0] in 'AEIO' else 'a'} {name} cannot be pickled or copied")
+    raise TypeError(f"{'an' if name[0] in 'AEIO' else 'a'} {name} cannot be pickled or copied; "
+                    "create it again where it is needed")
 
 
 def frozen(value: Any) -> Any:
@@ -56,7 +57,8 @@ class Made(metaclass=_Closed):
 
     def __new__(cls, *_args: Any, **_named: Any) -> Any:
         raise TypeError(
-            f"{cls.__name__} is what functions of changeover return, and is not made by hand")
+            f"{cls.__name__} objects cannot be constructed; call a function of changeover that "
+            "returns one")
 
     def _said(self) -> Any:
         """What two of them are equal in."""
@@ -91,7 +93,8 @@ class Made(metaclass=_Closed):
         def __getattr__(self, name):
             if name in Made.__slots__:
                 raise TypeError(
-                    "this object was made without its constructor, and there is nothing in it")
+                    "this object is empty, made without its constructor; call a function that "
+                    "returns one")
             raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'")
 
 
@@ -139,16 +142,18 @@ def _made_again(kind: Any, *state: Any) -> Any:
     """What pickle has of an object: facts and core as bytes, and their checksum. Raises BadInput for
     what is damaged or misses facts that this version has."""
     if not (isinstance(kind, type) and issubclass(kind, Made)):
-        raise TypeError("this is not what pickle made of an object of changeover")
+        raise TypeError("not the state of a pickled changeover object; load what pickle.dumps() "
+                        "returned")
     if len(state) != 2 or not isinstance(state[0], bytes):
-        raise BadInput(f"another version of changeover pickled this {kind.__name__}; make it anew")
+        raise BadInput(f"another version of changeover pickled this {kind.__name__}; create it "
+                       "again")
     if zlib.crc32(state[0]) != state[1]:
-        raise BadInput(f"this pickle of a {kind.__name__} is damaged; make it anew")
+        raise BadInput(f"this pickle of a {kind.__name__} is damaged; create it again")
     facts, kept = pickle.loads(state[0])
     for name in (*kind._hidden, *fact_names(kind)):
         if name not in facts:
             raise BadInput(f"another version of changeover pickled this {kind.__name__}, which has "
-                           f"no {name}; make it anew")
+                           f"no {name}; create it again")
     return made(kind, facts, kind._core_again(kept, facts))
 
 

@@ -38,7 +38,7 @@ class Entry(Made):
     def _core_again(cls, kept: Any, facts: Dict[str, Any]) -> Any:
         core = _core.Entry.of_line(kept)
         if core.facts() != facts:
-            raise BadInput("another version of changeover pickled this Entry; find it anew")
+            raise BadInput("another version of changeover pickled this Entry; find it again")
         return core
 
     @property

@@ -52,7 +52,7 @@ class Blocks(_core.Memory):
             return self.part(first, len(range(first, stop, step)), step)
         if not hasattr(type(index), "__index__"):
             shown = _core.quoted(words_of(repr(index)))
-            raise TypeError(f"blocks have a number or a slice as index, not {shown}")
+            raise TypeError(f"blocks are indexed by a whole number or a slice, not by {shown}")
         place = operator.index(index)
         if not -count <= place < count:
             raise IndexError(f"the design has {count_of(count, 'block')}")
@@ -90,7 +90,7 @@ def _blocks_again(state: bytes, k: int, checksum: int) -> Blocks:
     """What pickle has of blocks. Raises BadInput for what is damaged."""
     fits = isinstance(k, int) and 0 < k < 2**32
     if not fits or zlib.crc32(state, k) != checksum:
-        raise BadInput("this pickle of Blocks is damaged; make it anew")
+        raise BadInput("this pickle of Blocks is damaged; create it again")
     blocks: Blocks = _core.blocks_of_bytes(Blocks, state, k)
     return blocks
 
@@ -332,7 +332,8 @@ class Design(Made):
 
     def __setstate__(self, state: Any) -> None:
         if not isinstance(state, tuple) or len(state) != 1 or not isinstance(state[0], str):
-            raise TypeError("Design.__setstate__(): the state is what pickle made of a design")
+            raise TypeError("Design.__setstate__(): not the state of a pickled Design; pass what "
+                            "__getstate__() returned")
         self._take(_core.Design.read_text(state[0], ""))
 
     def __reduce_ex__(self, _protocol: Any = 2) -> Any:

@@ -1,4 +1,4 @@
-"""Faults, told apart by who can mend them."""
+"""Errors, by who can correct them."""
 
 
 class Error(Exception):
@@ -6,7 +6,7 @@ class Error(Exception):
 
 
 class BadInput(Error, ValueError):
-    """What was given is malformed; one line says what, where, and how to mend it."""
+    """What was given is malformed; one line says what, where, and how to correct it."""
 
 
 class ImpossibleParameters(Error, ValueError):

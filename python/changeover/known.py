@@ -201,7 +201,7 @@ def _ends(what: Any, name: str) -> Tuple[int, int]:
     """The first and the last of an int, a range or a pair."""
     if isinstance(what, range):
         if len(what) == 0 or what.step != 1:
-            raise BadInput(f"{name} is a range without gaps, not {what}")
+            raise BadInput(f"{name} must be a range with step 1 that is not empty, not {what}")
         return what[0], what[-1]
     pair = what if isinstance(what, tuple) and len(what) == 2 else (what, what)
     first, last = (attempt(whole, end) for end in pair)

@@ -63,7 +63,7 @@ class _Recorded:
         if format != "jsonl":
             raise BadInput(
                 "an order from a pickle has only its steps, nothing for Marius or COLMAP; "
-                "plan it anew"
+                "plan it again"
             )
         return self._text
 
@@ -103,7 +103,7 @@ class _Recorded:
 def _made_again(kind: Any, state: bytes, checksum: int) -> Any:
     """The content of pickles: the request, or the steps if making them took a search."""
     if zlib.crc32(state) != checksum:
-        raise BadInput(f"this pickle of a {kind.__name__} is damaged; make it anew")
+        raise BadInput(f"this pickle of a {kind.__name__} is damaged; create it again")
     facts, asked, ends, text = pickle.loads(state)
     core: Any = _Recorded(text) if text is not None else None
     if core is None:
@@ -113,7 +113,7 @@ def _made_again(kind: Any, state: bytes, checksum: int) -> Any:
         if {**again, "certificate": ""} != {**facts, "certificate": ""}:
             raise BadInput(
                 "another version of changeover pickled this load order, and made another "
-                "one; make it anew"
+                "one; create it again"
             )
         facts = again
     return made(kind, {**facts, "_asked": (asked, ends, text)}, core)
@@ -311,7 +311,8 @@ class WorkerLoads(_Loads):
     def steps(self, worker: int) -> Iterator[Step]:
         """The steps of one worker, from 0."""
         if worker >= len(self):
-            raise IndexError(f"there is no worker {worker} of {len(self)}")
+            raise IndexError(f"there is no worker {worker} of {len(self)}; they are numbered from "
+                             "0")
         steps: Iterator[Step] = self._core.steps(worker)
         return steps
 
@@ -319,7 +320,8 @@ class WorkerLoads(_Loads):
         """The same with the pairs that each step computes and the items that it stores, if
         requested."""
         if worker >= len(self):
-            raise IndexError(f"there is no worker {worker} of {len(self)}")
+            raise IndexError(f"there is no worker {worker} of {len(self)}; they are numbered from "
+                             "0")
         return map(WorkStep._make, self._core.full_steps(worker))
 
     def __len__(self) -> int:
@@ -446,7 +448,8 @@ def _cost_rows(pair_cost: Any) -> List[List[str]]:
         *items, cost = list(listed("pair_cost", holds, row)) or [None]
         cost = attempt(float, cost)
         if len(items) != 2 or cost is None:
-            raise BadInput(f"pair_cost: row {number} is not two items and a number")
+            raise BadInput(f"pair_cost: row {number} is not two items and a number; give (item, "
+                           "item, cost)")
         made_rows.append([*(str(_item("pair_cost", item)) for item in items), repr(cost)])
     return made_rows
 

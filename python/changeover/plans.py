@@ -99,15 +99,15 @@ class _Sheets(Shown, Made):
 
     @classmethod
     def _core_again(cls, kept: Any, facts: Dict[str, Any]) -> Any:
-        """Counted anew: the request and the set-ups must give what the pickle says."""
+        """Counted again: the request and the set-ups must give what the pickle says."""
         try:
             core = _core.Planned.again(kept)
         except (BadInput, RuntimeError, TypeError) as fault:
             raise BadInput(f"another version of changeover pickled this {cls.__name__}, which "
-                           f"does not fit this one: {fault}; make it anew")
+                           f"does not fit this one: {fault}; create it again")
         if _facts(core) != facts:
             raise BadInput(f"another version of changeover pickled this {cls.__name__}, and "
-                           "counted it otherwise; make it anew")
+                           "counted it differently; create it again")
         return core
 
     def _rows(self) -> List[Dict[str, Any]]:
@@ -204,7 +204,7 @@ class RunSheet(_Sheets):
         self, *, time: Optional[float] = None, threads: int = 1, seed: int = 1,
         progress: Progress = None,
     ) -> Answer:
-        """Which plan is cheapest when changes become dearer or cheaper against tests, and where it
+        """Which plan is cheapest when changes cost more or less relative to tests, and where it
         breaks even.
 
         A dict: ranges, by ratio of the cost of a change to that of a test (of a factor of all
@@ -423,7 +423,7 @@ def plan(  # type: ignore[misc]  # the second one says only what comes of benche
     of them fit (None: as many as the slots hold). Costs are numbers, Decimals or strings, and
     exact. Or parts is the path of a parts list or a workbook, as the command line reads it: a
     workbook may have slots, forbidden pairs and the like on sheets of these names, and one that
-    was made as a run sheet has the question that it was made for, which is then planned anew with
+    was made as a run sheet has the question that it was made for, which is then planned again with
     the results that were filled in; notes say what was taken from where.
 
     change_cost: of a part whose cost is not given. change_costs: a dict from (out, in) to the cost
@@ -441,7 +441,7 @@ def plan(  # type: ignore[misc]  # the second one says only what comes of benche
     tests that failed, or whose text is not understood, are needed again, unless trust_failed.
     budget: test as much as it pays for. benches: so many side by side, or a name or a dict for
     each, which gives BenchSheets, else it is a RunSheet; a dict has any of name, at_once,
-    test_cost, change_factor, slots, mounted, start, own (parts of which it has one of its own),
+    test_cost, change_factor, slots, mounted, start, own (parts of which it has its own piece),
     without (parts that it cannot have), hours (of work a day) and down. objective: 'makespan'
     (None), the last test ends as early as can be, or 'cost', of all of them. quantities: a dict
     from parts to how many there are, for all benches and for slots that need several; of others

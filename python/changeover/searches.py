@@ -55,7 +55,7 @@ class Classification(Made):
 def _elements(argument: str, elements: Any) -> List[int]:
     numbers = list(listed(argument, "elements, whole numbers from 0 to v-1", elements))
     if any(not is_whole(x) or not 0 <= operator.index(x) < 1 << 32 for x in numbers):
-        raise TypeError(f"{argument} has elements, whole numbers from 0 to v-1")
+        raise TypeError(f"{argument} must be a list of elements, whole numbers from 0 to v-1")
     return [operator.index(x) for x in numbers]
 
 

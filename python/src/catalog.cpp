@@ -68,7 +68,7 @@ std::string add(const HeldDesign& design, const std::string& who, const std::str
     const Newcomer newcomer =
         newcomer_of(*design.design, {.credit = {.who = who, .date = date}, .note = note});
     if (!newcomer.entry) {
-      throw BadInput("the catalog does not take it: " + newcomer.refused);
+      throw BadInput("the design was not added to the catalog: " + newcomer.refused);
     }
     standard_catalog().add(*newcomer.entry);
     return newcomer.entry->label();

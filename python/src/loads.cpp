@@ -85,7 +85,7 @@ py::tuple next_full(FullSteps& self) {
                         step.late, step.epoch, py::cast(step.fast_evict), py::cast(step.fast_load));
 }
 
-// Reads all steps on a thread of its own; destroying it stops that.
+// Reads all steps on a separate thread; destroying it stops that.
 class Check {
  public:
   explicit Check(std::shared_ptr<const LoadsAnswer> answer)

@@ -5,7 +5,7 @@
 //     work.run([&](RunControl& control) { result = improve(p, options, control); });
 //     work.interrupted();                    // Ctrl-C: what was found so far is kept
 //
-// The work runs on a thread of its own and listens to its control; this thread looks for signals
+// The work runs on a separate thread and listens to its control; this thread looks for signals
 // twenty times a second and hands progress on. When Python ends, the work of other threads is ended
 // before. A callback that raises stops the work, and what it raised arrives where the work was
 // called.
@@ -61,7 +61,7 @@ class LongWork {
 /// is then still there.
 void stop_long_work_at_the_end();
 
-/// The same for what has no limits of its own but perhaps a time: the result of work().
+/// The same for work without its own limits but perhaps a time: the result of work().
 template <typename Work>
 auto stoppable(Work&& work, std::optional<double> seconds = std::nullopt) {
   std::optional<decltype(work())> result;

@@ -1,5 +1,5 @@
 // Plans as pickles have them: the request with the content of its files, and the set-ups that were
-// found. What is made of a pickle is counted anew.
+// found. What is made from a pickle is counted again.
 #pragma once
 
 #include <memory>

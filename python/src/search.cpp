@@ -86,14 +86,16 @@ py::dict search(std::uint64_t v, std::uint64_t k, std::uint64_t change, const st
                 const std::vector<Block>& contains, bool anew) {
   const Parameters p = parameters(v, k, change, kind_of(kind), strength);
   if (exact && target) {
-    throw BadInput("target is for the search that is not exact; an exact one ends at the minimum");
+    throw BadInput(
+        "target has no meaning with exact=True, which ends at the minimum; leave it out");
   }
   const Wanted wanted{first, last, expansion_set, contains};
   if (wanted.any() && start) {
-    throw BadInput("a search for what is wanted of a design begins with no design of yours");
+    throw BadInput(
+        "start has no meaning with first, last, expansion_set or contains; leave it out");
   }
   if (anew && !wanted.any()) {
-    throw BadInput("anew goes with first, last, expansion_set or contains");
+    throw BadInput("anew is for first, last, expansion_set or contains; give one of them, too");
   }
   LongWork work(limits(time, threads, seed, std::move(progress)));
   const std::optional<Design> from = start ? std::optional(*start->design) : std::nullopt;

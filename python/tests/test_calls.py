@@ -121,7 +121,7 @@ class Calls(unittest.TestCase):
             self.said(changeover.design, 6, 4, kid=1),
             "design(): got an unexpected keyword argument 'kid'" + names,
         )
-        self.assertIn("plan() wants parts or a model", self.said(changeover.plan, at_once=3))
+        self.assertIn("plan() needs parts or model", self.said(changeover.plan, at_once=3))
         self.assertEqual(self.said(changeover.constructions, 1),
                          "constructions(): too many positional arguments; its arguments are none")
 
@@ -138,7 +138,9 @@ class Calls(unittest.TestCase):
                 lambda: changeover.all_pairs(file + "\0", 1, 2, max),
                 lambda: changeover.all_pairs(file, 1, 2, max, journal=file + "\0"),
             ):
-                with self.assertRaisesRegex(changeover.BadInput, r"kept.*is no name of a file$"):
+                with self.assertRaisesRegex(
+                    changeover.BadInput, r"kept.*is not a file name; remove the zero byte$"
+                ):
                     call()
             self.assertEqual(changeover.read(file), design)
             self.assertEqual(os.listdir(folder), ["kept"])
@@ -155,10 +157,12 @@ class Calls(unittest.TestCase):
         ):
             argument = next(iter(wrong))
             self.assertTrue(
-                self.said(changeover.plan, 6, 3, **wrong, **costs).startswith(f"{argument} has "),
+                self.said(changeover.plan, 6, 3, **wrong, **costs).startswith(
+                    f"{argument} must be a list of "),
                 wrong,
             )
-        self.assertTrue(self.said(changeover.plan, object(), 3, **costs).startswith("parts has "))
+        self.assertTrue(self.said(changeover.plan, object(), 3, **costs).startswith(
+            "parts must be a list of "))
 
     def test_what_functions_return_is_not_made_by_hand(self):
         for each in (
@@ -167,8 +171,8 @@ class Calls(unittest.TestCase):
             changeover.LoadOrder,
             changeover.Verdict,
         ):
-            self.assertIn("is not made by hand", self.said(each))
-            self.assertIn("is not made by hand", self.said(each.__new__, each))
+            self.assertIn("objects cannot be constructed", self.said(each))
+            self.assertIn("objects cannot be constructed", self.said(each.__new__, each))
 
     def test_items_and_blocks_that_cannot_be(self):
         design = changeover.design(9, 3)
@@ -220,7 +224,7 @@ class Calls(unittest.TestCase):
             try:
                 nothing = each.__new__(each)
             except TypeError as fault:
-                self.assertIn("is not made by hand", str(fault))
+                self.assertIn("objects cannot be constructed", str(fault))
                 continue
             for name, what in vars(each).items():
                 if isinstance(what, property) or type(what).__name__ == "pybind11_static_property":
@@ -319,7 +323,8 @@ class Calls(unittest.TestCase):
             )
 
         share = r"^share is \(part, parts\), two numbers"
-        cost = "^pair_cost: row 0 is not two items and a number$"
+        cost = "^pair_cost: row 0 is not two items and a number; "
+        cost += r"give \(item, item, cost\)$"
         ends = r"^table\(\): k is a whole number, a range or a pair \(first, last\), not "
         for call, words in (
             *(
@@ -335,13 +340,14 @@ class Calls(unittest.TestCase):
                     (0, 2**64),
                 )
             ),
-            (jobs(earlier=[1]), "^earlier has paths of journals, strings, not 1$"),
-            (jobs(earlier=["a\0b"]), r"^earlier: 'a\\x00b' is no name of a file$"),
+            (jobs(earlier=[1]), "^earlier must be a list of paths of journals, strings, not 1$"),
+            (jobs(earlier=["a\0b"]),
+             r"^earlier: 'a\\x00b' is not a file name; remove the zero byte$"),
             *(
                 (costs(wrong), cost)
                 for wrong in ({(0, 1): "x"}, {(0, 1): None}, {(0,): 1}, [(0, 1, 2, 3)])
             ),
-            (costs({0: 1}), "^pair_cost has pairs of items, not '0'$"),
+            (costs({0: 1}), "^pair_cost must be a list of pairs of items, not '0'$"),
             (costs([(0, 1.5, 1)]), "^pair_cost: items are numbered from 0 to [0-9]+, not 1.5$"),
             (
                 lambda: changeover.load_order(5, 3, pairs=[(0, "x")]),

@@ -219,7 +219,7 @@ class Diagnoses(unittest.TestCase):
 
 
 class Signals(unittest.TestCase):
-    """Ctrl-C ends each call, also where Python runs no code of its own."""
+    """Ctrl-C ends each call, also where no Python code runs."""
 
     def interrupt(self, call, after=0.3):
         before = signal.signal(signal.SIGALRM, signal.default_int_handler)
@@ -263,7 +263,7 @@ class Signals(unittest.TestCase):
         # each two others many choices fail.
         slot_of = {str(i): "A" for i in range(63)}
         never = [(str(i), str(j)) for i in range(63) for j in range(i) if i % 9 == j % 9]
-        never += [(str(i), str(i + 1)) for i in range(63, 899)]  # each part is a case of its own
+        never += [(str(i), str(i + 1)) for i in range(63, 899)]  # each part is a separate case
         job = {
             "test_cost": 1,
             "change_cost": 1,

@@ -228,7 +228,8 @@ class Ray(unittest.TestCase):
             raise RayStandIn.exceptions.RayError("it is full")
 
         with mock.patch.object(RayStandIn, "get", fails), self.assertRaisesRegex(
-            changeover.MissingResource, " cannot do its part: it is full"
+            changeover.MissingResource,
+            " cannot do its part: it is full; see the log of this worker",
         ):
             self.run_job(24)
 
@@ -241,7 +242,7 @@ class Ray(unittest.TestCase):
 
 class Improvements(unittest.TestCase):
     def test_finds_are_verified_and_go_into_one_catalog(self):
-        # A process of its own: the user's catalog is opened once.
+        # A separate process: the user's catalog is opened once.
         program = (
             "import sys; sys.path.insert(0, sys.argv[1])\n"
             "import changeover, test_engines\n"

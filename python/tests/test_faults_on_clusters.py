@@ -340,7 +340,8 @@ class Journals(unittest.TestCase):
         for path, kind, says in (
                 (pipe, changeover.BadInput, "a journal is a file, and this is none"),
                 ("/dev/null", changeover.BadInput, "a journal is a file, and this is none"),
-                ("a\0b", changeover.BadInput, "journal: .* is no name of a file"),
+                ("a\0b", changeover.BadInput,
+                 "journal: .* is not a file name; remove the zero byte"),
                 (self.folder.name, changeover.MissingResource, "cannot open the journal")):
             with self.subTest(path=path), self.assertRaisesRegex(kind, says):
                 _journal.Journal(path, self.job)

@@ -123,12 +123,12 @@ class Plans(unittest.TestCase):
     def test_what_cannot_be_meant_is_refused(self):
         for wrong, words in (
             ({"pairs": []}, "^pairs: no pair is listed"),
-            ({"pairs": [("a", "a")]}, "pairs is pairs of two parts"),
-            ({"pairs": [("a", "b", "c")]}, "pairs is pairs of two parts"),
+            ({"pairs": [("a", "a")]}, "pairs has a pair that is not two different parts"),
+            ({"pairs": [("a", "b", "c")]}, "pairs has a pair that is not two different parts"),
             ({"mounted": ["z"]}, "^mounted: there is no part 'z'"),
             ({"strength": 4}, "^strength 4: give 2"),
             ({"strength": 3, "pairs": [("a", "b")]}, "^pairs applies to pairs"),
-            ({"slots": {"CPU": 1}}, "slots and slot_of come together"),
+            ({"slots": {"CPU": 1}}, "belong together; give both"),
             ({"slots": {"CPU": -1}, "slot_of": {"a": "CPU"}}, "slots says how many"),
             ({"slots": {"CPU": 2**64}, "slot_of": {"a": "CPU"}}, "slots says how many"),
             ({"slots": {"CPU": (1.5, None)}, "slot_of": {"a": "CPU"}}, "slots says how many"),
@@ -206,7 +206,7 @@ class Plans(unittest.TestCase):
         for name in ("pairs", "never", "first", "done", "mounted", "start"):
             for wrong in ("ab", b"ab", bytearray(b"ab"), {("a", "b"): 1}, 5):
                 with self.subTest(name=name, wrong=wrong), self.assertRaisesRegex(
-                    TypeError, f"^{name} has .*not .*$"
+                    TypeError, f"^{name} must be a list of .*not .*$"
                 ):
                     self.plan("a b c d".split(), 3, **{name: wrong})
         for name in ("pairs", "never", "first", "done"):
@@ -214,7 +214,7 @@ class Plans(unittest.TestCase):
                 if name in ("done", "first") and isinstance(wrong, dict):
                     continue  # a test with its result or bench, or a BadInput
                 with self.subTest(name=name, wrong=[wrong]), self.assertRaisesRegex(
-                    TypeError, f"^{name} has .*not .*$"
+                    TypeError, f"^{name} must be a list of .*not .*$"
                 ):
                     self.plan("a b c d".split(), 3, **{name: [wrong]})
         for wrong in ("abcd", b"abcd", {"a", "b", "c"}, 5.5):
@@ -336,7 +336,7 @@ class Plans(unittest.TestCase):
         table = frame({"a": [1], "b": [2]})
         for name in ("pairs", "never", "first", "done"):
             with self.subTest(name=name), self.assertRaisesRegex(
-                TypeError, f"^{name} has parts, not a DataFrame"
+                TypeError, f"^{name} must be a list of parts, not a DataFrame"
             ):
                 plan(list("abcd"), **{name: [table]})
             with self.subTest(name=name), self.assertRaisesRegex(

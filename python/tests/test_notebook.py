@@ -417,11 +417,13 @@ class Pickles(unittest.TestCase):
             for name in names:
                 with self.assertRaisesRegex(
                     changeover.BadInput,
-                    f"another version of changeover pickled this .*, which has no {name}; make it anew",
+                    f"another version of changeover pickled this .*, which has no {name}; create "
+                    f"it again",
                 ):
                     again({key: value for key, value in facts.items() if key != name})
             with self.assertRaisesRegex(
-                changeover.BadInput, "another version of changeover pickled this .*; make it anew"
+                changeover.BadInput, "another version of changeover pickled this .*; create it "
+                                     "again"
             ):
                 rebuild(kind, facts, core)  # As 0.1 did.
 

@@ -234,7 +234,7 @@ class Values(unittest.TestCase):
                 wrong = bytearray(state[place])
                 wrong[random.randrange(len(wrong))] ^= 1 << random.randrange(8)
                 given = [*state[:place], bytes(wrong), *state[place + 1:]]
-                with self.assertRaisesRegex(changeover.BadInput, "is damaged; make it anew"):
+                with self.assertRaisesRegex(changeover.BadInput, "is damaged; create it again"):
                     rebuild(*given)
 
     def test_sheets_that_do_not_count_as_they_say_are_refused(self):
@@ -249,17 +249,19 @@ class Values(unittest.TestCase):
         self.assertEqual(again(facts, kept), one)
         other = plan(change_cost=6)._kept()
         for wrong in ((facts, other), ({**facts, "tests": facts["tests"] - 1}, kept)):
-            with self.assertRaisesRegex(changeover.BadInput, "counted it otherwise; make it anew"):
+            with self.assertRaisesRegex(changeover.BadInput, "counted it differently; create it "
+                                        "again"):
                 again(*wrong)
         for wrong in (kept[:-1], (*kept[:4], None, None), (kept[0], "{}", *kept[2:])):
-            with self.assertRaisesRegex(changeover.BadInput, "does not fit this one.*make it anew"):
+            with self.assertRaisesRegex(changeover.BadInput, "does not fit this one.*create it "
+                                        "again"):
                 again(facts, wrong)
 
         rebuild, (kind, state, _) = changeover.catalog.cell(20, 5)[0].__reduce_ex__(4)
         facts, kept = pickle.loads(state)
         with self.assertRaisesRegex(
             changeover.BadInput,
-            "^another version of changeover pickled this Entry; find it anew$",
+            "^another version of changeover pickled this Entry; find it again$",
         ):
             again({**facts, "b": 3}, kept)
         with self.assertRaisesRegex(ValueError, "^these are no rows of that many numbers$"):

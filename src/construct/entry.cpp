@@ -122,7 +122,7 @@ const Parameters& Family::required(const Recipe& recipe) const {
 void Entry::require_input(const Recipe& recipe, const std::optional<Parameters>& smaller,
                           const std::map<std::string, std::int64_t>& arguments) const {
   if (smaller && (recipe.inputs.size() != 1 || recipe.inputs.front().parameters != *smaller)) {
-    throw BadInput(fmt::format("{} to {} takes one input, a {}", name(),
+    throw BadInput(fmt::format("{} to {} takes one input, a {}; correct the recipe", name(),
                                changeover::name(recipe.parameters), changeover::name(*smaller)));
   }
   require_recipe(recipe, *this,
@@ -137,8 +137,8 @@ Element Entry::element_of(const Recipe& recipe, const Parameters& larger,
       recipe.arguments.size() != 1 || given == recipe.arguments.end() || given->second < 0 ||
       static_cast<std::uint64_t>(given->second) >= larger.v ||
       recipe.inputs.front().parameters != larger) {
-    throw BadInput(
-        fmt::format("{} to {} takes {}", name(), changeover::name(recipe.parameters), takes));
+    throw BadInput(fmt::format("{} to {} takes {}; correct the recipe", name(),
+                               changeover::name(recipe.parameters), takes));
   }
   return static_cast<Element>(given->second);
 }
@@ -155,8 +155,8 @@ std::uint64_t Rule::number(const Recipe& recipe) const {
                      input->parameters.strength == p.strength;
   const std::uint64_t number = alike ? number_between(input->parameters, p) : 0;
   if (number == 0) {
-    throw BadInput(
-        fmt::format("{} to {} takes one input {}", name(), changeover::name(p), needs()));
+    throw BadInput(fmt::format("{} to {} takes one input {}; correct the recipe", name(),
+                               changeover::name(p), needs()));
   }
   require_recipe(recipe, *this, with(*input, number));
   return number;
@@ -170,8 +170,8 @@ bool asks_for_pairs(const Parameters& p, std::uint64_t change) {
 void require_recipe(const Recipe& recipe, const Construction& construction,
                     const std::optional<Recipe>& expected) {
   if (recipe.construction != construction.name()) {
-    throw BadInput(fmt::format("a recipe of '{}' cannot be built by '{}'", recipe.construction,
-                               construction.name()));
+    throw BadInput(fmt::format("a recipe of '{}' cannot be built by '{}'; correct the recipe",
+                               recipe.construction, construction.name()));
   }
   const std::string asked = name(recipe.parameters);
   if (!expected) {
@@ -188,7 +188,8 @@ void require_recipe(const Recipe& recipe, const Construction& construction,
   } else {
     return;
   }
-  throw BadInput(fmt::format("{} of {} takes {}", construction.name(), asked, needs));
+  throw BadInput(
+      fmt::format("{} of {} takes {}; correct the recipe", construction.name(), asked, needs));
 }
 
 std::size_t recipe_size(const Recipe& recipe) {
@@ -256,7 +257,7 @@ std::string first_elements(std::uint64_t count) {
 std::vector<UnchangedSubset> known_expansion_set(const Recipe& input, const Registry& registry) {
   auto set = registry.construction_of(input).expansion_set(input, registry);
   if (!set) {
-    throw BadInput(fmt::format("no expansion set is known of {} as made by {}",
+    throw BadInput(fmt::format("no expansion set is known of {} as made by {}; use another input",
                                name(input.parameters), input.construction));
   }
   return *std::move(set);
@@ -319,15 +320,17 @@ BlockListSource::BlockListSource(const Parameters& parameters, std::vector<Block
     throw BadInput(fault.what());
   }
   if (blocks_.empty()) {
-    throw BadInput("a list of blocks needs at least one block");
+    throw BadInput("the list of blocks is empty; give at least one block");
   }
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     Block sorted = blocks_[i];
     std::ranges::sort(sorted);
     if (sorted.size() != parameters_.k || sorted.back() >= parameters_.v ||
         std::ranges::adjacent_find(sorted) != sorted.end()) {
-      throw BadInput(fmt::format("block {} does not have k = {} distinct elements below v = {}",
-                                 i + 1, parameters_.k, parameters_.v));
+      throw BadInput(
+          fmt::format("block {} does not have k = {} distinct elements below v = {}; "
+                      "correct the block",
+                      i + 1, parameters_.k, parameters_.v));
     }
   }
 }

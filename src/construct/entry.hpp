@@ -1,5 +1,5 @@
 // What the files in src/construct/entries share: what they say of themselves, recognising their own
-// recipes, choosing a design to build upon, and blocks as streams.
+// recipes, choosing a design to build on, and blocks as streams.
 //
 //     constexpr Description description{.name = "mcsorley-circular", …};
 //     class McSorleyCircular final : public Described<Family, description> {
@@ -48,7 +48,7 @@ class Entry : public Construction {
     return {std::string(description_.cited), std::string(description_.place)};
   }
 
-  /// None: rules and lists make no offers, lest offers recurse without end.
+  /// None: rules and lists make no offers, since those would recurse without end.
   [[nodiscard]] std::optional<Offer> offer(const Parameters&, const Registry&) const override {
     return std::nullopt;
   }
@@ -157,7 +157,7 @@ void require_recipe(const Recipe& recipe, const Construction& construction,
 /// What a construction needs of the design that it works on.
 enum class Need : std::uint8_t { blocks, expansion_set };
 
-/// The offer to build upon: of all constructions but `asking`, the one with the fewest blocks; ties
+/// The offer to build on: of all constructions but `asking`, the one with the fewest blocks; ties
 /// go to a tight one, then to one with an expansion set, then to the smaller recipe, then by name.
 ///
 /// @note So that offers end, an entry that asks must ask for fewer elements or, as cut does, for a

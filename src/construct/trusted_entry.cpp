@@ -54,13 +54,16 @@ std::string entry_defect(const CatalogEntry& entry) {
     Judged judged(*blocks, entry);
     const DesignDigest digest = design_digest(judged);
     if (digest.b != entry.b) {
-      return fmt::format("its recipe makes {}{} and not {}", digest.b > entry.b ? "more than " : "",
+      return fmt::format("its recipe makes {}{} and not {}; correct the entry",
+                         digest.b > entry.b ? "more than " : "",
                          count_of(std::min(digest.b, entry.b), "block"), entry.b);
     }
     if (digest.checksum != entry.checksum) {
-      return "its blocks do not have the checksum that it names";
+      return "its blocks do not have the checksum of the entry; correct the entry";
     }
-    return judged.verdict().valid() ? "" : "its blocks are no such design";
+    return judged.verdict().valid() ? ""
+                                    : "its blocks are not a design with these parameters; "
+                                      "correct the entry";
   } catch (const InternalError&) {
     throw;
   } catch (const Error& fault) {

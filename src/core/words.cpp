@@ -14,6 +14,15 @@ std::string all_of(std::uint64_t n, std::string_view one) {
   return n == 1 ? fmt::format("the {}", one) : "all " + count_of(n, one);
 }
 
+std::string leading_defect(const std::vector<std::string>& messages) {
+  std::string message = messages.front();
+  if (messages.size() > 1) {
+    message.insert(std::min(message.rfind("; "), message.size()),
+                   fmt::format(" (and {} more like this)", messages.size() - 1));
+  }
+  return message;
+}
+
 std::string change_name(std::uint64_t m) {
   return m == 1 ? "single-change" : m == 2 ? "double-change" : fmt::format("{}-change", m);
 }

@@ -5,6 +5,7 @@
 //     count_of(2, "class", "classes")    // 2 classes
 //     all_of(7, "pair")                 // all 7 pairs; of one: the pair
 //     change_name(2)                     // double-change
+//     leading_defect({"no file; name one", …})  // no file (and 2 more like this); name one
 #pragma once
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace changeover {
 
@@ -22,6 +24,10 @@ namespace changeover {
 
 /// All of so many: "all 7 pairs", "the pair".
 [[nodiscard]] std::string all_of(std::uint64_t n, std::string_view one);
+
+/// One message for several defects, one at least: the first, and how many more there are, said before
+/// its remedy: "no room for both (and 2 more like this); keep fewer parts mounted".
+[[nodiscard]] std::string leading_defect(const std::vector<std::string>& messages);
 
 /// The name for m changes: single-change, double-change, 3-change.
 [[nodiscard]] std::string change_name(std::uint64_t m);

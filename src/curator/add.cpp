@@ -21,19 +21,20 @@ namespace {
 std::string defect_of(const Verdict& verdict) {
   const Parameters& p = verdict.parameters;
   if (verdict.b == 0) {
-    return "there is no block";
+    return "there is no block; give at least one";
   }
   if (verdict.bad_steps > 0) {
     const BadStep& first = verdict.bad_step_examples.front();
     return fmt::format(
-        "{} of the steps {} not change exactly {}, the first from block {} to block {}",
+        "{} of the steps {} not change exactly {}, the first from block {} to block {}; correct "
+        "them",
         verdict.bad_steps, verdict.bad_steps == 1 ? "does" : "do", count_of(p.change, "element"),
         first.from, first.to);
   }
-  return fmt::format("{} of {} {} {} in no block, as {{{}}}", verdict.uncovered, verdict.subsets,
-                     p.strength == 2 ? "pairs" : fmt::format("{}-subsets", p.strength),
-                     verdict.uncovered == 1 ? "is" : "are",
-                     fmt::join(verdict.uncovered_examples.front(), ","));
+  return fmt::format(
+      "{} of {} {} {} in no block, e.g. {{{}}}; add blocks that cover them", verdict.uncovered,
+      verdict.subsets, p.strength == 2 ? "pairs" : fmt::format("{}-subsets", p.strength),
+      verdict.uncovered == 1 ? "is" : "are", fmt::join(verdict.uncovered_examples.front(), ","));
 }
 
 // Whether every copy of the program can build it.

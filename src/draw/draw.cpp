@@ -66,8 +66,9 @@ std::optional<std::string> draw_defect(const Parameters& p, std::uint64_t b,
   const std::string_view name = to_string(options.picture);
   const auto elements = [&](std::uint64_t most) -> std::optional<std::string> {
     if (p.v > most) {
-      return fmt::format("a picture of kind {} has at most {} elements, not v = {}", name, most,
-                         p.v);
+      return fmt::format(
+          "a picture of kind {} has at most {} elements, not v = {}; draw another kind", name, most,
+          p.v);
     }
     return std::nullopt;
   };
@@ -171,7 +172,7 @@ Picture draw(BlockSource& source, const DrawOptions& options,
     case PictureKind::recipe:
       break;
   }
-  throw BadInput("how these blocks were made is not known, so there is no recipe to draw");
+  throw BadInput("the design has no recipe to draw; draw another picture");
 }
 
 Picture draw(const Design& design, const DrawOptions& options) {

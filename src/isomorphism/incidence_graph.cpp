@@ -95,7 +95,7 @@ std::string group_order(const bliss::Stats& stats) {
   std::size_t length = 0;
   std::FILE* stream = open_memstream(&text, &length);
   if (stream == nullptr) {
-    throw MissingResource("no memory for the order of a group");
+    throw MissingResource("not enough memory for the order of a group; close other programs");
   }
   stats.print(stream);
   std::fclose(stream);
@@ -131,7 +131,8 @@ const unsigned* canonical_label(Graph& search, bliss::Stats& stats,
 GraphForm graph_form(const Design& design, BlockOrder order) {
   constexpr std::uint64_t most = std::numeric_limits<std::int32_t>::max();
   if (design.v() + 3 * std::uint64_t{design.block_count()} >= most) {
-    throw MissingResource("an incidence graph of more than 2^31 vertices");
+    throw MissingResource(
+        "the incidence graph would have more than 2^31 vertices; give a smaller design");
   }
   const ColouredGraph graph = coloured_graph(design, order);
   bliss::Graph search;

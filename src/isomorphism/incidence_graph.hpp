@@ -2,7 +2,7 @@
 //
 // A second, independent way to decide what isomorphism/isomorphism.hpp decides by sorting columns,
 // and the only way where the order of blocks is forgotten. How much of the order is kept is a
-// matter of gadgets: block i of a sequence has a colour of its own; a circle has an arc of two
+// matter of gadgets: block i of a sequence has its own colour; a circle has an arc of two
 // vertices from each block to the next, one vertex if its direction is forgotten.
 #pragma once
 
@@ -21,7 +21,7 @@ enum class BlockOrder : std::uint8_t {
   reversible_sequence,  ///< up to reading backwards
   circle,               ///< up to rotation
   reversible_circle,    ///< up to both
-  collection            ///< nothing; a block that occurs r times is one vertex of its own colour
+  collection            ///< nothing; a block that occurs r times is one vertex with its own colour
 };
 
 struct GraphForm {

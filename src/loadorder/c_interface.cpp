@@ -106,9 +106,9 @@ auto without_throwing(const Act& act, const Tell& tell) noexcept -> decltype(act
   try {
     return act();
   } catch (const std::bad_alloc&) {
-    return tell("not enough memory for these parameters");
+    return tell("not enough memory for these parameters; give smaller ones");
   } catch (const std::length_error&) {
-    return tell("not enough memory for these parameters");
+    return tell("not enough memory for these parameters; give smaller ones");
   } catch (const changeover::Stopped&) {
     return tell("cancelled");
   } catch (const std::exception& fault) {
@@ -140,9 +140,8 @@ std::shared_ptr<const changeover::PairGraph> groups_in(const changeover_loadorde
     const std::span<const Element> group(next, asked.group_sizes[g]);
     next += group.size();
     if (!group.empty() && !rows.add(group)) {
-      throw BadInput("with group number " + std::to_string(g) + " more than " +
-                     std::to_string(most_pairs_in_groups) +
-                     " pairs are wanted; give smaller groups");
+      throw BadInput("group " + std::to_string(g) + " brings the wanted pairs to more than " +
+                     std::to_string(most_pairs_in_groups) + "; give smaller groups");
     }
   }
   if (rows.pairs() == 0) {

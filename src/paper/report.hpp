@@ -53,7 +53,8 @@ struct PaperItem {
   std::string unit;                    ///< of what: "blocks", "cells", "designs"
   std::vector<PaperFinding> findings;  ///< of an item that differs or is refuted
   std::vector<std::string> notes;      ///< remarks, and reasons why an item is not checkable
-  /// the place of the item with the same cause, which says it; empty for an item of its own
+  /// the place of the item with the same cause, which says it; empty for an item without such a
+  /// cause
   std::string follows = {};
   bool comes_first = false;  ///< what a reader should know before the rest
 
@@ -77,7 +78,7 @@ struct PaperReportOptions {
 /// Checks the print against the constructions of a registry.
 /// @param paper what is printed; tests pass falsified copies.
 /// @throws BadInput if the print cannot be read; a table whose columns are no blocks differs, but
-/// where other items build upon it this throws.
+/// it throws if other items depend on it.
 [[nodiscard]] PaperReport run_paper_report(const Registry& registry,
                                            const PaperReportOptions& options = {},
                                            const Paper& paper = printed_paper());
@@ -93,7 +94,7 @@ struct PaperReportOptions {
 /// "findings":[{"printed","truth","why"}],"notes":[…]}]}. One line. "follows" is a place or null.
 [[nodiscard]] std::string render_json(const PaperReport& report);
 
-// The figures of the paper, drawn anew from its data as SVG and TikZ.
+// The figures of the paper, redrawn from its data as SVG and TikZ.
 //
 //     for (const PaperFigure& figure : paper_figures()) {
 //       write(directory / figure.file, figure.content);       // figure-1.svg, figure-1.tex, …

@@ -172,7 +172,8 @@ ProofVerdict check_proof(std::istream& cnf, const std::string& cnf_name, std::is
       return check.stopped();
     }
   } catch (const std::bad_alloc&) {
-    throw MissingResource("not enough memory to check the proof " + proof_name);
+    throw MissingResource(
+        fmt::format("not enough memory to check the proof {}; close other programs", proof_name));
   }
 }
 

@@ -76,7 +76,7 @@ void RunControl::require_memory(std::uint64_t bytes, std::string_view what) cons
   if (limit && bytes > *limit) {
     throw MissingResource(
         fmt::format("{} would take about {} of memory, more than the {} allowed; "
-                    "allow more, or ask for something smaller",
+                    "raise the memory limit, or give smaller parameters",
                     what, size_words(bytes), size_words(*limit)));
   }
 }

@@ -363,12 +363,13 @@ void check_size(const Parameters& p) {
   check(p);
   constexpr std::uint64_t most_bits = std::uint64_t{1} << 35;
   if (p.v > max_elements_in_memory) {
-    throw MissingResource(fmt::format("v = {} exceeds the {} elements that verification can hold",
-                                      p.v, max_elements_in_memory));
+    throw MissingResource(
+        fmt::format("v = {} exceeds the {} elements that verification can hold; give a smaller v",
+                    p.v, max_elements_in_memory));
   }
   if (binomial(p.v, p.strength) > most_bits) {
     throw MissingResource(
-        fmt::format("the C({},{}) subsets to verify need more than 4 GiB of memory: use a smaller "
+        fmt::format("the C({},{}) subsets to verify need more than 4 GiB of memory; use a smaller "
                     "v or strength",
                     p.v, p.strength));
   }
@@ -376,7 +377,8 @@ void check_size(const Parameters& p) {
 
 MissingResource no_memory(const Parameters& p) {
   return MissingResource(
-      fmt::format("not enough memory to verify v = {}: it takes C(v,{}) bits", p.v, p.strength));
+      fmt::format("not enough memory to verify v = {}: it takes C(v,{}) bits; give a smaller v",
+                  p.v, p.strength));
 }
 
 }  // namespace

@@ -162,7 +162,7 @@ TEST(DegreeProgram, IsTriedForPairsFewChangesAndNotTooManyElements) {
 }
 
 TEST(DegreeProgram, TriesTenThousandNumbersOfBlocks) {
-  // Blocks of two: every pair is a block of its own.
+  // Blocks of two: every pair is a separate block.
   const Parameters p{.v = 144, .k = 2, .change = 1};
   const std::uint64_t least = 144 * 143 / 2;
   EXPECT_EQ(degree_program(p, least - 10'000), least);

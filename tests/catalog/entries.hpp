@@ -54,9 +54,9 @@ inline CatalogEntry random_entry(std::mt19937& random) {
   entry.lower_bound = 1 + random() % entry.b;
   constexpr const char* days[] = {"", "2025-01-31", "2026-02-28", "2026-11-22"};
   entry.credit.date = days[random() % 4];
-  entry.credit.who = random() % 2 == 0 ? "" : "Somebody \"else\"";
+  entry.credit.who = random() % 2 == 0 ? "" : "A \"friend\"";
   if (random() % 3 == 0) {
-    entry.recipe.construction = "developed";  // Nobody builds it here.
+    entry.recipe.construction = "developed";  // It is never built here.
   }
   return entry;
 }

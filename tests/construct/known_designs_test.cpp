@@ -98,7 +98,7 @@ TEST(KnownDesigns, AreLookedUpWhereTheCatalogComesWithThem) {
     const auto best = best_known(registry(), p);
     ASSERT_TRUE(offered && best);
     EXPECT_EQ(best->recipe, offered->recipe) << name(p);
-    // And planned anew it is no better: otherwise docs/tools/plan_catalog.sh has news.
+    // And planned again it is no better: otherwise docs/tools/plan_catalog.sh has news.
     const auto anew = KnownDesigns(registry(), Stored::anew).best(p);
     ASSERT_TRUE(anew);
     EXPECT_EQ(anew->b, best->b) << name(p);

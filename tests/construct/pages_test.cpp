@@ -142,7 +142,8 @@ TEST(Pages, NewDesignsAreTightAndTheBestThatIsKnown) {
   EXPECT_EQ(lists, tables);
 }
 
-// Nobody has found since what was not found then, and a theorem excludes what the page says that it
+// What was not found then has not been found since, and a theorem excludes what the page says that
+// it
 // does.
 TEST(Pages, WhatWasNotFoundIsStillOpenOrExcluded) {
   const std::string page = slurp(top + "docs/new_designs.md");

@@ -1,5 +1,5 @@
 // Recipes of constructions, written as JSON and damaged: refused, or built as they say, the same
-// whenever they are built, and a design if nobody's blocks are in them.
+// whenever they are built, and a design if no given blocks are in them.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

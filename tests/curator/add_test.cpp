@@ -76,7 +76,7 @@ TEST(Newcomer, IsRefusedWhereTheDefinitionSaysNo) {
     refused += newcomer.entry ? 0 : 1;
   }
   EXPECT_GT(refused, 50);
-  EXPECT_EQ(newcomer_of(Design(six), {}).refused, "there is no block");
+  EXPECT_EQ(newcomer_of(Design(six), {}).refused, "there is no block; give at least one");
   EXPECT_THAT(
       newcomer_of(Design(six, std::vector<Block>{{0, 1, 2, 3}, {0, 1, 2, 4}, {0, 1, 3, 5}}), {})
           .refused,
@@ -90,13 +90,13 @@ TEST(Newcomer, KeepsTheRecipeThatMakesItsBlocks) {
   if (tree.construction != "found") {
     EXPECT_EQ(newcomer_of(design, {}).entry->recipe, tree);
   }
-  // Of other blocks, of nobody, of no construction.
+  // Of other blocks, without a credit, of no construction.
   std::vector<Block> turned = design.blocks();
   std::ranges::rotate(turned, turned.begin() + 1);
   Design other(design.parameters(), turned);
   other.recipe = tree;
   EXPECT_EQ(newcomer_of(other, {}).entry->recipe, literal_recipe(other));
-  other.recipe->construction = "nobody's";
+  other.recipe->construction = "no-rule";
   EXPECT_EQ(newcomer_of(other, {}).entry->recipe, literal_recipe(other));
   other.recipe = Recipe{"found", other.parameters(), {}, {}, {}, "13.4.2.circular.9.00000000"};
   EXPECT_EQ(newcomer_of(other, {}).entry->recipe, literal_recipe(other));

@@ -105,7 +105,7 @@ TEST(Exchange, ARecipeTakesNoMoreThanIsAllowed) {
   entry.recipe = developed;
   entry.b = 10'000;
   EXPECT_THAT(refusal(file_of({entry}), {.memory_each = 1U << 20}),
-              HasSubstr("its blocks do not have the checksum that it names"));
+              HasSubstr("its blocks do not have the checksum of the entry"));
   EXPECT_THAT(refusal(file_of({entry}), {.time_each = std::chrono::microseconds(1)}),
               HasSubstr("takes longer than"));
 }
@@ -134,13 +134,13 @@ TEST(Exchange, NothingIsBelieved) {
                 DesignSource source(shorter);
                 e.checksum = design_digest(source).checksum;
               }),
-              HasSubstr("its blocks are no such design"));
+              HasSubstr("its blocks are not a design with these parameters"));
   EXPECT_THAT(with([](CatalogEntry& e) {
                 e.recipe.construction = "magic";
                 e.checksum[0] = {};
               }),
               HasSubstr("magic"));
-  // A bound that nobody knows: one block more, and it says that this is the least.
+  // A bound that is not known: one block more, and it says that this is the least.
   CatalogEntry longer = entry_for({.v = 20, .k = 5, .change = 2, .kind = Kind::linear});
   if (longer.status() == "best-known") {
     longer.lower_bound = longer.b;
@@ -325,7 +325,7 @@ TEST(Audit, FindsWhatIsWrong) {
   mine.add(entries);
   RunControl control({.threads = 2});
   EXPECT_EQ(audit_catalog(mine, {.best_only = false}, control).faults.size(), 0U);
-  // The catalog itself trusts whoever adds.
+  // The catalog itself trusts its callers.
   CatalogEntry liar = entry_for({.v = 20, .k = 5, .change = 2, .kind = Kind::linear});
   liar.recipe = literal_recipe(Registry::standard().build_design(liar.recipe));
   std::swap(liar.recipe.blocks.front(), liar.recipe.blocks.back());

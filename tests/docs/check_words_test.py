@@ -11,8 +11,8 @@ import check_words
 # Each of the forbidden ways once, in the order of the list.
 EXAMPLES = [
     "Nobody waits", "whoever asks", "if somebody writes", "it gives leave to write",
-    "labels are not given away", "it began anew", "wait for its end",
-    "nothing else can come beside", "make items larger", "characters which are no text",
+    "labels are not given away", "it began anew", "planned anew", "the dearest parts",
+    "a file of its own", "wait for its end", "nothing else can come beside", "make items larger", "characters which are no text",
     "x is no key of an entry", "which format is that?", "what came of it",
     "is it one, and how good", "What is known is said here", "What the words mean",
     "Colour says what", "Point at a cell", "write a set-up a line", "9 parts called 1",
@@ -51,7 +51,8 @@ class Words(unittest.TestCase):
             "docs/schema/a.json", "docs/a.md", "docs/tools/a.sh", "web/src/a/b.ts", "CHANGELOG.md",
             "HACKING.md", "CONTRIBUTING.md", "SECURITY.md", "CMakeLists.txt", "dev", ".ci/run",
             ".ci/hooks/pre-commit", ".github/workflows/a.yml", "examples/a.cpp",
-            "examples/lab/README.md", "pyproject.toml", "CITATION.cff",
+            "examples/lab/README.md", "pyproject.toml", "CITATION.cff", "bench/README.md",
+            "cmake/a.cmake", "fuzz/a.cpp", "tests/a/b_test.cpp",
         ]:
             self.assertEqual(
                 self.checked("nobody", name),
@@ -88,7 +89,7 @@ class Words(unittest.TestCase):
 
     def test_plain_words_pass(self):
         for text in [
-            "No thread waits; it is planned anew.\n", "nobody_else, some-body, whoevers\n",
+            "No thread waits; it is planned again.\n", "nobody_else, some-body, whoevers\n",
             "their whoever_\n", "one set-up per line; parts named 1\n", "the order to take\n",
         ]:
             self.assertEqual(self.checked(text), ([], 0), text)
@@ -97,7 +98,7 @@ class Words(unittest.TestCase):
         (self.root / "README.md").write_text("Plain.\n", encoding="utf-8")
         for name in [
             "docs/theorems.md", "docs/style.md", "web/dist/a.js", "examples/corpus/a.txt",
-            "tests/a_test.cpp", "python/__pycache__/a.py", "docs/img/a.png",
+            "tests/data/a.txt", "python/__pycache__/a.py", "docs/img/a.png",
         ]:
             self.assertEqual(self.checked("nobody", name), ([], 0), name)
 

@@ -10,6 +10,7 @@ import inspect
 import json
 import os
 import pathlib
+import re
 import sys
 import tempfile
 
@@ -31,7 +32,7 @@ def check_generated():
                 f"{kept.name} is not what `changeover describe --schema {kind}` says; write it again"
             )
     if run("describe", "--doors").stdout not in (root / "docs/doors.md").read_text():
-        fault("docs/doors.md is not what `changeover describe --doors` says; write it anew")
+        fault("docs/doors.md is not what `changeover describe --doors` writes; run it again")
     for call, request, more in (
         (changeover.plan, "changeover-job/1", {"slot_of", "quantities"}),
         (changeover.load_order, "changeover-load-request/1", set()),
@@ -39,6 +40,17 @@ def check_generated():
         arguments = {*inspect.signature(call).parameters} - {"progress", *more}
         if arguments != {*takes(request, "python").values()}:
             fault(f"docs/doors.md has other arguments than {call.__name__}(): {arguments}")
+    # In C members, arguments and functions; what else the members are about is no key.
+    header = (root / "include/changeover/loadorder/changeover_loadorder.h").read_text()
+    members = re.search(r"typedef struct changeover_loadorder_options \{(.*?)\n\}", header, re.S)[1]
+    members = set(re.findall(r"(\w+)(?:;|\)\()", re.sub(r"/\*.*?\*/", "", members, flags=re.S)))
+    in_c = {*takes("changeover-load-request/1", "c").values()}
+    beside = {"size", "pair_count", "unread", "cancelled", "data", "group_sizes", "group_count"}
+    if members - in_c != beside or not beside <= members:
+        fault(f"docs/doors.md lacks members of changeover_loadorder_options: {members - in_c}")
+    for name in in_c - members:
+        if not re.search(rf"\b{re.escape(name.removesuffix('()'))}\b", header):
+            fault(f"docs/doors.md: C has no {name}")
     for file in sorted((root / "docs/schema").glob("*.json")):
         jsonschema.Draft202012Validator.check_schema(json.loads(file.read_text()))
 

@@ -7,7 +7,7 @@ usage: errors.py run ROOT BUILD [--write] [NAME...]   runs all rows, or those of
                                                       gets what was said where it said otherwise
        errors.py page ROOT                            writes the page to standard output
 
-A file of the table is one session in a folder of its own, from top to bottom; blank lines separate
+A file of the table is one session in its own folder, from top to bottom; blank lines separate
 what follows.
 
     # Heading of the page            the first lines of a file; what stands below it until a blank

@@ -32,7 +32,7 @@ CHARACTER = re.compile(r"(?<![0-9A-Za-z_])'(?:[^'\\\n]|\\.[0-7a-fA-F]*)'")
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 HOLE = re.compile(r"\{\{|\}\}|\{[^{}]*\}")
 NORETURN = re.compile(r"\[\[noreturn\]\][^;{(]*?(\w+)\(")
-# What a throw without words of its own may pass on: a fault that was caught, or what a function of
+# What a throw without its own words may pass on: a fault that was caught, or what a function of
 # MAKERS or a parameter says.
 PASSED_ON = re.compile(
     r"\b(?:what|message|defect|why|line|fault|missing|left_out_)\b|"

@@ -1,4 +1,4 @@
-// What the examples of the headers have around them: a folder of their own, and what they write to
+// What the examples of the headers have around them: their own folder, and what they write to
 // standard output.
 #pragma once
 

@@ -77,7 +77,7 @@ FNR == 1 { finish_file() }
 END { finish_file() }
 AWK
 
-# The definition: FILE valid uncovered bad-steps excess never-newly-covered fixed, a line a file.
+# The definition: FILE valid uncovered bad-steps excess never-newly-covered fixed, one line per file.
 cat >"$scratch/tools/judge.awk" <<'AWK'
 function parameter(name, otherwise,   at) {
   at = $0

@@ -266,7 +266,7 @@ if mount -t tmpfs -o size=100k none small 2>/dev/null; then
   umount small
 fi
 
-# Numbers that nobody means.
+# Absurd numbers.
 huge=18446744073709551615
 for words in "make m $huge $huge" "make m $huge 1" "make m 1 $huge" "make m 4611686018427387904 4" \
   "make m 1099511627776 1048576" "make m 0 3" "make m 3 0"; do

@@ -9,7 +9,7 @@
 source "$(dirname "$0")/support/attack.sh"
 CHANGEOVER=$(program CHANGEOVER) || exit
 
-# The same design under 400 namings and, in a folder of their own, 2500: other labels.
+# The same design under 400 namings and, in their own folder, 2500: other labels.
 "$CHANGEOVER" design 8 4 --change 1 --linear --format text | grep -v '^#' >"$scratch/tools/blocks"
 mkdir "$scratch/tools/designs" "$scratch/tools/many"
 namings() { # COUNT FOLDER
@@ -274,7 +274,7 @@ for writer in 0 1; do
   (($(said_in "$scratch/said/writer$writer" | wc -l) == each)) || fault "two writers at once: one did not add all"
 done
 
-# A limit on the size of files, for anybody: refused, and what was there is there.
+# A limit on the size of files, for any user: refused, and what was there is there.
 attacks=$((attacks + 1))
 labels_in own.db >"$scratch/tools/before"
 run 60 bash -c "ulimit -f 1; '$CHANGEOVER' catalog add '$designs/399' --even-isomorphic --catalog fresh.db"

@@ -92,7 +92,7 @@ due() {
   ((rounds > 1 || turn % 2 == 0))
 }
 
-# A limit on the size of files, for anybody: a file that was there stays.
+# A limit on the size of files, for any user: a file that was there stays.
 attack_old() {
   attacks=$((attacks + 1))
   cp "$scratch/tools/old" old

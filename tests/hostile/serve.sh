@@ -123,7 +123,7 @@ for body in '' '[' "$(printf '[%.0s' {1..5000})" '{"parts":1e999}' $'\x01\x02' '
 done
 alive 'wrong bodies'
 
-# Nobody without the token; nobody from elsewhere.
+# No client without the token; none from another origin.
 ask POST /api/search '{"v":9,"k":4}' 'Content-Type: application/json'
 [[ $status == 401 ]] || fault "a search without the token: $status"
 ask POST /api/verify '0 1 2' 'Origin: http://evil.example'
@@ -240,7 +240,7 @@ run 60 "$CHANGEOVER" "${small[@]}" away
 attacks=$((attacks + 1))
 [[ $code == 4 && $said == *'leads nowhere'* ]] ||
   fault "export to a link that leads nowhere: exit code $code $said"
-# What somebody puts there while the export works stays.
+# A file that a user puts there during the export stays.
 "$CHANGEOVER" serve --assets pages --k 3..5 --v 5..40 --export site >"$out" 2>"$err" </dev/null &
 process=$!
 for ((tries = 0; tries < 600; ++tries)); do
@@ -255,7 +255,7 @@ attacks=$((attacks + 1))
 [[ $code == 4 && $(cat site/data/mine) == mine && -z $(find . -maxdepth 1 -name 'site.new-*') ]] ||
   fault "export over what came while it worked: exit code $code $said"
 rm -f site/data/mine
-# Whoever may not read the earlier site may not read the next one.
+# A user who may not read the earlier site may not read the next one.
 chmod 700 site
 run 120 "$CHANGEOVER" "${small[@]}" site
 attacks=$((attacks + 1))
@@ -277,7 +277,7 @@ if command -v strace >/dev/null && strace -o /dev/null true; then
       fault "export after a kill at $step: exit code $code $said"
   done
 fi
-# A file that is gone is no loss, and what is named like a site that was left is somebody's.
+# A file that is gone is no loss, and what is named like a site that was left belongs to a user.
 rm "$first_cell"
 cp -a site site.new-abcdef
 echo mine >site.new-abcdef/mine

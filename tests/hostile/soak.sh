@@ -2,7 +2,7 @@
 # A folder of state that lives on while one verb after another works in it and is killed,
 # interrupted, terminated or left alone: searches with checkpoints and proofs, run sheets, tables,
 # designs, a catalog that is added to, imported into, improved, exported and verified, jobs of all
-# pairs with a journal, a server that keeps designs. After each end: every file that nobody was
+# pairs with a journal, a server that keeps designs. After each end: every file that no process was
 # writing is as it was, what was written is whole, what was acknowledged is there, the database
 # holds, the next run goes on from what is kept, and what kills leave behind does not grow without
 # bound.
@@ -56,7 +56,7 @@ fi
 
 # --------------------------------------------------------------------------------------- what holds
 
-# The last word on each file: its name, and its checksum when nobody was writing to it.
+# The last word on each file: its name, and its checksum while no process was writing to it.
 remember() { # FILE...
   local file
   for file in "$@"; do

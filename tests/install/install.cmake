@@ -1,4 +1,4 @@
-# Installs `build`, and moves the tree to `prefix`: whoever uses it must not mind. Nothing in it
+# Installs `build`, and moves the tree to `prefix`: its users must still find everything. Nothing in it
 # names the folders it was made in.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE "${work}/installed" "${prefix}")

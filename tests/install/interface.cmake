@@ -1,6 +1,6 @@
 # What the library for C exports, and how its structures lie in memory, is what was published:
 # `symbols` lists the soname and the functions with the version that brought them, layout.txt the
-# rest. Whoever takes a line out of these files, or changes one, raises CHANGEOVER_C_INTERFACE too
+# rest. If you remove or change a line of these files, raise CHANGEOVER_C_INTERFACE too
 # (CONTRIBUTING.md).
 cmake_minimum_required(VERSION 3.25)
 set(library "${prefix}/${libdir}/libchangeover_loadorder.so")

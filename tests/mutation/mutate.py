@@ -85,7 +85,7 @@ def planted_into(path):
 def write_list(room, only):
     """Reading a file takes libclang seconds: what is found is written before the next one is
     begun."""
-    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # whoever reads may have seen enough
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # the reader may have seen enough
     for path in files_of(room):
         if only and path not in only:
             continue

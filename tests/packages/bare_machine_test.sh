@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# ./dev bare-machine --in FOLDER takes a new folder, an empty one or one of its own, and nothing of
-# the system's or of somebody. Nothing is made: to the script nobody is root here.
+# ./dev bare-machine --in FOLDER takes a new folder, an empty one or one that it made, and no folder of
+# the system or of a user. Nothing is made: the script finds no root user here.
 #
 # usage: bare_machine_test.sh SCRIPT
 set -euo pipefail

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The Debian packages of a build: two runs make the same bytes, whatever the clock says; installed
-# below a root of their own the programs run, Python imports, and a program in C compiles; an older
+# below their own root the programs run, Python imports, and a program in C compiles; an older
 # version is upgraded; a purge leaves nothing behind. Needs neither root nor a network.
 # usage: packages_test.sh SOURCE BUILD CC LIBDIR PYTHON
 set -euo pipefail

@@ -54,8 +54,8 @@ TEST(Literature, TheBaseBlocksOfTable12AreInTheCatalog) {
   EXPECT_NE(history.front().how.find("[ChafeeStevens2025]; Proposition 16"), std::string::npos);
 }
 
-// Numbers of blocks of designs that are said to exist, without their blocks: which of them nobody
-// here attains. Whoever finds such a design takes it off this list.
+// Numbers of blocks of designs that are said to exist, without their blocks: which of them no
+// construction here attains. If you find such a design, remove it from this list.
 TEST(Literature, OneThatIsReportedIsBetterThanOurs) {
   std::vector<std::string> better;
   for (const Reported& design : reported_designs()) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# presets_test.sh SOURCES CMAKE: configures every preset, in a folder of its own, with warnings as
+# presets_test.sh SOURCES CMAKE: configures every preset, in its own folder, with warnings as
 # errors. One whose compiler is not installed is left out, and that is said.
 set -euo pipefail
 sources=$1 cmake=$2

@@ -1,5 +1,5 @@
 // Every list of blocks with the change property, one after another, and what is left of them up to
-// names: obviously right and hopelessly slow. Shares nothing with the search.
+// names: easy to check and very slow. Shares nothing with the search.
 #pragma once
 
 #include <algorithm>

@@ -15,7 +15,7 @@
 
 namespace changeover::test {
 
-/// A catalog of its own in a folder that goes away, and pages with two files.
+/// A separate catalog in a folder that goes away, and pages with two files.
 class OwnServer {
  public:
   explicit OwnServer(serve::ExplorerSettings settings = {})
@@ -41,7 +41,7 @@ class OwnServer {
   std::unique_ptr<serve::ExplorerServer> server;
 };
 
-/// Tests of one server with a catalog of its own.
+/// Tests of one server with its own catalog.
 class OfOneServer : public ::testing::Test {
  protected:
   static void SetUpTestSuite() { own_ = new OwnServer; }

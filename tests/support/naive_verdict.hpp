@@ -1,4 +1,4 @@
-// The definition of a change covering design, word by word, with sets: slow and obviously right.
+// The definition of a change covering design, word by word, with sets: slow and easy to check.
 // Shares no code with verify/.
 #pragma once
 

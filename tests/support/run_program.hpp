@@ -57,7 +57,8 @@ inline void spit(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 
-/// A bare machine may have no /dev/full; whoever writes to it there makes a file of that name.
+/// A bare machine may have no /dev/full; a program that writes to it there makes a file of that
+/// name.
 inline bool has_full_device() {
   std::error_code ignored;
   return std::filesystem::is_character_file("/dev/full", ignored);

@@ -108,7 +108,7 @@ TEST(Agreement, OfStrengthThree) {
   for (const Kind kind : {Kind::linear, Kind::circular}) {
     expect_agreement({7, 4, 1, kind, 3}, folder);
     expect_agreement({8, 5, 2, kind, 3}, folder);
-    // Nobody knows a design: so say all.
+    // No design is known, and every interface says so.
     expect({{"$changeover design 20 5 --change 1 --strength 3 --" + std::string(to_string(kind)), 4,
              "No construction serves"},
             {"$changeover bounds 20 5 --change 1 --strength 3 --json --" +

@@ -128,7 +128,7 @@ inline const std::string mpirun =
     "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
     "OMPI_MCA_btl_vader_single_copy_mechanism=none mpirun ";
 
-/// Installed, and able to start processes: it needs a network of its own and more.
+/// Installed, and able to start processes: it needs a separate network and more.
 inline bool have_mpirun(const TemporaryFolder& folder) {
   return run(mpirun + "-n 4 true", folder.path()).code == 0;
 }

@@ -41,7 +41,7 @@ TEST_F(CatalogUsage, Add) {
         "not added: 4.3.1.linear.3.2fc52240 is 4.3.1.linear.3.fdc879cf up to names"},
        {mine("add same.txt --even-isomorphic"), 0, "  it is 4.3.1.linear.3.fdc879cf up to"},
        {mine("add four.txt bad.txt"), 1,
-        "INVALID: bad.txt: 1 of 6 pairs is in no block, as {2,3}\nnothing was added"},
+        "INVALID: bad.txt: 1 of 6 pairs is in no block, e.g. {2,3}; add blocks that cover them\nnothing was added"},
        {mine("add steps.txt"), 1, "the first from block 2 to block 3"},
        {mine("show 4.3.1.linear.4"), 4, "4.3.1.linear.4"},
        {mine("add four.txt"), 0,

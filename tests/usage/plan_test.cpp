@@ -87,7 +87,7 @@ TEST(Plan, SaysInOneLineWhatIsWrong) {
   spit(folder.file("all.csv"), "A,B\nA,C\nA,D\nB,C\nB,D\nC,D\n");
   const std::string costs = " costs.csv -k 3 --test-cost 1 ";
   for (const Case& c : std::vector<Case>{
-           {"", 2, "PARTS is missing: give a list of parts"},
+           {"", 2, "PARTS is missing; give a list of parts"},
            {"costs.csv --items 3", 2, "give either PARTS or --items N, not both"},
            {"costs.csv", 2, "give --test-cost X"},
            {"costs.csv --test-cost 1", 2, "give --at-once K, how many parts fit at once"},
@@ -246,7 +246,7 @@ TEST(Plan, SaysInOneLineWhichFileIsAtFault) {
            {"parts.csv --pairs empty.csv" + costs, 3, "empty.csv: no pair is listed"},
            {"parts.csv --done large.csv" + costs, 3, "large.csv:2:1: 4 parts, but only 3 fit"},
            {"parts.csv --done large.csv --done-first 9 -k 4 --test-cost 1", 2,
-            "large.csv has 2 set-ups"},
+            "large.csv has only 2 set-ups"},
            {"escape.csv" + costs, 3, "escape.csv:1:2: control byte 0x1b"},
            {"latin.csv" + costs, 3, "latin.csv:1:3: byte 0xf6 is not UTF-8"},
            {"parts.csv --title $'a\\e[2Jb'" + costs, 2, "--title: control byte 0x1b"},

@@ -59,7 +59,7 @@ TEST(PlanWorkbook, SaysInOneLineWhatIsWrong) {
   spit(folder.file("cut.xlsx"), "PK\x03\x04");
   const std::string rest = " -k 2 --test-cost 1 --change-cost 1" + fast;
   expect(
-      {{"$changeover plan good.xlsx" + rest, 3, "good.xlsx:Costs!A2: the formula here comes to"},
+      {{"$changeover plan good.xlsx" + rest, 3, "good.xlsx:Costs!A2: the formula here results in"},
        {"$changeover plan good.xlsx:Prices" + rest, 3, "there is no sheet 'Prices'"},
        {"$changeover plan parts.csv:Costs" + rest, 3, "parts.csv: not a workbook"},
        {"$changeover plan none.xlsx:Costs" + rest, 4, "none.xlsx:Costs"},

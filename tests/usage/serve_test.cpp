@@ -91,13 +91,13 @@ TEST(Serve, ExportsWhatItWouldAnswer) {
   expect({{site, 0, "designs"}}, folder);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "site" / "feed.xml"));
   EXPECT_EQ(run("ls -d site.new-*", folder.path()).out, "");
-  // Nobody is left in a folder that is gone.
+  // No process is left in a folder that was deleted.
   expect(
       {{"cd site/data && $changeover serve --assets ../../pages --export ..", 4,
         "--export ..: you are in this folder"},
        {"cd site && $changeover serve --assets ../pages --export ../site", 4, "--export ../site"}},
       folder);
-  // What somebody put beside it is not deleted.
+  // A file that a user put beside it is not deleted.
   spit(folder.file("site/CNAME"), "designs.example");
   expect({{site, 4, "CNAME is not of the earlier export"}}, folder);
   EXPECT_EQ(slurp(folder.file("site/CNAME")), "designs.example");
@@ -118,14 +118,14 @@ TEST(Serve, ExportsClearWhatAKilledOneLeft) {
   };
   const std::string marker = ".changeover-unfinished";
   make("site.new-mine12", "mine");  // what no export makes
-  make("site.new-both12", "mine");  // with something of somebody's
+  make("site.new-both12", "mine");  // with a file of a user
   spit(folder.path() / "site.new-both12" / marker, "");
   make("site.new-index1", "index.html");  // no export begins like that
   make("site.new-short", marker);         // not named as ours
   make("other.new-abcdef", marker);       // of another place
   make("site.new-locked", marker);        // being made
   make("elsewhere", marker);
-  make("site.new-second", ".changeover-explorer");  // a site that somebody keeps
+  make("site.new-second", ".changeover-explorer");  // a site that a user keeps
   spit(folder.path() / "site.new-second" / "index.html", "precious");
   make("site.new-folder", ".changeover-explorer");
   std::filesystem::create_directory(folder.path() / "site.new-folder" / marker);

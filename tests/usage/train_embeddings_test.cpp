@@ -1,4 +1,5 @@
-// The example that trains embeddings: the same bytes for the same seed, whoever works and whatever
+// The example that trains embeddings: the same bytes for the same seed, whichever worker runs and
+// whatever
 // kills it.
 #include <filesystem>
 

@@ -156,14 +156,16 @@ TEST(VerdictDetails, RefusesWhatNoDesignCanBe) {
   } catch (const MissingResource& fault) {
     EXPECT_NE(
         std::string(fault.what())
-            .find(" subsets to verify need more than 4 GiB of memory: use a smaller v or strength"),
+            .find(" subsets to verify need more than 4 GiB of memory; use a smaller v or strength"),
         std::string::npos);
   }
   try {
     const RunningVerdict running({.v = 65'536, .k = 3});
     ADD_FAILURE() << "65,535 elements are the limit";
   } catch (const MissingResource& fault) {
-    EXPECT_STREQ(fault.what(), "v = 65536 exceeds the 65535 elements that verification can hold");
+    EXPECT_STREQ(
+        fault.what(),
+        "v = 65536 exceeds the 65535 elements that verification can hold; give a smaller v");
   }
   EXPECT_EQ(refusal([] {
               RunningVerdict running({.v = 9, .k = 4});

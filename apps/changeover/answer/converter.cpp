@@ -34,7 +34,8 @@ File nameless_file() {
   File file(std::tmpfile());
   if (!file) {
     throw MissingResource(
-        fmt::format("there is no room for a temporary file: {}", std::strerror(errno)));
+        fmt::format("a temporary file cannot be made: {}; free some space for temporary files",
+                    std::strerror(errno)));
   }
   return file;
 }
@@ -105,8 +106,9 @@ std::string converted(const std::string& svg, const std::string& format, unsigne
   const File complaints = nameless_file();
   if (std::fwrite(svg.data(), 1, svg.size(), input.get()) != svg.size() ||
       std::fflush(input.get()) != 0) {
-    throw MissingResource(fmt::format("a temporary file of {} bytes cannot be written: {}",
-                                      svg.size(), std::strerror(errno)));
+    throw MissingResource(fmt::format(
+        "a temporary file of {} bytes cannot be written: {}; free some space for temporary files",
+        svg.size(), std::strerror(errno)));
   }
   std::rewind(input.get());
 
@@ -139,11 +141,11 @@ std::string converted(const std::string& svg, const std::string& format, unsigne
   }
   std::string picture = contents(output);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || picture.empty()) {
-    throw MissingResource(fmt::format("{} could not write {}: {}", converter_name, format,
-                                      first_line(contents(complaints))));
+    throw MissingResource(fmt::format("{} could not write {}: {}; write an .svg file",
+                                      converter_name, format, first_line(contents(complaints))));
   }
   if (!is_whole(picture, format)) {
-    throw MissingResource(fmt::format("{} wrote {} bytes that are no whole {}; write svg",
+    throw MissingResource(fmt::format("{} wrote {} bytes that are no whole {}; write an .svg file",
                                       converter_name, picture.size(), format));
   }
   return picture;

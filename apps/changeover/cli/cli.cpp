@@ -23,6 +23,7 @@
 #include "cli/spelling.hpp"
 #include "cli/status_line.hpp"
 #include "cli/terminal.hpp"
+#include "core/each.hpp"
 #include "core/printable.hpp"
 #include "io/request/request_words.hpp"
 #include "request/output.hpp"
@@ -79,9 +80,11 @@ int answer(const std::function<Answer()>& make, const std::string& verb,
     return complain(exit_code::limit_reached, "stopped (" + std::string(to_string(stopped.why())) +
                                                   ") before anything was found");
   } catch (const std::bad_alloc&) {
-    return complain(exit_code::missing_resource, "not enough memory for these parameters");
+    return complain(exit_code::missing_resource,
+                    "not enough memory for these parameters; give smaller ones");
   } catch (const std::length_error&) {
-    return complain(exit_code::missing_resource, "not enough memory for these parameters");
+    return complain(exit_code::missing_resource,
+                    "not enough memory for these parameters; give smaller ones");
   } catch (const std::system_error& fault) {  // of files, threads, …
     return complain(exit_code::missing_resource, fault.what());
   } catch (const std::exception& fault) {

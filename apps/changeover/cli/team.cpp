@@ -94,7 +94,8 @@ class MpiTeam final : public Team {
   std::vector<std::string> exchange(const std::string& message) override {
     const std::scoped_lock lock(mutex_);
     if (message.size() > static_cast<std::size_t>(std::numeric_limits<int>::max() / size_)) {
-      throw MissingResource("a result is too large to be sent to the other processes");
+      throw MissingResource(
+          "a result is too large to be sent to the other processes; run one process");
     }
     const int length = static_cast<int>(message.size());
     std::vector<int> lengths(size());

@@ -76,7 +76,7 @@ void FilterRequest::add_to(Verb& verb, Unless unless) {
   } else {
     all = true;
     verb.flag(
-        "--best", [this] { all = false; }, "of each cell the best design only");
+        "--best", [this] { all = false; }, "only the best design of each cell");
   }
   verb.flag("--users", users, "the user's designs only");
 }

@@ -107,7 +107,7 @@ void OutputRequest::add_to(Verb& verb, const std::vector<std::string>& formats) 
   formats_ = formats;
   verb.choice(
       "-f,--format", asked_, formats,
-      fmt::format("how the answer is written (default: as FILE ends, or {})", formats.front()));
+      fmt::format("output format (default: by the extension of FILE, or {})", formats.front()));
   for (const std::string& word : formats) {
     if (word == "json" || word == "jsonl") {
       json_word_ = word;

@@ -44,9 +44,9 @@ void ParameterRequest::add_to(Verb& verb, bool required, const std::string& line
 }
 
 void ParameterRequest::add_beside_label_to(Verb& verb, std::string& what, std::string& k_typed) {
-  verb.positional(
-      "LABEL", what,
-      "of a design, 20.5.2.linear.39.…, or its beginning; of a cell, 20.5.2.linear; or V");
+  verb.positional("LABEL", what,
+                  "label of a design (or its beginning), as 20.5.2.linear.39; label of a cell, as "
+                  "20.5.2.linear; or V");
   verb.positional("K", k_typed, "elements in a block, after V", false);
   verb.option("-m,--change", change, "M",
               "after V K: elements in which consecutive blocks differ (default 2)");

@@ -29,8 +29,8 @@ struct RequestFileRequest {
   void add_to(Verb& verb, std::string_view format) {
     verb.option(
         "--request", path, "FILE",
-        "read the question from FILE, as JSON (" + std::string(format) + "); options override it");
-    verb.flag("--show-request", show, "print the question as such JSON and stop");
+        "read the request from FILE, as JSON (" + std::string(format) + "); options override it");
+    verb.flag("--show-request", show, "print the request as JSON and stop");
   }
 };
 

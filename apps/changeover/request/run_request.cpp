@@ -104,7 +104,7 @@ std::uint64_t parse_size(const std::string& text, const std::string& option) {
 
 void RunRequest::add_to(Verb& verb, const std::string& limit, OutputRequest& output) {
   add_limits_to(verb, limit, output);
-  verb.option("--seed", seed, "N", "of the random numbers (default 1)");
+  verb.option("--seed", seed, "N", "seed of the random numbers (default 1)");
 }
 
 void RunRequest::add_limits_to(Verb& verb, const std::string& limit, OutputRequest& output,
@@ -113,7 +113,7 @@ void RunRequest::add_limits_to(Verb& verb, const std::string& limit, OutputReque
   output.precious = true;
   verb.option("--time", time, "DURATION",
               limit == "0s" ? "search so long for a better answer, e.g. 90s, 5m, 2h (default: not)"
-                            : "stop after so long, e.g. 90s, 5m, 2h (default " +
+                            : "stop after this time, e.g. 90s, 5m, 2h (default " +
                                   (limit.empty() ? std::string("no limit") : limit) + ")");
   verb.option("--memory", memory, "SIZE",
               "memory for tables and formulas, e.g. 4G (default: half of the machine's)");

@@ -83,7 +83,7 @@ class Running {
 /// not end the process before it is delivered.
 [[nodiscard]] Answer final_answer(std::shared_ptr<Running> running, Answer answer);
 
-/// Work without limits of its own: what lasts longer than a second is told on a terminal, tables
+/// Work without its own limits: what lasts longer than a second is told on a terminal, tables
 /// that half of the machine's memory does not hold are refused, and Ctrl-C ends the process. For
 /// the whole program; a Running takes its place while it lives.
 class Watched {

@@ -59,7 +59,8 @@ void add_bounds(Program& program) {
   request.output.add_to(verb, {"text", "latex", "json"});
   verb.examples({"changeover bounds 20 5", "changeover bounds 8 5 --circular --json",
                  "changeover bounds 10 7 --change 1 --strength 3   every three elements meet",
-                 "JSON is about one kind: if none is named, the one with the fewest blocks known"});
+                 "changeover bounds 8 5 --json    without a kind, JSON has the kind with the "
+                 "fewest known blocks"});
 }
 
 }  // namespace changeover::cli

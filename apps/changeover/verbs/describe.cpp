@@ -74,13 +74,17 @@ std::string as_json(const Program& program) {
   return json.end_object().take() + "\n";
 }
 
-// What each door knows of each kind of question.
+// The options of each interface, for each kind of question.
 std::string doors() {
   return "## Plans\n\n`plan`, `api/plan`, `changeover.plan()`: format `changeover-job/1`.\n\n" +
          doors_table(records_of(job_table())) +
-         "\n## Load orders\n\n`loadorder`, `api/loadorder`, `changeover.load_order()`: format "
+         "\n## Load orders\n\n`loadorder`, `api/loadorder`, `changeover.load_order()`, "
+         "`changeover_loadorder_open_with()`: format "
          "`changeover-load-request/1`.\n\n" +
-         doors_table(records_of(load_table()));
+         doors_table(records_of(load_table())) +
+         "- C has members of `changeover_loadorder_options`, arguments and functions "
+         "(`changeover/loadorder/changeover_loadorder.h`). Its steps evict and load items of one "
+         "size, in one memory, so it takes no keys of sizes, levels, stores and overlap; `balance` is its default.\n";
 }
 
 Answer run(const DescribeRequest& request) {

@@ -110,7 +110,7 @@ void add_same(Program& program) {
   request.output.add_to(verb, {"text", "json"});
   verb.examples({"changeover same mine.txt theirs.json",
                  "changeover same mine.txt theirs.json --reversal --json",
-                 "a circular design may be rotated"});
+                 "changeover same a.txt b.txt --circular    circular designs may also be rotated"});
   verb.outcomes({{exit_code::done, "the same"}, {exit_code::refuted, "not the same"}});
 }
 

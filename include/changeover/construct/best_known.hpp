@@ -102,9 +102,9 @@ struct KnownCell {
   [[nodiscard]] std::string status() const;
 };
 
-/// What is taken for granted of the cells that the catalog comes with.
+/// What is assumed about the cells of the shipped catalog.
 enum class Stored : std::uint8_t {
-  as_shipped,  ///< they were looked for when it was made
+  as_shipped,  ///< they were looked for when it was built
   anew  ///< nothing: rules are applied to them like to all others, which makes the next catalog
 };
 

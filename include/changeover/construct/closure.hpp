@@ -21,7 +21,7 @@
 
 namespace changeover {
 
-/// The blocks of a design as a recipe of their own, "literal", and where they come from: the leaf
+/// The blocks of a design as a separate recipe, "literal", and where they come from: the leaf
 /// that rules work on if a design has no better one.
 [[nodiscard]] Recipe literal_recipe(const Design& design, std::string provenance = {});
 

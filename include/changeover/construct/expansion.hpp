@@ -147,7 +147,8 @@ struct UnchangedCover {
   std::vector<Block> beside = {};
   /// The index of the subset at whose position there is a sweep, if there is one.
   std::size_t sweep = 0;
-  /// Proved: no fewer subsets do, but for positions that were added because w is large.
+  /// True if fewer subsets are proved not to suffice, apart from positions added because w is
+  /// large.
   bool minimum = false;
 
   bool operator==(const UnchangedCover&) const = default;
@@ -258,7 +259,7 @@ struct IntervalCoverSize {
 
 /// For m = 2, w even: a cover of the design that expand_by() makes with interval_cover(p, c, w),
 /// for one more element x. The w new elements are in no unchanged subset, but as x comes with
-/// another element in each of its blocks, they can be left out. ⌈(v+w)/(k−1)⌉ blocks are thus
+/// another element in each of its blocks, they can be left out. ⌈(v+w)/(k−1)⌉ blocks are then
 /// enough for x, if they are not fewer than w; w + 1 new elements at once would take ⌈v/(k−2)⌉
 /// blocks more than w.
 /// @throws BadInput if interval_cover_for_one_more_size() has no answer. O(v).

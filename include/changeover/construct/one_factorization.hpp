@@ -29,7 +29,7 @@
 //     of the edge in the middle and swaps those of all other edges of F; so does its conjugate, for
 //     the other edge. Their product swaps the ends of two edges and fixes n − 4 ≥ 3 vertices. But
 //     an automorphism that fixes three vertices of a perfect 1-factorization fixes two factors and
-//     a vertex of their Hamiltonian cycle, hence everything.
+//     a vertex of their Hamiltonian cycle, so it fixes everything.
 //
 // Not done here: other families, random 1-factorizations, canonical forms.
 // References: the circle [Kotzig1964], also for when it is perfect; two copies of odd order

@@ -100,7 +100,7 @@ class Construction {
   [[nodiscard]] virtual std::string explain(const Recipe& recipe) const;
 
   /// Names for the elements where numbers would say less (∞_s, 0_l, …); empty otherwise. Those of
-  /// the inputs are carried on, hence the registry.
+  /// the inputs are kept, so the registry is needed.
   [[nodiscard]] virtual std::vector<std::string> labels(const Recipe& recipe,
                                                         const Registry& registry) const;
 };

@@ -50,7 +50,7 @@ class MissingResource : public Error {
   explicit MissingResource(std::string_view line) : Error(line) {}
 };
 
-/// The reader of the output closed the pipe or connection. It has a class of its own because on
+/// The reader of the output closed the pipe or connection. It has its own class because on
 /// standard output it is often not a fault: `changeover design 99 4 | head -3`.
 class ReaderGone : public MissingResource {
  public:

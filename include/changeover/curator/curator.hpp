@@ -237,7 +237,8 @@ struct AuditScope {
   return audit_entries(catalog, audit_scope(catalog, filter), control);
 }
 
-/// What is wrong with one entry; empty if nothing. Stops with the scope of this thread.
+/// What is wrong with one entry; empty if nothing. A RunControl scope of the calling thread can
+/// stop it.
 [[nodiscard]] std::string fault_of_entry(const CatalogEntry& entry);
 
 // Searches where the catalog is weakest, and submission of the user's designs that are better than

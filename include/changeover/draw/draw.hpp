@@ -140,7 +140,7 @@ struct FactorFigure {
   std::uint32_t order = 0;
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> factors = {};
   std::vector<std::string> names = {};       ///< of the vertices; empty: 0, 1, …
-  std::optional<std::uint32_t> centre = {};  ///< the vertex in the middle, if one shall be there
+  std::optional<std::uint32_t> centre = {};  ///< the vertex in the middle, if any
   std::string title = {};                    ///< empty: "1-factorization of K_n"
 };
 
@@ -163,7 +163,7 @@ struct CircleFigure {
   std::vector<DrawnBlock> blocks = {};
   std::vector<std::string> names = {};       ///< of the points; empty: 0, 1, …
   std::string title = {};                    ///< empty: "Blocks on v points"
-  std::optional<std::uint32_t> centre = {};  ///< the point in the middle, if one shall be there
+  std::optional<std::uint32_t> centre = {};  ///< the point in the middle, if any
 };
 
 /// Blocks `first` to `first` + `count` − 1 of a design (from 0), as far as it has them, with what

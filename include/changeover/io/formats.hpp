@@ -106,7 +106,7 @@ std::uint64_t write_csv(BlockSource& source, Sink& sink,
 //
 // Keys come in this order; after `kind` comes "strength" if it is not 2, after `blocks` come
 // "labels" (the names of elements 0, 1, …), "recipe" and "verdict", each if there is one. A block
-// is an array of element *numbers*, on a line of its own. A reader takes keys in any order and
+// is an array of element *numbers*, on a separate line. A reader takes keys in any order and
 // ignores those that it does not know; it takes strings as labels of elements, accepts a bare array
 // of blocks, and infers the rest by the rules in io/input.hpp. Writing, reading and writing again
 // gives the same bytes, except that a reader ignores verdicts: only the verifier gives one.

@@ -69,7 +69,8 @@ class Input {
 
 // The rules of all readers: how blocks from outside become a design.
 //
-// A file from elsewhere seldom has all of its parameters. They come, in this order, from the caller
+// A file from another program rarely has all of its parameters. They come, in this order, from the
+// caller
 // (ReadOptions), from the file, and from these rules:
 //   - k is the number of elements of the first block; every other block must agree.
 //   - change is the number of elements in which the first two blocks differ (2 if there is one

@@ -53,7 +53,7 @@ enum class RowShape {
   tests,    ///< [a, b, …] or {"parts": [a, b, …], "result", "bench"}
   benches,  ///< "name" or {"name", "at_once", "test_cost", …}, or how many
   table,    ///< [field, …], with a head for each row and column
-  document  ///< this is no list but a text with a language of its own: "text"
+  document  ///< not a list but a text in another language: "text"
 };
 
 /// One row of a list.
@@ -125,6 +125,8 @@ struct OptionRecord {
   std::string_view python = {};              ///< the argument there, if it has another name
   std::string_view not_in_server = {};       ///< why it is not there; empty: it is
   std::string_view not_in_python = {};
+  /// What C calls it (changeover/loadorder/changeover_loadorder.h); empty: C does not take it.
+  std::string_view c = {};
   bool of_every_search = false;  ///< on the command line every verb that searches has it
 };
 

@@ -82,7 +82,7 @@ struct PairFileOptions {
   std::optional<std::uint64_t> items = {};  ///< there are so many, numbered from 0 or named
   bool groups = false;  ///< a line is a group of items, of which all pairs are wanted
   /// Receives the costs in the third column of a list of pairs; unchanged if there is no such
-  /// column. Without it a third column is refused, and `no_costs` ends the message.
+  /// column. If null, a third column is refused with a message that ends in `no_costs`.
   std::function<double(Element, Element)>* costs = nullptr;
   std::string no_costs = {};
 };

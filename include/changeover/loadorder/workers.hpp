@@ -1,4 +1,4 @@
-// A load order for several workers, each with room of its own.
+// A load order for several workers, each with its own memory.
 //
 //     WorkerSplit split = split_load_order(64, 16, 4);
 //     split.facts().makespan;                  // loads of the busiest worker
@@ -185,8 +185,9 @@ class WorkerSplit {
 /// For items of different sizes (loadorder/load_order.hpp): the busiest worker loads as few bytes
 /// as we know how. An order is cut so that bytes are even; or items are put into groups of even
 /// bytes, of which each worker holds some and streams others; or of two sets each worker has a part
-/// of both. A load that brings a worker no pair of its own is left out. Up to 2 million pairs, each
-/// worker has an order of its own for its pairs. Verified. @throws as plan_sized_order() and
+/// of both. A load that brings a worker none of its own pairs is left out. Up to 2 million pairs,
+/// each
+/// worker has its own order for its pairs. Verified. @throws as plan_sized_order() and
 /// split_order()
 [[nodiscard]] WorkerSplit split_sized_order(std::shared_ptr<const ItemSizes> sizes,
                                             const WantedPairs& wanted, std::uint64_t workers,
@@ -259,7 +260,7 @@ class WorkerSplit {
                                             std::uint64_t workers,
                                             const LoadOrderOptions& options = {});
 
-/// The same at two levels (loadorder/load_order.hpp), each worker with an accelerator of its own:
+/// The same at two levels (loadorder/load_order.hpp), each worker with its own accelerator:
 /// an order as above, of items in groups, and after each of its steps what groups meet for the
 /// first time is done on the accelerators, in several steps. Verified. @throws as
 /// plan_disjoint_order() and plan_two_levels()

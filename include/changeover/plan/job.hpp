@@ -21,7 +21,8 @@
 // `start`. The parts are matched in min(|O|,|N|) pairs of one part of O and one of N so that the
 // step is cheapest. A pair (o, n) costs replace_cost(o, n). The other parts of N go to empty
 // places, each at its own change cost; the other parts of O are taken out at no cost. With slots, a
-// part only takes the place of a part of its own slot, and likewise for parts in no slot. Such jobs
+// part only takes the place of a part of the same slot, and likewise for parts in no slot. Such
+// jobs
 // have no plans for weighed pairs or exchanged parts: BadInput. A list that starts on an empty
 // bench pays for its first set-up as without replacement costs.
 //
@@ -125,11 +126,11 @@ class PairWeights {
     const auto found = by_rank_.find(PairSet::rank(x, y));
     return found == by_rank_.end() ? Amount{1'000'000} : found->second;
   }
-  /// Whether the pair has a weight of its own.
+  /// Whether the pair has its own weight.
   [[nodiscard]] bool weighs(Element x, Element y) const {
     return by_rank_.count(PairSet::rank(x, y)) != 0;
   }
-  /// Whether no pair has a weight of its own.
+  /// Whether no pair has its own weight.
   [[nodiscard]] bool empty() const { return by_rank_.empty(); }
 
  private:

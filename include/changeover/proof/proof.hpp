@@ -87,7 +87,7 @@ struct ProofVerdict {
 //
 // A cube is a list of literals that are all to hold. If a formula has no solution in any of some
 // cubes, and every assignment lies in one of these, then it has no solution at all: that is what
-// allows a search to be split, each part with a proof of its own.
+// allows a search to be split, each part with its own proof.
 
 /// Literals that hold together: ±1, ±2, …
 using Cube = std::vector<std::int32_t>;

@@ -112,7 +112,7 @@ class RunControl {
   explicit RunControl(Settings settings);
 
   /// A control for one phase of a longer search: it stops with its parent, or after `time`. It
-  /// shares the parent's settings, but for a seed of its own, and its callback; stopping it does
+  /// shares the parent's settings, except for its own seed and callback; stopping it does
   /// not stop the parent.
   RunControl(RunControl& parent, std::chrono::duration<double> time,
              std::optional<std::uint64_t> seed = {});
@@ -129,7 +129,7 @@ class RunControl {
     return !parents_limit_counts_ || (parent_ != nullptr && parent_->keeps_best());
   }
 
-  /// The same without a time of its own, for `threads` threads and without a callback: one of
+  /// The same without its own time limit, for `threads` threads and without a callback: one of
   /// several attempts that run side by side.
   RunControl(RunControl& parent, unsigned threads);
 
@@ -154,7 +154,7 @@ class RunControl {
   /// `running` until stop() or a limit.
   [[nodiscard]] WhyStopped why_stopped() const { return why_.load(std::memory_order_relaxed); }
 
-  /// Whether a time limit stopped this work, or a part of it that had a limit of its own: what was
+  /// Whether a time limit stopped this work, or a part of it that had its own limit: what was
   /// found then depends on the clock.
   [[nodiscard]] bool time_was_up() const { return time_was_up_.load(std::memory_order_relaxed); }
 

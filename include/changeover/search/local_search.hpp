@@ -108,7 +108,8 @@ struct LockedOptions {
   std::optional<std::uint64_t>
       blocks{};  ///< the number that is enough, and the most; nullopt: as few as possible
   std::optional<std::uint64_t> moves{};  ///< limit for the moves, over all threads
-  /// Begins with the best of the known designs that have the properties, if any has; else anew.
+  /// Begins with the best of the known designs that have the properties, if there is one; otherwise
+  /// from random lists.
   bool from_known = true;
 };
 

@@ -43,7 +43,7 @@ class DaskEngine(RealTime):
         self._worker_of: Dict[int, str] = {}
         self._known: Dict[str, int] = self._nthreads()
         self._looked = time.monotonic()
-        # Sent with the first parts of each worker, and no task of its own: such a task may get to
+        # Sent with the first parts of each worker, and no separate task: such a task may get to
         # a worker that hangs, and then all would wait for it.
         self._maker = packed(task.maker, importlib.import_module("cloudpickle"))
         self._have_maker: set[str] = set()
@@ -122,7 +122,7 @@ class DaskEngine(RealTime):
                     self.drop(number)
                     raise MissingResource(
                         f"worker {worker} cannot do its part: {type(fault).__name__}: "
-                        f"{' '.join(str(fault).split())}") from fault
+                        f"{' '.join(str(fault).split())}; see the log of this worker") from fault
                 if self._client.status != "running":
                     raise _gone() from fault
                 self.drop(number)

@@ -69,7 +69,7 @@ class Walk:
             self._impossible = self._over = True
             self._reason = known.reason
             return self._bag
-        # What other searches have excluded is excluded anew.
+        # What other searches have excluded is excluded again.
         paper = [each for each in known.all if each.name != "checked proofs"]
         self._lower, self._reason = max(((each.blocks, each.reason) for each in paper),
                                         key=lambda each: each[0], default=(1, "trivial"))

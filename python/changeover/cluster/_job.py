@@ -63,10 +63,10 @@ class Wanted:
             if items is not None and most > items:
                 what = "pairs" if groups is None else "groups"
                 raise BadInput(f"{what}: there are {items} items, numbered from 0, and a "
-                               f"{what[:-1]} has number {most - 1}")
+                               f"{what[:-1]} has number {most - 1}; correct it, or give more items")
             items = most if items is None else items
             if not rows:
-                raise BadInput("pairs has no pair")
+                raise BadInput("pairs is empty; list at least one pair")
         elif items is None:
             raise BadInput("give items, how many there are")
         elif cost is not None and not callable(cost):

@@ -80,7 +80,7 @@ class Journal:
         try:
             self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND | os.O_NONBLOCK, 0o666)
         except ValueError as fault:
-            raise BadInput(f"journal: {_core.quoted(path)} is no name of a file") from fault
+            raise BadInput(f"journal: {_core.quoted(path)} is not a file name; remove the zero byte") from fault
         except OSError as fault:
             raise MissingResource(f"{path}: cannot open the journal: {fault.strerror}") from fault
         try:
@@ -105,7 +105,8 @@ class Journal:
                 size = file.seek(0, os.SEEK_END)
         except OSError as fault:
             raise MissingResource(
-                f"{self._path}: cannot read the journal: {fault.strerror}") from fault
+                f"{self._path}: cannot read the journal: {fault.strerror}; check the path and the "
+                "permissions") from fault
         if whole < size:
             try:
                 os.ftruncate(self._file, whole)

@@ -72,7 +72,8 @@ class RayEngine(RealTime):
                 self._dead.append(worker)
             raise Lost from fault
         except self._ray.exceptions.RayError as fault:
-            raise MissingResource(f"{worker} cannot do its part: {fault}") from fault
+            raise MissingResource(f"{worker} cannot do its part: {fault}; see the log of this "
+                                  "worker") from fault
 
     def drop(self, number: int) -> None:
         call = self._call_of.pop(number, None)

@@ -255,8 +255,8 @@ def search(
     end = _now() + (1e9 if time is None else time)
     if exact:
         if target is not None:
-            raise BadInput("target is for the search that is not exact; an exact one ends at the "
-                           "minimum")
+            raise BadInput("target has no meaning with exact=True, which ends at the minimum; leave "
+                           "it out")
         walk = Walk(cell, each, end, cubes, start)
         answer = run_bag(client, _decide_part, walk.begin, walk.finish, tell_of(progress), threads,
                          walk.progress, workers)

@@ -196,7 +196,8 @@ class _Simulated:
         while True:
             loaded = self._store.next_time()
             if not self._events and loaded == math.inf:
-                raise NoWorkers("all workers failed, and none is replaced")
+                raise NoWorkers("all workers failed, and none is replaced; give restart, or fewer "
+                                "failures")
             if self._events and self._events[0][0] <= loaded:
                 when, _, kind, worker, number = heapq.heappop(self._events)
                 self._advance(when)
@@ -390,8 +391,8 @@ def simulate(
     for argument, number in numbers.items():
         if not 0 <= number <= (math.inf if argument == "store" else _most_number) or (
                 number < 1e-60 and argument in ("bandwidth", "store", "slowness")):
-            raise BadInput(f"{argument} is a number from 0 to {_most_number:g}, and bandwidth, "
-                           "store and slowness are not 0")
+            raise BadInput(f"{argument} must be from 0 to {_most_number:g}; bandwidth, "
+                           "store and slowness must be above 0")
     if stragglers > 1:
         raise BadInput("stragglers is a share of the workers, from 0 to 1")
     if not 1 <= workers <= _most_workers:
@@ -405,7 +406,8 @@ def simulate(
     wanted = Wanted(items, room, pairs, None, None, False, cost, any_count=not exact, groups=groups,
                     sizes=item_bytes, memory=memory, overlap=overlap)
     if not exact and cost is not None:
-        raise BadInput("costs are for up to 2000000 pairs, or for listed ones")
+        raise BadInput("cost with more than 2000000 pairs is not supported; list the pairs, or "
+                       "leave cost out")
     size = wanted.size
     assert size is not None
     mean = (size(0) if isinstance(item_bytes, int) else

@@ -1,7 +1,7 @@
 """Assigns work: sends stretches to workers, lets idle workers take some from others, and plans lost
 work again.
 
-It uses no engine or clock of its own, so that a simulation makes the same decisions.
+It has neither an engine nor a clock, so that a simulation makes the same decisions.
 """
 
 from __future__ import annotations
@@ -200,7 +200,7 @@ class Team:
             return
         runs, self._orphans = self._orphans, []
         cost = sum(run.cost for run in runs)
-        # Each part loads a memory anew, and should load as much again.
+        # Each part fills its memory again, and should load as much again.
         loads = sum(run.loads for run in runs)
         most = len(self.members)
         parts = max(1, min(most, int(min(most, 2 * cost / self._target)) if self._target else most,

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t nodes_for_covers = 200'000;
 
-// With an odd number of members; nothing if there is none.
+// Finds an expansion set with an odd number of members; nullopt if there is none.
 std::optional<ExpansionSet> odd_expansion_set(const Design& design, const EnlargeOptions& options) {
   if (design.parameters().change != 2) {
     return std::nullopt;
@@ -27,7 +27,7 @@ std::optional<ExpansionSet> odd_expansion_set(const Design& design, const Enlarg
         fmt::format("{} expansion {}: {}", there == 0 ? "no" : fmt::format("only {}", there),
                     there < 2 ? "set" : "sets",
                     !search.complete        ? "the search stopped at its limit; allow more"
-                    : search.reason.empty() ? "every exact cover was tried"
+                    : search.reason.empty() ? "every exact cover was tried; give a smaller number"
                                             : search.reason));
   }
   ExpansionSet& set = search.sets[static_cast<std::size_t>(which - 1)];
@@ -36,7 +36,9 @@ std::optional<ExpansionSet> odd_expansion_set(const Design& design, const Enlarg
 
 Enlarged by_cover(const Design& design, const EnlargeOptions& options) {
   if (design.k() == design.parameters().change) {
-    throw MissingResource("no new elements can be inserted: k = m, so unchanged subsets are empty");
+    throw MissingResource(
+        "no new elements can be inserted: k = m, so unchanged subsets are "
+        "empty; use a design with m < k");
   }
   const std::uint64_t w = options.new_elements.value_or(0);
   CoverOptions cover;
@@ -47,7 +49,8 @@ Enlarged by_cover(const Design& design, const EnlargeOptions& options) {
       w == 0 ? best_new_elements(design, 1, most, cover) : best_new_elements(design, w, w, cover);
   if (!best) {
     throw MissingResource(fmt::format(
-        "{} cannot be inserted: too few unchanged subsets, or they leave an element out",
+        "{} cannot be inserted: too few unchanged subsets, or they leave an element out; use "
+        "another design",
         w == 0 ? "new elements" : count_of(w, "new element")));
   }
   return {.design = expand_by(design, best->cover, best->w, options.factorization),

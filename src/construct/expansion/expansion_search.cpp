@@ -210,7 +210,7 @@ void list(const Rows& rows, const ExpansionSearchOptions& options, ExpansionSear
       result.complete =
           rows.cover().for_each_solution(visit, options.limits).outcome == SearchOutcome::complete;
     }
-    if (enough && options.count) {  // anew, and faster: nothing is written down
+    if (enough && options.count) {  // again, and faster: nothing is written down
       const SolutionCount counted =
           rows.cover().count_solutions(rows.multiplicities(), options.limits);
       result.complete = counted.outcome == SearchOutcome::complete;

@@ -47,7 +47,7 @@ void check_fit(const Parameters& p, std::uint64_t w) {
     refuse(fmt::format("m = {} takes at most {} new elements, not {}", p.change, p.change, w));
   }
   if (w > std::numeric_limits<std::uint32_t>::max() - p.v) {
-    refuse(fmt::format("v + w = {} + {} is too large", p.v, w));
+    refuse(fmt::format("v + w = {} + {} is too large; give fewer new elements", p.v, w));
   }
   if (w < p.change && p.v < p.k + 2 * p.change - w) {
     refuse(fmt::format("w = {} < m needs v >= k + 2m - w = {}: no other element fits", w,

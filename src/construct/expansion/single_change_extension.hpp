@@ -52,7 +52,7 @@ namespace changeover {
                                                                 std::uint64_t rounds);
 
 /// An expansion set of the extended design: the first one of the given design, if it has one, that
-/// makes do with positions up to b−k+1 and, if it is circular, b; and the two sets of new elements
+/// uses only positions up to b−k+1 and, if it is circular, b; and the two sets of new elements
 /// of every round. nullopt if there is none of that kind. O(v) and a search in the given design.
 /// @throws as extend_single_change().
 [[nodiscard]] std::optional<ExpansionSet> extended_expansion_set(const Design& design,

@@ -209,7 +209,7 @@ void OutputFile::write(std::string_view bytes) {
     s.flush();
   }
   s.require_whole();
-  if (large) {  // a caller with this much has a buffer of its own
+  if (large) {  // a caller with this much has its own buffer
     s.write_through(bytes);
   } else {
     s.buffer.insert(s.buffer.end(), bytes.begin(), bytes.end());

@@ -194,9 +194,12 @@ std::string request_schema(std::string_view format, std::string_view title,
 }
 
 std::string doors_table(const std::vector<OptionRecord>& records) {
-  std::string text =
-      "| key | command line | server | Python | meaning | unit | default |\n"
-      "|:---|:---|:---|:---|:---|:---|:---|\n";
+  const bool in_c =
+      std::ranges::any_of(records, [](const OptionRecord& record) { return !record.c.empty(); });
+  std::string text = fmt::format(
+      "| key | command line | server | Python |{} meaning | unit | default |\n"
+      "|:---|:---|:---|:---|{}:---|:---|:---|\n",
+      in_c ? " C |" : "", in_c ? ":---|" : "");
   std::string reasons;
   for (const OptionRecord& record : records) {
     const std::string key(record.key);
@@ -205,11 +208,12 @@ std::string doors_table(const std::vector<OptionRecord>& records) {
     for (std::size_t at = help.find('|'); at != std::string::npos; at = help.find('|', at + 2)) {
       help.insert(at, "\\");
     }
-    text += fmt::format("| `{}` | `{}` | {} | {} | {} | {} | {} |\n", key,
+    const std::string c = record.c.empty() ? " no |" : fmt::format(" `{}` |", record.c);
+    text += fmt::format("| `{}` | `{}` | {} | {} |{} {} | {} | {} |\n", key,
                         spelled_with_value(record, Door::command_line),
                         record.not_in_server.empty() ? "yes" : "no",
-                        record.not_in_python.empty() ? "`" + python + "`" : "no", help, record.unit,
-                        record.by_default);
+                        record.not_in_python.empty() ? "`" + python + "`" : "no", in_c ? c : "",
+                        help, record.unit, record.by_default);
     if (!record.not_in_server.empty()) {
       reasons += fmt::format("- The server does not take `{}`: {}.\n", key, record.not_in_server);
     }

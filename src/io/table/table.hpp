@@ -8,7 +8,7 @@
 //     table_text(table, 80);      // for a terminal of 80 columns
 //     table_markdown(table);      // the same cells, escaped as Markdown asks
 //
-// A cell is made when a format asks for it, so that a table of many rows needs no room of its own
+// A cell is made when a format asks for it, so that a table of many rows needs no additional memory
 // and a column that a
 // format leaves out costs nothing. What the functions refer to must outlive the table.
 #pragma once
@@ -138,7 +138,7 @@ struct Table {
 [[nodiscard]] std::string markdown_text(std::string_view text);
 [[nodiscard]] std::string html_text(std::string_view text);
 
-/// A page of its own; `body` is HTML.
+/// A whole page; `body` is HTML.
 [[nodiscard]] std::string html_page(std::string_view title, std::string_view style,
                                     std::string_view body);
 

@@ -175,7 +175,7 @@ class Rows final : public XmlHandler {
       return value_ == "1" || value_ == "true" ? "TRUE" : "FALSE";
     }
     if (type_ == "e") {
-      fail(fmt::format("the formula here comes to {}; mend it", shown(value_)));
+      fail(fmt::format("the formula here results in {}; correct it", shown(value_)));
     }
     if (type_ == "d") {
       return value_;  // a date that is written out

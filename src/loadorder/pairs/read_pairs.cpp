@@ -292,7 +292,9 @@ class PairReader {
       check_item_name(rows_, field);
       written_.add(rows_, field);
       if (names_.size() == options_.items.value_or(most_items)) {
-        rows_.fail(field, fmt::format("'{}' is one name more than {} items", word, names_.size()));
+        rows_.fail(field, fmt::format("'{}' is one name more than {} items; remove it, or give "
+                                      "more items",
+                                      word, names_.size()));
       }
       names_.push_back(word);
     }

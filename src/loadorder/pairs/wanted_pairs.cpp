@@ -36,8 +36,10 @@ PairGraph::PairGraph(std::uint64_t items, const std::function<void(const Visit&)
   needed_.assign(static_cast<std::size_t>(items), false);
   each([&](Element x, Element y) {
     if (x >= items || y >= items) {
-      throw BadInput(fmt::format("the pair {{{},{}}} is not of {} numbered from 0", x, y,
-                                 count_of(items, "item")));
+      throw BadInput(
+          fmt::format("the pair {{{},{}}} is not of {} numbered from 0; correct it, or "
+                      "give more items",
+                      x, y, count_of(items, "item")));
     }
     needed_[x] = needed_[y] = true;
     if (x != y) {

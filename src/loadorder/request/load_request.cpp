@@ -25,21 +25,23 @@ using R = LoadRequest;
 constexpr SearchTimes times_of_orders{.command_line = 0, .server = 0, .most_of_server = 30};
 
 std::vector<RequestOption<R>> options() {
-  return with_search_options<R>(
+  auto all = with_search_options<R>(
       {
-          option("items", "P", "items, e.g. partitions of a file", &R::items, {.unit = "items"}),
-          option("room", "C", "how many items fit in memory at once", &R::room, {.unit = "items"}),
+          option("items", "P", "items, e.g. partitions of a file", &R::items,
+                 {.unit = "items", .c = "items"}),
+          option("room", "C", "how many items fit in memory at once", &R::room,
+                 {.unit = "items", .c = "room"}),
           option("pairs", "FILE",
                  "only the pairs listed there, two items per line (text, CSV, .xlsx); \"-\": "
                  "standard input; with --workers a third column may say what a pair costs",
-                 &R::pairs, {.shape = RowShape::costs}),
+                 &R::pairs, {.shape = RowShape::costs, .c = "pairs"}),
           option("groups", "FILE",
-                 "only the pairs within the groups listed there, a group of items per line",
-                 &R::groups, {.shape = RowShape::groups}),
+                 "only the pairs within the groups listed there, one group of items per line",
+                 &R::groups, {.shape = RowShape::groups, .c = "group_items"}),
           option("against", "B", "each of the P items with each of B others", &R::against,
-                 {.unit = "items"}),
+                 {.unit = "items", .c = "against"}),
           option("done_items", "N", "the pairs of the first N items are done", &R::done_items,
-                 {.unit = "items"}),
+                 {.unit = "items", .c = "done_items"}),
           option("fast_room", "C",
                  "so many of those in memory are on an accelerator, where pairs meet",
                  &R::fast_room, {.unit = "items"}),
@@ -55,23 +57,27 @@ std::vector<RequestOption<R>> options() {
                  "so many bytes of these are on an accelerator, where pairs meet", &R::fast_memory,
                  {.unit = "bytes"}),
           option("workers", "W", "split it for W workers with room C each", &R::workers,
-                 {.unit = "workers", .by_default = "1"}),
+                 {.unit = "workers", .by_default = "1", .c = "workers"}),
           option("worker", "I", "only the steps of worker I of these, from 0", &R::worker,
                  {.not_in_server = "its figures are of all workers, and its steps name theirs",
-                  .not_in_python = "there steps(I) has them"}),
+                  .not_in_python = "there steps(I) has them",
+                  .c = "changeover_loadorder_take_worker()"}),
           option("balance", "", "spread pairs evenly over the workers that have them", &R::balance,
                  {.by_default = "yes",
                   .not_in_python = "it is the default, and first_holder is an argument"}),
           option("first_holder", "", "the first worker that has a pair computes it",
-                 &R::first_holder),
+                 &R::first_holder, {.c = "first_holder"}),
           option("pair_cost", "FILE",
                  "what pairs cost to compute, two items and a number per line; costs are spread "
                  "evenly over workers",
-                 &R::pair_cost, {.by_default = "1 each", .shape = RowShape::weights}),
+                 &R::pair_cost,
+                 {.by_default = "1 each", .shape = RowShape::weights, .c = "pair_cost"}),
           option("from_step", "N",
                  "begin at step N, which loads all that is in memory then; not for workers or new "
                  "pairs",
-                 &R::from_step, {.not_in_python = "there steps_from(N) begins at it"}),
+                 &R::from_step,
+                 {.not_in_python = "there steps_from(N) begins at it",
+                  .c = "changeover_loadorder_seek()"}),
           option("epochs", "N",
                  "every pair meets in each of N epochs, back and forth: what is in memory at "
                  "the end of one stays for the next",
@@ -82,12 +88,13 @@ std::vector<RequestOption<R>> options() {
                  &R::verify_beside, {.not_in_server = "it sends an answer when that is verified"}),
           option("disjoint", "",
                  "workers step together and never hold one item twice, so that items may change",
-                 &R::disjoint),
+                 &R::disjoint, {.c = "disjoint"}),
           option("write_back", "", "items change while they are held: say what is stored when",
                  &R::write_back),
           option("prefetch", "", "say what is computed when, so that loads overlap computation",
                  &R::prefetch),
-          option("new_pairs", "", "say of each step which pairs are computed", &R::new_pairs),
+          option("new_pairs", "", "say of each step which pairs are computed", &R::new_pairs,
+                 {.c = "with_pairs"}),
           option("ordered", "", "pairs both ways: (i,j) and (j,i)", &R::ordered),
           option("self", "", "each item with itself, too: (i,i)", &R::self,
                  {.python = "with_self"}),
@@ -98,6 +105,12 @@ std::vector<RequestOption<R>> options() {
                  &R::spread),
       },
       "search so long for a better order", times_of_orders);
+  for (RequestOption<R>& each : all) {
+    if (each.record.key == "seconds" || each.record.key == "seed") {
+      each.record.c = each.record.key;
+    }
+  }
+  return all;
 }
 
 std::vector<OptionRule> rules() {
@@ -225,7 +238,8 @@ void at_least_two_fit(const LoadRequest& request, const Words& words) {
     if (items == 0 || request.against.value_or(1) == 0 || request.done_items.value_or(0) >= items) {
       words.refuse(
           request.against ? "against" : "done_items",
-          fmt::format("{}: of how many items? give {}, 1 or more, and fewer that are done",
+          fmt::format("{}: the number of items is missing; give {}, 1 or more and above the "
+                      "number of done items",
                       words.key(request.against ? "against" : "done_items"), words.key("items")));
     }
   }
@@ -261,8 +275,8 @@ void check_together(const LoadRequest& request, const Words& words, bool all) {
                              max_elements_in_memory));
   }
   if (items > most_items || request.against.value_or(0) > most_items) {
-    words.refuse("items", fmt::format("{} and {}: give at most {}", words.key("items"),
-                                      words.key("against"), most_items));
+    words.refuse("items", fmt::format("{} and {} are too large; give at most {}",
+                                      words.key("items"), words.key("against"), most_items));
   }
   if (request.against && items + *request.against > most_items) {
     words.refuse("items", fmt::format("{} {} and {} {} are {} items together; at most {}",
@@ -436,7 +450,7 @@ void check_format(const CheckedLoads& asked, std::string_view format) {
                      {"prefetch", "epochs", "ordered", "self", "from_step"});
     if (asked.wanted().graph() == nullptr && asked.items() > max_elements_in_memory) {
       throw BadInput(
-          fmt::format("a list for COLMAP has each pair once: give at most {} items, or "
+          fmt::format("a list for COLMAP has each pair once; give at most {} items, or "
                       "list the pairs",
                       max_elements_in_memory));
     }

@@ -123,7 +123,8 @@ std::string FileItems::fingerprint() const {
   const State& s = *state_;
   struct stat status {};
   if (::fstat(s.file, &status) != 0) {
-    throw MissingResource(fmt::format("{}: cannot be read: {}", s.path, std::strerror(errno)));
+    throw MissingResource(fmt::format("{}: cannot be read: {}; check the file and its disk", s.path,
+                                      std::strerror(errno)));
   }
   const auto size = static_cast<std::uint64_t>(status.st_size);
   const std::uint64_t pages = ceil_div(size, page);
@@ -140,7 +141,8 @@ std::string FileItems::fingerprint() const {
     }
     const auto got = State::read_at(s.file, bytes.data(), bytes.size(), number * page);
     if (!got) {
-      throw MissingResource(fmt::format("{}: cannot be read: {}", s.path, std::strerror(errno)));
+      throw MissingResource(fmt::format("{}: cannot be read: {}; check the file and its disk",
+                                        s.path, std::strerror(errno)));
     }
     hash.add(bytes.data(), *got);
   }
@@ -187,8 +189,8 @@ std::span<const std::byte> FileItems::read(Element item, std::span<std::byte> bu
     }
   }
   if (!got) {
-    throw MissingResource(
-        fmt::format("{}: item {} cannot be read: {}", s.path, item, std::strerror(errno)));
+    throw MissingResource(fmt::format("{}: item {} cannot be read: {}; check the file and its disk",
+                                      s.path, item, std::strerror(errno)));
   }
   if (*got < bytes) {
     throw BadInput(fmt::format(

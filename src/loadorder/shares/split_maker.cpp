@@ -316,7 +316,8 @@ void SplitMaker::give_pairs(WorkerSplit& split, const LoadOrderOptions& options)
   const bool is_short = are_few(split);
   if (options.pair_cost && !is_short) {
     throw BadInput(
-        fmt::format("pairs have costs: give at most {} items and {} workers, or list the pairs",
+        fmt::format("all pairs with costs are too many; give at most {} items and {} workers, or "
+                    "list the pairs",
                     most_items_of_a_table, most_workers_of_a_table));
   }
   const auto take = [&](const auto& owners) {

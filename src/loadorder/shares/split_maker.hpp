@@ -41,9 +41,9 @@ class SplitMaker {
   /// The steps of each worker, made of the pairs that it computes; (x,x) for an item in no pair.
   using OwnOrder = std::function<std::vector<std::vector<Move>>(
       const std::vector<std::vector<ItemPair>>& pairs)>;
-  /// Gives each worker an order of its own for the pairs that it computes.
+  /// Gives each worker its own order for the pairs that it computes.
   static void own_orders(WorkerSplit& split, const OwnOrder& make);
-  /// Two levels: each worker has the pairs of a split of one level, with an order of its own for
+  /// Two levels: each worker has the pairs of a split of one level, with its own order for
   /// them. `levels` has both rooms, or sizes, and the bounds.
   static WorkerSplit two_levels(WorkerSplit split, const LoadOrderFacts& levels,
                                 const LoadOrderOptions& options);

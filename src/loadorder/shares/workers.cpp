@@ -114,7 +114,7 @@ bool has_less_to_load(const WorkerSplit& split, const WorkerSplit& other) {
          std::pair(other.facts().makespan, other.facts().loads);
 }
 
-// Of listed pairs, each worker a part of them with an order of its own.
+// Of listed pairs, each worker a part of them with its own order.
 std::optional<WorkerSplit> split_by_neighbourhoods(const WorkerSplit& like,
                                                    const LoadOrderOptions& options) {
   const PairGraph& graph = *like.order().facts().wanted.graph();

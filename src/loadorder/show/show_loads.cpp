@@ -25,7 +25,8 @@
 namespace changeover {
 namespace {
 
-/// A schedule in words: a head that depends on its kind, then its steps, generated anew if read.
+/// A schedule in words: a head that depends on its kind, then its steps, generated again at each
+/// reading.
 class ScheduleText {
  public:
   using Maker = std::function<std::unique_ptr<StepSource>()>;
@@ -413,7 +414,7 @@ class ScheduleText {
     if (!checked_.valid() ||
         (facts_.wanted.graph() != nullptr && !facts_.wanted.graph()->names().empty())) {
       throw BadInput(
-          "Marius has numbered partitions, whose buckets are known: number the items, at most "
+          "Marius needs numbered partitions; number the items from 0, at most "
           "65535");
     }
     write_steps_for_marius(facts_, *steps(), out);

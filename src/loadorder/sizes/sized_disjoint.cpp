@@ -135,7 +135,7 @@ Best best_once(const std::shared_ptr<const ItemSizes>& sizes, const WantedPairs&
   const bool is_level = cost_of == nullptr;
   best.cost_of = std::move(cost_of);
   Ways ways(*sizes, needed_among(wanted, items), workers, graph, best);
-  // One worker has an order of its own, at one level.
+  // One worker has its own order, at one level.
   const bool shares = workers > 1 || graph == nullptr || !is_level;
   if (shares && (wanted.are_all() || 2 * graph->pairs() >= binomial(items, 2))) {
     ways.groups_of_all();
@@ -217,7 +217,7 @@ LoadOrder plan_disjoint_levels(std::shared_ptr<const ItemSizes> sizes, const Wan
   }
   facts.method = best.method;
   facts.explanation = "What items meet is done at once. " + best.explanation;
-  // Made once: each part of it is an order of its own.
+  // Made once: each part of it is a separate order.
   std::vector<std::vector<Move>> moves(static_cast<std::size_t>(workers));
   const auto all = both_levels(best.lists);
   for (Step step; all->next(step);) {

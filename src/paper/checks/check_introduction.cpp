@@ -119,7 +119,7 @@ std::uint64_t pairs_met(const std::vector<Block>& blocks) {
 // fewer do not do.
 PaperItem check_covering(const Paper& paper) {
   Check check("Section 1",
-              "the covering design of nine components, threes: its blocks, each found anew from "
+              "the covering design of nine components, threes: its blocks, each recomputed from "
               "all the others, and that fewer do not do",
               "statements");
   constexpr Element v = nine;

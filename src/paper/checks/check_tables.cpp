@@ -240,7 +240,7 @@ PaperItem check_kind(const PrintedTable& table) try {
 PaperItem check_each_block(const PrintedTable& table) try {
   Check check(
       table.place,
-      fmt::format("{}: {} blocks, each found anew from all the others", table.caption, table.b),
+      fmt::format("{}: {} blocks, each recomputed from all the others", table.caption, table.b),
       "cells");
   expect_caption(check, table);
   const ParsedTable parsed = parse(table);

@@ -17,7 +17,7 @@
 //     0    5*   1_s_       element, then * for introduced, _ for leaving,
 //     a^   4!   8:3        ^ for a caret after the block, ! for highlighted, :n for the n-th colour
 //     U    ^{2} . {0}      unchanged subsets by position, a caret before those in the expansion set
-//     --                   a rule; the columns start anew
+//     --                   a rule; the columns start again
 // Not entered: colours that only tell neighbouring columns or runs apart.
 #pragma once
 

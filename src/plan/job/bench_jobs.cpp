@@ -33,7 +33,7 @@ Amount multiplied(Amount cost, Amount factor) {
   }
   constexpr Wide most = std::numeric_limits<std::int64_t>::max();
   if (product / one > most) {
-    throw ImpossibleParameters(said() + " is too large");
+    throw ImpossibleParameters(said() + " is too large; use a larger unit");
   }
   return Amount{static_cast<std::uint64_t>(product / one)};
 }
@@ -130,7 +130,7 @@ Job whole_job_of_bench(const Job& job, const Bench& bench) {
   return own;
 }
 
-// The same without slots that are empty on this bench: a job of its own has no such slots.
+// The same without slots that are empty on this bench: a separate job has no such slots.
 Job without_empty_slots(Job own) {
   std::vector<bool> is_kept;  // by slot
   std::ranges::transform(own.slots, std::back_inserter(is_kept),
@@ -163,7 +163,7 @@ std::optional<std::string> defect_of(const Job& job, const Bench& bench) {
   for (const Block* parts : {&bench.own, &bench.without}) {
     for (const Element x : *parts) {
       if (x >= job.parts()) {
-        return "it names a part that is none of the parts";
+        return "it names a part that is not in the parts list";
       }
     }
   }
@@ -361,9 +361,11 @@ std::vector<std::string> bench_defects(const Job& job, const std::vector<Bench>&
   cannot_meet(job, benches).for_each(most_bench_defects, [&](Element x, Element y) {
     found.push_back(
         job.never.contains(x, y)
-            ? fmt::format("{} and {} must meet and must never be in one set-up", job.names[x],
-                          job.names[y])
-            : fmt::format("{} and {} must meet, but no bench can hold both in one set-up",
+            ? fmt::format("{} and {} must meet and must never be in one set-up; remove the pair "
+                          "from one of the lists",
+                          job.names[x], job.names[y])
+            : fmt::format("{} and {} must meet, but no bench can hold both in one set-up; let a "
+                          "bench have both",
                           job.names[x], job.names[y]));
   });
   if (found.empty() && !job.triples.empty()) {

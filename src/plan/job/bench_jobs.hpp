@@ -9,7 +9,7 @@
 namespace changeover {
 
 /// The job on this bench alone: its costs, room, slots, mounted parts and first set-ups. Parts that
-/// it cannot have are in a slot of their own with room for none. The needed pairs are those that
+/// it cannot have are in a separate slot with room for none. The needed pairs are those that
 /// can meet on it, and the start has only parts that it can have. @throws BadInput (without the
 /// name of the bench) for a change factor by which costs have more than six decimals, and for
 /// limits of slots that the job does not have.
@@ -22,7 +22,7 @@ namespace changeover {
 [[nodiscard]] std::vector<Bench> benches_alike(std::uint64_t number);
 
 /// By part: whether the bench cannot have it, because it says so, or because there are no pieces
-/// and it has none of its own.
+/// and it does not have its own piece.
 [[nodiscard]] std::vector<bool> barred_parts(const Job& job, const Bench& bench);
 
 /// The benches that work, at most so many, those that can have the most parts first.

@@ -95,7 +95,7 @@ void find_malformed(const Job& job, std::vector<std::string>& found) {
   const auto look_at = [&](const Block& block) {
     for (const Element x : block) {
       if (x >= job.parts()) {
-        found.push_back("a mounted part is none of the parts");
+        found.push_back("a mounted part is not in the parts list");
       } else if (std::ranges::count(block, x) > 1) {
         found.push_back(fmt::format("{} is mounted twice", job.names[x]));
       }
@@ -210,25 +210,34 @@ void find_impossible(const Job& job, std::vector<std::string>& found) {
     }
     const std::size_t together = mounted + (stays[x] ? 0U : 1U) + (stays[y] ? 0U : 1U);
     if (job.never.contains(x, y)) {
-      found.push_back(fmt::format("{} must meet and must never be in one set-up{}",
-                                  pair_name(job, x, y), why_forbidden(job, x, y)));
+      found.push_back(
+          fmt::format("{} must meet and must never be in one set-up{}; remove the "
+                      "pair from one of the lists",
+                      pair_name(job, x, y), why_forbidden(job, x, y)));
     } else if (together > job.at_once) {
       found.push_back(fmt::format(
-          "{} must meet, but beside the {} mounted there is no room for both", pair_name(job, x, y),
+          "{} must meet, but beside the {} mounted there is no room for both; keep fewer parts "
+          "mounted, or let more parts fit at once",
+          pair_name(job, x, y),
           mounted == 1 ? "part that stays" : fmt::format("{} that stay", mounted)));
     } else if (apart.contains(x, y) && job.model != nullptr) {
       found.push_back(
-          fmt::format("{} must meet, but no test of the model has both", pair_name(job, x, y)));
+          fmt::format("{} must meet, but no test of the model has both; leave the pair out, or "
+                      "loosen the rules",
+                      pair_name(job, x, y)));
     } else if (apart.contains(x, y) && !enemy[x] && !enemy[y]) {
       const bool all_tried = Fitting(job).simplest(with_mounted(job, {x, y})).all_tried;
       found.push_back(fmt::format(
-          "{} must meet, but no set-up within the slots {}", pair_name(job, x, y),
+          "{} must meet, but no set-up within the slots {}; let a slot hold more, or leave the "
+          "pair out",
+          pair_name(job, x, y),
           all_tried ? "can hold both" : "that holds both was found among 100,000 choices"));
     } else {
       for (const Element z : {x, y}) {
         if (enemy[z]) {
           found.push_back(fmt::format(
-              "{} must meet, but {} must never be in one set-up with {}, which stays mounted{}",
+              "{} must meet, but {} must never be in one set-up with {}, which stays mounted{}; "
+              "unmount it, or leave the pair out",
               pair_name(job, x, y), job.names[z], job.names[*enemy[z]],
               why_forbidden(job, z, *enemy[z])));
         }
@@ -281,12 +290,9 @@ CheckedJob::CheckedJob(Job job) : job_(std::move(job)) { check(job_); }
 
 void check(const Job& job) {
   const std::vector<std::string> found = defects(job);
-  if (found.empty()) {
-    return;
+  if (!found.empty()) {
+    throw BadInput(leading_defect(found));
   }
-  throw BadInput(found.size() == 1
-                     ? found.front()
-                     : fmt::format("{} (and {} more like this)", found.front(), found.size() - 1));
 }
 
 std::optional<std::string> text_defect(std::string_view text) {

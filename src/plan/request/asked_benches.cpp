@@ -8,6 +8,7 @@
 #include "changeover/core/error.hpp"
 #include "core/contains.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "plan/job/bench_jobs.hpp"
 #include "plan/job/bench_list.hpp"
@@ -46,9 +47,8 @@ void check_benches(const Job& job, const std::vector<Bench>& benches, const std:
     found.emplace_back("all benches are down, so nothing can be tested; mark at least one as up");
   }
   if (!found.empty()) {
-    throw BadInput(
-        (file.empty() ? "" : (file == "-" ? "<stdin>" : file) + ": ") + found.front() +
-        (found.size() == 1 ? "" : fmt::format(" (and {} more like this)", found.size() - 1)));
+    throw BadInput((file.empty() ? "" : (file == "-" ? "<stdin>" : file) + ": ") +
+                   leading_defect(found));
   }
 }
 

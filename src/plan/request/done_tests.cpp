@@ -210,7 +210,8 @@ class DoneTaker {
     all_ = list_.rows.size();
     has_results_ = list_.has_results();
     if (options_->first.value_or(0) > all_) {
-      throw BadOption(fmt::format("{} {}: {} has {}", words_->done_first, *options_->first, name_,
+      throw BadOption(fmt::format("{} {}: {} has only {}; give a smaller number",
+                                  words_->done_first, *options_->first, name_,
                                   count_of(all_, "set-up")));
     }
     if (options_->all_parts_known && !list_.gone.empty()) {
@@ -286,8 +287,8 @@ class DoneTaker {
               ? fmt::format("{}: tests that name no bench count, but nothing says what is mounted "
                             "where; add a column bench",
                             name_)
-              : fmt::format("{}: {} is none of the benches; what was tested there counts, and the "
-                            "rest of its sheet is planned anew",
+              : fmt::format("{}: {} is not one of the benches; what was tested there counts, and "
+                            "the rest of its sheet is replanned",
                             name_, shown(bench)));
     }
     if (not_run_ > 0) {

@@ -130,7 +130,7 @@ Start rest_as_it_is(std::vector<Block> rest) {
 }
 
 Start rest_mended(std::vector<Block> setups) {
-  return {"rest of the sheet, mended", "with what it lacked, without what is not needed",
+  return {"rest of the sheet, completed", "with what it lacked, without what is not needed",
           std::move(setups)};
 }
 

@@ -91,7 +91,7 @@ TableCell place_cell(const Job& job, const std::vector<SeenPlace>& places, bool 
   return cell;
 }
 
-// The same on a terminal, with a + before new parts; each slot on lines of its own.
+// The same on a terminal, with a + before new parts; each slot on separate lines.
 TableCell terminal_cell(const Job& job, const Steps& steps, const Line& line) {
   TableCell cell;
   for (std::size_t s = 0; s <= job.slots.size(); ++s) {

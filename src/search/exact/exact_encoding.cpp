@@ -430,7 +430,7 @@ CnfSize degrees_size(const EncodingPlan& plan) {
   return plan.p.v * size;
 }
 
-// Of Encoder::order().
+// The number of variables and clauses that Encoder::order() adds.
 CnfSize order_size(const EncodingPlan& plan) {
   const std::uint64_t others = plan.b - 1;
   CnfSize size = clauses_of(1, 2) + clauses_of(others, 3);

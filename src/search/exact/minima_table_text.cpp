@@ -256,7 +256,7 @@ std::string minima_text(const std::vector<MinimaRow>& rows, const Style& style) 
     text += style.prose(
         "Times are of one processor; a proof's size is that of its text, for all numbers of blocks "
         "from the bound on paper up to the minimum. `changeover search V K --exact --proof DIR` "
-        "with --change and --linear or --circular writes the formulas and proofs anew.");
+        "with --change and --linear or --circular writes the formulas and proofs again.");
     text += proofs(excluded, style);
   }
   if (!unsettled.empty()) {

@@ -125,7 +125,9 @@ void require_wanted(const Parameters& p, const Wanted& wanted, bool from_a_desig
     throw BadInput(defect);
   }
   if (from_a_design) {
-    throw BadInput("a search for what is wanted of a design begins with no design of yours");
+    throw BadInput(
+        "a search for a design with given properties cannot start from a given design; "
+        "leave one of the two out");
   }
 }
 

@@ -14,7 +14,8 @@
 
 namespace changeover {
 
-/// The list without a block between whose neighbours exactly m elements change; nullopt if no such
+/// The list with one block removed whose two neighbours differ in exactly m elements; nullopt if no
+/// such
 /// block is found soon.
 [[nodiscard]] std::optional<Design> without_a_block(const Design& best, Random& random);
 

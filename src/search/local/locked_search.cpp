@@ -56,7 +56,7 @@ class LockedSearch {
   }
 
  private:
-  // Each thread anneals a list of its own; its draft and what is locked take half as much again.
+  // Each thread anneals its own list; its draft and what is locked take half as much again.
   [[nodiscard]] unsigned threads_that_fit() const {
     const auto limit = control_.settings().memory_bytes;
     const std::uint64_t bytes = std::max<std::uint64_t>(1, annealing_bytes(p_, aim_));
@@ -212,7 +212,9 @@ LockedResult search_locked(const Parameters& p, const Wanted& wanted, const Lock
                     largest_locked_v, p.v));
   }
   if (p.strength != 2) {
-    throw BadInput("cells are locked for strength 2 only; an exact search has them for others");
+    throw BadInput(
+        "first, last, expansion_set and contains need strength 2; use an exact search "
+        "for other strengths");
   }
   if (const std::string defect = wanted_defect(p, wanted); !defect.empty()) {
     throw BadInput(defect);

@@ -13,7 +13,8 @@ namespace changeover {
 
 Literal Cnf::new_variable() {
   if (variables_ == most_variables) {
-    throw MissingResource("these parameters need a formula of more than 10^8 variables");
+    throw MissingResource(
+        "these parameters need a formula of more than 10^8 variables; give smaller ones");
   }
   return static_cast<Literal>(++variables_);
 }
@@ -24,7 +25,8 @@ void Cnf::reserve(const CnfSize& size) {
 
 void Cnf::add(std::span<const Literal> clause) {
   if (literals_.size() + clause.size() + 1 > most_literals) {
-    throw MissingResource("these parameters need a formula of more than 2^31 literals");
+    throw MissingResource(
+        "these parameters need a formula of more than 2^31 literals; give smaller ones");
   }
   for (const Literal literal : clause) {
     if (literal == 0 || static_cast<std::size_t>(literal < 0 ? -literal : literal) > variables_) {

@@ -114,7 +114,8 @@ std::vector<Block> random_base_blocks(const Parameters& p, const BaseBlockShape&
                                       Random& random) {
   constexpr std::uint64_t most_base_blocks = std::numeric_limits<std::uint32_t>::max();
   if (shape.base_blocks > most_base_blocks) {
-    throw MissingResource(fmt::format("{} base blocks do not fit into memory", shape.base_blocks));
+    throw MissingResource(fmt::format(
+        "{} base blocks do not fit into memory; give smaller parameters", shape.base_blocks));
   }
   require_memory(checked_multiply(shape.base_blocks, checked_add(p.v, 4 * p.k)),
                  fmt::format("{} base blocks", shape.base_blocks));

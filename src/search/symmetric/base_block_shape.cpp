@@ -26,11 +26,12 @@ std::optional<std::string> tight_obstruction(const Parameters& p, const BaseBloc
                        count_of(newly, "pair"), pairs);
   }
   if (shape.n % 2 == 0) {
-    return fmt::format("n = {} is even: opposite elements of a cycle would meet anew twice",
+    return fmt::format("n = {} is even: opposite elements of a cycle would be newly covered twice",
                        shape.n);
   }
   if (shape.fixed > 1) {
-    return fmt::format("two of {} fixed elements would meet anew {} times", shape.fixed, shape.n);
+    return fmt::format("two of {} fixed elements would be newly covered {} times", shape.fixed,
+                       shape.n);
   }
   const std::uint64_t m = p.change;
   const std::vector<Degree> of_fixed =

@@ -16,10 +16,10 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const Credit nobody;
+const Credit uncredited;
 
 std::string refusal(const std::string& line) {
-  return fault_of([&] { static_cast<void>(entry_from_line(line, "mine.jsonl", 7, nobody)); });
+  return fault_of([&] { static_cast<void>(entry_from_line(line, "mine.jsonl", 7, uncredited)); });
 }
 
 // The keys of one good line with their values.
@@ -61,8 +61,8 @@ std::string with(const std::string& key, const std::string& value) {
 
 TEST(Entry, WrittenReadWritten) {
   const std::string line = line_of_fields(good_fields());
-  const CatalogEntry entry = entry_from_line(line, "mine.jsonl", 1, nobody);
-  EXPECT_EQ(line_of(entry, nobody), line);
+  const CatalogEntry entry = entry_from_line(line, "mine.jsonl", 1, uncredited);
+  EXPECT_EQ(line_of(entry, uncredited), line);
   EXPECT_EQ(entry.status(), "retracted");
   EXPECT_EQ(entry.credit.who, "me");
   std::mt19937 random(3);
@@ -85,7 +85,7 @@ TEST(Entry, KeysInAnyOrder) {
   std::mt19937 random(4);
   for (int i = 0; i < 50; ++i) {
     std::ranges::shuffle(fields, random);
-    EXPECT_EQ(line_of(entry_from_line(line_of_fields(fields), "f", 1, nobody), nobody),
+    EXPECT_EQ(line_of(entry_from_line(line_of_fields(fields), "f", 1, uncredited), uncredited),
               line_of_fields(good_fields()));
   }
 }

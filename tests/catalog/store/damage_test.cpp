@@ -238,7 +238,7 @@ TEST(Migration, KeepsACopy) {
   const TemporaryFolder folder;
   const std::string path = folder.file("mine.db");
   Catalog({.user = path}).add(some_entry());
-  spit(path + ".version-1", "somebody's");
+  spit(path + ".version-1", "a user's");
   {
     const Database database = Database::open(path, Access::read_write);
     check_catalog(database, 2, to_two);
@@ -247,7 +247,7 @@ TEST(Migration, KeepsACopy) {
     EXPECT_EQ(database.integer("PRAGMA user_version"), 2U);
     EXPECT_EQ(database.integer("SELECT count(colour) + count(*) FROM design"), 1U);
   }
-  EXPECT_EQ(slurp(path + ".version-1"), "somebody's");
+  EXPECT_EQ(slurp(path + ".version-1"), "a user's");
   EXPECT_FALSE(std::filesystem::exists(path + ".version-1.3"));
   EXPECT_EQ(Catalog({.user = path + ".version-1.2"}).best(cell), some_entry());
   EXPECT_THAT(Catalog({.user = path}).problem(), HasSubstr("newer program"));

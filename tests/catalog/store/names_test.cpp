@@ -89,7 +89,7 @@ TEST(CatalogName, OfTheCopyThatAMigrationKeeps) {
   EXPECT_EQ(Catalog({.user = name + ".version-1"}).best(cell), some_entry());
 }
 
-// Each of these is one line for whoever reads, and for whoever writes.
+// Each of these is one line for readers and for writers.
 TEST(CatalogName, OfWhatIsNoFile) {
   const TemporaryFolder folder;
   const InFolder here(folder.path());

@@ -34,11 +34,14 @@ def fault(text):
 
 @functools.cache
 def takes(request, door):
-    """The keys that the server takes, or the arguments in Python by key, as docs/doors.md says."""
+    """The keys that the server takes, or the arguments in Python or C by key, as docs/doors.md
+    says."""
     page = (root / "docs/doors.md").read_text()
     table = page[page.index(f"format `{request}`") :]
-    rows = re.findall(r"^\| `(\w+)` \| `[^`]+` \| (\w+) \| (\S+) \|", table.split("\n## ")[0], re.M)
-    at = {"server": 1, "python": 2}[door]
+    rows = re.findall(
+        r"^\| `(\w+)` \| `[^`]+` \| (\w+) \| (\S+) \| (\S+)", table.split("\n## ")[0], re.M
+    )
+    at = {"server": 1, "python": 2, "c": 3}[door]
     return {row[0]: row[at].strip("`") for row in rows if row[at] != "no"}
 
 

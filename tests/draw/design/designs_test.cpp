@@ -14,7 +14,7 @@ Design three_blocks() {
           std::vector<Block>{{0, 1, 2, 3}, {4, 5, 2, 3}, {4, 5, 0, 1}}};
 }
 
-// A list that changes some elements a step, seldom a design.
+// A list that changes some elements per step, rarely a design.
 Design wandering(std::uint64_t v, std::uint64_t k, std::size_t b, Kind kind, std::uint32_t seed) {
   std::mt19937 random(seed);
   Design design(Parameters{.v = v, .k = k, .kind = kind});
@@ -157,7 +157,8 @@ TEST(ArrayTest, LongAndForeignNamesAreCutAndNeverOverlap) {
     for (const DrawnMark& mark : read_svg(svg(picture)).marks) {
       whole_name = whole_name || mark.title == design.label(1);
     }
-    EXPECT_TRUE(whole_name) << to_string(kind);  // where it is cut, it is told to who points at it
+    EXPECT_TRUE(whole_name) << to_string(
+        kind);  // where it is cut, the whole name is shown on hover
   }
 }
 

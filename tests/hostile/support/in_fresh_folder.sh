@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs a script in a folder of its own, which goes away with it: in_fresh_folder.sh SCRIPT
+# Runs a script in its own folder, which is removed at the end: in_fresh_folder.sh SCRIPT
 set -u
 script=$(realpath -- "$1")
 folder=$(mktemp -d "${TMPDIR:-/tmp}/changeover-hostile-XXXXXX") || exit 1

@@ -79,7 +79,7 @@ TEST_F(FileLockTest, ASignalRemovesTheLock) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const pid_t child = fork();
     if (child == 0) {
-      ::signal(signal, SIG_DFL);  // whoever started the tests may ignore it
+      ::signal(signal, SIG_DFL);  // the parent process may ignore it
       remove_unfinished_outputs_on_signals();
       const FileLock lock(file_.string());
       ::raise(signal);

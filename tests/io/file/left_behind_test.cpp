@@ -71,7 +71,7 @@ TEST(LeftBehind, WhatIsSomebodysStays) {
       ".mine.-5-1.tmp",                  // no process
       ".mine.1-0.tmp",                   // of a process that is there
       "mine." + number + "-0.tmp",       // no hidden file
-      ".mine." + number + "-7.tmp",      // held by somebody
+      ".mine." + number + "-7.tmp",      // held by another process
   };
   for (const std::string& name : others) {
     test::spit(folder.path() / name, "precious");
@@ -111,7 +111,7 @@ TEST(LeftBehind, WhatAProcessOfOurNumberLeftGoesAwayAndWhatIsOursStays) {
   EXPECT_EQ(names_in(folder.path()), std::set<std::string>{"mine"});
 }
 
-// Between the two it would be nobody's, and its process may be one that others do not see.
+// Between the two it would have no owner, and its process may be one that others do not see.
 TEST(LeftBehind, ATemporaryIsLockedUntilItHasItsName) {
   const test::TemporaryFolder folder;
   const int events = ::inotify_init1(IN_CLOEXEC | IN_NONBLOCK);

@@ -352,7 +352,7 @@ TEST_F(OutputFileTest, ASignalRemovesTheTemporaryAndEndsTheProcess) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     fill(path("old"), "precious");
     const int status = ending_of([&] {
-      ::signal(signal, SIG_DFL);  // whoever started the tests may ignore it
+      ::signal(signal, SIG_DFL);  // the parent process may ignore it
       remove_unfinished_outputs_on_signals();
       OutputFile done(path("done"));
       done.commit();

@@ -23,7 +23,7 @@ std::string written(Write&& write, const Design& design) {
   return sink.text();
 }
 
-// Seven points, blocks in an order of their own.
+// Seven points, blocks in an unusual order.
 Design fano() {
   Design design({.v = 7, .k = 3, .change = 2, .kind = Kind::circular});
   for (const Block& block : std::vector<Block>{

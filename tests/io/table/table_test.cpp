@@ -9,7 +9,7 @@
 namespace changeover::table_table_test {
 namespace {
 
-// A table whose cells are written down, a column a row of `cells`.
+// A table whose cells are written down, one column per row of `cells`.
 TableColumn column(std::string head, std::vector<TableCell> cells, ColumnStyle style = {}) {
   return {std::move(head), [cells](std::size_t row) { return cells.at(row); }, std::move(style)};
 }

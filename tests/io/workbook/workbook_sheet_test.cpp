@@ -99,7 +99,7 @@ TEST(WorkbookSheet, OneLineForEachFault) {
   EXPECT_THAT(cell("<c/><c><f>A1+1</f></c>"),
               StartsWith("f.xlsx:Costs!B1: the file does not hold what this formula comes to"));
   EXPECT_EQ(cell("<c t='e'><f>1/0</f><v>#DIV/0!</v></c>"),
-            "f.xlsx:Costs!A1: the formula here comes to '#DIV/0!'; mend it");
+            "f.xlsx:Costs!A1: the formula here results in '#DIV/0!'; correct it");
   EXPECT_THAT(cell("<c t='s'><v>7</v></c>"), HasSubstr("a text that the workbook does not have"));
   EXPECT_THAT(cell("<c t='s'><v>-1</v></c>"), HasSubstr("a text that the workbook does not have"));
   EXPECT_THAT(cell("<c t='z'><v>1</v></c>"), HasSubstr("unknown type 'z'"));

@@ -98,7 +98,7 @@ TEST(StretchesInLockstep, OneWorkerLoadsNoMoreThanTheOrder) {
 }
 
 TEST(StretchesInLockstep, ItemsThatBothWorkersNeedAllTheTimeAreTakenInTurn) {
-  // Two hubs, each of whose pairs with every other item is a job of its own.
+  // Two hubs, each of whose pairs with every other item is a separate job.
   std::vector<ItemPair> pairs;
   for (Element y = 2; y < 20; ++y) {
     pairs.emplace_back(0, y);

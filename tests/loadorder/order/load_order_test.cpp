@@ -17,7 +17,7 @@ namespace {
 
 TEST(LoadOrder, BringsEveryPairTogetherForAllSmallItemsAndRoom) {
   LoadOrderOptions without_rules;
-  without_rules.read_up_to = 0;  // nobody but the simulation looks
+  without_rules.read_up_to = 0;  // only the simulation reads it
   for (std::uint64_t room = 2; room <= 12; ++room) {
     for (std::uint64_t items = 1; items <= 40; ++items) {
       LoadOrder order = plan_load_order(items, room, without_rules);

@@ -158,7 +158,7 @@ TEST(AllPairs, LoadsWithDesignsThatChangeTwoItemsAStep) {
   EXPECT_EQ(collector.results, in_memory(data));
 }
 
-// Writes results of a step into a file of its own before the step is recorded.
+// Writes results of a step into a separate file before the step is recorded.
 struct Durable {
   std::string folder;
   Collector collector;

@@ -61,7 +61,7 @@ class Table final : public JobResults {
   ResultFile file_;
 };
 
-/// A job whose data, journal and results are in a folder of their own.
+/// A job whose data, journal and results are in their own folder.
 struct Work {
   TemporaryFolder folder;
   LoadOrder order = plan_load_order(items, 4);
@@ -168,7 +168,8 @@ TEST(JobResults, OfDataThatChangedWhileTheyWereReadAreAFault) {
   Work work;
   work.options.on_step_done = [&](std::uint64_t step) {
     if (step == 3) {
-      // In place: a file that is made anew is empty for a moment, and another thread may read then.
+      // In place: a file that is created again is empty for a moment, and another thread may read
+      // then.
       std::fstream(work.data(), std::ios::in | std::ios::out | std::ios::binary).seekp(11).put('z');
     }
   };
@@ -397,7 +398,7 @@ TEST(ResultFile, IsNeverGivenToTwoJobsThatComeAtOnce) {
         } catch (const MissingResource&) {
           ::_exit(0);
         }
-        // Nobody else writes while this one does.
+        // No other process writes while this one does.
         bool alone = true;
         for (int i = 0; i < 20; ++i) {
           int seen = 0;
@@ -486,7 +487,7 @@ TEST(JobThreads, ThatCannotBeStartedAreOneFaultAndNoAbort) {
     options.threads = many;
     EXPECT_REFUSAL(all_pairs(
                        source, plan_load_order(5, 3), [](const PairWork&) {}, options),
-                   BadInput, "readers: give at most");
+                   BadInput, "readers; give at most");
   }
 }
 

@@ -78,7 +78,7 @@ std::string line_behind(Checksum& chain, const std::string& step, const std::str
   return line + " " + to_hex(chain).substr(0, 32) + "\n";
 }
 
-// The journal as the format says, by nobody who waits for disks.
+// The journal as the format says, by code that does not wait for disks.
 std::string written(const Story& story) {
   std::string text = "changeover journal 2: ";
   for (const JournalField& field : story.job) {
@@ -161,7 +161,8 @@ RC_GTEST_PROP(JournalProperty, WhatIsRecordedAfterDamageIsRead, (const Damage& d
   RC_ASSERT(journal.note().empty());
 }
 
-// A line that continues those before it, as somebody may write who knows how: only steps of the job
+// A line that continues those before it, as a program that knows the format may write: only steps
+// of the job
 // are taken.
 RC_GTEST_PROP(JournalProperty, WithRightChecksumsOnlyStepsOfTheJobCount,
               (const std::vector<Damage>& damages)) {

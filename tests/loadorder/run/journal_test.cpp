@@ -21,7 +21,7 @@ TEST(Journal, AFirstLineThatEndsAnywhereIsNewOrAnotherJobs) {
     spit(path, head.substr(0, bytes));
     EXPECT_NO_THROW(Journal(path, job, 20).begin()) << bytes;
     EXPECT_EQ(slurp(path), head);
-    // A line that ends there and goes on otherwise is of somebody else, and stays.
+    // A line that ends there and continues differently belongs to another program, and stays.
     for (const std::string& rest : {std::string("\n"), "\nstep 1 - x\n" + head}) {
       const std::string other = head.substr(0, bytes) + rest;
       if (other.starts_with(head)) {

@@ -174,7 +174,7 @@ TEST(CorrectedTable, corrections_are_accepted) {
   EXPECT_EQ(check_marks(copy).status, PaperStatus::reproduced);
 }
 
-// Each cell of Tables 1 and 2, found anew from the blocks that were left as they are.
+// Each cell of Tables 1 and 2, recomputed from the blocks that were left as they are.
 TEST(FalsifiedTable, every_changed_cell_is_found_from_the_other_blocks) {
   for (const char* place : {"Table 1", "Table 2"}) {
     const PrintedTable& table = table_at(printed_paper(), place);

@@ -33,7 +33,7 @@ TEST(Job, SaysWhatIsMalformed) {
   EXPECT_THAT(defects(job), testing::Contains(HasSubstr("mounted twice")));
   job = five();
   job.start = {7};
-  EXPECT_THAT(defects(job), ElementsAre(HasSubstr("none of the parts")));
+  EXPECT_THAT(defects(job), ElementsAre(HasSubstr("not in the parts list")));
   job = five();
   job.change_costs.pop_back();
   EXPECT_THAT(defects(job), ElementsAre(HasSubstr("do not fit")));
@@ -45,7 +45,9 @@ TEST(Job, SaysWhatIsMalformed) {
 TEST(Job, SaysWhichConstraintsContradictEachOther) {
   Job job = five();
   job.never.insert(0, 1);
-  EXPECT_THAT(defects(job), ElementsAre("1 and 2 must meet and must never be in one set-up"));
+  EXPECT_THAT(defects(job),
+              ElementsAre("1 and 2 must meet and must never be in one set-up; remove the pair "
+                          "from one of the lists"));
   job.needed = all_pairs_but(job.never);
   EXPECT_THAT(defects(job), IsEmpty());
 

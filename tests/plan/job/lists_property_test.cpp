@@ -236,7 +236,7 @@ std::vector<Amount> some_costs(std::uint64_t v) {
   return costs;
 }
 
-// Rows and columns in an order of their own.
+// Rows and columns in their own order.
 std::string written(const std::vector<Amount>& costs, const Fields& names) {
   const std::size_t v = names.size();
   const std::size_t turn = some_number(v - 1);

@@ -150,7 +150,7 @@ TEST(ChoiceBound, OfManyParametersWithThreeValues) {
   for (const std::size_t k : {2U, 3U, 7U, 20U}) {
     const Model model = test::model_of(model_text(std::vector<std::uint32_t>(k, 3)));
     EXPECT_EQ(cost_bound(job_of(model, Amount{}, Amount{1})).cost, Amount{6 * k - 2}) << k;
-    Job dear = job_of(model, Amount{}, Amount{1});  // the dear one saves two settings
+    Job dear = job_of(model, Amount{}, Amount{1});  // the expensive one saves two settings
     std::fill_n(dear.change_costs.begin(), 3, Amount{3});
     EXPECT_TRUE(k < 4 || cost_bound(dear).cost == Amount{6 * (k + 2) - 6}) << k;
   }
@@ -417,7 +417,8 @@ TEST(ChoiceBound, OfThreeValuesInFewTests) {
   EXPECT_EQ(cost_bound(job_of(model, Amount{}, Amount{1})).cost, Amount{70});
   const Model many = test::model_of(model_text(std::vector<std::uint32_t>(40, 3)));
   EXPECT_EQ(cost_bound(job_of(many, Amount{5}, Amount{1})).cost, Amount{5 * 17 + 7 * 40 - 5 - 2});
-  Job dear = job_of(model, Amount{5}, Amount{1});  // three stays of the dear one, seven of others
+  Job dear =
+      job_of(model, Amount{5}, Amount{1});  // three stays of the expensive one, seven of others
   std::fill_n(dear.change_costs.begin(), 3, Amount{9});
   EXPECT_EQ(cost_bound(dear).cost, Amount{5 * 15 + 7 * 11 + 3 * 9});
 }
@@ -460,7 +461,7 @@ TEST(ChoiceBound, OfEqualParametersInEachStep) {
   EXPECT_GE(attained, 3U);
   EXPECT_FALSE(least_stays_of_equal(3, 4, 15));  // 16 pairs, one a test
   EXPECT_EQ(least_stays_of_equal(3, 4, 16), 33U);
-  // With dear and cheap parameters, another number of values beside, and with a start.
+  // With expensive and cheap parameters, another number of values beside, and with a start.
   for (const std::uint64_t test : {1U, 3U, 10U}) {
     const Model model = test::model_of(model_text({4, 4, 4, 4, 3, 2}));
     Job job = job_of(model, Amount{test * 1'000'000}, Amount{1'000'000});

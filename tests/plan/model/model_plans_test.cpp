@@ -318,7 +318,7 @@ TEST(ModelPlans, StoppedAtOnceTheListIsNotLong) {
   const RunPlan plan =
       make_run_plan(job, {.objective = PlanObjective::tests, .steps = 0, .attempts = 1}, control);
   EXPECT_EQ(plan.sheet.pairs_tested, job.needed.size());
-  EXPECT_LT(plan.sheet.steps.size(), 200U);  // a pair a row would be thousands
+  EXPECT_LT(plan.sheet.steps.size(), 200U);  // one pair per row would be thousands
 }
 
 TEST(ModelPlans, SaysWhichRuleLeavesNoTest) {
@@ -342,7 +342,9 @@ TEST(ModelPlans, SaysWhichRuleLeavesNoTest) {
   EXPECT_THAT(defects(job).at(0), HasSubstr("not the values of the model"));
   job = test::job_of_text("A: a, b\nB: c, d\n[A] = \"a\" OR [B] = \"c\";\n");
   job.needed.insert(1, 3);
-  EXPECT_EQ(defects(job).at(0), "b and d must meet, but no test of the model has both");
+  EXPECT_EQ(defects(job).at(0),
+            "b and d must meet, but no test of the model has both; leave the pair out, or loosen "
+            "the rules");
 }
 
 TEST(ModelPlans, CostsByWhatIsReplacedAreThoseOfTheParameter) {

@@ -1,5 +1,5 @@
 // A workbook of several benches is the whole question: it comes back filled in, and is planned
-// anew with nothing else.
+// again with nothing else.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -345,7 +345,7 @@ TEST(JobRequest, FaultsOfADocumentHaveTheirPlace) {
       {"{" + costs + ",\"parts\":7,\"at_once\":3,\"compact\":true,\n\"what_if\":true}",
        "1:64: compact has no meaning with what_if"},
       {"{" + costs + ",\"parts\":7,\"at_once\":3,\"done\":[[1,2]],\n\"done_first\":2}",
-       "2:14: done_first 2: done has 1 set-up"},
+       "2:14: done_first 2: done has only 1 set-up"},
       {"{" + costs + ",\"parts\":7,\"at_once\":3,\"pairs\":[[1,2],\n[1,9]]}", "2:1: pairs[1]: "},
       {"{" + costs + ",\"at_once\":2,\"parts\":[\"a\",\n\"b\",\n \"a\"]}", "3:2: parts[2]: "},
       {"{" + costs + ",\"at_once\":2,\n\"parts\":{\"text\":\"a\\n\"}}",

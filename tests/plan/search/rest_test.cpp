@@ -53,7 +53,7 @@ TEST(Rest, IsMendedWhereItLacksPairsAndSkippedWhereItBreaksRules) {
   EXPECT_TRUE(has(planned(job, 1, fano), "rest of the sheet"));
   const RunPlan fewer = planned(job, 1, {fano.begin(), fano.begin() + 4});
   EXPECT_FALSE(has(fewer, "rest of the sheet"));
-  EXPECT_TRUE(has(fewer, "rest of the sheet, mended"));
+  EXPECT_TRUE(has(fewer, "rest of the sheet, completed"));
   EXPECT_TRUE(fewer.sheet.does_the_job());
   job.never.insert(0, 1);
   job.needed = all_pairs_but(job.never);

@@ -160,7 +160,7 @@ TEST(Triples, TheSameForAnyNumberOfThreadsAndWhenStopped) {
   EXPECT_TRUE(make_run_plan(job, {}, control).sheet.does_the_job());
 }
 
-// What is kept up to date under moves and their undoing must be what is counted anew.
+// What is kept up to date under moves and their undoing must equal what is counted again.
 TEST(Lists, KeepCountUnderAllMoves) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Job job = seed % 2 == 0 ? test::random_job(seed, 8) : triple_job(7, 4, seed, 2);

@@ -220,7 +220,7 @@ RC_GTEST_PROP(PlacesProperty, TheCountFindsWhatIsWrong, ()) {
   RC_ASSERT(!place_faults({{&job, &plan.sheet}}, all).empty());
 }
 
-// A sheet is filled in up to some row, and the rest is planned anew: what is mounted keeps its
+// A sheet is filled in up to some row, and the rest is replanned: what is mounted keeps its
 // column.
 TEST(Places, AReplanGoesOnWhereTheSheetEnds) {
   std::size_t kept = 0;

@@ -67,8 +67,8 @@ TEST(ClassifiedCells, AreMinimaEachOnce) {
 }
 
 // Renaming and rotating moves a circular design of b blocks to v!·b/|G| sequences, where G is its
-// group; if no two elements are alike, v! of them are one standard form. A linear design is a class
-// of its own.
+// group; if no two elements are alike, v! of them are one standard form. A linear design is its own
+// class.
 TEST(ClassifiedCells, FormsAreOrbitsOfTheGroups) {
   for (const Classified& each : classified_cells()) {
     const Parameters& p = each.parameters;

@@ -107,7 +107,7 @@ TEST(Decide, WritesProofsThatFailWhenTheyAreMutated) {
   write_dimacs(encode_design(sccd_9_4, 12).cnf(), {}, {}, other);
   EXPECT_FALSE(verdict_on(other.text(), proof).verified());
 
-  // With a literal flipped; a clause that nobody needs may be lost without harm.
+  // With a literal flipped; a clause that is not needed may be lost without harm.
   std::size_t refused = 0;
   std::size_t tried = 0;
   std::vector<std::string> steps;

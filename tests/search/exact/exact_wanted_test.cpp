@@ -453,7 +453,7 @@ TEST(ExactWanted, RefusesWhatHasNoMeaning) {
               HasSubstr("v = k = 3: one block holds all elements"));
   const Design known = find_minimum(p, {}, control).best->design();
   EXPECT_THAT(message_of([&] { (void)find_minimum(p, options, control, known); }),
-              HasSubstr("begins with no design of yours"));
+              HasSubstr("cannot start from a given design"));
 }
 
 }  // namespace

@@ -23,7 +23,8 @@ TEST(MinimaFile, SaysWhatTheBoundsAndTheBestKnownDesignsSay) {
   for (const MinimaRow& row : rows) {
     const Parameters& p = row.parameters;
     SCOPED_TRACE(name(p) + ", strength " + std::to_string(p.strength) +
-                 "; `changeover minima --data docs/minima.csv -o docs/minima.md` writes both anew");
+                 "; `changeover minima --data docs/minima.csv -o docs/minima.md` writes both "
+                 "again");
     EXPECT_EQ(row.lower, lower_bound(p).blocks);
     const auto best = best_known(Registry::standard(), p);
     EXPECT_EQ(row.upper.has_value(), best.has_value());
@@ -38,7 +39,7 @@ TEST(MinimaFile, SaysWhatTheBoundsAndTheBestKnownDesignsSay) {
 TEST(MinimaFile, IsWhatThePageShows) {
   const std::vector<MinimaRow> rows = read_minima(*open_input(docs + "minima.csv"));
   EXPECT_EQ(test::slurp(docs + "minima.md"), minima_markdown(rows))
-      << "`changeover minima --data docs/minima.csv -o docs/minima.md` writes both anew";
+      << "`changeover minima --data docs/minima.csv -o docs/minima.md` writes both again";
 }
 
 // A design with a fixed element, blown up or cut open is one with other parameters, so what is

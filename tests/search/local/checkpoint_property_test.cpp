@@ -1,4 +1,5 @@
-// Checkpoints at random: read as they were written; damaged, refused; damaged by somebody who makes
+// Checkpoints at random: read as they were written; damaged, refused; damaged by a program that
+// makes
 // the checksum right, refused or such a state as a search can have.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -167,7 +167,7 @@ TEST_F(Checkpoints, IsRefusedWhenAnyByteIsDamaged) {
   expect_refused("not a checkpoint", asked);
 }
 
-// A text with its right last line, as somebody may write who knows the format.
+// A text with its right last line, as a program that knows the format may write.
 std::string with_check(const std::string& text) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (const char byte : text) {
@@ -307,7 +307,8 @@ TEST_F(Checkpoints, AFileThatOnlyHasTheNameOfTheLockIsSomebodys) {
     std::ifstream kept(path() + ".lock");
     EXPECT_EQ(std::string(std::istreambuf_iterator<char>(kept), {}), content);
   }
-  std::ofstream(path() + ".lock", std::ios::trunc).close();  // It may be somebody's, too.
+  std::ofstream(path() + ".lock", std::ios::trunc)
+      .close();  // It may belong to another program, too.
   EXPECT_NO_THROW(CheckpointFile(path(), asked));
   EXPECT_TRUE(std::filesystem::exists(path() + ".lock"));
 }
@@ -320,7 +321,7 @@ TEST_F(Checkpoints, IsNeverReplacedByAWorseDesign) {
   RunControl plain({.seed = 7});
   const ImproveResult known = improve(p, {.moves = 10'000}, plain);
   ASSERT_LT(good.design->block_count(), known.design->block_count());
-  // Somebody puts the better one there while a search that has the worse one is running.
+  // Another program puts the better one there while a search that has the worse one is running.
   bool put_there = false;
   RunControl control(doing_once(put_there, [&] { put(test::slurp(better)); }));
   const ImproveResult result = improve(

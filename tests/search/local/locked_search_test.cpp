@@ -153,7 +153,7 @@ LockedResult from_known(const Parameters& p, const Wanted& wanted, std::uint64_t
   return search_locked(p, wanted, {.blocks = blocks, .moves = 1'000'000}, control);
 }
 
-// Known designs are renumbered, and reversed where the last block has what the first shall have.
+// Known designs are renumbered, and reversed where the last block has what the first must have.
 TEST(LockedSearch, BeginsWithADesignThatIsKnown) {
   const Wanted four{.first = {7, 3, 19, 11}, .expansion_set = true};
   const Wanted all{.expansion_set = true};

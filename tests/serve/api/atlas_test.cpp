@@ -51,7 +51,7 @@ TEST_F(Atlas, HasAllStoredCellsUnlessARangeIsAsked) {
   EXPECT_EQ(get("/api/atlas?kind=linear&k=3..200&v=3..900").status, 413);
 }
 
-// A parameter of its own has it computed: that is what was stored when the program was built.
+// An extra parameter has it computed: that is what was stored when the program was built.
 TEST_F(Atlas, WhatIsStoredIsWhatIsComputed) {
   if (serve::stored_atlases().empty()) {
     GTEST_SKIP() << "this build stores none";

@@ -1,4 +1,4 @@
-// Tables are made once for all who ask at the same time, and anew when the catalog changes.
+// Tables are made once for all who ask at the same time, and again when the catalog changes.
 #include <gtest/gtest.h>
 
 #include <atomic>

@@ -52,7 +52,7 @@ TEST_F(Refusals, QuestionsThatCannotBe) {
       {"/api/heatmap?k=3&v=5..9&kind=linear&theme=pink", 400, "light, dark"},
       {"/api/design", 400, "name a design by v"},
       {"/api/design?v=5&label=x", 400, "two ways"},
-      {"/api/design?label=nobody", 404, "no design nobody"},
+      {"/api/design?label=unknown", 404, "no design unknown"},
       {"/api/design?label=%1b%5b2J", 404, "no design \\x1b[2J"},
       {"/api/design?file=1", 404, "there is no file 1"},
       {"/api/design?job=1", 404, "there is no search 1"},
@@ -86,7 +86,7 @@ TEST_F(Refusals, QuestionsThatCannotBe) {
       {"/api/explain?v=4&k=2&kind=linear", 404, "exists"},
       {"/api/search?id=7", 404, "there is no search 7"},
       {"/api/cite?label=x", 404, "no design x"},
-      {"/api/verify", 405, "takes POST"},
+      {"/api/verify", 405, "use POST"},
       {"/index.html?x=1", 400, "no parameter 'x'"},
       {"/api/cell%00?kind=linear", 400, "zero byte"},
       {"/" + std::string(10'000, 'a'), 414, "the address has more than 8192 bytes"},
@@ -341,7 +341,7 @@ TEST_F(Refusals, DesignsThatAreNone) {
     const Reply reply = ask(port(), "POST", "/api/verify", {}, body);
     EXPECT_EQ(reply.status, 422) << body.substr(0, 40) << reply.body;
   }
-  // Declared by whoever asks: no fault of the file.
+  // Declared by the client: the file is not at fault.
   EXPECT_EQ(ask(port(), "POST", "/api/verify?k=0", {}, "0 1 2\n").status, 400);
   EXPECT_EQ(ask(port(), "POST", "/api/draw?picture=circle&leaving=yes", {}, "0 1 2\n").status, 400);
 }

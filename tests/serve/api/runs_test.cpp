@@ -64,7 +64,7 @@ TEST_F(Runs, ResultsOfASheetThatWasReplacedAreRefused) {
   EXPECT_EQ(other["sheet_revision"], 3);
   const Reply late = result(id, {{"test", "2"}, {"result", "fail"}, {"sheet_revision", 1}});
   EXPECT_EQ(late.status, 409);
-  EXPECT_THAT(message_of(late), HasSubstr("planned anew"));
+  EXPECT_THAT(message_of(late), HasSubstr("replanned"));
   EXPECT_EQ(act(*own_, "/api/run",
                 json({{"id", id},
                       {"sheet_revision", 1},
@@ -122,7 +122,7 @@ TEST_F(Runs, FilesThatAreNoRunsAreNamedAndStay) {
       {with("sheet", nullptr), "sheet is missing"},
       {with("sheet", json::array()), "sheet: write an object"},
       {with("title", 7), "title: write a string"},
-      {with("title", std::string(300, 'x')), "title: at most 200 bytes"},
+      {with("title", std::string(300, 'x')), "title: more than 200 bytes"},
       {with("results", json::object()), "results: write a list"},
       {with("results", {{{"test", 1}}}), "test: write a string"},
       {with("results", {json::object(), json::object(), json::object()}), "one result per test"},
@@ -219,7 +219,7 @@ TEST(RunsFolder, ThatCannotBeUsedIsNamed) {
   spit(folder, "a file");
   all_are_503();
   EXPECT_THAT(message_of(act(own, "/api/run", empty.dump())),
-              HasSubstr("; mend that where the server runs"));
+              HasSubstr("; correct that on the server"));
   std::filesystem::remove(folder);
   std::filesystem::create_symlink("runs", folder);  // leads in a circle
   all_are_503();

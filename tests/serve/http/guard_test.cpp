@@ -55,7 +55,7 @@ TEST(Guard, RefusesPagesOfOtherSites) {
   EXPECT_EQ(status_of(guard(), asked({{"host", host}, {"sec-fetch-site", "cross-site"}})), 403);
   EXPECT_EQ(status_of(guard(), asked({{"host", host}, {"sec-fetch-site", "same-site"}})), 403);
   EXPECT_EQ(status_of(guard(), asked({{"host", host}, {"sec-fetch-site", "same-origin"}})), 200);
-  // Somebody may link to the page.
+  // Other pages may link to the page.
   EXPECT_EQ(status_of(guard(), asked({{"host", host}, {"sec-fetch-site", "cross-site"}}, "")), 200);
 }
 
@@ -75,7 +75,7 @@ TEST(Guard, RefusesHeadersThatAreThereTwice) {
   Request request = asked({{"host", "127.0.0.1:8080"}});
   request.repeated = {"host"};
   EXPECT_EQ(status_of(guard(), request), 400);
-  EXPECT_EQ(refusal_of(guard(), request).message, "the header host is there twice");
+  EXPECT_EQ(refusal_of(guard(), request).message, "the header host is there twice; send it once");
 }
 
 TEST(Token, IsNewEachTimeAndLong) {

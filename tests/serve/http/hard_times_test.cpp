@@ -218,7 +218,7 @@ TEST(HardTimes, CrowdsAreAnswered) {
   std::vector<std::unique_ptr<Connection>> all;
   for (std::size_t i = 0; i < many; ++i) {
     all.push_back(std::make_unique<Connection>(own.port()));
-    // Every second one is a question that nobody asked before.
+    // Every second one is a new question.
     const std::string target =
         i % 2 == 0 ? targets[i / 2 % targets.size()]
                    : "/api/cell?v=" + std::to_string(10 + i / 2) + "&k=4&kind=linear";

@@ -1,4 +1,5 @@
-// Heads of requests that are large, long, many or malformed: each gets one answer, and nobody else
+// Heads of requests that are large, long, many or malformed: each gets one answer, and no other
+// client
 // gets it.
 #include <gmock/gmock.h>
 

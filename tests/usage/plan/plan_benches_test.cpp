@@ -118,7 +118,7 @@ TEST(PlanBenches, GoOnAfterTheTestsOfEachBench) {
           {plan(lab + "--done sheet.csv --format csv"), 0, "\nSouth,3,"},
           {plan(lab + "--done sheet.csv --json"), 0, "\"tests_done\":4"},
           {plan("parts.csv --benches other.csv --done sheet.csv"), 0,
-           "sheet.csv: 'North' is none of the benches; what was tested there counts"},
+           "sheet.csv: 'North' is not one of the benches; what was tested there counts"},
           {plan(lab + "--done plan.csv"), 0, "nothing is left to do"},
           {"sed '2s/pass/fail/' sheet.csv > failed.csv; $changeover plan " + lab +
                "-k 4 --test-cost 1 --change-cost 1 --done failed.csv --diagnose",

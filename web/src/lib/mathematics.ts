@@ -107,7 +107,7 @@ export function formula(tex: string, plain: string): HTMLElement {
 }
 
 /**
- * Lines of a formula that stands alone. What is said of a line (`*if …*`) is a column of its own;
+ * Lines of a formula that stands alone. What is said of a line (`*if …*`) is a separate column;
  * where there is little room it stands below, and lines end between parts.
  */
 export function displayed(lines: readonly string[]): HTMLElement {

@@ -8,7 +8,7 @@ import { load } from './plan/store';
 
 const lost =
   'This link does not hold a whole job (it may have been cut), and this browser does not have ' +
-  'it either. Open it where it was made, or make it anew.';
+  'it either. Open it where it was made, or create it again.';
 
 async function render(view: View): Promise<void> {
   const writes = await mayStart();

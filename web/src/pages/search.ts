@@ -303,7 +303,7 @@ async function render(view: View): Promise<void> {
       if (now) {
         watched?.update(now);
       } else if (chosen !== null && states.has(chosen)) {
-        // The server was started anew and knows nothing of it.
+        // The server was restarted and does not know this search.
         states.delete(chosen);
         choose(chosen);
       }

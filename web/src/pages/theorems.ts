@@ -367,7 +367,7 @@ export const theorems: Page = {
             href: to,
             'data-part': id,
             onclick: (event) => {
-              // The page is there already: no need to draw it anew.
+              // The page is there already: no need to draw it again.
               event.preventDefault();
               view.go(
                 {

@@ -12,7 +12,7 @@ export interface Line {
   /** Dashes tell lines apart without colour. */
   dash?: number[];
   width?: number;
-  /** A scale of its own on the right-hand side. */
+  /** A separate scale on the right-hand side. */
   right?: boolean;
   /** Holds its value up to the next point. */
   steps?: boolean;
@@ -38,7 +38,7 @@ export interface PlotOptions {
 export interface Plot {
   readonly element: HTMLElement;
   set(xs: number[], lines: Line[]): void;
-  /** Draws what is there anew: the mark has moved. */
+  /** Redraws the plot after the mark has moved. */
   redraw(): void;
 }
 

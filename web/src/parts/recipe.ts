@@ -23,7 +23,7 @@ export function reason(text: string): Child[] {
 
 /** A citation without its brackets. */
 export function citation(text: string): Child[] {
-  // What is said of a theorem of ours behind the place in the work has a link of its own.
+  // What is said of a theorem of ours behind the place in the work has its own link.
   const key =
     /^\[([A-Za-z]+\d{4}[a-z]?)((?:, [^\]]*?)??)((?:, [^,\]]*docs\/theorems[^\]]*)?)\]$/.exec(text);
   return key

@@ -1,6 +1,6 @@
 // A long list of which only the rows in sight exist.
 //
-// Rows are equally high. The list scrolls in a frame of its own, which takes the focus: arrow keys,
+// Rows are equally high. The list scrolls in its own frame, which takes the focus: arrow keys,
 // Page Up and Down, Home and End scroll it as any browser does. Screen readers are told each row's
 // number and how many there are.
 import { fill, h } from '../lib/dom';
@@ -9,7 +9,7 @@ export interface VirtualList {
   readonly element: HTMLElement;
   /** Brings row i into the middle of the frame. */
   goTo(i: number): void;
-  /** Draws the rows in sight anew, after what they show has changed. */
+  /** Redraws the visible rows after their content has changed. */
   refresh(): void;
 }
 

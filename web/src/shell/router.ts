@@ -2,7 +2,7 @@
 //
 //     #/catalog?change=2&kind=linear
 //
-// A page draws itself from its parameters and changes them by `view.go`. It is drawn anew when the
+// A page draws itself from its parameters and changes them by `view.go`. It is redrawn when the
 // address changes in any way that it did not ask for itself.
 import { ApiError } from '../lib/api';
 import { fill, h } from '../lib/dom';
@@ -11,10 +11,10 @@ export interface View {
   /** Where the page draws. */
   readonly root: HTMLElement;
   readonly params: URLSearchParams;
-  /** Aborted as soon as the page is left or drawn anew. */
+  /** Aborted as soon as the page is left or redrawn. */
   readonly signal: AbortSignal;
   /**
-   * Changes the parameters given (null takes one away). The page is drawn anew unless `quiet`; a
+   * Changes the parameters given (null takes one away). The page is redrawn unless `quiet`; a
    * new entry of the history only if `push`.
    */
   go(
@@ -107,7 +107,7 @@ export class Router {
     }
     this.entered(page);
     const signal = this.leaving.signal;
-    // Each drawing has a place of its own: what a page that was left still writes is not seen. What
+    // Each drawing has its own place: what a page that was left still writes is not seen. What
     // was there before stays until the page has something to show.
     const before = [...this.root.childNodes];
     const place = h('div', { class: 'page' });

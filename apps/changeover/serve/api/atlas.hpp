@@ -3,7 +3,7 @@
 //     atlas_json(asked.cells(), cells)  // {"k_from":3,…,"b":[…],"lower_bound":[…],…}
 //     groups_json(asked, cells)         // {"order":["1","24",null,…]}
 //
-// What the map begins with is made with the program; the user's own catalog makes it anew.
+// The first map is built with the program; it is computed again if the user has a catalog.
 #pragma once
 
 #include <cstdint>

@@ -92,7 +92,7 @@ void add_designs(Router& router, Explorer& explorer) {
   const auto lane = [](const Request& request) {
     return is_quick(request) ? Lane::quick : Lane::slow;
   };
-  // A search can find something better meanwhile, so what is made of jobs is made anew.
+  // A search can find something better meanwhile, so answers made from jobs are made again.
   const auto add = [&](const std::string& path, std::vector<std::string> parameters,
                        std::function<Response(const Request&)> answer) {
     Route route;

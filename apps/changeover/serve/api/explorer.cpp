@@ -119,8 +119,8 @@ Response answered(Explorer& explorer, const Request& request, Again again,
   } catch (const MissingResource& fault) {
     throw Refusal{503, fault.what()};
   } catch (const std::filesystem::filesystem_error& fault) {
-    throw Refusal{503, fmt::format("{}: {}; mend that where the server runs",
-                                   fault.path1().string(), fault.code().message())};
+    throw Refusal{503, fmt::format("{}: {}; correct that on the server", fault.path1().string(),
+                                   fault.code().message())};
   } catch (const Stopped& stopped) {
     throw of_stop(explorer, stopped.why());
   }
@@ -161,7 +161,7 @@ std::shared_ptr<const cli::KnownTable> KnownTables::of(const cli::TableRange& ra
   try {
     table = std::make_shared<const cli::KnownTable>(cli::known_table(range));
   } catch (...) {
-    // A request that waits makes it anew: the limits were those of this request.
+    // A request that waits makes it again: the limits were those of this request.
     const std::lock_guard lock(mutex_);
     const Place place = find(key);
     if (place != entries_.end() && !place->table && place->haste == haste) {

@@ -58,7 +58,7 @@ void add_pages(Router& router, const Pages& pages) {
       throw Refusal{404, "this program was built without pages; give --assets DIR"};
     }
     if (!page) {
-      throw Refusal{404, "there is nothing at this address"};
+      throw Refusal{404, "there is nothing at this address; the pages begin at /"};
     }
     return *std::move(page);
   };

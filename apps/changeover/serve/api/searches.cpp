@@ -50,23 +50,26 @@ void check_way(const SearchOrder& order) {
   const Wanted& wanted = order.wanted;
   const bool takes_wanted = order.way == SearchWay::locked || order.way == SearchWay::exact;
   if (!takes_wanted && (wanted.any() || order.anew)) {
-    throw Refusal{422, wanted.any() ? "first, last and expansion_set go with \"way\":\"locked\" or "
-                                      "\"exact\""
-                                    : "anew goes with \"way\":\"locked\" or \"exact\""};
+    throw Refusal{422, wanted.any() ? "first, last and expansion_set are for \"way\":\"locked\" "
+                                      "and \"exact\"; give one of these ways"
+                                    : "anew is for \"way\":\"locked\" and \"exact\"; give one of "
+                                      "these ways"};
   }
   if (order.way == SearchWay::locked) {
     if (!wanted.any()) {
       throw Refusal{422, "way: a locked search needs first, last or expansion_set"};
     }
     if (p.strength != 2) {
-      throw Refusal{422, "way: a locked search has strength 2"};
+      throw Refusal{422, "way: a locked search has strength 2; use \"exact\" for other strengths"};
     }
   }
   if (const std::string defect = wanted_defect(p, wanted); !defect.empty()) {
     throw Refusal{422, fmt::format("no {} can have what you ask for: {}", name(p), defect)};
   }
   if (order.way == SearchWay::exact && order.blocks) {
-    throw Refusal{422, "blocks has no meaning with \"way\":\"exact\", which finds the minimum"};
+    throw Refusal{422,
+                  "blocks has no meaning with \"way\":\"exact\", which finds the minimum; "
+                  "leave it out"};
   }
 }
 

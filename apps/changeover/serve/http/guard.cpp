@@ -21,7 +21,7 @@ std::string make_token() {
     const ssize_t more = ::getrandom(bits.data() + got, bits.size() - got, 0);
     if (more < 0 && errno != EINTR) {
       throw MissingResource(
-          fmt::format("the system gives no random bits: {}", std::strerror(errno)));
+          fmt::format("the system gives no random bits: {}; try again", std::strerror(errno)));
     }
     got += more > 0 ? static_cast<std::size_t>(more) : 0;
   }
@@ -45,12 +45,12 @@ void Guard::check(const Request& request, Action action) const {
   for (const char* const once : {"host", "origin", "content-length", "content-type",
                                  "content-encoding", "x-changeover-token"}) {
     if (std::ranges::find(request.repeated, once) != request.repeated.end()) {
-      throw Refusal{400, fmt::format("the header {} is there twice", once)};
+      throw Refusal{400, fmt::format("the header {} is there twice; send it once", once)};
     }
   }
   const std::string_view host = request.header("host");
   if (host.empty()) {
-    throw Refusal{400, "the header Host is missing"};
+    throw Refusal{400, "the header Host is missing; send it"};
   }
   if (!knows(host)) {
     throw Refusal{403,

@@ -5,7 +5,7 @@
 //     guard.check(request, Action::asks);            // throws Refusal
 //
 // A page of another site that a browser shows can make it send requests here. It cannot choose the
-// header Host (so a name of its own that leads here, DNS rebinding, is refused), it cannot hide its
+// header Host (so another name that leads here, DNS rebinding, is refused), it cannot hide its
 // Origin when it posts, and it does not know the token. What changes anything needs the token,
 // which is in the address that was printed and nowhere else.
 #pragma once

@@ -135,7 +135,7 @@ std::string gzip(std::string_view text, int level) {
   constexpr int memory_level = 8;
   if (deflateInit2(&stream, level, Z_DEFLATED, with_gzip_header, memory_level,
                    Z_DEFAULT_STRATEGY) != Z_OK) {
-    throw MissingResource("no memory to compress an answer");
+    throw MissingResource("not enough memory to compress an answer; close other programs");
   }
   std::string packed(deflateBound(&stream, static_cast<uLong>(text.size())), '\0');
   // zlib takes pieces of less than 4 GiB; answers are far below that.
@@ -160,7 +160,8 @@ std::optional<Refusal> address_defect(const std::string& target) {
                    fmt::format("the address has more than {} bytes; ask for less", longest_target)};
   }
   if (std::ranges::count(target, '&') >= static_cast<std::ptrdiff_t>(most_parameters)) {
-    return Refusal{414, fmt::format("the address has more than {} parameters", most_parameters)};
+    return Refusal{
+        414, fmt::format("the address has more than {} parameters; give fewer", most_parameters)};
   }
   const auto is_blank = [](unsigned char c) { return c <= ' ' || c == 0x7f; };
   if (std::ranges::any_of(target, is_blank)) {

@@ -83,15 +83,16 @@ const Route& Router::route_of(const Request& request) const {
       found == routes_.end() && method == elsewhere_.method && is_elsewhere(request.path);
   if (found == routes_.end() && !elsewhere) {
     if (const std::string methods = allowed(request.path); !methods.empty()) {
-      throw Refusal{405, fmt::format("/{} takes {}", request.path, methods)};
+      throw Refusal{405,
+                    fmt::format("/{} does not take this method; use {}", request.path, methods)};
     }
-    throw Refusal{404, "there is nothing at this address"};
+    throw Refusal{404, "there is nothing at this address; the pages begin at /"};
   }
   const Route& route = elsewhere ? elsewhere_ : found->second;
   for (const auto& [name, value] : request.parameters) {
     if (std::ranges::find(route.parameters, name) == route.parameters.end()) {
       throw Refusal{400, route.parameters.empty()
-                             ? fmt::format("/{} takes no parameters", route.path)
+                             ? fmt::format("/{} takes no parameters; leave them out", route.path)
                              : fmt::format("/{} has no parameter '{}'; there are {}", route.path,
                                            printable(name), fmt::join(route.parameters, ", "))};
     }

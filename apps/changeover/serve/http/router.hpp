@@ -65,7 +65,7 @@ class Router {
 /// The number in the header Content-Length; 0 if there is none. @throws Refusal if it is none.
 [[nodiscard]] std::size_t declared_length(const Request& request);
 
-/// Refuses a form where a file is expected. Programs that send a file seldom say what it is, and
+/// Refuses a form where a file is expected. Programs that send a file rarely say what it is, and
 /// many say that it is a form (curl does), so the bytes tell: fields are joined by = and &, before
 /// any blank or end of a line. @throws Refusal
 void refuse_form(const Route& route, const Request& request);

@@ -330,7 +330,7 @@ void Server::State::check(Exchange& exchange) const {
     throw Refusal{503, "the server is stopping; start it again"};
   }
   if (exchange.target.find("%00") != std::string::npos) {
-    throw Refusal{400, "there is a zero byte in the address"};
+    throw Refusal{400, "there is a zero byte in the address; remove it"};
   }
   settings.guard->check(request, Action::asks);
   exchange.route = &settings.router->route_of(request);
@@ -545,7 +545,9 @@ Server::Server(Settings settings) : state_(std::make_unique<State>(std::move(set
       MHD_OPTION_END);
   if (state_->daemon == nullptr) {
     ::close(given.listening.socket);
-    throw MissingResource("the server cannot start: the system has no threads or files left");
+    throw MissingResource(
+        "the server cannot start: the system has no threads or files left; "
+        "raise the limits (ulimit -u, ulimit -n)");
   }
 }
 

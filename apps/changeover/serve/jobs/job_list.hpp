@@ -1,4 +1,4 @@
-// Jobs that run beside the server's answers, each on a thread of its own: begun up to a limit,
+// Jobs that run beside the server's answers, each on its own thread: begun up to a limit,
 // found by number, stopped, and the last that ended remembered.
 //
 //     JobList<Job> jobs(2, 50);                // at once; remembered

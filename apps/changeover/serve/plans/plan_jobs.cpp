@@ -171,7 +171,7 @@ std::string PlanJobs::file(std::uint64_t id, const std::string& format) const {
   if (!job->answer) {
     throw Refusal{404, job->state == "running"
                            ? fmt::format("plan {} has no answer yet; wait for it, or stop it", id)
-                           : fmt::format("plan {} ended without an answer; plan anew", id)};
+                           : fmt::format("plan {} ended without an answer; plan again", id)};
   }
   return plan_file(*job->asked, *job->answer, format, settings_.answer_bytes);
 }

@@ -19,7 +19,7 @@ constexpr std::size_t most_in_notes = 2'000;
 std::string text_within(JsonBody& body, const std::string& name, std::size_t most) {
   std::string text = body.text(name).value_or("");
   if (text.size() > most) {
-    throw Refusal{422, fmt::format("{}: at most {} bytes", name, most)};
+    throw Refusal{422, fmt::format("{}: more than {} bytes; shorten it", name, most)};
   }
   return text;
 }
@@ -28,7 +28,7 @@ std::string text_within(JsonBody& body, const std::string& name, std::size_t mos
 void require_all(JsonBody& body, const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     if (body.find(name) == nullptr) {
-      throw Refusal{422, name + " is missing"};
+      throw Refusal{422, name + " is missing; add it"};
     }
   }
 }

@@ -47,7 +47,7 @@ bool is_id(const std::string& id) {
          });
 }
 
-Refusal no_run() { return {404, "this run is not kept here any more"}; }
+Refusal no_run() { return {404, "this run is no longer stored here; plan again"}; }
 
 [[noreturn]] void fail_to_read(const std::string& path, const std::string& why) {
   throw MissingResource(fmt::format("{}: cannot be read as a run: {}; move it away", path, why));
@@ -91,7 +91,7 @@ FileLock lock_of(const std::string& path) {
 
 void require_sheet(const KeptRun& run, std::uint64_t sheet_revision) {
   if (run.sheet_revision != sheet_revision) {
-    throw Refusal{409, "this run was planned anew meanwhile; what is shown now is the new sheet"};
+    throw Refusal{409, "this run was replanned meanwhile; use the new sheet, which is shown now"};
   }
 }
 
@@ -195,8 +195,9 @@ KeptRun RunStore::add_result(const std::string& id, RunResult result,
   ++run.revision;
   if (!result.result.empty() || !result.notes.empty()) {
     if (run.results.size() >= run.tests) {
-      throw Refusal{
-          422, fmt::format("the sheet has {}, and each has a result", count_of(run.tests, "test"))};
+      throw Refusal{422, fmt::format("the sheet has {}, and each has a result; nothing is left to "
+                                     "plan",
+                                     count_of(run.tests, "test"))};
     }
     result.at = run.changed;
     run.results.push_back(std::move(result));

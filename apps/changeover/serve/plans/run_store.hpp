@@ -7,7 +7,7 @@
 //     store.json(id);
 //
 // A run is a file in the folder, format "changeover-run/1", which appears whole or not at all and
-// is read anew for each question; a lock lets one server at a time change it. The sheet is the
+// is read again for each question; a lock lets one server at a time change it. The sheet is the
 // page's own: an object that the server does not look into. Results are of tests of one sheet:
 // with each comes the revision of the sheet, and one of a sheet that was replaced is refused.
 #pragma once

@@ -59,7 +59,7 @@ class Ledger {
       }
     }
     old.close();
-    // Written anew, so that nothing is appended to half a line, and as a whole, so that nothing is
+    // Rewritten, so that nothing is appended to half a line, and as a whole, so that nothing is
     // lost.
     OutputFile whole(path);
     whole.write(first + "\n");
@@ -142,7 +142,8 @@ void add_catalog_verify(Program& program) {
   auto [verb, request] = program.add<AuditRequest>(
       "catalog-verify", "rebuild every design of the catalog, and check its entry", run);
   request.filter.add_to(verb, FilterRequest::Unless::best_is_asked_for);
-  verb.option("--resume", request.resume, "FILE", "keep there what is done, and go on from it");
+  verb.option("--resume", request.resume, "FILE",
+              "record the checked designs in FILE, and continue from it");
   request.catalog.add_to(verb);
   verb.require([&asked = request] { check_kept(asked.output.path, {"--resume", asked.resume}); });
   request.output.add_to(verb, {"text", "json"});

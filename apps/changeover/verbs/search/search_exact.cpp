@@ -352,7 +352,7 @@ void explain_proofs(const ExactSearch& request, const MinimumResult& result) {
   if (files.empty()) {
     return;
   }
-  // One number of blocks that was asked for has a file of its own.
+  // A number of blocks that was asked for has its own file.
   const std::filesystem::path file = std::filesystem::path(request.proof_directory) /
                                      (file_stem(p, request.blocks, request.wanted) + "-README.md");
   write_file(file.string(), [&](OutputFile& out) {

@@ -1,5 +1,5 @@
 // changeover search --first, --last, --expansion-set, --contains: designs that constructions can
-// build upon.
+// build on.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,7 +1,7 @@
 // Every element replaced by s copies: an m-change covering design on (v,k) becomes an sm-change
 // covering design on (sv,sk) with as many blocks, of the same kind.
 //
-// A closure rule on recipes: it makes no offers, lest offers recurse without end. Constructions
+// A closure rule on recipes: it makes no offers, which would recurse without end. Constructions
 // that know which input to take compose it.
 #include <fmt/format.h>
 
@@ -82,7 +82,7 @@ class BlowUp final : public Described<Rule, description> {
     return blow_up_recipe(input, s);
   }
   std::string_view needs() const override {
-    return "on v/s elements with k/s and m/s for some s >= 2, else alike";
+    return "on v/s elements with k/s and m/s for some s >= 2, otherwise with the same parameters";
   }
 };
 

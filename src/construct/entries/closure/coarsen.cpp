@@ -34,7 +34,8 @@ class Coarsen final : public Described<Entry, description> {
         coarsened(registry.build_design(recipe.inputs.front()), recipe.parameters.change, first);
     if (!coarse) {
       throw BadInput(fmt::format(
-          "coarsen: the blocks of the {} cannot be put together by {}, {} first",
+          "coarsen: the blocks of the {} cannot be grouped by {}, with {} in the first group; use "
+          "another input",
           changeover::name(recipe.inputs.front().parameters), recipe.parameters.change, first));
     }
     return std::make_unique<BlockListSource>(recipe.parameters, coarse->blocks());
@@ -55,7 +56,7 @@ class Coarsen final : public Described<Entry, description> {
         static_cast<std::uint64_t>(given->second) > p.change || p.k >= p.v || finer(p).k < 2) {
       throw BadInput(fmt::format(
           "coarsen to {} takes a single-change design of its kind on ({},{}) and how many "
-          "blocks come first",
+          "blocks come first; correct the recipe",
           changeover::name(p), p.v, finer(p).k));
     }
     require_input(recipe, finer(p), {{"first", given->second}});

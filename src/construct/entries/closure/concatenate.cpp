@@ -82,7 +82,7 @@ class Concatenate final : public Described<Entry, description> {
     throw BadInput(fmt::format(
         "concatenate to {} takes two linear single-change designs with the same k, positions of "
         "the second that leave k-1 of its w elements out, and how many times w-k+1 elements are "
-        "added",
+        "added; correct the recipe",
         changeover::name(recipe.parameters)));
   }
 };

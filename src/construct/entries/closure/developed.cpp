@@ -25,7 +25,8 @@ std::uint64_t argument(const Recipe& recipe, const char* name, std::uint64_t lea
   const auto found = recipe.arguments.find(name);
   if (found == recipe.arguments.end() || found->second < 0 ||
       static_cast<std::uint64_t>(found->second) < least) {
-    throw BadInput(fmt::format("developed takes an argument {}, at least {}", name, least));
+    throw BadInput(fmt::format("developed needs the argument {}, at least {}; correct the recipe",
+                               name, least));
   }
   return static_cast<std::uint64_t>(found->second);
 }
@@ -43,15 +44,20 @@ Permutation permutation_of(const Recipe& recipe, const Construction& constructio
   const std::uint64_t fixed = argument(recipe, "f", 0);
   const std::uint64_t shift = argument(recipe, "shift", 1);
   if (recipe.arguments.size() != 3) {
-    throw BadInput("developed takes the arguments n, f and shift, and no others");
+    throw BadInput(
+        "developed takes the arguments n, f and shift, and no others; remove the others");
   }
   const std::uint64_t v = recipe.parameters.v;
   const auto pi = Automorphism::on(v, n, fixed);
   if (!pi || pi->cycles == 0) {
-    throw BadInput(fmt::format("v = {} is not f = {} more than a multiple of n = {}", v, fixed, n));
+    throw BadInput(fmt::format(
+        "v = {} is not f = {} more than a multiple of n = {}; correct v, f or n", v, fixed, n));
   }
   if (shift >= n || std::gcd(shift, n) != 1) {
-    throw BadInput(fmt::format("shift = {} is no unit of Z_{}", shift, n));
+    throw BadInput(
+        fmt::format("shift = {} is not a unit of Z_{}; give a shift that has no factor "
+                    "in common with n",
+                    shift, n));
   }
   if (recipe.parameters.kind != Kind::circular) {
     throw BadInput("developed makes circular designs; 'cut' reads one as linear");

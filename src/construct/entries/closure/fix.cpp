@@ -1,6 +1,6 @@
 // The same f new elements in every block: DCCD(v,k,b) → DCCD(v+f,k+f,b), for any m and both kinds.
 //
-// A closure rule on recipes: it makes no offers, lest offers recurse without end. Constructions
+// A closure rule on recipes: it makes no offers, which would recurse without end. Constructions
 // that know which input to take compose it.
 #include <fmt/format.h>
 
@@ -49,7 +49,8 @@ class Fix final : public Described<Rule, description> {
   }
   Recipe with(const Recipe& input, std::uint64_t f) const override { return fix_recipe(input, f); }
   std::string_view needs() const override {
-    return "with f >= 1 elements fewer in all and in a block, else alike";
+    return "with f >= 1 fewer elements in all and in each block, otherwise with the same "
+           "parameters";
   }
 };
 

@@ -101,9 +101,10 @@ class InterpolatedSource final : public BlockByBlock<InterpolatedSource> {
     std::set_difference(next.begin(), next.end(), from.begin(), from.end(),
                         std::back_inserter(entering_));
     if (leaving_.size() != steps_ * parameters_.change || leaving_.size() != entering_.size()) {
-      throw BadInput(fmt::format("interpolate: a step of the input changes {} instead of {}",
-                                 count_of(leaving_.size(), "element"),
-                                 steps_ * parameters_.change));
+      throw BadInput(
+          fmt::format("interpolate: a step of the input changes {} instead of {}; use "
+                      "another input",
+                      count_of(leaving_.size(), "element"), steps_ * parameters_.change));
     }
     done_ = 0;
     return true;
@@ -150,7 +151,8 @@ class Interpolate final : public Described<Entry, description> {
     p.change = larger;
     if (m == 0 || larger <= m || larger % m != 0 || p.v <= p.k) {
       throw BadInput(
-          fmt::format("interpolate to {} takes one design with a multiple of the change number",
+          fmt::format("interpolate to {} takes one design whose change number is a multiple; "
+                      "correct the recipe",
                       changeover::name(recipe.parameters)));
     }
     require_input(recipe, p, {});

@@ -152,7 +152,8 @@ IntervalDevelopedSource::Points points_of(const Recipe& recipe, const Registry& 
                         points.begin());
     };
   }
-  throw BadInput(fmt::format("{} has too many base blocks to list", name(recipe.parameters)));
+  throw BadInput(fmt::format("{} has too many base blocks to list; use another input",
+                             name(recipe.parameters)));
 }
 
 constexpr std::string_view own_name = "partial-expansion";
@@ -355,16 +356,20 @@ class PartialExpander final : public Described<Rule, description> {
       return *std::move(cover);
     }
     if (!b || p.v > max_elements_in_memory || *b > most_searched / p.k) {
-      throw BadInput(fmt::format("no cover by unchanged subsets is known of {} as made by {}",
-                                 changeover::name(p), input.construction));
+      throw BadInput(
+          fmt::format("no cover by unchanged subsets is known of {} as made by {}; use "
+                      "another input",
+                      changeover::name(p), input.construction));
     }
     const std::unique_ptr<BlockSource> again = registry.build(input);
     CoverOptions options;
     options.new_elements = w;
     std::optional<UnchangedCover> found = find_cover(read_all(*again), options);
     if (!found) {
-      throw BadInput(fmt::format("no unchanged subsets cover {} as made by {} for w = {}",
-                                 changeover::name(p), input.construction, w));
+      throw BadInput(
+          fmt::format("no unchanged subsets cover {} as made by {} for w = {}; use "
+                      "another input or a smaller w",
+                      changeover::name(p), input.construction, w));
     }
     return *std::move(found);
   }
@@ -406,13 +411,14 @@ class PartialExpander final : public Described<Rule, description> {
     std::optional<UnchangedCover> cover = cover_at(design, recipe.blocks.front());
     if (!cover) {
       throw BadInput(fmt::format(
-          "partial-expansion: the unchanged subsets at the positions named do not cover the {}",
+          "partial-expansion: the unchanged subsets at the named positions do not cover the {}; "
+          "name others",
           changeover::name(design.parameters())));
     }
     const auto all = one_subset_a_position(design);
     const auto count = best_positions(design.parameters(), cover->subsets.size(), all.size(), w);
     if (!count || !add_positions(*cover, all, *count)) {
-      throw BadInput(fmt::format("partial-expansion: {} {} more than {}",
+      throw BadInput(fmt::format("partial-expansion: {} {} more than {}; reduce w",
                                  count_of(w, "new element"), w == 1 ? "takes" : "take",
                                  count_of(all.size(), "position")));
     }
@@ -424,7 +430,7 @@ class PartialExpander final : public Described<Rule, description> {
     bare.blocks.clear();
     const std::uint64_t w = number(bare);
     if (recipe.blocks.size() > 1 || (recipe.blocks.size() == 1 && recipe.blocks.front().empty())) {
-      throw BadInput("partial-expansion takes one list of positions, or none");
+      throw BadInput("partial-expansion takes one list of positions, or none; remove the others");
     }
     try {
       (void)least_positions(recipe.inputs.front().parameters, w);
@@ -444,7 +450,9 @@ class PartialExpander final : public Described<Rule, description> {
     return recipe_of(input.parameters.on(input.parameters.v + w),
                      {{"w", static_cast<std::int64_t>(w)}}, {input});
   }
-  std::string_view needs() const override { return "with fewer elements that is else alike"; }
+  std::string_view needs() const override {
+    return "with fewer elements and otherwise the same parameters";
+  }
 };
 
 // Of the search for a cover; a plan makes thousands.

@@ -90,8 +90,9 @@ class Ring final : public Described<Entry, description> {
       if (input.v >= 2 * p.k - 2 && p.v > fresh && input == p.as(Kind::linear).on(p.v - fresh)) {
         for (const Block& block : blocks) {
           if (block.size() != p.k) {
-            throw BadInput(fmt::format("ring: a block of the path has {}, not k = {}",
-                                       count_of(block.size(), "element"), p.k));
+            throw BadInput(
+                fmt::format("ring: a block of the path has {}, not k = {}; correct the block",
+                            count_of(block.size(), "element"), p.k));
           }
         }
         return closing_piece(std::move(blocks), recipe.blocks.front());
@@ -99,7 +100,7 @@ class Ring final : public Described<Entry, description> {
     }
     throw BadInput(fmt::format(
         "ring to {} takes a linear single-change design with the same k, positions of a path that "
-        "hold k-1 new elements each, and the blocks of the path",
+        "hold k-1 new elements each, and the blocks of the path; correct the recipe",
         changeover::name(p)));
   }
 };

@@ -161,7 +161,8 @@ class RingOfCopies final : public Described<Entry, description> {
     }
     throw BadInput(fmt::format(
         "ring-of-copies to {} takes a linear single-change design with the same k, positions of it "
-        "that leave 2(k-1) elements out, the blocks of a list, and how many times the design comes",
+        "that leave 2(k-1) elements out, the blocks of a list, and how many times the design "
+        "comes; correct the recipe",
         changeover::name(p)));
   }
 
@@ -176,7 +177,8 @@ class RingOfCopies final : public Described<Entry, description> {
     if (!fits) {
       throw BadInput(fmt::format(
           "ring-of-copies: of the first {} and the last {} of {} elements the list's first block "
-          "must have the former and none of the latter, its last block the reverse",
+          "must have the former and none of the latter, its last block the reverse; correct the "
+          "list",
           k - 1, k - 1, v));
     }
   }

@@ -160,7 +160,10 @@ class Truncate final : public Described<Entry, description> {
     const Design design = read_within_memory(*source);
     std::optional<std::vector<Block>> blocks = Truncation(design).without(x);
     if (!blocks) {
-      throw BadInput(fmt::format("truncate: no element can take the place of {} everywhere", x));
+      throw BadInput(
+          fmt::format("truncate: no element can take the place of {} everywhere; "
+                      "delete another element",
+                      x));
     }
     return std::make_unique<BlockListSource>(recipe.parameters, *std::move(blocks));
   }

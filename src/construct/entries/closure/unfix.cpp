@@ -34,7 +34,8 @@ class Unfix final : public Described<Entry, description> {
         }
       }
       if (at != to.size() || std::ranges::find(from, fixed) == from.end()) {
-        throw BadInput(fmt::format("unfix: element {} is not in every block", fixed));
+        throw BadInput(
+            fmt::format("unfix: element {} is not in every block; name one that is", fixed));
       }
     };
     return mapped(recipe.parameters, registry.build(recipe.inputs.front()), without);

@@ -346,7 +346,7 @@ class HoldAndStream final : public Described<Entry, description> {
         }
         const std::uint64_t before = count.after_round[i] + steps_to_tail(p, i) - 1;
         if (before + counting_bound(rest) >= best.b) {
-          continue;  // asking what serves the rest is dear, and nothing could be gained
+          continue;  // finding a design for the rest is slow, and could gain nothing
         }
         const std::optional<Offer> tail = best_leaf(rest, registry);
         if (tail && before + tail->b < best.b) {
@@ -381,14 +381,18 @@ class HoldAndStream final : public Described<Entry, description> {
                    : static_cast<std::uint64_t>(given->second);
       if (p.kind != Kind::linear || rounds < 1 || rounds > count.after_round.size() ||
           rounds * (p.k - p.change) + p.k > p.v) {
-        throw BadInput(fmt::format("hold-and-stream for {}: no design can follow after {}",
-                                   changeover::name(p), count_of(rounds, "round")));
+        throw BadInput(
+            fmt::format("hold-and-stream for {}: no design can follow after {}; use "
+                        "another number of rounds",
+                        changeover::name(p), count_of(rounds, "round")));
       }
       rest.v -= rounds * (p.k - p.change);
       if (input.parameters != rest) {
-        throw BadInput(fmt::format("hold-and-stream for {}: after {} a {} follows, not a {}",
-                                   changeover::name(p), count_of(rounds, "round"),
-                                   changeover::name(rest), changeover::name(input.parameters)));
+        throw BadInput(
+            fmt::format("hold-and-stream for {}: after {} a {} follows, not a {}; "
+                        "correct the input",
+                        changeover::name(p), count_of(rounds, "round"), changeover::name(rest),
+                        changeover::name(input.parameters)));
       }
       tail = registry.build(input);
       const std::optional<std::uint64_t> blocks = tail->block_count();

@@ -20,7 +20,7 @@ namespace changeover {
 namespace {
 
 [[noreturn]] void refuse_groups(const std::string& why) {
-  throw BadInput("the designs cannot be concatenated with groups: " + why);
+  throw BadInput("the designs cannot be concatenated with groups: " + why + "; correct the recipe");
 }
 
 Block joined(std::span<const Element> one, std::span<const Element> other) {

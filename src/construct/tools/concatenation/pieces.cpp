@@ -30,13 +30,13 @@ constexpr std::uint64_t largest_base = 48;
 constexpr std::uint64_t most_of_the_worse = 3;
 
 [[noreturn]] void refuse(const std::string& why) {
-  throw BadInput("the blocks and positions are no piece: " + why);
+  throw BadInput("the blocks and positions do not form a piece: " + why + "; correct the recipe");
 }
 
 Piece with_parts(std::vector<Block> blocks, const std::vector<Element>& positions) {
   constexpr std::size_t most_elements = std::size_t{1} << 20;
   if (blocks.empty() || positions.empty()) {
-    refuse("both are needed");
+    refuse("one of them is missing");
   }
   Piece piece;
   std::vector<bool> there;
@@ -63,7 +63,7 @@ Piece with_parts(std::vector<Block> blocks, const std::vector<Element>& position
     }
     Block part = intersection(blocks[position - 1], blocks[position]);
     if (part.size() + 1 != blocks.front().size()) {
-      refuse(fmt::format("not one element changes at position {}", position));
+      refuse(fmt::format("other than one element changes at position {}", position));
     }
     for (const Element x : part) {
       if (!there[x]) {

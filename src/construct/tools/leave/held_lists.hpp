@@ -1,5 +1,5 @@
 // Short linear m-change designs on t groups of n = k−m elements each of which is an unchanged
-// subset, at a position of its own [docs/theorems.md, Theorems 33 and 34].
+// subset, at its own position [docs/theorems.md, Theorems 33 and 34].
 //
 //     HeldList list(4, 2, 3);   // m = 2: 0123 2345 0145
 //     list.position(1);         // of the group {2,3}: 1

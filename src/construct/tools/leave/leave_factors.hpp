@@ -3,7 +3,7 @@
 //
 // A difference d makes g = gcd(d, w) cycles of L = w/g elements u_0, u_1 = u_0 + d, … If L is even,
 // every other edge of each is in one class. If L is odd, the edge {u_{L−1}, u_0} is in neither. If
-// w/2 is left, too, such edges are a class of their own, with the pairs {x, x+w/2} for all other x:
+// w/2 is left, too, such edges are a separate class, with the pairs {x, x+w/2} for all other x:
 // colours of a prism, and all classes are 1-factors. Else they come with the first class of d,
 // which lacks u_{L−1}, and pairs of the elements 0, …, g−1, which the second lacks, with that.
 //

@@ -223,7 +223,7 @@ bool LevelWorker::next(Step& step) {
     }
     inner_.reset();
     if (next_task_ == tasks_.size()) {
-      // Moves of groups without transfers after them are a step of their own.
+      // Moves of groups without transfers after them are a separate step.
       return !step.load.empty() || !step.evict.empty();
     }
     begin(tasks_[next_task_++]);

@@ -1,4 +1,4 @@
-// Internal: workers in lockstep, each with an accelerator of its own.
+// Internal: workers in lockstep, each with its own accelerator.
 #pragma once
 
 #include <cstdint>

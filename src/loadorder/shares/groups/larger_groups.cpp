@@ -118,7 +118,7 @@ class LargerGroups {
   double cost_ = 0;
 };
 
-// New numbers: groups of the sizes that they shall have.
+// New numbers: groups of the required sizes.
 std::vector<Element> numbers_of(const std::vector<bool>& is_large, const ItemGroups& groups) {
   std::vector<Element> free[2];
   const std::uint64_t small = groups.items / groups.groups;

@@ -170,7 +170,8 @@ class BenchBounder {
     if (one_list_ && one_list_->cost > bounds_.cost.cost) {
       bounds_.cost.cost = one_list_->cost;
       bounds_.cost.reason = fmt::format(
-          "the dearest parts must meet among themselves (docs/plan.md, The lower bound): {} with "
+          "the most expensive parts must meet among themselves (docs/plan.md, The lower bound): "
+          "{} with "
           "{} cost least",
           count_of(one_list_->tests, "test"), count_of(one_list_->introductions, "change"));
     }
@@ -186,7 +187,7 @@ class BenchBounder {
     return cost;
   }
 
-  // Prepares the bound by the dearest parts.
+  // Prepares the bound by the most expensive parts.
   void count_dearest() {
     try {
       Amount mounting;

@@ -294,7 +294,7 @@ class BenchPlanner {
     }
     if (complete(lists, *control_)) {
       prune(lists, *control_);
-      add("rest of the sheets, mended", "with what they lacked, without what is not needed",
+      add("rest of the sheets, completed", "with what they lacked, without what is not needed",
           lists.lists());
     }
   }
@@ -312,7 +312,7 @@ class BenchPlanner {
       prune(lists, *control_);
       add("one list, cut and shortened", "without what other benches test anyway", lists.lists());
       ShareOfTime part = part_of_the_time(0.08);
-      add("each bench anew", "cut, and each bench planned anew for what only it tests",
+      add("each bench replanned", "cut, and each bench replanned for what only it tests",
           replan_each(lists.lists(), part.control()));
     }
     for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -343,8 +343,8 @@ class BenchPlanner {
       add(between_benches, "tests and parts moved between benches", found.lists);
       if (!control_->stop_wanted()) {
         found.lists = replan_each(found.lists, *control_);
-        add("local search, each bench anew", "then each bench planned anew for what only it tests",
-            found.lists);
+        add("local search, each bench replanned",
+            "then each bench replanned for what only it tests", found.lists);
       }
       if (!rounds.go_on(std::tuple(best().makespan, best().cost) != before, {})) {
         break;
@@ -587,9 +587,7 @@ BenchPlan make_bench_plan(const Job& job, const BenchOptions& options, RunContro
     const RunScope scope(no_limit);
     const std::vector<std::string> found = bench_defects(job, benches);
     if (!found.empty()) {
-      throw BadInput(found.size() == 1 ? found.front()
-                                       : fmt::format("{} (and {} more like this)", found.front(),
-                                                     found.size() - 1));
+      throw BadInput(leading_defect(found));
     }
     planner.emplace(job, benches, options, control);
   }

@@ -29,7 +29,8 @@ struct SharedParts {
 
 /// Each part is given to some benches, such that two parts that must meet are given to the same one
 /// at least once. A bench puts in each of its parts once, and has as many tests as the limits need.
-/// Returns the least that the dearest bench costs; nullopt if that is no more than `known`, or if
+/// Returns the least cost of the most expensive bench; nullopt if that is no more than `known`, or
+/// if
 /// it was not found within a fixed number of steps. Exponential in the parts; at most 6 benches.
 /// Stopped if the scope of this thread (run/control.hpp) requests it.
 [[nodiscard]] std::optional<Amount> cost_of_fullest(const SharedParts& shared, std::size_t benches,

@@ -18,7 +18,7 @@
 namespace changeover {
 namespace {
 
-using Counts = std::vector<std::uint64_t>;  // by number of dearest parts
+using Counts = std::vector<std::uint64_t>;  // by number of most expensive parts
 
 class DearestBound {
  public:
@@ -59,7 +59,8 @@ class DearestBound {
     return std::max(q_->least_introductions, tests + lists_ * (q_->first - 1));
   }
 
-  // Counts the needed pairs within the dearest parts, and how many of these parts must all meet.
+  // Counts the needed pairs within the most expensive parts, and how many of these parts must all
+  // meet.
   void count_prefixes() {
     pairs_.assign(v_ + 1, 0);
     degrees_.assign(v_ + 1, 0);
@@ -88,7 +89,7 @@ class DearestBound {
     }
   }
 
-  // (d), for the dearest of the parts that must all meet; the others have one introduction.
+  // (d), for the most expensive of the parts that must all meet; the others have one introduction.
   void stays_at_least() {
     by_stays_.assign(v_ + 1, 0);
     std::uint64_t together = 0;
@@ -201,7 +202,8 @@ class DearestBound {
     return most;
   }
 
-  // The fewest introductions of the dearest parts for this many tests; false if there are too few
+  // The fewest introductions of the most expensive parts for this many tests; false if there are
+  // too few
   // tests.
   bool take_steps(std::uint64_t tests, Counts& at_least) const {
     const std::uint64_t most = room_ * tests;
@@ -359,7 +361,8 @@ void raise_by_dearest(const Job& job, CostBound& bound) {
   if (cost > bound.cost) {
     bound.cost = cost;
     bound.reason = fmt::format(
-        "at least {}, at least {}, and however many are made, the dearest parts must meet among "
+        "at least {}, at least {}, and however many are made, the most expensive parts must meet "
+        "among "
         "themselves (docs/plan.md, The lower bound): {} with {} {} least",
         count_of(bound.tests, "test"), count_of(bound.introductions, "change"),
         count_of(dearest.tests, "test"), count_of(dearest.introductions, "change"),

@@ -1,4 +1,5 @@
-// A lower bound on the cost of introductions, counted by the dearest parts: for one list of set-ups
+// A lower bound on the cost of introductions, counted by the most expensive parts: for one list of
+// set-ups
 // or several.
 //
 // Proof. Let n lists with T set-ups in total test every needed pair of parts of F (those that do
@@ -21,7 +22,8 @@
 //   (e) i_x ≥ 1 and, in a cheapest plan with the fewest introductions, i_x ≤ d_x, unless slots need
 //       parts; each step introduces something.
 //
-// Each of these bounds I_X from below, given T and I. Let X_t be the t dearest parts and S_t their
+// Each of these bounds I_X from below, given T and I. Let X_t be the t most expensive parts and S_t
+// their
 // introductions. With decreasing prices, the cost Σ c_x·i_x is Σ_t (c_t − c_{t+1})·S_t. It is least
 // where every S_t is as small as (a) to (e) allow: the bound is the minimum over T and I.
 #pragma once

@@ -130,7 +130,7 @@ void raise_by_steps(const Job& job, const std::string& least_known, CostBound& b
   if (least.dear) {
     const bool all = least.dear->parts == job.names.size();
     dear = fmt::format(", {}{} at least {} in all{}",
-                       all ? "" : fmt::format("the {} dearest ", least.dear->parts),
+                       all ? "" : fmt::format("the {} most expensive ", least.dear->parts),
                        model ? "values are set" : "parts are put in",
                        count_of(least.dear->times, "time"), all ? "" : ", whatever the others do");
   }

@@ -25,7 +25,7 @@ void StepProgram::set_walks(const Job& job, const JobNumbers& n) {
   }
 }
 
-// Theorem 28, (2): for the dearest parts, one more than what they come.
+// Theorem 28, (2): for the most expensive parts, one more than how often they come.
 bool StepProgram::add_dearest() {
   constexpr std::uint64_t most_states = 10'000;
   constexpr double slightly = 1e-6;

@@ -36,7 +36,7 @@ struct ExchangePrices {
   std::vector<Entry> entries;
 };
 
-/// So many of the dearest parts come so often in all, those at the start not counted.
+/// The `parts` most expensive parts come `times` times in all, those at the start not counted.
 struct DearTimes {
   std::size_t parts = 0;
   std::uint64_t times = 0;
@@ -124,7 +124,7 @@ class StepProgram {
     std::int64_t least = 0;
   };
 
-  // The dearest parts; `open` as long as it may be proved that they come more often.
+  // The most expensive parts; `open` as long as it may be proved that they come more often.
   struct Dearest {
     std::vector<std::size_t> parts = {};
     DearWalk walk = {};

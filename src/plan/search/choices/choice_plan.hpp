@@ -54,8 +54,8 @@ namespace changeover {
 ///      where p or q changes: these are c_p + c_q − 1 pieces, one fewer for each step in which both
 ///      do, and at least g². For all two parameters together, (k−1)·I − C(k,2) − Σ C(x_i, 2) ≥
 ///      g²·C(k,2). The sum over the steps is least if the N−1 numbers x_i differ by one at most. So
-///      I is at least the least number for which this holds. Each number g ≥ 4 of values is a set
-///      of its own, of three parameters or more, at its lowest price; in (6) each of these sets
+///      I is at least the least number for which this holds. Each number g ≥ 4 of values is a
+///      separate set, of three parameters or more, at its lowest price; in (6) each of these sets
 ///      costs at least that, or what (4) and (5) say of it, beyond one stay for each value.
 void improve_choice_bound(const Job& job, CostBound& bound, std::string& known);
 

@@ -7,7 +7,8 @@
 // The moves of plan/search/anneal/anneal.cpp have the same names but work differently: there the
 // effect of a move on one list of pairs is computed first; here a move is made, evaluated by the
 // objective, and undone if it is refused. On one list of pairs that makes less than half of the
-// moves in the same time, and dearer lists (bench/README.md, Run sheets against plain annealing).
+// moves in the same time, and lists that cost more (bench/README.md, Run sheets against plain
+// annealing).
 #pragma once
 
 #include <chrono>

@@ -32,7 +32,7 @@ class BenchCalendar {
   [[nodiscard]] const std::string& unit() const { return unit_; }
   /// Whether a working bench has hours per day: otherwise times are not shown as days.
   [[nodiscard]] bool has_days() const { return has_days_; }
-  /// The day, from 1, on which something begins that begins at this time.
+  /// The day, counted from 1, that contains this time as the begin of a test.
   [[nodiscard]] std::uint64_t day(Amount begin) const;
   /// The day on which something ends that ends at this time: at the end of a day, this day.
   [[nodiscard]] std::uint64_t last_day(Amount end) const;

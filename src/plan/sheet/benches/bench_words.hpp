@@ -27,8 +27,8 @@ namespace changeover {
 /// The summary of a plan, one line per fact.
 [[nodiscard]] std::vector<std::string> bench_summary(const BenchDocument& document);
 
-/// The properties of a bench: "8 hours a day", "mounted at the start: A, B"; empty if it has none
-/// of its own.
+/// The properties of a bench: "8 hours a day", "mounted at the start: A, B"; empty if it has no
+/// separate properties.
 [[nodiscard]] std::vector<std::string> bench_facts(const BenchDocument& document,
                                                    std::size_t bench);
 

@@ -44,9 +44,9 @@ Counted counted(const Job& job, const std::vector<Block>& setups) {
 }
 
 void expect_counted(const Job& job, const Sequence& s, const char* what) {
-  const Counted anew = counted(job, s.setups());
-  ASSERT_EQ(s.cost(), anew.cost) << what;
-  ASSERT_EQ(static_cast<std::int64_t>(s.uncovered()), anew.uncovered) << what;
+  const Counted recount = counted(job, s.setups());
+  ASSERT_EQ(s.cost(), recount.cost) << what;
+  ASSERT_EQ(static_cast<std::int64_t>(s.uncovered()), recount.uncovered) << what;
 }
 
 TEST(Sequence, SaysBeforehandWhatAMoveAddsAndCountsItAfterwards) {

@@ -195,8 +195,8 @@ TEST(Benches, OfAThousandPartsEndSoonAfterTheirTime) {
   const auto begin = std::clock();
   RunControl control({.time = std::chrono::seconds(1)});
   const BenchPlan plan = make_bench_plan(job, {.benches = 3}, control);
-  // Some 1.3 s of the processor; 200 s for four benches with room for ten when each test had a
-  // sheet of its own.
+  // Some 1.3 s of the processor; 200 s for four benches with room for ten when each test had its
+  // own sheet.
   constexpr double most_seconds = 30;
   EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, most_seconds);
   EXPECT_EQ(plan.pairs_tested, parts * (parts - 1) / 2);

@@ -19,7 +19,7 @@ SharedParts all_meet(std::size_t parts, std::uint64_t room) {
   return shared;
 }
 
-// The least cost of the dearest bench, by all ways.
+// The least cost of the most expensive bench, over all ways.
 Amount by_all_ways(const SharedParts& shared, std::size_t benches) {
   const std::size_t v = shared.costs.size();
   std::vector<std::uint32_t> given(v, 1);

@@ -407,10 +407,12 @@ TEST(BenchStock, DefectsAreSaid) {
   benches[1].without = {2};
   benches[0].without = {2};
   EXPECT_THAT(bench_defects(job, benches),
-              Contains("1 and 3 must meet, but no bench can hold both in one set-up"));
+              Contains("1 and 3 must meet, but no bench can hold both in one set-up; let a bench "
+                       "have both"));
   benches[0].without = {3};
   EXPECT_THAT(bench_defects(job, benches),
-              Contains("3 and 4 must meet, but no bench can hold both in one set-up"));
+              Contains("3 and 4 must meet, but no bench can hold both in one set-up; let a bench "
+                       "have both"));
   benches[1].down = true;
   benches[0].without = {};
   EXPECT_THAT(bench_defects(job, benches), IsEmpty());

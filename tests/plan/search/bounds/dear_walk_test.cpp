@@ -76,7 +76,8 @@ TEST(DearWalk, ProvesNoMoreThanTheLeastOfSmallJobs) {
   EXPECT_GT(attained, looked * 9 / 10);
 }
 
-// Four slots of one place: one dear part in each of the first two, three in each of the others, of
+// Four slots of one place: one expensive part in each of the first two, three in each of the
+// others, of
 // which three pairs must not meet, and one that costs nothing in each.
 Job staircase() {
   Job job = make_job(12, 4, Amount{}, Amount{});
@@ -105,7 +106,7 @@ TEST(DearWalk, CountsWhatPairsOfSlotsDoNot) {
   bound.tests = 1;
   raise_by_steps(job, "at least 1 test", bound);
   EXPECT_EQ(to_string(bound.cost), "10");
-  EXPECT_NE(bound.reason.find("the 8 dearest parts are put in at least 10 times in all"),
+  EXPECT_NE(bound.reason.find("the 8 most expensive parts are put in at least 10 times in all"),
             std::string::npos)
       << bound.reason;
   RunControl control({.threads = 1});

@@ -66,11 +66,11 @@ TEST_F(Rises, AreWhatMovesChange) {
         job.weights.set(x, y, Amount{(1 + random.below(5)) * 500'000ULL});
       });
     }
-    Job dearer = job;
-    for (Amount& cost : dearer.change_costs) {
+    Job costlier = job;
+    for (Amount& cost : costlier.change_costs) {
       cost += Amount{1'000'000};
     }
-    const std::vector<const Job*> benches{&job, &job, &dearer};
+    const std::vector<const Job*> benches{&job, &job, &costlier};
     const ListsJob question{.common = &job, .jobs = benches, .weights = weights_of(benches, 100)};
     Lists lists(question, some_lists(job, benches.size(), random));
     ASSERT_TRUE(lists.foresees());

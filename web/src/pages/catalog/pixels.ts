@@ -11,7 +11,7 @@ export class Pixels {
   private readonly canvas = document.createElement('canvas');
   private madeFor: readonly unknown[] = [];
 
-  /** Made anew where something that it depends on is new. */
+  /** Made again where something that it depends on has changed. */
   of(
     atlas: Atlas,
     paint: Paint,

@@ -13,7 +13,7 @@ export interface Coverage {
   elementsAt(event: MouseEvent): [number, number] | null;
   /** Shows what is chosen. */
   light(elements: readonly number[]): void;
-  /** Takes the colours of the theme anew. */
+  /** Reads the colours of the theme again. */
   recolour(): void;
 }
 

@@ -90,7 +90,7 @@ export function matrix(
     return often;
   }
 
-  /** Squares: a pixel each, enlarged. They are coloured anew where what they depend on is new. */
+  /** Squares: a pixel each, enlarged. They are recoloured where what they depend on has changed. */
   const small = document.createElement('canvas');
   small.width = small.height = v;
   const top = small.getContext('2d')!;

@@ -1,5 +1,5 @@
 // What happens from block to block: who enters, who leaves, in which slot of a memory of k, and
-// which pairs meet anew.
+// which pairs are newly covered.
 import type { Design } from '../../lib/api';
 
 /** Of how many elements first meetings are kept pair by pair; beyond, pairs are only counted. */

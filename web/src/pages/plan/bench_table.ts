@@ -31,7 +31,7 @@ export function benchTable(touched: () => void): ReturnType<typeof rowsTable<Ben
         key: 'own',
         title: 'has its own',
         label: 'Own parts of bench',
-        hint: 'Parts of which this bench has one of its own',
+        hint: 'Parts of which this bench has its own piece',
       },
       {
         key: 'mounted',

@@ -118,7 +118,7 @@ export class PlanPage {
       () => this.run!,
       (found) => {
         if (found.sheet_revision !== this.run!.sheet) {
-          void this.reopen('This run was planned anew in another window.');
+          void this.reopen('This run was replanned in another window.');
           return;
         }
         this.run = { ...this.run!, revision: found.revision };

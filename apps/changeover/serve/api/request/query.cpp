@@ -181,7 +181,7 @@ std::optional<std::uint64_t> JsonBody::number(const std::string& name) {
 std::uint64_t JsonBody::needed_number(const std::string& name) {
   const auto value = number(name);
   if (!value) {
-    throw Refusal{422, name + " is missing"};
+    throw Refusal{422, name + " is missing; add it"};
   }
   return *value;
 }

@@ -1,7 +1,7 @@
 // The tight circular DCCD(c(4k−6)+1, k, c²(4k−6)+c) for c ≤ 5: base blocks over Z_v, as printed.
 //
 // Every base block is A = {0, …, k−3} with two more elements, so A is what two of them have in
-// common; the last one holds k−2 too, and thus shares A+1 = {1, …, k−2} with the next translate of
+// common; the last one holds k−2 too, and so shares A+1 = {1, …, k−2} with the next translate of
 // the first.
 #include <fmt/format.h>
 
@@ -82,7 +82,7 @@ class CyclicPaper final : public Described<Family, description> {
  public:
   // Block number jc+i+1 is B_i + j. At position p = jc+i, 1 ≤ i ≤ c−1, B_{i−1}+j and B_i+j meet in
   // A+j; at p = jc, j ≥ 1, B_{c−1}+(j−1) and B_0+j meet in A+j, and for j = v, the end, A+v = A.
-  // Hence U_p = A + ⌊p/c⌋ for all p. With n = k−2 and v = ℓn, the intervals A+n, A+2n, …, A+ℓn
+  // So U_p = A + ⌊p/c⌋ for all p. With n = k−2 and v = ℓn, the intervals A+n, A+2n, …, A+ℓn
   // partition Z_v: they are U_{icn}, i = 1, …, ℓ, and the last one is at position b = cv (which is
   // U_0 in the paper).
   std::optional<std::vector<UnchangedSubset>> expansion_set(const Recipe& recipe,

@@ -19,7 +19,7 @@ namespace changeover {
 class IntervalFamily : public Family {
  public:
   // At position p = jc+i, 1 ≤ i < c, two blocks of a round meet in A+j; at p = jc, where
-  // B_{c−1}+(j−1) holds A+j as well, too. Hence U_p = A + ⌊p/c⌋.
+  // B_{c−1}+(j−1) holds A+j as well. So U_p = A + ⌊p/c⌋.
   std::optional<std::vector<UnchangedSubset>> expansion_set(const Recipe& recipe,
                                                             const Registry&) const override {
     const std::uint64_t c = base_block_count(required(recipe));

@@ -188,14 +188,15 @@ class RelayedCyclic final : public Described<Entry, description> {
         !could_be(p, static_cast<std::uint64_t>(given->second))) {
       throw BadInput(
           "relayed-cyclic takes a circular design's parameters and t, the number of carriers at "
-          "a time");
+          "a time; correct the recipe");
     }
     const auto t = static_cast<std::uint64_t>(given->second);
     require_input(recipe, without_carriers(p, t), {{"t", given->second}});
     const auto relay = relay_of(recipe.inputs.front(), t, registry);
     if (!relay) {
       throw BadInput(
-          fmt::format("relayed-cyclic: the {} by {} is no cyclic design with {} elements or more",
+          fmt::format("relayed-cyclic: the {} by {} is not a cyclic design with {} elements or "
+                      "more; use another input",
                       changeover::name(recipe.inputs.front().parameters),
                       recipe.inputs.front().construction, 2 * t - 1));
     }
