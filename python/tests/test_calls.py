@@ -340,7 +340,7 @@ class Calls(unittest.TestCase):
                     (0, 2**64),
                 )
             ),
-            (jobs(earlier=[1]), "^earlier must be a list of paths of journals, strings, not 1$"),
+            (jobs(earlier=[1]), "^earlier has paths of journals, strings, not 1$"),
             (jobs(earlier=["a\0b"]),
              r"^earlier: 'a\\x00b' is not a file name; remove the zero byte$"),
             *(
