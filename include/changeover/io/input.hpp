@@ -96,7 +96,7 @@ struct ReadOptions {
   std::optional<std::uint64_t> change = {};
   std::optional<Kind> kind = {};
   std::optional<std::uint32_t> strength = {};
-  bool no_other = false;  ///< a file that declares another v or k is refused
+  bool no_other = false;  ///< a file that declares another of these numbers is refused
 };
 
 /// A design from outside as a stream.

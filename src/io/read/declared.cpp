@@ -133,6 +133,8 @@ Declared merged(const std::string& name, const ReadOptions& caller, const ReadOp
   };
   refuse_other("v", caller.v, file.v);
   refuse_other("k", caller.k, file.k);
+  refuse_other("change", caller.change, file.change);
+  refuse_other("strength", caller.strength, file.strength);
   Declared both{caller, caller};
   const auto take = [](auto& into, const auto& from) {
     if (!into) {

@@ -60,6 +60,7 @@ Wanted WantedRequest::read(const Parameters& p) const {
     options.v = p.v;
     options.k = p.k;
     options.change = p.change;
+    options.strength = p.strength;
     options.no_other = true;
     const Design given = read_design(contains_file, options);
     if (!given.labels().empty()) {  // --first and --last name elements by their numbers
