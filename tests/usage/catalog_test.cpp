@@ -47,6 +47,8 @@ TEST_F(CatalogUsage, Add) {
        {mine("add four.txt"), 0,
         "the best that is known of its cell has 3 blocks: 4.3.1.linear.3."},
        {with("ring.db", "add four.txt --circular"), 0, "added: 4.3.1.circular.4."},
+       {with("worse.db", "add four.txt"), 0,
+        "with 4 blocks, not the best that is known (four.txt)"},
        {with("again.db", "add four.txt"), 0, "consecutive, too: --circular adds it as circular"},
        {mine("add words.txt"), 3, "words.txt"},
        {with("fresh.db", "add three.txt same.txt"), 0,

@@ -54,6 +54,14 @@ bool closes_up(const Design& design) {
          difference(design.blocks().front(), design.blocks().back()).size() == p.change;
 }
 
+// Of a design that is no minimum, what is true of its cell.
+std::string_view status_of(const Arrival& arrival) {
+  const std::uint64_t b = arrival.entry.b;
+  const bool is_beaten =
+      (arrival.before && arrival.before->b < b) || (arrival.built && *arrival.built < b);
+  return is_beaten ? "not the best that is known" : arrival.entry.status();
+}
+
 std::string text_of(const Arrival& arrival) {
   const CatalogEntry& entry = arrival.entry;
   const std::string label = entry.label();
@@ -67,7 +75,7 @@ std::string text_of(const Arrival& arrival) {
         label, *arrival.same_as, path);
   }
   std::string text = fmt::format("added: {}, {} with {}, {} ({})\n", label, name(entry.parameters),
-                                 count_of(entry.b, "block"), entry.status(), path);
+                                 count_of(entry.b, "block"), status_of(arrival), path);
   if (arrival.outcome == "improved") {
     text += arrival.before
                 ? fmt::format("  the best that was known of its cell had {}: {}\n",
