@@ -75,8 +75,23 @@ TEST_F(Runs, ResultsOfASheetThatWasReplacedAreRefused) {
                 .status,
             409);
   EXPECT_EQ(run(id)["title"], "y");
-  // The sheet has one test, and it has a result.
-  EXPECT_EQ(result(id, {{"test", "9"}, {"result", "pass"}, {"sheet_revision", 3}}).status, 422);
+}
+
+TEST_F(Runs, ResultsOfTestsThatAreNotOnTheSheetAreRefused) {
+  const json sheet = {{"title", "x"}, {"tests", 17}, {"sheet", json::object()}};
+  const std::string id = keep(sheet)["id"];
+  for (const char* const test : {"99", "18", "0", "017", "North 18", "North", "1 ", "-1"}) {
+    const Reply refused = result(id, {{"test", test}, {"result", "pass"}, {"sheet_revision", 1}});
+    EXPECT_EQ(refused.status, 422) << test;
+    EXPECT_THAT(message_of(refused), HasSubstr("is not on the sheet, which has 17 tests")) << test;
+    json with = sheet;
+    with["results"] = {{{"test", test}, {"result", "pass"}}};
+    EXPECT_EQ(act(*own_, "/api/run", with.dump()).status, 422) << test;
+  }
+  for (const char* const test : {"17", "1", "North 17", "Bench 2 1"}) {
+    EXPECT_EQ(result(id, {{"test", test}, {"result", "pass"}, {"sheet_revision", 1}}).status, 200)
+        << test;
+  }
 }
 
 TEST_F(Runs, AreToldOf) {
@@ -288,7 +303,8 @@ TEST(RunsOfTwoServers, MeetInOneFile) {
   const std::string id = kept["id"];
   const auto write = [&](std::uint16_t port, const std::string& token, int from) {
     for (int i = from; i < 40; i += 2) {
-      const json body = {{"test", std::to_string(i)}, {"result", "pass"}, {"sheet_revision", 1}};
+      const json body = {
+          {"test", std::to_string(i + 1)}, {"result", "pass"}, {"sheet_revision", 1}};
       EXPECT_TRUE(eventually([&] {
         return ask(port, "POST", "/api/run/result?id=" + id,
                    {{"X-Changeover-Token", token}, {"Content-Type", "application/json"}},

@@ -65,6 +65,9 @@ Response keep_run(Explorer& explorer, const Request& sent) {
   run.tests = body.needed_number("tests");
   read_sheet(body, run);
   body.finish();
+  for (const RunResult& each : run.results) {
+    require_test(each.test, run.tests);
+  }
   return json_response(revisions_of(explorer.runs->keep(std::move(run))));
 }
 

@@ -6,6 +6,9 @@
 #include <string_view>
 
 #include "changeover/core/error.hpp"
+#include "core/parsed.hpp"
+#include "core/printable.hpp"
+#include "core/words.hpp"
 #include "io/scan/json_events.hpp"
 #include "serve/http/message.hpp"
 
@@ -125,6 +128,18 @@ RunResult result_in(JsonBody& body) {
     throw Refusal{422, "test: write which test of the sheet it is"};
   }
   return result;
+}
+
+void require_test(const std::string& test, std::uint64_t tests) {
+  const std::string_view all = test;
+  const std::string_view number = all.substr(all.rfind(' ') + 1);  // of all if there is no blank
+  const auto said = parsed<std::uint64_t>(number);
+  if (!said || *said == 0 || *said > tests || number.front() == '0') {
+    throw Refusal{422,
+                  fmt::format("test: {} is not on the sheet, which has {}; write the number of a "
+                              "test in its list",
+                              shown(test), count_of(tests, "test"))};
+  }
 }
 
 void read_sheet(JsonBody& body, KeptRun& run) {

@@ -45,6 +45,9 @@ inline constexpr std::uint64_t most_revisions = (std::uint64_t{1} << 53) - 1;
 [[nodiscard]] std::string short_text(JsonBody& body, const std::string& name);
 /// What was observed, without `at`. @throws Refusal 422
 [[nodiscard]] RunResult result_in(JsonBody& body);
+/// A test is called by its number on the sheet, behind the name of its bench if there are several.
+/// @throws Refusal 422 for a name that no test of a sheet of so many can have
+void require_test(const std::string& test, std::uint64_t tests);
 /// Sheet and results, as they are sent and kept. @throws Refusal 422
 void read_sheet(JsonBody& body, KeptRun& run);
 

@@ -190,6 +190,7 @@ KeptRun RunStore::add_result(const std::string& id, RunResult result,
   const FileLock file_lock = lock_of(path);
   KeptRun run = read(id);
   require_sheet(run, sheet_revision);
+  require_test(result.test, run.tests);
   std::erase_if(run.results, [&](const RunResult& each) { return each.test == result.test; });
   run.changed = now();
   ++run.revision;

@@ -36,7 +36,8 @@ class RunStore {
   /// MissingResource
   KeptRun keep(KeptRun run);
 
-  /// Writes down one result. @throws Refusal 404, 409, 413 as keep()
+  /// Writes down one result. @throws Refusal 404, 409, 413 as keep(), 422 for a test that is not on
+  /// the sheet
   KeptRun add_result(const std::string& id, RunResult result, std::uint64_t sheet_revision);
 
   /// @throws Refusal 404
