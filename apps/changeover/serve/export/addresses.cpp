@@ -1,5 +1,6 @@
 #include "serve/export/addresses.hpp"
 
+#include <arpa/inet.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,25 +20,49 @@ std::string time_of(const std::string& day) {
   return (day.empty() ? std::string("2026-01-01") : day) + "T00:00:00Z";
 }
 
+bool is_plain(std::string_view text) {
+  return std::ranges::all_of(text, [](char c) {
+    return is_letter(c) || is_digit(c) ||
+           std::string_view(":/.-_~%").find(c) != std::string_view::npos;
+  });
+}
+
+// "[2001:db8::1]"
+bool is_ipv6(const std::string& name) {
+  in6_addr address{};
+  return name.size() > 2 && name.ends_with(']') &&
+         ::inet_pton(AF_INET6, name.substr(1, name.size() - 2).c_str(), &address) == 1;
+}
+
+// "80", but not "0", "080" or "".
+bool is_port(const std::string& text) {
+  constexpr std::uint64_t most_port = 65'535;
+  const auto port = parsed<std::uint64_t>(text);
+  return port && *port >= 1 && *port <= most_port && text.front() != '0';
+}
+
 // @throws UsageError unless it is absolute, of http or https, without a query. `what` says what it
 // should be.
 void require_address(std::string_view option, const std::string& given, std::string_view what) {
   const bool absolute = given.starts_with("https://") || given.starts_with("http://");
   const std::size_t host = given.find("//") + 2;
-  const bool plain = std::ranges::all_of(given, [](char c) {
-    return is_letter(c) || is_digit(c) ||
-           std::string_view(":/.-_~%").find(c) != std::string_view::npos;
-  });
-  if (!absolute || !plain || given.size() <= host || given[host] == '/') {
-    throw cli::UsageError{fmt::format("{} {}: write {}", option, printable(given), what)};
+  const auto refuse = [&](const std::string& why) {
+    throw cli::UsageError{fmt::format("{} {}: {}", option, printable(given), why)};
+  };
+  const std::size_t path = absolute ? std::min(given.find('/', host), given.size()) : 0;
+  if (!absolute || !is_plain(std::string_view(given).substr(path))) {
+    refuse(fmt::format("write {}", what));
   }
-  constexpr std::uint64_t most_port = 65'535;
-  const std::string authority = given.substr(host, given.find('/', host) - host);
-  const std::size_t colon = authority.find(':');
-  if (colon != std::string::npos &&
-      parsed<std::uint64_t>(authority.substr(colon + 1)).value_or(most_port + 1) > most_port) {
-    throw cli::UsageError{fmt::format("{} {}: a port is a number up to {}; correct it", option,
-                                      printable(given), most_port)};
+  const std::string authority = given.substr(host, path - host);
+  const bool is_bracketed = authority.starts_with('[');
+  const std::size_t bracket = is_bracketed ? authority.find(']') : 0;
+  const std::size_t colon = authority.find(':', std::min(bracket, authority.size()));
+  const std::string name = authority.substr(0, colon);
+  if (is_bracketed ? !is_ipv6(name) : name.empty() || !is_plain(name)) {
+    refuse(fmt::format("write {}", what));
+  }
+  if (colon != std::string::npos && !is_port(authority.substr(colon + 1))) {
+    refuse("a port is a number from 1 to 65535; correct it");
   }
 }
 
