@@ -64,8 +64,10 @@ def of_search(time: Optional[float], threads: int, seed: int) -> Dict[str, Any]:
 
 
 def is_whole(value: Any) -> bool:
-    """Whether it is one whole number; an array of NumPy has an index, too."""
-    return hasattr(type(value), "__index__") and not hasattr(type(value), "__iter__")
+    """Whether it is one whole number: True is none, and an array of NumPy has an index, too."""
+    kind = type(value)
+    return (hasattr(kind, "__index__") and not hasattr(kind, "__iter__")
+            and not isinstance(value, bool))
 
 
 def is_data_frame(value: Any) -> bool:

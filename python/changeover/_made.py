@@ -281,7 +281,7 @@ def _bound(name: str, signature: inspect.Signature, given: tuple[Any, ...],
         try:
             bound.arguments[argument] = _fitted(signature.parameters[argument].annotation, value)
         except _Misfit as fault:
-            words = "a whole number from 1 to 4096" if argument == "threads" else fault
+            words = "a whole number from 1 on" if argument == "threads" else fault
             return f"{name}(): {argument} is {words}, not {in_a_line(value)}"
         if argument in _names_of_files:
             file_name(argument, bound.arguments[argument] or "")

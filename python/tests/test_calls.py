@@ -12,6 +12,7 @@ from fractions import Fraction
 
 import changeover
 import changeover.cluster
+from changeover.cluster import _engine
 
 
 class Kinds(unittest.TestCase):
@@ -107,6 +108,15 @@ class Calls(unittest.TestCase):
             "all_pairs(): compute is a function, not 3",
         )
         self.assertLess(len(self.said(changeover.bounds, "v" * 10_000, 4)), 120)
+
+    def test_the_limit_of_threads_is_one_number(self):
+        said = self.said(changeover.search, 9, 4, threads=-1)
+        self.assertEqual(said, "search(): threads is a whole number from 1 on, not -1")
+        with self.assertRaisesRegex(ValueError, "^threads is a number from 1 to 1024$"):
+            changeover.search(9, 4, threads=1025)
+        with self.assertRaisesRegex(changeover.BadInput, "^threads is a number from 1 to 1024$"):
+            _engine.check_team(1025, None)
+        _engine.check_team(1024, None)
 
     def test_a_call_that_is_none_has_the_names_of_the_arguments(self):
         names = "; its arguments are v, k, change, kind, strength, construction"

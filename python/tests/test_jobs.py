@@ -254,6 +254,16 @@ class Plans(unittest.TestCase):
                 self.plan(wrong, 2)
         self.assertEqual(self.plan([1, 2.5, Decimal("3"), "x"], 2).tests, 6)
 
+    def test_true_is_no_number(self):
+        with self.assertRaisesRegex(TypeError, "^parts has names, or is how many there are"):
+            self.plan(True, 2)
+        with self.assertRaisesRegex(TypeError, "^benches has names or dicts"):
+            self.plan(4, 2, benches=True)
+        with self.assertRaisesRegex(TypeError, r"^plan\(\): at_once is a whole number"):
+            self.plan(4, True)
+        with self.assertRaisesRegex(changeover.BadInput, "^slots says how many parts are in 'CPU'"):
+            self.plan(["a", "b"], 2, slots={"CPU": True}, slot_of={"a": "CPU"})
+
     def test_numbers_and_results_of_numpy_are_what_they_say(self):
         try:
             import numpy

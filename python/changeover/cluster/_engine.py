@@ -8,11 +8,12 @@ import sys
 import time
 from typing import Any, Callable, Dict, List, NamedTuple, Optional, Protocol
 
+from .. import _core
 from .._made import Progress
 from ..errors import BadInput
 from ._worker import Outcome, Part, Performer
 
-_most_threads, _most_workers = 4096, 65_536
+_most_workers = 65_536
 
 Tell = Optional[Callable[[Dict[str, Any]], object]]  # where progress goes
 
@@ -100,7 +101,7 @@ class Task:
 
 
 def check_team(threads: Optional[int], workers: Optional[int]) -> None:
-    if threads is not None and not 1 <= threads <= _most_threads:
-        raise BadInput(f"threads is a number from 1 to {_most_threads}")
+    if threads is not None and not 1 <= threads <= _core.most_threads:
+        raise BadInput(f"threads is a number from 1 to {_core.most_threads}")
     if workers is not None and not 1 <= workers <= _most_workers:
         raise BadInput(f"workers is a number from 1 to {_most_workers}")
