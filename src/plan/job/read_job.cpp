@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <map>
 #include <optional>
 #include <set>
 #include <unordered_set>
@@ -17,9 +15,12 @@
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
 #include "io/write/csv_cell.hpp"
+#include "plan/job/other_results.hpp"
 #include "plan/job/part_finder.hpp"
 #include "plan/job/setup_columns.hpp"
 #include "plan/job/setup_list.hpp"
+#include "plan/job/sheet_evidence.hpp"
+#include "plan/job/step_numbers.hpp"
 
 namespace changeover {
 namespace {
@@ -101,7 +102,11 @@ class SetupReader {
     }
     if (columns_.header && forgiving_) {
       say_what_was_taken();
-      put_in_order();
+      steps_.put_in_order(list_, header_, columns_, reader_);
+      other_results_.say(list_, header_, reader_);
+      if (evidence_) {
+        evidence_->judge(list_);
+      }
     }
     return std::move(list_);
   }
@@ -157,55 +162,6 @@ class SetupReader {
     }
   }
 
-  // Tests in the order of their steps, whatever the order of the rows: spreadsheets sort them. A
-  // row without a number belongs to the one above it. Rows of a bench keep the places of its rows.
-  void put_in_order() {
-    std::map<std::string, std::vector<std::size_t>> by_bench;
-    for (std::size_t i = 0; i < list_.rows.size(); ++i) {
-      by_bench[list_.rows[i].bench].push_back(i);
-    }
-    bool is_moved = false;
-    for (const auto& [bench, at] : by_bench) {
-      is_moved = put_in_order(at) || is_moved;
-    }
-    if (is_moved) {
-      list_.notes.push_back(fmt::format(
-          "{}: the rows are not in the order of their steps; they are taken in the order "
-          "of this column",
-          reader_.place(header_[*columns_.step])));
-    }
-  }
-
-  // The same for the rows of a bench. Returns whether it moved one. A number that occurs twice says
-  // nothing about the order.
-  bool put_in_order(const std::vector<std::size_t>& at) {
-    std::set<std::uint64_t> seen;
-    std::vector<std::pair<std::uint64_t, std::size_t>> order;
-    std::uint64_t last = 0;
-    for (const std::size_t i : at) {
-      if (const auto step = list_.rows[i].step) {
-        if (!seen.insert(*step).second) {
-          return false;
-        }
-        last = *step;
-      }
-      order.emplace_back(last, i);
-    }
-    const auto before = [](const auto& a, const auto& b) { return a.first < b.first; };
-    if (std::ranges::is_sorted(order, before)) {
-      return false;
-    }
-    std::ranges::stable_sort(order, before);
-    std::vector<DoneRow> sorted;
-    for (const auto& [step, i] : order) {
-      sorted.push_back(std::move(list_.rows[i]));
-    }
-    for (std::size_t k = 0; k < at.size(); ++k) {
-      list_.rows[at[k]] = std::move(sorted[k]);
-    }
-    return true;
-  }
-
   // Whether the first row is a header, which is then kept.
   bool is_header(const Row& row) {
     if (reader_.is_given() && row.front().line != 0) {
@@ -216,6 +172,10 @@ class SetupReader {
       header_ = row;
       check_header(header_, reader_);
       list_.places = places_of(columns_, header_, finder_);
+      other_results_.find(header_, columns_);
+      if (forgiving_ && !reader_.is_given() && !columns_.slots.empty()) {
+        evidence_.emplace(header_, columns_, reader_, finder_, at_once_);
+      }
     }
     return columns_.header;
   }
@@ -248,29 +208,29 @@ class SetupReader {
       reader_.fail(place, fmt::format("{} parts, but only {} fit at once; remove some",
                                       done.setup.size(), at_once_));
     }
+    if (evidence_) {
+      evidence_->take(row, done, [this](const std::string& name) {
+        return finder_.find_cell(name, name, names_only_);
+      });
+    }
     list_.rows.push_back(std::move(done));
   }
 
   // The columns beside the set-up.
-  void take_beside(const Row& row, DoneRow& done) const {
+  void take_beside(const Row& row, DoneRow& done) {
     const auto text_in = [&](const std::optional<std::size_t>& column) {
       return column && *column < row.size() ? text_of(row[*column].text) : std::string();
     };
     done.notes = text_in(columns_.notes);
     done.bench = text_in(columns_.bench);
     done.result = text_in(columns_.result);
-    done.step = number_in(text_in(columns_.step));
+    if (forgiving_ && columns_.header) {
+      done.step = steps_.take(row, columns_, text_in(columns_.step), reader_);
+      other_results_.check(row, done, header_, columns_, reader_);
+    }
     if (result_of(done.result) == TestResult::unread) {
       done.unread = reader_.place(row[*columns_.result]);
     }
-  }
-
-  // A whole number; nothing for any other text.
-  [[nodiscard]] static std::optional<std::uint64_t> number_in(const std::string& text) {
-    std::uint64_t number = 0;
-    const char* const end = text.data() + text.size();
-    const auto [rest, failure] = std::from_chars(text.data(), end, number);
-    return failure == std::errc() && rest == end ? std::optional(number) : std::nullopt;
   }
 
   // A row without a header: all fields are parts.
@@ -369,6 +329,9 @@ class SetupReader {
   bool names_only_;
   SetupColumns columns_;
   Row header_;
+  StepNumbers steps_;
+  OtherResults other_results_;
+  std::optional<SheetEvidence> evidence_;  // of a run sheet with a column for each place
   std::unordered_set<std::string> gone_;
   DoneList list_;
 };

@@ -203,7 +203,11 @@ std::optional<std::size_t> result_column(const Heads& heads, const std::vector<b
 std::optional<std::size_t> step_column(const Heads& heads, const std::vector<bool>& taken) {
   const auto ours = first_column(
       heads, taken, [](const std::string& head) { return lower_case(head) == "step"; });
-  return ours ? ours : first_column(heads, taken, heads_steps);
+  const auto meant = ours ? ours : first_column(heads, taken, heads_steps);
+  // "Nr" beside the figures of steps, which no list but a run sheet has.
+  return meant || std::ranges::none_of(heads, is_new_here)
+             ? meant
+             : first_column(heads, taken, heads_row_numbers);
 }
 
 }  // namespace changeover

@@ -225,7 +225,7 @@ TEST(SheetHeads, AreReadTheSameFromAText) {
   EXPECT_THAT(list.setups(), ElementsAre(Block{2}, Block{1}, Block{0}));
   list = read("step,slot_1,result\n2,A,\n1,B,\n1,C,\n");
   EXPECT_THAT(list.setups(), ElementsAre(Block{0}, Block{1}, Block{2}));
-  EXPECT_THAT(list.notes, IsEmpty());
+  EXPECT_THAT(list.notes, ElementsAre(HasSubstr("d.csv:4:1: step 1 is here a second time")));
   // A column of the user's own is no result unless its head says so.
   EXPECT_THAT(read("slot_1,slot_2,operator\nA,B,Meier\n").rows.front().result, "");
   // Parts in one field are no title.

@@ -107,6 +107,45 @@ RC_GTEST_PROP(SheetProperty, ResultsAreReadAsTheyWereFilledIn, ()) {
   RC_ASSERT(increasing(done.setups()) == sheet.setups);
   RC_ASSERT(each_of<std::string>(done.rows, &DoneRow::result) == results);
   RC_ASSERT(done.gone.empty());
+  RC_LOG() << csv;
+  RC_ASSERT(done.notes.empty());
+}
+
+// Without one of its columns of parts, a sheet is refused, or a note says so, or no pair is lost
+// that its steps test.
+RC_GTEST_PROP(SheetProperty, AColumnOfPartsIsNotLostWithoutAWord, ()) {
+  Sheet sheet = some_sheet();
+  sheet.job.start.clear();
+  sheet.take(sheet.setups);
+  const std::string csv = written(sheet.document(), "csv");
+  const auto without = [&](std::size_t column) {
+    std::string text;
+    const auto input = input_from_text(csv, "f");
+    RowReader reader(*input);
+    while (const auto row = reader.next()) {
+      for (std::size_t i = 0; i < row->size(); ++i) {
+        text += i == column ? "" : csv_cell(csv_text(row->at(i).text)) + ",";
+      }
+      text += "pass\n";
+    }
+    return text;
+  };
+  const auto input = input_from_text(csv, "f");
+  RowReader reader(*input);
+  const Row head = *reader.next();
+  for (std::size_t i = 0; i < head.size(); ++i) {
+    if (!head[i].text.starts_with("slot_")) {
+      continue;
+    }
+    const std::string bad = without(i);
+    RC_LOG() << bad;
+    DoneList done;
+    if (test::accepted("f:", [&] {
+          done = read_done(*input_from_text(bad, "f"), sheet.job.names, sheet.job.room());
+        })) {
+      RC_ASSERT((!done.notes.empty() || increasing(done.setups()) == sheet.setups));
+    }
+  }
 }
 
 RC_GTEST_PROP(SheetProperty, ADamagedWorkbookIsRefusedOrSaysTheSame,

@@ -1,0 +1,63 @@
+#include "plan/job/other_results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "core/contains.hpp"
+#include "core/printable.hpp"
+#include "plan/job/parts/heading_words.hpp"
+
+namespace changeover {
+namespace {
+
+// Remarks on results are none.
+bool heads_remarks(const std::string& head) {
+  const std::vector<std::string> words = heading_words(head);
+  return std::ranges::any_of(words, heads_reasons);
+}
+
+}  // namespace
+
+void OtherResults::find(const Row& header, const SetupColumns& columns) {
+  const auto is_taken = [&](std::size_t i) {
+    return i == columns.result || i == columns.notes || i == columns.step || i == columns.bench ||
+           i == columns.list || contains(columns.slots, i);
+  };
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (columns.result && !is_taken(i) && heads_results(header[i].text) &&
+        !heads_remarks(header[i].text)) {
+      columns_.push_back(i);
+    }
+  }
+}
+
+void OtherResults::check(const Row& row, const DoneRow& done, const Row& header,
+                         const SetupColumns& columns, const RowReader& reader) {
+  for (const std::size_t i : columns_) {
+    const TestResult said = i < row.size() ? result_of(row[i].text) : TestResult::none;
+    if (said != TestResult::pass && said != TestResult::fail) {
+      continue;
+    }
+    said_ = said_.value_or(i);
+    if (said != result_of(done.result)) {
+      const std::string& result = header[*columns.result].text;
+      reader.fail(row[i], fmt::format("{} in the column {}, but the column {} says {}; keep one "
+                                      "column of results",
+                                      shown(row[i].text), shown(header[i].text), shown(result),
+                                      done.result.empty() ? "nothing" : shown(done.result)));
+    }
+  }
+}
+
+void OtherResults::say(DoneList& list, const Row& header, const RowReader& reader) const {
+  if (said_) {
+    list.notes.push_back(
+        fmt::format("{}: the column {} is not read; it says the same as that of "
+                    "the results",
+                    reader.place(header[*said_]), shown(header[*said_].text)));
+  }
+}
+
+}  // namespace changeover

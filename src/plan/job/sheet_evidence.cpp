@@ -1,0 +1,242 @@
+#include "plan/job/sheet_evidence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "changeover/core/error.hpp"
+#include "core/contains.hpp"
+#include "core/each.hpp"
+#include "core/printable.hpp"
+#include "core/words.hpp"
+#include "io/write/csv_cell.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::string_view put_it_back =
+    "a column of parts is missing or empty: put it back, with its head";
+
+std::optional<std::size_t> column_headed(const Row& header, std::string_view word) {
+  const auto found = std::ranges::find_if(
+      header, [&](const Field& field) { return lower_case(field.text) == word; });
+  return found == header.end() ? std::nullopt
+                               : std::optional(static_cast<std::size_t>(found - header.begin()));
+}
+
+// What is chosen of n, 2 or 3; rows have few fields.
+std::uint64_t sets_of(std::uint64_t n, std::uint64_t of) {
+  const std::uint64_t pairs = n < 2 ? 0 : n * (n - 1) / 2;
+  return of == 2 ? pairs : n < 3 ? 0 : pairs * (n - 2) / 3;
+}
+
+// The first number from 1 on that none of these places has, if one with a higher number follows.
+std::optional<std::uint64_t> gap_in_numbers(const std::vector<DonePlace>& places) {
+  std::vector<std::uint64_t> numbers = each_of<std::uint64_t>(places, &DonePlace::number);
+  std::ranges::sort(numbers);
+  std::uint64_t next = 1;
+  for (const std::uint64_t number : numbers) {
+    if (number > next) {
+      return next;
+    }
+    next = number == next ? next + 1 : next;
+  }
+  return std::nullopt;
+}
+
+bool is_figure_of_pairs(const std::string& text) {
+  constexpr std::size_t most_digits = 18;
+  return !text.empty() && text.size() <= most_digits && std::ranges::all_of(text, is_digit);
+}
+
+}  // namespace
+
+SheetEvidence::SheetEvidence(const Row& header, const SetupColumns& columns,
+                             const RowReader& reader, const PartFinder& finder, std::uint64_t room)
+    : header_(&header),
+      columns_(&columns),
+      reader_(&reader),
+      finder_(&finder),
+      room_(room == ~std::uint64_t{0} ? 0 : std::min<std::uint64_t>(room, finder.size())),
+      pairs_(column_headed(header, "new_pairs")),
+      triples_(column_headed(header, "new_triples")),
+      is_used_(columns.slots.size()) {
+  if (!columns.parameters.empty()) {
+    put_in_ = column_headed(header, "set");
+  } else {
+    take_out_ = column_headed(header, "take_out");
+    put_in_ = column_headed(header, "put_in");
+  }
+  for (auto* column : {&take_out_, &put_in_, &pairs_, &triples_}) {
+    if (*column && contains(columns.slots, **column)) {
+      column->reset();
+    }
+  }
+}
+
+// The parts that a list in one field names; what is no part is nothing here.
+Block SheetEvidence::parts_in(const Row& row, std::optional<std::size_t> column,
+                              const FindPart& find) const {
+  Block parts;
+  if (!column || *column >= row.size() || row[*column].text.empty()) {
+    return parts;
+  }
+  const std::string& text = row[*column].text;
+  try {
+    for (const Field& word :
+         split_row(reader_->is_workbook() ? std::string_view(text) : csv_text(text))) {
+      if (const auto part = find(word.text)) {
+        parts.push_back(*part);
+      }
+    }
+  } catch (const BadInput&) {
+    parts.clear();  // a remark of somebody
+  }
+  return parts;
+}
+
+// More new pairs than there are pairs in the set-up.
+void SheetEvidence::doubt_figures(const Row& row, const DoneRow& done, Doubt& doubt) const {
+  const auto there = static_cast<std::uint64_t>(
+      std::ranges::count_if(done.written, [](const std::string& text) { return !text.empty(); }));
+  const auto look = [&](std::optional<std::size_t> column, std::uint64_t of,
+                        std::string_view what) {
+    if (!column || *column >= row.size() || !is_figure_of_pairs(row[*column].text) ||
+        std::stoull(row[*column].text) <= sets_of(there, of)) {
+      return;
+    }
+    doubt.is_certain = true;
+    doubt.at = row[*column];
+    doubt.what = fmt::format("{} new {}, but the {} here have only {}", row[*column].text, what,
+                             count_of(there, "part"), sets_of(there, of));
+  };
+  look(pairs_, 2, "pairs");
+  look(triples_, 3, "triples");
+}
+
+void SheetEvidence::take(const Row& row, const DoneRow& done, const FindPart& find) {
+  Doubt doubt{.line = done.line, .at = {}, .what = {}, .put_in = {}, .empty = {}};
+  for (std::size_t i = 0; i < done.written.size(); ++i) {
+    if (done.written[i].empty()) {
+      doubt.empty.push_back(i);
+    } else {
+      is_used_[i] = true;
+    }
+  }
+  doubt_figures(row, done, doubt);
+  doubt.put_in = parts_in(row, put_in_, find);
+  is_proved_ = is_proved_ || !doubt.put_in.empty();
+  const auto lost =
+      std::ranges::find_if(doubt.put_in, [&](Element x) { return !contains(done.setup, x); });
+  if (lost != doubt.put_in.end()) {
+    doubt.keeps_old = std::ranges::any_of(parts_in(row, take_out_, find),
+                                          [&](Element x) { return contains(done.setup, x); });
+    doubt.at = row[*put_in_];
+    doubt.what = fmt::format("{} is put in here, but no column of parts has it",
+                             shown(finder_->name(*lost)));
+  }
+  if (!doubt.what.empty()) {
+    doubts_.push_back(std::move(doubt));
+  }
+}
+
+// Whether nothing but a missing column explains a row: it has no part that the sheet did not plan
+// there.
+bool SheetEvidence::is_unexplained(const Doubt& doubt, const DoneList& list, std::size_t at) const {
+  const DoneRow& here = list.rows[at];
+  if (doubt.put_in.empty() || doubt.keeps_old || !here.gone.empty()) {
+    return false;
+  }
+  while (at-- > 0) {
+    const DoneRow& before = list.rows[at];
+    if (before.bench == here.bench) {
+      return std::ranges::all_of(here.setup, [&](Element x) {
+        return contains(before.setup, x) || contains(doubt.put_in, x);
+      });
+    }
+  }
+  return doubt.put_in.size() > here.setup.size();
+}
+
+// Heads of places whose numbers have a gap, and a list that has too few of them.
+void SheetEvidence::judge_heads(DoneList& list) const {
+  const auto gap = gap_in_numbers(list.places);
+  const bool has_slots =
+      std::ranges::any_of(list.places, [](const DonePlace& place) { return !place.slot.empty(); });
+  if (gap) {
+    std::size_t next = 0;  // the lowest one above the gap
+    for (std::size_t i = 1; i < list.places.size(); ++i) {
+      const std::uint64_t number = list.places[i].number;
+      if (number > *gap && (list.places[next].number < *gap || number < list.places[next].number)) {
+        next = i;
+      }
+    }
+    const Field& head = (*header_)[columns_->slots[next]];
+    // Slots that there are no more may have left one; what is put in is then all there.
+    if (!has_slots && !is_proved_) {
+      reader_->fail(head,
+                    fmt::format("a column {}, but none is called slot_{}; put that column back, or "
+                                "number the columns of parts from slot_1 on",
+                                shown(head.text), *gap));
+    }
+    list.notes.push_back(
+        fmt::format("{}: no column is called slot_{}; if it was deleted, put it back: its parts do "
+                    "not count",
+                    reader_->place(head), *gap));
+  }
+  if (!gap && !has_slots && !put_in_ && columns_->slots.size() < room_) {
+    list.notes.push_back(
+        fmt::format("{}: {} of parts, and {} fit at once; if a column is missing, put it back",
+                    reader_->place((*header_)[columns_->slots.back()]),
+                    count_of(columns_->slots.size(), "column"), room_));
+  }
+}
+
+// Every test of a model has a value of each parameter.
+void SheetEvidence::judge_parameters(DoneList& list) const {
+  const std::vector<ModelParameter>& parameters = finder_->model()->model().parameters;
+  std::vector<std::string> without;
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    if (!contains(columns_->parameters, p)) {
+      without.push_back(parameters[p].name);
+    }
+  }
+  if (!without.empty()) {
+    list.notes.push_back(fmt::format(
+        "{}: no column has the values of {}, whose pairs do not count; add one if they were set",
+        reader_->place((*header_)[columns_->slots.front()]), joined(without, shown)));
+  }
+}
+
+void SheetEvidence::judge(DoneList& list) const {
+  const Doubt* some = nullptr;
+  std::uint64_t others = 0;
+  const bool has_results = list.has_results();
+  std::map<std::uint64_t, std::size_t> by_line;
+  for (std::size_t i = 0; i < list.rows.size() && !doubts_.empty(); ++i) {
+    by_line.emplace(list.rows[i].line, i);
+  }
+  for (const Doubt& doubt : doubts_) {
+    const std::size_t at = by_line.at(doubt.line);
+    const bool is_full =
+        std::ranges::none_of(doubt.empty, [&](std::size_t i) { return is_used_[i]; });
+    if (is_full && (doubt.is_certain || is_unexplained(doubt, list, at))) {
+      reader_->fail(doubt.at, fmt::format("{}; {}", doubt.what, put_it_back));
+    }
+    if (!is_full && (!has_results || !list.rows[at].result.empty())) {
+      others += some == nullptr ? 0U : 1U;
+      some = some == nullptr ? &doubt : some;
+    }
+  }
+  if (some != nullptr) {
+    list.notes.push_back(fmt::format(
+        "{}: {}{}; what a test lacks does not count with it: write it in its column if it was "
+        "there",
+        reader_->place(some->at), some->what,
+        others == 0 ? "" : fmt::format(", as in {}", count_of(others, "other row"))));
+  }
+  columns_->parameters.empty() ? judge_heads(list) : judge_parameters(list);
+}
+
+}  // namespace changeover
