@@ -139,7 +139,9 @@ export type Job = {
   done_first?: number | null;
   /** pairs that met only in tests that did not pass count as tested, and are not needed again */
   trust_failed?: boolean | null;
-  /** parts that broke: they are left out from now on, and what was done stays done */
+  /**
+   * parts or values of a model that broke: they are left out from now on, and what was done stays done
+   */
   without?: (string | number | null)[] | null;
   /** how many benches work side by side, or a file that lists them, one per line */
   benches?:

@@ -18,6 +18,7 @@
 #include "plan/request/parts_left.hpp"
 #include "plan/request/question.hpp"
 #include "plan/request/run_workbook.hpp"
+#include "plan/request/values_left.hpp"
 #include "plan/request/whole_question.hpp"
 #include "plan/sheet/benches/bench_calendar.hpp"
 #include "plan/sheet/clock.hpp"
@@ -42,6 +43,9 @@ class JobMaker {
     ReadJob asked;
     if (question_->done.is_given()) {
       asked = done_of_job();
+      if (asked.done.empty() && misspelled_ && question_->without.empty()) {
+        throw BadInput(unknown_part_defect(misspelled_->first, misspelled_->second, names_));
+      }
     }
     if (has_benches() && !question_->pairs.is_given() && job_.triples.empty()) {
       leave_out(cannot_meet(job_, benches_), "on any bench that works");
@@ -66,29 +70,31 @@ class JobMaker {
     auto found = read(input, names_, old ? &gone : nullptr);
     if (!gone.empty()) {
       notes_.push_back(gone_note(input.name(), gone));
+      misspelled_ = misspelled_.value_or(std::pair(input.name(), gone.front()));
     }
     return found;
   }
 
   // A model is not a list, and knows its values by several names.
+  [[nodiscard]] Block called(std::string_view key, const std::vector<std::string>& words) const {
+    return question_.value_of(key, [&] {
+      return all_values_ ? parts_named(words, *all_values_) : parts_named(words, names_);
+    });
+  }
   [[nodiscard]] Block named(std::string_view key, const std::vector<std::string>& words) const {
-    return left_(question_.value_of(key, [&] {
-      return job_.model != nullptr ? parts_named(words, job_) : parts_named(words, names_);
-    }));
+    return left_(called(key, words));
   }
   PairSet pairs_of(Input& input, PairReasons* why) {
-    return job_.model != nullptr
-               ? read_pairs(input, job_, why)
-               : read_old(input, [why](Input& list, const auto& names, auto* gone) {
-                   return read_pairs(list, names, why, gone);
-                 });
+    return all_values_ ? read_pairs(input, *all_values_, why)
+                       : read_old(input, [why](Input& list, const auto& names, auto* gone) {
+                           return read_pairs(list, names, why, gone);
+                         });
   }
 
   // The parts of the list that broke.
   void take_parts_left(const std::vector<std::string>& names) {
     names_ = names;
-    const Block without =
-        question_.value_of("without", [&] { return parts_named(question_->without, names_); });
+    const Block without = called("without", question_->without);
     left_ = PartsLeft(names_.size(), without);
     if (without.empty()) {
       return;
@@ -105,7 +111,6 @@ class JobMaker {
     const JobRequest& asked = *question_;
     if (asked.model.is_given()) {
       take_model();
-      take_parts_left(job_.names);
       return;
     }
     const Amount test = *question_.amount("test_cost", asked.test_cost);
@@ -252,17 +257,22 @@ class JobMaker {
     job_ = job_of(std::move(model), test.value_or(Amount{}),
                   change.value_or(counts ? parse_amount("1") : Amount{}));
     take_unit(CostUnit::none);
-    if (!asked.change_costs.is_given()) {
-      return;
+    all_values_ = job_;
+    take_parts_left(job_.names);
+    if (asked.change_costs.is_given()) {
+      const auto costs = question_.open("change_costs", asked.change_costs);
+      const std::vector<bool> given = read_value_costs(*costs, job_);
+      for (Element x = 0; x < given.size() && !change; ++x) {
+        if (!given[x] && !left_(Block{x}).empty()) {
+          question_.refuse(
+              "change_cost",
+              fmt::format("{} has no cost in {}; give {} for values without one", job_.names[x],
+                          costs->name(), question_.with_value("change_cost")));
+        }
+      }
     }
-    const auto costs = question_.open("change_costs", asked.change_costs);
-    const std::vector<bool> given = read_value_costs(*costs, job_);
-    const auto without = std::ranges::find(given, false);
-    if (!change && without != given.end()) {
-      question_.refuse("change_cost",
-                       fmt::format("{} has no cost in {}; give {} for values without one",
-                                   job_.names[static_cast<std::size_t>(without - given.begin())],
-                                   costs->name(), question_.with_value("change_cost")));
+    if (!left_.all()) {
+      job_ = question_.value_of("without", [&] { return values_left(job_, left_); });
     }
   }
 
@@ -306,7 +316,7 @@ class JobMaker {
         notes_.push_back(fmt::format(
             "{} may fill slots that need several: {}; what is tested with one piece of a part is "
             "tested",
-            count_of(added, "further piece"), examples_of_pieces()));
+            count_of(added, "further piece"), first_names(job_.names, quantities_.size())));
       }
     }
   }
@@ -334,17 +344,6 @@ class JobMaker {
                                               question_.key("at_once"), job_.at_once,
                                               is_triple ? "triple" : "pair", least));
     }
-  }
-
-  [[nodiscard]] std::string examples_of_pieces() const {
-    constexpr std::size_t few = 3;
-    const auto first = job_.names.begin() + static_cast<std::ptrdiff_t>(quantities_.size());
-    std::string names;
-    for (auto name = first; name != job_.names.end() && name - first < std::ptrdiff_t{few};
-         ++name) {
-      names += (names.empty() ? "" : ", ") + *name;
-    }
-    return names + (job_.names.end() - first > std::ptrdiff_t{few} ? ", …" : "");
   }
 
   // The most parts that the slots hold together; a slot without a limit holds all of its parts.
@@ -376,8 +375,8 @@ class JobMaker {
     whole_.done = {};
     whole_.done_first.reset();
     whole_.diagnose = whole_.what_if = false;
-    if (!left_.all()) {  // the lists are of the remaining parts
-      whole_.without.clear();
+    if (!left_.all()) {  // the lists are of the remaining parts, but not the text of a model
+      whole_.without = all_values_ ? question_->without : std::vector<std::string>();
       whole_.mounted = names_in(job_.mounted);
       whole_.start = names_in(job_.start);
     }
@@ -547,6 +546,7 @@ class JobMaker {
     try {
       return take_done(open_done(asked.done, "done"),
                        {.names = &names_,
+                        .all_values = all_values_ ? &*all_values_ : nullptr,
                         .left = &left_,
                         .first = asked.done_first,
                         .failed = asked.trust_failed ? FailedTests::trusted : FailedTests::again,
@@ -561,11 +561,13 @@ class JobMaker {
   Question question_;
   JobRequest whole_;  // the request with its lists as rows
   Job job_;
+  std::optional<Job> all_values_;   // of a model, with those that broke
   std::vector<std::string> names_;  // of all parts of the list, and further pieces
   PartsLeft left_;                  // which of them remain
   std::vector<Bench> benches_;
   std::vector<std::uint64_t> quantities_;  // of the parts of the list, if it has them
   std::vector<std::string> notes_;
+  std::optional<std::pair<std::string, std::string>> misspelled_;  // a list, and what it names
   std::string first_tests_;
 };
 

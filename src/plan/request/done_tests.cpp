@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "core/contains.hpp"
 #include "core/each.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
@@ -15,6 +16,7 @@
 #include "plan/job/bench_list.hpp"
 #include "plan/job/part_finder.hpp"
 #include "plan/request/asked_benches.hpp"
+#include "plan/request/sheets_agree.hpp"
 
 namespace changeover {
 namespace {
@@ -201,12 +203,20 @@ class DoneTaker {
 
  private:
   void read(const std::vector<std::unique_ptr<Input>>& inputs) {
+    std::vector<DoneList> lists;
     for (const auto& input : inputs) {
-      append(list_, job_->model != nullptr
-                        ? read_done(*input, *job_)
-                        : read_done(*input, *options_->names, most_at_once(*job_, *benches_)));
+      lists.push_back(options_->all_values != nullptr
+                          ? read_done(*input, *options_->all_values)
+                          : read_done(*input, *options_->names, most_at_once(*job_, *benches_)));
+    }
+    if (!options_->all_parts_known) {
+      make_agree(inputs, lists, list_.notes);
+    }
+    for (DoneList& list : lists) {
+      append(list_, std::move(list));
     }
     leave_out(*options_->left, *options_->names, list_);
+    note_columns_that_may_lack();
     all_ = list_.rows.size();
     has_results_ = list_.has_results();
     if (options_->first.value_or(0) > all_) {
@@ -215,9 +225,33 @@ class DoneTaker {
                                   count_of(all_, "set-up")));
     }
     if (options_->all_parts_known && !list_.gone.empty()) {
-      const PartFinder finder =
-          job_->model != nullptr ? PartFinder(*job_) : PartFinder(*options_->names);
+      const PartFinder finder = options_->all_values != nullptr ? PartFinder(*options_->all_values)
+                                                                : PartFinder(*options_->names);
       throw BadInput(fmt::format("{}: {}", name_, finder.complaint(list_.gone.front())));
+    }
+  }
+
+  // Every set-up has a part in such a slot, and what stays mounted, unless that is new.
+  void note_columns_that_may_lack() {
+    const auto note = [&](const std::string& what) {
+      list_.notes.push_back(fmt::format(
+          "{}: {}; if a column was deleted, put it back: what was tested with it does not count",
+          name_, what));
+    };
+    const bool are_named = std::ranges::any_of(
+        list_.places, [](const DonePlace& place) { return !place.slot.empty(); });
+    for (const Slot& slot : job_->slots) {
+      if (are_named && job_->model == nullptr && slot.least > 0 &&
+          std::ranges::find(list_.places, slot.name, &DonePlace::slot) == list_.places.end()) {
+        note(fmt::format("no column has the parts in slot {}", slot.name));
+      }
+    }
+    for (const Element x : job_->mounted) {
+      if (!list_.places.empty() && std::ranges::none_of(list_.rows, [&](const DoneRow& row) {
+            return contains(row.setup, x);
+          })) {
+        note(fmt::format("no test has {}, which stays mounted", shown(job_->names[x])));
+      }
     }
   }
 

@@ -15,6 +15,7 @@ namespace changeover {
 /// Options for reading the list.
 struct DoneOptions {
   const std::vector<std::string>* names = nullptr;  ///< of all parts of the list
+  const Job* all_values = nullptr;                  ///< of a model: its job with all values
   const PartsLeft* left = nullptr;                  ///< which of them remain
   std::optional<std::uint64_t> first;  ///< number of its tests that were done, if given
   FailedTests failed = FailedTests::again;

@@ -83,7 +83,8 @@ std::vector<RequestOption<R>> options() {
                  "needed again",
                  &R::trust_failed),
           option("without", "A,B",
-                 "parts that can no longer be used; tests already run with them still count",
+                 "parts, or values of a model, that can no longer be used; tests already run with "
+                 "them still count",
                  &R::without),
           option("benches", "BENCHES",
                  "how many benches work side by side, or a file that lists them, one per line",
@@ -135,7 +136,7 @@ std::vector<OptionRule> rules() {
       {Says::only_with, {"weekends"}, {"first_day"}},
       {Says::never_with,
        {"parts", "items", "header", "no_header", "cost_column", "at_once", "slots", "slot",
-        "benches", "without", "weights", "shuffle"},
+        "benches", "weights", "shuffle"},
        {"model"}},
       {Says::never_with, {"what_if", "shuffle", "compact", "done_first"}, {"benches"}},
       {Says::never_with, {"weights", "shuffle"}, {"change_costs"}},

@@ -6,6 +6,7 @@
 
 #include "core/each.hpp"
 #include "plan/job/pair_numbers.hpp"
+#include "plan/job/part_finder.hpp"
 
 namespace changeover {
 
@@ -71,6 +72,14 @@ PairReasons PartsLeft::operator()(const PairReasons& reasons) const {
     }
   }
   return left;
+}
+
+std::string unknown_part_defect(const std::string& list, const std::string& gone,
+                                const std::vector<std::string>& names) {
+  const std::size_t place = gone.rfind(" (" + list);
+  const bool has_place = place != std::string::npos && gone.ends_with(')');
+  return fmt::format("{}: {}", has_place ? gone.substr(place + 2, gone.size() - place - 3) : list,
+                     PartFinder(names).complaint(has_place ? gone.substr(0, place) : gone));
 }
 
 std::string gone_note(const std::string& name, const std::vector<std::string>& gone) {

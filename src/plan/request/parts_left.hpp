@@ -53,6 +53,11 @@ class PartsLeft {
   std::size_t left_ = 0;
 };
 
+/// What is wrong with a name that was taken for that of a removed part, if none can be: "never.csv:
+/// 2:3: there is no part 'X71'; did you mean 'X710'?". It may have its place in brackets behind it.
+[[nodiscard]] std::string unknown_part_defect(const std::string& list, const std::string& gone,
+                                              const std::vector<std::string>& names);
+
 /// A note on removed parts (at least one): "sheet.csv: no longer in the parts list, and left out:
 /// A, B".
 [[nodiscard]] std::string gone_note(const std::string& name, const std::vector<std::string>& gone);

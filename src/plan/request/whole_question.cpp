@@ -145,4 +145,13 @@ RequestList value_cost_rows(const Job& job) {
   return {.rows = std::move(rows)};
 }
 
+std::string first_names(const std::vector<std::string>& names, std::size_t from) {
+  constexpr std::size_t few = 3;
+  std::string first;
+  for (std::size_t i = from; i < std::min(names.size(), from + few); ++i) {
+    first += (first.empty() ? "" : ", ") + names[i];
+  }
+  return first + (names.size() > from + few ? ", …" : "");
+}
+
 }  // namespace changeover

@@ -24,4 +24,7 @@ namespace changeover {
 /// The costs of setting values of a model, including those that depend on what is replaced.
 [[nodiscard]] RequestList value_cost_rows(const Job& job);
 
+/// The first names of a list from an index on, for a note: "DIMM #2, DIMM #3, CPU #2, …".
+[[nodiscard]] std::string first_names(const std::vector<std::string>& names, std::size_t from);
+
 }  // namespace changeover

@@ -10,6 +10,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
+#include "core/contains.hpp"
 #include "core/each.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
@@ -465,6 +466,12 @@ JobRequest with_question(JobRequest request, const RunWorkbook& book,
                     "tests on one bench");
   }
   (request.done.is_given() ? question : kept).trust_failed = trusts_failed;
+  // Values of a model that broke are in its text all the same.
+  for (const std::string& value : question.without) {
+    if (!request.without.empty() && !contains(request.without, value)) {
+      request.without.push_back(value);
+    }
+  }
   put_aside_what_does_not_fit(question, request, kept);
   complete(request, std::move(question));
   return request;

@@ -1,0 +1,173 @@
+#include "plan/request/sheets_agree.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "core/printable.hpp"
+#include "core/words.hpp"
+#include "io/scan/row_reader.hpp"
+#include "plan/request/run_workbook.hpp"
+
+namespace changeover {
+namespace {
+
+using Key = std::pair<std::string, std::uint64_t>;  // bench and step
+
+struct KnownTest {
+  std::size_t list = 0;
+  std::size_t row = 0;
+};
+
+const SheetInput* sheet_of(const Input& input) { return dynamic_cast<const SheetInput*>(&input); }
+
+// "run.xlsx:Done", or the file.
+std::string name_of_list(const Input& input) {
+  const SheetInput* const sheet = sheet_of(input);
+  return sheet == nullptr ? input.name() : input.name() + ":" + sheet->sheet();
+}
+
+bool is_done_sheet(const Input& input) {
+  const SheetInput* const sheet = sheet_of(input);
+  return sheet != nullptr && lower_case(sheet->sheet()) == lower_case(done_sheet);
+}
+
+std::string at(const Input& input, const DoneRow& row) {
+  return fmt::format("{}: row {}", name_of_list(input), row.line);
+}
+
+bool counts(const DoneRow& row) {
+  const TestResult result = result_of(row.result);
+  return row.step && result != TestResult::none && result != TestResult::not_run;
+}
+
+bool have_same_parts(const DoneRow& one, const DoneRow& other) {
+  const auto sorted = [](auto parts) {
+    std::ranges::sort(parts);
+    return parts;
+  };
+  return sorted(one.setup) == sorted(other.setup) && sorted(one.gone) == sorted(other.gone);
+}
+
+void refuse_list_of_another_job(const Input& input, const DoneList& list) {
+  const bool has_none = !list.rows.empty() && std::ranges::all_of(list.rows, [](const auto& row) {
+    return row.setup.empty();
+  });
+  if (has_none) {
+    throw BadInput(fmt::format(
+        "{}: none of its parts is in the parts list; give the tests of this job{}",
+        name_of_list(input), sheet_of(input) == nullptr ? "" : ", or delete the sheet"));
+  }
+}
+
+class Agreement {
+ public:
+  Agreement(const std::vector<std::unique_ptr<Input>>& inputs, std::vector<DoneList>& lists,
+            std::vector<std::string>& notes)
+      : inputs_(&inputs), lists_(&lists), notes_(&notes) {}
+
+  void make() {
+    for (std::size_t i = 0; i < lists_->size(); ++i) {
+      std::map<Key, KnownTest> here;
+      for (std::size_t k = 0; k < lists_->at(i).rows.size(); ++k) {
+        const DoneRow& row = lists_->at(i).rows[k];
+        if (!counts(row)) {
+          continue;
+        }
+        const Key key{lower_case(row.bench), *row.step};
+        const auto known = known_.find(key);
+        if (known != known_.end()) {
+          compare(known->second, {i, k});
+        }
+        here.emplace(key, KnownTest{i, k});
+      }
+      known_.merge(here);
+    }
+    drop_doubles();
+  }
+
+ private:
+  [[nodiscard]] const DoneRow& row_of(const KnownTest& test) const {
+    return lists_->at(test.list).rows[test.row];
+  }
+  [[nodiscard]] const Input& input_of(const KnownTest& test) const {
+    return *inputs_->at(test.list);
+  }
+
+  void compare(const KnownTest& before, const KnownTest& now) {
+    const DoneRow& one = row_of(before);
+    const DoneRow& other = row_of(now);
+    if (!have_same_parts(one, other)) {
+      differ(before, now);
+    } else if (result_of(one.result) != result_of(other.result)) {
+      throw BadInput(
+          fmt::format("{}: step {} has the result {}, but {} in row {} of {}; correct "
+                      "one, or delete that row",
+                      at(input_of(now), other), *other.step, shown(other.result), shown(one.result),
+                      one.line, name_of_list(input_of(before))));
+    } else {
+      doubles_.push_back(before);
+    }
+  }
+
+  // A list of earlier tests may have numbers of its own; two run sheets may not.
+  void differ(const KnownTest& before, const KnownTest& now) {
+    const DoneRow& one = row_of(before);
+    const DoneRow& other = row_of(now);
+    const std::string what =
+        fmt::format("{}: step {} has other parts than in row {} of {}", at(input_of(now), other),
+                    *other.step, one.line, name_of_list(input_of(before)));
+    if (!is_done_sheet(input_of(before))) {
+      throw BadInput(what + "; delete the sheet that is of another plan");
+    }
+    if (!some_differ_) {
+      notes_->push_back(what + "; both count, as two tests");
+    }
+    some_differ_ = true;
+  }
+
+  // They count where they were planned, which is the later list.
+  void drop_doubles() {
+    if (doubles_.empty()) {
+      return;
+    }
+    notes_->push_back(fmt::format("{}: {} on another sheet, too, with the same result; {} once",
+                                  name_of_list(input_of(doubles_.front())),
+                                  count_of(doubles_.size(), "test is", "tests are"),
+                                  doubles_.size() == 1 ? "it counts" : "they count"));
+    std::vector<std::vector<bool>> dropped;
+    for (const DoneList& list : *lists_) {
+      dropped.emplace_back(list.rows.size(), false);
+    }
+    for (const KnownTest& test : doubles_) {
+      dropped[test.list][test.row] = true;
+    }
+    for (std::size_t i = 0; i < lists_->size(); ++i) {
+      std::size_t next = 0;
+      std::erase_if(lists_->at(i).rows,
+                    [&](const DoneRow&) { return static_cast<bool>(dropped[i][next++]); });
+    }
+  }
+
+  const std::vector<std::unique_ptr<Input>>* inputs_;
+  std::vector<DoneList>* lists_;
+  std::vector<std::string>* notes_;
+  std::map<Key, KnownTest> known_;
+  std::vector<KnownTest> doubles_;
+  bool some_differ_ = false;
+};
+
+}  // namespace
+
+void make_agree(const std::vector<std::unique_ptr<Input>>& inputs, std::vector<DoneList>& lists,
+                std::vector<std::string>& notes) {
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    refuse_list_of_another_job(*inputs[i], lists[i]);
+  }
+  Agreement(inputs, lists, notes).make();
+}
+
+}  // namespace changeover

@@ -1,0 +1,20 @@
+// Several sheets of one workbook with tests that were done: what they say of the same test.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "changeover/io/input.hpp"
+#include "changeover/plan/job.hpp"
+
+namespace changeover {
+
+/// Makes each test count once that is on two of these lists, those of the inputs, with the same
+/// bench, step and set-up; notes say so, and which steps of the sheet `Done` are other tests.
+/// O(rows · log rows). @throws BadInput, with both places, if their results differ or two run
+/// sheets have one step with different parts; for a list that has no part of the job
+void make_agree(const std::vector<std::unique_ptr<Input>>& inputs, std::vector<DoneList>& lists,
+                std::vector<std::string>& notes);
+
+}  // namespace changeover

@@ -1,0 +1,90 @@
+// Workbooks whose sheets say different things of the same test, and sheets of another job.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "changeover/core/error.hpp"
+#include "io/scan/row_reader.hpp"
+#include "plan/request/sheets_agree.hpp"
+#include "zip_files.hpp"
+
+namespace changeover::sheets_agree_test {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::vector<std::string> names{"A", "B", "C", "D"};
+
+// Lists as sheets of a book: their rows as CSV, their inputs by name.
+struct Sheets {
+  std::vector<std::unique_ptr<Input>> inputs;
+  std::vector<DoneList> lists;
+  std::vector<std::string> notes;
+
+  explicit Sheets(const std::vector<std::pair<std::string, std::string>>& sheets) {
+    for (const auto& [name, rows] : sheets) {
+      inputs.push_back(std::make_unique<SheetInput>(input_from_text("", "b.xlsx"), name));
+      lists.push_back(
+          read_done(*input_from_text("bench,step,slot_1,slot_2,result\n" + rows, "b.csv"), names));
+    }
+  }
+  Sheets& agree() {
+    make_agree(inputs, lists, notes);
+    return *this;
+  }
+  std::string fault() {
+    try {
+      agree();
+    } catch (const BadInput& bad) {
+      return bad.what();
+    }
+    return "none";
+  }
+};
+
+TEST(SheetsAgree, ATestOnTwoSheetsCountsOnce) {
+  Sheets sheets({{"Done", ",1,A,B,pass\n,2,A,C,fail\n"}, {"Run sheet", ",2,C,A,FAILED\n"}});
+  EXPECT_THAT(sheets.agree().notes,
+              ElementsAre("b.xlsx:Done: 1 test is on another sheet, too, with the same result; it "
+                          "counts once"));
+  EXPECT_THAT(sheets.lists[0].setups(), ElementsAre(Block{0, 1}));
+  EXPECT_THAT(sheets.lists[1].setups(), ElementsAre(Block{2, 0}));
+}
+
+TEST(SheetsAgree, DifferentResultsAreRefusedWithBothPlaces) {
+  EXPECT_EQ(Sheets({{"Done", ",1,A,B,pass\n"}, {"Run sheet", ",2,A,C,ok\n,1,A,B,fail\n"}}).fault(),
+            "b.xlsx:Run sheet: row 3: step 1 has the result 'fail', but 'pass' in row 2 of "
+            "b.xlsx:Done; correct one, or delete that row");
+}
+
+TEST(SheetsAgree, OneStepWithOtherPartsIsOfAnotherPlan) {
+  EXPECT_THAT(
+      Sheets({{"Run sheet", ",1,A,B,pass\n"}, {"Other", ",1,A,C,pass\n"}}).fault(),
+      AllOf(HasSubstr(
+                "b.xlsx:Other: row 2: step 1 has other parts than in row 2 of b.xlsx:Run sheet; "),
+            HasSubstr("delete the sheet that is of another plan")));
+  // Earlier tests may have numbers of their own.
+  EXPECT_THAT(Sheets({{"Done", ",1,A,B,pass\n"}, {"Run sheet", ",1,A,C,pass\n"}}).agree().notes,
+              ElementsAre(HasSubstr("both count, as two tests")));
+}
+
+TEST(SheetsAgree, OnOtherBenchesWithoutResultsOrNumbersNothingIsTheSame) {
+  for (const char* row :
+       {"S,1,A,B,fail\n", "N,1,A,B,\n", "N,1,A,B,skipped\n", "N,,A,B,fail\n", "N,3,A,B,fail\n"}) {
+    Sheets sheets({{"Done", "N,1,A,B,pass\n"}, {"Run sheet", row}});
+    EXPECT_THAT(sheets.agree().notes, IsEmpty()) << row;
+    EXPECT_EQ(sheets.lists[0].rows.size(), 1U);
+  }
+}
+
+TEST(SheetsAgree, ASheetWithoutAnyPartOfTheJobIsRefused) {
+  EXPECT_EQ(Sheets({{"Run sheet", ",1,A,B,pass\n"}, {"Old", ",1,X,Y,pass\n"}}).fault(),
+            "b.xlsx:Old: none of its parts is in the parts list; give the tests of this job, or "
+            "delete the sheet");
+  EXPECT_EQ(Sheets({{"Run sheet", ",1,A,B,pass\n"}, {"Old", ",5,X,A,pass\n"}}).fault(), "none");
+}
+
+}  // namespace
+}  // namespace changeover::sheets_agree_test
