@@ -57,9 +57,9 @@ class Plans(unittest.TestCase):
         )
         plans = [
             changeover.plan(list("abcd"), slots={"CPU": room, "disk": 1}, **asked).steps
-            for room in (1, True, One(), (1, One()), iter([1, 1]))
+            for room in (1, One(), (1, One()), iter([1, 1]))
         ]
-        self.assertEqual(plans, plans[:1] * 5)
+        self.assertEqual(plans, plans[:1] * 4)
 
     def test_slots_are_kept(self):
         slot_of = {"P1": "CPU", "P2": "CPU", "P3": "CPU", "D1": "disk", "D2": "disk", "D3": "disk"}

@@ -91,7 +91,7 @@ Block SheetEvidence::parts_in(const Row& row, std::optional<std::size_t> column,
       }
     }
   } catch (const BadInput&) {
-    parts.clear();  // a remark of somebody
+    parts.clear();  // a remark of the user
   }
   return parts;
 }

@@ -22,7 +22,7 @@ class SheetEvidence {
   using FindPart = std::function<std::optional<Element>(const std::string&)>;
 
   /// Of a sheet with one part in each column; the header and the finder must outlive this. `room`
-  /// is the most parts that a set-up can have; the highest number if nobody knows.
+  /// is the most parts that a set-up can have; the highest number if it is not known.
   SheetEvidence(const Row& header, const SetupColumns& columns, const RowReader& reader,
                 const PartFinder& finder, std::uint64_t room);
 
@@ -42,7 +42,7 @@ class SheetEvidence {
     std::string what;  // "'C' is put in here, but …"
     Block put_in;
     bool is_certain = false;  // so few parts cannot have so many new pairs
-    bool keeps_old = false;   // a part that is taken out is still there: somebody changed the row
+    bool keeps_old = false;   // a part that is taken out is still there: the user changed the row
     std::vector<std::size_t> empty;  // indices of its empty columns
   };
 
