@@ -56,22 +56,23 @@ test('a click opens a cell, hovering says what it is, a drag pans', async (explo
 test('zooming changes the window, the table and the link', async (explorer) => {
   const page = await explorer.open('#/catalog');
   assert.equal(params(page).get('v'), null);
-  const all = Number((await page.locator('.filter-says strong').textContent()).replace(/\D/g, ''));
+  const inSight = async () =>
+    Number((await page.locator('.totals strong').first().textContent()).replace(/\D/g, ''));
+  const all = await inSight();
   assert.ok(all > 5000);
+  assert.equal(await page.locator('.filter-says').textContent(), '', 'said once');
   await map(page).focus();
   for (let i = 0; i < 6; ++i) {
     await page.keyboard.press('+');
   }
   await page.waitForURL(/v=\d+\.\.\d+/);
   await page.waitForFunction(
-    (n) =>
-      Number(document.querySelector('.filter-says strong').textContent.replace(/\D/g, '')) < n / 10,
+    (n) => Number(document.querySelector('.totals strong').textContent.replace(/\D/g, '')) < n / 10,
     all,
   );
   await page.keyboard.press('0');
   await page.waitForFunction(
-    (n) =>
-      Number(document.querySelector('.filter-says strong').textContent.replace(/\D/g, '')) === n,
+    (n) => Number(document.querySelector('.totals strong').textContent.replace(/\D/g, '')) === n,
     all,
   );
   await page.getByRole('button', { name: 'Zoom in' }).click();
@@ -166,7 +167,7 @@ test('another change number, kind, strength and range are another table', async 
   await page.getByLabel('Kind').selectOption('linear');
   await page.getByLabel('k, block size').fill('4..5');
   await page.getByLabel('k, block size').press('Enter');
-  await page.locator('.filter-says', { hasText: /^5\d cells in sight/ }).waitFor();
+  await page.locator('.totals li', { hasText: /^5\d cells/ }).waitFor();
   assert.deepEqual(
     [...new Set(await page.locator('table.cells tbody tr td:nth-child(2)').allTextContents())],
     ['4', '5'],
@@ -177,6 +178,19 @@ test('another change number, kind, strength and range are another table', async 
   assert.equal(params(page).get('kind'), 'linear');
   await page.getByLabel('Covers').selectOption('3');
   await page.locator('table.cells a[href*="strength=3"]').first().waitFor();
+});
+
+test('of triples few designs are known: the first that is read has one', async (explorer) => {
+  const page = await explorer.open('#/catalog?strength=3');
+  await page.locator('.readout', { hasText: /blocks\d/ }).waitFor();
+  await page.getByText(/A design is known for \d+ of these 340 cells/).waitFor();
+  await page.getByRole('button', { name: 'Show only those with a design' }).click();
+  await page.locator('.filter-says', { hasText: 'in sight: with a design' }).waitFor();
+  const blocks = await page
+    .locator('table.cells tbody tr td:nth-child(3)')
+    .evaluateAll((cells) => cells.map((cell) => cell.textContent));
+  assert.ok(blocks.length > 30 && blocks.every((b) => /^\d+$/.test(b)), blocks.join());
+  assert.equal(await page.getByLabel('Status').inputValue(), 'known');
 });
 
 test('where no design is known the map has the bound, and the page says so', async (explorer) => {

@@ -52,6 +52,35 @@ test('the player is moved by keys, and its block is in the link', async (explore
   await page.getByRole('button', { name: 'Play' }).waitFor();
 });
 
+test('a design of strength 3 is told in triples', async (explorer) => {
+  const page = await explorer.open(
+    '#/design?v=8&k=5&change=2&kind=circular&strength=3&show=steps&at=8',
+  );
+  await page.locator('.met', { hasText: '56 of 56 triples have met (100 %)' }).waitFor();
+  await page.getByRole('button', { name: 'First block' }).click();
+  await page.locator('.met', { hasText: '10 of 56 triples have met' }).waitFor();
+  const [, named] = /10 triples meet for the first time here: (.*)\./.exec(
+    await page.locator('.step-words').textContent(),
+  );
+  assert.ok(
+    named.split(', ').every((triple) => /^\d\S*–\S*\d\S*–\S*\d$/.test(triple)),
+    named,
+  );
+  await page.getByText('every step and every triple was checked').waitFor();
+  assert.match(
+    await page.getByRole('link', { name: 'Its place on the map' }).getAttribute('href'),
+    /strength=3/,
+  );
+  await page.getByRole('tab', { name: 'Coverage' }).click();
+  await page.getByText('The block with which all triples').waitFor();
+  const often = await page.locator('.matrix-key tbody td.number').allTextContents();
+  assert.equal(
+    often.reduce((sum, n) => sum + Number(n), 0),
+    56,
+  );
+  await look(page, 'design-triples');
+});
+
 test('slider and number lead to a block; keys of a field stay with it', async (explorer) => {
   const page = await explorer.open('#/design?v=20&k=5&show=steps');
   await page.getByLabel('Block', { exact: true }).fill('12');

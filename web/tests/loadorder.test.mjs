@@ -27,6 +27,50 @@ test('what is missing is said', async (explorer) => {
   await look(page, 'loadorder-fault');
 });
 
+test('strip and timeline have one scale, however few or many steps there are', async (explorer) => {
+  const page = await explorer.open('#/loadorder?items=20&room=8&workers=3');
+  const tip = page.locator('.timeline .atlas-tip');
+  const canvas = page.locator('.timeline-canvas');
+  /** What the timeline has below the middle of a step of the strip. */
+  const below = async (step, steps) => {
+    const { width } = await page.locator('.timeline-strip').boundingBox();
+    await canvas.hover({ position: { x: 64 + ((step - 0.5) / steps) * (width - 72), y: 28 } });
+    return /step (\d+)/.exec(await tip.textContent())?.[1];
+  };
+  await canvas.waitFor();
+  for (const step of [1, 4, 8]) {
+    assert.equal(await below(step, 8), String(step));
+  }
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.waitForFunction(() => document.querySelector('.timeline-canvas').clientWidth < 390);
+  assert.equal(await below(8, 8), '8', 'also in a window of another size');
+  await page.setViewportSize({ width: 1280, height: 900 });
+  await page.goto(page.url().replace(/#.*/, '#/loadorder?items=64&room=16'));
+  await page.getByText(/loads in \d+ steps/).waitFor();
+  const steps = Number(
+    /in (\d+) steps/.exec(await page.getByRole('heading', { name: /loads in/ }).textContent())[1],
+  );
+  assert.equal(await below(steps, steps), String(steps));
+});
+
+test('a phone shows every item of a step', async (explorer) => {
+  const page = await explorer.open('#/loadorder?items=64&room=16&workers=3');
+  await page.setViewportSize({ width: 390, height: 844 });
+  const row = steps(page).first();
+  await row.locator('strong').waitFor();
+  await page.waitForFunction(() => document.querySelector('.virtual .line.long'));
+  const cut = await row.evaluate((line) => {
+    const words = document.createRange();
+    words.selectNodeContents(line);
+    const [text, frame] = [words, line.closest('.virtual')].map((each) =>
+      each.getBoundingClientRect(),
+    );
+    return text.right > frame.right || text.bottom > line.getBoundingClientRect().bottom + 1;
+  });
+  assert.equal(cut, false, 'the first step has all its items in sight');
+  assert.equal((await row.locator('strong').textContent()).split(' ').length, 16);
+});
+
 test('an answer that was cut short says so', async (explorer) => {
   const page = await explorer.open('#/loadorder');
   await page.getByText('independent checker').waitFor();

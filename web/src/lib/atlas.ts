@@ -25,7 +25,7 @@ export interface AtlasCell extends Selection {
 }
 
 /** C(n, t) for small t. */
-function choose(n: number, t: number): number {
+export function choose(n: number, t: number): number {
   let product = 1;
   for (let i = 0; i < t; ++i) {
     product = (product * (n - i)) / (i + 1);

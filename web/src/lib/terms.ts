@@ -1,4 +1,6 @@
 // The field's terms, a sentence each, for the place where a newcomer meets them.
+import { setsOf, setWord } from './words';
+
 export const terms = {
   v: 'number of elements',
   k: 'number of elements in a block',
@@ -19,6 +21,22 @@ export const terms = {
   occurrences: 'r_x: how many blocks contain x',
   surplus: 'e_x: number of newly covered pairs with x beyond v − 1',
 } as const;
+
+/** The same for designs of that strength: those of pairs say what they are of triples. */
+export function termsOf(strength: number): Record<keyof typeof terms, string> {
+  const set = setWord(strength);
+  const sets = setsOf(strength);
+  return strength === 2
+    ? terms
+    : {
+        ...terms,
+        valid: `every ${set} of elements is in some block, and every step changes exactly m elements`,
+        tight: `every ${set} is newly covered exactly once, so nothing is wasted`,
+        economical: `has exactly as many blocks as counting ${sets} requires`,
+        excess: `number of newly covered ${sets}, counted with repetition, beyond the number of ${sets}`,
+        surplus: `e_x: number of newly covered ${sets} with x beyond C(v − 1, ${strength - 1})`,
+      };
+}
 
 /** All terms, in the order in which a newcomer meets them. */
 export const glossary: readonly (readonly [term: string, meaning: string])[] = [

@@ -13,6 +13,12 @@ export function number(n: number): string {
     : String(n);
 }
 
+/** What must be together in a block: pairs, or more for a larger strength. */
+export function setWord(strength: number): string {
+  return ['pair', 'triple', 'quadruple'][strength - 2] ?? `${strength}-subset`;
+}
+export const setsOf = (strength: number): string => `${setWord(strength)}s`;
+
 export function changeWord(change: number): string {
   return change === 1 ? 'single-change' : change === 2 ? 'double-change' : `${change}-change`;
 }

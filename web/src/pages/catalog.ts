@@ -39,7 +39,7 @@ function linkOf(cell: AtlasCell): Record<string, string | number | null> {
 }
 
 /** What is to be said where most cells have no design; null elsewhere. */
-function whatLacks(atlas: Atlas): HTMLElement | null {
+function whatLacks(atlas: Atlas, onlyKnown: () => void): HTMLElement | null {
   const possible = atlas.cells().filter((cell) => cell.status !== 'impossible');
   const known = possible.filter((cell) => cell.b !== null).length;
   return 2 * known >= possible.length
@@ -49,8 +49,27 @@ function whatLacks(atlas: Atlas): HTMLElement | null {
         {},
         `A design is known for ${number(known)} of these ${count(possible.length, 'cell')}. ` +
           'A number in italics says how many blocks a design would have at least. ' +
-          `${isCopy() ? '' : 'Select such a cell to search for its first design.'}`,
+          `${isCopy() ? '' : 'Select such a cell to search for its first design. '}`,
+        h(
+          'button',
+          { type: 'button', class: 'as-link', onclick: onlyKnown },
+          'Show only those with a design',
+        ),
+        '.',
       );
+}
+
+/** The cell that is read before one is chosen: it has a design. */
+function firstRead(atlas: Atlas): AtlasCell | null {
+  const usual = atlas.cell(20, 5);
+  return usual && usual.b !== null
+    ? usual
+    : atlas
+        .cells()
+        .reduce<AtlasCell | null>(
+          (best, cell) => (cell.b !== null && cell.b > (best?.b ?? 0) ? cell : best),
+          null,
+        );
 }
 
 export const catalog: Page = {
@@ -192,8 +211,11 @@ export const catalog: Page = {
           written: param('number', 'b') as Written,
           passes: sift.passes(),
         });
-        fill(legend, paintOf(atlas, measure).legend);
-        fill(lacking, whatLacks(atlas));
+        fill(legend, paintOf(atlas, measure, param('number', 'b') === 'b').legend);
+        fill(
+          lacking,
+          whatLacks(atlas, () => sift.only('known')),
+        );
       }
     }
 
@@ -226,7 +248,7 @@ export const catalog: Page = {
         follow(false);
         const at = /^(\d+)\.(\d+)$/.exec(view.params.get('at') ?? '');
         // Something is there to be read from the beginning.
-        const cell = at ? atlas.cell(Number(at[1]), Number(at[2])) : (atlas.cell(20, 5) ?? null);
+        const cell = at ? atlas.cell(Number(at[1]), Number(at[2])) : firstRead(atlas);
         if (cell && cell.status !== 'impossible') {
           read(cell);
           map.mark(cell.v, cell.k);

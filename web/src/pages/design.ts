@@ -4,7 +4,7 @@ import { field, fill, h, scroll, select } from '../lib/dom';
 import { cellOfLabel, designOf, explain, isCell, type Asked } from '../lib/source';
 import { mostLooked, symmetryOf } from '../lib/symmetry';
 import { waiting } from '../lib/wait';
-import { count, nameOf } from '../lib/words';
+import { count, nameOf, setsOf, setWord } from '../lib/words';
 import { copyButton } from '../parts/copy';
 import { asText, downloads } from '../parts/downloads';
 import { askedOf } from '../parts/fields';
@@ -21,6 +21,7 @@ import { blockScale, matrixKey } from './design/matrix_key';
 import { recipePicture, savePicture } from './design/pictures';
 import { openPlayer } from './design/player';
 import { Chosen } from './design/selection';
+import { Sets } from './design/sets';
 import { Steps } from './design/steps';
 import { Stays } from '../parts/stays';
 import { timeline, type Order } from '../parts/timeline';
@@ -115,7 +116,7 @@ function verified(asked: Asked, design: Design, frozen: boolean): string {
     return 'Not verified: open it on the page Verify.';
   }
   if (!design.verdict.valid) {
-    return 'Refuted: not every pair is covered, or a step is wrong.';
+    return `Refuted: not every ${setWord(design.strength ?? 2)} is covered, or a step is wrong.`;
   }
   const when = frozen
     ? 'when this copy was written'
@@ -123,8 +124,8 @@ function verified(asked: Asked, design: Design, frozen: boolean): string {
       ? 'on the page Verify'
       : 'before it was shown';
   return (
-    `Verified ${when}: every step and every pair was checked, by code that shares nothing ` +
-    `with what made the design.`
+    `Verified ${when}: every step and every ${setWord(design.strength ?? 2)} was checked, by ` +
+    `code that shares nothing with what made the design.`
   );
 }
 
@@ -139,7 +140,11 @@ function whatNext(design: Design, frozen: boolean): HTMLElement {
     h(
       'li',
       {},
-      h('a', { href: link('catalog', { change, kind, at: `${v}.${k}` }) }, 'Its place on the map'),
+      h(
+        'a',
+        { href: link('catalog', { change, kind, strength: cell.strength, at: `${v}.${k}` }) },
+        'Its place on the map',
+      ),
     ),
     !frozen &&
       verdict?.minimum !== 'proved' &&
@@ -219,6 +224,9 @@ export const design: Page = {
         ),
     );
     const stays = new Stays(shown);
+    const sets = Sets.of(shown);
+    const strength = shown.strength ?? 2;
+    const counted = strength === 2 || sets !== null;
     const symmetry =
       shown.kind === 'circular' && b * shown.k <= mostLooked ? symmetryOf(shown) : null;
     const save = (
@@ -239,7 +247,7 @@ export const design: Page = {
         name: 'steps',
         title: 'Steps',
         draw: (panel, signal) =>
-          openPlayer(panel, steps, shown, {
+          openPlayer(panel, steps, sets, shown, {
             at: Number(view.params.get('at')) || 1,
             speed: view.params.get('speed') ?? '3',
             signal,
@@ -269,8 +277,9 @@ export const design: Page = {
               v: steps.v,
               b: steps.b,
               names: steps.names,
-              pairs: steps.pairs,
-              allPairs: steps.allPairs,
+              pairs: counted ? (sets?.met ?? steps.pairs) : null,
+              allPairs: sets?.all ?? steps.allPairs,
+              sets: setsOf(strength),
               stays,
               step: 'block',
               item: 'element',
@@ -279,7 +288,7 @@ export const design: Page = {
             orderOf(order),
             signal,
           );
-          const pairs = matrix(steps, chosen, signal, 420);
+          const pairs = matrix(steps, sets, chosen, signal, 420);
           pairs?.order(orderOf(order));
           fill(
             panel,
@@ -289,8 +298,11 @@ export const design: Page = {
               'A row for each element, a bar for each stay. Drag on the strip to choose ' +
                 'blocks, drag below to pan',
               h('span', { class: 'with-wheel' }, '; Ctrl + wheel or + and − zoom'),
-              '. A square for each pair has the colour of the block in which the pair first ' +
-                'meets; pairs that first meet in the blocks in sight are lit.',
+              sets
+                ? `. A square for each pair has the colour of the block with which all ` +
+                    `${setsOf(strength)} that have the pair have met.`
+                : '. A square for each pair has the colour of the block in which the pair first ' +
+                    'meets; pairs that first meet in the blocks in sight are lit.',
             ),
             h(
               'div',
@@ -319,7 +331,7 @@ export const design: Page = {
         name: 'coverage',
         title: 'Coverage',
         draw: (panel, signal) => {
-          const pairs = matrix(steps, chosen, signal);
+          const pairs = matrix(steps, sets, chosen, signal);
           if (!pairs) {
             fill(panel, h('p', { class: 'note' }, 'Pairs are drawn for up to 512 elements.'));
             return;
@@ -340,12 +352,13 @@ export const design: Page = {
                   view.go({ order: value === 'first' ? null : value }, { quiet: true });
                 }),
               ),
-              save('coverage', () => ({ order }), signal),
+              // The program draws pairs.
+              strength === 2 && save('coverage', () => ({ order }), signal),
               chosen.range &&
                 h(
                   'span',
                   { class: 'hint' },
-                  `Lit: pairs that first meet in blocks ${chosen.range.from} to ` +
+                  `Lit: pairs ${sets ? 'that are complete with' : 'that first meet in'} blocks ${chosen.range.from} to ` +
                     `${chosen.range.to}. `,
                   h(
                     'button',
@@ -361,7 +374,12 @@ export const design: Page = {
                   ),
                 ),
             ),
-            h('div', { class: 'pairs-and-key' }, pairs.element, matrixKey(b, pairs, signal)),
+            h(
+              'div',
+              { class: 'pairs-and-key' },
+              pairs.element,
+              matrixKey(b, pairs, sets?.t ?? 2, signal),
+            ),
           );
         },
       },
@@ -446,7 +464,7 @@ export const design: Page = {
         'h1',
         {},
         `${name[0]!.toUpperCase()}${name.slice(1)}` +
-          `${(shown.strength ?? 2) > 2 ? `, strength ${shown.strength}` : ''}: ` +
+          `${strength > 2 ? `, strength ${strength}` : ''}: ` +
           `${count(b, 'block')}`,
       ),
       h(

@@ -12,6 +12,7 @@ const meanings: Record<string, string> = {
 
 export const statuses: readonly (readonly [string, string])[] = [
   ['', 'any'],
+  ['known', 'with a design'],
   ['minimum', 'minimum'],
   ['best-known', 'best known'],
   ['open', 'open'],

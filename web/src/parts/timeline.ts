@@ -21,9 +21,11 @@ export interface TimelineData {
   v: number;
   b: number;
   names: readonly string[];
-  /** How many pairs have met after so many steps; null: not counted. */
+  /** How many pairs, or larger sets, have met after so many steps; null: not counted. */
   pairs: ArrayLike<number> | null;
   allPairs: number;
+  /** What these are called: pairs. */
+  sets: string;
   stays: Stays;
   /** What a step and an element are called. */
   step: string;
@@ -32,7 +34,10 @@ export interface TimelineData {
 
 const left = 64;
 const axis = 24;
+/** Pixels a step when one looks closest; few steps are as wide as the strip above them. */
 const widest = 40;
+/** Pixels at the beginning of a bar that say: put in here. */
+const widestMark = 14;
 
 export function timeline(
   steps: TimelineData,
@@ -54,8 +59,8 @@ export function timeline(
     class: 'timeline-strip',
     role: 'img',
     'aria-label':
-      'From the first step to the last: how many pairs have met, and the part in sight. Drag ' +
-      'to choose a part.',
+      `From the first step to the last: how many ${steps.sets} have met, and the part in sight. ` +
+      'Drag to choose a part.',
   });
   const place = h('div', { class: 'timeline-place' }, canvas, drawing.tip);
   const element = h('div', { class: 'timeline' }, strip, place);
@@ -72,7 +77,8 @@ export function timeline(
   let key = 0;
 
   const room = (): number => drawing.width - left - 8;
-  const least = (): number => Math.min(widest, room() / b);
+  const least = (): number => room() / b;
+  const begins = (): number => Math.min(widestMark, Math.max(2, scale * 0.35));
   function setOrder(next: readonly number[]): void {
     rows = [...next];
     rowOf = new Int32Array(v);
@@ -81,7 +87,7 @@ export function timeline(
   }
 
   function clamp(): void {
-    scale = Math.min(widest, Math.max(least(), scale));
+    scale = Math.max(least(), Math.min(widest, scale));
     at = Math.max(0, Math.min(b - room() / scale, at));
     top = Math.max(0, Math.min(v - (drawing.height - axis) / row, top));
   }
@@ -158,7 +164,7 @@ export function timeline(
           const long = ((to - from + 1) * scale - (scale >= 4 ? 1 : 0)) * ratio;
           put(start, long, strong ? mark : kept, faint);
           if (scale >= 3 && (from > 1 || steps.item === 'item')) {
-            put(start, Math.min(long, Math.max(2, scale * 0.35) * ratio), fresh, faint);
+            put(start, Math.min(long, begins() * ratio), fresh, faint);
           }
         }
       });
@@ -183,7 +189,7 @@ export function timeline(
         pen.fillRect(start, y, long, row - gap);
         if (scale >= 3 && (from > 1 || steps.item === 'item')) {
           paint(fresh);
-          pen.fillRect(start, y, Math.min(long, Math.max(2, scale * 0.35)), row - gap);
+          pen.fillRect(start, y, Math.min(long, begins()), row - gap);
         }
         if (row >= 12 && long >= 22) {
           pen.globalAlpha = 1;
@@ -262,7 +268,7 @@ export function timeline(
         thin.lineTo(
           left + i,
           high -
-            ((high - 4) * steps.pairs[Math.min(b, Math.round((i / room()) * b))]!) /
+            ((high - 4) * steps.pairs[Math.min(b, Math.floor((i / room()) * b) + 1)]!) /
               Math.max(1, steps.allPairs),
         );
       }
@@ -284,7 +290,7 @@ export function timeline(
     thin.fillStyle = faint;
     thin.font = `11px ${token('--text-font')}`;
     thin.textBaseline = 'middle';
-    thin.fillText('pairs', 8, high / 2 - 7);
+    thin.fillText(steps.sets, 8, high / 2 - 7);
     thin.fillText('met', 8, high / 2 + 7);
     const [from, to] = [
       left + (at / b) * room(),
@@ -408,6 +414,7 @@ export function timeline(
     if (wide === drawing.width) {
       return;
     }
+    const whole = drawing.width === 0 || scale <= least() * 1.001;
     const begun = drawing.width > 0;
     row = Math.max(2, Math.min(18, (Math.min(560, window.innerHeight * 0.6) - axis) / v));
     const high = Math.min(Math.max(600, window.innerHeight * 0.6), axis + Math.ceil(v * row) + 2);
@@ -418,6 +425,8 @@ export function timeline(
       const range = chosen.range;
       scale = range ? room() / (range.to - range.from + 1) : least();
       at = range ? range.from - 1 : 0;
+    } else if (whole) {
+      scale = least();
     }
     clamp();
     drawing.now();

@@ -449,7 +449,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
       atlas = next;
       written = how.written;
       passes = how.passes;
-      paint = paintOf(next, how.measure);
+      paint = paintOf(next, how.measure, how.written === 'b');
       if (other && drawing.width > 0) {
         lookAt(wanted ?? {});
         wanted = null;

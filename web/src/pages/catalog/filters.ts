@@ -19,6 +19,8 @@ export interface Filters {
   /** What is left, in a sentence. */
   say(left: number, all: number): void;
   offer(constructions: readonly string[]): void;
+  /** As if that status were chosen in its field. */
+  only(status: string): void;
 }
 
 export function filters(view: View, changed: () => void): Filters {
@@ -77,6 +79,7 @@ export function filters(view: View, changed: () => void): Filters {
       {
         minimum: 'minimum',
         'best-known': 'best known, not proved minimum',
+        known: 'with a design',
         open: 'without a known design',
         impossible: 'impossible',
       }[get('status')],
@@ -121,7 +124,7 @@ export function filters(view: View, changed: () => void): Filters {
         get('group'),
       ];
       return (cell) =>
-        (is === '' || cell.status === is) &&
+        (is === '' || cell.status === is || (is === 'known' && cell.b !== null)) &&
         (made === '' || cell.construction === made) &&
         (over <= 0 || (cell.gap ?? -1) >= over) &&
         (onlyTight === '' || cell.tight) &&
@@ -134,10 +137,17 @@ export function filters(view: View, changed: () => void): Filters {
       clear.hidden = !any();
       fill(
         said,
-        any()
-          ? [h('strong', {}, number(left)), ` of ${count(all, 'cell')} in sight: ${inWords()}.`]
-          : [h('strong', {}, number(all)), ` ${all === 1 ? 'cell' : 'cells'} in sight.`],
+        // Without a filter the sums below say how many there are.
+        any() && [
+          h('strong', {}, number(left)),
+          ` of ${count(all, 'cell')} in sight: ${inWords()}.`,
+        ],
       );
+    },
+    only(wanted) {
+      status.value = wanted;
+      set('status', wanted);
+      status.focus();
     },
     offer(constructions) {
       const now = get('by');

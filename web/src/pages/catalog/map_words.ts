@@ -19,7 +19,7 @@ export function say(cell: AtlasCell): string {
 export const smallest = 8.5;
 /** How wide a digit is, in heights of letters, and what is left free beside a number. */
 const digit = 0.64;
-const free = 4;
+const free = 3;
 
 /** Whether one digit has room in cells that are so wide. */
 export const mayFit = (wide: number): boolean => wide >= free + digit * smallest;
@@ -37,17 +37,11 @@ export function inCell(
   const sizeOf = (text: string): number =>
     Math.min(highest, Math.floor(((wide - free) / (text.length * digit)) * 2) / 2);
   const bound = cell.b === null && written === 'b';
-  let text =
-    written === 'b'
-      ? String(cell.b ?? cell.lower)
-      : cell.gap === null
-        ? '?'
-        : cell.gap === 0
-          ? '='
-          : `+${cell.gap}`;
-  if (bound && sizeOf(text) < smallest) {
-    text = '?';
+  if (written === 'gap' && cell.gap === null) {
+    return null;
   }
+  const text =
+    written === 'b' ? String(cell.b ?? cell.lower) : cell.gap === 0 ? '=' : `+${cell.gap}`;
   const size = sizeOf(text);
   return size < smallest ? null : { text, size, bound };
 }

@@ -37,7 +37,8 @@ function key(colour: string, words: string): HTMLElement {
 /** More constructions than this share one colour. */
 const mostHues = 10;
 
-export function paintOf(atlas: Atlas, measure: string): Paint {
+/** `bounds`: the map says how many blocks a design would have at least where none is known. */
+export function paintOf(atlas: Atlas, measure: string, bounds = true): Paint {
   const ink: Ink = {
     text: token('--text'),
     faint: token('--faint'),
@@ -53,7 +54,7 @@ export function paintOf(atlas: Atlas, measure: string): Paint {
   const minimum = key(settled, 'proved minimum');
   const lacks =
     atlas.cells().some(({ status }) => status === 'open') &&
-    key(open, 'no design known; in italics its bound');
+    key(open, `no design known${bounds ? '; in italics its bound' : ''}`);
   if (measure === 'construction') {
     const often = new Map<string, number>();
     for (const cell of atlas.cells()) {

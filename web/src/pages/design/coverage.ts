@@ -1,6 +1,8 @@
 // Which pairs have met: a square for each pair of elements, drawn on a canvas.
 import { pixelOf, token } from '../../lib/canvas';
 import { fill, h } from '../../lib/dom';
+import { setsOf } from '../../lib/words';
+import type { Sets } from './sets';
 import type { Steps } from './steps';
 
 export interface Coverage {
@@ -27,8 +29,22 @@ function colours(): Record<'ground' | 'met' | 'anew' | 'line' | 'mark', string> 
   };
 }
 
-/** Null if there are too many elements to tell their pairs apart. */
-export function coverage(steps: Steps): Coverage | null {
+/** Part of the way from one pixel to another. */
+function mixed(from: number, to: number, share: number): number {
+  let pixel = 0xff;
+  for (const bits of [16, 8, 0]) {
+    const [a, z] = [(from >>> bits) & 0xff, (to >>> bits) & 0xff];
+    pixel = (pixel << 8) | Math.round(a + (z - a) * share);
+  }
+  return pixel >>> 0;
+}
+
+/**
+ * Null if there are too many elements to tell their pairs apart. `sets`: what must meet, where it
+ * is more than pairs; a square is then as dark as the share of the sets with this pair that have
+ * met.
+ */
+export function coverage(steps: Steps, sets: Sets | null = null): Coverage | null {
   const { first, v } = steps;
   if (!first) {
     return null;
@@ -75,9 +91,16 @@ export function coverage(steps: Steps): Coverage | null {
     const [line, ground, anew, before] = [paint.line, paint.ground, paint.anew, paint.met].map(
       pixelOf,
     ) as [number, number, number, number];
-    first!.forEach((met, i) => {
-      pixels[i] = met === 0 || met > n ? ground : met === n ? anew : before;
-    });
+    if (sets) {
+      const [now, then] = [sets.metByPair(n), sets.metByPair(n - 1)];
+      now.forEach((met, i) => {
+        pixels[i] = met > then[i]! ? anew : mixed(ground, before, met / sets.withPair);
+      });
+    } else {
+      first!.forEach((met, i) => {
+        pixels[i] = met === 0 || met > n ? ground : met === n ? anew : before;
+      });
+    }
     for (let x = 0; x < v; ++x) {
       pixels[x * v + x] = line;
     }
@@ -167,7 +190,7 @@ export function coverage(steps: Steps): Coverage | null {
       light();
     },
     show(n) {
-      if (n === shown + 1 && shown > 0) {
+      if (!sets && n === shown + 1 && shown > 0) {
         block(shown, (met) => (met === shown ? paint.met : null));
         block(n, (met) => (met === n ? paint.anew : null));
       } else if (n !== shown) {
@@ -176,7 +199,8 @@ export function coverage(steps: Steps): Coverage | null {
       shown = n;
       canvas.setAttribute(
         'aria-label',
-        `Map of pairs: ${steps.pairs![n]} of ${steps.allPairs} have met after block ${n}`,
+        `Map of ${setsOf(sets?.t ?? 2)}: ${(sets?.met ?? steps.pairs!)[n]} of ` +
+          `${sets?.all ?? steps.allPairs} have met after block ${n}`,
       );
     },
     pairAt(event) {
@@ -186,6 +210,12 @@ export function coverage(steps: Steps): Coverage | null {
       }
       const [x, y] = place;
       const met = first[x * v + y]!;
+      if (sets) {
+        return (
+          `${steps.names[y]} and ${steps.names[x]}: ${sets.metByPair(shown)[x * v + y]} of the ` +
+          `${sets.withPair} ${setsOf(sets.t)} with both have met`
+        );
+      }
       return (
         `${steps.names[y]} and ${steps.names[x]}: ` +
         `${met === 0 ? 'never together' : `first together in block ${met}`}`

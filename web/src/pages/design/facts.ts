@@ -2,13 +2,15 @@
 import type { Design } from '../../lib/api';
 import { h, type Child } from '../../lib/dom';
 import { mathText } from '../../lib/mathematics';
-import { terms } from '../../lib/terms';
-import { changeWord, number } from '../../lib/words';
+import { termsOf } from '../../lib/terms';
+import { changeWord, number, setsOf } from '../../lib/words';
 import { link } from '../../shell/router';
 
 export function facts(design: Design): HTMLElement {
   const verdict = design.verdict;
   const b = design.blocks.length;
+  const strength = design.strength ?? 2;
+  const terms = termsOf(strength);
   const yes = (so: boolean, bad = false): Child =>
     h('span', { class: `badge ${so ? 'good' : bad ? 'impossible' : ''}` }, so ? 'yes' : 'no');
   const cell = link('cell', {
@@ -23,11 +25,11 @@ export function facts(design: Design): HTMLElement {
     ['block size k', number(design.k), terms.k],
     ['change number m', [number(design.change), ` (${changeWord(design.change)})`], terms.change],
     ['kind', design.kind, terms.kind],
-    ...((design.strength ?? 2) > 2
+    ...(strength > 2
       ? ([
           [
             'strength t',
-            String(design.strength),
+            `${strength} (${setsOf(strength)})`,
             'every t elements are together in some block, and not only every two',
           ],
         ] as [string, string, string][])

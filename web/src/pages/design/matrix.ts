@@ -4,16 +4,17 @@
 import { pixelOf, token } from '../../lib/canvas';
 import { inkOn, scale } from '../../lib/colours';
 import { h } from '../../lib/dom';
-import { number } from '../../lib/words';
+import { number, setsOf } from '../../lib/words';
 import { Drawing } from '../../parts/drawing';
 import { theme } from '../../shell/theme';
 import type { Chosen } from './selection';
+import type { Sets } from './sets';
 import type { Steps } from './steps';
 
 export interface Matrix {
   readonly element: HTMLElement;
   order(rows: readonly number[]): void;
-  /** How many pairs are newly covered how often, by the number of times. */
+  /** How many pairs, or larger sets, are newly covered how often, by the number of times. */
   often(): Map<number, number>;
 }
 
@@ -28,9 +29,14 @@ const margin = 52;
 /** What is left of a pixel outside of the blocks that are chosen. */
 const faintly = 0x38ffffff;
 
-/** Null if there are too many elements to keep their pairs apart. */
+/**
+ * Null if there are too many elements to keep their pairs apart. `sets`: what must meet, where it
+ * is more than pairs. Below the diagonal stands then when all sets with a pair have met, above it
+ * how often they are newly covered beyond once.
+ */
 export function matrix(
   steps: Steps,
+  sets: Sets | null,
   chosen: Chosen,
   signal: AbortSignal,
   largest = 720,
@@ -39,7 +45,7 @@ export function matrix(
   if (!first) {
     return null;
   }
-  const meet = first;
+  const meet = sets?.completeByPair() ?? first;
   const drawing = new Drawing(
     'matrix',
     'matrix',
@@ -66,7 +72,9 @@ export function matrix(
   /** How often each pair is newly covered; counted when it is first asked for. */
   let often: Uint16Array | null = null;
   function times(): Uint16Array {
-    if (!often) {
+    if (!often && sets) {
+      often = Uint16Array.from(sets.excessByPair(), (more) => more + 1);
+    } else if (!often) {
       often = new Uint16Array(v * v);
       const counts = often;
       const circular = chosen.design.kind === 'circular';
@@ -229,7 +237,7 @@ export function matrix(
         pen.textAlign = 'center';
         pen.textBaseline = 'middle';
         pen.fillText(
-          j > i ? (n === 1 ? '' : String(n)) : String(when),
+          j > i ? (n === 1 ? '' : String(sets ? n - 1 : n)) : String(when),
           px + cell / 2,
           py + cell / 2,
         );
@@ -327,6 +335,15 @@ export function matrix(
   function wordsOf(place: Place): string {
     const [x, y] = [rows[place.x]!, rows[place.y]!];
     const when = meet[x * v + y]!;
+    if (sets) {
+      const several = setsOf(sets.t);
+      const more = times()[x * v + y]! - 1;
+      return (
+        `${steps.names[y]} and ${steps.names[x]}: ` +
+        `${when === 0 ? `not all ${several} with both meet` : `all ${several} with both have met with block ${number(when)}`}` +
+        `, newly covered beyond once: ${number(more)}`
+      );
+    }
     const covered = times()[x * v + y] === 1 ? 'once' : `${times()[x * v + y]} times`;
     const met = `first together in block ${number(when)}, newly covered ${covered}`;
     return `${steps.names[y]} and ${steps.names[x]}: ${when === 0 ? 'never together' : met}`;
@@ -382,7 +399,8 @@ export function matrix(
     often() {
       const counts = times();
       const found = new Map<number, number>();
-      for (let x = 0; x < v; ++x) {
+      sets?.times.forEach((n) => found.set(n, (found.get(n) ?? 0) + 1));
+      for (let x = 0; !sets && x < v; ++x) {
         for (let y = 0; y < x; ++y) {
           const n = counts[x * v + y]!;
           found.set(n, (found.get(n) ?? 0) + 1);

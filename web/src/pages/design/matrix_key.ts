@@ -2,7 +2,7 @@
 import { colourBar } from '../../lib/canvas';
 import { scale } from '../../lib/colours';
 import { fill, h } from '../../lib/dom';
-import { number } from '../../lib/words';
+import { number, setsOf } from '../../lib/words';
 import { theme } from '../../shell/theme';
 import type { Matrix } from './matrix';
 
@@ -28,7 +28,13 @@ export function blockScale(b: number, signal: AbortSignal): HTMLElement {
   return bar;
 }
 
-export function matrixKey(b: number, pairs: Matrix, signal: AbortSignal): HTMLElement {
+export function matrixKey(
+  b: number,
+  pairs: Matrix,
+  strength: number,
+  signal: AbortSignal,
+): HTMLElement {
+  const several = setsOf(strength);
   const often = pairs.often();
   const sums = [
     often.get(0) ?? 0,
@@ -41,17 +47,39 @@ export function matrixKey(b: number, pairs: Matrix, signal: AbortSignal): HTMLEl
     'div',
     { class: 'matrix-key' },
     h('h2', {}, 'Below the diagonal'),
-    h('p', {}, 'The block in which the pair first meets.'),
+    h(
+      'p',
+      {},
+      strength === 2
+        ? 'The block in which the pair first meets.'
+        : `The block with which all ${several} that have the pair have met.`,
+    ),
     blockScale(b, signal),
     h('h2', {}, 'Above the diagonal'),
-    h('p', {}, 'How often the pair is newly covered. Once is enough: each further time is excess.'),
+    h(
+      'p',
+      {},
+      strength === 2
+        ? 'How often the pair is newly covered. Once is enough: each further time is excess.'
+        : [
+            `How often ${several} that have the pair are newly covered beyond once: the excess. `,
+            ...[
+              ['once', 'none'],
+              ['twice', 'one'],
+              ['more', 'more'],
+            ].flatMap(([name, words]) => [
+              h('span', { class: `key key-${name}` }),
+              `\u00a0${words} `,
+            ]),
+          ],
+    ),
     h(
       'table',
       {},
       h(
         'thead',
         {},
-        h('tr', {}, h('th', {}, 'newly covered'), h('th', { class: 'number' }, 'pairs')),
+        h('tr', {}, h('th', {}, 'newly covered'), h('th', { class: 'number' }, several)),
       ),
       h(
         'tbody',
@@ -64,8 +92,7 @@ export function matrixKey(b: number, pairs: Matrix, signal: AbortSignal): HTMLEl
                 h(
                   'td',
                   {},
-                  h('span', { class: `key key-${name}` }),
-                  ' ',
+                  strength === 2 && [h('span', { class: `key key-${name}` }), ' '],
                   i === 3 && most > 3 ? `${words}, up to ${number(most)} times` : words,
                 ),
                 h('td', { class: 'number' }, number(sums[i]!)),

@@ -2,10 +2,11 @@
 // so far.
 import type { Design } from '../../lib/api';
 import { fill, h, scroll, select } from '../../lib/dom';
-import { count, number } from '../../lib/words';
+import { count, number, setsOf, setWord } from '../../lib/words';
 import { busyKey } from '../../parts/fields';
 import { coverage } from './coverage';
 import type { Chosen } from './selection';
+import type { Sets } from './sets';
 import { Steps } from './steps';
 
 const speeds: readonly (readonly [string, string])[] = [
@@ -16,8 +17,8 @@ const speeds: readonly (readonly [string, string])[] = [
   ['200', '200 blocks a second'],
 ];
 
-/** More new pairs than that are not named. */
-const mostPairs = 20;
+/** More new sets than that are not named. */
+const mostSets = 20;
 /** So many blocks are seen beside each other. */
 const seen = 6;
 
@@ -31,17 +32,23 @@ interface Options {
   moved(at: number, speed: string): void;
 }
 
-/** Fills `panel` with the player. */
+/** Fills `panel` with the player. `sets`: what must meet, where it is more than pairs. */
 export function openPlayer(
   panel: HTMLElement,
   steps: Steps,
+  sets: Sets | null,
   design: Design,
   options: Options,
 ): void {
-  fill(panel, player(steps, design, options));
+  fill(panel, player(steps, sets, design, options));
 }
 
-function player(steps: Steps, design: Design, options: Options): HTMLElement {
+function player(steps: Steps, sets: Sets | null, design: Design, options: Options): HTMLElement {
+  const strength = design.strength ?? 2;
+  const [one, several] = [setWord(strength), setsOf(strength)];
+  /** How many sets have met after so many blocks; null: they are too many to be counted. */
+  const metAfter = sets?.met ?? (strength === 2 ? steps.pairs : null);
+  const all = sets?.all ?? steps.allPairs;
   const b = steps.b;
   const circular = design.kind === 'circular';
   const { chosen } = options;
@@ -51,7 +58,7 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
   let timer = 0;
   let note = 0;
 
-  const map = coverage(steps);
+  const map = coverage(steps, sets);
   const pair = h('div', { class: 'pair' }, '\u00a0');
   map?.element.addEventListener(
     'pointermove',
@@ -74,9 +81,9 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
   const around = h('tbody');
   const met = h('p', { class: 'met' });
   const bar = h('progress', {
-    max: steps.allPairs || 1,
+    max: all || 1,
     value: 0,
-    'aria-label': 'Pairs that have met',
+    'aria-label': `${several[0]!.toUpperCase()}${several.slice(1)} that have met`,
   });
   const slider = h('input', {
     type: 'range',
@@ -115,7 +122,11 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
   play.classList.remove('plain');
   play.classList.add('play');
 
-  function freshPairs(): string[] {
+  /** The sets that first meet in this block, by names. */
+  function freshSets(): string[] {
+    if (sets) {
+      return sets.fresh(at).map((set) => set.map((x) => steps.names[x]).join('–\u2060'));
+    }
     const block = [...steps.block(at)];
     return block.flatMap((x, i) =>
       block
@@ -200,7 +211,7 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
     }
     const list = (elements: number[]): string =>
       elements.map((each) => steps.names[each]).join(', ') || 'none';
-    const fresh = steps.newPairs(at);
+    const fresh = metAfter ? metAfter[at]! - metAfter[at - 1]! : null;
     fill(
       words,
       h(
@@ -232,8 +243,10 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
         h(
           'p',
           {},
-          `${count(fresh, 'pair')} ${fresh === 1 ? 'meets' : 'meet'} for the first time here`,
-          fresh > 0 && fresh <= mostPairs && steps.first ? `: ${freshPairs().join(', ')}.` : '.',
+          `${count(fresh, one)} ${fresh === 1 ? 'meets' : 'meet'} for the first time here`,
+          fresh > 0 && fresh <= mostSets && (sets || steps.first)
+            ? `: ${freshSets().join(', ')}.`
+            : '.',
         ),
     );
     if (!many) {
@@ -243,14 +256,13 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
         Array.from({ length: Math.min(seen, b) }, (_, i) => rowOf(top + i)),
       );
     }
-    if (steps.pairs) {
-      const done = steps.pairs[at]!;
+    if (metAfter) {
+      const done = metAfter[at]!;
       bar.value = done;
       fill(
         met,
         h('strong', {}, number(done)),
-        ` of ${number(steps.allPairs)} pairs have met ` +
-          `(${steps.allPairs ? Math.floor((100 * done) / steps.allPairs) : 100} %)`,
+        ` of ${number(all)} ${several} have met (${all ? Math.floor((100 * done) / all) : 100} %)`,
       );
     }
     map?.show(at);
@@ -403,9 +415,9 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
       ),
       many ? null : slots,
       words,
-      steps.pairs
+      metAfter
         ? [met, bar]
-        : h('p', { class: 'hint' }, 'There are too many elements to count pairs in a page.'),
+        : h('p', { class: 'hint' }, `There are too many ${several} to be counted in a page.`),
       many
         ? slots
         : scroll(
@@ -428,11 +440,11 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
             { class: 'hint' },
             'A square for each pair of elements. ',
             h('span', { class: 'key key-anew' }),
-            ' meets in this block, ',
+            sets ? ` in a ${one} that first meets in this block, ` : ' meets in this block, ',
             h('span', { class: 'key key-met' }),
-            ' has met, ',
+            sets ? ` all ${several} with the pair have met; paler: some, ` : ' has met, ',
             h('span', { class: 'key key-not' }),
-            ' not yet.',
+            sets ? ' none.' : ' not yet.',
             pair,
           ),
         )

@@ -183,9 +183,4 @@ export class Steps {
     }
     return { number: n, slots, ...change };
   }
-
-  /** Pairs that meet for the first time in block n. */
-  newPairs(n: number): number | null {
-    return this.pairs ? this.pairs[n]! - this.pairs[n - 1]! : null;
-  }
 }

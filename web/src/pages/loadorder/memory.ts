@@ -123,6 +123,7 @@ function drawn(
       names,
       pairs,
       allPairs: Math.max(1, pairs.at(-1)!),
+      sets: 'pairs',
       stays,
       step: 'step',
       item: 'item',

@@ -299,6 +299,11 @@ export function stepList(answer: Ordered): HTMLElement {
   const list = virtualList({
     label: `The ${number(answer.steps.length)} steps`,
     rows: answer.steps.length,
+    letters(i) {
+      const { load, evict, fast_load: come = [], fast_evict: leave = [] } = answer.steps[i]!;
+      const texts = [load, evict, come, leave].map(listed);
+      return texts.reduce((sum, { length }) => sum + (length > 0 ? length + 10 : 0), 0);
+    },
     row(i) {
       const { step, worker, load, evict, before, compute, epoch } = answer.steps[i]!;
       const { fast_load: come = [], fast_evict: leave = [] } = answer.steps[i]!;

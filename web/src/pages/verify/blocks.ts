@@ -1,11 +1,11 @@
 // The blocks in place: what is introduced and what leaves at every step, wrong steps marked, and
 // the way to them.
 import { announce, fill, h, type Child } from '../../lib/dom';
-import { count, number } from '../../lib/words';
+import { count, number, setsOf } from '../../lib/words';
 import { virtualList } from '../../parts/virtual';
 import type { View } from '../../shell/router';
 import type { Report } from './check';
-import { setsOf, wrongSteps } from './verdict';
+import { wrongSteps } from './verdict';
 
 /** What is wrong with a list too long to be shown, in words. */
 export function defects({ answer, blocks }: Report): HTMLElement {

@@ -2,19 +2,14 @@
 // element.
 import { h, type Child } from '../../lib/dom';
 import { formula, mathText } from '../../lib/mathematics';
-import { terms } from '../../lib/terms';
-import { count, nameOf, number, ratio } from '../../lib/words';
+import { termsOf } from '../../lib/terms';
+import { count, nameOf, number, ratio, setsOf } from '../../lib/words';
 import { reason } from '../../parts/recipe';
 import { virtualList } from '../../parts/virtual';
 import type { Report } from './check';
 
 /** Longer lists of elements are cut. */
 const mostNamed = 20;
-
-/** What must be together in a block: pairs, or more for a larger strength. */
-export function setsOf(strength: number): string {
-  return strength === 2 ? 'pairs' : strength === 3 ? 'triples' : 'quadruples';
-}
 
 /** Blocks (from 0) at whose step the number of changes is wrong. */
 export function wrongSteps({ blocks: { b, change, kind, introduced } }: Report): number[] {
@@ -114,6 +109,7 @@ function yes(value: boolean): string {
 /** A table of what is so, and what it means. */
 export function facts({ answer, blocks }: Report): HTMLElement {
   const { details, verdict } = answer;
+  const terms = termsOf(blocks.strength);
   const times =
     answer.valid && blocks.b > verdict.lower_bound
       ? ` (b is ${ratio(blocks.b, verdict.lower_bound)} times as much)`
@@ -175,7 +171,8 @@ export function facts({ answer, blocks }: Report): HTMLElement {
   );
 }
 
-export function elementTable({ answer }: Report): HTMLElement {
+export function elementTable({ answer, blocks: { strength } }: Report): HTMLElement {
+  const terms = termsOf(strength);
   const { elements } = answer.details;
   const head = h(
     'div',
