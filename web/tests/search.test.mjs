@@ -84,7 +84,14 @@ test('a search: started, watched, stopped; it survives reloads', async (explorer
     .getByText(/^Stopped after/)
     .waitFor();
   await page.locator('.searches .badge.stopped').waitFor();
+  await watched(page)
+    .getByRole('heading', { name: /^(No better design was found: )?\d+ blocks/ })
+    .waitFor();
   await look(page, 'search-stopped');
+  // Again means longer, from another beginning.
+  await watched(page).getByRole('link', { name: 'Search again' }).click();
+  await page.waitForURL(/seconds=600&seed=2|seed=2.*seconds=600/);
+  assert.equal(await page.getByRole('combobox', { name: 'Time' }).inputValue(), '600');
 });
 
 test('what it found opens in the viewer and is kept in the catalog', async (explorer) => {
@@ -93,10 +100,17 @@ test('what it found opens in the viewer and is kept in the catalog', async (expl
   await watched(page)
     .getByText(/^(Done|Stopped) after/)
     .waitFor({ timeout: 60_000 });
-  await watched(page).getByRole('button', { name: 'Keep in my catalog' }).click();
+  await watched(page).getByRole('button', { name: 'Add to my catalog' }).click();
+  // The result comes first, then what can be done with it.
+  const [result, open, reasons] = await Promise.all(
+    ['.watch-result', '.button[href*="design"]', '.button[href*="cell"]'].map((each) =>
+      watched(page).locator(each).boundingBox(),
+    ),
+  );
+  assert.ok(result.y < open.y && open.y === reasons.y && result.height > 30);
   const label = await watched(page).locator('a[href*="label="]').textContent();
   assert.match(label, /^12\.5\.2\.linear\.\d+\./);
-  await watched(page).getByRole('link', { name: 'Open in the viewer' }).click();
+  await watched(page).getByRole('link', { name: 'Open the design' }).click();
   await page.waitForURL(/design\?job=\d+/);
 });
 
@@ -106,7 +120,7 @@ test('exact, from base blocks, with locked sets', async (explorer) => {
   assert.ok(await page.getByRole('spinbutton', { name: 'Seed' }).isHidden());
   await begin(page, 8, 4, { change: '1', seconds: '60' });
   await watched(page)
-    .getByText(/^Done after .*minimum/)
+    .getByRole('heading', { name: /^\d+ blocks, the minimum$/ })
     .waitFor({ timeout: 60_000 });
   await watched(page).locator('.advice', { hasText: 'Nothing is left to find' }).waitFor();
   // Number by number: what was decided, how long it took, and the bound that rises with it.
@@ -134,9 +148,11 @@ test('exact, from base blocks, with locked sets', async (explorer) => {
   await page.getByRole('alert').filter({ hasText: 'first, last or expansion_set' }).waitFor();
   await page.getByLabel('In the first block').fill('0, 1');
   await begin(page, 9, 4, { change: '1' });
-  await page.getByRole('heading', { name: /locked sets$/ }).waitFor();
   await watched(page)
-    .getByText(/^Done after .*\d+ blocks/)
+    .getByText(/locked sets$/)
+    .waitFor();
+  await watched(page)
+    .getByRole('heading', { name: /^\d+ blocks/ })
     .waitFor({ timeout: 60_000 });
   await page.getByRole('combobox', { name: 'Method' }).selectOption('base-blocks');
   await begin(page, 9, 4, { change: '1', kind: 'circular' });

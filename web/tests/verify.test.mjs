@@ -254,10 +254,30 @@ test('on a phone the verdict comes into sight when it was asked for', async (exp
 test('a repair is suggested, and used', async (explorer) => {
   const page = await explorer.open('#/verify?example=steps');
   await page.getByText(/keeps \d of your 8 blocks/).waitFor({ timeout: 60_000 });
-  assert.ok((await page.locator('.repair-new').count()) > 0);
+  // What is said is what is marked, and together it is the list that was given and the new one.
+  const said = await page.locator('.repair p', { hasText: 'keeps' }).textContent();
+  const [, b, kept, had, gone, come] =
+    /with (\d+) blocks.*keeps (\d+) of your (\d+) blocks, removes (\w+) and adds (\w+)\./.exec(
+      said,
+    );
+  const figure = (word) => (word === 'none' ? 0 : Number(word));
+  assert.ok(figure(come) > 0);
+  assert.equal(await page.locator('.repair-new').count(), figure(come));
+  assert.equal(await page.locator('.repair-old').count(), figure(gone));
+  assert.equal(figure(kept) + figure(gone), figure(had));
+  assert.equal(figure(kept) + figure(come), figure(b));
   await look(page, 'verify-repair');
   await page.getByRole('button', { name: 'Use the repaired list' }).click();
   await page.getByRole('heading', { name: '✓ Valid' }).waitFor();
+});
+
+test('a repair says how many blocks it removes, and marks them', async (explorer) => {
+  const page = await explorer.open('#/verify?example=pairs');
+  await page.locator('.repair-lines').waitFor({ timeout: 60_000 });
+  const gone = await page.locator('.repair-old').count();
+  assert.ok(gone > 0);
+  await page.locator('.repair p', { hasText: `removes ${gone} and adds` }).waitFor();
+  assert.equal(await page.locator('.repair-old', { hasText: 'removed' }).count(), gone);
 });
 
 test('a design that is known is cited, with the reason of its bound', async (explorer) => {

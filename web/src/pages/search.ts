@@ -19,15 +19,7 @@ import { link, problem, type Page, type View } from '../shell/router';
 import { beginning } from './search/begin';
 import { jobList } from './search/list';
 import { watch, type Watch } from './search/watch';
-import { found } from './search/words';
-
-const times: readonly (readonly [string, string])[] = [
-  ['10', '10 seconds'],
-  ['60', '1 minute'],
-  ['600', '10 minutes'],
-  ['3600', '1 hour'],
-  ['28800', '8 hours'],
-];
+import { found, times } from './search/words';
 
 const ways: readonly (readonly [SearchWay, string, string])[] = [
   [

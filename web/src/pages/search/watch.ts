@@ -6,7 +6,7 @@ import { count, nameOf, number } from '../../lib/words';
 import { ladder } from '../../parts/ladder';
 import { plot } from '../../parts/plot';
 import { link, problem } from '../../shell/router';
-import { found, rate, seconds, size, wayWords } from './words';
+import { rate, result, seconds, size, times, wayWords } from './words';
 
 export interface Watch {
   readonly element: HTMLElement;
@@ -20,8 +20,9 @@ export interface Watch {
 const pause = 1000;
 
 export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
-  const title = h('h2', { tabindex: -1 });
-  const words = h('p', { role: 'status' });
+  const name = h('p', { class: 'watch-name' });
+  const title = h('h2', { class: 'watch-result', tabindex: -1 });
+  const words = h('p', { class: 'watch-state', role: 'status' });
   const message = h('p', { class: 'hint' });
   const progress = h('progress', { max: 1, value: 0, 'aria-label': 'Time used' });
   const said = h('p', { role: 'status' });
@@ -40,11 +41,9 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     },
     'Stop',
   );
-  const open = h(
-    'a',
-    { class: 'button plain', href: link('design', { job: id }) },
-    'Open in the viewer',
-  );
+  const open = h('a', { class: 'button', href: link('design', { job: id }) }, 'Open the design');
+  const why = h('a', { class: 'button plain' });
+  const again = h('a', { class: 'button plain' }, 'Search again …');
   const keep = h(
     'button',
     {
@@ -52,12 +51,12 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
       class: 'plain',
       onclick: () =>
         act(keep, post('search/keep', { id }, undefined, signal), ({ label, already }) => [
-          already ? 'Your catalog has it already: ' : 'Kept in your catalog: ',
+          already ? 'Your catalog has it already: ' : 'Added to your catalog: ',
           h('a', { href: link('design', { label }) }, label),
           '.',
         ]),
     },
-    'Keep in my catalog',
+    'Add to my catalog',
   );
   const chart = plot({
     label:
@@ -85,14 +84,16 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
   const element = h(
     'section',
     { class: 'watch' },
+    name,
     title,
+    words,
+    h('div', { class: 'row' }, progress, stop, open, keep, why, again),
+    said,
+    advice,
     figures,
     reached,
-    advice,
-    h('div', { class: 'row' }, progress, words, stop, open, keep),
     message,
     decided,
-    said,
     chart.element,
     speeds,
   );
@@ -303,11 +304,13 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
   function show(job: SearchJob): void {
     showDecisions(job);
     const running = job.state === 'running';
-    const name = nameOf(job);
-    title.textContent =
-      `${name[0]!.toUpperCase()}${name.slice(1)}` +
+    const whole = nameOf(job);
+    name.textContent =
+      `${whole[0]!.toUpperCase()}${whole.slice(1)}` +
       `${job.strength > 2 ? `, strength ${job.strength}` : ''}: ${wayWords[job.way]}`;
+    title.textContent = result(job);
     const known = job.best !== null && job.best === job.lower_bound;
+    element.classList.toggle('settled', known && !running);
     const states = { running: 'Running', done: 'Done', stopped: 'Stopped', failed: 'Failed' };
     const bound =
       job.lower_bound === null
@@ -315,8 +318,7 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
         : `the lower bound is ${number(job.lower_bound)}`;
     words.textContent =
       `${states[job.state]} after ${seconds(job.seconds)}` +
-      `${running ? ` of ${seconds(job.limit)}` : ''}: ` +
-      `${found(job)}${known ? '' : `; ${bound}`}.`;
+      `${running ? ` of ${seconds(job.limit)}` : ''}${known ? '' : `; ${bound}`}.`;
     // What the figures and the table say already is not said again.
     message.textContent =
       job.way === 'exact' && job.decisions.length > 0 && job.state !== 'failed'
@@ -334,8 +336,25 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     stop.hidden = !running || !mayAct;
     open.hidden = running || job.best === null;
     keep.hidden = running || job.best === null || !mayAct;
+    const { v, k, change, kind, strength, way } = job;
+    const cell = { v, k, change, kind, strength: strength === 2 ? null : strength };
+    why.href = link('cell', cell);
+    why.textContent = known
+      ? 'Why none has fewer'
+      : job.best === null
+        ? 'What is known of it'
+        : 'What is known of the gap';
+    why.hidden = running;
+    // Longer, and where chance decides from another beginning.
+    again.href = link('search', {
+      ...cell,
+      way: way === 'local' ? null : way,
+      seconds: times.find(([s]) => Number(s) > job.limit)?.[0] ?? times.at(-1)![0],
+      seed: way === 'exact' ? null : job.seed + 1,
+    });
+    again.hidden = running || known || !mayAct;
   }
-  [stop, open, keep, speeds].forEach((each) => (each.hidden = true));
+  [stop, open, keep, why, again, speeds].forEach((each) => (each.hidden = true));
   return {
     element,
     shown: points(),

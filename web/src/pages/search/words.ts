@@ -2,6 +2,15 @@
 import type { SearchJob } from '../../lib/api';
 import { count, number } from '../../lib/words';
 
+/** How long a search may take, in seconds. */
+export const times: readonly (readonly [string, string])[] = [
+  ['10', '10 seconds'],
+  ['60', '1 minute'],
+  ['600', '10 minutes'],
+  ['3600', '1 hour'],
+  ['28800', '8 hours'],
+];
+
 export function seconds(s: number): string {
   const whole = Math.round(s);
   return whole < 100
@@ -34,6 +43,22 @@ export function found(job: SearchJob): string {
   const better =
     start !== null && best < start ? `, ${number(start - best)} fewer than were known` : '';
   return count(best, 'block') + better + (best === bound ? ', the minimum' : '');
+}
+
+/** What came of it, as a headline: "87 blocks, 3 fewer than were known" */
+export function result(job: SearchJob): string {
+  const { state, best, start_best: start, lower_bound: bound } = job;
+  if (state === 'failed') {
+    return 'The search failed';
+  }
+  if (state === 'running') {
+    return best === null ? 'Searching: nothing yet' : `Searching: ${found(job)} so far`;
+  }
+  return best === null
+    ? 'No design was found'
+    : start !== null && best >= start && best !== bound
+      ? `No better design was found: ${count(best, 'block')}, as before`
+      : found(job);
 }
 
 export function rate(perSecond: number): string {

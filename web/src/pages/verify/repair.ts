@@ -50,11 +50,12 @@ export function compared(
 
 /** Lists of at most so many blocks are repaired without being asked. */
 const atOnce = 200;
-/** So many unchanged blocks are shown around a change. */
+/** So many unchanged blocks are shown around a change, and all of a list that is short. */
 const around = 1;
+const mostWhole = 40;
 
 function changes(lines: readonly Line[], name: (x: number) => string): Child[] {
-  const shown = new Set<number>();
+  const shown = new Set<number>(lines.length <= mostWhole ? lines.keys() : []);
   lines.forEach(({ sign }, i) => {
     if (sign !== '') {
       for (let j = i - around; j <= i + around; ++j) {
@@ -80,6 +81,7 @@ function changes(lines: readonly Line[], name: (x: number) => string): Child[] {
         { class: sign === '+' ? 'repair-new' : sign === '−' ? 'repair-old' : '' },
         h('span', { class: 'repair-sign' }, sign || '\u00a0'),
         sign === '−' ? h('s', {}, words) : words,
+        sign !== '' && h('span', { class: 'repair-why' }, sign === '−' ? 'removed' : 'added'),
       ),
     );
   });
@@ -138,24 +140,26 @@ export function repairOffer(
       return;
     }
     const b = design.blocks.length;
+    // Long lists are not compared: what the program kept is counted.
+    const lines = b + had <= mostCompared ? compared(given.blocks, design.blocks) : null;
+    const of = (sign: Line['sign']): number | undefined =>
+      lines?.filter((line) => line.sign === sign).length;
+    const same = of('') ?? kept;
+    const [gone, come] = [of('−') ?? had - kept, of('+') ?? b - kept];
     fill(
       place,
       h(
         'p',
         {},
         h('strong', {}, `A design with ${count(b, 'block')}`),
-        ` keeps ${number(kept)} of your ${count(had, 'block')}`,
-        b > had && ` and adds ${number(b - had)}`,
-        b < had && ` and leaves out ${number(had - b)}`,
-        '. It is verified.',
+        ', verified. ',
+        `It keeps ${number(same)} of your ${count(had, 'block')}, `,
+        h('span', { class: 'repair-count old' }, `removes ${gone === 0 ? 'none' : number(gone)}`),
+        ' and ',
+        h('span', { class: 'repair-count new' }, `adds ${come === 0 ? 'none' : number(come)}`),
+        '.',
       ),
-      b + had <= mostCompared
-        ? h(
-            'ol',
-            { class: 'repair-lines' },
-            changes(compared(given.blocks, design.blocks), given.name),
-          )
-        : null,
+      lines && h('ol', { class: 'repair-lines' }, changes(lines, given.name)),
       h(
         'div',
         { class: 'row' },
