@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "changeover/draw/draw.hpp"
+#include "construct/references.hpp"
 #include "core/words.hpp"
 #include "draw/design/frame.hpp"
 #include "draw/text/measure.hpp"
@@ -18,7 +19,7 @@ constexpr double between = 24, between_levels = 36;
 constexpr double node_height = 68;
 
 struct DrawnNode {
-  std::vector<std::string> lines;  // name, blocks, construction, theorem
+  std::vector<std::string> lines;  // name, blocks, construction, work and theorem
   std::string title;
   std::string construction;
   std::uint64_t b = 0;
@@ -27,14 +28,30 @@ struct DrawnNode {
   double width = 0;  // of the whole tree below it
 };
 
+// "Chafee and Stevens 2025, Theorem 3" for those who read; files are no reference for them.
+std::string cited(const Citation& citation, bool whole) {
+  std::string place = citation.place.starts_with("src/") ? "" : citation.place;
+  constexpr std::string_view ours = "docs/theorems.md";
+  for (std::size_t at = place.find(ours); at != std::string::npos; at = place.find(ours)) {
+    place.replace(at, ours.size(), "Changeover");
+  }
+  std::string words = spoken_work(citation.key);
+  const std::string title = whole ? title_of_work(citation.key) : "";
+  words += title.empty() ? "" : ": " + title;
+  return words + (words.empty() || place.empty() ? "" : ", ") + place;
+}
+
 DrawnNode node_of(const Recipe& recipe, const Registry& registry) {
   const Construction& construction = registry.construction_of(recipe);
   DrawnNode node;
   node.construction = recipe.construction;
   node.b = registry.build(recipe)->block_count().value_or(0);
-  node.lines = {name(recipe.parameters), count_of(node.b, "block"), recipe.construction,
-                construction.citation().to_string()};
-  node.title = construction.explain(recipe) + " " + node.lines.back();
+  node.lines = {name(recipe.parameters), count_of(node.b, "block"), recipe.construction};
+  node.title = construction.explain(recipe);
+  if (const std::string by = cited(construction.citation(), false); !by.empty()) {
+    node.lines.push_back(by);
+    node.title += " " + cited(construction.citation(), true);
+  }
   for (const Recipe& input : recipe.inputs) {
     node.inputs.push_back(node_of(input, registry));
   }
@@ -97,7 +114,7 @@ void add(Picture& picture, const DrawnNode& node, double left, double top) {
                           .radius = 6},
        .style = {
            .fill = Paint(Paint::Role::ground), .stroke = Paint::series(0), .stroke_width = 1.5}});
-  double y = top + 4;
+  double y = top + 4 + (4 - static_cast<double>(node.lines.size())) * 7.5;
   for (std::size_t i = 0; i < node.lines.size(); ++i) {
     y += i == 0 ? 13 : 15;
     Mark line{.shape = Text{.at = {middle, y}, .content = node.lines[i]}};

@@ -130,3 +130,26 @@ test('it looks right', async (explorer) => {
   await look(page, 'cell');
   await phone(page, 'cell');
 });
+
+test('what the signs of a bound mean stands beside it', async (explorer) => {
+  const page = await explorer.open('#/cell?v=20&k=5');
+  const degree = page.locator('.bounds tr', { hasText: 'degree' });
+  await degree.getByText('how many times').waitFor();
+  const said = await degree.locator('.defined').textContent();
+  for (const meaning of ['is introduced', 'how many blocks contain', 'newly covered pairs']) {
+    assert.ok(said.includes(meaning), said);
+  }
+  assert.equal(
+    await page.locator('.bounds tr', { hasText: 'end to end' }).locator('.defined').count(),
+    0,
+  );
+});
+
+test('recipes of triples lead to triples, and signs in them are set', async (explorer) => {
+  const page = await explorer.open('#/cell?v=8&k=4&change=2&kind=circular&strength=3');
+  assert.match(await page.locator('.recipe a').first().getAttribute('href'), /v=8&k=4.*strength=3/);
+  await page.goto(page.url().replace(/#.*/, '#/cell?v=12&k=7'));
+  const text = page.locator('.recipe-node', { hasText: 'short-long-runs' });
+  await text.locator('math', { hasText: '∞' }).first().waitFor();
+  assert.ok(!(await text.textContent()).includes('∞_'));
+});

@@ -23,6 +23,18 @@ import { ownServer, test } from './support/tests.mjs';
 
 ownServer();
 
+test('before a plan: what will come, and an example by one press', async (explorer) => {
+  const page = await explorer.open('#/plan');
+  const picture = page.getByRole('img', { name: /^Eight tests of four parts/ });
+  await picture.waitFor();
+  await page.getByText('Press Plan. You get the set-ups in their order').waitFor();
+  await hurried(page);
+  await page.getByRole('button', { name: 'Try it: a pump bench' }).click();
+  await planned(page);
+  await page.getByRole('heading', { name: 'Pump bench' }).waitFor();
+  assert.ok(await picture.isHidden(), 'the plan itself is there now');
+});
+
 test('what is missing is said where it is missing', async (explorer) => {
   const page = await explorer.open('#/plan', { mayFail: /422/ });
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
@@ -332,7 +344,7 @@ test('on a phone: what to do next first, each test a card', async (explorer) => 
   const page = await explorer.open('#/plan');
   await page.setViewportSize({ width: 390, height: 844 });
   await hurried(page);
-  await page.getByRole('link', { name: 'a pump bench' }).click();
+  await page.getByRole('button', { name: 'a pump bench' }).click();
   await planned(page);
   assert.ok(!(await page.locator('.plan-form').isVisible()), 'the form makes room');
   assert.ok(await page.locator('.next-test').getByText('Put in').isVisible());

@@ -22,6 +22,7 @@ test('formulas in text: what is mathematics and what is not', async () => {
     ['3-subsets of a v-set, end to end', '3-subsets of a v-set, end to end'],
     ['an element x of B_{i+1}', 'an element ⟦x⟧ of ⟦B_{i+1}⟧'],
     ['2*n1 + n2 <= 3k', '⟦2\\cdot n_{1}+n_{2}\\le 3k⟧'],
+    ['put ∞_s into blocks', 'put ⟦\\infty _{s}⟧ into blocks'],
     ['DCCD(61,4)', '⟦\\mathrm{DCCD}(61,4)⟧'],
     ['A = {0, 1, …, n−1} ⊂ Z_v', '⟦A=\\{0,\\, 1,\\, \\dots ,\\, n-1\\}\\subset Z_{v}⟧'],
     ['b = (x+y)(z+1) = k(v−1)+m(b−1) = 3v − 3k', '⟦b⟧⟦{}=(x+y)(z+1)⟧⟦{}=k(v-1)+m(b-1)⟧⟦{}=3v-3k⟧'],

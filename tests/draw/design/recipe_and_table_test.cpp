@@ -32,6 +32,22 @@ TEST(RecipePictureTest, EveryConstructionIsANodeWithItsBlocks) {
   }
 }
 
+TEST(RecipePictureTest, WorksAreNamedAndNotTheirKeysOrFiles) {
+  const auto offer =
+      Registry::standard().best({.v = 40, .k = 6, .change = 2, .kind = Kind::circular});
+  ASSERT_TRUE(offer);
+  const std::string drawn = svg(draw_recipe(offer->recipe));
+  for (const char* right :
+       {">Changeover, Theorem 15<", ">Chafee and Stevens 2025, Theorem 3<",
+        "Chafee and Stevens 2025: Recursive and Cyclic Constructions for Double-Change Covering "
+        "Designs, Theorem 3"}) {
+    EXPECT_NE(drawn.find(right), std::string::npos) << right;
+  }
+  for (const char* wrong : {"ChafeeStevens", "docs/", "src/", "elementary", "McSorley1999"}) {
+    EXPECT_EQ(drawn.find(wrong), std::string::npos) << wrong;
+  }
+}
+
 TEST(RecipePictureTest, InputsStandSideBySide) {
   const auto leaf = Registry::standard().best({.v = 7, .k = 3, .kind = Kind::circular});
   ASSERT_TRUE(leaf);

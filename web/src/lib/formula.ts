@@ -206,6 +206,10 @@ function tokenAt(text: string, at: number, sure: boolean): Token | null {
       tex: tex.join('') + (index ? `_{${index}}` : '') + end.tex,
     };
   }
+  if (here === '∞') {
+    const end = scripts(text, at + 1);
+    return { ...make('variable', here, '\\infty ' + end.tex), to: end.to };
+  }
   if (opened.has(here)) {
     return make('open', here, symbols[here]!);
   }

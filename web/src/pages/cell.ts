@@ -13,7 +13,7 @@ import { copyButton } from '../parts/copy';
 import { downloads } from '../parts/downloads';
 import { busyKey, cellOf } from '../parts/fields';
 import { ladder } from '../parts/ladder';
-import { reason, recipeTree } from '../parts/recipe';
+import { defined, reason, recipeTree } from '../parts/recipe';
 import { badge } from '../parts/status';
 import { thumbnail } from '../parts/thumbnail';
 import { isCopy } from '../shell/about';
@@ -176,6 +176,7 @@ function summary(
           detail.reason && reason(detail.reason),
           detail.reason && '.',
         ),
+      best.status === 'minimum' && detail.reason && defined(detail.reason, detail.strength),
       h(
         'p',
         {},
@@ -237,7 +238,12 @@ function bounds(detail: CellDetail): Child[] {
                   {},
                   h('td', { class: 'number' }, number(bound.blocks)),
                   h('td', {}, bound.name),
-                  h('td', { class: 'reason' }, reason(bound.reason)),
+                  h(
+                    'td',
+                    { class: 'reason' },
+                    reason(bound.reason),
+                    defined(bound.reason, detail.strength),
+                  ),
                 ),
               ),
             ),
@@ -495,7 +501,9 @@ export const cell: Page = {
       explain(wanted, view.signal).then((found) =>
         fill(
           recipe,
-          found ? recipeTree(found.tree) : h('p', {}, 'How this design was made is not known.'),
+          found
+            ? recipeTree(found.tree, detail.strength)
+            : h('p', {}, 'How this design was made is not known.'),
         ),
       ),
     ];

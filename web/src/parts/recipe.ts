@@ -2,6 +2,8 @@
 import type { TreeNode } from '../lib/api';
 import { scholarly, work } from '../lib/citations';
 import { h, type Child } from '../lib/dom';
+import { mathText } from '../lib/mathematics';
+import { termsOf } from '../lib/terms';
 import { changeWord, count, number } from '../lib/words';
 import { link } from '../shell/router';
 import { badge } from './status';
@@ -21,6 +23,20 @@ export function reason(text: string): Child[] {
   return scholarly(text, (theorem) => link('theorems', { theorem }));
 }
 
+/**
+ * What the signs mean that the program uses and does not define in its reasons; null if it used
+ * none.
+ */
+export function defined(text: string, strength = 2): HTMLElement | null {
+  const terms = termsOf(strength);
+  const used = [terms.introductions, terms.occurrences, terms.surplus].filter((meaning) =>
+    text.includes(meaning.slice(0, 3)),
+  );
+  return used.length === 0
+    ? null
+    : h('p', { class: 'hint defined' }, mathText(`Here ${used.join('; ')}.`));
+}
+
 /** A citation without its brackets. */
 export function citation(text: string): Child[] {
   // What is said of a theorem of ours behind the place in the work has its own link.
@@ -31,7 +47,7 @@ export function citation(text: string): Child[] {
     : reason(text.startsWith('[') ? text.replace(/^\[|\]$/g, '') : text);
 }
 
-function node(tree: TreeNode, depth: number): HTMLElement {
+function node(tree: TreeNode, strength: number, depth: number): HTMLElement {
   const text = h(
     'div',
     { class: 'recipe-node' },
@@ -40,7 +56,15 @@ function node(tree: TreeNode, depth: number): HTMLElement {
       {},
       h(
         'a',
-        { href: link('cell', { v: tree.v, k: tree.k, change: tree.change, kind: tree.kind }) },
+        {
+          href: link('cell', {
+            v: tree.v,
+            k: tree.k,
+            change: tree.change,
+            kind: tree.kind,
+            strength: strength === 2 ? null : strength,
+          }),
+        },
         shortName(tree),
       ),
       tree.verdict?.valid !== false && `, ${count(tree.b, 'block')} `,
@@ -81,19 +105,20 @@ function node(tree: TreeNode, depth: number): HTMLElement {
       h(
         'ul',
         {},
-        tree.inputs.map((each) => node(each, depth + 1)),
+        tree.inputs.map((each) => node(each, strength, depth + 1)),
       ),
     ),
   );
 }
 
-export function recipeTree(tree: TreeNode): HTMLElement {
+/** `strength`: of the design, and of those that it is made of. */
+export function recipeTree(tree: TreeNode, strength = 2): HTMLElement {
   return h(
     'ul',
     {
       class: 'recipe',
       'aria-label': `How the ${tree.kind} ${changeWord(tree.change)} design is made`,
     },
-    node(tree, 0),
+    node(tree, strength, 0),
   );
 }

@@ -107,7 +107,9 @@ OS, Debian 12, Fedora 40, 8
 OS, Fedora 40, Debian 12, 8`,
 };
 
-export const examples: readonly (readonly [name: string, job: Job])[] = [
+type Example = readonly [name: string, job: Job];
+
+export const examples: readonly [Example, ...Example[]] = [
   ['a pump bench', pumps],
   ['a server with slots', server],
   ['three benches', benches],

@@ -49,6 +49,7 @@ export class PlanPage {
   /** Tests whose results the server does not have yet. */
   private readonly unsaved = new Set<number>();
   private saving: Promise<void> = Promise.resolve();
+  private readonly introduction = introduction((job) => this.useExample(job));
   private readonly result = h('div', { class: 'result' });
   private readonly fault = h('div', { class: 'plan-fault no-print' });
   private readonly news = h('div', { class: 'no-print' });
@@ -91,7 +92,7 @@ export class PlanPage {
     const { view } = this;
     fill(
       view.root,
-      introduction((job) => this.useExample(job)),
+      this.introduction.element,
       this.pick,
       keptList(this.writes, view.signal),
       this.box.element,
@@ -338,6 +339,7 @@ export class PlanPage {
   private show(): void {
     const { state } = this;
     const outcome = state.outcome!;
+    this.introduction.planned();
     this.drawing.abort();
     const drawing = (this.drawing = new AbortController());
     this.view.signal.addEventListener('abort', () => drawing.abort(), { once: true });

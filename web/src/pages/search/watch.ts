@@ -323,9 +323,11 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     message.textContent =
       job.way === 'exact' && job.decisions.length > 0 && job.state !== 'failed'
         ? ''
-        : job.message.startsWith('minimum: as many blocks as the lower bound')
-          ? job.message.replace(/^minimum: as many blocks as the lower bound(; )?/, '')
-          : job.message;
+        : job.message === 'nothing better was found'
+          ? ''
+          : job.message.startsWith('minimum: as many blocks as the lower bound')
+            ? job.message.replace(/^minimum: as many blocks as the lower bound(; )?/, '')
+            : job.message;
     message.classList.toggle('problem', job.state === 'failed');
     progress.hidden = !running;
     progress.value = Math.min(1, job.seconds / job.limit);

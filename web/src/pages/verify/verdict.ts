@@ -4,7 +4,7 @@ import { h, type Child } from '../../lib/dom';
 import { formula, mathText } from '../../lib/mathematics';
 import { termsOf } from '../../lib/terms';
 import { count, nameOf, number, ratio, setsOf } from '../../lib/words';
-import { reason } from '../../parts/recipe';
+import { defined, reason } from '../../parts/recipe';
 import { virtualList } from '../../parts/virtual';
 import type { Report } from './check';
 
@@ -56,6 +56,7 @@ function reasons(report: Report): Child[] {
       ),
       bound &&
         h('p', { class: 'reason' }, `Lower bound (${bound.name}): `, reason(bound.reason), '.'),
+      bound && defined(bound.reason, blocks.strength),
     ];
   }
   const list: Child[] = [];
