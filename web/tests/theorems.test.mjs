@@ -199,3 +199,31 @@ test('it looks right', async (explorer) => {
   await look(page, 'theorems');
   await phone(page, 'theorems');
 });
+
+test('formulas in sight are set before all others', async (explorer) => {
+  const page = await explorer.open('#/home');
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.evaluate(() => {
+    window.order = [];
+    new MutationObserver((changes) => {
+      for (const { target } of changes) {
+        if (target.matches('.math:not(.plain)')) {
+          const { top, bottom } = target.getBoundingClientRect();
+          window.order.push(
+            target.checkVisibility({ contentVisibilityAuto: true }) &&
+              bottom >= 0 &&
+              top <= innerHeight,
+          );
+        }
+      }
+    }).observe(document, { attributes: true, attributeFilter: ['class'], subtree: true });
+  });
+  await page.evaluate(() => (window.location.hash = '#/theorems'));
+  await page.waitForFunction(
+    () => window.order.length > 100 && !document.querySelector('.math.plain'),
+  );
+  const order = await page.evaluate(() => window.order);
+  const seen = order.filter(Boolean).length;
+  assert.ok(seen > 5 && order.length > 5 * seen, `${seen} of ${order.length} in sight`);
+  assert.ok(order.slice(0, seen).every(Boolean), 'those in sight came first');
+});

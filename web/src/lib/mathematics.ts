@@ -6,18 +6,23 @@ import { partsOf, pieces } from './formula';
 type Setter = (tex: string, place: HTMLElement, display: boolean) => void;
 
 let setter: Setter | null = null;
-let asked = false;
+let asked: Promise<void> | null = null;
 /** Formulas that are to be set, and whether that is under way. */
 let waiting: [HTMLElement, string, boolean][] = [];
 let setting = false;
-/** Whether some came, or the page moved, since they were put in order. */
-let unordered = false;
+/** How many at the front are in sight, and how many at the end came since they were put in order. */
+let front = 0;
+let fresh = 0;
+/** Whether the page moved since then. */
+let moved = false;
+/** What waits for those in sight. */
+let after: (() => void)[] = [];
 /** So long, in milliseconds, formulas are set before the page may draw and listen again. */
 const slice = 16;
 /** More formulas than that are set in the order in which they are seen. */
 const few = 30;
 
-async function ask(): Promise<void> {
+async function bring(): Promise<void> {
   const temml = await import('temml');
   setter = (tex, place, display) => {
     const before = [...place.childNodes];
@@ -28,6 +33,11 @@ async function ask(): Promise<void> {
     }
     place.classList.remove('plain');
   };
+}
+
+/** Fetches what sets formulas: a page that has many begins with it. */
+export function prepare(): Promise<void> {
+  return (asked ??= bring());
 }
 
 function inSight([place]: [HTMLElement, string, boolean]): boolean {
@@ -42,25 +52,53 @@ function inSight([place]: [HTMLElement, string, boolean]): boolean {
 /** Sets some formulas, those in sight first; a page of hundreds does not stand still for them. */
 function work(): void {
   const deadline = performance.now() + slice;
-  if (unordered && waiting.length > few) {
-    const seen = waiting.map(inSight);
-    waiting = [...waiting.filter((_, i) => seen[i]), ...waiting.filter((_, i) => !seen[i])];
+  if (waiting.length > few && (moved || fresh > 0)) {
+    // To look at all of them each time takes longer than to set them.
+    const old = moved ? [] : waiting.slice(0, waiting.length - fresh);
+    const looked = waiting.slice(old.length);
+    const seen = looked.map(inSight);
+    const nearest = looked.filter((_, i) => seen[i]);
+    front = moved ? nearest.length : front + nearest.length;
+    waiting = [...nearest, ...old, ...looked.filter((_, i) => !seen[i])];
   }
-  unordered = false;
+  moved = false;
+  fresh = 0;
   let done = 0;
   do {
     const next = waiting[done++];
     next && setter!(next[1], next[0], next[2]);
   } while (done < waiting.length && performance.now() < deadline);
   waiting = waiting.slice(done);
+  front = Math.max(0, front - done);
+  if (front === 0) {
+    after.splice(0).forEach((call) => call());
+  }
   setting = waiting.length > 0;
   setting && setTimeout(work, 0);
 }
 
+/** Begins to set them. Of many it must be known which are in sight, and that is after a frame. */
+function begin(): void {
+  if (waiting.length <= few) {
+    work();
+    return;
+  }
+  let begun = false;
+  const once = (): void => {
+    if (!begun) {
+      begun = true;
+      work();
+    }
+  };
+  requestAnimationFrame(() => setTimeout(once, 0));
+  setTimeout(once, 200); // A window behind others has no frames.
+}
+
 // What is read now comes first, and paper has all.
-window.addEventListener('scroll', () => (unordered = true), { capture: true, passive: true });
+window.addEventListener('scroll', () => (moved = true), { capture: true, passive: true });
 window.addEventListener('beforeprint', () => {
   waiting.splice(0).forEach(([place, tex, display]) => setter?.(tex, place, display));
+  front = fresh = 0;
 });
 
 /** A formula as it is written, until it is set: `x_{p}` with its index. */
@@ -76,17 +114,21 @@ function written(plain: string): Child[] {
 
 function set(place: HTMLElement, tex: string, display: boolean): HTMLElement {
   waiting.push([place, tex, display]);
-  unordered = true;
+  ++fresh;
   if (setter && !setting) {
     setting = true;
-    queueMicrotask(work); // Before the page is drawn, if there are few.
-  } else if (!asked) {
-    asked = true;
+    queueMicrotask(begin); // Before the page is drawn, if there are few.
+  } else if (!setting) {
     setting = true;
     // Without it formulas stay as they are written.
-    ask().then(work, () => undefined);
+    prepare().then(begin, () => after.splice(0).forEach((call) => call()));
   }
   return place;
+}
+
+/** Calls back when the formulas in sight are set: what nobody sees yet can wait for them. */
+export function afterSight(call: () => void): void {
+  setting ? after.push(call) : setTimeout(call, 0);
 }
 
 /** A text with its formulas set. */

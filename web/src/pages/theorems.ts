@@ -4,6 +4,7 @@ import type { Cell, Construction, Theorem } from '../lib/api';
 import { cited } from '../lib/citations';
 import { fill, h, type Child } from '../lib/dom';
 import { line, markup } from '../lib/markup';
+import { afterSight, prepare } from '../lib/mathematics';
 import { constructions, designOf, isHeld, theorems as ask } from '../lib/source';
 import { symmetryOf } from '../lib/symmetry';
 import { waiting } from '../lib/wait';
@@ -147,7 +148,7 @@ function piecewise(tasks: (() => void)[], first: number, signal: AbortSignal): {
     }
     !signal.aborted && left.length > 0 && setTimeout(more, 0);
   };
-  setTimeout(more, 0);
+  afterSight(more);
   return { rest };
 }
 
@@ -290,6 +291,7 @@ export const theorems: Page = {
       construction: view.params.get('construction'),
       reference: view.params.get('reference'),
     };
+    prepare().catch(() => undefined); // While the program is asked.
     let answers: [Theorem[], Construction[]];
     try {
       answers = await waiting(
