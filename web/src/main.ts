@@ -12,7 +12,8 @@ import { plan } from './pages/plan';
 import { search } from './pages/search';
 import { theorems } from './pages/theorems';
 import { verify } from './pages/verify';
-import { about } from './shell/about';
+import { about, isCopy } from './shell/about';
+import { withoutLinksBeyond } from './shell/copy';
 import { openGlossary } from './shell/glossary';
 import { whereThereIsAServer } from './shell/live';
 import { link, placeOf, Router, type Page } from './shell/router';
@@ -153,6 +154,9 @@ function begin(): void {
   document.adoptedStyleSheets = [sheet];
   keepToken();
   followAddress();
+  if (isCopy()) {
+    withoutLinksBeyond(element('main'));
+  }
   const router = new Router(pages, element('main'), navigation);
   startTheme();
   router.draw();

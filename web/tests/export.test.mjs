@@ -159,6 +159,51 @@ test('every design is the one whose label it has', async (explorer) => {
   );
 });
 
+test('no link leads to what the copy does not have', async (explorer) => {
+  // The copy has k 4 and 5, v 6 to 20 and change number 2.
+  const held = (href) => {
+    const params = new URLSearchParams(href.split('?')[1]);
+    const [v, k, change] = (params.get('label') ?? '').split('.').map(Number);
+    const cell = params.has('label')
+      ? { v, k, change }
+      : {
+          v: Number(params.get('v')),
+          k: Number(params.get('k')),
+          change: Number(params.get('change') ?? 2),
+        };
+    return cell.change === 2 && cell.v >= 6 && cell.v <= 20 && (cell.k === 4 || cell.k === 5);
+  };
+  const page = await explorer.open('#/cell?v=20&k=5');
+  for (const [at, some] of [
+    ['#/cell?v=20&k=5', '.neighbours a'],
+    ['#/cell?v=19&k=4&kind=linear', '.recipe-node'],
+    ['#/theorems', '.statement'],
+    ['#/home', '.door'],
+  ]) {
+    await page.goto(page.url().replace(/#.*/, at));
+    await page.locator(some).first().waitFor();
+    await settled(page);
+    await page.waitForLoadState('networkidle');
+    const links = await page
+      .locator('main :is(a[href^="#/cell?"], a[href^="#/design?"])')
+      .evaluateAll((anchors) => anchors.map((anchor) => anchor.getAttribute('href')));
+    assert.deepEqual(
+      links.filter((href) => !held(href)),
+      [],
+      at,
+    );
+  }
+  await page.goto(page.url().replace(/#.*/, '#/cell?v=20&k=5'));
+  const ways = await page.locator('.neighbours li').allTextContents();
+  assert.deepEqual(ways, ['← v = 19', '↑ k = 4', 'linear', 'on the map']);
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('ArrowLeft');
+  await page.getByRole('heading', { name: /on 19 elements in blocks of 5/ }).waitFor();
+  await page.goto(page.url().replace(/#.*/, '#/catalog'));
+  await page.locator('table.cells a').first().waitFor();
+  assert.equal(await page.getByLabel('Change number').locator('option').count(), 1);
+});
+
 test('what the copy does not have is said', async (explorer) => {
   const page = await explorer.open('#/cell?v=50&k=5');
   await page.getByRole('alert').filter({ hasText: 'static copy does not have it' }).waitFor();

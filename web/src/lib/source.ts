@@ -262,13 +262,20 @@ async function shelved(label: string): Promise<Design> {
 /** Whether a static copy has a cell; a server has all. */
 export async function isHeld(cell: Cell): Promise<boolean> {
   const { range } = isCopy() ? await about() : { range: undefined };
+  const { change, kind, strength = 2 } = cell;
   return (
     !range ||
-    (range.changes.includes(cell.change) &&
+    (range.changes.includes(change) &&
       cell.k >= range.k_from &&
       cell.k <= range.k_to &&
       cell.v >= range.v_from &&
-      cell.v <= range.v_to)
+      cell.v <= range.v_to &&
+      // Of larger strengths it has fewer.
+      (strength === 2 ||
+        (await atlasOf({ change, kind, strength }).then(
+          (atlas) => atlas.has(cell.v, cell.k),
+          () => false,
+        ))))
   );
 }
 

@@ -7,7 +7,7 @@ import { addGroups, atlasOf, completeness } from '../lib/source';
 import { changes, changeWord, count, kinds, number, ratio } from '../lib/words';
 import { more } from '../parts/more';
 import { badge } from '../parts/status';
-import { isCopy } from '../shell/about';
+import { about, isCopy } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
 import { atlasMap } from './catalog/atlas_map';
 import { cellTable } from './catalog/cells';
@@ -77,6 +77,7 @@ export const catalog: Page = {
   title: 'Catalog',
   async render(view: View) {
     const param = (name: string, otherwise: string): string => view.params.get(name) ?? otherwise;
+    const copied = isCopy() ? (await about()).range : undefined;
     const selection = (): Selection => ({
       change: Number(param('change', '2')),
       kind: param('kind', 'circular') as Kind,
@@ -383,7 +384,12 @@ export const catalog: Page = {
       h(
         'div',
         { class: 'row controls' },
-        choice('Change number', 'change', '2', changes),
+        choice(
+          'Change number',
+          'change',
+          '2',
+          changes.filter(([change]) => !copied || copied.changes.includes(Number(change))),
+        ),
         choice('Kind', 'kind', 'circular', kinds),
         choice('Covers', 'strength', '2', strengths),
         more('controls').element,

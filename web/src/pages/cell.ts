@@ -4,7 +4,7 @@ import type { Cell, CellDetail, Design } from '../lib/api';
 import { work } from '../lib/citations';
 import { fill, h, scroll, type Child } from '../lib/dom';
 import { formula } from '../lib/mathematics';
-import { cellDetail, designOf, explain, dossierAddress } from '../lib/source';
+import { cellDetail, designOf, dossierAddress, explain, isHeld } from '../lib/source';
 import { mostLooked, symmetryOf } from '../lib/symmetry';
 import { waiting } from '../lib/wait';
 import { changeWord, count, nameOf, number, ratio } from '../lib/words';
@@ -92,7 +92,9 @@ function walk(view: View, cell: Cell): void {
       const { v, k } = { ...cell, ...move };
       if (move && !busyKey(event) && !event.shiftKey && k >= 2 && k <= Math.max(v, cell.k)) {
         event.preventDefault();
-        window.location.hash = at(cell, move);
+        void isHeld({ ...cell, ...move }).then(
+          (held) => held && !view.signal.aborted && (window.location.hash = at(cell, move)),
+        );
       }
     },
     { signal: view.signal },

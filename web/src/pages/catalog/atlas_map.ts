@@ -273,6 +273,9 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     if (!atlas) {
       return { k: { from: 3, to: 40 }, v: { from: 4, to: 160 } };
     }
+    if (drawing.width === 0) {
+      return { k: atlas.k, v: atlas.v, ...wanted }; // It is not laid out yet.
+    }
     const to = (
       from: number,
       at: number,
