@@ -299,3 +299,21 @@ test('what comes is said before a check, and that the server is gone', async (ex
   await page.getByRole('alert').getByText('The server does not answer.').waitFor();
   assert.equal(await page.getByRole('alert').locator('code').textContent(), 'changeover serve');
 });
+
+test('a list of triples is told in triples, and leads to what is known of them', async (explorer) => {
+  const page = await explorer.open('#/verify');
+  await page
+    .getByRole('textbox', { name: /one block per line/ })
+    .fill(
+      '# changeover design v=8 k=5 change=2 kind=circular strength=3\n' +
+        '0 1 2 3 4\n0 1 2 5 6\n0 4 3 5 6\n0 3 1 5 7\n4 6 1 5 7\n2 6 1 3 7\n2 6 0 4 7\n2 3 5 4 7\n',
+    );
+  await page.getByRole('button', { name: 'Check', exact: true }).click();
+  await page.getByRole('heading', { name: '✓ Valid' }).waitFor();
+  await page.getByText('Every one of the 56 triples is in a block').waitFor();
+  await page.getByText('every triple of elements is in some block').waitFor();
+  assert.match(
+    await page.getByRole('link', { name: 'What is known for these' }).getAttribute('href'),
+    /strength=3/,
+  );
+});

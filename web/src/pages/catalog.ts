@@ -39,7 +39,7 @@ function linkOf(cell: AtlasCell): Record<string, string | number | null> {
 }
 
 /** What is to be said where most cells have no design; null elsewhere. */
-function whatLacks(atlas: Atlas, onlyKnown: () => void): HTMLElement | null {
+function whatLacks(atlas: Atlas, onlyKnown: (() => void) | null): HTMLElement | null {
   const possible = atlas.cells().filter((cell) => cell.status !== 'impossible');
   const known = possible.filter((cell) => cell.b !== null).length;
   return 2 * known >= possible.length
@@ -50,12 +50,14 @@ function whatLacks(atlas: Atlas, onlyKnown: () => void): HTMLElement | null {
         `A design is known for ${number(known)} of these ${count(possible.length, 'cell')}. ` +
           'A number in italics says how many blocks a design would have at least. ' +
           `${isCopy() ? '' : 'Select such a cell to search for its first design. '}`,
-        h(
-          'button',
-          { type: 'button', class: 'as-link', onclick: onlyKnown },
-          'Show only those with a design',
-        ),
-        '.',
+        onlyKnown && [
+          h(
+            'button',
+            { type: 'button', class: 'as-link', onclick: onlyKnown },
+            'Show only those with a design',
+          ),
+          '.',
+        ],
       );
 }
 
@@ -215,7 +217,7 @@ export const catalog: Page = {
         fill(legend, paintOf(atlas, measure, param('number', 'b') === 'b').legend);
         fill(
           lacking,
-          whatLacks(atlas, () => sift.only('known')),
+          whatLacks(atlas, param('status', '') === 'known' ? null : () => sift.only('known')),
         );
       }
     }

@@ -340,6 +340,7 @@ async function render(view: View): Promise<void> {
             k: report.blocks.k,
             change: report.blocks.change,
             kind: report.blocks.kind,
+            strength: report.blocks.strength === 2 ? null : report.blocks.strength,
           }),
         },
         'What is known for these parameters',
