@@ -359,6 +359,14 @@ test('it looks right', async (explorer) => {
   const page = await explorer.open('#/design?v=20&k=5&at=7');
   await look(page, 'design-steps');
   await phone(page, 'design-steps');
+  const tabs = await page.getByRole('tab').evaluateAll((all) =>
+    all.map((tab) => {
+      const { left, right, height } = tab.getBoundingClientRect();
+      return { left, right, height };
+    }),
+  );
+  assert.equal(tabs.length, 6);
+  assert.ok(tabs.every(({ left, right, height }) => left >= 0 && right <= 390 && height >= 36));
   await page.setViewportSize({ width: 1280, height: 900 });
   for (const name of ['Array', 'Stays', 'Coverage', 'Recipe', 'Blocks']) {
     await page.getByRole('tab', { name }).click();

@@ -126,7 +126,7 @@ function set(place: HTMLElement, tex: string, display: boolean): HTMLElement {
   return place;
 }
 
-/** Calls back when the formulas in sight are set: what nobody sees yet can wait for them. */
+/** Calls back when the formulas in sight are set: what is not seen yet can wait for them. */
 export function afterSight(call: () => void): void {
   setting ? after.push(call) : setTimeout(call, 0);
 }

@@ -45,7 +45,7 @@ export function found(job: SearchJob): string {
   return count(best, 'block') + better + (best === bound ? ', the minimum' : '');
 }
 
-/** What came of it, as a headline: "87 blocks, 3 fewer than were known" */
+/** The result as a headline: "87 blocks, 3 fewer than were known" */
 export function result(job: SearchJob): string {
   const { state, best, start_best: start, lower_bound: bound } = job;
   if (state === 'failed') {
