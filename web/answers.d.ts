@@ -4,7 +4,7 @@ export type Kind = 'linear' | 'circular';
 export type Block = number[];
 export type Job = {
   format?: 'changeover-job/1';
-  /** CSV or .xlsx: one part per line, with its change cost or not */
+  /** CSV or .xlsx: one part per line, optionally with its change cost */
   parts?:
     | (
         | number
@@ -24,11 +24,11 @@ export type Job = {
     | null;
   /** instead of parts: parameters with their values and rules, in the language of PICT or ACTS */
   model?: (string | {file: string} | {text: string}) | null;
-  /** the first row of the parts list heads its columns */
+  /** the first row of the parts list has the names of the columns */
   header?: boolean | null;
   /** the first row of the parts list is a part */
   no_header?: boolean | null;
-  /** the column of the parts list that has the change costs, by its head; -: none */
+  /** name of the column of the parts list with the change costs, or - for none */
   cost_column?: string | null;
   /** use N parts named 1 to N */
   items?: number | null;
@@ -40,7 +40,7 @@ export type Job = {
   change_cost?: (number | string) | null;
   /**
    * a square table: what putting in the part of the column costs where that of the row was taken
-   * out; of a model: parameter,value,cost a line
+   * out; of a model: one parameter,value,cost per line
    */
   change_costs?:
     | (
@@ -50,7 +50,7 @@ export type Job = {
         | {workbook: string; sheet?: string}
       )
     | null;
-  /** what all costs are: with a time, a clock runs along (default: as the list says) */
+  /** unit of all costs; with a unit of time, the sheet shows a clock (default: as the list says) */
   cost_unit?: ('money' | 'seconds' | 'minutes' | 'hours') | null;
   /** 2: every two parts must meet; 3: every three (default: 2) */
   strength?: number | null;
@@ -139,9 +139,7 @@ export type Job = {
   done_first?: number | null;
   /** pairs that met only in tests that did not pass count as tested, and are not needed again */
   trust_failed?: boolean | null;
-  /**
-   * parts or values of a model that broke: they are left out from now on, and what was done stays done
-   */
+  /** parts that can no longer be used; tests already run with them still count */
   without?: (string | number | null)[] | null;
   /** how many benches work side by side, or a file that lists them, one per line */
   benches?:
@@ -187,7 +185,7 @@ export type Job = {
   weekends?: boolean | null;
   /** show which plan is cheapest at which ratio of change cost to test cost */
   what_if?: boolean | null;
-  /** leave out the whole set-ups; on paper, two columns */
+  /** leave out the complete set-ups; print in two columns */
   compact?: boolean | null;
   /** swap interchangeable parts at random, with this seed */
   shuffle?: number | null;
@@ -195,7 +193,7 @@ export type Job = {
   diagnose?: boolean | null;
   /** the heading of the run sheet */
   title?: string | null;
-  /** moves of each local search (default: as suits) */
+  /** moves of each local search (default: chosen automatically) */
   steps?: number | null;
   /**
    * search so long (default: command line: 60; server: 10, at most 60 (followed: 60, at most
@@ -226,7 +224,7 @@ export type LoadRequest = {
         | {workbook: string; sheet?: string}
       )
     | null;
-  /** only the pairs within the groups listed there, a group of items per line */
+  /** only the pairs within the groups listed there, one group of items per line */
   groups?:
     | (
         | [string | number | null, ...(string | number | null)[]][]
