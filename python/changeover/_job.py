@@ -278,7 +278,7 @@ def _part_named(part: Any, argument: str = "parts") -> str:
 def _parts_one_by_one(given: Any) -> list[dict[str, str]]:
     if not leads_from_keys(given):
         rows: Iterable[Any] = ((part, None)
-            for part in listed("parts", "names, or is how many there are", given, True))
+            for part in listed("parts", "names, or their number", given, True))
     elif hasattr(given, "index") and has_numbered_rows(given):
         raise TypeError("parts is a Series with numbers as its index; give list(...) of it if its "
                         "values are names, to_dict() of it if they are costs")

@@ -239,7 +239,7 @@ class Calls(unittest.TestCase):
             for name, what in vars(each).items():
                 if isinstance(what, property) or type(what).__name__ == "pybind11_static_property":
                     with self.subTest(each=each, name=name), self.assertRaisesRegex(
-                        TypeError, "nothing in it"
+                        TypeError, "this object is empty"
                     ):
                         getattr(nothing, name)
             for look in looks:

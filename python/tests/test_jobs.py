@@ -218,7 +218,9 @@ class Plans(unittest.TestCase):
                 ):
                     self.plan("a b c d".split(), 3, **{name: [wrong]})
         for wrong in ("abcd", b"abcd", {"a", "b", "c"}, 5.5):
-            with self.subTest(parts=wrong), self.assertRaisesRegex(TypeError, "^parts has names"):
+            with self.subTest(parts=wrong), self.assertRaisesRegex(
+                TypeError, "^parts must be a list of names"
+            ):
                 self.plan(wrong, 3)
         with self.assertRaisesRegex(
             TypeError, "^first has set-ups in an order, and a set has none"
@@ -250,12 +252,14 @@ class Plans(unittest.TestCase):
             ):
                 self.plan(["a", wrong, "b"], 2)
         for wrong in (memoryview(b"abc"), collections.UserString("abc")):
-            with self.subTest(wrong=wrong), self.assertRaisesRegex(TypeError, "^parts has names"):
+            with self.subTest(wrong=wrong), self.assertRaisesRegex(
+                TypeError, "^parts must be a list of names"
+            ):
                 self.plan(wrong, 2)
         self.assertEqual(self.plan([1, 2.5, Decimal("3"), "x"], 2).tests, 6)
 
     def test_true_is_no_number(self):
-        with self.assertRaisesRegex(TypeError, "^parts has names, or is how many there are"):
+        with self.assertRaisesRegex(TypeError, "^parts must be a list of names, or their number"):
             self.plan(True, 2)
         with self.assertRaisesRegex(TypeError, "^benches has names or dicts"):
             self.plan(4, 2, benches=True)
