@@ -14,7 +14,7 @@
 #include "changeover/plan/run_plan.hpp"
 #include "message_of.hpp"
 #include "plan/job/prices.hpp"
-#include "plan/job/setup_list.hpp"
+#include "plan/job/setups/setup_list.hpp"
 
 namespace changeover::refusals_test {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "changeover/plan/job.hpp"
-#include "plan/job/setup_list.hpp"
+#include "plan/job/setups/setup_list.hpp"
 #include "run/random.hpp"
 
 namespace changeover::test {

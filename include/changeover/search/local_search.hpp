@@ -250,7 +250,8 @@ struct LeastChangeOrder {
 //     ExtendResult longer = extend(beginning, {.blocks = 40}, control);   // the beginning stays
 //     longer.design;  longer.why_stopped;
 //
-// *Repair* takes any list of blocks of the right shape. First its steps: a block that fits neither
+// *Repair* takes any list of blocks of the right shape. If one change does (two blocks exchanged, a
+// block elsewhere, one element, a block less), that is the answer. Else first its steps: a block that fits neither
 // of its neighbours is replaced by the one nearest to it that fits both, a repeated block goes, and
 // across any other wrong step the shortest way is inserted (construct/tools/path.hpp). Then what is
 // uncovered: the list is annealed, briefly first, as every move changes blocks,

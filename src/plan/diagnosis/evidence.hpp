@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "changeover/plan/diagnosis.hpp"
-#include "plan/job/setup_list.hpp"
+#include "plan/job/setups/setup_list.hpp"
 
 namespace changeover {
 

@@ -15,7 +15,7 @@
 #include "core/words.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/pair_numbers.hpp"
-#include "plan/job/setup_list.hpp"
+#include "plan/job/setups/setup_list.hpp"
 
 namespace changeover {
 namespace {

@@ -11,7 +11,7 @@
 #include "plan/job/choices.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/pair_numbers.hpp"
-#include "plan/job/setup_list.hpp"
+#include "plan/job/setups/setup_list.hpp"
 
 namespace changeover {
 namespace {

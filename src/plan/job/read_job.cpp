@@ -15,12 +15,12 @@
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
 #include "io/write/csv_cell.hpp"
-#include "plan/job/other_results.hpp"
 #include "plan/job/part_finder.hpp"
-#include "plan/job/setup_columns.hpp"
-#include "plan/job/setup_list.hpp"
-#include "plan/job/sheet_evidence.hpp"
-#include "plan/job/step_numbers.hpp"
+#include "plan/job/setups/other_results.hpp"
+#include "plan/job/setups/setup_columns.hpp"
+#include "plan/job/setups/setup_list.hpp"
+#include "plan/job/setups/sheet_evidence.hpp"
+#include "plan/job/setups/step_numbers.hpp"
 
 namespace changeover {
 namespace {

@@ -12,7 +12,7 @@
 #include "io/scan/place.hpp"
 #include "plan/job/bench_jobs.hpp"
 #include "plan/job/bench_list.hpp"
-#include "plan/job/setup_list.hpp"
+#include "plan/job/setups/setup_list.hpp"
 
 namespace changeover {
 namespace {}  // namespace

@@ -11,7 +11,7 @@
 #include "changeover/io/input.hpp"
 #include "changeover/io/request.hpp"
 #include "io/workbook/workbook_sheet.hpp"
-#include "plan/job/setup_columns.hpp"
+#include "plan/job/setups/setup_columns.hpp"
 
 namespace changeover {
 

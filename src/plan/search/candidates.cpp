@@ -11,7 +11,7 @@
 #include "changeover/run/control.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "core/words.hpp"
-#include "plan/job/setup_list.hpp"
+#include "plan/job/setups/setup_list.hpp"
 #include "plan/search/budget.hpp"
 
 namespace changeover {

@@ -14,6 +14,7 @@
 #include "search/local/local_search_arms.hpp"
 #include "search/local/random_list.hpp"
 #include "search/repair/repair_cover.hpp"
+#include "search/repair/repair_one_change.hpp"
 
 namespace changeover {
 namespace {
@@ -157,6 +158,12 @@ class Repair {
     if (list_.v() == list_.k()) {
       keep(Design(list_.parameters(), std::vector<Block>{block_of(list_, 0)}));
       return;
+    }
+    if (list_.block_count() > 1) {
+      if (auto design = repaired_by_one_change(list_)) {
+        keep(*std::move(design));
+        return;
+      }
     }
     const Design mended = Steps(list_, random_).mended();
     if (verify(mended).valid()) {

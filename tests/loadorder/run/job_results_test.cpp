@@ -487,7 +487,7 @@ TEST(JobThreads, ThatCannotBeStartedAreOneFaultAndNoAbort) {
     options.threads = many;
     EXPECT_REFUSAL(all_pairs(
                        source, plan_load_order(5, 3), [](const PairWork&) {}, options),
-                   BadInput, "readers; give at most");
+                   BadInput, "readers are too many; give at most");
   }
 }
 

@@ -55,6 +55,52 @@ TEST(Repair, MendsOneWrongElement) {
   }
 }
 
+// A design with one slip is repaired by one change: at most one block is not kept.
+TEST(Repair, OneSlipCostsOneBlockAtMost) {
+  Random random(4);
+  std::size_t slips = 0;
+  for (const Parameters& p : std::vector<Parameters>{
+           {.v = 9, .k = 4, .change = 1, .kind = Kind::linear},
+           {.v = 8, .k = 4, .change = 1, .kind = Kind::circular},
+           {.v = 13, .k = 4, .change = 2, .kind = Kind::circular},
+           {.v = 12, .k = 5, .change = 2, .kind = Kind::linear},
+           {.v = 6, .k = 4, .change = 1, .kind = Kind::circular, .strength = 3}}) {
+    const Design design = known(p);
+    const auto b = static_cast<std::uint32_t>(design.block_count());
+    for (int run = 0; run < 40; ++run) {
+      std::vector<Block> blocks = design.blocks();
+      const std::uint32_t i = random.below(b);
+      const std::uint32_t j = random.below(b);
+      const int slip = run % 4;
+      if (slip == 0) {
+        std::swap(blocks[i], blocks[j]);
+      } else if (slip == 1) {  // one elsewhere
+        const Block block = blocks[i];
+        blocks.erase(blocks.begin() + i);
+        blocks.insert(blocks.begin() + j, block);
+      } else if (slip == 2) {
+        const auto x = random.below(static_cast<std::uint32_t>(p.v));
+        if (std::ranges::find(blocks[i], x) != blocks[i].end()) {
+          continue;
+        }
+        blocks[i][random.below(static_cast<std::uint32_t>(p.k))] = x;
+      } else {
+        blocks.insert(blocks.begin() + j, blocks[i]);
+      }
+      const Design list(p, blocks);
+      if (test::naive_verdict(list).valid) {
+        continue;
+      }
+      ++slips;
+      const RepairResult result = mend(list);
+      ASSERT_TRUE(test::naive_verdict(*result.design).valid) << name(p) << ' ' << slip;
+      EXPECT_EQ(result.moves, 0U) << name(p) << ' ' << slip;
+      EXPECT_GE(result.kept + (slip < 2 ? 0U : 1U), blocks.size()) << name(p) << ' ' << slip;
+    }
+  }
+  EXPECT_GT(slips, 100U);
+}
+
 TEST(Repair, ConnectsWhatIsFarApart) {
   const Parameters p{.v = 12, .k = 4, .kind = Kind::circular};
   const Design design = known(p);

@@ -16,7 +16,7 @@
 #include "core/words.hpp"
 #include "plan/job/pair_numbers.hpp"
 #include "plan/job/prices.hpp"
-#include "plan/job/setup_list.hpp"
+#include "plan/job/setups/setup_list.hpp"
 #include "plan/search/benches/benches_at_work.hpp"
 #include "plan/search/benches/easiest_job.hpp"
 #include "plan/search/benches/fullest_bench.hpp"

@@ -1,4 +1,4 @@
-#include "plan/job/step_numbers.hpp"
+#include "plan/job/setups/step_numbers.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "plan/job/setup_columns.hpp"
+#include "plan/job/setups/setup_columns.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "plan/job/other_results.hpp"
+#include "plan/job/setups/other_results.hpp"
 
 #include <fmt/format.h>
 

@@ -13,7 +13,7 @@
 #include "changeover/plan/job.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/part_finder.hpp"
-#include "plan/job/setup_columns.hpp"
+#include "plan/job/setups/setup_columns.hpp"
 
 namespace changeover {
 

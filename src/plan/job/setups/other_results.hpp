@@ -7,7 +7,7 @@
 
 #include "changeover/plan/job.hpp"
 #include "io/scan/row_reader.hpp"
-#include "plan/job/setup_columns.hpp"
+#include "plan/job/setups/setup_columns.hpp"
 
 namespace changeover {
 

@@ -1,4 +1,4 @@
-#include "plan/job/sheet_evidence.hpp"
+#include "plan/job/setups/sheet_evidence.hpp"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,7 @@
 #include "changeover/run/control.hpp"
 #include "plan/job/choices.hpp"
 #include "plan/job/pair_numbers.hpp"
-#include "plan/job/setup_list.hpp"
+#include "plan/job/setups/setup_list.hpp"
 
 namespace changeover {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
-#include "plan/job/step_numbers.hpp"
+#include "plan/job/setups/step_numbers.hpp"
 
 namespace changeover::sheet_evidence_test {
 namespace {

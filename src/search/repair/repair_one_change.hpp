@@ -1,0 +1,18 @@
+// Repairs of one change: most lists that people give have one slip.
+#pragma once
+
+#include <optional>
+
+#include "changeover/core/design.hpp"
+
+namespace changeover {
+
+/// A design that differs from the list by two blocks exchanged, one block elsewhere, one element of
+/// one block, or one block less, in this order of preference, which is that of how many blocks stay;
+/// nullopt if there is none, or the list is so long that looking takes longer than annealing. Needs
+/// two blocks or more. The scope of this thread (run/control.hpp) can stop it. O(b² k) for another
+/// order, O(b k²) for another element if something is covered nowhere and O(v k²) if not, and a
+/// verification for each list whose steps are right.
+[[nodiscard]] std::optional<Design> repaired_by_one_change(const Design& list);
+
+}  // namespace changeover
