@@ -64,7 +64,8 @@ void name_value(const PartFinder& finder, std::size_t parameter, const std::stri
   if (const auto part = finder.model()->value(parameter, text)) {
     field.text = finder.name(*part);
   } else if (!text.empty()) {
-    field.text = fmt::format("{}: {}", finder.model()->model().parameters[parameter].name, text);
+    field.text = fmt::format("{}: {}", finder.model()->model().parameters[parameter].name,
+                             finder.model()->without_parameter(parameter, text));
   }
 }
 
@@ -205,8 +206,10 @@ class SetupReader {
       reader_.fail(place, "a row without a set-up; remove it or complete it");
     }
     if (done.setup.size() > at_once_) {
-      reader_.fail(place, fmt::format("{} parts, but only {} fit at once; remove some",
-                                      done.setup.size(), at_once_));
+      reader_.fail(
+          place,
+          fmt::format("{} parts, but only {} fit at once; {}", done.setup.size(), at_once_,
+                      forgiving_ ? "write it as several tests, or let more fit" : "remove some"));
     }
     if (evidence_) {
       evidence_->take(row, done, [this](const std::string& name) {

@@ -37,7 +37,21 @@ std::optional<Element> ModelNames::value(std::size_t parameter, std::string_view
   if (found == values.end() && plain.starts_with('~')) {
     found = values.find(in_capitals(trimmed(plain.substr(1))));
   }
-  return found == values.end() ? std::nullopt : std::optional(found->second);
+  if (found != values.end()) {
+    return found->second;
+  }
+  const std::string_view rest = without_parameter(parameter, plain);
+  return rest.size() < plain.size() ? value(parameter, rest) : std::nullopt;
+}
+
+std::string_view ModelNames::without_parameter(std::size_t parameter, std::string_view name) const {
+  for (std::size_t at = name.find_first_of(":="); at != std::string_view::npos;
+       at = name.find_first_of(":=", at + 1)) {
+    if (this->parameter(name.substr(0, at)) == parameter) {
+      return trimmed(name.substr(at + 1));
+    }
+  }
+  return name;
 }
 
 std::optional<Element> ModelNames::part(std::string_view word) const {

@@ -18,8 +18,12 @@ class ModelNames {
 
   [[nodiscard]] const Model& model() const { return *model_; }
   [[nodiscard]] std::optional<std::size_t> parameter(std::string_view name) const;
-  /// A value of this parameter by its label or any of its names, with or without ~.
+  /// A value of this parameter by its label or any of its names, with or without ~ or the name of
+  /// the parameter before it: "Debian", "OS: Debian".
   [[nodiscard]] std::optional<Element> value(std::size_t parameter, std::string_view name) const;
+  /// What is behind the name of this parameter, if that is there: "Debian" of "OS: Debian".
+  [[nodiscard]] std::string_view without_parameter(std::size_t parameter,
+                                                   std::string_view name) const;
   /// "OS: Debian" or "OS=Debian", or "Debian" if only one parameter has such a value.
   [[nodiscard]] std::optional<Element> part(std::string_view word) const;
   /// The message for a word that part() does not find.

@@ -121,8 +121,10 @@ TEST(Job, NeedsTheRestOnceTestsAreDone) {
   other.start = {4};
   mark_done(other, {{0, 1, 2}});
   EXPECT_THAT(other.start, ElementsAre(4));
-  EXPECT_REFUSAL(mark_done(other, {{0, 1, 2, 3}}), BadInput,
-                 "a test that was done has 4 parts, but only 3 fit at once; remove some");
+  EXPECT_REFUSAL(
+      mark_done(other, {{0, 1, 2, 3}}), BadInput,
+      "a test that was done has 4 parts, but only 3 fit at once; write it as several tests, "
+      "or let more fit");
   EXPECT_REFUSAL(mark_done(other, {{0, 1}, {0, 5}}), BadInput,
                  "a test that was done names part 6 of 5; name parts that there are")
       << "there is no part 5";

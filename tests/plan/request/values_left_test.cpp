@@ -76,6 +76,18 @@ TEST_F(ValuesLeft, StayLeftOutFromWorkbookToWorkbook) {
   expect_no_test_with("Opera");
 }
 
+// Of values that two parameters share, the sheet of what was done has the whole names.
+TEST_F(ValuesLeft, SharedNamesCountFromWorkbookToWorkbook) {
+  request.model.text = "OS: Win, Deb, Mac\nLog: On, Off\nRetry: On, Off\n";
+  std::string bytes = planned(opened(filled_in(planned(), {"pass", "pass", "pass"})));
+  const std::uint64_t left = asked.job->needed.size();
+  for (int round = 0; round < 2; ++round) {
+    bytes = planned(opened(bytes));
+    EXPECT_EQ(asked.job->tests_done, 3U);
+    EXPECT_EQ(asked.job->needed.size(), left);
+  }
+}
+
 TEST_F(ValuesLeft, OtherListsMayNameThoseThatBroke) {
   request.without = {"Fedora"};
   request.never.rows = {{{{"Fedora", "Opera"}}, {{"Debian", "Opera"}}}};

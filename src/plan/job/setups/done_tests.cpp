@@ -98,7 +98,8 @@ void mark_tested(Job& job, const std::vector<DoneTest>& tests, FailedTests faile
     }
     if (test.setup.size() > job.at_once) {
       throw BadInput(
-          fmt::format("a test that was done has {} parts, but only {} fit at once; remove some",
+          fmt::format("a test that was done has {} parts, but only {} fit at once; write it as "
+                      "several tests, or let more fit",
                       test.setup.size(), job.at_once));
     }
     (is_in_doubt(test.result) ? in_doubt : sure).add(job, test.setup);

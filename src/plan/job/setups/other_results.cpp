@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 
 #include "core/contains.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 #include "plan/job/parts/heading_words.hpp"
 
 namespace changeover {
@@ -18,6 +21,14 @@ bool heads_remarks(const std::string& head) {
   return std::ranges::any_of(words, heads_reasons);
 }
 
+// What the program writes into a run sheet beside the set-up.
+bool is_ours(const std::string& head) {
+  constexpr auto ours = std::to_array<std::string_view>(
+      {"take_out", "put_in", "set", "set_up", "new_pairs", "new_triples", "cost", "cost_so_far",
+       "clock", "weight_so_far", "day", "date", "from_hour", "to_hour"});
+  return std::ranges::find(ours, lower_case(head)) != ours.end();
+}
+
 }  // namespace
 
 void OtherResults::find(const Row& header, const SetupColumns& columns) {
@@ -26,15 +37,16 @@ void OtherResults::find(const Row& header, const SetupColumns& columns) {
            i == columns.list || contains(columns.slots, i);
   };
   for (std::size_t i = 0; i < header.size(); ++i) {
-    if (columns.result && !is_taken(i) && heads_results(header[i].text) &&
-        !heads_remarks(header[i].text)) {
-      columns_.push_back(i);
+    if (is_taken(i) || heads_remarks(header[i].text) || is_ours(header[i].text)) {
+      continue;
     }
+    (columns.result && heads_results(header[i].text) ? columns_ : unread_).push_back(i);
   }
 }
 
 void OtherResults::check(const Row& row, const DoneRow& done, const Row& header,
                          const SetupColumns& columns, const RowReader& reader) {
+  check_unread(row, header, columns, reader);
   for (const std::size_t i : columns_) {
     const TestResult said = i < row.size() ? result_of(row[i].text) : TestResult::none;
     if (said != TestResult::pass && said != TestResult::fail) {
@@ -51,12 +63,36 @@ void OtherResults::check(const Row& row, const DoneRow& done, const Row& header,
   }
 }
 
+// Without a column of results all tests of the list would count as passed.
+void OtherResults::check_unread(const Row& row, const Row& header, const SetupColumns& columns,
+                                const RowReader& reader) {
+  for (const std::size_t i : unread_) {
+    const TestResult said = i < row.size() ? result_of(row[i].text) : TestResult::none;
+    if (said != TestResult::pass && said != TestResult::fail) {
+      continue;
+    }
+    if (!columns.result && !reader.is_given() && !reader.is_workbook()) {
+      reader.fail(row[i],
+                  fmt::format("{} in the column {}, and no column is called result; call it so if "
+                              "it has the results, or remove it",
+                              shown(row[i].text), shown(header[i].text)));
+    }
+    strange_ = strange_.value_or(i);
+  }
+}
+
 void OtherResults::say(DoneList& list, const Row& header, const RowReader& reader) const {
   if (said_) {
     list.notes.push_back(
         fmt::format("{}: the column {} is not read; it says the same as that of "
                     "the results",
                     reader.place(header[*said_]), shown(header[*said_].text)));
+  }
+  if (strange_ && !list.has_results()) {
+    list.notes.push_back(fmt::format(
+        "{}: the column {} says pass or fail, but that of the results is empty and counts; write "
+        "the results there",
+        reader.place(header[*strange_]), shown(header[*strange_].text)));
   }
 }
 

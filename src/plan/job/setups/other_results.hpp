@@ -1,4 +1,5 @@
-// Columns of results beside the one that is read: a sheet may have "Ergebnis" beside "result".
+// Results that are not in the column that is read: a sheet may have "Ergebnis" beside "result", or
+// "Status" in its place.
 #pragma once
 
 #include <cstddef>
@@ -17,16 +18,22 @@ class OtherResults {
   void find(const Row& header, const SetupColumns& columns);
 
   /// @throws BadInput with the cell if another column says pass or fail and that of results does
-  /// not
+  /// not, or if no column is read and one says so
   void check(const Row& row, const DoneRow& done, const Row& header, const SetupColumns& columns,
              const RowReader& reader);
 
-  /// Names the columns that only repeat the results.
+  /// Names the columns that only repeat the results, and one that says pass or fail while that of
+  /// results is empty.
   void say(DoneList& list, const Row& header, const RowReader& reader) const;
 
  private:
-  std::vector<std::size_t> columns_;
-  std::optional<std::size_t> said_;  // the first that says pass or fail
+  void check_unread(const Row& row, const Row& header, const SetupColumns& columns,
+                    const RowReader& reader);
+
+  std::vector<std::size_t> columns_;    // their heads mean results
+  std::vector<std::size_t> unread_;     // their heads mean nothing that is known
+  std::optional<std::size_t> strange_;  // the first of these that says pass or fail
+  std::optional<std::size_t> said_;     // the first that says pass or fail
 };
 
 }  // namespace changeover

@@ -13,11 +13,14 @@
 namespace changeover {
 
 std::optional<DonePlace> place_in(std::string_view head) {
-  constexpr std::string_view prefix = "slot_";
-  if (!head.starts_with(prefix)) {
+  constexpr std::string_view word = "slot";
+  if (lower_case(head.substr(0, word.size())) != word) {
     return std::nullopt;
   }
-  head.remove_prefix(prefix.size());
+  head.remove_prefix(word.size());
+  if (head.starts_with('_') || head.starts_with(' ') || head.starts_with('-')) {
+    head.remove_prefix(1);
+  }
   DonePlace place;
   const char* const end = head.data() + head.size();
   const auto [rest, failure] = std::from_chars(head.data(), end, place.number);

@@ -34,7 +34,7 @@ struct SetupColumns {
 [[nodiscard]] std::vector<DonePlace> places_of(const SetupColumns& columns, const Row& header,
                                                const PartFinder& finder);
 
-/// The place of "slot_7", or of "slot_7 CPU".
+/// The place of "slot_7", or of "slot_7 CPU"; also as people write it, "Slot 7".
 [[nodiscard]] std::optional<DonePlace> place_in(std::string_view head);
 
 /// The heads of a table, by column; "" for a column without a head.

@@ -224,7 +224,10 @@ void SheetEvidence::judge(DoneList& list) const {
     if (is_full && (doubt.is_certain || is_unexplained(doubt, list, at))) {
       reader_->fail(doubt.at, fmt::format("{}; {}", doubt.what, put_it_back));
     }
-    if (!is_full && (!has_results || !list.rows[at].result.empty())) {
+    const bool counts = !has_results || !list.rows[at].result.empty();
+    const bool is_changed = doubt.keeps_old || !list.rows[at].gone.empty();  // by the user
+    const bool is_short = list.rows[at].setup.size() < room_;
+    if (counts && (!is_full || (!is_changed && is_short))) {
       others += some == nullptr ? 0U : 1U;
       some = some == nullptr ? &doubt : some;
     }

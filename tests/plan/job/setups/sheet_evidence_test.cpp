@@ -94,6 +94,15 @@ TEST(SheetEvidence, WhatPeopleChangedIsTaken) {
   EXPECT_THAT(read(head + first + "2,B,Old,A,Old,C,2,pass\n").gone, ElementsAre("Old"));
 }
 
+// One row alone proves nothing: it may be another set-up.
+TEST(SheetEvidence, ARowThatMayHaveLostAPartIsNoted) {
+  const std::string head = "step,take_out,put_in,slot_1,slot_2,slot_3,new_pairs,result\n";
+  EXPECT_THAT(
+      read(head + "3,F,D,A,B,,1,pass\n").notes,
+      ElementsAre(HasSubstr("d.csv:2:5: 'D' is put in here, but no column of parts has it")));
+  EXPECT_THAT(read(head + "3,F,D,A,B,E,2,pass\n").notes, IsEmpty());  // another part in its place
+}
+
 TEST(StepNumbers, ThatAreNoneAreRefusedOrNoted) {
   const auto with = [](const std::string& a, const std::string& b) {
     return "step,slot_1,result\n" + a + ",A,pass\n" + b + ",B,pass\n";
@@ -127,6 +136,25 @@ TEST(StepNumbers, SayTheOrderWhateverTheirHead) {
   EXPECT_THAT(read("slot_1,new_pairs,result\nA,0,pass\n", 1).notes,
               ElementsAre(HasSubstr("d.csv:1:1: the sheet has no column step")));
   EXPECT_THAT(read("slot_1,result\nA,pass\n", 1).notes, IsEmpty());
+}
+
+// Without a column of results all tests would count as passed.
+TEST(OtherResults, InAColumnOfAnotherNameAreRefused) {
+  EXPECT_THAT(
+      fault("step,slot_1,slot_2,slot_3,Status\n1,A,B,C,pass\n2,D,E,F,fail\n"),
+      HasSubstr("d.csv:2:9: 'pass' in the column 'Status', and no column is called result"));
+  EXPECT_THAT(read("step,slot_1,slot_2,slot_3,Room\n1,A,B,C,north\n").notes, IsEmpty());
+  EXPECT_THAT(read("step,slot_1,slot_2,slot_3,result,Status\n1,A,B,C,,fail\n").notes,
+              ElementsAre(HasSubstr("the column 'Status' says pass or fail, but that of the "
+                                    "results is empty")));
+}
+
+TEST(SetupColumns, PlacesMayBeWrittenAsWords) {
+  const DoneList list = read("Step,Slot 1,slot 2,SLOT_3 disk,Result\n1,A,B,C,pass\n2,D,E,F,\n");
+  ASSERT_EQ(list.rows.size(), 2U);
+  EXPECT_EQ(list.rows[0].setup, (Block{0, 1, 2}));
+  EXPECT_EQ(list.rows[0].result, "pass");
+  EXPECT_EQ(list.places.at(2).slot, "disk");
 }
 
 TEST(OtherResults, AreNamedOrRefused) {
