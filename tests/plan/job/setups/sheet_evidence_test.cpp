@@ -142,7 +142,9 @@ TEST(StepNumbers, SayTheOrderWhateverTheirHead) {
 TEST(OtherResults, InAColumnOfAnotherNameAreRefused) {
   EXPECT_THAT(
       fault("step,slot_1,slot_2,slot_3,Status\n1,A,B,C,pass\n2,D,E,F,fail\n"),
-      HasSubstr("d.csv:2:9: 'pass' in the column 'Status', and no column is called result"));
+      HasSubstr(
+          "d.csv:2:9: 'pass' in the column 'Status', and no column is called result; call it so "
+          "if it has the results, or remove it"));
   EXPECT_THAT(read("step,slot_1,slot_2,slot_3,Room\n1,A,B,C,north\n").notes, IsEmpty());
   EXPECT_THAT(read("step,slot_1,slot_2,slot_3,result,Status\n1,A,B,C,,fail\n").notes,
               ElementsAre(HasSubstr("the column 'Status' says pass or fail, but that of the "
