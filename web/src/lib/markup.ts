@@ -2,7 +2,7 @@
 import { scholarly } from './citations';
 import { h, type Child } from './dom';
 import { inline, parse, type Inline, type Part } from './markdown';
-import { displayed } from './mathematics';
+import { displayed, type Line } from './mathematics';
 
 /** Where a link of the text leads in these pages; null: it is shown as words only. */
 type Links = (to: string) => string | null;
@@ -59,21 +59,33 @@ function nodes(parts: readonly Inline[], links: Links): Child[] {
   return found;
 }
 
-/** A line of a displayed formula as it was written, emphasis between stars. */
+/** Text as it was written, without its marks. */
 function plainLine(parts: readonly Inline[]): string {
   return parts
     .map(
       (part) =>
         written(part) ??
-        (part.is === 'em'
-          ? `*${plainLine(part.inside)}*`
-          : part.is === 'code'
-            ? part.text
-            : part.is === 'link' || part.is === 'strong' || part.is === 'sub' || part.is === 'sup'
-              ? plainLine(part.inside)
-              : ''),
+        (part.is === 'text' || part.is === 'code' ? part.text : plainLine(part.inside)),
     )
     .join('');
+}
+
+/**
+ * Lines of a displayed formula. What is emphasized is said of what stands before it: "if v ≤ 2k",
+ * "hence"; what follows it begins a line.
+ */
+function displayLines(parts: readonly Inline[]): Line[] {
+  const lines: Line[] = [];
+  let text = '';
+  for (const part of parts) {
+    if (part.is === 'em') {
+      lines.push({ text, condition: plainLine(part.inside) });
+      text = '';
+    } else {
+      text += plainLine([part]);
+    }
+  }
+  return text.trim() === '' && lines.length > 0 ? lines : [...lines, { text }];
 }
 
 function block(part: Part, links: Links): HTMLElement {
@@ -87,7 +99,7 @@ function block(part: Part, links: Links): HTMLElement {
       return h(
         'div',
         { class: 'formula scroll', tabindex: 0, role: 'group', 'aria-label': 'Formula' },
-        displayed(part.lines.map(plainLine)),
+        displayed(part.lines.flatMap(displayLines)),
       );
     case 'list': {
       const items = part.items.map((item) => {

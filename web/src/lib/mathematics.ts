@@ -148,11 +148,17 @@ export function formula(tex: string, plain: string): HTMLElement {
   return set(h('span', { class: 'math plain' }, written(plain)), tex, false);
 }
 
+/** A line of a formula that stands alone, and what is said of it: "if v ≤ 2k". */
+export interface Line {
+  readonly text: string;
+  readonly condition?: string;
+}
+
 /**
- * Lines of a formula that stands alone. What is said of a line (`*if …*`) is a separate column;
- * where there is little room it stands below, and lines end between parts.
+ * Lines of a formula that stands alone. What is said of a line is a separate column; where there is
+ * little room it stands below, and lines end between parts.
  */
-export function displayed(lines: readonly string[]): HTMLElement {
+export function displayed(lines: readonly Line[]): HTMLElement {
   const parts = (text: string): Child[] =>
     partsOf(text.trim()).flatMap((group) => [
       h(
@@ -168,12 +174,9 @@ export function displayed(lines: readonly string[]): HTMLElement {
   return h(
     'div',
     { class: 'displayed' },
-    lines.flatMap((each): Child[] => {
-      const [left, condition] = each.split('*', 2);
-      return [
-        h('div', { class: condition === undefined ? 'whole' : null }, parts(left!)),
-        condition !== undefined && h('div', { class: 'condition' }, parts(condition)),
-      ];
-    }),
+    lines.flatMap(({ text, condition }): Child[] => [
+      h('div', { class: condition === undefined ? 'whole' : null }, parts(text)),
+      condition !== undefined && h('div', { class: 'condition' }, parts(condition)),
+    ]),
   );
 }

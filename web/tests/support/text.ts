@@ -1,0 +1,3 @@
+// What shows text, for tests of what it says.
+export { markup } from '../../src/lib/markup';
+export { prepare } from '../../src/lib/mathematics';

@@ -1,0 +1,96 @@
+// Nothing that docs/theorems.md says is lost on the way to the page: its letters and digits are
+// those of what is shown, as it is written and once its formulas are set.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { load } from './support/source.mjs';
+
+/** As much of a document as text and formulas need. */
+class FakeNode {
+  childNodes = [];
+  style = {};
+  classList = { add() {}, remove() {} };
+  constructor(text = '') {
+    this.own = text;
+  }
+  appendChild(child) {
+    this.childNodes.push(...(child.isFragment ? child.childNodes : [child]));
+    return child;
+  }
+  replaceChildren(...children) {
+    this.childNodes = children;
+  }
+  get textContent() {
+    return this.own + this.childNodes.map((child) => child.textContent).join('');
+  }
+  set textContent(text) {
+    this.own = text;
+    this.childNodes = [];
+  }
+  setAttribute() {}
+  addEventListener() {}
+  checkVisibility() {
+    return false;
+  }
+}
+
+/** What is called before a page is printed: it sets all formulas. */
+const print = [];
+Object.assign(globalThis, {
+  window: {
+    addEventListener: (name, call) => name === 'beforeprint' && print.push(call),
+  },
+  document: {
+    compatMode: 'CSS1Compat',
+    createElement: () => new FakeNode(),
+    createElementNS: () => new FakeNode(),
+    createTextNode: (text) => new FakeNode(text),
+    createDocumentFragment: () => Object.assign(new FakeNode(), { isFragment: true }),
+  },
+  requestAnimationFrame() {},
+});
+
+/** Letters and digits; marks above and below them, and signs of sums, are none. */
+const letters = (text) =>
+  text
+    .normalize('NFKD')
+    .replace(/[Σ∑]/g, '')
+    .toLowerCase()
+    .replace(/[^\p{L}\p{N}]/gu, '');
+
+/** The letters of Markdown, without what is markup. */
+const lettersOf = (markdown) =>
+  letters(
+    markdown
+      .replace(/^ {0,3}\d+\. /gm, '') // The browser numbers lists.
+      .replace(/\]\((?:[^()]|\([^()]*\))*\)/g, ']'),
+  );
+
+/** Where two texts differ first. */
+function difference(one, other) {
+  let at = 0;
+  while (at < one.length && one[at] === other[at]) {
+    ++at;
+  }
+  return [one, other].map((text) => text.slice(Math.max(0, at - 40), at + 40)).join(' | ');
+}
+
+test('no letter of docs/theorems.md is lost, as it is written and as it is set', async () => {
+  const { markup, prepare } = await load('../tests/support/text.ts');
+  const source = readFileSync(
+    join(dirname(fileURLToPath(import.meta.url)), '../../docs/theorems.md'),
+    'utf8',
+  );
+  await prepare();
+  for (const section of source.split(/^(?=## )/m)) {
+    const wanted = lettersOf(section);
+    assert.ok(wanted.length > 200);
+    const shown = markup(section);
+    const text = () => letters(shown.map((each) => each.textContent).join(' '));
+    assert.ok(text() === wanted, difference(text(), wanted));
+    print.forEach((call) => call());
+    assert.ok(text() === wanted, difference(text(), wanted));
+  }
+});
