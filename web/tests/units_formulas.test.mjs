@@ -26,6 +26,9 @@ test('formulas in text: what is mathematics and what is not', async () => {
     ['DCCD(61,4)', '⟦\\mathrm{DCCD}(61,4)⟧'],
     ['A = {0, 1, …, n−1} ⊂ Z_v', '⟦A=\\{0,\\, 1,\\, \\dots ,\\, n-1\\}\\subset Z_{v}⟧'],
     ['b = (x+y)(z+1) = k(v−1)+m(b−1) = 3v − 3k', '⟦b⟧⟦{}=(x+y)(z+1)⟧⟦{}=k(v-1)+m(b-1)⟧⟦{}=3v-3k⟧'],
+    ['b = tp + 1 and cu + 2t − 1, at least', '⟦b=tp+1⟧ and ⟦cu+2t-1⟧, at least'],
+    ['Σ A_x ≤ nk, at most sn, which', '⟦\\sum A_{x}\\le nk⟧, at most ⟦sn⟧, which'],
+    ['it is so: by ms and km, of us', 'it is so: by ms and km, of us'],
     ['It is a design, as I said.', 'It is a design, as I said.'],
     ['the theorem’s proof', 'the theorem’s proof'],
   ]) {

@@ -78,6 +78,23 @@ const words = new Set(
     'If In It So To On At By No Of We An As Is Be vs'
   ).split(' '),
 );
+/** Other pairs of small letters that are no products: units, endings and short forms. */
+const shorts = new Set(
+  'cf ch cm dr ff ft hr kb kg km lb md ml mm mr ms ns pp ps px py st th'.split(' '),
+);
+/** What joins letters to what is beside them, with a blank. */
+const joined = { before: /[=≤≥<>+−·] $/, behind: /^ [=≤≥<>+−·] / };
+
+/** Whether small letters side by side are a product: `tp + 1`, `≤ nk`, `sn` have no other reading. */
+function isProduct(pair: string, before: string, behind: string): boolean {
+  return (
+    /^[_(+−·*/)]/.test(behind) ||
+    joined.before.test(before) ||
+    joined.behind.test(behind) ||
+    (!/[aeiouy]/.test(pair) && !shorts.has(pair) && !/[./]$/.test(before) && !/^\.\w/.test(behind))
+  );
+}
+
 const greek: Record<string, string> = {
   ℓ: '\\ell ',
   τ: '\\tau ',
@@ -184,7 +201,10 @@ function tokenAt(text: string, at: number, sure: boolean): Token | null {
       !sure &&
       !named &&
       (words.has(plain) ||
-        (product.length === 2 && !bound && !/[A-Z]/.test(plain) && !/^[_(+−·*/)]/.test(behind)))
+        (product.length === 2 &&
+          !bound &&
+          !/[A-Z]/.test(plain) &&
+          !isProduct(plain, text.slice(Math.max(0, at - 2), at), behind)))
     ) {
       return null;
     }
