@@ -566,3 +566,17 @@ test('the glossary of the pages is that of docs/glossary.md', async () => {
   );
   assert.ok(glossary.length > 20);
 });
+
+test('a small part is not none, and nearly all is not all', async () => {
+  const { percent } = await load('lib/words.ts');
+  for (const [part, all, said] of [
+    [0, 12720, '0 %'],
+    [6, 12720, '< 1 %'],
+    [128, 12720, '1 %'],
+    [12719, 12720, '99 %'],
+    [12720, 12720, '100 %'],
+    [0, 0, '100 %'],
+  ]) {
+    assert.equal(percent(part, all), said);
+  }
+});

@@ -69,3 +69,9 @@ export function bytes(n: number): string {
 export function ratio(b: number, bound: number): string {
   return (b / bound).toFixed(3);
 }
+
+/** "< 1 %", "37 %"; 100 % only if it is all. */
+export function percent(part: number, all: number): string {
+  const whole = all > 0 ? Math.floor((100 * part) / all) : 100;
+  return whole === 0 && part > 0 ? '< 1 %' : `${whole} %`;
+}

@@ -2,7 +2,7 @@
 // so far.
 import type { Design } from '../../lib/api';
 import { fill, h, scroll, select } from '../../lib/dom';
-import { count, number, setsOf, setWord } from '../../lib/words';
+import { count, number, percent, setWord, setsOf } from '../../lib/words';
 import { busyKey } from '../../parts/fields';
 import { coverage } from './coverage';
 import type { Chosen } from './selection';
@@ -262,7 +262,7 @@ function player(steps: Steps, sets: Sets | null, design: Design, options: Option
       fill(
         met,
         h('strong', {}, number(done)),
-        ` of ${number(all)} ${several} have met (${all ? Math.floor((100 * done) / all) : 100} %)`,
+        ` of ${number(all)} ${several} have met (${percent(done, all)})`,
       );
     }
     map?.show(at);
