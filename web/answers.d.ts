@@ -139,7 +139,10 @@ export type Job = {
   done_first?: number | null;
   /** pairs that met only in tests that did not pass count as tested, and are not needed again */
   trust_failed?: boolean | null;
-  /** parts that can no longer be used; tests already run with them still count */
+  /**
+   * parts, or values of a model, that can no longer be used; tests already run with them still
+   * count
+   */
   without?: (string | number | null)[] | null;
   /** how many benches work side by side, or a file that lists them, one per line */
   benches?:
@@ -616,6 +619,12 @@ export interface Head {
   from_step?: number;
   groups?: number;
   order_room?: number;
+  /** With prefetch, if a place is kept for what loads: no order for order_room has fewer loads. */
+  order_bound?: number;
+  order_bound_reason?: string;
+  /** The same with workers: for order_room some worker has so many loads, however it is split. */
+  order_makespan_bound?: number;
+  order_makespan_bound_reason?: string;
   /** With prefetch and sizes: the bytes that are used; the others are for what loads. */
   order_memory?: number;
   pairs?: number;

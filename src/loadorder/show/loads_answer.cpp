@@ -247,6 +247,11 @@ LoadBound LoadsAnswer::bound() const {
       split() != nullptr ? split()->facts().workers.size() : order()->facts().lockstep);
 }
 
+LoadBound LoadsAnswer::makespan_bound() const {
+  const std::uint64_t kept = asked_.sizes() ? 0 : spare().value_or(0);
+  return makespan_bound_of(*split(), split()->facts().room + kept);
+}
+
 std::unique_ptr<StepSource> LoadsAnswer::steps(std::optional<std::uint64_t> worker) const {
   // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): the caller owns it
   return split() != nullptr ? with_work(*split(), rules(), worker)

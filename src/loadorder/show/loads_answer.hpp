@@ -42,6 +42,9 @@ class LoadsAnswer {
   /// A lower bound on the loads of such a schedule.
   [[nodiscard]] LoadBound bound() const;
 
+  /// The same on those of the busiest of several workers, of which there must be shares.
+  [[nodiscard]] LoadBound makespan_bound() const;
+
   /// Reads all steps, with what they compute if that is shown. Returns the fault, empty if there is
   /// none. Thread-safe.
   [[nodiscard]] std::string fault() const;

@@ -90,12 +90,19 @@ void ScheduleKeys::say_workers(JsonWriter& json) const {
   }
 }
 
-void ScheduleKeys::say_spare(std::uint64_t spare, const ScheduleVerdict& checked,
-                             JsonWriter& json) const {
+void ScheduleKeys::say_spare(std::uint64_t spare, const std::optional<LoadBound>& others,
+                             const ScheduleVerdict& checked, JsonWriter& json) const {
   if (facts_.sizes) {
     json.key("order_memory").value(facts_.sizes->memory - spare);
   } else {
     json.key("order_room").value(facts_.room - spare);
+  }
+  if (others) {
+    json.key("order_bound").value(others->loads).key("order_bound_reason").value(others->reason);
+  }
+  if (others && split_ != nullptr) {
+    json.key("order_makespan_bound").value(split_->makespan_bound.loads);
+    json.key("order_makespan_bound_reason").value(split_->makespan_bound.reason);
   }
   if (facts_.every_step_read) {
     json.key("pairs").value(checked.computed).key("overlapped").value(checked.overlapped);

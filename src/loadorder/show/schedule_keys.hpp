@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "changeover/loadorder/schedule.hpp"
@@ -31,8 +32,10 @@ class ScheduleKeys {
   void say_bytes(const ScheduleVerdict& checked, JsonWriter& json) const;
   void say_levels_or_method(JsonWriter& json) const;
   void say_workers(JsonWriter& json) const;
-  /// So many places or bytes are kept for what is loading.
-  void say_spare(std::uint64_t spare, const ScheduleVerdict& checked, JsonWriter& json) const;
+  /// So many places or bytes are kept for what is loading; `others`: the bound of orders for the
+  /// other places, if some are kept.
+  void say_spare(std::uint64_t spare, const std::optional<LoadBound>& others,
+                 const ScheduleVerdict& checked, JsonWriter& json) const;
 
  private:
   const LoadOrderFacts& facts_;

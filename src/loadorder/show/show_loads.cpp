@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,7 @@
 #include "loadorder/show/schedule_keys.hpp"
 #include "loadorder/show/step_writer.hpp"
 #include "loadorder/show/worker_words.hpp"
+#include "loadorder/training/epochs.hpp"
 
 namespace changeover {
 namespace {
@@ -187,7 +189,7 @@ class ScheduleText {
     json.key("explanation").value(facts_.explanation);
     keys.say_workers(json);
     if (spare_) {
-      keys.say_spare(*spare_, checked_, json);
+      keys.say_spare(*spare_, bound_beside_spare(), checked_, json);
     }
     std::string spread = say_spread(json) + say_early(json);
     const std::string stores = say_stores(json, bound);
@@ -209,6 +211,32 @@ class ScheduleText {
   }
 
   [[nodiscard]] std::uint64_t workers() const { return workers_of(facts_, split_); }
+
+  // If places are kept for what is loading: the bound of orders for the other places. An order for
+  // the whole room may have fewer loads, but then loads wait for what leaves.
+  [[nodiscard]] std::optional<LoadBound> bound_beside_spare() const {
+    if (spare_.value_or(0) == 0 || facts_.sizes) {
+      return std::nullopt;
+    }
+    return bound_of_loads(rules_, facts_.room - *spare_, workers());
+  }
+
+  // What is kept for loads in progress, and what no order for the rest goes below.
+  [[nodiscard]] std::string spare_in_words() const {
+    if (!spare_) {
+      return "";
+    }
+    if (*spare_ == 0 || facts_.sizes) {
+      return fmt::format("{} kept for what is loading\n",
+                         *spare_ == 0 ? "no place is" : fmt::format("{} bytes are", *spare_));
+    }
+    const std::uint64_t others = facts_.room - *spare_;
+    return "one of the places is kept for what is loading; " +
+           (split_ != nullptr ? fmt::format("with {} some worker has at least {}\n", others,
+                                            count_of(split_->makespan_bound.loads, "load"))
+                              : fmt::format("no order for {} has fewer than {}\n", others,
+                                            count_of(bound_beside_spare()->loads, "load")));
+  }
 
   std::string say_spread(JsonWriter& json) const {
     if (!how_.compute.spread || checked_.steps == 0) {
@@ -244,12 +272,7 @@ class ScheduleText {
   // The first lines.
   [[nodiscard]] std::string in_short(const LoadBound& bound, std::uint64_t steps) const {
     const std::string loads = count_of(facts_.loads, "load");
-    const std::string spare =
-        !spare_ ? ""
-                : fmt::format("{} kept for what is loading\n",
-                              *spare_ == 0   ? "no place is"
-                              : facts_.sizes ? fmt::format("{} bytes are", *spare_)
-                                             : "one of the places is");
+    const std::string spare = spare_in_words();
     if (facts_.lockstep > 0) {
       return WorkerWords(facts_, split_).in_lockstep(what_meets(), in_epochs(), steps, bound) +
              (facts_.fast_room
@@ -357,10 +380,12 @@ class ScheduleText {
       return fmt::format("bound: {}\n", split_ != nullptr ? split_->makespan_bytes_bound.reason
                                                           : facts_.byte_bound.reason);
     }
-    if (split_ != nullptr) {
-      return "bound: " + facts_.makespan_bound.reason + "\n";
-    }
-    return spare_ ? "" : "bound: " + bound.reason + "\n";
+    const LoadBound& whole = split_ != nullptr ? facts_.makespan_bound : bound;
+    const std::optional<LoadBound> other = bound_beside_spare();
+    return "bound: " + whole.reason + "\n" +
+           (other ? fmt::format("bound with room for {}: {}\n", facts_.room - *spare_,
+                                (split_ != nullptr ? split_->makespan_bound : *other).reason)
+                  : "");
   }
 
   [[nodiscard]] std::string at_the_end() const {
@@ -491,10 +516,7 @@ ScheduleText schedule_text_of(const WorkerSplit& split, std::uint64_t room, cons
   whole.steps = sum_of(facts.workers, &WorkerFacts::steps);
   whole.explanation = facts.explanation;
   whole.certificate = facts.certificate;
-  whole.makespan_bound =
-      room == facts.room || facts.epochs > 1
-          ? facts.makespan_bound
-          : makespan_lower_bound(whole.wanted.among(whole.items), room, facts.workers.size());
+  whole.makespan_bound = makespan_bound_of(split, room);
   whole.worker_loads = each_of<std::uint64_t>(facts.workers, &WorkerFacts::loads);
   // Without owners, the steps of earlier workers are needed to know what one worker computes.
   const bool alone = how.worker_by_itself && (split.owners() != nullptr || !how.new_pairs);
@@ -511,6 +533,19 @@ LoadBound bound_of_loads(const ScheduleRules& rules, std::uint64_t room, std::ui
   const WantedPairs wanted = rules.wanted.among(rules.items);
   return epochs_lower_bound(load_lower_bound(wanted, room), wanted.count(), room,
                             std::max<std::uint64_t>(1, workers), rules.epochs);
+}
+
+LoadBound makespan_bound_of(const WorkerSplit& split, std::uint64_t room) {
+  const SplitFacts& facts = split.facts();
+  if (room == facts.room) {
+    return facts.makespan_bound;
+  }
+  const WantedPairs wanted = split.order().facts().wanted.among(facts.items);
+  const std::uint64_t workers = facts.workers.size();
+  LoadBound once = makespan_lower_bound(wanted, room, workers);
+  const LoadBound all = epochs_lower_bound(load_lower_bound(wanted, room), wanted.count(), room,
+                                           workers, facts.epochs);
+  return facts.epochs == 1 ? once : epochs_makespan_bound(once, all, workers);
 }
 
 void show_loads(const LoadOrder& order, const LoadsShown& how, Sink& out) {

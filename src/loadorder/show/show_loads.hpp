@@ -34,6 +34,10 @@ struct LoadsShown {
 [[nodiscard]] LoadBound bound_of_loads(const ScheduleRules& rules, std::uint64_t room,
                                        std::uint64_t workers);
 
+/// A lower bound on the loads of the busiest worker of any shares for this room. These ones may be
+/// for less, if places are kept for what is loading.
+[[nodiscard]] LoadBound makespan_bound_of(const WorkerSplit& split, std::uint64_t room);
+
 // What the steps compute and store is checked first, in the form in which it is written. @throws
 // InternalError
 

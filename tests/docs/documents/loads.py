@@ -129,7 +129,7 @@ def check_loads(server, count):
         if for_all and by_line.returncode == 0:
             head = json.loads(by_line.stdout.splitlines()[0])
             steps = list(map(json.loads, by_line.stdout.splitlines()[1:]))
-            if by_server["order"] != head or by_server["steps"] != steps[:5000]:
+            if by_server["order"] != head or by_server["steps"] != steps[:10000]:
                 fault(f"the server answers another document: {body}\n{by_line.stdout}\n{by_server}")
             if head["loads"] != by_server["loads"]:
                 fault(f"loads differ: {body} {head['loads']} {by_server['loads']}")

@@ -143,6 +143,52 @@ TEST(LoadsAnswer, WithoutLoadsNoPairIsComputedWhileTheyRun) {
   EXPECT_THAT(loads->head(), HasSubstr("\"overlapped\":0"));
 }
 
+// The value of a key of the head, up to the next key; empty if it is not there.
+std::string value_in(const std::string& head, const std::string& key) {
+  const std::string start = "\"" + key + "\":";
+  const std::size_t at = head.find(start);
+  if (at == std::string::npos) {
+    return "";
+  }
+  const std::size_t from = at + start.size();
+  return head.substr(from, head.find(",\"", from) - from);
+}
+
+// An order for five places has the bound of five, and the whole room of six still has its own:
+// orders for all six places are possible, only that loads wait there.
+TEST(LoadsAnswer, APlaceKeptForWhatLoadsHasBoundsBesideThoseOfTheWholeRoom) {
+  for (const std::uint64_t workers : {0U, 3U}) {
+    for (const std::uint64_t epochs : {1U, 3U}) {
+      LoadRequest request;
+      request.items = 20;
+      request.workers = workers > 0 ? std::optional(workers) : std::nullopt;
+      request.epochs = epochs;
+      const auto head_of = [&request](std::uint64_t room, bool prefetch) {
+        request.room = room;
+        request.prefetch = prefetch;
+        return answer(request)->head();
+      };
+      const std::string ahead = head_of(6, true);
+      const std::string whole = head_of(6, false);
+      const std::string less = head_of(5, false);
+      ASSERT_EQ(value_in(ahead, "order_room"), "5") << workers << " " << epochs;
+      EXPECT_NE(value_in(less, "lower_bound"), value_in(whole, "lower_bound"));
+      for (const std::string_view key : {"lower_bound", "makespan_bound"}) {
+        for (const std::string_view what : {"", "_reason"}) {
+          const std::string name = fmt::format("{}{}", key, what);
+          const std::string kept = key == "lower_bound" ? fmt::format("order_bound{}", what)
+                                                        : fmt::format("order_{}", name);
+          EXPECT_EQ(value_in(ahead, name), value_in(whole, name)) << workers << " " << epochs;
+          EXPECT_EQ(value_in(ahead, kept), value_in(less, name)) << workers << " " << epochs;
+        }
+      }
+      EXPECT_EQ(value_in(whole, "order_bound"), "");
+      request.items = 5;  // All fit: no place is kept.
+      EXPECT_EQ(value_in(head_of(6, true), "order_bound"), "");
+    }
+  }
+}
+
 // What Marius reads of these pairs of partitions, or why it cannot.
 std::string as_marius(const std::vector<ItemPair>& pairs, std::uint64_t partitions,
                       std::uint64_t room) {

@@ -373,6 +373,14 @@ TEST_F(Answers, LoadOrdersBringAllPairsTogether) {
       post("/api/loadorder", R"({"items":20,"room":6,"prefetch":true})", "application/json"));
   EXPECT_EQ(ahead["spare"], 1) << ahead["order"];
   EXPECT_TRUE(ahead["steps"][1].contains("evict_first")) << ahead["steps"][1];
+  EXPECT_EQ(ahead["order"]["order_bound"],
+            json_of(post("/api/loadorder", R"({"items":20,"room":5})",
+                         "application/json"))["lower_bound"]);
+  const auto shared = json_of(
+      post("/api/loadorder", R"({"items":30,"room":6,"workers":3,"prefetch":true,"epochs":2})",
+           "application/json"));
+  EXPECT_EQ(shared["makespan_bound"], shared["order"]["makespan_bound"]);
+  EXPECT_LT(shared["makespan_bound"], shared["order"]["order_makespan_bound"]);
   const auto searched =
       json_of(post("/api/loadorder", R"({"items":20,"room":6,"seconds":0.2})", "application/json"));
   EXPECT_EQ(searched["time_is_up"], false);

@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::uint64_t most_items_of_a_page = 20'000;
 constexpr std::uint64_t most_item_bytes = 1'000'000'000'000;
-constexpr std::uint64_t most_steps = 5000;
+constexpr std::uint64_t most_steps = 10'000;
 constexpr std::uint64_t most_samples = 2000;
 
 void require_at_most(const LoadRequest& request, std::string_view key,
@@ -220,10 +220,11 @@ class FirstLines final : public Sink {
 
 using Memories = std::vector<Account::Memory>;
 
-void write_workers(JsonWriter& json, const WorkerSplit& split, const Memories& workers) {
+void write_workers(JsonWriter& json, const LoadsAnswer& answer, const Memories& workers) {
+  const WorkerSplit& split = *answer.split();
   const SplitFacts& facts = split.facts();
   json.key("makespan").value(facts.makespan);
-  json.key("makespan_bound").value(facts.makespan_bound.loads);
+  json.key("makespan_bound").value(answer.makespan_bound().loads);
   json.key("worker_loads").value(facts.workers | std::views::transform(&WorkerFacts::loads));
   if (split.order().facts().sizes != nullptr) {
     json.key("makespan_bytes").value(facts.makespan_bytes);
@@ -299,7 +300,7 @@ Response load_order(const Explorer& explorer, const Request& request) {
   json.key("memory").value(account.held()).key("pairs_done").value(account.done());
   json.key("pairs").value(account.pairs());
   if (split != nullptr) {
-    write_workers(json, *split, account.workers());
+    write_workers(json, answer, account.workers());
   } else if (facts.lockstep > 0) {
     write_lockstep(json, facts, account.workers());
   }
