@@ -54,7 +54,7 @@ export const glossary: readonly (readonly [term: string, meaning: string])[] = [
   ['v', terms.v],
   ['k, block size', terms.k],
   ['m, change number', terms.change],
-  ['b', terms.blocks],
+  ['b', 'number of blocks in the list'],
   ['circular, linear', terms.kind],
   ['strength t', 'every t elements are together in some block; 2 unless another number is given'],
   ['introduced', terms.introduced],
